@@ -1,0 +1,31 @@
+// The node fields that terms can show in a result file.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hawser/state/kinematics.hpp"
+
+namespace hawser {
+
+struct FieldSource {
+  std::string name;   // "effective_tension"
+  std::string unit;   // "N"
+  int components = 1;
+  // Fills values[node * components + c] for this rank's owned nodes from an accepted state.
+  std::function<void(const Kinematics& at, std::span<double> values)> fill;
+};
+
+class FieldRegistry {
+ public:
+  void add(FieldSource source) { sources_.push_back(std::move(source)); }
+  const std::vector<FieldSource>& sources() const { return sources_; }
+
+ private:
+  std::vector<FieldSource> sources_;
+};
+
+}  // namespace hawser

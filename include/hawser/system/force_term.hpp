@@ -1,0 +1,56 @@
+// Every physical effect is one ForceTerm: it reads the trial kinematics and adds to the residual and its
+// derivatives. Sign: the residual is inertia + internal - external, so an applied force F adds -F.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "hawser/state/kinematics.hpp"
+#include "hawser/system/field_registry.hpp"
+#include "hawser/system/sink.hpp"
+
+namespace hawser {
+
+// Sums over what this rank counts, J. The last four are accumulated over the accepted steps.
+struct Energy {
+  double kinetic = 0, strain = 0, potential = 0;
+  double friction = 0, damping = 0, work = 0;  // taken out by friction, by damping; brought in by moving bodies
+
+  Energy& operator+=(const Energy& o) {
+    kinetic += o.kinetic, strain += o.strain, potential += o.potential;
+    friction += o.friction, damping += o.damping, work += o.work;
+    return *this;
+  }
+};
+
+// A piece of a term's committed history that belongs to a node: what a checkpoint stores.
+struct HistoryRecord {
+  int node = 0;  // mesh node (file order)
+  int key = 0;   // whatever the term tells its records apart by (a volume, say)
+  std::vector<double> values;
+};
+
+class ForceTerm {
+ public:
+  virtual ~ForceTerm() = default;
+  virtual std::string_view name() const = 0;
+
+  // Once before a step of length h [s] is tried, from the last accepted state. May communicate.
+  virtual void prepare(const Kinematics& committed, double h) { (void)committed, (void)h; }
+
+  // Adds force and tangent at the trial state. Local, repeatable: reads committed history only.
+  virtual void evaluate(const Kinematics& trial, Sink& sink) = 0;
+
+  // The state is accepted: history that belongs to it becomes the committed history.
+  virtual void commit(const Kinematics& accepted) { (void)accepted; }
+
+  virtual Energy energy(const Kinematics& at) const { return (void)at, Energy{}; }
+  virtual void fields(FieldRegistry& registry) const { (void)registry; }
+
+  // Committed history of the owned nodes, and back (records may arrive in any order).
+  virtual std::vector<HistoryRecord> save() const { return {}; }
+  virtual void restore(const std::vector<HistoryRecord>& records) { (void)records; }
+};
+
+}  // namespace hawser
