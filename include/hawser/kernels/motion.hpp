@@ -1,0 +1,103 @@
+// Prescribed motion of a rigid body: pose, velocity and acceleration at any time, exact derivatives.
+// x(t) = position + offset(t), R(t) = exp(psi(t)) R0; a rotation about a fixed axis is psi = angle(t) axis.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+// Where a body is and how it moves. Velocities are those of the body's origin; all in space axes.
+struct RigidPose {
+  Vec3 position = Vec3::Zero();              // m
+  Quat rotation = Quat::Identity();          // body axes to space axes
+  Vec3 velocity = Vec3::Zero();              // m/s
+  Vec3 acceleration = Vec3::Zero();          // m/s²
+  Vec3 angular_velocity = Vec3::Zero();      // rad/s
+  Vec3 angular_acceleration = Vec3::Zero();  // rad/s²
+
+  Vec3 to_space(const Vec3& y) const { return position + rotation * y; }
+  Vec3 to_body(const Vec3& x) const { return rotation.conjugate() * (x - position); }
+  // Of the body's material point that is at x now.
+  Vec3 velocity_at(const Vec3& x) const { return velocity + angular_velocity.cross(x - position); }
+  Vec3 acceleration_at(const Vec3& x) const {
+    const Vec3 r = x - position;
+    return acceleration + angular_acceleration.cross(r) + angular_velocity.cross(angular_velocity.cross(r));
+  }
+};
+
+// A vector function of time with its first two derivatives.
+struct VectorMotion {
+  Vec3 value = Vec3::Zero(), rate = Vec3::Zero(), second = Vec3::Zero();
+};
+
+// Natural cubic spline through rows (time [s], value); beyond its ends it goes on with the end slope, so the
+// second derivative is continuous everywhere. One row: constant. No rows: zero.
+class SplineMotion {
+ public:
+  SplineMotion() = default;
+  // Throws std::invalid_argument when the times don't increase or the sizes differ.
+  SplineMotion(std::vector<double> time, std::vector<Vec3> value);
+  VectorMotion at(double t) const;
+
+ private:
+  std::vector<double> time_;
+  std::vector<Vec3> value_, curvature_;
+};
+
+// Velocity and rate of turning about a space-fixed axis through the body's origin, both started by the ramp.
+struct SteadyLaw {
+  Vec3 velocity = Vec3::Zero();  // m/s
+  Vec3 axis = Vec3::UnitZ();     // any length but zero
+  double rate = 0;               // rad/s
+};
+
+// amplitude * sin(2 pi t / period + phase) by component; rotation is a rotation vector. The ramp multiplies
+// it.
+struct HarmonicLaw {
+  Vec3 amplitude = Vec3::Zero();           // m
+  Vec3 rotation_amplitude = Vec3::Zero();  // rad
+  double period = 1;                       // s
+  Vec3 phase = Vec3::Zero();               // rad
+  Vec3 rotation_phase = Vec3::Zero();      // rad
+};
+
+// Offset [m] and rotation vector [rad] by splines. The ramp multiplies them.
+struct TableLaw {
+  SplineMotion offset, rotation;
+};
+
+using MotionLaw = std::variant<std::monostate, SteadyLaw, HarmonicLaw, TableLaw>;
+
+class RigidMotion {
+ public:
+  RigidMotion() = default;
+  // position [m] and rotation vector [rad] of the body without its motion, ramp [s] (0: starts at once).
+  // Throws std::invalid_argument for a zero axis, a period or ramp that makes no sense.
+  RigidMotion(const Vec3& position, const Vec3& rotation, MotionLaw law = {}, double ramp = 0);
+
+  // For t < 0 the body rests where it is at t = 0.
+  RigidPose at(double t) const;
+  bool moves() const { return law_.index() != 0; }
+
+ private:
+  Vec3 position_ = Vec3::Zero();
+  Quat rotation_ = Quat::Identity();
+  MotionLaw law_;
+  double ramp_ = 0;
+};
+
+// The quintic step 10 z³ - 15 z⁴ + 6 z⁵ of z = t / duration: value, first and second derivative in time, and
+// integral from 0 to t. duration 0: the unit step.
+struct Ramp {
+  double value = 1, rate = 0, second = 0, integral = 0;
+};
+Ramp quintic_ramp(double t, double duration);
+
+// Spatial angular velocity and acceleration of exp(psi(t)): omega = J_l psi', alpha = J_l psi'' + J_l' psi',
+// J_l = I + a hat(psi) + b hat(psi)², a = (1 - cos p)/p², b = (p - sin p)/p³.
+void angular_rates(const VectorMotion& psi, Vec3& omega, Vec3& alpha);
+
+}  // namespace hawser

@@ -1,0 +1,140 @@
+#include "hawser/kernels/motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+
+Ramp quintic_ramp(double t, double duration) {
+  if (t <= 0 && duration > 0) return {0, 0, 0, 0};
+  if (t < 0) return {0, 0, 0, 0};
+  if (t >= duration) return {1, 0, 0, t - 0.5 * duration};
+  const double z = t / duration, z2 = z * z;
+  return {z2 * z * (10 + z * (6 * z - 15)), 30 * z2 * (1 - z) * (1 - z) / duration,
+          60 * z * (1 - z) * (1 - 2 * z) / (duration * duration), duration * z2 * z2 * (2.5 + z * (z - 3))};
+}
+
+void angular_rates(const VectorMotion& psi, Vec3& omega, Vec3& alpha) {
+  const Vec3 &p = psi.value, &d = psi.rate, &dd = psi.second;
+  const double t2 = p.squaredNorm(), t = std::sqrt(t2);
+  double a, b, a1, b1;  // a1 = (da/dp)/p, b1 = (db/dp)/p
+  if (t2 < 0.09) {      // the closed forms lose digits like p⁻⁴
+    a = 0.5 - t2 * (1.0 / 24 - t2 * (1.0 / 720 - t2 * (1.0 / 40320 - t2 / 3628800)));
+    b = 1.0 / 6 - t2 * (1.0 / 120 - t2 * (1.0 / 5040 - t2 * (1.0 / 362880 - t2 / 39916800)));
+    a1 = -1.0 / 12 + t2 * (1.0 / 180 - t2 * (1.0 / 6720 - t2 * (1.0 / 453600 - t2 / 47900160)));
+    b1 = -1.0 / 60 + t2 * (1.0 / 1260 - t2 * (1.0 / 60480 - t2 * (1.0 / 4989600 - t2 / 622702080)));
+  } else {
+    const double c = std::cos(t), s = std::sin(t);
+    a = (1 - c) / t2;
+    b = (t - s) / (t2 * t);
+    a1 = (t * s - 2 * (1 - c)) / (t2 * t2);
+    b1 = (3 * s - 2 * t - t * c) / (t2 * t2 * t);
+  }
+  const Vec3 pd = p.cross(d), ppd = p.cross(pd), pdd = p.cross(dd);
+  const double r = p.dot(d);
+  omega = d + a * pd + b * ppd;
+  alpha = dd + a * pdd + b * p.cross(pdd) + r * (a1 * pd + b1 * ppd) + b * d.cross(pd);
+}
+
+SplineMotion::SplineMotion(std::vector<double> time, std::vector<Vec3> value)
+    : time_(std::move(time)), value_(std::move(value)), curvature_(value_.size(), Vec3::Zero()) {
+  if (time_.size() != value_.size()) throw std::invalid_argument("a motion table needs one value a time");
+  for (size_t i = 1; i < time_.size(); ++i)
+    if (!(time_[i] > time_[i - 1])) throw std::invalid_argument("the times of a motion table must increase");
+  // Second derivatives m: h0 m[i-1] + 2 (h0 + h1) m[i] + h1 m[i+1] = 6 (slope1 - slope0), zero at both ends.
+  const size_t n = time_.size();
+  if (n < 3) return;
+  std::vector<double> upper(n, 0);
+  for (size_t i = 1; i + 1 < n; ++i) {
+    const double h0 = time_[i] - time_[i - 1], h1 = time_[i + 1] - time_[i];
+    const Vec3 jump = (value_[i + 1] - value_[i]) / h1 - (value_[i] - value_[i - 1]) / h0;
+    const double pivot = 2 * (h0 + h1) - h0 * upper[i - 1];
+    upper[i] = h1 / pivot;
+    curvature_[i] = (6 * jump - h0 * curvature_[i - 1]) / pivot;
+  }
+  for (size_t i = n - 2; i > 0; --i) curvature_[i] -= upper[i] * curvature_[i + 1];
+}
+
+VectorMotion SplineMotion::at(double t) const {
+  if (time_.empty()) return {};
+  if (time_.size() == 1) return {value_[0], Vec3::Zero(), Vec3::Zero()};
+  const auto above = std::upper_bound(time_.begin() + 1, time_.end() - 1, t);
+  const size_t j = static_cast<size_t>(above - time_.begin()), i = j - 1;
+  const double h = time_[j] - time_[i];
+  const double at = std::clamp(t, time_[i], time_[j]);
+  const double v = (at - time_[i]) / h, u = 1 - v;
+  const Vec3 &p = value_[i], &q = value_[j], &m = curvature_[i], &n = curvature_[j];
+  VectorMotion r;
+  r.value = u * p + v * q + h * h / 6 * ((u * u * u - u) * m + (v * v * v - v) * n);
+  r.rate = (q - p) / h + h / 6 * ((1 - 3 * u * u) * m + (3 * v * v - 1) * n);
+  r.second = u * m + v * n;
+  r.value += (t - at) * r.rate;
+  return r;
+}
+
+namespace {
+
+VectorMotion sine(const Vec3& amplitude, const Vec3& phase, double frequency, double t) {
+  VectorMotion m;
+  for (int c = 0; c < 3; ++c) {
+    const double angle = frequency * t + phase[c];
+    m.value[c] = amplitude[c] * std::sin(angle);
+    m.rate[c] = amplitude[c] * frequency * std::cos(angle);
+    m.second[c] = -frequency * frequency * m.value[c];
+  }
+  return m;
+}
+
+VectorMotion times(const Ramp& s, const VectorMotion& m) {
+  return {s.value * m.value, s.rate * m.value + s.value * m.rate,
+          s.second * m.value + 2 * s.rate * m.rate + s.value * m.second};
+}
+
+}  // namespace
+
+RigidMotion::RigidMotion(const Vec3& position, const Vec3& rotation, MotionLaw law, double ramp)
+    : position_(position), rotation_(exp_so3(rotation).normalized()), law_(std::move(law)), ramp_(ramp) {
+  if (!(ramp >= 0)) throw std::invalid_argument("the ramp of a motion must not be negative");
+  if (auto* steady = std::get_if<SteadyLaw>(&law_)) {
+    const double length = steady->axis.norm();
+    if (steady->rate != 0 && !(length > 0))
+      throw std::invalid_argument("the axis of a rotation must not be zero");
+    if (length > 0) steady->axis /= length;
+  }
+  if (const auto* harmonic = std::get_if<HarmonicLaw>(&law_))
+    if (!(harmonic->period > 0)) throw std::invalid_argument("the period of a motion must be positive");
+}
+
+RigidPose RigidMotion::at(double t) const {
+  RigidPose pose{position_, rotation_, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  if (!moves()) return pose;
+  const bool rests = t < 0;
+  t = std::max(t, 0.0);
+  const Ramp s = quintic_ramp(t, ramp_);
+  VectorMotion offset, psi;
+  if (const auto* steady = std::get_if<SteadyLaw>(&law_)) {
+    const Vec3 turn = steady->rate * steady->axis;
+    offset = {s.integral * steady->velocity, s.value * steady->velocity, s.rate * steady->velocity};
+    psi = {s.integral * turn, s.value * turn, s.rate * turn};
+  } else if (const auto* harmonic = std::get_if<HarmonicLaw>(&law_)) {
+    const double f = 2 * std::numbers::pi / harmonic->period;
+    offset = times(s, sine(harmonic->amplitude, harmonic->phase, f, t));
+    psi = times(s, sine(harmonic->rotation_amplitude, harmonic->rotation_phase, f, t));
+  } else if (const auto* table = std::get_if<TableLaw>(&law_)) {
+    offset = times(s, table->offset.at(t));
+    psi = times(s, table->rotation.at(t));
+  }
+  pose.position = position_ + offset.value;
+  pose.rotation = (exp_so3(psi.value) * rotation_).normalized();
+  if (rests) return pose;
+  pose.velocity = offset.rate;
+  pose.acceleration = offset.second;
+  angular_rates(psi, pose.angular_velocity, pose.angular_acceleration);
+  return pose;
+}
+
+}  // namespace hawser

@@ -1,0 +1,116 @@
+#include "hawser/kernels/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+// Every derivative against central differences with one Richardson step (error of order h⁴).
+void expect_derivatives(const RigidMotion& m, double t, double tolerance) {
+  const double h = 2e-3;
+  auto difference = [&](auto value) {
+    auto central = [&](double d) { return Vec3((value(t + d) - value(t - d)) / (2 * d)); };
+    return Vec3((4 * central(h / 2) - central(h)) / 3);
+  };
+  const RigidPose p = m.at(t);
+  const Vec3 v = difference([&](double s) { return m.at(s).position; });
+  const Vec3 a = difference([&](double s) { return m.at(s).velocity; });
+  const Vec3 w = difference([&](double s) { return log_so3(m.at(s).rotation * p.rotation.conjugate()); });
+  const Vec3 alpha = difference([&](double s) { return m.at(s).angular_velocity; });
+  EXPECT_LT((v - p.velocity).norm(), tolerance * (1 + v.norm())) << "velocity at " << t;
+  EXPECT_LT((a - p.acceleration).norm(), tolerance * (1 + a.norm())) << "acceleration at " << t;
+  EXPECT_LT((w - p.angular_velocity).norm(), tolerance * (1 + w.norm())) << "angular velocity at " << t;
+  EXPECT_LT((alpha - p.angular_acceleration).norm(), tolerance * (1 + alpha.norm()))
+      << "angular acc. at " << t;
+}
+
+TEST(Motion, RampIsSmoothAndIntegrates) {
+  EXPECT_DOUBLE_EQ(quintic_ramp(3, 3).value, 1);
+  EXPECT_DOUBLE_EQ(quintic_ramp(1.5, 3).value, 0.5);
+  EXPECT_DOUBLE_EQ(quintic_ramp(5, 3).integral, 3.5);
+  EXPECT_DOUBLE_EQ(quintic_ramp(0, 0).value, 1);
+  EXPECT_DOUBLE_EQ(quintic_ramp(0, 2).value, 0);
+  double sum = 0;  // midpoint rule
+  for (int i = 0; i < 2000; ++i) sum += quintic_ramp((i + 0.5) * 1e-3, 3).value * 1e-3;
+  EXPECT_NEAR(quintic_ramp(2, 3).integral, sum, 1e-7);
+}
+
+TEST(Motion, SteadyDerivatives) {
+  const RigidMotion m({1, 2, 3}, {0.3, -0.2, 0.5}, SteadyLaw{{0.5, -1, 2}, {1, 2, -2}, 1.7}, 4);
+  for (double t : {0.5, 1.3, 2.9, 3.7, 6.0, 40.0}) expect_derivatives(m, t, 1e-8);
+  // After the ramp: half a ramp late. Angle of the rotation in turns is free of wrapping.
+  const RigidPose p = m.at(10);
+  EXPECT_NEAR((p.position - Vec3(1 + 0.5 * 8, 2 - 8, 3 + 16)).norm(), 0, 1e-12);
+  EXPECT_NEAR(p.angular_velocity.norm(), 1.7, 1e-12);
+  const Quat expected = exp_so3(Vec3(1, 2, -2) / 3 * 1.7 * 8) * exp_so3(Vec3(0.3, -0.2, 0.5));
+  EXPECT_NEAR(std::abs(expected.dot(p.rotation)), 1, 1e-13);
+}
+
+TEST(Motion, HarmonicDerivatives) {
+  const HarmonicLaw law{{1, 0.4, -2}, {0.3, -0.9, 1.6}, 5, {0, 1, 2}, {0.2, -0.7, 1.1}};
+  for (double ramp : {0.0, 7.0}) {
+    const RigidMotion m({0, 0, 1}, {0, 0.1, 0}, law, ramp);
+    for (double t : {0.1, 1.0, 2.2, 5.5, 6.9, 13.0}) expect_derivatives(m, t, 1e-8);
+  }
+  EXPECT_NEAR(RigidMotion({0, 0, 0}, {0, 0, 0}, law).at(2.5).position.y(),
+              0.4 * std::sin(std::acos(-1.0) + 1), 1e-14);
+}
+
+TEST(Motion, TableDerivativesAndContinuity) {
+  const std::vector<double> time{0, 1, 1.5, 3, 4.5, 5};
+  std::vector<Vec3> offset, rotation;
+  for (double t : time) {
+    offset.emplace_back(std::sin(t), t * t, std::cos(2 * t));
+    rotation.emplace_back(0.1 * t * t, std::sin(t), 1.4 * t);  // beyond pi: no wrapping
+  }
+  const RigidMotion m({0, 0, 0}, {0.4, 0, 0}, TableLaw{{time, offset}, {time, rotation}}, 0);
+  for (double t : {0.3, 1.2, 2.0, 3.3, 4.8, 6.0}) expect_derivatives(m, t, 1e-8);
+  for (size_t i = 0; i < time.size(); ++i) EXPECT_NEAR((m.at(time[i]).position - offset[i]).norm(), 0, 1e-13);
+  for (double knot : {1.0, 1.5, 3.0, 4.5, 5.0}) {  // C2 at the knots and at the last row
+    const RigidPose a = m.at(knot - 1e-9), b = m.at(knot + 1e-9);
+    EXPECT_NEAR((a.velocity - b.velocity).norm(), 0, 1e-7);
+    EXPECT_NEAR((a.acceleration - b.acceleration).norm(), 0, 1e-7);
+    EXPECT_NEAR((a.angular_acceleration - b.angular_acceleration).norm(), 0, 1e-7);
+  }
+}
+
+TEST(Motion, RatesAreContinuousAcrossTheSeriesSwitch) {
+  const Vec3 u = Vec3(1, -2, 0.5).normalized(), d(0.3, 0.7, -1.1), dd(-2, 0.4, 0.9);
+  Vec3 w0, a0, w1, a1;
+  angular_rates({(0.3 - 1e-12) * u, d, dd}, w0, a0);
+  angular_rates({(0.3 + 1e-12) * u, d, dd}, w1, a1);
+  EXPECT_LT((w0 - w1).norm(), 1e-11);
+  EXPECT_LT((a0 - a1).norm(), 1e-11);
+}
+
+TEST(Motion, PointOfABody) {
+  const RigidMotion m({1, 2, 3}, {0.3, -0.2, 0.5}, SteadyLaw{{0.5, -1, 2}, {1, 2, -2}, 1.7}, 4);
+  const Vec3 y(0.3, 0.8, -1.1);
+  const double t = 2.7, h = 1e-4;
+  const RigidPose p = m.at(t);
+  const Vec3 x = p.to_space(y);
+  EXPECT_NEAR((p.to_body(x) - y).norm(), 0, 1e-14);
+  const Vec3 before = m.at(t - h).to_space(y), after = m.at(t + h).to_space(y);
+  EXPECT_NEAR((p.velocity_at(x) - (after - before) / (2 * h)).norm(), 0, 1e-6);
+  EXPECT_NEAR((p.acceleration_at(x) - (after - 2 * x + before) / (h * h)).norm(), 0, 1e-5);
+}
+
+TEST(Motion, RestsBeforeTimeZeroAndRefusesNonsense) {
+  const RigidMotion m({0, 0, 0}, {0, 0, 0}, SteadyLaw{{1, 0, 0}, {0, 0, 1}, 1});
+  EXPECT_EQ(m.at(-1).velocity.norm(), 0);
+  EXPECT_EQ(m.at(-1).position.norm(), 0);
+  EXPECT_EQ(m.at(0).velocity.x(), 1);
+  const Vec3 o = Vec3::Zero();
+  EXPECT_THROW(RigidMotion(o, o, SteadyLaw{o, o, 1}), std::invalid_argument);
+  EXPECT_THROW(RigidMotion(o, o, HarmonicLaw{o, o, 0, o, o}), std::invalid_argument);
+  EXPECT_THROW(SplineMotion({0, 0}, {o, o}), std::invalid_argument);
+  EXPECT_THROW(SplineMotion({0, 1}, {o}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hawser
