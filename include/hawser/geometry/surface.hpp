@@ -1,0 +1,67 @@
+// What contact asks of a body's surface: the signed distance with its first two derivatives.
+//
+// All in the body frame [m]; a surface never moves in it, so it is built once. Signed distance is
+// positive outside and negative inside, its gradient is the outward unit normal, and the shape behind
+// it is closed (or a half-space). query() is const and pure: any number of threads may call it.
+//
+// Kinds: PlaneSurface, CylinderSurface here; MeshSurface in mesh_surface.hpp. Box, sphere, capsule,
+// torus and extruded roller have their place here too.
+#pragma once
+
+#include <optional>
+
+#include "hawser/geometry/box.hpp"
+#include "hawser/geometry/closest_point.hpp"
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct SurfacePoint {
+  double distance = 0;              // m, signed: negative inside
+  Vec3 normal = Vec3::UnitZ();      // unit gradient of the distance at the query point, outward
+  Mat3 curvature = Mat3::Zero();    // 1/m, Hessian of the distance at the query point. Of a mesh: 0 on a
+                                    // face, (I - nn' - ee')/d along an edge e, (I - nn')/d at a vertex;
+                                    // bounded: |d| is replaced by a small length when it is smaller
+  Vec3 point = Vec3::Zero();        // m, nearest point of the surface
+  int triangle = -1;                // of a mesh, or the patch of a primitive; give it back as a hint
+  Feature feature = Feature::face;  // of that triangle
+};
+
+class Surface {
+ public:
+  virtual ~Surface() = default;
+
+  // The nearest surface point to y when the signed distance is <= max_distance [m]; nullopt when y is
+  // farther outside. A point inside is always reported, however deep. `hint` is the `triangle` of an
+  // earlier answer near y, or -1: it changes the time, never the answer.
+  virtual std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const = 0;
+
+  // Contains the surface that can be met and all points inside it; may be infinite.
+  virtual Box bounds() const = 0;
+};
+
+// The half-space below a plane through `point` with outward `normal` (need not be unit, not zero).
+class PlaneSurface final : public Surface {
+ public:
+  PlaneSurface(const Vec3& point, const Vec3& normal);
+  std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
+  Box bounds() const override;
+
+ private:
+  Vec3 point_, normal_;
+};
+
+// A closed circular cylinder with its axis from a to b (a != b), radius > 0 [m]. Patches: 0 side, 1 cap
+// at a, 2 cap at b; on the rims the feature is edge0 of the cap.
+class CylinderSurface final : public Surface {
+ public:
+  CylinderSurface(const Vec3& a, const Vec3& b, double radius);
+  std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
+  Box bounds() const override;
+
+ private:
+  Vec3 centre_, axis_;
+  double half_length_, radius_;
+};
+
+}  // namespace hawser

@@ -1,0 +1,76 @@
+// Triangle meshes: welding, topology, what is wrong with one, and repair of its orientation.
+//
+// Corners are listed anticlockwise seen from outside, so that face normals point out. Lengths in m.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "hawser/geometry/box.hpp"
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct TriangleMesh {
+  std::vector<Vec3> vertices;                 // m
+  std::vector<std::array<int, 3>> triangles;  // vertex indices
+  std::vector<int> part;                      // per triangle, index into parts; empty: one unnamed part
+  std::vector<std::string> parts;             // names
+};
+
+// Across edge i (v_i to v_(i+1)) of each triangle: the triangle on the other side, or
+inline constexpr int kOpenEdge = -1;         // none
+inline constexpr int kNonManifoldEdge = -2;  // more than one
+struct Topology {
+  std::vector<std::array<int, 3>> neighbours;
+  std::vector<int> component;  // per triangle; joined across edges of any kind
+  int components = 0;
+  int open_edges = 0;          // edges with one triangle
+  int non_manifold_edges = 0;  // edges with more than two
+  int unbalanced_edges = 0;    // edges not run through as often one way as the other
+  int flipped_edges = 0;       // edges of two triangles that run the same way: one of them is turned over
+};
+Topology topology(const TriangleMesh& mesh);
+
+struct MeshReport {
+  int triangles = 0, vertices = 0;
+  int welded = 0;      // vertices merged by weld(), if it was told
+  int removed = 0;     // triangles removed by weld() as two of their corners were one vertex
+  int degenerate = 0;  // triangles of no area (height below 1e-12 of the longest edge)
+  int open_edges = 0, non_manifold_edges = 0, flipped_edges = 0;
+  int components = 0;
+  bool closed = false;                 // every edge has as many triangles one way as the other or 2 of them
+  bool consistently_oriented = false;  // closed or not, no two neighbours disagree
+  bool outward = false;  // components not inside another have volume > 0, those inside (cavities) < 0
+  double volume = 0;     // m³, signed; of a closed mesh
+  double area = 0;       // m²
+  double shortest_edge = 0, longest_edge = 0;  // m
+  Box box;
+  // Fit for signed distance as it is.
+  bool valid() const { return closed && consistently_oriented && outward; }
+};
+MeshReport inspect(const TriangleMesh& mesh);
+// One or two plain sentences for a person.
+std::string summary(const MeshReport& report);
+
+struct WeldResult {
+  int welded = 0;   // vertices that went into another
+  int removed = 0;  // triangles that collapsed
+};
+// Merge vertices closer than `tolerance` [m] (0: equal coordinates only); drop unused vertices and
+// triangles with two corners merged. The lowest vertex keeps its place; order stays.
+WeldResult weld(TriangleMesh& mesh, double tolerance = 0);
+
+struct OrientationResult {
+  int turned = 0;             // triangles turned over
+  int components_turned = 0;  // components turned over whole, as they were inside out
+  bool done = false;          // the mesh is now consistent and outward
+  std::string sentence;       // what was done, or why it could not be
+};
+// Turn triangles of a closed manifold mesh so that neighbours agree and normals point out of the solid
+// (into a cavity's void). Meshes with open or non-manifold edges, or one-sided, are left alone.
+OrientationResult orient(TriangleMesh& mesh);
+
+}  // namespace hawser
