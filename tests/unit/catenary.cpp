@@ -1,0 +1,151 @@
+#include "hawser/kernels/catenary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace hawser {
+namespace {
+
+struct Planar {
+  double X, Z, L, EA, w;  // span, rise, length [m], EA [N], weight per length [N/m]
+  double H, V;            // N, at the upper end B
+};
+
+void expect_planar(const Planar& c, double tolerance) {
+  const CatenaryShape s = catenary({0, 0, 0}, {c.X, 0, c.Z}, {{c.L, {0, 0, -c.w}, c.EA}});
+  const double T = std::hypot(c.H, c.V);
+  EXPECT_NEAR(s.tension_b().x(), c.H, tolerance * T);
+  EXPECT_NEAR(s.tension_b().y(), 0, tolerance * T);
+  EXPECT_NEAR(s.tension_b().z(), c.V, tolerance * T);
+  EXPECT_NEAR(s.tension_a().z(), c.V - c.w * c.L, tolerance * T);
+  EXPECT_NEAR((s.end_b() - Vec3(c.X, 0, c.Z)).norm(), 0, 1e-10 * c.L);
+}
+
+// Irvine's suspended elastic catenary, closed form solved with 30 digits and checked by an ODE to 1e-12. The
+// last is a near-taut line of a published test whose published forces break vertical equilibrium.
+TEST(Catenary, SuspendedLines) {
+  expect_planar({100, 60, 130, 5e7, 800, 42367.282133441084, 84534.59422133592}, 1e-11);
+  expect_planar({100, 60, 110, 2e5, 300, 19441.541310991368, 29737.876520897935}, 1e-11);
+  expect_planar({100, 0, 120, 1e12, 1000, 46954.14215486048, 60000}, 1e-10);
+  expect_planar({246.22420940032947, 263.55766330843164, 360.63566262396927, 7e8, 3.08735, 58377.24142265001,
+                 63044.41295591721},
+                1e-8);  // stretched by 1e-4 of its length: its data's 16 digits give 12 in the force
+}
+
+// The part above the touchdown point of lines on a flat seabed (MAP++ baseline, MoorPy test_catenary; solved
+// as above): length, span less those on the ground, no vertical force at the touchdown point.
+TEST(Catenary, SuspendedPartAboveTouchdown) {
+  expect_planar({50 - 12.638384812729416, 100, 125 - 12.63817471418034, 5.45e8, 1327.647744,
+                 17449.668166213807, 149176.92386153372},
+                1e-9);
+  expect_planar({400 - 202.81029256714444, 200, 500 - 202.81028995725273, 7.51e12, 800, 96643.45354712023,
+                 237751.76803419783},
+                1e-9);
+}
+
+// Integrates r' = T/|T| + T/EA by the midpoint rule.
+Vec3 integrate(const CatenaryShape& s, const std::vector<CatenarySection>& sections, double to) {
+  Vec3 r = s.end_a();
+  double begin = 0;
+  for (const CatenarySection& section : sections) {
+    const double length = std::min(section.length, to - begin);
+    const int n = 20000;
+    for (int i = 0; i < n && length > 0; ++i) {
+      const Vec3 T = s.tension(begin + (i + 0.5) * length / n);
+      r += length / n * (T / T.norm() + T / section.EA);
+    }
+    begin += section.length;
+  }
+  return r;
+}
+
+TEST(Catenary, SectionsWithLateralLoadsAndPointLoads) {
+  const std::vector<CatenarySection> sections{{120, {0, 5, -900}, 4e8},
+                                              {60, {20, 0, -150}, 2e7, {0, 0, -30000}},
+                                              {90, {-10, 30, 60}, 5e6, {0, 0, 8000}},
+                                              {80, {0, 0, -300}, 1e8}};
+  const Vec3 a(10, -5, -100), b(200, 60, 20);
+  const CatenaryShape s = catenary(a, b, sections);
+  EXPECT_LT((s.end_b() - b).norm(), 1e-9);
+  EXPECT_LT((s.position(s.length()) - b).norm(), 1e-9);
+  for (double at : {50.0, 120.0, 150.0, 260.0, 350.0})
+    EXPECT_LT((s.position(at) - integrate(s, sections, at)).norm(), 1e-6) << at;
+  const Vec3 load = 120 * sections[0].load + 60 * sections[1].load + 90 * sections[2].load +
+                    80 * sections[3].load + sections[1].end_load + sections[2].end_load;
+  EXPECT_LT((s.tension_a() - s.tension_b() - load).norm(), 1e-6);
+}
+
+TEST(Catenary, LooseVerticalTightAndReversed) {
+  const std::vector<CatenarySection> hose{{100, {0, 0, -50}, 1e7}};
+  // Both ends at one point: a fold, half the weight on each leg.
+  CatenaryShape s = catenary({0, 0, 0}, {0, 0, 0}, hose);
+  EXPECT_NEAR(s.tension_b().z(), 2500, 1e-3);
+  EXPECT_NEAR(s.position(50).z(), -50 * (1 + 50 * 50 / (2 * 1e7)), 1e-3);
+  // Ends one above the other, slack and tight.
+  s = catenary({0, 0, 0}, {0, 0, 60}, hose);
+  EXPECT_LT((s.end_b() - Vec3(0, 0, 60)).norm(), 1e-6);
+  EXPECT_NEAR(s.tension_b().z(), 4000, 5);  // 80 m of line below end B
+  s = catenary({0, 0, 0}, {0, 0, 102}, hose);
+  EXPECT_NEAR(s.tension_a().z(), 2e5 - 2500, 1e-3);
+  // Shorter than its span.
+  s = catenary({0, 0, 0}, {104, 0, 0}, hose);
+  EXPECT_NEAR(s.tension_a().x(), 4e5, 100);
+  // From B to A it is the same line.
+  const CatenaryShape u = catenary({0, 0, 0}, {70, 5, 30}, hose), v = catenary({70, 5, 30}, {0, 0, 0}, hose);
+  EXPECT_LT((u.tension_a() + v.tension_b()).norm(), 1e-8 * u.tension_a().norm());
+  EXPECT_LT((u.position(30) - v.position(70)).norm(), 1e-9);
+  // Very slack and very light.
+  EXPECT_NO_THROW(catenary({0, 0, 0}, {1e-3, 0, 0}, hose));
+  EXPECT_NO_THROW(catenary({0, 0, 0}, {101, 0, 0}, {{100, {0, 0, -1e-9}, 1e9}}));
+  // No load at all: straight when tight, refused when slack.
+  s = catenary({0, 0, 0}, {0, 101, 0}, {{100, {0, 0, 0}, 1e7}});
+  EXPECT_NEAR(s.tension_b().y(), 1e5, 1e-4);
+  EXPECT_THROW(catenary({0, 0, 0}, {0, 99, 0}, {{100, {0, 0, 0}, 1e7}}), std::invalid_argument);
+  EXPECT_THROW(catenary({0, 0, 0}, {0, 99, 0}, {{0, {0, 0, -1}, 1e7}}), std::invalid_argument);
+  EXPECT_THROW(catenary({0, 0, 0}, {0, 99, 0}, {{100, {0, 0, -1}, 0}}), std::invalid_argument);
+}
+
+TEST(Catenary, FreeEnds) {
+  const std::vector<CatenarySection> hose{{100, {20, 0, -50}, 1e6}, {50, {0, 0, -80}, 2e6, {0, 0, -1000}}};
+  const CatenaryShape b = catenary_free_b({1, 2, 3}, hose);
+  EXPECT_LT((b.tension_b() - Vec3(0, 0, -1000)).norm(), 1e-9);
+  EXPECT_LT((b.tension_a() - Vec3(2000, 0, -10000)).norm(), 1e-9);
+  EXPECT_LT((b.position(130) - integrate(b, hose, 130)).norm(), 1e-6);
+  const std::vector<CatenarySection> reversed{{50, {0, 0, -80}, 2e6}, {100, {20, 0, -50}, 1e6}};
+  const CatenaryShape a = catenary_free_a({1, 2, 3}, reversed);
+  EXPECT_LT(a.tension_a().norm(), 1e-12);
+  EXPECT_LT((a.end_b() - Vec3(1, 2, 3)).norm(), 1e-12);
+  EXPECT_LT((a.tension_b() - Vec3(-2000, 0, 9000)).norm(), 1e-9);
+  EXPECT_TRUE(a.position(0).allFinite());
+  EXPECT_LT((a.position(80) - integrate(a, reversed, 80)).norm(), 1e-6);
+}
+
+TEST(Catenary, ChordDerivative) {
+  const Vec3 load(3, -7, -50);
+  for (const Vec3& T : {Vec3(1000, 300, 4000), Vec3(200, 0, -3000), Vec3(100, 40, -9000), Vec3(-30, 5, 2),
+                        Vec3(3e6, 1e6, 2e6)}) {
+    Mat3 K;
+    catenary_chord(T, load, 100, 1e6, &K);
+    for (int c = 0; c < 3; ++c) {
+      const double h = 1e-4 * T.norm();
+      const Vec3 d = h * Vec3::Unit(c);
+      const Vec3 difference =
+          (8 * (catenary_chord(T + d, load, 100, 1e6) - catenary_chord(T - d, load, 100, 1e6)) -
+           (catenary_chord(T + 2 * d, load, 100, 1e6) - catenary_chord(T - 2 * d, load, 100, 1e6))) /
+          (12 * h);
+      EXPECT_LT((K.col(c) - difference).norm(), 1e-6 * K.norm()) << T.transpose() << " " << c;
+    }
+  }
+  // The limit of no load is approached smoothly.
+  const Vec3 T(1000, 300, 4000);
+  Mat3 K0, K1;
+  const Vec3 r0 = catenary_chord(T, Vec3::Zero(), 100, 1e6, &K0);
+  const Vec3 r1 = catenary_chord(T, {0, 0, -1e-9}, 100, 1e6, &K1);
+  EXPECT_LT((r0 - r1).norm(), 1e-8);
+  EXPECT_LT((K0 - K1).norm(), 1e-10 * K0.norm());
+}
+
+}  // namespace
+}  // namespace hawser
