@@ -1,0 +1,69 @@
+// Co-rotational 3D beam element with an exact tangent, free of singularity through any number of turns.
+//
+// Lineage: Crisfield (1990), "A consistent co-rotational formulation for non-linear, three-dimensional
+// beam-elements", CMAME 81: small-strain beam in a frame that follows the chord and the mean nodal rotation,
+// force and tangent by consistent variation. Here the frame is Rm = Q1 exp(psi/2), exp(psi) = Q1' Q2, and the
+// local element is a potential W(y, psi) of the chord y = Rm'(x2 - x1) and the relative rotation psi, in
+// Argyris' natural modes (Argyris et al. 1979, CMAME 17-18):
+//   eps = |y|/L - 1 + (a2^2 + a3^2)/10 + (psi2^2 + psi3^2)/24     axial strain of the cubic deflection
+//   a2 = y2/|y|, a3 = y3/|y|                                      antisymmetric bending
+//   W = EA L eps^2/2 + 6 EI3/(L(1+P3)) a2^2 + 6 EI2/(L(1+P2)) a3^2 + (GJ psi1^2 + EI2 psi2^2 + EI3
+//   psi3^2)/(2L)
+// with P = 12 EI/(GA L^2) for shear. The derivation is in docs/theory/beam.md.
+#pragma once
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+// Constants of one element. Stiffness-proportional damping: every stress is E (strain + beta strain rate).
+struct BeamSection {
+  double length = 0;        // m, unstretched
+  double EA = 0;            // N
+  double EI2 = 0, EI3 = 0;  // N m²
+  double GJ = 0;            // N m²
+  double GA = 0;            // N; 0: rigid in shear
+  double beta = 0;          // s
+};
+
+struct BeamReference {
+  // Element axes in the material axes of its nodes (columns; first along the line) and the stress-free
+  // relative rotation and chord strain: zero for a straight element.
+  Mat3 axes = Mat3::Identity();
+  bool aligned = true;      // axes is the identity
+  Vec3 psi = Vec3::Zero();  // rad, in element axes
+  double strain = 0;
+};
+
+struct BeamEnds {
+  Vec3 x1, x2;                                // m
+  Quat q1, q2;                                // material to space
+  Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s, used with damping only
+  Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();  // rad/s, material
+};
+
+// What an engineer reads off the element: tension and, at both ends, torsion and bending in element axes.
+struct BeamStress {
+  double tension = 0;           // N, mean over the element
+  double strain_energy = 0;     // J
+  double dissipation = 0;       // W
+  Vec3 moment1, moment2;        // N m, (torsion, about 2, about 3)
+  Vec3 curvature1, curvature2;  // 1/m, (twist, about 2, about 3), from the stress-free shape
+};
+
+// Internal force f[12] = (x1, theta1, x2, theta2): forces in space axes, moments in material axes.
+void beam_force(const BeamSection& s, const BeamReference& r, const BeamEnds& e, double* f);
+
+// Force and tangents, 12x12 row-major, by position and material rotation increments (K) and by velocity and
+// material angular velocity (C; left untouched unless beta > 0). `convex` drops compression from the
+// geometric stiffness, for statics far from the solution.
+void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool convex, double* f,
+                  double* K, double* C);
+
+BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamEnds& e);
+
+// The stress-free reference of an element whose ends are placed as in `e`, with its axes given in node 1's
+// material axes; for lines that are curved when free of stress.
+BeamReference beam_reference(const BeamSection& s, const BeamEnds& e, const Mat3& axes);
+
+}  // namespace hawser
