@@ -1,0 +1,34 @@
+// Cable element: a straight bar that carries tension only.
+#pragma once
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct CableSection {
+  double length = 0;  // m, unstretched
+  double EA = 0;      // N
+  double beta = 0;    // s, stiffness-proportional damping of a taut element
+};
+
+struct CableEnds {
+  Vec3 x1, x2;                                // m
+  Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s
+};
+
+struct CableStress {
+  double tension = 0;        // N, never negative
+  double strain_energy = 0;  // J
+  double dissipation = 0;    // W
+};
+
+// Internal force f[6] = (x1, x2) from T = EA max(0, e + beta e'), e = l/L - 1, for e > 0.
+void cable_force(const CableSection& s, const CableEnds& e, double* f);
+
+// Force and 6x6 row-major tangents by position and velocity (C untouched unless beta > 0). `convex` keeps the
+// axial stiffness of a slack element, so that statics far from the solution has something to pull with.
+void cable_tangent(const CableSection& s, const CableEnds& e, bool convex, double* f, double* K, double* C);
+
+CableStress cable_stress(const CableSection& s, const CableEnds& e);
+
+}  // namespace hawser

@@ -1,0 +1,49 @@
+// Inertia, weight and dead distributed load of one element, consistent with its shape.
+//
+// Beam: the position between the nodes is Hermite's cubic through both ends with the nodes' unit tangents,
+// so velocity, acceleration and virtual displacement are that cubic's, with a constant 4x4 mass matrix in
+// (x1, L t1, x2, L t2) (Przemieniecki 1968, section 11.4) and t = Q c turning with the node. Rotary inertia
+// of the sections is lumped at the ends. Cable: linear shape with the mass matrix m L [5 1; 1 5]/12, the mean
+// of lumped and linear, whose wave speed error is of fourth order (Goudreau & Taylor 1973, eq. 21).
+#pragma once
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct MassSection {
+  double length = 0;             // m, unstretched
+  double mass_per_length = 0;    // kg/m
+  Vec3 rotary = Vec3::Zero();    // kg m, per length, about the element axes (along, 2, 3)
+  Mat3 axes = Mat3::Identity();  // element axes in node axes (columns)
+};
+
+struct MassEnds {
+  Vec3 a1 = Vec3::Zero(), a2 = Vec3::Zero();  // m/s²
+  Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s
+  Quat q1 = Quat::Identity(), q2 = Quat::Identity();
+  Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();          // rad/s, material
+  Vec3 alpha1 = Vec3::Zero(), alpha2 = Vec3::Zero();  // rad/s², material
+};
+
+// f[12] = M a + gyroscopic terms - load, (x1, theta1, x2, theta2), moments in material axes.
+// load: dead force per unstretched length, weight included, N/m.
+void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, double* f);
+
+// Force and 12x12 row-major tangents by configuration, velocity and acceleration.
+void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, double* f, double* K,
+                       double* C, double* M);
+
+// Kinetic energy of the element, J.
+double beam_kinetic_energy(const MassSection& s, const MassEnds& e);
+
+// Work of the dead load up to this configuration, J: minus its potential energy.
+double beam_load_work(const MassSection& s, const Vec3& x1, const Quat& q1, const Vec3& x2, const Quat& q2,
+                      const Vec3& load);
+
+// The cable's f[6] and constant 6x6 M; kinetic energy.
+void cable_mass_force(const MassSection& s, const Vec3& a1, const Vec3& a2, const Vec3& load, double* f);
+void cable_mass_tangent(const MassSection& s, double* M);
+double cable_kinetic_energy(const MassSection& s, const Vec3& v1, const Vec3& v2);
+
+}  // namespace hawser
