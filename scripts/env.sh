@@ -1,0 +1,30 @@
+# Environment of every run and test of hawser. To be sourced: . scripts/env.sh
+# What is already set stays.
+
+# Open MPI refuses to start as root, or with more ranks than cores, unless told; both are usual in a container.
+export OMPI_ALLOW_RUN_AS_ROOT="${OMPI_ALLOW_RUN_AS_ROOT:-1}"
+export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="${OMPI_ALLOW_RUN_AS_ROOT_CONFIRM:-1}"
+export OMPI_MCA_rmaps_base_oversubscribe="${OMPI_MCA_rmaps_base_oversubscribe:-1}"
+# Cross-memory attach needs ptrace rights that containers withhold.
+export OMPI_MCA_btl_vader_single_copy_mechanism="${OMPI_MCA_btl_vader_single_copy_mechanism:-none}"
+
+# Several MPI programs at a time (tests) must not be pinned to the same first cores, nor spin while they wait.
+# A run of its own with a core per rank is faster with both at their defaults, so scripts/run does not set them.
+hawser_share_cores() {
+  export OMPI_MCA_mpi_yield_when_idle="${OMPI_MCA_mpi_yield_when_idle:-1}"
+  export OMPI_MCA_hwloc_base_binding_policy="${OMPI_MCA_hwloc_base_binding_policy:-none}"
+}
+
+# Ranks are the parallelism; threads under them only compete.
+export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
+export OPENBLAS_NUM_THREADS="${OPENBLAS_NUM_THREADS:-1}"
+
+# Compilers to start at once: one a core, and 1.5 GB of memory for each.
+hawser_jobs() {
+  local cores memory by_memory
+  cores=$(nproc)
+  memory=$(awk '/MemAvailable/ {print $2}' /proc/meminfo)
+  by_memory=$((memory / 1500000))
+  [ "$by_memory" -ge 1 ] || by_memory=1
+  echo $((cores < by_memory ? cores : by_memory))
+}

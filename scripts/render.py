@@ -1,0 +1,289 @@
+"""Pictures of a run: lines as tubes coloured by a field, the volumes they touch as surfaces.
+
+    scripts/render RESULTS.xdmf OUT_FOLDER [options]                            (starts the two programs below)
+    xvfb-run -a pvpython scripts/render.py RESULTS.xdmf OUT_FOLDER [options]
+
+Writes OUT_FOLDER/NAME_0000.png and so on, one a time, and NAME.png with all of them side by side. What a cell is
+drawn as follows from its shape (polylines are lines, triangles are volumes), so any XDMF of that kind will do.
+"""
+import argparse
+import math
+import os
+
+from paraview import servermanager
+from paraview import simple as pv
+
+# Shown in these units: factor and name.
+UNITS = {
+    "effective_tension": (1e-3, "kN"),
+    "wall_tension": (1e-3, "kN"),
+    "bending_moment": (1e-3, "kN m"),
+    "contact_force": (1e-3, "kN"),
+    "penetration": (1e3, "mm"),
+    "curvature": (1, "1/m"),
+}
+
+# Runs inside ParaView's pipeline: one poly-line for each line of the input, its field under the name "shown".
+LINES = """
+from paraview import vtk
+import math
+
+def leaves(data):
+    if not data.IsA("vtkCompositeDataSet"):
+        return [data]
+    found, walk = [], data.NewIterator()
+    while not walk.IsDoneWithTraversal():
+        found.append(walk.GetCurrentDataObject())
+        walk.GoToNextItem()
+    return found
+
+points, cells, shown = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkDoubleArray()
+points.SetDataTypeToDouble()
+shown.SetName("shown")
+for leaf in leaves(self.GetInputDataObject(0, 0)):
+    values = leaf.GetPointData().GetArray({field!r})
+    for c in range(leaf.GetNumberOfCells()):
+        if leaf.GetCellType(c) not in (vtk.VTK_LINE, vtk.VTK_POLY_LINE):
+            continue
+        ids, own, last = leaf.GetCell(c).GetPointIds(), [], None
+        for i in range(ids.GetNumberOfIds()):
+            p = leaf.GetPoint(ids.GetId(i))
+            if last is not None and math.dist(p, last) < 1e-9:
+                continue  # a tube has no direction between two points that coincide
+            last = p
+            own.append(points.InsertNextPoint(p))
+            value = 0.0
+            if values:
+                n = values.GetNumberOfComponents()
+                value = math.hypot(*[values.GetComponent(ids.GetId(i), k) for k in range(n)]) if n > 1 \\
+                    else values.GetComponent(ids.GetId(i), 0)
+            shown.InsertNextValue({factor!r} * value)
+        cells.InsertNextCell(len(own), own)
+output = self.GetPolyDataOutput()
+output.SetPoints(points)
+output.SetLines(cells)
+output.GetPointData().AddArray(shown)
+output.GetPointData().SetActiveScalars("shown")
+"""
+
+# Likewise one surface of all faces; the input's own cell fields (such as `active`) are left behind.
+FACES = """
+from paraview import vtk
+
+def leaves(data):
+    if not data.IsA("vtkCompositeDataSet"):
+        return [data]
+    found, walk = [], data.NewIterator()
+    while not walk.IsDoneWithTraversal():
+        found.append(walk.GetCurrentDataObject())
+        walk.GoToNextItem()
+    return found
+
+points, cells = vtk.vtkPoints(), vtk.vtkCellArray()
+points.SetDataTypeToDouble()
+for leaf in leaves(self.GetInputDataObject(0, 0)):
+    known = {{}}
+    for c in range(leaf.GetNumberOfCells()):
+        if leaf.GetCellType(c) not in (vtk.VTK_TRIANGLE, vtk.VTK_QUAD):
+            continue
+        ids, own = leaf.GetCell(c).GetPointIds(), []
+        for i in range(ids.GetNumberOfIds()):
+            j = ids.GetId(i)
+            if j not in known:
+                known[j] = points.InsertNextPoint(leaf.GetPoint(j))
+            own.append(known[j])
+        cells.InsertNextCell(len(own), own)
+output = self.GetPolyDataOutput()
+output.SetPoints(points)
+output.SetPolys(cells)
+"""
+
+
+def vector(text):
+    values = [float(word) for word in text.split(",")]
+    if len(values) != 3:
+        raise argparse.ArgumentTypeError("three numbers with commas between them")
+    return values
+
+
+def arguments(argv, **defaults):
+    parser = argparse.ArgumentParser(prog="render", description=__doc__.split("\n\n")[0])
+    parser.add_argument("results", help="the .xdmf of a run")
+    parser.add_argument("out", help="folder for the pictures, made if it is not there")
+    parser.add_argument("--field", default="effective_tension", help="node field that colours the lines")
+    parser.add_argument("--diameter", type=float, help="of the tubes, m (default: a 400th of the model)")
+    parser.add_argument("--pictures", type=int, default=4, help="how many, spread evenly over the run")
+    parser.add_argument("--at", type=float, nargs="+", help="times of the pictures, s, instead")
+    parser.add_argument("--direction", type=vector, default=[-1, 1.5, -0.6], help="the way the camera looks: x,y,z")
+    parser.add_argument("--focus", type=vector, help="point in the middle of the picture, m (default: the model's)")
+    parser.add_argument("--height", type=float, help="height of the picture, m (default: all of the model)")
+    parser.add_argument("--size", type=int, nargs=2, default=[900, 900], help="of one picture, pixels")
+    parser.add_argument("--columns", type=int, help="of the joint picture (default: all in one row)")
+    parser.add_argument("--edges", action="store_true", help="draw the edges of the triangles")
+    parser.set_defaults(**defaults)
+    return parser.parse_args(argv)
+
+
+def derived(source, script, **values):
+    """A polygonal data set that a piece of Python makes of `source`."""
+    made = pv.ProgrammableFilter(Input=source)
+    made.OutputDataSetType = "vtkPolyData"
+    made.Script = script.format(**values)
+    return made
+
+
+def chosen_times(available, options):
+    if options.at:
+        return [min(available, key=lambda t: abs(t - wanted)) for wanted in options.at]
+    count = max(1, min(options.pictures, len(available)))
+    if count == 1:
+        return [available[-1]]
+    return [available[round(i * (len(available) - 1) / (count - 1))] for i in range(count)]
+
+
+def extent(source, times):
+    """Bounds over the given times: lower and upper corner."""
+    lower, upper = [math.inf] * 3, [-math.inf] * 3
+    for time in times:
+        source.UpdatePipeline(time)
+        bounds = source.GetDataInformation().GetBounds()
+        if bounds[0] <= bounds[1]:
+            lower = [min(a, b) for a, b in zip(lower, bounds[0::2])]
+            upper = [max(a, b) for a, b in zip(upper, bounds[1::2])]
+    return lower, upper
+
+
+def value_range(source, times):
+    low, high = math.inf, -math.inf
+    for time in times:
+        source.UpdatePipeline(time)
+        shown = source.GetDataInformation().GetPointDataInformation().GetArrayInformation("shown")
+        if shown:
+            a, b = shown.GetComponentRange(0)
+            low, high = min(low, a), max(high, b)
+    if low > high:
+        return 0.0, 1.0
+    return (low, high) if high > low else (low - 0.5, high + 0.5)
+
+
+def has_field(source, name):
+    return source.GetDataInformation().GetPointDataInformation().GetArrayInformation(name) is not None
+
+
+def aim(view, direction, focus, height, distance):
+    norm = math.sqrt(sum(x * x for x in direction))
+    towards = [x / norm for x in direction]
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = focus
+    view.CameraPosition = [f - distance * x for f, x in zip(focus, towards)]
+    # z is up in the picture, unless the camera looks straight up or down.
+    view.CameraViewUp = [0, 1, 0] if abs(towards[2]) > 0.999 else [0, 0, 1]
+    view.CameraParallelScale = height / 2
+
+
+def join(files, columns, target):
+    """One picture of several of the same size, in rows."""
+    from vtkmodules.vtkFiltersCore import vtkImageAppend
+    from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+
+    def joined(ports, axis):
+        append = vtkImageAppend()
+        append.SetAppendAxis(axis)
+        for port in ports:
+            append.AddInputConnection(port)
+        return append
+
+    readers = []
+    for file in files:
+        reader = vtkPNGReader()
+        reader.SetFileName(file)
+        readers.append(reader)
+    rows = [joined([r.GetOutputPort() for r in readers[i : i + columns]], 0) for i in range(0, len(readers), columns)]
+    # A PNG's y axis points up, so the first row goes on last.
+    stack = joined([row.GetOutputPort() for row in reversed(rows)], 1)
+    writer = vtkPNGWriter()
+    writer.SetFileName(target)
+    writer.SetInputConnection(stack.GetOutputPort())
+    writer.Write()
+
+
+def render(options):
+    os.makedirs(options.out, exist_ok=True)
+    source = pv.OpenDataFile(options.results)
+    if source is None:
+        raise SystemExit(f"render: ParaView cannot open {options.results}")
+    source.UpdatePipelineInformation()
+    times = chosen_times(list(source.TimestepValues) or [0.0], options)
+    source.UpdatePipeline(times[-1])
+    if not has_field(source, options.field):
+        names = [a.GetName() for a in source.GetDataInformation().GetPointDataInformation().ArrayInformation] \
+            if hasattr(source.GetDataInformation().GetPointDataInformation(), "ArrayInformation") else []
+        print(f"render: no field '{options.field}' in {options.results}{': there are ' + str(names) if names else ''}")
+
+    factor, unit = UNITS.get(options.field, (1, ""))
+    lines = derived(source, LINES, field=options.field, factor=factor)
+    faces = derived(source, FACES)
+    lower, upper = extent(source, times)
+    diagonal = math.dist(lower, upper) or 1.0
+    tubes = pv.Tube(Input=lines, Radius=(options.diameter or diagonal / 400) / 2, NumberofSides=24, Capping=1)
+    tubes.Scalars = ["POINTS", "shown"]
+
+    view = pv.CreateRenderView(ViewSize=options.size)
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
+    view.OrientationAxesVisibility = 1
+    view.OrientationAxesLabelColor = [0, 0, 0]
+    surface = pv.Show(faces, view)
+    surface.DiffuseColor = surface.AmbientColor = [0.80, 0.82, 0.85]
+    surface.Specular = 0.2
+    if options.edges:
+        surface.Representation = "Surface With Edges"
+        surface.EdgeColor = [0.6, 0.62, 0.66]
+    hose = pv.Show(tubes, view)
+    pv.ColorBy(hose, ("POINTS", "shown"))
+    colours = pv.GetColorTransferFunction("shown")
+    colours.ApplyPreset("Viridis (matplotlib)", True)
+    colours.RescaleTransferFunction(*value_range(lines, times))
+    bar = pv.GetScalarBar(colours, view)
+    bar.Title = options.field.replace("_", " ") + (f" [{unit}]" if unit else "")
+    bar.ComponentTitle = ""
+    bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    bar.TitleFontSize, bar.LabelFontSize = 18, 16
+    bar.ScalarBarLength = 0.4
+    bar.WindowLocation = "Lower Right Corner"
+    hose.SetScalarBarVisibility(view, True)
+    clock = pv.Text(registrationName="clock")
+    label = pv.Show(clock, view)
+    label.Color = [0, 0, 0]
+    label.FontSize = 24
+    label.WindowLocation = "Upper Left Corner"
+
+    middle = [(a + b) / 2 for a, b in zip(lower, upper)]
+    aim(view, options.direction, options.focus or middle, options.height or 1.05 * diagonal, 2 * diagonal)
+    name = os.path.splitext(os.path.basename(options.results))[0]
+    files = []
+    for i, time in enumerate(times):
+        view.ViewTime = time
+        clock.Text = f"t = {time:.4g} s"
+        pv.Render(view)
+        view.ResetClippingRange() if hasattr(view, "ResetClippingRange") else None
+        files.append(os.path.join(options.out, f"{name}_{i:04d}.png"))
+        pv.SaveScreenshot(files[-1], view, ImageResolution=options.size)
+    join(files, options.columns or len(files), os.path.join(options.out, f"{name}.png"))
+    print("\n".join(files + [os.path.join(options.out, f"{name}.png")]))
+
+
+def main(argv=None, **defaults):
+    """Draws what the command line says; `defaults` are a case's own choices, which it may still override."""
+    render(arguments(argv, **defaults))
+
+
+if __name__ == "__main__":
+    # As a module, not as the main program: ParaView runs the pieces of Python above in the main program's names,
+    # where they replace min, max and others.
+    import sys
+
+    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+    import render as module
+
+    module.main()

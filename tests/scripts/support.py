@@ -1,0 +1,24 @@
+"""Shared by the tests of the scripts: where the tree is, and a run of one of its scripts."""
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+
+
+def run(*command, **options):
+    """The finished process of a command, output captured as text; a script of the tree is named by its path in it."""
+    first = ROOT / command[0]
+    words = [str(first) if first.exists() else command[0], *map(str, command[1:])]
+    return subprocess.run(words, capture_output=True, text=True, check=False, **options)
+
+
+def write(root, path, text):
+    """Writes a file of a made-up tree."""
+    file = Path(root) / path
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    sys.exit("not a test")

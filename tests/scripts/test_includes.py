@@ -1,0 +1,64 @@
+"""The tree's own includes point down, and scripts/check-includes finds each kind of wrong one."""
+import tempfile
+import unittest
+
+from support import run, write
+
+SOUND = {
+    "include/hawser/base/error.hpp": "#include <petscsys.h>\n",
+    "include/hawser/math/types.hpp": "#include <Eigen/Dense>\n#include <cmath>\n",
+    "include/hawser/geometry/box.hpp": '#include "hawser/math/types.hpp"\n',
+    "include/hawser/model/case.hpp": '#include "hawser/math/types.hpp"\n#include <vector>\n',
+    "src/app/driver.cpp": '#include "hawser/base/error.hpp"\n#include "hawser/model/case.hpp"\n#include "local.hpp"\n',
+    "src/app/local.hpp": "#include <mpi.h>\n",
+    "src/CMakeLists.txt": "hawser_room(math dep_eigen)\nhawser_room(geometry math dep_eigen)\n",
+}
+# What is planted, and a piece of the complaint that must follow.
+WRONG = [
+    ("src/mesh/a.cpp", '#include "hawser/io/reader.hpp"\n', "src/mesh/a.cpp:1: hawser/io/reader.hpp: upward"),
+    ("include/hawser/state/a.hpp", "\n#include <hawser/terms/t.hpp>\n", "a.hpp:2: hawser/terms/t.hpp: upward"),
+    ("src/io/a.cpp", '#include "hawser/solve/statics.hpp"\n', "do not see each other"),
+    ("src/solve/a.cpp", '#include "hawser/io/xdmf.hpp"\n', "do not see each other"),
+    ("src/kernels/a.cpp", '#include "hawser/base/error.hpp"\n', "kernels is to be read and used alone"),
+    ("src/math/a.cpp", '#include "hawser/geometry/box.hpp"\n', "math is to be read and used alone"),
+    ("src/geometry/a.cpp", "#include <fmt/format.h>\n", "nothing but Eigen"),
+    ("src/geometry/b.cpp", "#  include <petscmat.h>\n", "nothing but Eigen"),
+    ("include/hawser/model/a.hpp", "#include <mpi.h>\n", "neither PETSc nor MPI"),
+    ("include/hawser/model/b.hpp", '#include "hawser/base/error.hpp"\n', "error.hpp -> petscsys.h: model knows"),
+    ("src/terms/a.cpp", '#include "../system/sink.hpp"\n', "nor a file beside it"),
+    ("src/terms/b.cpp", '#include "hawser/shed/tool.hpp"\n', "no such room"),
+    ("src/shed/tool.cpp", "#include <vector>\n", "not in a room"),
+    ("src/CMakeLists.txt", "hawser_room(mesh model solve dep_mpi)\n", "CMakeLists.txt:1: solve: upward"),
+    ("src/CMakeLists.txt", "hawser_room(math dep_petsc)\n", "math links nothing but Eigen"),
+]
+
+
+class Includes(unittest.TestCase):
+    def test_tree(self):
+        result = run("scripts/check-includes")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_sound_tree_passes(self):
+        with tempfile.TemporaryDirectory() as root:
+            for path, text in SOUND.items():
+                write(root, path, text)
+            result = run("scripts/check-includes", root)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_wrong_trees_fail(self):
+        for path, text, complaint in WRONG:
+            with self.subTest(path=path, text=text), tempfile.TemporaryDirectory() as root:
+                for sound, content in SOUND.items():
+                    write(root, sound, content)
+                write(root, path, text)
+                result = run("scripts/check-includes", root)
+                self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
+                self.assertIn(complaint, result.stdout)
+
+    def test_empty_tree_fails(self):
+        with tempfile.TemporaryDirectory() as root:
+            self.assertEqual(run("scripts/check-includes", root).returncode, 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
