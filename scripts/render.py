@@ -111,6 +111,7 @@ def arguments(argv, **defaults):
     parser.add_argument("results", help="the .xdmf of a run")
     parser.add_argument("out", help="folder for the pictures, made if it is not there")
     parser.add_argument("--field", default="effective_tension", help="node field that colours the lines")
+    parser.add_argument("--range", type=float, nargs=2, help="of the colours, as the scale shows it (default: all)")
     parser.add_argument("--diameter", type=float, help="of the tubes, m (default: a 400th of the model)")
     parser.add_argument("--pictures", type=int, default=4, help="how many, spread evenly over the run")
     parser.add_argument("--at", type=float, nargs="+", help="times of the pictures, s, instead")
@@ -209,6 +210,7 @@ def join(files, columns, target):
 
 def render(options):
     os.makedirs(options.out, exist_ok=True)
+    pv._DisableFirstRenderCameraReset()
     source = pv.OpenDataFile(options.results)
     if source is None:
         raise SystemExit(f"render: ParaView cannot open {options.results}")
@@ -216,9 +218,7 @@ def render(options):
     times = chosen_times(list(source.TimestepValues) or [0.0], options)
     source.UpdatePipeline(times[-1])
     if not has_field(source, options.field):
-        names = [a.GetName() for a in source.GetDataInformation().GetPointDataInformation().ArrayInformation] \
-            if hasattr(source.GetDataInformation().GetPointDataInformation(), "ArrayInformation") else []
-        print(f"render: no field '{options.field}' in {options.results}{': there are ' + str(names) if names else ''}")
+        print(f"render: no node field '{options.field}' in {options.results}; the lines stay in one colour")
 
     factor, unit = UNITS.get(options.field, (1, ""))
     lines = derived(source, LINES, field=options.field, factor=factor)
@@ -231,7 +231,6 @@ def render(options):
     view = pv.CreateRenderView(ViewSize=options.size)
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
-    view.OrientationAxesVisibility = 1
     view.OrientationAxesLabelColor = [0, 0, 0]
     surface = pv.Show(faces, view)
     surface.DiffuseColor = surface.AmbientColor = [0.80, 0.82, 0.85]
@@ -240,16 +239,20 @@ def render(options):
         surface.Representation = "Surface With Edges"
         surface.EdgeColor = [0.6, 0.62, 0.66]
     hose = pv.Show(tubes, view)
+    hose.Ambient = surface.Ambient = 0.3
+    hose.Diffuse = surface.Diffuse = 0.75
     pv.ColorBy(hose, ("POINTS", "shown"))
     colours = pv.GetColorTransferFunction("shown")
     colours.ApplyPreset("Viridis (matplotlib)", True)
-    colours.RescaleTransferFunction(*value_range(lines, times))
+    colours.RescaleTransferFunction(*(options.range or value_range(lines, times)))
     bar = pv.GetScalarBar(colours, view)
     bar.Title = options.field.replace("_", " ") + (f" [{unit}]" if unit else "")
     bar.ComponentTitle = ""
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     bar.TitleFontSize, bar.LabelFontSize = 18, 16
     bar.ScalarBarLength = 0.4
+    bar.AutomaticLabelFormat = 0
+    bar.LabelFormat = bar.RangeLabelFormat = "%.4g"
     bar.WindowLocation = "Lower Right Corner"
     hose.SetScalarBarVisibility(view, True)
     clock = pv.Text(registrationName="clock")
@@ -266,7 +269,6 @@ def render(options):
         view.ViewTime = time
         clock.Text = f"t = {time:.4g} s"
         pv.Render(view)
-        view.ResetClippingRange() if hasattr(view, "ResetClippingRange") else None
         files.append(os.path.join(options.out, f"{name}_{i:04d}.png"))
         pv.SaveScreenshot(files[-1], view, ImageResolution=options.size)
     join(files, options.columns or len(files), os.path.join(options.out, f"{name}.png"))

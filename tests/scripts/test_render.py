@@ -1,0 +1,87 @@
+"""scripts/render.py draws a small run: the right pictures, of the right size, that show something that moves."""
+import shutil
+import struct
+import tempfile
+import unittest
+import zlib
+from pathlib import Path
+
+from support import ROOT, run, write
+
+STEP = """<Grid Name="step" GridType="Collection" CollectionType="Spatial"><Time Value="{time}"/>
+<Grid Name="line"><Topology TopologyType="Polyline" NodesPerElement="3" NumberOfElements="1">
+<DataItem Dimensions="1 3" Format="XML">0 1 2</DataItem></Topology>
+<Geometry GeometryType="XYZ"><DataItem Dimensions="3 3" Format="XML">0 0 {z} 1 0 {z} 2 0 {z}</DataItem></Geometry>
+<Attribute Name="effective_tension" Center="Node"><DataItem Dimensions="3" Format="XML">0 1000 2000</DataItem>
+</Attribute></Grid>
+<Grid Name="volume"><Topology TopologyType="Triangle" NumberOfElements="1">
+<DataItem Dimensions="1 3" Format="XML">0 1 2</DataItem></Topology>
+<Geometry GeometryType="XYZ"><DataItem Dimensions="3 3" Format="XML">0 1 0 2 1 0 1 1 2</DataItem></Geometry></Grid>
+</Grid>"""
+
+
+def xdmf(times):
+    steps = "".join(STEP.format(time=t, z=t) for t in times)
+    return ('<?xml version="1.0" ?><Xdmf Version="3.0"><Domain><Grid GridType="Collection" CollectionType="Temporal">'
+            f"{steps}</Grid></Domain></Xdmf>")
+
+
+def read_png(path):
+    """Width, height and rows of (r, g, b) bytes of an 8-bit RGB PNG."""
+    data, at, body = Path(path).read_bytes(), 8, b""
+    width, height = struct.unpack_from(">II", data, 16)
+    while at < len(data):
+        size, kind = struct.unpack_from(">I4s", data, at)
+        if kind == b"IDAT":
+            body += data[at + 8 : at + 8 + size]
+        at += size + 12
+    raw, stride, rows = zlib.decompress(body), 3 * width + 1, []
+    previous = bytearray(3 * width)
+    for y in range(height):
+        kind, row = raw[y * stride], bytearray(raw[y * stride + 1 : (y + 1) * stride])
+        for i in range(len(row)):
+            a, b, c = (row[i - 3] if i >= 3 else 0), previous[i], (previous[i - 3] if i >= 3 else 0)
+            nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+            row[i] = (row[i] + [0, a, b, (a + b) // 2, nearest][kind]) & 255
+        rows.append(row)
+        previous = row
+    return width, height, rows
+
+
+def coloured(rows):
+    """(row, column) of the pixels that are neither grey nor white: the lines, the colour bar is off to the right."""
+    return [(y, x // 3) for y, row in enumerate(rows) for x in range(0, len(row), 3)
+            if max(row[x : x + 3]) - min(row[x : x + 3]) > 60]
+
+
+@unittest.skipUnless(shutil.which("pvpython") and shutil.which("xvfb-run"), "scripts/install-deps --view")
+class Render(unittest.TestCase):
+    def render(self, folder, *options):
+        write(folder, "small.xdmf", xdmf([0, 1, 2]))
+        result = run("xvfb-run", "-a", "pvpython", ROOT / "scripts" / "render.py", Path(folder) / "small.xdmf",
+                     Path(folder) / "out", "--size", "200", "160", "--direction=0,1,0", "--focus", "0.5,0,1",
+                     "--height", "4", "--diameter", "0.4", *options, timeout=100)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        return sorted(p.name for p in (Path(folder) / "out").iterdir())
+
+    def test_pictures(self):
+        with tempfile.TemporaryDirectory() as folder:
+            names = self.render(folder, "--pictures", "2")
+            self.assertEqual(names, ["small.png", "small_0000.png", "small_0001.png"])
+            first, last, both = (read_png(Path(folder) / "out" / name) for name in
+                                 ("small_0000.png", "small_0001.png", "small.png"))
+            self.assertEqual(first[:2], (200, 160))
+            self.assertEqual(both[:2], (400, 160))
+            # 4 m high, 160 pixels: the line of x = 0 ... 1 m left of the colour bar stands at z = 0, then at 2 m.
+            for picture, z in ((first, 0), (last, 2)):
+                found = [y for y, x in coloured(picture[2]) if 80 < x < 120]
+                self.assertGreater(len(found), 200)
+                self.assertAlmostEqual(sum(found) / len(found), 80 - 40 * (z - 1), delta=4)
+
+    def test_wanted_time_and_absent_field(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(self.render(folder, "--at", "1", "--field", "nothing"), ["small.png", "small_0000.png"])
+
+
+if __name__ == "__main__":
+    unittest.main()
