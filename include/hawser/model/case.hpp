@@ -20,103 +20,105 @@ enum class LineKind { beam, cable };
 
 struct LineType {
   std::string name;
-  LineKind kind = LineKind::beam;   // `bending: false` makes a cable: EA only, may go slack
-  double outer_diameter = 0;        // m
-  double contact_diameter = 0;      // m, default outer_diameter
-  double mass_per_length = 0;       // kg/m
-  double EA = 0;                    // N
-  double EI2 = 0, EI3 = 0;          // N m², about the section's axes 2 and 3
-  double GJ = 0;                    // N m²
-  double GA = 0;                    // N, shear stiffness; 0: rigid in shear (Euler-Bernoulli)
+  LineKind kind = LineKind::beam;      // `bending: false` makes a cable: EA only, may go slack
+  double outer_diameter = 0;           // m
+  double contact_diameter = 0;         // m, default outer_diameter
+  double mass_per_length = 0;          // kg/m
+  double EA = 0;                       // N
+  double EI2 = 0, EI3 = 0;             // N m², about the section's axes 2 and 3
+  double GJ = 0;                       // N m²
+  double GA = 0;                       // N, shear stiffness; 0: rigid in shear (Euler-Bernoulli)
   Vec3 rotary_inertia = Vec3::Zero();  // kg m (per length), about axes 1 (along), 2, 3
-  double stiffness_damping = 0;     // s, Rayleigh beta: damping = beta * material stiffness
+  double stiffness_damping = 0;        // s, Rayleigh beta: damping = beta * material stiffness
 };
 
 // u(t) for t >= 0, with u and its first two derivatives continuous.
 struct ConstantMotion {
-  Vec3 velocity = Vec3::Zero();      // m/s
-  Vec3 axis = Vec3::UnitZ();         // unit, space-fixed, through the body's position
-  double rate = 0;                   // rad/s
+  Vec3 velocity = Vec3::Zero();  // m/s
+  Vec3 axis = Vec3::UnitZ();     // unit, space-fixed, through the body's position
+  double rate = 0;               // rad/s
 };
-struct HarmonicMotion {               // offset(t) = amplitude * sin(2 pi t / period + phase), componentwise
-  Vec3 amplitude = Vec3::Zero();     // m
+struct HarmonicMotion {           // offset(t) = amplitude * sin(2 pi t / period + phase), componentwise
+  Vec3 amplitude = Vec3::Zero();  // m
   Vec3 rotation_amplitude = Vec3::Zero();  // rad, rotation vector
-  double period = 1;                 // s
-  Vec3 phase = Vec3::Zero();         // rad
+  double period = 1;                       // s
+  Vec3 phase = Vec3::Zero();               // rad
   Vec3 rotation_phase = Vec3::Zero();
 };
-struct TableMotion {                  // cubic spline through the rows
-  std::vector<double> time;          // s, increasing
-  std::vector<Vec3> offset;          // m
-  std::vector<Vec3> rotation;        // rad, rotation vector (may be empty)
+struct TableMotion {           // cubic spline through the rows
+  std::vector<double> time;    // s, increasing
+  std::vector<Vec3> offset;    // m
+  std::vector<Vec3> rotation;  // rad, rotation vector (may be empty)
 };
 using Motion = std::variant<std::monostate, ConstantMotion, HarmonicMotion, TableMotion>;
 
 struct Body {
   std::string name;
-  Vec3 position = Vec3::Zero();      // m, of the body's origin at t = 0
-  Vec3 rotation = Vec3::Zero();      // rad, rotation vector at t = 0
+  Vec3 position = Vec3::Zero();  // m, of the body's origin at t = 0
+  Vec3 rotation = Vec3::Zero();  // rad, rotation vector at t = 0
   Motion motion;
-  double ramp = 0;                   // s, smooth start of the motion (quintic), 0: none
+  double ramp = 0;  // s, smooth start of the motion (quintic), 0: none
 };
 
 enum class StiffnessBasis { automatic, per_point, per_length, per_area };
 
 struct Friction {
-  double axial = 0, lateral = 0;      // Coulomb coefficients
-  double mobilisation_length = 0;     // m; 0: default of 1 % of the contact diameter
-  double shear_stiffness = 0;         // same basis as the normal stiffness; 0: use mobilisation_length
+  double axial = 0, lateral = 0;   // Coulomb coefficients
+  double mobilisation_length = 0;  // m; 0: default of 1 % of the contact diameter
+  double shear_stiffness = 0;      // same basis as the normal stiffness; 0: use mobilisation_length
 };
 
 struct Box {
-  Vec3 lower, upper;                  // m, body frame
+  Vec3 lower, upper;  // m, body frame
 };
 
 struct Volume {
   std::string name;
-  std::string mesh;                   // absolute path of an STL, OBJ or PLY file
-  double scale = 1;                   // mesh units to m
-  std::string body;                   // empty: fixed in space
-  std::optional<Box> active_box;      // only triangles whose centroid is inside take part
-  std::string active_part;            // name of a mesh part (OBJ group, STL solid); empty: all
+  std::string mesh;               // absolute path of an STL, OBJ or PLY file
+  double scale = 1;               // mesh units to m
+  std::string body;               // empty: fixed in space
+  std::optional<Box> active_box;  // only triangles with all corners inside take part
+  std::string active_part;        // name of a mesh part (OBJ group, STL solid); empty: all
   StiffnessBasis basis = StiffnessBasis::automatic;
-  double normal_stiffness = 0;        // N/m, N/m² or N/m³ by basis
-  double smoothing = 0;               // m, half width of the C1 ramp; 0: default
-  double relative_damping = 0;        // zeta of the contact spring
+  double normal_stiffness = 0;  // N/m, N/m² or N/m³ by basis
+  double smoothing = 0;         // m, half width of the C1 ramp; 0: default
+  double relative_damping = 0;  // zeta of the contact spring
   Friction friction;
 };
 
 struct Section {
   std::string type;
-  double length = 0;                  // m, unstretched
+  double length = 0;  // m, unstretched
   int elements = 0;
-  double grading = 1;                 // length of the last element over the first
+  double grading = 1;  // length of the last element over the first
 };
 
 enum class EndKind { free, anchor, body };
 
 struct End {
   EndKind kind = EndKind::free;
-  Vec3 at = Vec3::Zero();             // m: in space (anchor) or in the body's frame (body)
+  Vec3 at = Vec3::Zero();  // m: in space (anchor) or in the body's frame (body)
   std::string body;
-  std::optional<Vec3> direction;      // unit tangent from A to B, same frame as `at`
-  bool clamped = false;               // rotation tied as well
+  std::optional<Vec3> direction;  // unit tangent from A to B, same frame as `at`
+  bool clamped = false;           // rotation tied as well
 };
 
 struct PointMass {
-  double at = 0;                      // m, arc length from end A
-  double mass = 0;                    // kg
+  double at = 0;    // m, arc length from end A
+  double mass = 0;  // kg
 };
 struct DistributedLoad {
-  Vec3 per_length = Vec3::Zero();     // N/m, dead load per unstretched length
-  double from = 0, to = -1;           // m, arc length; to < 0: end B
-  double ramp = 0;                    // s, smooth start in dynamics; 0: acts from statics on
+  Vec3 per_length = Vec3::Zero();  // N/m, dead load per unstretched length
+  double from = 0, to = -1;        // m, arc length; to < 0: end B
+  double ramp = 0;                 // s, smooth start in dynamics; 0: acts from statics on
+  int order = 0;                   // place in the file's list of loads, for messages
 };
 struct PointLoad {
-  double at = 0;                      // m, arc length from end A
-  Vec3 force = Vec3::Zero();          // N, dead
-  Vec3 moment = Vec3::Zero();         // N m, dead (space axes)
-  double ramp = 0;                    // s
+  double at = 0;               // m, arc length from end A
+  Vec3 force = Vec3::Zero();   // N, dead
+  Vec3 moment = Vec3::Zero();  // N m, dead (space axes)
+  double ramp = 0;             // s
+  int order = 0;               // place in the file's list of loads, for messages
 };
 
 enum class Start { automatic, catenary, hanging, straight, points };
@@ -129,7 +131,7 @@ struct Line {
   std::vector<DistributedLoad> loads;
   std::vector<PointLoad> point_loads;
   Start start = Start::automatic;
-  std::vector<Vec3> points;           // for Start::points: polyline the line is laid along
+  std::vector<Vec3> points;  // for Start::points: polyline the line is laid along
 };
 
 enum class ContactMethod { nodes, line };
@@ -142,7 +144,7 @@ struct Contact {
 
 struct Statics {
   bool enabled = true;
-  double tolerance = 1e-8;            // residual over the size of the internal forces
+  double tolerance = 1e-8;  // residual over the size of the internal forces
   int max_iterations = 500;
 };
 
@@ -152,20 +154,20 @@ struct Dynamics {
   double step = 0;                    // s; 0: automatic
   double max_step = 0, min_step = 0;  // s; 0: defaults
   double rho_infinity = 0.8;
-  double tolerance = 1e-8;            // of the residual, as in statics
-  double error_tolerance = 0;         // m, local error a step in automatic stepping; 0: default
+  double tolerance = 1e-8;     // of the residual, as in statics
+  double error_tolerance = 0;  // m, local error a step in automatic stepping; 0: default
 };
 
 struct HistoryPoint {
   std::string line;
-  double at = 0;                      // m, arc length from end A
-  std::string name;                   // default "<line>@<at>"
+  double at = 0;     // m, arc length from end A
+  std::string name;  // default "<line>@<at>"
 };
 
 struct Output {
-  std::string file;                   // absolute path of the .h5; default <case>.h5 beside the case
-  double every = 0;                   // s between fields; 0: 100 outputs a run
-  double checkpoint_every = 0;        // s; 0: with every field output
+  std::string file;             // absolute path of the .h5; default <case>.h5 beside the case
+  double every = 0;             // s between fields; 0: 100 outputs a run
+  double checkpoint_every = 0;  // s; 0: with every field output
   bool xdmf = true;
   std::vector<HistoryPoint> histories;
 };
@@ -182,6 +184,7 @@ struct Case {
   Statics statics;
   Dynamics dynamics;
   Output output;
+  std::vector<std::string> notes;  // what the reader repaired or doubts, a sentence each
 
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
   int body_index(const std::string& name) const;             // -1: none (fixed in space)

@@ -1,0 +1,29 @@
+// Parts of the case reader that look at other files: motion tables and meshes.
+#pragma once
+
+#include <string>
+
+#include "hawser/model/case.hpp"
+#include "hawser/model/value.hpp"
+
+namespace hawser::io {
+
+// Where a case comes from.
+struct CaseSource {
+  std::string file;       // as the user named it, for messages
+  std::string directory;  // absolute, for relative paths
+
+  std::string absolute(const std::string& path) const;
+  [[noreturn]] void bad(const model::Value& v, const std::string& key, const std::string& text) const;
+};
+
+Vec3 as_vec3(const model::Value& v);
+
+// `table: {file}` or `{rows}`: t [s], x, y, z [m] and maybe the rotation vector [deg, here to rad].
+model::TableMotion read_motion_table(const model::Value& table, const std::string& key,
+                                     const CaseSource& source);
+
+// Read every mesh, refuse what is no closed volume or has the wrong scale; repairs go to Case::notes.
+void check_meshes(const model::Value& root, const CaseSource& source, model::Case& c);
+
+}  // namespace hawser::io

@@ -1,0 +1,28 @@
+// Triangle meshes from STL, OBJ and PLY files, welded, checked and turned outward.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hawser/geometry/triangle_mesh.hpp"
+#include "hawser/model/case.hpp"
+
+namespace hawser::io {
+
+struct LoadedMesh {
+  TriangleMesh mesh;               // m, welded, closed, outward
+  MeshReport report;               // of the mesh as returned
+  std::vector<std::string> notes;  // what was repaired, one sentence each
+};
+
+// Read `path` (by its extension .stl, .obj, .ply), multiply coordinates by `scale`, weld equal vertices
+// (STL lists every corner anew, in single precision), turn triangles outward.
+// Parts are the groups or objects of an OBJ, the solids of an STL.
+// Throws InputError "path: ..." for a file that is absent, empty or no mesh, and for an open mesh.
+LoadedMesh read_mesh(const std::string& path, double scale = 1);
+
+// One flag a triangle: does it take part in contact? By the volume's active_part or active_box.
+// Throws InputError if there is no such part (with the nearest name) or no triangle in the box.
+std::vector<bool> active_triangles(const TriangleMesh& mesh, const model::Volume& volume);
+
+}  // namespace hawser::io

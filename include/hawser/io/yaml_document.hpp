@@ -1,0 +1,15 @@
+// YAML text into a model::Value tree with line numbers.
+#pragma once
+
+#include <string>
+
+#include "hawser/model/value.hpp"
+
+namespace hawser::io {
+
+// `file` is only for messages. Throws InputError "file:line: ..." for bad syntax, a key given twice,
+// a key that is no scalar, more than one document, nesting deeper than 40 or more than 10^6 nodes
+// (aliases counted as often as they are used).
+model::Value parse_yaml(const std::string& text, const std::string& file);
+
+}  // namespace hawser::io

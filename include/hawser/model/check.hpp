@@ -1,0 +1,26 @@
+// What makes a case senseless although every key is well formed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser::model {
+
+struct Issue {
+  std::string key;   // dotted, as in the file: "lines.hose.end_b"
+  std::string text;  // "is 90 m long but ..."
+};
+
+// Everything found, lines first. An empty list: the case can be run.
+std::vector<Issue> check(const Case& c);
+
+// Unstretched length of a line [m].
+double length_of(const Line& line);
+
+// Where a line's end is at t = 0 [m, space]: the body's position and rotation with its motion then.
+// Not for free ends. Throws std::out_of_range for an unknown body.
+Vec3 end_position(const Case& c, const End& end);
+
+}  // namespace hawser::model

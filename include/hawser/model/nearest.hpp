@@ -1,0 +1,27 @@
+// Helpers for sentences that tell a user what was wrong and what was probably meant.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser::model {
+
+// Optimal string alignment distance: insertions, deletions, substitutions, swaps of neighbours.
+// Letter case counts half, so 'ea' is nearer to 'EA' than to 'GA'.
+double edit_distance(std::string_view a, std::string_view b);
+
+// The candidate nearest to `word`, or empty if none is near (more than about 40 % of its letters differ).
+std::string nearest(std::string_view word, std::span<const std::string> candidates);
+
+// "; did you mean 'x'?" or nothing.
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
+// In quotes, one line, at most 60 characters; control characters become '?'.
+std::string quote(std::string_view text);
+
+// "a, b or c" (or with another last word).
+std::string enumerate(const std::vector<std::string>& words, std::string_view last = "or");
+
+}  // namespace hawser::model

@@ -1,0 +1,87 @@
+// The one description of a case file. The checker, the key tables of the user guide and the JSON
+// Schema for editors are all made from it, so they cannot disagree.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hawser/model/units.hpp"
+#include "hawser/model/value.hpp"
+
+namespace hawser::model {
+
+struct Bounds {
+  std::optional<double> above, at_least, at_most;  // SI (angles: rad)
+};
+
+// Keys that belong together; of the groups of a map at most one may be used.
+struct Group {
+  std::vector<std::string> keys;
+  std::vector<std::string> needed;  // those of them that must be there when the group is used
+};
+
+struct Key {
+  enum class Type {
+    number,
+    integer,
+    boolean,
+    word,       // one of `words`
+    text,       // any text (a file name, a title)
+    name,       // letters, digits, '_', '-', '+', blanks
+    reference,  // name of an entry of the top-level map `refers`
+    vec3,       // list of three numbers
+    list,       // keys[0] describes its items
+    map,        // with the keys `keys`
+    names,      // map from names of the user's choice to keys[0]
+    one_of      // alternatives `keys`, told apart by their form: number, word, list, map
+  };
+
+  std::string name;
+  Type type = Type::map;
+  std::string about;  // one line
+  Dimension unit = Dimension::none;
+  Bounds bounds;
+  std::vector<std::string> words;
+  std::string refers;
+  std::optional<std::string> fallback;  // default, as it would be written in the file
+  std::string fallback_note;            // default in words, when it depends on other keys
+  bool required = false;
+  std::vector<Key> keys;
+  std::size_t min_items = 0, max_items = 0;  // of lists and names; 0: no limit
+  std::vector<Group> groups;
+  bool group_required = false;  // one of the groups must be used
+
+  // Builders, to be chained.
+  Key&& is_required() &&;
+  Key&& or_else(std::string literal) &&;     // default, as written
+  Key&& or_else_note(std::string words) &&;  // default, in words
+  Key&& above(double x) &&;
+  Key&& at_least(double x) &&;
+  Key&& at_most(double x) &&;
+  Key&& items(std::size_t least, std::size_t most = 0) &&;
+  Key&& either(std::vector<Group> g, bool needed) &&;
+};
+
+// The whole case file: a map.
+const Key& case_schema();
+
+// "a number [m]", "'auto' or a number [s]", "a list of 3 numbers [m]", ...
+std::string describe(const Key& key);
+
+// Check `root` against the schema, fill in defaults (Value::given = false), set Value::number in SI,
+// resolve references. Throws InputError "file:line: dotted.key: ..." at the first fault.
+void check_structure(Value& root, const Key& schema, const std::string& file);
+
+// Throws InputError with the sentence "file:line: key: text".
+[[noreturn]] void fail(const std::string& file, int line, const std::string& key, const std::string& text);
+
+// docs/user-guide/case-keys.md and docs/case.schema.json (draft 2020-12).
+std::string schema_markdown();
+std::string schema_json();
+
+// Characters a name may have, as a regular expression of JSON Schema; and the same as a test.
+const char* name_pattern();
+bool is_name(std::string_view text);
+
+}  // namespace hawser::model

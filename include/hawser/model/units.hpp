@@ -1,0 +1,48 @@
+// Units a case file may use. A bare number is in the base unit of its key; "850 mm" names another.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace hawser::model {
+
+enum class Dimension {
+  none,
+  length,
+  time,
+  mass,
+  mass_per_length,
+  force,
+  force_per_length,  // a load, N/m
+  moment,
+  bending_stiffness,  // N m²
+  point_stiffness,    // N/m
+  line_stiffness,     // N/m², per length of a line
+  area_stiffness,     // N/m³, per area of a line
+  velocity,
+  acceleration,
+  angle,  // base unit deg, SI value rad
+  angular_velocity,
+  inertia_per_length,  // kg m
+};
+
+struct Unit {
+  std::string_view name;            // canonical: no blanks or dots, powers as ^2
+  double multiply = 1, divide = 1;  // SI = value * multiply / divide (both, so that 850 mm is 0.85 exactly)
+};
+
+std::string_view dimension_name(Dimension d);  // "length", as in "a length is given in m, mm ..."
+std::string_view base_unit(Dimension d);       // as printed: "N m²"; "-" for none
+std::span<const Unit> units_of(Dimension d);   // first is the base unit
+
+// A number with or without unit, e.g. "0.85", "850 mm", "1e3 kN". Result in SI.
+struct Quantity {
+  enum class Status { ok, not_a_number, not_finite, wrong_unit };
+  Status status = Status::ok;
+  double si = 0;
+  std::string unit;  // as written, for the sentence
+};
+Quantity parse_quantity(std::string_view text, Dimension d);
+
+}  // namespace hawser::model

@@ -1,0 +1,32 @@
+// A case file as a tree, whatever it was written in: scalars as text, lists, maps in file order.
+// io reads YAML into it; the schema checks it, fills in defaults and turns numbers into SI.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hawser::model {
+
+struct Value {
+  enum class Kind { null, scalar, list, map };
+
+  Kind kind = Kind::null;
+  std::string text;               // scalar as written
+  bool quoted = false;            // scalar in quotes
+  int line = 0;                   // in the file, from 1; of the key for values of a map
+  bool given = true;              // false: a default that the schema filled in
+  double number = 0;              // SI; set by the schema check for numbers, integers and booleans
+  std::vector<Value> items;       // of a list; or the values of a map
+  std::vector<std::string> keys;  // of a map, as many as items
+
+  const Value* find(std::string_view key) const;        // null if this is no map or has no such key
+  const Value& operator[](std::string_view key) const;  // throws std::out_of_range
+  bool has(std::string_view key) const { return find(key) != nullptr; }
+  bool is(std::string_view word) const { return kind == Kind::scalar && text == word; }
+
+  // Line of a dotted key such as "lines.hose.sections[0].length", or of its nearest existing ancestor.
+  int line_of(std::string_view path) const;
+};
+
+}  // namespace hawser::model

@@ -1,0 +1,340 @@
+// The checked tree of a case file into model::Case. Form, units, references and defaults are the
+// schema's; here are names for numbers, and what takes the knowledge of whether a key was given.
+#include "hawser/io/case_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/yaml_document.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/nearest.hpp"
+#include "hawser/model/schema.hpp"
+
+namespace hawser::io {
+namespace {
+
+using model::Case;
+using model::Value;
+using Kind = Value::Kind;
+namespace fs = std::filesystem;
+
+class Reader {
+ public:
+  Reader(const Value& root, const CaseSource& source, Case& c) : root_(root), source_(source), c_(c) {}
+
+  void read() {
+    c_.title = root_["title"].text;
+    c_.environment.gravity = root_["environment"]["gravity"].number;
+    each("line_types",
+         [&](const std::string& name, const Value& v) { c_.line_types.push_back(line_type(name, v)); });
+    each("bodies", [&](const std::string& name, const Value& v) { c_.bodies.push_back(body(name, v)); });
+    each("volumes", [&](const std::string& name, const Value& v) { c_.volumes.push_back(volume(name, v)); });
+    each("lines", [&](const std::string& name, const Value& v) { c_.lines.push_back(line(name, v)); });
+    contact(root_["contact"]);
+    statics(root_["statics"]);
+    if (const Value* d = root_.find("dynamics")) dynamics(*d);
+    output(root_["output"]);
+  }
+
+ private:
+  template <class F>
+  void each(const std::string& key, F&& f) {
+    const Value& v = root_[key];
+    for (std::size_t i = 0; i < v.items.size(); ++i) f(v.keys[i], v.items[i]);
+  }
+
+  static double number(const Value& v, const char* key, double otherwise = 0) {
+    const Value* x = v.find(key);
+    return x ? x->number : otherwise;
+  }
+  static Vec3 vec(const Value& v, const char* key) {
+    const Value* x = v.find(key);
+    return x ? as_vec3(*x) : Vec3(Vec3::Zero());
+  }
+  Vec3 unit_vec(const Value& v, const char* key, const std::string& path) const {
+    const Vec3 x = vec(v, key);
+    const double n = x.stableNorm();
+    if (!(n > 0)) source_.bad(v[key], path + "." + key, "[0, 0, 0] is no direction");
+    return x / n;
+  }
+
+  model::LineType line_type(const std::string& name, const Value& v) const {
+    const std::string path = "line_types." + name;
+    model::LineType t;
+    t.name = name;
+    t.kind = v["bending"].number != 0 ? model::LineKind::beam : model::LineKind::cable;
+    t.outer_diameter = v["outer_diameter"].number;
+    t.contact_diameter = number(v, "contact_diameter", t.outer_diameter);
+    t.mass_per_length = v["mass_per_length"].number;
+    t.EA = v["EA"].number;
+    t.stiffness_damping = v["stiffness_damping"].number;
+    if (t.kind == model::LineKind::cable) {
+      for (const char* key : {"EI", "GJ", "GA", "rotary_inertia"})
+        if (v.has(key) && v[key].given)
+          source_.bad(v[key], path + "." + key,
+                      "has no meaning for a type with 'bending: false'; remove one of them");
+      return t;
+    }
+    for (const char* key : {"EI", "GJ"})
+      if (!v.has(key))
+        source_.bad(
+            v, path + "." + key,
+            "required key is missing; a type that resists bending needs EI and GJ (a type that doesn't says "
+            "'bending: false')");
+    const Value& EI = v["EI"];
+    t.EI2 = EI.kind == Kind::list ? EI.items[0].number : EI.number;
+    t.EI3 = EI.kind == Kind::list ? EI.items[1].number : EI.number;
+    t.GJ = v["GJ"].number;
+    t.GA = v["GA"].number;
+    const double round = t.mass_per_length * t.outer_diameter * t.outer_diameter / 8;  // m r² / 2
+    t.rotary_inertia = v.has("rotary_inertia") ? vec(v, "rotary_inertia") : Vec3(round, round / 2, round / 2);
+    return t;
+  }
+
+  model::Body body(const std::string& name, const Value& v) const {
+    model::Body b;
+    b.name = name;
+    b.position = vec(v, "position");
+    b.rotation = vec(v, "rotation_deg");
+    const Value* m = v.find("motion");
+    if (!m) return b;
+    const std::string path = "bodies." + name + ".motion";
+    b.ramp = number(*m, "ramp");
+    if (const Value* h = m->find("harmonic")) {
+      b.motion =
+          model::HarmonicMotion{vec(*h, "amplitude"), vec(*h, "rotation_amplitude_deg"),
+                                (*h)["period"].number, vec(*h, "phase_deg"), vec(*h, "rotation_phase_deg")};
+    } else if (const Value* t = m->find("table")) {
+      b.motion = read_motion_table(*t, path + ".table", source_);
+    } else if (m->has("velocity") || m->has("rotation")) {
+      model::ConstantMotion steady;
+      steady.velocity = vec(*m, "velocity");
+      if (const Value* r = m->find("rotation")) {
+        steady.axis = unit_vec(*r, "axis", path + ".rotation");
+        steady.rate = (*r)["rate"].number;
+      }
+      b.motion = steady;
+    }
+    return b;
+  }
+
+  model::Volume volume(const std::string& name, const Value& v) const {
+    model::Volume o;
+    o.name = name;
+    o.mesh = source_.absolute(v["mesh"].text);
+    o.scale = v["scale"].number;
+    if (v.has("body")) o.body = v["body"].text;
+    if (const Value* a = v.find("active")) {
+      if (a->kind == Kind::map) {
+        const Value& box = (*a)["box"];
+        o.active_box = model::Box{as_vec3(box.items[0]), as_vec3(box.items[1])};
+      } else {
+        o.active_part = a->text;
+      }
+    }
+    const Value& k = v["normal_stiffness"];
+    const auto basis = [&](const char* key, model::StiffnessBasis b) {
+      if (const Value* x = k.find(key)) o.basis = b, o.normal_stiffness = x->number;
+    };
+    basis("per_point", model::StiffnessBasis::per_point);
+    basis("per_length", model::StiffnessBasis::per_length);
+    basis("per_area", model::StiffnessBasis::per_area);
+    o.smoothing = number(v, "smoothing");
+    o.relative_damping = v["relative_damping"].number;
+    const Value& f = v["friction"];
+    if (f.kind == Kind::map) {
+      o.friction.axial = f["axial"].number;
+      o.friction.lateral = number(f, "lateral", o.friction.axial);
+      o.friction.mobilisation_length = number(f, "mobilisation_length");
+      o.friction.shear_stiffness = number(f, "shear_stiffness");
+    } else {
+      o.friction.axial = o.friction.lateral = f.number;
+    }
+    return o;
+  }
+
+  model::End end(const Value& v, const std::string& path) const {
+    model::End e;
+    if (v.kind != Kind::map) return e;
+    e.kind = v.has("anchor") ? model::EndKind::anchor : model::EndKind::body;
+    e.at = vec(v, v.has("anchor") ? "anchor" : "at");
+    if (v.has("body")) e.body = v["body"].text;
+    if (v.has("direction")) e.direction = unit_vec(v, "direction", path);
+    e.clamped = v["clamped"].number != 0;
+    return e;
+  }
+
+  static double arc(const Value* v, double otherwise, double length) {
+    if (!v) return otherwise;
+    if (v->is("end_a")) return 0;
+    if (v->is("end_b")) return length;
+    return v->number;
+  }
+
+  model::Line line(const std::string& name, const Value& v) const {
+    const std::string path = "lines." + name;
+    model::Line l;
+    l.name = name;
+    for (std::size_t i = 0; i < v["sections"].items.size(); ++i)
+      l.sections.push_back(section(v["sections"].items[i], fmt::format("{}.sections[{}]", path, i)));
+    const double length = model::length_of(l);
+    l.end_a = end(v["end_a"], path + ".end_a");
+    l.end_b = end(v["end_b"], path + ".end_b");
+    const Value& start = v["start"];
+    if (start.kind == Kind::map) {
+      l.start = model::Start::points;
+      for (const Value& p : start["points"].items) l.points.push_back(as_vec3(p));
+    } else {
+      l.start = start.is("catenary")   ? model::Start::catenary
+                : start.is("hanging")  ? model::Start::hanging
+                : start.is("straight") ? model::Start::straight
+                                       : model::Start::automatic;
+    }
+    for (const Value& m : v["masses"].items)
+      l.masses.push_back({arc(m.find("at"), 0, length), m["mass"].number});
+    for (std::size_t i = 0; i < v["loads"].items.size(); ++i)
+      load(v["loads"].items[i], fmt::format("{}.loads[{}]", path, i), static_cast<int>(i), length, l);
+    return l;
+  }
+
+  model::Section section(const Value& v, const std::string& path) const {
+    model::Section s;
+    s.type = v["type"].text;
+    s.length = v["length"].number;
+    s.grading = v["grading"].number;
+    double n = number(v, "elements");
+    if (const Value* h = v.find("element_length")) n = elements_for(s.length, h->number, s.grading);
+    constexpr double kMost = 1e7;
+    if (!(n <= kMost))
+      source_.bad(v["element_length"], path + ".element_length",
+                  fmt::format("makes {:.3g} elements of this section; the limit is {:.0e}", n, kMost));
+    s.elements = static_cast<int>(n);
+    return s;
+  }
+
+  // Fewest elements of which none is longer than h: lengths are a geometric series, last over first g.
+  static double elements_for(double length, double h, double g) {
+    double n = std::max(1.0, std::ceil(length / h * (1 - 1e-12)));
+    const auto longest = [&](double count) {
+      if (count < 2 || g == 1) return length / count;
+      const double q = std::pow(g, 1 / (count - 1));
+      const double first = length * std::expm1(std::log(q)) / std::expm1(count * std::log(q));
+      return first * std::max(1.0, g);
+    };
+    for (int i = 0; i < 60 && n < 1e8 && longest(n) > h * (1 + 1e-9); ++i)
+      n = std::max(n + 1, std::ceil(n * longest(n) / h * (1 - 1e-3)));
+    return n;
+  }
+
+  void load(const Value& v, const std::string& path, int order, double length, model::Line& l) const {
+    if (v.has("per_length")) {
+      const double to = v.has("to") ? arc(v.find("to"), 0, length) : -1;
+      l.loads.push_back({vec(v, "per_length"), arc(v.find("from"), 0, length), to, v["ramp"].number, order});
+      return;
+    }
+    if (!v.has("force") && !v.has("moment"))
+      source_.bad(v, path, "a point load needs 'force', 'moment' or both");
+    l.point_loads.push_back(
+        {arc(v.find("at"), 0, length), vec(v, "force"), vec(v, "moment"), v["ramp"].number, order});
+  }
+
+  void contact(const Value& v) {
+    c_.contact.method = v["method"].is("line") ? model::ContactMethod::line : model::ContactMethod::nodes;
+    const auto chosen = [&](const char* key, bool& all, std::vector<std::string>& names) {
+      all = v[key].kind != Kind::list;
+      for (const Value& n : v[key].items)
+        if (std::find(names.begin(), names.end(), n.text) == names.end()) names.push_back(n.text);
+    };
+    chosen("lines", c_.contact.all_lines, c_.contact.lines);
+    chosen("volumes", c_.contact.all_volumes, c_.contact.volumes);
+  }
+
+  void statics(const Value& v) {
+    if (v.kind != Kind::map) {
+      c_.statics.enabled = v.number != 0;
+      return;
+    }
+    c_.statics.enabled = v["enabled"].number != 0;
+    c_.statics.tolerance = v["tolerance"].number;
+    c_.statics.max_iterations = static_cast<int>(v["max_iterations"].number);
+  }
+
+  void dynamics(const Value& v) {
+    model::Dynamics& d = c_.dynamics;
+    d.enabled = true;
+    d.duration = v["duration"].number;
+    d.step = v["step"].number;  // 0 for 'auto'
+    d.max_step = number(v, "max_step");
+    d.min_step = number(v, "min_step");
+    d.rho_infinity = v["rho_infinity"].number;
+    d.tolerance = v["tolerance"].number;
+    d.error_tolerance = number(v, "error_tolerance");
+  }
+
+  void output(const Value& v) {
+    model::Output& o = c_.output;
+    o.file = v.has("file") ? source_.absolute(v["file"].text)
+                           : (fs::path(c_.directory) / fs::path(c_.path).stem()).string() + ".h5";
+    o.every = number(v, "every");
+    o.checkpoint_every = number(v, "checkpoint_every");
+    const std::vector<Value>& formats = v["format"].items;
+    const auto lists = [&](const char* w) {
+      return std::any_of(formats.begin(), formats.end(), [&](const Value& f) { return f.is(w); });
+    };
+    o.xdmf = lists("xdmf");
+    if (!lists("hdf5"))
+      source_.bad(v["format"], "output.format",
+                  "xdmf only describes the numbers of an hdf5 file; list hdf5 as well");
+    for (const Value& h : v["histories"].items) {
+      model::HistoryPoint p;
+      p.line = h["line"].text;
+      p.at =
+          arc(h.find("at"), 0, model::length_of(c_.lines[static_cast<std::size_t>(c_.line_index(p.line))]));
+      p.name = h.has("name") ? h["name"].text : p.line + "@" + h["at"].text;
+      o.histories.push_back(p);
+    }
+  }
+
+  const Value& root_;
+  const CaseSource& source_;
+  Case& c_;
+};
+
+}  // namespace
+
+model::Case read_case_text(const std::string& text, const std::string& path) {
+  Case c;
+  c.text = text;
+  c.path = fs::absolute(path).lexically_normal().string();
+  c.directory = fs::path(c.path).parent_path().string();
+  Value root = parse_yaml(text, path);
+  model::check_structure(root, model::case_schema(), path);
+  const CaseSource source{path, c.directory};
+  Reader(root, source, c).read();
+  for (const model::Issue& i : model::check(c)) model::fail(path, root.line_of(i.key), i.key, i.text);
+  check_meshes(root, source, c);
+  return c;
+}
+
+model::Case read_case(const std::string& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) model::fail(path, 0, "", "there is no such case file");
+  if (fs::is_directory(status)) model::fail(path, 0, "", "is a directory, not a case file");
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf())) {
+    if (in && fs::file_size(path, error) == 0 && !error) model::fail(path, 1, "", "the file is empty");
+    model::fail(path, 0, "", "cannot be read");
+  }
+  return read_case_text(text.str(), path);
+}
+
+}  // namespace hawser::io

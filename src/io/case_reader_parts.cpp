@@ -1,0 +1,131 @@
+#include "hawser/io/case_reader_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/mesh_reader.hpp"
+#include "hawser/model/nearest.hpp"
+#include "hawser/model/schema.hpp"
+
+namespace hawser::io {
+namespace {
+
+using model::Value;
+namespace fs = std::filesystem;
+
+// Rows of a text file: blanks or commas between numbers, `#` starts a comment.
+std::vector<std::vector<double>> read_rows(const std::string& path, const Value& at, const std::string& key,
+                                           const CaseSource& source) {
+  std::error_code error;
+  std::ifstream in(path);
+  if (!fs::is_regular_file(path, error) || !in) source.bad(at, key, "there is no such file: " + path);
+  std::vector<std::vector<double>> rows;
+  std::string line;
+  for (int n = 1; std::getline(in, line); ++n) {
+    line = line.substr(0, line.find('#'));
+    for (char& c : line)
+      if (c == ',' || c == '\t' || c == '\r') c = ' ';
+    std::vector<double> row;
+    std::istringstream words(line);
+    for (std::string w; words >> w;) {
+      const model::Quantity q = model::parse_quantity(w, model::Dimension::none);
+      if (q.status != model::Quantity::Status::ok)
+        source.bad(at, key, fmt::format("{}:{}: {} is no finite number", path, n, model::quote(w)));
+      row.push_back(q.si);
+    }
+    if (!row.empty()) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::string CaseSource::absolute(const std::string& path) const {
+  return (fs::path(directory) / fs::path(path)).lexically_normal().string();
+}
+
+void CaseSource::bad(const Value& v, const std::string& key, const std::string& text) const {
+  model::fail(file, v.line, key, text);
+}
+
+Vec3 as_vec3(const Value& v) { return {v.items[0].number, v.items[1].number, v.items[2].number}; }
+
+model::TableMotion read_motion_table(const Value& table, const std::string& key, const CaseSource& source) {
+  const bool from_file = table.has("file");
+  const Value& at = table[from_file ? "file" : "rows"];
+  const std::string where = key + (from_file ? ".file" : ".rows");
+  std::vector<std::vector<double>> rows;
+  if (from_file) {
+    rows = read_rows(source.absolute(at.text), at, where, source);
+  } else {
+    for (const Value& r : at.items) {
+      rows.emplace_back();
+      for (const Value& x : r.items) rows.back().push_back(x.number);
+    }
+  }
+  if (rows.size() < 2)
+    source.bad(at, where, fmt::format("a table of motion needs at least 2 rows, found {}", rows.size()));
+  const std::size_t columns = rows.front().size();
+  if (columns != 4 && columns != 7)
+    source.bad(at, where,
+               fmt::format("a row of motion has 4 numbers (t, x, y, z) or 7 (and a rotation vector), "
+                           "found {}",
+                           columns));
+  model::TableMotion m;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double>& r = rows[i];
+    if (r.size() != columns)
+      source.bad(at, where, fmt::format("row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns));
+    if (i > 0 && !(r[0] > m.time.back()))
+      source.bad(at, where,
+                 fmt::format("times must increase, but row {} has t = {:g} s after {:g} s", i + 1, r[0],
+                             m.time.back()));
+    m.time.push_back(r[0]);
+    m.offset.emplace_back(r[1], r[2], r[3]);
+    if (columns == 7) m.rotation.push_back(Vec3(r[4], r[5], r[6]) * (std::numbers::pi / 180));
+  }
+  return m;
+}
+
+void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
+  constexpr double kHuge = 5000;  // m; no body at sea is as large, a mesh in mm taken for m is
+  constexpr double kThin = 1e4;   // a volume this much larger than the thinnest line
+  constexpr double kTiny = 0.05;  // a volume this much smaller than the thinnest line
+  double thinnest = 0;
+  for (const model::Line& l : c.lines)
+    for (const model::Section& s : l.sections) {
+      const double d = c.line_type(s.type).contact_diameter;
+      thinnest = thinnest > 0 ? std::min(thinnest, d) : d;
+    }
+  for (const model::Volume& v : c.volumes) {
+    const Value& given = root["volumes"][v.name];
+    const std::string key = "volumes." + v.name;
+    LoadedMesh loaded;
+    try {
+      loaded = read_mesh(v.mesh, v.scale);
+    } catch (const InputError& e) {
+      source.bad(given["mesh"], key + ".mesh", e.what());
+    }
+    const double size = loaded.report.box.extent().maxCoeff();
+    if (size > kHuge || size > kThin * thinnest || size < kTiny * thinnest)
+      source.bad(
+          given["scale"].given ? given["scale"] : given["mesh"], key + ".scale",
+          fmt::format("the mesh is {:.4g} m large, {:.3g} times the contact diameter of the thinnest line "
+                      "({:.4g} m); is it in other units than metres (scale is {:g})?",
+                      size, size / thinnest, thinnest, v.scale));
+    try {
+      active_triangles(loaded.mesh, v);
+    } catch (const InputError& e) {
+      source.bad(given["active"], key + ".active", e.what());
+    }
+    for (const std::string& n : loaded.notes) c.notes.push_back(key + ": " + n);
+  }
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,141 @@
+#include "hawser/io/mesh_reader.hpp"
+
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "hawser/base/error.hpp"
+#include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/model/nearest.hpp"
+
+namespace hawser::io {
+namespace {
+
+[[noreturn]] void bad(const std::string& path, const std::string& text) {
+  std::string s = path + ": " + text;
+  for (char& c : s)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  throw InputError(s);
+}
+
+int part_index(TriangleMesh& mesh, const std::string& name) {
+  const auto it = std::find(mesh.parts.begin(), mesh.parts.end(), name);
+  if (it != mesh.parts.end()) return static_cast<int>(it - mesh.parts.begin());
+  mesh.parts.push_back(name);
+  return static_cast<int>(mesh.parts.size()) - 1;
+}
+
+void append(const aiMesh& from, const std::string& name, const aiMatrix4x4& to_root, double scale,
+            TriangleMesh& mesh) {
+  const int first = static_cast<int>(mesh.vertices.size());
+  const int part = part_index(mesh, name);
+  for (unsigned i = 0; i < from.mNumVertices; ++i) {
+    const aiVector3D v = to_root * from.mVertices[i];
+    mesh.vertices.push_back(scale * Vec3(v.x, v.y, v.z));
+  }
+  for (unsigned i = 0; i < from.mNumFaces; ++i) {
+    const aiFace& f = from.mFaces[i];
+    if (f.mNumIndices != 3) continue;  // points and lines bound nothing
+    mesh.triangles.push_back({first + static_cast<int>(f.mIndices[0]),
+                              first + static_cast<int>(f.mIndices[1]),
+                              first + static_cast<int>(f.mIndices[2])});
+    mesh.part.push_back(part);
+  }
+}
+
+void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, double scale,
+            TriangleMesh& mesh) {
+  const aiMatrix4x4 to_root = above * node.mTransformation;
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    const aiMesh& m = *scene.mMeshes[node.mMeshes[i]];
+    // An OBJ names its groups on the meshes, an STL its solids on the nodes.
+    append(m, m.mName.length > 0 ? m.mName.C_Str() : node.mName.C_Str(), to_root, scale, mesh);
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) append(scene, *node.mChildren[i], to_root, scale, mesh);
+}
+
+TriangleMesh import(const std::string& path, double scale) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) bad(path, "there is no such mesh file");
+  if (!fs::is_regular_file(status)) bad(path, "is no file");
+  std::string extension = fs::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (extension != ".stl" && extension != ".obj" && extension != ".ply")
+    bad(path, "meshes are read from STL, OBJ and PLY files (.stl, .obj, .ply), not from '" + extension + "'");
+  if (fs::file_size(path, error) == 0 || error) bad(path, "the mesh file is empty or cannot be read");
+
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_SortByPType);
+  if (!scene || !scene->mRootNode)
+    bad(path, fmt::format("cannot be read as a mesh: {}", importer.GetErrorString()));
+  TriangleMesh mesh;
+  append(*scene, *scene->mRootNode, aiMatrix4x4(), scale, mesh);
+  if (mesh.triangles.empty()) bad(path, "holds no triangles");
+  for (const Vec3& v : mesh.vertices)
+    if (!v.allFinite()) bad(path, "has a vertex that is no finite number");
+  return mesh;
+}
+
+}  // namespace
+
+LoadedMesh read_mesh(const std::string& path, double scale) {
+  LoadedMesh loaded;
+  loaded.mesh = import(path, scale);
+  TriangleMesh& mesh = loaded.mesh;
+  // Equal corners may differ by rounding to single precision.
+  double size = 0;
+  for (const Vec3& v : mesh.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
+  const WeldResult welded = weld(mesh, 4.0 * std::numeric_limits<float>::epsilon() * size);
+  if (mesh.triangles.empty()) bad(path, "holds only triangles without area");
+  if (welded.removed > 0)
+    loaded.notes.push_back(fmt::format("{}: {} triangles without area were removed", path, welded.removed));
+
+  MeshReport& report = loaded.report;
+  report = inspect(mesh);
+  if (!report.closed)
+    bad(path,
+        fmt::format("the mesh is not closed: {} open edges and {} edges of more than two triangles in {} "
+                    "triangles; a volume must be watertight",
+                    report.open_edges, report.non_manifold_edges, report.triangles));
+  if (!report.valid()) {
+    const OrientationResult turned = orient(mesh);
+    report = inspect(mesh);
+    if (!report.valid()) bad(path, "the triangles cannot be turned outward: " + turned.sentence);
+    loaded.notes.push_back(path + ": " + turned.sentence);
+  }
+  report.welded = welded.welded;
+  report.removed = welded.removed;
+  return loaded;
+}
+
+std::vector<bool> active_triangles(const TriangleMesh& mesh, const model::Volume& volume) {
+  if (volume.active_box) {
+    const Vec3 &a = volume.active_box->lower, &b = volume.active_box->upper;
+    Box box;
+    box.lo = a;
+    box.hi = b;
+    std::vector<bool> active = active_by_box(mesh, box);
+    if (std::none_of(active.begin(), active.end(), [](bool x) { return x; }))
+      throw InputError("no triangle of the mesh lies in this box");
+    return active;
+  }
+  if (!volume.active_part.empty()) {
+    if (std::find(mesh.parts.begin(), mesh.parts.end(), volume.active_part) == mesh.parts.end())
+      throw InputError(fmt::format("the mesh has no part {}{} (parts: {})", model::quote(volume.active_part),
+                                   model::did_you_mean(volume.active_part, mesh.parts),
+                                   fmt::join(mesh.parts, ", ")));
+    return active_by_part(mesh, {volume.active_part});
+  }
+  return std::vector<bool>(mesh.triangles.size(), true);
+}
+
+}  // namespace hawser::io

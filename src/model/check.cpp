@@ -1,0 +1,236 @@
+#include "hawser/model/check.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kLargestStrain = 0.10;  // to reach between held ends; more is a misprint, not a taut line
+constexpr double kArcTolerance = 1e-9;   // of the line's length
+constexpr double kMostElements = 2e7;    // of a case
+
+class LineCheck {
+ public:
+  LineCheck(const Case& c, const Line& line, std::vector<Issue>& issues)
+      : c_(c), line_(line), key_("lines." + line.name), length_(length_of(line)), issues_(issues) {}
+
+  void run() {
+    check_end(line_.end_a, line_.sections.front(), "end_a");
+    check_end(line_.end_b, line_.sections.back(), "end_b");
+    check_start();
+    check_span();
+    for (std::size_t i = 0; i < line_.masses.size(); ++i)
+      check_arc(line_.masses[i].at, fmt::format("masses[{}].at", i));
+    check_loads();
+  }
+
+ private:
+  template <class... Args>
+  void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
+    issues_.push_back(
+        {key.empty() ? key_ : key_ + "." + key, fmt::format(text, std::forward<Args>(args)...)});
+  }
+
+  bool held(const End& e) const { return e.kind != EndKind::free; }
+
+  void check_end(const End& e, const Section& section, const std::string& key) {
+    if (!held(e) || !e.clamped) return;
+    if (c_.line_type(section.type).kind == LineKind::cable)
+      issue(key + ".clamped", "a line of type '{}' has no bending stiffness here and cannot be clamped",
+            section.type);
+    else if (!e.direction)
+      issue(key + ".clamped", "a clamped end needs a direction: the tangent from end A to end B");
+  }
+
+  void check_start() {
+    const int ends = held(line_.end_a) + held(line_.end_b);
+    const bool directed = line_.end_a.direction || line_.end_b.direction;
+    switch (line_.start) {
+      case Start::points:
+        return check_points();
+      case Start::catenary:
+        if (ends < 2) issue("start", "a catenary hangs between two held ends, but this line has {}", ends);
+        break;
+      case Start::hanging:
+        if (ends != 1) issue("start", "a hanging line has one held end, but this line has {}", ends);
+        break;
+      case Start::straight:
+        if (ends == 0 || (ends == 1 && !directed))
+          issue("start",
+                "a straight start needs two held ends, or one with a direction; give start: {{points: ...}}");
+        break;
+      case Start::automatic:
+        if (ends == 0)
+          issue("", "both ends are free: give start: {{points: [[x, y, z], ...]}} to say where it lies");
+    }
+    if (ends == 0 && c_.statics.enabled)
+      issue("", "both ends are free, so there is no static equilibrium; give statics: false");
+  }
+
+  void check_points() {
+    double laid = 0;
+    for (std::size_t i = 1; i < line_.points.size(); ++i) {
+      const double d = (line_.points[i] - line_.points[i - 1]).norm();
+      if (d <= 0) issue(fmt::format("start.points[{}]", i), "is the same point as the one before it");
+      laid += d;
+    }
+    if (std::abs(laid - length_) > kLargestStrain * length_)
+      issue("start.points",
+            "this polyline is {:.6g} m long, but the line is {:.6g} m; they may differ by {:g} %", laid,
+            length_, 100 * kLargestStrain);
+    check_point(line_.end_a, line_.points.front(), 0);
+    check_point(line_.end_b, line_.points.back(), line_.points.size() - 1);
+    if (!held(line_.end_a) && !held(line_.end_b) && c_.statics.enabled)
+      issue("", "both ends are free, so there is no static equilibrium; give statics: false");
+  }
+
+  void check_point(const End& e, const Vec3& p, std::size_t i) {
+    if (!held(e)) return;
+    const double gap = (end_position(c_, e) - p).norm();
+    if (gap > 1e-3 * length_)
+      issue(fmt::format("start.points[{}]", i), "is {:.4g} m away from the line's end, which is held", gap);
+  }
+
+  // A taut line may be a little shorter than its span; it stretches.
+  void check_span() {
+    if (!held(line_.end_a) || !held(line_.end_b)) return;
+    const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
+    const double strain = (span - length_) / length_;
+    if (!(strain < kLargestStrain))
+      issue("sections",
+            "the line is {:.6g} m long but its ends are {:.6g} m apart at t = 0; reaching that takes a "
+            "strain of {:.3g} %, and the limit is {:g} %",
+            length_, span, 100 * strain, 100 * kLargestStrain);
+  }
+
+  void check_arc(double s, const std::string& key) {
+    if (s > length_ * (1 + kArcTolerance))
+      issue(key, "arc length {:.6g} m is beyond the end of the line, which is {:.6g} m long", s, length_);
+  }
+
+  const LineType& type_at(double s) const {
+    double end = 0;
+    for (const Section& sec : line_.sections) {
+      end += sec.length;
+      if (s <= end) return c_.line_type(sec.type);
+    }
+    return c_.line_type(line_.sections.back().type);
+  }
+
+  void check_loads() {
+    // Keys count the loads in file order, which `order` keeps.
+    for (const DistributedLoad& q : line_.loads) {
+      const std::string key = fmt::format("loads[{}]", q.order);
+      check_arc(q.from, key + ".from");
+      check_arc(q.to, key + ".to");
+      if (q.to >= 0 && q.to <= q.from)
+        issue(key + ".to", "a load from {:.6g} m to {:.6g} m acts nowhere; 'to' must be beyond 'from'",
+              q.from, q.to);
+    }
+    for (const PointLoad& p : line_.point_loads) {
+      const std::string key = fmt::format("loads[{}]", p.order);
+      check_arc(p.at, key + ".at");
+      if (!p.moment.isZero() && type_at(p.at).kind == LineKind::cable)
+        issue(key + ".moment", "a line without bending stiffness cannot carry a moment");
+    }
+  }
+
+  const Case& c_;
+  const Line& line_;
+  std::string key_;
+  double length_;
+  std::vector<Issue>& issues_;
+};
+
+Vec3 offset_at_start(const Body& b, Vec3& turn) {
+  turn = Vec3::Zero();
+  if (b.ramp > 0) return Vec3::Zero();
+  if (const auto* h = std::get_if<HarmonicMotion>(&b.motion)) {
+    turn = h->rotation_amplitude.cwiseProduct(h->rotation_phase.array().sin().matrix());
+    return h->amplitude.cwiseProduct(h->phase.array().sin().matrix());
+  }
+  if (const auto* t = std::get_if<TableMotion>(&b.motion); t && !t->time.empty() && t->time.front() <= 0) {
+    std::size_t i = 0;  // the last row not after t = 0
+    while (i + 1 < t->time.size() && t->time[i + 1] <= 0) ++i;
+    if (!t->rotation.empty()) turn = t->rotation[i];
+    return t->offset[i];
+  }
+  return Vec3::Zero();
+}
+
+void check_whole(const Case& c, std::vector<Issue>& issues) {
+  double elements = 0;
+  for (const Line& l : c.lines)
+    for (const Section& s : l.sections) elements += s.elements;
+  if (elements > kMostElements)
+    issues.push_back(
+        {"lines", fmt::format("{:.3g} elements in all; the limit is {:.3g}", elements, kMostElements)});
+  if (c.contact.method == ContactMethod::line)
+    issues.push_back({"contact.method", "contact along the line is not available yet; use 'nodes'"});
+  if (!c.statics.enabled && !c.dynamics.enabled)
+    issues.push_back({"statics", "statics is off and there is no 'dynamics': nothing to run"});
+  const Dynamics& d = c.dynamics;
+  if (d.enabled) {
+    const auto over = [&](double a, const char* key, double b, const char* than) {
+      if (a > 0 && b > 0 && a > b)
+        issues.push_back(
+            {fmt::format("dynamics.{}", key), fmt::format("{:g} s is longer than {} ({:g} s)", a, than, b)});
+    };
+    over(d.step, "step", d.duration, "the duration");
+    over(d.min_step, "min_step", d.duration, "the duration");
+    over(d.min_step, "min_step", d.max_step, "max_step");
+    over(d.min_step, "min_step", d.step, "step");
+    over(d.step, "step", d.max_step, "max_step");
+  }
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < c.output.histories.size(); ++i) {
+    const HistoryPoint& h = c.output.histories[i];
+    const double length = length_of(c.lines[static_cast<std::size_t>(c.line_index(h.line))]);
+    const std::string key = fmt::format("output.histories[{}]", i);
+    if (h.at > length * (1 + kArcTolerance))
+      issues.push_back(
+          {key + ".at", fmt::format("arc length {:.6g} m is beyond the end of line '{}', which is {:.6g} "
+                                    "m long",
+                                    h.at, h.line, length)});
+    if (!names.insert(h.name).second)
+      issues.push_back(
+          {key, fmt::format("there is another history called '{}'; give this one a 'name'", h.name)});
+  }
+  for (const Volume& v : c.volumes)
+    if (v.active_box && (v.active_box->lower.array() >= v.active_box->upper.array()).any())
+      issues.push_back(
+          {"volumes." + v.name + ".active.box", "the first corner must be below the second in x, y and z"});
+}
+
+}  // namespace
+
+double length_of(const Line& line) {
+  double length = 0;
+  for (const Section& s : line.sections) length += s.length;
+  return length;
+}
+
+Vec3 end_position(const Case& c, const End& end) {
+  if (end.kind == EndKind::anchor) return end.at;
+  const int i = c.body_index(end.body);
+  if (i < 0) throw std::out_of_range("no body '" + end.body + "'");
+  const Body& b = c.bodies[static_cast<std::size_t>(i)];
+  Vec3 turn;
+  const Vec3 offset = offset_at_start(b, turn);
+  return b.position + offset + exp_so3(turn) * (exp_so3(b.rotation) * end.at);
+}
+
+std::vector<Issue> check(const Case& c) {
+  std::vector<Issue> issues;
+  for (const Line& l : c.lines) LineCheck(c, l, issues).run();
+  check_whole(c, issues);
+  return issues;
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,419 @@
+// The keys of a case file. Order here is the order in the user guide.
+#include "hawser/model/schema.hpp"
+
+#include <utility>
+
+namespace hawser::model {
+
+Key&& Key::is_required() && { return required = true, std::move(*this); }
+Key&& Key::or_else(std::string literal) && { return fallback = std::move(literal), std::move(*this); }
+Key&& Key::or_else_note(std::string text) && { return fallback_note = std::move(text), std::move(*this); }
+Key&& Key::above(double x) && { return bounds.above = x, std::move(*this); }
+Key&& Key::at_least(double x) && { return bounds.at_least = x, std::move(*this); }
+Key&& Key::at_most(double x) && { return bounds.at_most = x, std::move(*this); }
+Key&& Key::items(std::size_t least, std::size_t most) && {
+  min_items = least, max_items = most;
+  return std::move(*this);
+}
+Key&& Key::either(std::vector<Group> g, bool needed) && {
+  groups = std::move(g), group_required = needed;
+  return std::move(*this);
+}
+
+namespace {
+
+using Type = Key::Type;
+using enum Dimension;
+
+Key make(Type type, std::string name, std::string about) {
+  Key k;
+  k.type = type;
+  k.name = std::move(name);
+  k.about = std::move(about);
+  return k;
+}
+
+Key number(std::string name, Dimension unit, std::string about = "") {
+  Key k = make(Type::number, std::move(name), std::move(about));
+  k.unit = unit;
+  return k;
+}
+Key vec3(std::string name, Dimension unit, std::string about = "") {
+  Key k = make(Type::vec3, std::move(name), std::move(about));
+  k.unit = unit;
+  return k;
+}
+Key integer(std::string name, std::string about) {
+  return make(Type::integer, std::move(name), std::move(about));
+}
+Key boolean(std::string name, std::string about = "") {
+  return make(Type::boolean, std::move(name), std::move(about));
+}
+Key text(std::string name, std::string about) { return make(Type::text, std::move(name), std::move(about)); }
+Key word(std::string name, std::vector<std::string> words, std::string about = "") {
+  Key k = make(Type::word, std::move(name), std::move(about));
+  k.words = std::move(words);
+  return k;
+}
+Key reference(std::string name, std::string to, std::string about = "") {
+  Key k = make(Type::reference, std::move(name), std::move(about));
+  k.refers = std::move(to);
+  return k;
+}
+Key list(std::string name, Key item, std::string about) {
+  Key k = make(Type::list, std::move(name), std::move(about));
+  k.keys.push_back(std::move(item));
+  return k;
+}
+Key map(std::string name, std::vector<Key> keys, std::string about) {
+  Key k = make(Type::map, std::move(name), std::move(about));
+  k.keys = std::move(keys);
+  return k;
+}
+Key names(std::string name, Key item, std::string about) {
+  Key k = make(Type::names, std::move(name), std::move(about));
+  k.keys.push_back(std::move(item));
+  return k;
+}
+Key one_of(std::string name, std::vector<Key> alternatives, std::string about) {
+  Key k = make(Type::one_of, std::move(name), std::move(about));
+  k.keys = std::move(alternatives);
+  return k;
+}
+
+constexpr const char* kZero = "[0, 0, 0]";
+
+Key line_types() {
+  return names("line_types",
+               map("<type>",
+                   {number("outer_diameter", length, "diameter of the outside").above(0).is_required(),
+                    number("contact_diameter", length, "diameter that touches volumes")
+                        .above(0)
+                        .or_else_note("`outer_diameter`"),
+                    number("mass_per_length", mass_per_length, "mass with contents, in air")
+                        .above(0)
+                        .is_required(),
+                    boolean("bending",
+                            "`false` makes a cable: axial stiffness only, may go slack; its nodes have no "
+                            "rotations")
+                        .or_else("true"),
+                    number("EA", force, "axial stiffness").above(0).is_required(),
+                    one_of("EI",
+                           {number("", bending_stiffness).above(0),
+                            list("", number("", bending_stiffness).above(0), "").items(2, 2)},
+                           "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
+                        .or_else_note("none: needed unless `bending: false`"),
+                    number("GJ", bending_stiffness, "torsion stiffness")
+                        .above(0)
+                        .or_else_note("none: needed unless `bending: false`"),
+                    number("GA", force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)")
+                        .at_least(0)
+                        .or_else("0"),
+                    vec3("rotary_inertia", inertia_per_length,
+                         "rotary inertia per length about axes 1 (along the line), 2 and 3")
+                        .at_least(0)
+                        .or_else_note("of a full round section: m d²/8, m d²/16, m d²/16"),
+                    number("stiffness_damping", time,
+                           "Rayleigh damping beta: damping = beta times the material stiffness")
+                        .at_least(0)
+                        .or_else("0")},
+                   ""),
+               "What lines are made of, by name.")
+      .is_required()
+      .items(1);
+}
+
+Key motion() {
+  return map("motion",
+             {vec3("velocity", velocity, "constant velocity"),
+              map("rotation",
+                  {vec3("axis", none,
+                        "direction of the axis through the body's position, fixed in space; its length "
+                        "does not matter")
+                       .is_required(),
+                   number("rate", angular_velocity, "turning rate, right-handed about the axis")
+                       .is_required()},
+                  "constant turning"),
+              map("harmonic",
+                  {vec3("amplitude", length,
+                        "amplitudes of x, y, z: offset = amplitude sin(2 pi t / period + phase)")
+                       .or_else(kZero),
+                   vec3("rotation_amplitude_deg", angle, "amplitudes of the rotation vector").or_else(kZero),
+                   number("period", time, "period").above(0).is_required(),
+                   vec3("phase_deg", angle, "phases of x, y, z").or_else(kZero),
+                   vec3("rotation_phase_deg", angle, "phases of the rotation vector").or_else(kZero)},
+                  "sinusoidal motion about the position at rest"),
+              map("table",
+                  {text(
+                       "file",
+                       "text file beside the case: columns t [s], x, y, z [m] and, if it turns, the rotation "
+                       "vector [deg]; blanks or commas between, `#` starts a comment"),
+                   list("rows", list("", number("", none), "").items(4, 7),
+                        "the same, written here: "
+                        "`[[t, x, y, z], ...]`")
+                       .items(2)},
+                  "offsets from `position` against time; a cubic spline goes through them")
+                  .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true),
+              number("ramp", time, "the motion starts smoothly over this time (quintic)")
+                  .at_least(0)
+                  .or_else("0")},
+             "prescribed motion; without it the body stands still")
+      .either({{{"velocity", "rotation"}, {}}, {{"harmonic"}, {"harmonic"}}, {{"table"}, {"table"}}}, false);
+}
+
+Key bodies() {
+  return names("bodies",
+               map("<body>",
+                   {vec3("position", length, "of the body's origin at t = 0").or_else(kZero),
+                    vec3("rotation_deg", angle, "rotation vector at t = 0").or_else(kZero), motion()},
+                   ""),
+               "Rigid bodies that carry volumes and line ends, by name.")
+      .or_else("{}");
+}
+
+Key friction() {
+  return one_of("friction",
+                {number("", none).at_least(0).at_most(10),
+                 map("",
+                     {number("axial", none, "Coulomb coefficient along the line")
+                          .at_least(0)
+                          .at_most(10)
+                          .is_required(),
+                      number("lateral", none, "Coulomb coefficient across the line")
+                          .at_least(0)
+                          .at_most(10)
+                          .or_else_note("`axial`"),
+                      number("mobilisation_length", length, "slip at which friction is fully there")
+                          .above(0)
+                          .or_else_note("1 % of the contact diameter"),
+                      number("shear_stiffness", none,
+                             "stiffness of the stick spring, in the unit of `normal_stiffness`")
+                          .above(0)
+                          .or_else_note("from `mobilisation_length`")},
+                     "")
+                     .either({{{"mobilisation_length"}, {}}, {{"shear_stiffness"}, {}}}, false)},
+                "one coefficient for all directions, or more")
+      .or_else("0");
+}
+
+Key volumes() {
+  Key stiffness =
+      one_of("normal_stiffness",
+             {word("", {"auto"}),
+              map("",
+                  {number("per_point", point_stiffness, "of each node in contact").above(0),
+                   number("per_length", line_stiffness, "per length of line in contact").above(0),
+                   number("per_area", area_stiffness, "per projected area (length times contact diameter)")
+                       .above(0)},
+                  "")
+                  .either({{{"per_point"}, {}}, {{"per_length"}, {}}, {{"per_area"}, {}}}, true)},
+             "penalty against penetration")
+          .or_else("auto");
+  Key active = one_of("active",
+                      {text("", ""), map("",
+                                         {list("box", vec3("", length),
+                                               "`[[x, y, z], [x, y, z]]`: lower and upper corner, in "
+                                               "the body's frame")
+                                              .items(2, 2)
+                                              .is_required()},
+                                         "")},
+                      "the part of the mesh that takes part in contact: name of a part (OBJ group, STL "
+                      "solid), or the triangles "
+                      "with all corners in a box")
+                   .or_else_note("all");
+  return names(
+             "volumes",
+             map("<volume>",
+                 {text("mesh", "closed triangle mesh (STL, OBJ or PLY), relative to the case file")
+                      .is_required(),
+                  number("scale", none, "mesh units to m: 0.001 for a mesh in mm").above(0).or_else("1"),
+                  reference("body", "bodies", "body it is fixed to; the mesh is in the body's frame")
+                      .or_else_note("none: fixed in space"),
+                  std::move(active), std::move(stiffness),
+                  number("smoothing", length, "half width of the smooth start of the contact force")
+                      .above(0)
+                      .or_else_note("chosen by the program"),
+                  number("relative_damping", none, "damping of the contact spring over its critical damping")
+                      .at_least(0)
+                      .at_most(2)
+                      .or_else("0"),
+                  friction()},
+                 ""),
+             "Volumes that lines must not enter, by name.")
+      .or_else("{}");
+}
+
+Key arc(std::string name, std::string about) {
+  return one_of(std::move(name), {number("", length).at_least(0), word("", {"end_a", "end_b"})},
+                std::move(about));
+}
+
+Key line_end(std::string name, const std::string& about) {
+  return one_of(std::move(name),
+                {word("", {"free"}),
+                 map("",
+                     {vec3("anchor", length, "fixed at this point in space"),
+                      reference("body", "bodies", "tied to this body ..."),
+                      vec3("at", length, "... at this point of its frame"),
+                      vec3("direction", none,
+                           "tangent of the line from end A to end B, in space (anchor) or in the body's "
+                           "frame; its length does not matter")
+                          .or_else_note("none: needed if clamped"),
+                      boolean("clamped", "rotation tied as well").or_else("false")},
+                     "")
+                     .either({{{"anchor"}, {"anchor"}}, {{"body", "at"}, {"body", "at"}}}, true)},
+                about);
+}
+
+Key lines() {
+  Key sections =
+      list("sections",
+           map("",
+               {reference("type", "line_types", "line type").is_required(),
+                number("length", length, "unstretched length").above(0).is_required(),
+                integer("elements", "number of elements").at_least(1).at_most(1e7),
+                number("element_length", length, "longest element wanted, instead of their number").above(0),
+                number("grading", none, "length of the last element over the first")
+                    .at_least(1e-3)
+                    .at_most(1e3)
+                    .or_else("1")},
+               "")
+               .either({{{"elements"}, {}}, {{"element_length"}, {}}}, true),
+           "from end A to end B")
+          .is_required()
+          .items(1);
+  Key loads =
+      list(
+          "loads",
+          map("",
+              {vec3("per_length", force_per_length, "distributed dead load per unstretched length ..."),
+               arc("from", "... from this arc length").or_else_note("`end_a`"),
+               arc("to", "... to this one").or_else_note("`end_b`"),
+               arc("at", "point load at this arc length"), vec3("force", force, "dead force of a point load"),
+               vec3("moment", moment, "dead moment of a point load, axes fixed in space"),
+               number("ramp", time, "starts smoothly over this time in dynamics; 0: acts in statics already")
+                   .at_least(0)
+                   .or_else("0")},
+              "")
+              .either({{{"per_length", "from", "to"}, {"per_length"}}, {{"at", "force", "moment"}, {"at"}}},
+                      true),
+          "loads besides weight")
+          .or_else("[]");
+  return names("lines",
+               map("<line>",
+                   {std::move(sections), line_end("end_a", "how end A is held").is_required(),
+                    line_end("end_b", "how end B is held").is_required(),
+                    one_of("start",
+                           {word("", {"auto", "catenary", "hanging", "straight"}),
+                            map("",
+                                {list("points", vec3("", length),
+                                      "polyline from end A to end B that the line is laid "
+                                      "along")
+                                     .is_required()
+                                     .items(2)},
+                                "")},
+                           "shape from which statics starts; `auto`: catenary between two held ends, hanging "
+                           "from one")
+                        .or_else("auto"),
+                    list("masses",
+                         map("",
+                             {arc("at", "arc length from end A").is_required(),
+                              number("mass", mass, "point mass").above(0).is_required()},
+                             ""),
+                         "point masses")
+                        .or_else("[]"),
+                    std::move(loads)},
+                   ""),
+               "Lines, by name. Arc lengths are unstretched and count from end A.")
+      .is_required()
+      .items(1);
+}
+
+Key all_or_names(std::string name, std::string to, std::string about) {
+  return one_of(std::move(name), {word("", {"all"}), list("", reference("", std::move(to)), "")},
+                std::move(about))
+      .or_else("all");
+}
+
+}  // namespace
+
+const Key& case_schema() {
+  static const Key schema = map(
+      "case",
+      {integer("hawser", "version of the case format; must be 1").at_least(1).at_most(1).is_required(),
+       text("title", "title, for pictures and reports").or_else(""),
+       map("environment", {number("gravity", acceleration, "acts along -z").at_least(0).or_else("9.80665")},
+           "Surroundings.")
+           .or_else("{}"),
+       line_types(), bodies(), volumes(), lines(),
+       map("contact",
+           {all_or_names("lines", "lines", "lines that take part in contact"),
+            all_or_names("volumes", "volumes", "volumes that take part in contact"),
+            word("method", {"nodes", "line"},
+                 "where a line touches: at its nodes; `line` (anywhere along its "
+                 "elements) is not available yet")
+                .or_else("nodes")},
+           "Contact of lines with volumes.")
+           .or_else("{}"),
+       one_of("statics",
+              {boolean(""), map("",
+                                {boolean("enabled", "find the equilibrium before dynamics").or_else("true"),
+                                 number("tolerance", none, "residual over the size of the internal forces")
+                                     .above(0)
+                                     .at_most(1e-2)
+                                     .or_else("1e-8"),
+                                 integer("max_iterations", "Newton iterations of a stage")
+                                     .at_least(1)
+                                     .at_most(1e6)
+                                     .or_else("500")},
+                                "")},
+              "Static equilibrium at t = 0; `false` starts dynamics from the start shape.")
+           .or_else("true"),
+       map("dynamics",
+           {number("duration", time, "simulated time").above(0).is_required(),
+            one_of("step", {word("", {"auto"}), number("", time).above(0)}, "time step").or_else("auto"),
+            number("max_step", time, "largest automatic step").above(0).or_else_note("chosen by the program"),
+            number("min_step", time, "smallest step, below which the run stops")
+                .above(0)
+                .or_else_note("chosen by the program"),
+            number("rho_infinity", none,
+                   "spectral radius at high frequency of the generalized-alpha method; 1: no "
+                   "numerical damping")
+                .at_least(0)
+                .at_most(1)
+                .or_else("0.8"),
+            number("tolerance", none, "residual over the size of the internal forces")
+                .above(0)
+                .at_most(1e-2)
+                .or_else("1e-8"),
+            number("error_tolerance", length, "local error of a step in automatic stepping")
+                .above(0)
+                .or_else_note("chosen by the program")},
+           "Motion in time; without this key only statics is run."),
+       map("output",
+           {text("file", "results, relative to the case file")
+                .or_else_note("`<case>.h5` beside the case file"),
+            number("every", time, "time between fields").above(0).or_else_note("100 outputs a run"),
+            number("checkpoint_every", time, "time between checkpoints")
+                .above(0)
+                .or_else_note("with every output"),
+            list("format", word("", {"hdf5", "xdmf"}),
+                 "`hdf5` is always written; `xdmf` beside it is what ParaView "
+                 "opens")
+                .or_else("[hdf5, xdmf]")
+                .items(1, 2),
+            list("histories",
+                 map("",
+                     {reference("line", "lines", "line").is_required(),
+                      arc("at", "arc length from end A").is_required(),
+                      make(Type::name, "name", "name in the results").or_else_note("`<line>@<at>`")},
+                     ""),
+                 "points whose motion, tension and contact are kept at every step")
+                .or_else("[]")},
+           "Results.")
+           .or_else("{}")},
+      "");
+  return schema;
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,394 @@
+// A Value against the schema: form, numbers, units, bounds, names, references; defaults filled in.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+#include "hawser/model/nearest.hpp"
+#include "hawser/model/schema.hpp"
+
+namespace hawser::model {
+
+void fail(const std::string& file, int line, const std::string& key, const std::string& text) {
+  std::string where = file;
+  if (line > 0) where += fmt::format(":{}", line);
+  if (!key.empty()) where += ": " + key;
+  std::string s = where + ": " + text;
+  for (char& c : s)  // one sentence, one line, whatever the file held
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  throw InputError(s);
+}
+
+const char* name_pattern() { return "^[A-Za-z0-9_\\u0080-\\uffff][A-Za-z0-9_+ \\u0080-\\uffff-]*$"; }
+
+bool is_name(std::string_view text) {
+  constexpr std::size_t kLongest = 100;
+  if (text.empty() || text.size() > kLongest || text.front() == ' ' || text.back() == ' ') return false;
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           static_cast<unsigned char>(c) >= 0x80;
+  };
+  const auto inner = [&](char c) { return letter(c) || c == '-' || c == '+' || c == ' '; };
+  return letter(text.front()) && std::all_of(text.begin(), text.end(), inner);
+}
+
+namespace {
+
+using Type = Key::Type;
+using Kind = Value::Kind;
+
+std::string in_unit(Dimension d) { return d == Dimension::none ? "" : fmt::format(" [{}]", base_unit(d)); }
+
+std::string plural(std::string s) {  // "a number [m]" -> "numbers [m]"
+  if (s.starts_with("a number")) return "numbers" + s.substr(8);
+  if (s.starts_with("the name of")) return "names" + s.substr(8);
+  return s;
+}
+
+std::string bounds_text(const Key& k) {
+  const double f = k.unit == Dimension::angle ? 180 / 3.14159265358979323846 : 1;
+  std::vector<std::string> parts;
+  if (k.bounds.above) parts.push_back(fmt::format("above {:g}", *k.bounds.above * f));
+  if (k.bounds.at_least) parts.push_back(fmt::format("at least {:g}", *k.bounds.at_least * f));
+  if (k.bounds.at_most) parts.push_back(fmt::format("at most {:g}", *k.bounds.at_most * f));
+  return enumerate(parts, "and");
+}
+
+// A literal default of the schema as a Value: scalar, [a, b, ...] or {}.
+Value literal(const std::string& s, int line) {
+  Value v;
+  v.given = false;
+  v.line = line;
+  if (s == "{}") {
+    v.kind = Kind::map;
+  } else if (s.starts_with('[')) {
+    v.kind = Kind::list;
+    std::string item;
+    for (const char c : s.substr(1)) {
+      if (c == ',' || c == ']') {
+        if (!item.empty()) v.items.push_back(literal(item, line));
+        item.clear();
+      } else if (c != ' ') {
+        item += c;
+      }
+    }
+  } else {
+    v.kind = Kind::scalar;
+    v.text = s;
+  }
+  return v;
+}
+
+class Checker {
+ public:
+  Checker(const std::string& file, Value& root) : file_(file), root_(root) {}
+
+  void check(Value& v, const Key& k, const std::string& path) {
+    switch (k.type) {
+      case Type::number:
+        return check_number(v, k, path, false);
+      case Type::integer:
+        return check_number(v, k, path, true);
+      case Type::boolean:
+        return check_boolean(v, k, path);
+      case Type::word:
+        return check_word(v, k, path);
+      case Type::text:
+        return check_text(v, k, path);
+      case Type::name:
+        return check_name(v, k, path);
+      case Type::reference:
+        return check_reference(v, k, path);
+      case Type::vec3:
+        return check_vec3(v, k, path);
+      case Type::list:
+        return check_list(v, k, path);
+      case Type::map:
+        return check_map(v, k, path);
+      case Type::names:
+        return check_names(v, k, path);
+      case Type::one_of:
+        return check_one_of(v, k, path);
+    }
+  }
+
+ private:
+  [[noreturn]] void bad(const Value& v, const std::string& path, const std::string& text) const {
+    fail(file_, v.line, path, text);
+  }
+
+  static std::string found(const Value& v) {
+    switch (v.kind) {
+      case Kind::null:
+        return "nothing";
+      case Kind::list:
+        return "a list";
+      case Kind::map:
+        return "a map of keys";
+      case Kind::scalar:
+        return quote(v.text);
+    }
+    return {};
+  }
+
+  [[noreturn]] void wrong_type(const Value& v, const Key& k, const std::string& path,
+                               const std::string& hint = "") const {
+    bad(v, path, fmt::format("expected {}, found {}{}", describe(k), found(v), hint));
+  }
+
+  void check_number(Value& v, const Key& k, const std::string& path, bool whole) {
+    if (v.kind != Kind::scalar) wrong_type(v, k, path);
+    const Quantity q = parse_quantity(v.text, k.unit);
+    switch (q.status) {
+      case Quantity::Status::ok:
+        break;
+      case Quantity::Status::not_a_number: {
+        const bool comma = v.text.find(',') != std::string::npos;
+        wrong_type(v, k, path, comma ? "; the decimal sign is a point" : "");
+      }
+      case Quantity::Status::not_finite:
+        bad(v, path, quote(v.text) + " is not a finite number");
+      case Quantity::Status::wrong_unit: {
+        if (k.unit == Dimension::none)
+          bad(v, path,
+              fmt::format("wrong unit {} in {}; this number has no unit", quote(q.unit), quote(v.text)));
+        std::vector<std::string> units;
+        for (const Unit& u : units_of(k.unit)) units.emplace_back(u.name);
+        bad(v, path,
+            fmt::format("wrong unit {} in {}; a {} is given in {} (a bare number is in {})", quote(q.unit),
+                        quote(v.text), dimension_name(k.unit), enumerate(units), base_unit(k.unit)));
+      }
+    }
+    if (whole && (q.si != std::floor(q.si) || std::abs(q.si) > 1e15)) wrong_type(v, k, path);
+    const Bounds& b = k.bounds;
+    if ((b.above && !(q.si > *b.above)) || (b.at_least && !(q.si >= *b.at_least)) ||
+        (b.at_most && !(q.si <= *b.at_most)))
+      bad(v, path, fmt::format("{} is out of range; must be {}", quote(v.text), bounds_text(k)));
+    v.number = q.si;
+  }
+
+  void check_boolean(Value& v, const Key& k, const std::string& path) {
+    const bool yes = v.is("true") || v.is("True") || v.is("TRUE");
+    const bool no = v.is("false") || v.is("False") || v.is("FALSE");
+    if (v.quoted || (!yes && !no)) wrong_type(v, k, path);
+    v.number = yes ? 1 : 0;
+  }
+
+  void check_word(Value& v, const Key& k, const std::string& path) {
+    if (v.kind == Kind::scalar && std::find(k.words.begin(), k.words.end(), v.text) != k.words.end()) return;
+    wrong_type(v, k, path, v.kind == Kind::scalar ? did_you_mean(v.text, k.words) : "");
+  }
+
+  void check_text(Value& v, const Key& k, const std::string& path) {
+    if (v.kind != Kind::scalar) wrong_type(v, k, path);
+    if (v.text.empty() && v.given) bad(v, path, "is empty; expected " + describe(k));
+    if (v.text.find('\0') != std::string::npos) bad(v, path, "holds a zero byte");
+  }
+
+  void check_name(Value& v, const Key& k, const std::string& path) {
+    if (v.kind != Kind::scalar) wrong_type(v, k, path);
+    check_name_text(v, v.text, path);
+  }
+
+  void check_name_text(const Value& v, const std::string& name, const std::string& path) const {
+    if (!is_name(name))
+      bad(v, path,
+          quote(name) +
+              " is no valid name; allowed are up to 100 letters, digits, '_', '-', '+' and blanks "
+              "inside, beginning with a letter or digit");
+  }
+
+  void check_reference(Value& v, const Key& k, const std::string& path) {
+    if (v.kind != Kind::scalar) wrong_type(v, k, path);
+    const Value* target = root_.find(k.refers);
+    static const std::vector<std::string> none;
+    const std::vector<std::string>& known = target && target->kind == Kind::map ? target->keys : none;
+    if (std::find(known.begin(), known.end(), v.text) != known.end()) return;
+    std::vector<std::string> some(known.begin(),
+                                  known.begin() + std::min<long>(12, static_cast<long>(known.size())));
+    if (some.size() < known.size()) some.emplace_back("...");
+    bad(v, path,
+        fmt::format("no {} is called {}{}{}", singular(k.refers), quote(v.text), did_you_mean(v.text, known),
+                    known.empty() ? fmt::format(" ({} is empty)", k.refers)
+                                  : fmt::format(" (known: {})", fmt::join(some, ", "))));
+  }
+
+  static std::string singular(const std::string& map) {
+    if (map == "line_types") return "line type";
+    if (map == "bodies") return "body";
+    return map.substr(0, map.size() - 1);
+  }
+
+  void check_vec3(Value& v, const Key& k, const std::string& path) {
+    if (v.kind != Kind::list) wrong_type(v, k, path);
+    if (v.items.size() != 3)
+      bad(v, path, fmt::format("expected {}, found a list of {}", describe(k), v.items.size()));
+    Key number = k;
+    number.type = Type::number;
+    for (std::size_t i = 0; i < 3; ++i)
+      check_number(v.items[i], number, fmt::format("{}[{}]", path, i), false);
+  }
+
+  void check_list(Value& v, const Key& k, const std::string& path) {
+    if (v.kind != Kind::list) wrong_type(v, k, path);
+    const std::size_t n = v.items.size();
+    if (n < k.min_items || (k.max_items > 0 && n > k.max_items))
+      bad(v, path, fmt::format("expected {}, found a list of {}", describe(k), n));
+    for (std::size_t i = 0; i < n; ++i) check(v.items[i], k.keys[0], fmt::format("{}[{}]", path, i));
+  }
+
+  void check_names(Value& v, const Key& k, const std::string& path) {
+    if (v.kind != Kind::map) wrong_type(v, k, path);
+    if (v.items.size() < k.min_items) bad(v, path, "is empty; at least one entry is needed");
+    for (std::size_t i = 0; i < v.items.size(); ++i) {
+      check_name_text(v.items[i], v.keys[i], path);
+      check(v.items[i], k.keys[0], path + "." + v.keys[i]);
+    }
+  }
+
+  void check_map(Value& v, const Key& k, const std::string& path) {
+    if (v.kind != Kind::map) wrong_type(v, k, path);
+    const std::string prefix = path.empty() ? "" : path + ".";
+    std::vector<std::string> allowed;
+    for (const Key& c : k.keys) allowed.push_back(c.name);
+    std::sort(allowed.begin(), allowed.end());
+    for (std::size_t i = 0; i < v.keys.size(); ++i)
+      if (!std::binary_search(allowed.begin(), allowed.end(), v.keys[i]))
+        bad(v.items[i], prefix + printable(v.keys[i]),
+            fmt::format("unknown key{} (allowed: {})", did_you_mean(v.keys[i], allowed),
+                        fmt::join(allowed, ", ")));
+    for (const Key& c : k.keys)
+      if (c.required && !v.has(c.name))
+        bad(v, prefix + c.name,
+            fmt::format("required key is missing; expected {}: {}", describe(c), c.about));
+    check_groups(v, k, path);
+    for (std::size_t i = 0; i < v.keys.size(); ++i) {
+      const auto same = [&](const Key& c) { return c.name == v.keys[i]; };
+      check(v.items[i], *std::find_if(k.keys.begin(), k.keys.end(), same), prefix + v.keys[i]);
+    }
+    for (const Key& c : k.keys)
+      if (c.fallback && !v.has(c.name)) {
+        Value filled = literal(*c.fallback, v.line);
+        check(filled, c, prefix + c.name);
+        v.keys.push_back(c.name);
+        v.items.push_back(std::move(filled));
+      }
+  }
+
+  static std::string printable(const std::string& key) {
+    const std::string q = quote(key);
+    return is_name(key) ? key : q;
+  }
+
+  void check_groups(const Value& v, const Key& k, const std::string& path) const {
+    const Group* used = nullptr;
+    std::string by;
+    for (const Group& g : k.groups)
+      for (const std::string& key : g.keys) {
+        if (!v.has(key)) continue;
+        if (used && used != &g)
+          bad(*v.find(key), path, fmt::format("'{}' and '{}' exclude each other; {}", by, key, choices(k)));
+        used = &g;
+        by = key;
+      }
+    if (k.groups.empty()) return;
+    if (!used && k.group_required) bad(v, path, choices(k));
+    if (!used) return;
+    for (const std::string& key : used->needed)
+      if (!v.has(key)) bad(v, path, fmt::format("'{}' needs '{}' beside it", by, key));
+  }
+
+  static std::string choices(const Key& k) {
+    std::vector<std::string> c;
+    for (const Group& g : k.groups)
+      c.push_back(fmt::format("{}", fmt::join(g.needed.empty() ? g.keys : g.needed, " and ")));
+    return "give " + std::string(k.group_required ? "one of " : "only one of ") + enumerate(c);
+  }
+
+  // Alternatives differ in form, so the form of what was found chooses the one to check against.
+  void check_one_of(Value& v, const Key& k, const std::string& path) {
+    const Key* choice = nullptr;
+    const auto pick = [&](std::initializer_list<Type> types) {
+      for (const Type t : types)
+        for (const Key& a : k.keys)
+          if (!choice && a.type == t) choice = &a;
+    };
+    if (v.kind == Kind::map) pick({Type::map, Type::names});
+    if (v.kind == Kind::list) pick({Type::vec3, Type::list});
+    if (v.kind == Kind::scalar) {
+      const char c = v.text.empty() ? ' ' : v.text.front();
+      const bool numeric =
+          c == '+' || c == '-' || c == '.' || (c >= '0' && c <= '9') || v.is("nan") || v.is("inf");
+      if (numeric) pick({Type::number, Type::integer});
+      pick({Type::text});
+      for (const Key& a : k.keys)
+        if (a.type == Type::word && std::find(a.words.begin(), a.words.end(), v.text) != a.words.end())
+          return;
+      if (v.is("true") || v.is("false")) pick({Type::boolean});
+      if (!choice)
+        for (const Key& a : k.keys)
+          if (a.type == Type::word) wrong_type(v, k, path, did_you_mean(v.text, a.words));
+    }
+    if (!choice) wrong_type(v, k, path);
+    check(v, *choice, path);
+  }
+
+  const std::string& file_;
+  Value& root_;
+};
+
+}  // namespace
+
+std::string describe(const Key& k) {
+  switch (k.type) {
+    case Type::number:
+      return "a number" + in_unit(k.unit);
+    case Type::integer:
+      return "an integer";
+    case Type::boolean:
+      return "true or false";
+    case Type::word: {
+      std::vector<std::string> quoted;
+      for (const std::string& w : k.words) quoted.push_back("'" + w + "'");
+      return enumerate(quoted);
+    }
+    case Type::text:
+      return "text";
+    case Type::name:
+      return "a name";
+    case Type::reference:
+      return "the name of an entry of " + k.refers;
+    case Type::vec3:
+      return "a list of 3 numbers" + in_unit(k.unit);
+    case Type::list: {
+      std::string of = plural(describe(k.keys[0]));
+      if (of.starts_with("a map")) of = "maps" + of.substr(5);
+      if (of.starts_with("a list")) of = "lists" + of.substr(6);
+      if (k.max_items > 0 && k.max_items == k.min_items)
+        return fmt::format("a list of {} {}", k.min_items, of);
+      if (k.max_items > 0) return fmt::format("a list of {} to {} {}", k.min_items, k.max_items, of);
+      if (k.min_items > 0) return fmt::format("a list of at least {} {}", k.min_items, of);
+      return "a list of " + of;
+    }
+    case Type::map: {
+      std::vector<std::string> names;
+      for (const Key& c : k.keys) names.push_back(c.name);
+      return fmt::format("a map with the keys {}", fmt::join(names, ", "));
+    }
+    case Type::names:
+      return "a map of names";
+    case Type::one_of: {
+      std::vector<std::string> parts;
+      for (const Key& a : k.keys) parts.push_back(describe(a));
+      return enumerate(parts);
+    }
+  }
+  return {};
+}
+
+void check_structure(Value& root, const Key& schema, const std::string& file) {
+  Checker(file, root).check(root, schema, "");
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,132 @@
+#include "hawser/model/units.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+
+namespace hawser::model {
+namespace {
+
+constexpr double kTonneForce = 9806.65;  // N, by definition of standard gravity
+constexpr double kPi = std::numbers::pi;
+
+constexpr Unit kNone[] = {{"1"}, {"%", 1, 100}};
+constexpr Unit kLength[] = {{"m"},           {"mm", 1, 1000},    {"cm", 1, 100},
+                            {"km", 1000, 1}, {"in", 254, 10000}, {"ft", 3048, 10000}};
+constexpr Unit kTime[] = {{"s"}, {"ms", 1, 1000}, {"min", 60, 1}, {"h", 3600, 1}};
+constexpr Unit kMass[] = {{"kg"}, {"g", 1, 1000}, {"t", 1000, 1}};
+constexpr Unit kMassPerLength[] = {{"kg/m"}, {"t/m", 1000, 1}};
+constexpr Unit kForce[] = {{"N"}, {"kN", 1e3, 1}, {"MN", 1e6, 1}, {"GN", 1e9, 1}, {"tf", kTonneForce, 1}};
+constexpr Unit kForcePerLength[] = {{"N/m"}, {"kN/m", 1e3, 1}, {"MN/m", 1e6, 1}, {"tf/m", kTonneForce, 1}};
+constexpr Unit kMoment[] = {{"Nm"}, {"kNm", 1e3, 1}, {"MNm", 1e6, 1}, {"tfm", kTonneForce, 1}};
+constexpr Unit kBending[] = {
+    {"Nm^2"}, {"kNm^2", 1e3, 1}, {"MNm^2", 1e6, 1}, {"GNm^2", 1e9, 1}, {"tfm^2", kTonneForce, 1}};
+constexpr Unit kLineStiffness[] = {{"N/m^2"}, {"kN/m^2", 1e3, 1}, {"MN/m^2", 1e6, 1},
+                                   {"N/m/m"}, {"kN/m/m", 1e3, 1}, {"MN/m/m", 1e6, 1},
+                                   {"Pa"},    {"kPa", 1e3, 1},    {"MPa", 1e6, 1}};
+constexpr Unit kAreaStiffness[] = {{"N/m^3"}, {"kN/m^3", 1e3, 1}, {"MN/m^3", 1e6, 1}, {"kN/m/m^2", 1e3, 1},
+                                   {"Pa/m"},  {"kPa/m", 1e3, 1}};
+constexpr Unit kVelocity[] = {{"m/s"}, {"km/h", 10, 36}, {"kn", 1852, 3600}};
+constexpr Unit kAcceleration[] = {{"m/s^2"}};
+constexpr Unit kAngle[] = {{"deg", kPi, 180}, {"rad"}};
+constexpr Unit kAngularVelocity[] = {{"rad/s"}, {"deg/s", kPi, 180}, {"rpm", kPi, 30}};
+constexpr Unit kInertia[] = {{"kgm"}, {"tm", 1000, 1}, {"kgm^2/m"}, {"tm^2/m", 1000, 1}};
+
+struct Entry {
+  std::string_view name, base;
+  std::span<const Unit> units;
+};
+// In the order of Dimension.
+const std::array<Entry, 17> kTable = {{{"dimensionless number", "-", kNone},
+                                       {"length", "m", kLength},
+                                       {"time", "s", kTime},
+                                       {"mass", "kg", kMass},
+                                       {"mass per length", "kg/m", kMassPerLength},
+                                       {"force", "N", kForce},
+                                       {"force per length", "N/m", kForcePerLength},
+                                       {"moment", "N m", kMoment},
+                                       {"bending or torsion stiffness", "N m²", kBending},
+                                       {"stiffness per point", "N/m", kForcePerLength},
+                                       {"stiffness per length", "N/m²", kLineStiffness},
+                                       {"stiffness per area", "N/m³", kAreaStiffness},
+                                       {"velocity", "m/s", kVelocity},
+                                       {"acceleration", "m/s²", kAcceleration},
+                                       {"angle", "deg", kAngle},
+                                       {"angular velocity", "rad/s", kAngularVelocity},
+                                       {"rotary inertia per length", "kg m", kInertia}}};
+
+const Entry& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
+
+// "kN m²", "kN.m2", "kN*m^2" -> "kNm^2".
+std::string canonical(std::string_view unit) {
+  std::string s;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    const std::string_view rest = unit.substr(i);
+    if (rest.starts_with("²")) {
+      s += "^2", ++i;
+    } else if (rest.starts_with("³")) {
+      s += "^3", ++i;
+    } else if (rest.starts_with("·")) {
+      ++i;
+    } else if (unit[i] == ' ' || unit[i] == '.' || unit[i] == '*') {
+      continue;
+    } else if ((unit[i] == '2' || unit[i] == '3') && !s.empty() && s.back() != '^') {
+      s += '^', s += unit[i];
+    } else {
+      s += unit[i];
+    }
+  }
+  return s;
+}
+
+bool names_no_finite_number(std::string_view s) {
+  if (!s.empty() && (s.front() == '+' || s.front() == '-')) s.remove_prefix(1);
+  for (const std::string_view w :
+       {".inf", ".Inf", ".INF", ".nan", ".NaN", ".NAN", "inf", "nan", "NaN", "Inf"})
+    if (s == w) return true;
+  return false;
+}
+
+}  // namespace
+
+std::string_view dimension_name(Dimension d) { return entry(d).name; }
+std::string_view base_unit(Dimension d) { return entry(d).base; }
+std::span<const Unit> units_of(Dimension d) { return entry(d).units; }
+
+Quantity parse_quantity(std::string_view text, Dimension d) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  Quantity q;
+  if (names_no_finite_number(text)) return q.status = Quantity::Status::not_finite, q;
+  // from_chars takes no '+', and reads words such as "infinity" that are no number here.
+  std::string_view digits = text;
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
+  const std::string_view unsigned_digits = digits.substr(digits.starts_with('-') ? 1 : 0);
+  const char first = unsigned_digits.empty() ? ' ' : unsigned_digits.front();
+  if (!(first == '.' || (first >= '0' && first <= '9'))) return q.status = Quantity::Status::not_a_number, q;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::invalid_argument) return q.status = Quantity::Status::not_a_number, q;
+  if (error == std::errc::result_out_of_range) return q.status = Quantity::Status::not_finite, q;
+  std::string_view unit = digits.substr(static_cast<std::size_t>(end - digits.data()));
+  while (!unit.empty() && unit.front() == ' ') unit.remove_prefix(1);
+  q.unit = unit;
+  const std::span<const Unit> units = units_of(d);
+  const Unit* u = unit.empty() ? &units.front() : nullptr;
+  if (!u) {
+    // "1,5" and "1.2.3" are misspelt numbers, not numbers in a strange unit.
+    const char c = unit.front();
+    if (c == ',' || c == '.' || c == '_' || c == ':' || c == '-' || c == '+')
+      return q.status = Quantity::Status::not_a_number, q;
+    const std::string name = canonical(unit);
+    for (const Unit& candidate : units)
+      if (candidate.name == name && name != "1") u = &candidate;
+  }
+  if (!u) return q.status = Quantity::Status::wrong_unit, q;
+  q.si = value * u->multiply / u->divide;
+  if (!std::isfinite(q.si)) q.status = Quantity::Status::not_finite;
+  return q;
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,45 @@
+#include "hawser/model/value.hpp"
+
+#include <charconv>
+#include <stdexcept>
+
+namespace hawser::model {
+
+const Value* Value::find(std::string_view key) const {
+  if (kind != Kind::map) return nullptr;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (keys[i] == key) return &items[i];
+  return nullptr;
+}
+
+const Value& Value::operator[](std::string_view key) const {
+  if (const Value* v = find(key)) return *v;
+  throw std::out_of_range("no key '" + std::string(key) + "'");
+}
+
+int Value::line_of(std::string_view path) const {
+  const Value* v = this;
+  int line_found = line;
+  while (!path.empty()) {
+    const Value* next = nullptr;
+    if (path.front() == '[') {
+      const std::size_t close = path.find(']');
+      if (close == std::string_view::npos) break;
+      std::size_t index = 0;
+      std::from_chars(path.data() + 1, path.data() + close, index);
+      if (v->kind == Kind::list && index < v->items.size()) next = &v->items[index];
+      path.remove_prefix(close + 1);
+    } else {
+      const std::size_t end = std::min(path.find_first_of(".["), path.size());
+      next = v->find(path.substr(0, end));
+      path.remove_prefix(end);
+    }
+    if (!path.empty() && path.front() == '.') path.remove_prefix(1);
+    if (!next) break;
+    v = next;
+    if (v->given && v->line > 0) line_found = v->line;
+  }
+  return line_found;
+}
+
+}  // namespace hawser::model
