@@ -1,0 +1,49 @@
+// Contact of one point of a line with the surface of a body, in the body's frame: force, history and exact
+// tangent from a surface query. Pure: (state at the start of the step, trial) -> result.
+#pragma once
+
+#include "hawser/kernels/contact_law.hpp"
+#include "hawser/kernels/friction_law.hpp"
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct ContactLaw {
+  NormalLaw normal;
+  FrictionLaw friction;
+};
+
+// At the start of the step, body frame.
+struct ContactStart {
+  Vec3 point = Vec3::Zero();     // m, the point of the line
+  double gap = 0;                // m
+  Vec3 tangent = Vec3::UnitX();  // of the line, unit
+  Vec3 slip = Vec3::Zero();      // m, elastic slip; zero when it did not touch
+  Vec3 normal = Vec3::UnitZ();   // at which the slip was left
+};
+
+// The trial, body frame: distance field of the surface less the radius of the line.
+struct ContactTrial {
+  Vec3 point = Vec3::Zero();      // m
+  Vec3 velocity = Vec3::Zero();   // m/s, relative to the body's material point there
+  double gap = 0;                 // m
+  Vec3 normal = Vec3::UnitZ();    // unit gradient of the gap
+  Mat3 curvature = Mat3::Zero();  // 1/m, its Hessian
+};
+
+struct PointContact {
+  NormalForce normal;
+  Vec3 force = Vec3::Zero();     // N, on the line: normal and friction
+  Vec3 friction = Vec3::Zero();  // N
+  Vec3 slip = Vec3::Zero();      // m, elastic slip that is left
+  bool slides = false;
+  Mat3 by_point = Mat3::Zero();     // N/m, d force / d point at fixed velocity; filled on request
+  Mat3 by_velocity = Mat3::Zero();  // N s/m
+};
+
+// Trial slip: the old slip turned with the normal, plus the tangential part of the point's motion since it
+// touched (a point that met the surface within the step brings only the part of the step after that).
+PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                            bool derivatives);
+
+}  // namespace hawser

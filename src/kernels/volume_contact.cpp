@@ -1,0 +1,84 @@
+#include "hawser/kernels/volume_contact.hpp"
+
+#include <unsupported/Eigen/AutoDiff>
+
+namespace hawser {
+namespace {
+
+// Derivatives by the three coordinates of the point and by the rate of the gap.
+using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
+
+// Gap, normal and normal force as the scalar S sees them.
+template <class S>
+struct Local {
+  S gap, force;
+  Vector3<S> point, normal;
+};
+
+Local<double> plain(const ContactTrial& t, const NormalForce& n) {
+  return {t.gap, n.force, t.point, t.normal};
+}
+
+Local<Dual> dual(const ContactTrial& t, const NormalForce& n) {
+  const auto made = [](double value, const Vec3& by_point, double by_rate) {
+    return Dual(value, Eigen::Vector4d(by_point.x(), by_point.y(), by_point.z(), by_rate));
+  };
+  Local<Dual> l;
+  l.gap = made(t.gap, t.normal, 0);
+  l.force = made(n.force, n.by_gap * t.normal, n.by_rate);
+  for (int c = 0; c < 3; ++c) {
+    l.point[c] = made(t.point[c], Vec3::Unit(c), 0);
+    l.normal[c] = made(t.normal[c], t.curvature.col(c), 0);
+  }
+  return l;
+}
+
+template <class S>
+Friction<S> tangential(const ContactLaw& law, const ContactStart& start, const Local<S>& t) {
+  Vector3<S> moved = t.point - start.point.cast<S>();
+  moved -= t.normal * S(t.normal.dot(moved));
+  const double touch = law.normal.smoothing;
+  if (start.gap > touch) moved *= S((S(touch) - t.gap) / (S(start.gap) - t.gap));
+  Vector3<S> slip = moved;
+  if (!start.slip.isZero(0)) slip += transport_slip<S>(start.slip, start.normal, t.normal);
+  return friction<S>(law.friction, t.force, slip, t.normal, start.tangent);
+}
+
+}  // namespace
+
+PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                            bool derivatives) {
+  PointContact r;
+  const Vec3& n = trial.normal;
+  r.normal = normal_force(law.normal, trial.gap, n.dot(trial.velocity));
+  if (!(r.normal.force > 0)) return r;
+  r.force = r.normal.force * n;
+  if (derivatives) {
+    const Vec3 rate_by_point = trial.curvature * trial.velocity;
+    r.by_point = n * (r.normal.by_gap * n + r.normal.by_rate * rate_by_point).transpose() +
+                 r.normal.force * trial.curvature;
+    r.by_velocity = r.normal.by_rate * n * n.transpose();
+    if (law.friction.active()) {
+      const Friction<Dual> f = tangential<Dual>(law, start, dual(trial, r.normal));
+      Vec3 by_rate;
+      for (int c = 0; c < 3; ++c) {
+        r.friction[c] = f.force[c].value();
+        r.slip[c] = f.slip[c].value();
+        r.by_point.row(c) += f.force[c].derivatives().head<3>().transpose();
+        by_rate[c] = f.force[c].derivatives()[3];
+      }
+      r.by_point += by_rate * rate_by_point.transpose();
+      r.by_velocity += by_rate * n.transpose();
+      r.slides = f.slides;
+    }
+  } else if (law.friction.active()) {
+    const Friction<double> f = tangential<double>(law, start, plain(trial, r.normal));
+    r.friction = f.force;
+    r.slip = f.slip;
+    r.slides = f.slides;
+  }
+  r.force += r.friction;
+  return r;
+}
+
+}  // namespace hawser

@@ -1,0 +1,102 @@
+#include "hawser/kernels/contact_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace hawser {
+namespace {
+
+TEST(ContactLaw, RampAndLinearPart) {
+  const NormalLaw law{2e5, 0.01, 0};
+  EXPECT_EQ(normal_force(law, 0.01, -3).force, 0);
+  EXPECT_DOUBLE_EQ(normal_force(law, 0, 0).force, 2e5 * 0.01 / 4);
+  EXPECT_DOUBLE_EQ(normal_force(law, -0.01, 0).force, 2e5 * 0.01);
+  EXPECT_DOUBLE_EQ(normal_force(law, -0.05, 0).force, 2e5 * 0.05);
+  for (double knot : {-0.01, 0.01}) {  // potential, force and stiffness go through the knots
+    const NormalForce a = normal_force(law, knot - 1e-12, 0), b = normal_force(law, knot + 1e-12, 0);
+    EXPECT_NEAR(a.potential, b.potential, 1e-8);
+    EXPECT_NEAR(a.elastic, b.elastic, 1e-5);
+    EXPECT_NEAR(a.by_gap, b.by_gap, 1e-4);
+  }
+}
+
+TEST(ContactLaw, DerivativesAndPotential) {
+  const NormalLaw law{2e5, 0.01, 700};
+  for (double g : {0.006, 0.002, -0.006, -0.03})
+    for (double v : {-0.3, 0.4}) {
+      const double h = 1e-6;
+      const NormalForce f = normal_force(law, g, v);
+      ASSERT_GT(f.force, 0);
+      const auto difference = [](double a, double b, double d) { return (a - b) / (2 * d); };
+      const NormalForce gp = normal_force(law, g + h, v), gm = normal_force(law, g - h, v);
+      const NormalForce vp = normal_force(law, g, v + h), vm = normal_force(law, g, v - h);
+      EXPECT_NEAR(f.by_gap, difference(gp.force, gm.force, h), 1e-6 * 2e5);
+      EXPECT_NEAR(f.by_rate, difference(vp.force, vm.force, h), 1e-6 * 700);
+      EXPECT_NEAR(f.elastic, -difference(gp.potential, gm.potential, h), 1e-4);
+    }
+}
+
+TEST(ContactLaw, NeverPulls) {
+  const NormalLaw law{2e5, 0.01, 700};
+  for (double g = -0.02; g < 0.02; g += 1e-4)
+    for (double v = -5; v < 5; v += 0.1) {
+      const NormalForce f = normal_force(law, g, v);
+      EXPECT_GE(f.force, 0);
+      if (f.force == 0) {
+        EXPECT_EQ(f.by_gap, 0);
+        EXPECT_EQ(f.by_rate, 0);
+      }
+    }
+}
+
+struct Bounce {
+  double duration = 0, restitution = 0, force = 0;
+};
+
+// A free mass meets the surface: RK4, small steps, end by interpolation where the force vanishes.
+Bounce bounce(const NormalLaw& law, double mass, double speed) {
+  const double h = 1e-6;
+  double g = law.smoothing > 0 ? law.smoothing : -1e-18, v = -speed;
+  Bounce b;
+  double before = 1;
+  for (int i = 0; i < 1000000; ++i) {
+    const auto a = [&](double gap, double rate) { return normal_force(law, gap, rate).force / mass; };
+    const double k1 = a(g, v), k2 = a(g + h / 2 * v, v + h / 2 * k1);
+    const double k3 = a(g + h / 2 * (v + h / 2 * k1), v + h / 2 * k2);
+    const double k4 = a(g + h * (v + h / 2 * k2), v + h * k3);
+    const double v0 = v;
+    g += h * (v + h / 6 * (k1 + k2 + k3));
+    v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    const double force = normal_force(law, g, v).force;
+    b.force = std::max(b.force, force);
+    // Extrapolated over the last step: the law itself is cut off at zero.
+    const double raw = -law.stiffness * g - law.damping * v;
+    if (v > 0 && (law.smoothing > 0 ? g >= law.smoothing : raw <= 0)) {
+      const double part = law.smoothing > 0 ? 1 : before / (before - raw);
+      b.duration = (i + part) * h;
+      b.restitution = (v0 + part * (v - v0)) / speed;
+      return b;
+    }
+    before = raw;
+  }
+  return b;
+}
+
+// Analytic: half a period of m = 50 kg on k = 1e5 N/m at 2 m/s; with zeta = 0.1 until the force vanishes.
+TEST(ContactLaw, NodeImpact) {
+  const Bounce elastic = bounce({1e5, 0, 0}, 50, 2);
+  EXPECT_NEAR(elastic.duration, 0.07024814731040725, 1e-8);
+  EXPECT_NEAR(elastic.restitution, 1, 1e-8);
+  EXPECT_NEAR(elastic.force, 4472.13595499958, 1e-4);
+  const Bounce damped = bounce({1e5, 0, contact_damping(0.1, 1e5, 50)}, 50, 2);
+  EXPECT_NEAR(damped.duration, 0.0660998537272301, 1e-8);
+  EXPECT_NEAR(damped.restitution, 0.7440793977217798, 1e-8);
+  // A ramp of 2 % of the penetration changes little and conserves energy.
+  const Bounce smooth = bounce({1e5, 1e-3, 0}, 50, 2);
+  EXPECT_NEAR(smooth.restitution, 1, 1e-6);
+  EXPECT_NEAR(smooth.duration, 0.0702, 1.5e-3);
+}
+
+}  // namespace
+}  // namespace hawser
