@@ -1,0 +1,60 @@
+// What a run needs to go on after a stop, bit for bit, on any number of ranks.
+#pragma once
+
+#include <mpi.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hawser/system/force_term.hpp"
+
+namespace hawser::io {
+
+struct CheckpointField {
+  int components = 1;
+  std::vector<double> values;  // owned nodes x components, ascending node number
+};
+
+// Names (map keys) are the same on all ranks; a rank without records of a term gives an empty list.
+// Keys hold no line breaks.
+struct Checkpoint {
+  double time = 0;                                            // s
+  std::map<std::string, double> scalars;                      // same on all ranks
+  std::map<std::string, CheckpointField> nodes;               // this rank's owned nodes
+  std::map<std::string, std::vector<HistoryRecord>> records;  // by term; of this rank's owned nodes
+};
+
+// The newest complete checkpoint in the results file `path`, cut to the nodes this rank owns
+// (`owned`: ascending node numbers in file order; together the ranks own 0 .. nodes_total-1 once).
+// Doubles come back bit for bit; records come sorted by node, then key. Collective.
+// Throws InputError (on all ranks) when there is none or it belongs to a mesh of another size.
+Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
+                           const std::vector<int>& owned);
+
+// --- What results.cpp stores: the checkpoint as one array of doubles with a text that says what is where.
+
+struct CheckpointRun {  // a stretch of the array that this rank holds
+  long long first = 0, count = 0;
+};
+
+struct PackedCheckpoint {
+  std::string index;                // same on all ranks
+  long long size = 0;               // doubles in the whole array, same on all ranks
+  std::vector<CheckpointRun> runs;  // this rank's share, ascending
+  std::vector<double> values;       // of the runs, one after the other
+  unsigned long long checksum = 0;  // of the whole array and the index, same on all ranks
+};
+
+// Collective. Throws std::logic_error when names differ between ranks or a record's node is not owned.
+PackedCheckpoint pack_checkpoint(MPI_Comm comm, const Checkpoint& checkpoint, int nodes_total,
+                                 const std::vector<int>& owned);
+// Inverse, from the whole array.
+Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>& values, int nodes_total,
+                             const std::vector<int>& owned);
+
+// Checksum that does not depend on who summed what: sum over i of mix(first + i, bits of values[i]).
+unsigned long long checkpoint_sum(long long first, const double* values, long long count);
+unsigned long long checkpoint_sum(const std::string& index, long long sequence, long long size);
+
+}  // namespace hawser::io

@@ -1,0 +1,71 @@
+// The little of HDF5 we need, with errors as exceptions and handles that close themselves.
+#pragma once
+
+#include <hdf5.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::io::h5 {
+
+// Owns one HDF5 identifier.
+class Id {
+ public:
+  Id() = default;
+  Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  Id(Id&& o) noexcept : id_(std::exchange(o.id_, -1)), close_(o.close_) {}
+  Id& operator=(Id&& o) noexcept {
+    if (this != &o) reset(), id_ = std::exchange(o.id_, -1), close_ = o.close_;
+    return *this;
+  }
+  ~Id() { reset(); }
+  void reset() {
+    if (id_ >= 0) close_(id_);
+    id_ = -1;
+  }
+  operator hid_t() const { return id_; }
+
+ private:
+  hid_t id_ = -1;
+  herr_t (*close_)(hid_t) = nullptr;
+};
+
+// Throw std::runtime_error with `what` and HDF5's own reason when a call failed.
+void check(herr_t status, const std::string& what);
+Id own(hid_t id, herr_t (*close)(hid_t), const std::string& what);
+
+// HDF5 prints no error stacks of its own from here on. Called by the openers below.
+void quiet();
+
+// Serial access. Readers never lock, so a file can be looked at while a run writes it.
+Id open_read(const std::string& path);
+Id create(const std::string& path);
+Id group(hid_t file, const std::string& name);
+
+using Shape = std::vector<hsize_t>;
+
+Id open_dataset(hid_t file, const std::string& name);
+Shape shape_of(hid_t dataset);
+bool exists(hid_t file, const std::string& name);
+
+// A contiguous dataset whose place in the file is fixed at once and whose bytes are not written (a hole).
+Id reserve(hid_t file, const std::string& name, hid_t type, const Shape& shape);
+
+void write_text(hid_t file, const std::string& name, const std::string& text);
+void write_texts(hid_t file, const std::string& name, const std::vector<std::string>& texts);
+void text_attribute(hid_t object, const std::string& name, const std::string& text);
+void texts_attribute(hid_t object, const std::string& name, const std::vector<std::string>& texts);
+void int_attribute(hid_t object, const std::string& name, int value);
+
+std::string read_text(hid_t file, const std::string& name);
+std::vector<std::string> read_texts(hid_t file, const std::string& name);
+
+// Any numeric dataset as doubles, row by row.
+struct Array {
+  Shape shape;
+  std::vector<double> values;
+};
+Array read_array(hid_t file, const std::string& name);
+
+}  // namespace hawser::io::h5

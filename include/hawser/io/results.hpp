@@ -1,0 +1,128 @@
+// One HDF5 file a run, with an XDMF file beside it for ParaView. After the file is created its structure
+// never changes: outputs fill rows that are there already, and a counter written last says how many are
+// good. So it is a valid file at every moment, whenever the run is killed
+// (docs/decisions/010-files-that-survive.md; what is in it: docs/user-guide/results.md).
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hawser/io/checkpoint.hpp"
+#include "hawser/math/types.hpp"
+
+namespace hawser::io {
+
+struct RunInfo {
+  std::string case_text, case_path, version, options, date;
+  int ranks = 1;
+};
+
+// Nodes of a line follow each other in file order, end A to end B; lines follow each other as well.
+struct ResultLine {
+  std::string name;
+  int first_node = 0, nodes = 0;
+  std::vector<double> arc;  // m from end A, one a node
+};
+
+struct ResultField {
+  std::string name, unit;
+  int components = 1;
+};
+
+// A named row of numbers at every step: a point of a line, or sums such as the energies.
+struct ResultSeries {
+  std::string name;
+  std::vector<ResultField> columns;
+};
+
+struct BodyPose {
+  Vec3 position = Vec3::Zero();      // m
+  Quat rotation = Quat::Identity();  // body frame to space
+};
+
+struct VolumeMesh {
+  std::string name;
+  int body = -1;               // index into the poses; -1: fixed, vertices in space axes
+  std::vector<Vec3> vertices;  // m, in the body's frame
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<char> active;  // one a triangle: takes part in contact
+};
+
+// What the file is to hold; the same on all ranks.
+struct ResultContents {
+  RunInfo run;
+  std::vector<ResultLine> lines;
+  std::vector<ResultField> fields;  // node fields; `position` [m, 3 components] is always there, first
+  std::vector<ResultSeries> series;
+  std::vector<std::string> bodies;
+  std::vector<VolumeMesh> volumes;
+  bool xdmf = true;
+  int expected_outputs = 100;    // room made at once; it doubles when it runs out
+  int expected_steps = 1000;     // likewise, rows of the series
+  int moving_vertices = 100000;  // a moving mesh with more is drawn as its box
+
+  int nodes_total() const;
+};
+
+// One line of the table of extremes.
+struct SummaryRow {
+  std::string quantity, line;
+  double value = 0;
+  std::string unit;
+  double time = 0;        // s
+  double arc_length = 0;  // m from end A
+};
+
+// All functions are collective on `comm` unless they say otherwise. Errors of the file or disk come as
+// std::runtime_error on all ranks; what was accepted before stays readable.
+class ResultsFile {
+ public:
+  // New file; an old one at `path` is replaced. `owned`: this rank's nodes, ascending, in file order.
+  // Throws InputError when the place cannot be written.
+  static ResultsFile create(MPI_Comm comm, const std::string& path, ResultContents contents,
+                            std::vector<int> owned);
+
+  // Go on with the file of an earlier run of the same contents: outputs and series rows later than
+  // `time` [s] are dropped. Throws InputError when lines, fields or series differ.
+  static ResultsFile resume(MPI_Comm comm, const std::string& path, ResultContents contents,
+                            std::vector<int> owned, double time);
+
+  ResultsFile(ResultsFile&&) noexcept;
+  ResultsFile& operator=(ResultsFile&&) noexcept;
+  ~ResultsFile();  // collective; flushes nothing that was not accepted
+
+  // One row of every series at an accepted step. values[s]: the columns of series s if this rank has
+  // them (one rank must), else empty. Kept in memory until the next output; no communication.
+  void append_series(double time, const std::vector<std::vector<double>>& values);
+
+  // Node fields at `time` [s], owned nodes x components, in the order of contents.fields (position
+  // first), with one pose a body (same on all ranks). When it returns, the output and the series rows
+  // so far survive the death of the program.
+  void write_output(double time, const std::vector<std::vector<double>>& fields,
+                    std::span<const BodyPose> poses);
+
+  // When it returns, read_checkpoint() gives this one; until then, the one before.
+  void write_checkpoint(const Checkpoint& checkpoint);
+
+  // End of the run: writes series rows still in memory and the table, and cuts the file to what is used.
+  // Only the destructor may follow.
+  void finish(const std::vector<SummaryRow>& summary);
+
+  long long outputs() const;                 // accepted so far
+  const std::vector<double>& times() const;  // s, of the accepted outputs
+  const ResultContents& contents() const;
+  const std::string& path() const;  // of the HDF5 file
+  std::string xdmf_path() const;    // same name, ending .xdmf
+
+ private:
+  struct Impl;
+  explicit ResultsFile(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hawser::io

@@ -1,0 +1,63 @@
+// The structure of a results file: made (or made anew, with more room) by one rank in a file of its own
+// that then takes the name of the old one in a single step. Inside io only.
+#pragma once
+
+#include <hdf5.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "hawser/io/hdf5.hpp"
+#include "hawser/io/results.hpp"
+
+namespace hawser::io {
+
+// Rows or lengths the datasets have.
+struct ResultRoom {
+  long long outputs = 0, steps = 0;
+  long long slot_doubles = 0, slot_text = 0;  // of each of the two checkpoint slots; 0: no slots
+};
+
+// The counter that makes rows count. One small aligned write, after the rows are written.
+struct ResultCount {
+  long long outputs = 0, steps = 0;
+};
+h5::Id result_count_type();
+
+// A dataset with one row an output or one row a step.
+struct RowSet {
+  std::string name;
+  bool by_step = false;
+  hid_t type = -1;  // of its numbers, in file and memory
+  h5::Shape tail;   // shape of one row
+  std::string unit;
+};
+std::vector<RowSet> row_sets(const ResultContents& contents);
+
+// "volumes/<name>" and "series/<name>", in the order of the contents.
+std::vector<std::string> volume_places(const ResultContents& contents);
+std::vector<std::string> series_places(const ResultContents& contents);
+
+// What is drawn of a volume: its mesh, or its box when it moves and is too large to store every time.
+struct DrawnMesh {
+  std::vector<Vec3> vertices;  // body frame
+  std::vector<std::array<int, 3>> triangles;
+  bool moves = false, boxed = false;
+};
+DrawnMesh drawn_mesh(const VolumeMesh& volume, int limit);
+
+// Write `path` anew. `from`: an earlier file whose first `kept` rows and newest checkpoint are taken over,
+// or empty. Serial. Throws InputError when `from` does not hold the same things, std::runtime_error when
+// the disk fails; the file at `path` is then as it was.
+void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
+                   const std::string& from, const ResultCount& kept, const std::vector<SummaryRow>* summary);
+
+// Counter, times of the outputs and of the steps, in the file at `path`. Serial.
+struct ResultProgress {
+  ResultCount count;
+  std::vector<double> output_times, step_times;
+};
+ResultProgress read_progress(const std::string& path);
+
+}  // namespace hawser::io

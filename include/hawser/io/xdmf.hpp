@@ -1,0 +1,40 @@
+// The XDMF file: an XML table of contents that tells ParaView which rows of the HDF5 file make a picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hawser::io {
+
+struct ResultContents;
+
+// Names in the HDF5 file: what a path or an XDMF reader could trip over becomes '_'.
+std::string safe_name(const std::string& name);
+std::vector<std::string> safe_names(const std::vector<std::string>& names);  // and all different
+
+// Collects the text of one temporal collection; each save() puts a whole valid file in place at once.
+class XdmfWriter {
+ public:
+  // The contents must outlive the writer. `h5_name`: file name without folder; both files lie side by side.
+  XdmfWriter(const ResultContents& contents, const std::string& h5_name);
+
+  // From the start, for datasets with `capacity` rows.
+  void rebuild(const std::vector<double>& times, long long capacity);
+  void add(double time);
+
+  // Throws std::runtime_error when the file cannot be written.
+  void save(const std::string& path) const;
+
+ private:
+  struct Drawn {
+    long long vertices, triangles;
+    bool moves, boxed;
+  };
+  const ResultContents* contents_;
+  std::string h5_name_, body_;
+  std::vector<std::string> places_;  // of the volumes in the HDF5 file
+  std::vector<Drawn> drawn_;
+  long long capacity_ = 0, outputs_ = 0;
+};
+
+}  // namespace hawser::io

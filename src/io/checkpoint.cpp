@@ -1,0 +1,238 @@
+#include "hawser/io/checkpoint.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <sstream>
+#include <stdexcept>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/hdf5.hpp"
+
+namespace hawser::io {
+
+namespace {
+
+// Finaliser of MurmurHash3, 64 bits: every bit of the input reaches every bit of the output.
+std::uint64_t mix(std::uint64_t h) {
+  h ^= h >> 33, h *= 0xff51afd7ed558ccdULL;
+  h ^= h >> 33, h *= 0xc4ceb9fe1a85ec53ULL;
+  return h ^ (h >> 33);
+}
+
+std::string describe(const Checkpoint& c, int nodes_total) {
+  std::ostringstream out;
+  out << "mesh " << nodes_total << '\n';
+  for (const auto& [name, value] : c.scalars) out << "scalar " << name << '\n';
+  for (const auto& [name, field] : c.nodes) out << "nodes " << field.components << ' ' << name << '\n';
+  for (const auto& [name, list] : c.records) out << "records " << name << '\n';
+  return out.str();
+}
+
+void agree(MPI_Comm comm, bool good, const std::string& names) {
+  std::uint64_t hash = checkpoint_sum(names, 0, 0);
+  // If the largest hash and the largest complement belong to one value, all ranks have it.
+  std::uint64_t most[3] = {hash, ~hash, good ? 0u : 1u};
+  MPI_Allreduce(MPI_IN_PLACE, most, 3, MPI_UINT64_T, MPI_MAX, comm);
+  if (most[0] != ~most[1]) throw std::logic_error("checkpoint: names differ between ranks");
+  if (most[2]) throw std::logic_error("checkpoint: values do not belong to the owned nodes");
+}
+
+struct Slot {
+  std::string index;
+  std::vector<double> values;
+  long long sequence = -1;
+};
+
+// A slot that was being written when the run died has the wrong checksum.
+bool read_slot(hid_t file, const std::string& name, Slot& slot) {
+  if (!h5::exists(file, name)) return false;
+  std::uint64_t header[4] = {};
+  const h5::Id head = h5::open_dataset(file, name + "/header");
+  h5::check(H5Dread(head, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, header), "checkpoint");
+  const h5::Id index = h5::open_dataset(file, name + "/index");
+  const h5::Id values = h5::open_dataset(file, name + "/values");
+  const hsize_t size = header[1], length = header[2], zero = 0;
+  if (header[0] == 0 || size > h5::shape_of(values)[0] || length > h5::shape_of(index)[0]) return false;
+  slot.sequence = static_cast<long long>(header[0]);
+  slot.index.resize(length);
+  slot.values.resize(size);
+  const auto read = [&](hid_t set, hid_t type, hsize_t n, void* to) {
+    const h5::Id space = h5::own(H5Dget_space(set), H5Sclose, "checkpoint");
+    const h5::Id memory = h5::own(H5Screate_simple(1, &n, nullptr), H5Sclose, "checkpoint");
+    h5::check(H5Sselect_hyperslab(space, H5S_SELECT_SET, &zero, nullptr, &n, nullptr), "checkpoint");
+    h5::check(H5Dread(set, type, memory, space, H5P_DEFAULT, to), "checkpoint");
+  };
+  if (length) read(index, H5T_NATIVE_CHAR, length, slot.index.data());
+  if (size) read(values, H5T_NATIVE_DOUBLE, size, slot.values.data());
+  const auto n = static_cast<long long>(size);
+  return header[3] == checkpoint_sum(slot.index, slot.sequence, n) + checkpoint_sum(0, slot.values.data(), n);
+}
+
+std::string read_newest(const std::string& path, Slot& best) {
+  try {
+    const h5::Id file = h5::open_read(path);
+    for (const char* name : {"checkpoint/0", "checkpoint/1"}) {
+      Slot slot;
+      if (read_slot(file, name, slot) && slot.sequence > best.sequence) best = std::move(slot);
+    }
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return best.sequence < 0 ? path + " holds no complete checkpoint to restart from" : "";
+}
+
+template <class T>
+void broadcast(MPI_Comm comm, T& data, MPI_Datatype type) {
+  unsigned long long n = data.size();
+  MPI_Bcast(&n, 1, MPI_UNSIGNED_LONG_LONG, 0, comm);
+  data.resize(n);
+  for (unsigned long long at = 0; at < n; at += 1u << 28)
+    MPI_Bcast(data.data() + at, static_cast<int>(std::min<unsigned long long>(n - at, 1u << 28)), type, 0,
+              comm);
+}
+
+}  // namespace
+
+unsigned long long checkpoint_sum(long long first, const double* values, long long count) {
+  std::uint64_t sum = 0;
+  for (long long i = 0; i < count; ++i)
+    sum += mix(mix(static_cast<std::uint64_t>(first + i) + 1) ^ std::bit_cast<std::uint64_t>(values[i]));
+  return sum;
+}
+
+unsigned long long checkpoint_sum(const std::string& index, long long sequence, long long size) {
+  std::uint64_t sum =
+      mix(static_cast<std::uint64_t>(sequence) * 3 + 1) + mix(static_cast<std::uint64_t>(size) * 5 + 2);
+  for (const char c : index) sum = mix(sum ^ static_cast<unsigned char>(c));
+  return sum;
+}
+
+// The array: time, scalars, node fields (node after node), then for each name the number of doubles of
+// its records and the records by node: node, key, length, values.
+PackedCheckpoint pack_checkpoint(MPI_Comm comm, const Checkpoint& c, int nodes_total,
+                                 const std::vector<int>& owned) {
+  bool good = true;
+  for (const auto& [name, field] : c.nodes)
+    good = good && field.values.size() == owned.size() * static_cast<size_t>(field.components);
+  for (const auto& [name, list] : c.records)
+    for (const auto& r : list) good = good && std::binary_search(owned.begin(), owned.end(), r.node);
+  PackedCheckpoint p;
+  p.index = describe(c, nodes_total);
+  agree(comm, good, p.index);
+
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  const auto put = [&](long long at, const double* values, size_t count) {
+    if (count == 0) return;
+    if (p.runs.empty() || p.runs.back().first + p.runs.back().count != at) p.runs.push_back({at, 0});
+    p.runs.back().count += static_cast<long long>(count);
+    p.values.insert(p.values.end(), values, values + count);
+  };
+  long long at = 0;
+  const auto put_root = [&](double value) {
+    if (rank == 0) put(at, &value, 1);
+    ++at;
+  };
+  put_root(c.time);
+  for (const auto& [name, value] : c.scalars) put_root(value);
+  for (const auto& [name, field] : c.nodes) {
+    const auto nc = static_cast<size_t>(field.components);
+    for (size_t i = 0; i < owned.size(); ++i)
+      put(at + owned[i] * static_cast<long long>(nc), &field.values[i * nc], nc);
+    at += nodes_total * static_cast<long long>(nc);
+  }
+  for (const auto& [name, list] : c.records) {
+    std::vector<const HistoryRecord*> sorted;
+    for (const auto& r : list) sorted.push_back(&r);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const HistoryRecord* a, const HistoryRecord* b) {
+      return a->node != b->node ? a->node < b->node : a->key < b->key;
+    });
+    std::vector<long long> start(static_cast<size_t>(nodes_total) + 1, 0);
+    for (const auto* r : sorted)
+      start[static_cast<size_t>(r->node) + 1] += 3 + static_cast<long long>(r->values.size());
+    MPI_Allreduce(MPI_IN_PLACE, start.data(), nodes_total + 1, MPI_LONG_LONG, MPI_SUM, comm);
+    for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    put_root(static_cast<double>(start.back()));
+    for (const auto* r : sorted) {
+      long long& to = start[static_cast<size_t>(r->node)];
+      const double head[3] = {static_cast<double>(r->node), static_cast<double>(r->key),
+                              static_cast<double>(r->values.size())};
+      put(at + to, head, 3);
+      put(at + to + 3, r->values.data(), r->values.size());
+      to += 3 + static_cast<long long>(r->values.size());
+    }
+    at += start.back();
+  }
+  p.size = at;
+  const double* from = p.values.data();
+  for (const auto& run : p.runs) {
+    p.checksum += checkpoint_sum(run.first, from, run.count);
+    from += run.count;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &p.checksum, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, comm);
+  return p;
+}
+
+Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>& values, int nodes_total,
+                             const std::vector<int>& owned) {
+  const auto wrong = [] { return InputError("the checkpoint belongs to another mesh"); };
+  size_t at = 0;
+  const auto next = [&] { return at < values.size() ? values[at++] : throw wrong(); };
+  Checkpoint c;
+  c.time = next();
+  std::istringstream lines(index);
+  for (std::string kind, name; lines >> kind;) {
+    int components = 0;
+    if (kind == "mesh") {
+      if (!(lines >> components) || components != nodes_total) throw wrong();
+      continue;
+    }
+    if (kind == "nodes") lines >> components;
+    lines.get();
+    std::getline(lines, name);
+    if (kind == "scalar") {
+      c.scalars[name] = next();
+    } else if (kind == "nodes") {
+      const auto nc = static_cast<size_t>(components), n = nc * static_cast<size_t>(nodes_total);
+      if (at + n > values.size()) throw wrong();
+      auto& field = c.nodes[name];
+      field.components = components;
+      for (const int node : owned)
+        for (size_t k = 0; k < nc; ++k)
+          field.values.push_back(values[at + static_cast<size_t>(node) * nc + k]);
+      at += n;
+    } else if (kind == "records") {
+      auto& list = c.records[name];
+      const auto length = static_cast<size_t>(next());
+      const size_t end = at + length;
+      while (at < end) {
+        HistoryRecord r;
+        r.node = static_cast<int>(next());
+        r.key = static_cast<int>(next());
+        r.values.resize(static_cast<size_t>(next()));
+        for (double& v : r.values) v = next();
+        if (r.node >= nodes_total) throw wrong();
+        if (std::binary_search(owned.begin(), owned.end(), r.node)) list.push_back(std::move(r));
+      }
+    }
+  }
+  if (at != values.size()) throw wrong();
+  return c;
+}
+
+Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
+                           const std::vector<int>& owned) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  Slot slot;
+  std::string error;
+  if (rank == 0) error = read_newest(path, slot);
+  broadcast(comm, error, MPI_CHAR);
+  if (!error.empty()) throw InputError(error);
+  broadcast(comm, slot.index, MPI_CHAR);
+  broadcast(comm, slot.values, MPI_DOUBLE);
+  return unpack_checkpoint(slot.index, slot.values, nodes_total, owned);
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,351 @@
+#include "hawser/io/results_build.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/xdmf.hpp"
+
+namespace hawser::io {
+
+namespace {
+
+template <class T>
+void write_all(hid_t file, const std::string& name, hid_t type, const h5::Shape& shape, const T* data,
+               hid_t memory_type) {
+  const h5::Id set = h5::reserve(file, name, type, shape);
+  hsize_t n = 1;
+  for (const hsize_t k : shape) n *= k;
+  if (n) h5::check(H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "dataset " + name);
+}
+
+void write_ints(hid_t file, const std::string& name, const std::vector<int>& v) {
+  write_all(file, name, H5T_STD_I32LE, {v.size()}, v.data(), H5T_NATIVE_INT);
+}
+
+void write_triangles(hid_t file, const std::string& name, const std::vector<std::array<int, 3>>& t) {
+  write_all(file, name, H5T_STD_I32LE, {t.size(), 3}, t.data(), H5T_NATIVE_INT);
+}
+
+void write_description(hid_t file, const ResultContents& c) {
+  const h5::Id root = h5::own(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "HDF5 root");
+  h5::text_attribute(root, "hawser_results", "1");
+  h5::text_attribute(root, "version", c.run.version);
+  h5::text_attribute(root, "case_path", c.run.case_path);
+  h5::text_attribute(root, "date", c.run.date);
+  h5::int_attribute(root, "ranks", c.run.ranks);
+  h5::write_text(file, "case", c.run.case_text);
+  h5::write_text(file, "options", c.run.options);
+
+  h5::group(file, "lines");
+  std::vector<std::string> names;
+  std::vector<int> first, nodes, line_of, number;
+  std::vector<double> arc;
+  for (const auto& line : c.lines) {
+    names.push_back(line.name), first.push_back(line.first_node), nodes.push_back(line.nodes);
+    arc.insert(arc.end(), line.arc.begin(), line.arc.end());
+    line_of.insert(line_of.end(), static_cast<size_t>(line.nodes), static_cast<int>(names.size()) - 1);
+  }
+  for (int i = 0; i < c.nodes_total(); ++i) number.push_back(i);
+  h5::write_texts(file, "lines/name", names);
+  write_ints(file, "lines/first_node", first);
+  write_ints(file, "lines/nodes", nodes);
+  h5::group(file, "nodes");
+  write_ints(file, "nodes/line", line_of);
+  write_ints(file, "nodes/number", number);
+  // One cell of kind 2 (polyline) a line: kind, count, nodes. What XDMF calls a mixed topology.
+  std::vector<int> mixed;
+  for (const auto& line : c.lines) {
+    mixed.insert(mixed.end(), {2, line.nodes});
+    for (int i = 0; i < line.nodes; ++i) mixed.push_back(line.first_node + i);
+  }
+  write_ints(file, "lines/cells", mixed);
+  write_all(file, "nodes/arc_length", H5T_IEEE_F64LE, {arc.size()}, arc.data(), H5T_NATIVE_DOUBLE);
+
+  h5::group(file, "bodies");
+  h5::write_texts(file, "bodies/name", c.bodies);
+  h5::group(file, "volumes");
+  const auto places = volume_places(c);
+  for (size_t i = 0; i < c.volumes.size(); ++i) {
+    const auto& v = c.volumes[i];
+    const std::string& place = places[i];
+    const h5::Id g = h5::group(file, place);
+    h5::text_attribute(g, "name", v.name);
+    h5::int_attribute(g, "body", v.body);
+    write_all(file, place + "/vertices", H5T_IEEE_F64LE, {v.vertices.size(), 3},
+              v.vertices.empty() ? nullptr : v.vertices[0].data(), H5T_NATIVE_DOUBLE);
+    write_triangles(file, place + "/triangles", v.triangles);
+    write_all(file, place + "/active", H5T_STD_I8LE, {v.active.size()}, v.active.data(), H5T_NATIVE_CHAR);
+    const DrawnMesh drawn = drawn_mesh(v, c.moving_vertices);
+    if (drawn.boxed) write_triangles(file, place + "/box_triangles", drawn.triangles);
+  }
+}
+
+void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room) {
+  for (const char* name : {"outputs", "fields", "series"}) h5::group(file, name);
+  for (const auto& s : row_sets(c)) {
+    h5::Shape shape{static_cast<hsize_t>(s.by_step ? room.steps : room.outputs)};
+    shape.insert(shape.end(), s.tail.begin(), s.tail.end());
+    const h5::Id set = h5::reserve(file, s.name, s.type, shape);
+    if (!s.unit.empty()) h5::text_attribute(set, "unit", s.unit);
+    if (s.name == "outputs/time" || s.name == "series/time") {  // rows not yet there show as NaN
+      const std::vector<double> nan(shape[0], std::numeric_limits<double>::quiet_NaN());
+      h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nan.data()), s.name);
+    }
+  }
+  const auto places = series_places(c);
+  for (size_t i = 0; i < places.size(); ++i) {
+    std::vector<std::string> columns, units;
+    for (const auto& col : c.series[i].columns) {
+      for (int k = 0; k < col.components; ++k) {
+        columns.push_back(col.components == 1   ? col.name
+                          : col.components <= 3 ? col.name + "_" + "xyz"[k]
+                                                : col.name + "_" + std::to_string(k));
+        units.push_back(col.unit);
+      }
+    }
+    const h5::Id set = h5::open_dataset(file, places[i]);
+    h5::text_attribute(set, "name", c.series[i].name);
+    h5::texts_attribute(set, "columns", columns);
+    h5::texts_attribute(set, "units", units);
+  }
+}
+
+void write_slots(hid_t file, const ResultRoom& room) {
+  if (room.slot_doubles == 0) return;
+  h5::group(file, "checkpoint");
+  for (const std::string slot : {"checkpoint/0", "checkpoint/1"}) {
+    h5::group(file, slot);
+    const std::uint64_t empty[4] = {};
+    write_all(file, slot + "/header", H5T_STD_U64LE, {4}, empty, H5T_NATIVE_UINT64);
+    h5::reserve(file, slot + "/index", H5T_STD_I8LE, {static_cast<hsize_t>(room.slot_text)});
+    h5::reserve(file, slot + "/values", H5T_IEEE_F64LE, {static_cast<hsize_t>(room.slot_doubles)});
+  }
+}
+
+void write_summary(hid_t file, const std::vector<SummaryRow>& rows) {
+  size_t width = 1;
+  for (const auto& r : rows) width = std::max({width, r.quantity.size(), r.line.size(), r.unit.size()});
+  const h5::Id text = h5::own(H5Tcopy(H5T_C_S1), H5Tclose, "summary");
+  h5::check(H5Tset_size(text, width), "summary");
+  h5::check(H5Tset_strpad(text, H5T_STR_NULLPAD), "summary");
+  h5::check(H5Tset_cset(text, H5T_CSET_UTF8), "summary");
+  const size_t size = 3 * width + 3 * sizeof(double);
+  const h5::Id type = h5::own(H5Tcreate(H5T_COMPOUND, size), H5Tclose, "summary");
+  size_t at = 0;
+  const auto column = [&](const char* name, hid_t t) {
+    h5::check(H5Tinsert(type, name, at, t), "summary");
+    at += H5Tget_size(t);
+  };
+  column("quantity", text), column("line", text), column("value", H5T_NATIVE_DOUBLE);
+  column("unit", text), column("time", H5T_NATIVE_DOUBLE), column("arc_length", H5T_NATIVE_DOUBLE);
+  std::string bytes(std::max<size_t>(size * rows.size(), 1), '\0');
+  for (size_t i = 0; i < rows.size(); ++i) {
+    char* to = &bytes[i * size];
+    const auto put_text = [&](const std::string& s) { s.copy(to, s.size()), to += width; };
+    const auto put = [&](double v) { std::memcpy(to, &v, sizeof v), to += sizeof v; };
+    put_text(rows[i].quantity), put_text(rows[i].line), put(rows[i].value);
+    put_text(rows[i].unit), put(rows[i].time), put(rows[i].arc_length);
+  }
+  write_all(file, "summary", type, {rows.size()}, bytes.data(), type);
+}
+
+// The first n rows, in pieces of some megabytes.
+void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
+  h5::Shape count = h5::shape_of(to), start(count.size(), 0);
+  hsize_t row = H5Tget_size(type);
+  for (size_t i = 1; i < count.size(); ++i) row *= count[i];
+  if (row == 0) return;
+  const hsize_t piece = std::max<hsize_t>((hsize_t{16} << 20) / row, 1);
+  std::vector<char> buffer(std::min(piece, std::max<hsize_t>(n, 1)) * row);
+  for (; start[0] < n; start[0] += piece) {
+    count[0] = std::min(piece, n - start[0]);
+    const h5::Id memory =
+        h5::own(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, "copy");
+    const auto select = [&](hid_t set) {
+      h5::Id space = h5::own(H5Dget_space(set), H5Sclose, "copy");
+      h5::check(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+                "copy");
+      return space;
+    };
+    const h5::Id here = select(from), there = select(to);
+    h5::check(H5Dread(from, type, memory, here, H5P_DEFAULT, buffer.data()), "copy of earlier results");
+    h5::check(H5Dwrite(to, type, memory, there, H5P_DEFAULT, buffer.data()), "copy of earlier results");
+  }
+}
+
+void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, const ResultRoom& room,
+                  const ResultCount& kept) {
+  const h5::Id from = h5::open_read(path);
+  const auto differs = [&](const std::string& what) {
+    return InputError(path + " cannot be continued: " + what + " differ from the case");
+  };
+  std::vector<std::string> names;
+  for (const auto& line : c.lines) names.push_back(line.name);
+  if (!h5::exists(from, "lines/name") || h5::read_texts(from, "lines/name") != names)
+    throw differs("its lines");
+  if (h5::read_array(from, "nodes/arc_length").values != h5::read_array(to, "nodes/arc_length").values)
+    throw differs("its nodes");
+  for (const auto& s : row_sets(c)) {
+    if (!h5::exists(from, s.name)) throw differs("its " + s.name);
+    const h5::Id old = h5::open_dataset(from, s.name), made = h5::open_dataset(to, s.name);
+    const h5::Shape shape = h5::shape_of(old);
+    if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end()))
+      throw differs("its " + s.name);
+    copy_rows(old, made, s.type, static_cast<hsize_t>(s.by_step ? kept.steps : kept.outputs));
+  }
+  if (room.slot_doubles == 0) return;
+  for (const std::string slot : {"checkpoint/0", "checkpoint/1"}) {
+    if (!h5::exists(from, slot)) continue;
+    const h5::Id header = h5::open_dataset(from, slot + "/header");
+    std::uint64_t h[4];
+    h5::check(H5Dread(header, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, h), "checkpoint");
+    if (h[1] > static_cast<hsize_t>(room.slot_doubles) || h[2] > static_cast<hsize_t>(room.slot_text))
+      continue;
+    const auto copy = [&](const char* part, hid_t type, hsize_t n) {
+      copy_rows(h5::open_dataset(from, slot + part), h5::open_dataset(to, slot + part), type, n);
+    };
+    copy("/index", H5T_NATIVE_CHAR, h[2]), copy("/values", H5T_NATIVE_DOUBLE, h[1]);
+    copy("/header", H5T_NATIVE_UINT64, 4);
+  }
+}
+
+// On disk before it takes the name, and the name on disk as well.
+void put_in_place(const std::string& made, const std::string& path) {
+  const auto sync = [](const std::string& what) {
+    const int fd = open(what.c_str(), O_RDONLY);
+    if (fd < 0) return;
+    fsync(fd);
+    close(fd);
+  };
+  sync(made);
+  if (std::rename(made.c_str(), path.c_str()))
+    throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+  const size_t slash = path.rfind('/');
+  sync(slash == std::string::npos ? "." : path.substr(0, slash + 1));
+}
+
+}  // namespace
+
+int ResultContents::nodes_total() const {
+  int n = 0;
+  for (const auto& line : lines) n += line.nodes;
+  return n;
+}
+
+std::vector<std::string> volume_places(const ResultContents& c) {
+  std::vector<std::string> names;
+  for (const auto& v : c.volumes) names.push_back(v.name);
+  names = safe_names(names);
+  for (auto& name : names) name = "volumes/" + name;
+  return names;
+}
+
+std::vector<std::string> series_places(const ResultContents& c) {
+  std::vector<std::string> names{"time"};  // taken
+  for (const auto& s : c.series) names.push_back(s.name);
+  names = safe_names(names);
+  names.erase(names.begin());
+  for (auto& name : names) name = "series/" + name;
+  return names;
+}
+
+h5::Id result_count_type() {
+  h5::Id type = h5::own(H5Tcreate(H5T_COMPOUND, sizeof(ResultCount)), H5Tclose, "counter");
+  h5::check(H5Tinsert(type, "outputs", offsetof(ResultCount, outputs), H5T_STD_I64LE), "counter");
+  h5::check(H5Tinsert(type, "steps", offsetof(ResultCount, steps), H5T_STD_I64LE), "counter");
+  return type;
+}
+
+DrawnMesh drawn_mesh(const VolumeMesh& v, int limit) {
+  DrawnMesh d;
+  d.moves = v.body >= 0;
+  d.boxed = d.moves && v.vertices.size() > static_cast<size_t>(limit);
+  if (!d.boxed) {
+    d.vertices = v.vertices, d.triangles = v.triangles;
+    return d;
+  }
+  Vec3 low = v.vertices[0], high = low;
+  for (const auto& p : v.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  for (int k = 0; k < 8; ++k)
+    d.vertices.emplace_back(k & 1 ? high.x() : low.x(), k & 2 ? high.y() : low.y(),
+                            k & 4 ? high.z() : low.z());
+  d.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                 {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return d;
+}
+
+std::vector<RowSet> row_sets(const ResultContents& c) {
+  const auto nodes = static_cast<hsize_t>(c.nodes_total());
+  std::vector<RowSet> sets;
+  sets.push_back({"outputs/time", false, H5T_IEEE_F64LE, {}, "s"});
+  for (const auto& f : c.fields) {
+    h5::Shape tail{nodes};
+    if (f.components > 1) tail.push_back(static_cast<hsize_t>(f.components));
+    sets.push_back({"fields/" + safe_name(f.name), false, H5T_IEEE_F64LE, tail, f.unit});
+  }
+  sets.push_back({"bodies/position", false, H5T_IEEE_F64LE, {c.bodies.size(), 3}, "m"});
+  sets.push_back({"bodies/rotation", false, H5T_IEEE_F64LE, {c.bodies.size(), 4}, "quaternion w x y z"});
+  const auto volumes = volume_places(c);
+  for (size_t i = 0; i < volumes.size(); ++i) {
+    const DrawnMesh d = drawn_mesh(c.volumes[i], c.moving_vertices);
+    if (d.moves) sets.push_back({volumes[i] + "/moved", false, H5T_IEEE_F32LE, {d.vertices.size(), 3}, "m"});
+  }
+  sets.push_back({"series/time", true, H5T_IEEE_F64LE, {}, "s"});
+  const auto series = series_places(c);
+  for (size_t i = 0; i < series.size(); ++i) {
+    hsize_t columns = 0;
+    for (const auto& col : c.series[i].columns) columns += static_cast<hsize_t>(col.components);
+    sets.push_back({series[i], true, H5T_IEEE_F64LE, {columns}, ""});
+  }
+  return sets;
+}
+
+void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
+                   const std::string& from, const ResultCount& kept, const std::vector<SummaryRow>* summary) {
+  const std::string made = path + ".new";
+  try {
+    const h5::Id file = h5::create(made);
+    {
+      const h5::Id type = result_count_type();
+      const h5::Id count = h5::reserve(file, "written", type, {1});
+      h5::check(H5Dwrite(count, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &kept), "counter");
+      h5::text_attribute(count, "meaning", "rows that hold results: outputs (fields), steps (series)");
+    }
+    write_description(file, contents);
+    write_row_sets(file, contents, room);
+    write_slots(file, room);
+    if (!from.empty()) copy_earlier(from, file, contents, room, kept);
+    if (summary) write_summary(file, *summary);
+    h5::check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot write " + made);
+  } catch (...) {
+    std::remove(made.c_str());
+    throw;
+  }
+  put_in_place(made, path);
+}
+
+ResultProgress read_progress(const std::string& path) {
+  const h5::Id file = h5::open_read(path);
+  if (!h5::exists(file, "written")) throw InputError(path + " is not a results file of hawser");
+  const h5::Id type = result_count_type();
+  const h5::Id count = h5::open_dataset(file, "written");
+  ResultProgress p;
+  h5::check(H5Dread(count, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &p.count), "counter");
+  p.output_times = h5::read_array(file, "outputs/time").values;
+  p.step_times = h5::read_array(file, "series/time").values;
+  p.output_times.resize(static_cast<size_t>(p.count.outputs));
+  p.step_times.resize(static_cast<size_t>(p.count.steps));
+  return p;
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,186 @@
+#include "hawser/io/xdmf.hpp"
+
+#include <cctype>
+#include <cstdio>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+#include "hawser/io/results.hpp"
+#include "hawser/io/results_build.hpp"
+
+namespace hawser::io {
+
+namespace {
+
+// More lines than this become one grid, so that the text of an output stays short.
+constexpr size_t kSeparateLines = 16;
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string joined(const std::vector<long long>& numbers) {
+  std::string out;
+  for (const long long n : numbers) out += (out.empty() ? "" : " ") + std::to_string(n);
+  return out;
+}
+
+struct Slab {
+  std::string dataset;  // in the HDF5 file
+  std::string type;     // NumberType and Precision
+  std::vector<long long> start, count, shape;
+};
+
+const std::string kDouble = "NumberType=\"Float\" Precision=\"8\"";
+const std::string kFloat = "NumberType=\"Float\" Precision=\"4\"";
+const std::string kInt = "NumberType=\"Int\" Precision=\"4\"";
+const std::string kChar = "NumberType=\"Char\" Precision=\"1\"";
+
+std::string item(const std::string& h5, const Slab& s) {
+  std::vector<long long> result(s.count);
+  if (result.size() > 1 && s.count.size() == s.shape.size() && result[0] == 1) result.erase(result.begin());
+  const std::string source = "Format=\"HDF\">" + h5 + ":/" + s.dataset + "</DataItem>";
+  if (s.count == s.shape) return "<DataItem Dimensions=\"" + joined(s.shape) + "\" " + s.type + " " + source;
+  const std::vector<long long> stride(s.start.size(), 1);
+  return "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" + joined(result) + "\" " + s.type +
+         "><DataItem Dimensions=\"3 " + std::to_string(s.start.size()) + "\" Format=\"XML\">" +
+         joined(s.start) + " " + joined(stride) + " " + joined(s.count) +
+         "</DataItem><DataItem Dimensions=\"" + joined(s.shape) + "\" " + s.type + " " + source +
+         "</DataItem>";
+}
+
+std::string attribute(const std::string& name, const std::string& kind, const std::string& center,
+                      const std::string& data) {
+  return "<Attribute Name=\"" + escaped(name) + "\" AttributeType=\"" + kind + "\" Center=\"" + center +
+         "\">" + data + "</Attribute>\n";
+}
+
+}  // namespace
+
+std::string safe_name(const std::string& name) {
+  std::string out = name.empty() ? "_" : name;
+  for (char& c : out)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-' && c != '@' && c != '.') c = '_';
+  return out == "." || out == ".." ? std::string(out.size(), '_') : out;
+}
+
+std::vector<std::string> safe_names(const std::vector<std::string>& names) {
+  std::set<std::string> taken;
+  std::vector<std::string> out;
+  for (const auto& name : names) {
+    std::string safe = safe_name(name);
+    for (int k = 2; !taken.insert(safe).second; ++k) safe = safe_name(name) + "_" + std::to_string(k);
+    out.push_back(safe);
+  }
+  return out;
+}
+
+XdmfWriter::XdmfWriter(const ResultContents& contents, const std::string& h5_name)
+    : contents_(&contents), h5_name_(escaped(h5_name)), places_(volume_places(contents)) {
+  for (const auto& v : contents.volumes) {
+    const DrawnMesh d = drawn_mesh(v, contents.moving_vertices);
+    drawn_.push_back({static_cast<long long>(d.vertices.size()), static_cast<long long>(d.triangles.size()),
+                      d.moves, d.boxed});
+  }
+}
+
+void XdmfWriter::rebuild(const std::vector<double>& times, long long capacity) {
+  capacity_ = capacity, outputs_ = 0;
+  body_.clear();
+  for (const double t : times) add(t);
+}
+
+void XdmfWriter::add(double time) {
+  const auto& c = *contents_;
+  const long long row = outputs_++, total = c.nodes_total();
+  char number[32];
+  std::snprintf(number, sizeof number, "%.17g", time);
+  body_ += "<Grid Name=\"output\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time Value=\"";
+  body_ += number;
+  body_ += "\"/>\n";
+
+  const auto grid = [&](const std::string& name, long long first, long long nodes,
+                        const std::string& topology) {
+    body_ += "<Grid Name=\"" + escaped(name) + "\" GridType=\"Uniform\">\n" + topology;
+    for (const auto& f : c.fields) {
+      Slab s{"fields/" + safe_name(f.name), kDouble, {row, first}, {1, nodes}, {capacity_, total}};
+      if (f.components > 1)
+        s.start.push_back(0), s.count.push_back(f.components), s.shape.push_back(f.components);
+      if (f.name == "position")
+        body_ += "<Geometry GeometryType=\"XYZ\">" + item(h5_name_, s) + "</Geometry>\n";
+      else if (f.components == 1)
+        body_ += attribute(f.name, "Scalar", "Node", item(h5_name_, s));
+      else if (f.components == 3)
+        body_ += attribute(f.name, "Vector", "Node", item(h5_name_, s));
+      else
+        body_ += attribute(f.name, "Matrix", "Node", item(h5_name_, s));
+    }
+    body_ += attribute("arc_length", "Scalar", "Node",
+                       item(h5_name_, {"nodes/arc_length", kDouble, {first}, {nodes}, {total}}));
+    body_ += "</Grid>\n";
+  };
+  if (c.lines.size() <= kSeparateLines) {
+    for (const auto& line : c.lines)
+      grid(line.name, line.first_node, line.nodes,
+           "<Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"" +
+               std::to_string(line.nodes) + "\">" +
+               item(h5_name_, {"nodes/number", kInt, {0}, {line.nodes}, {total}}) + "</Topology>\n");
+  } else {
+    const long long cells = total + 2 * static_cast<long long>(c.lines.size());
+    grid(
+        "lines", 0, total,
+        "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(c.lines.size()) + "\">" +
+            item(h5_name_, {"lines/cells", kInt, {0}, {cells}, {cells}}) + "</Topology>\n" +
+            attribute("line", "Scalar", "Node", item(h5_name_, {"nodes/line", kInt, {0}, {total}, {total}})));
+  }
+
+  for (size_t i = 0; i < c.volumes.size(); ++i) {
+    const auto& v = c.volumes[i];
+    const Drawn& d = drawn_[i];
+    const long long nv = d.vertices, nt = d.triangles;
+    const Slab triangles{
+        places_[i] + (d.boxed ? "/box_triangles" : "/triangles"), kInt, {0, 0}, {nt, 3}, {nt, 3}};
+    const Slab points = d.moves
+                            ? Slab{places_[i] + "/moved", kFloat, {row, 0, 0}, {1, nv, 3}, {capacity_, nv, 3}}
+                            : Slab{places_[i] + "/vertices", kDouble, {0, 0}, {nv, 3}, {nv, 3}};
+    body_ += "<Grid Name=\"" + escaped(v.name) + "\" GridType=\"Uniform\">\n" +
+             "<Topology TopologyType=\"Triangle\" NumberOfElements=\"" + std::to_string(nt) + "\">" +
+             item(h5_name_, triangles) + "</Topology>\n<Geometry GeometryType=\"XYZ\">" +
+             item(h5_name_, points) + "</Geometry>\n";
+    if (!d.boxed && v.active.size() == v.triangles.size())
+      body_ += attribute("active", "Scalar", "Cell",
+                         item(h5_name_, {places_[i] + "/active", kChar, {0}, {nt}, {nt}}));
+    body_ += "</Grid>\n";
+  }
+  body_ += "</Grid>\n";
+}
+
+void XdmfWriter::save(const std::string& path) const {
+  const std::string made = path + ".new";
+  {
+    std::ofstream out(made, std::ios::binary);
+    out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
+        << "<Grid Name=\"" << escaped(contents_->run.case_path.empty() ? "hawser" : contents_->run.case_path)
+        << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
+        << body_ << "</Grid>\n</Domain>\n</Xdmf>\n";
+    out.flush();
+    if (!out) throw std::runtime_error("cannot write " + made);
+  }
+  if (std::rename(made.c_str(), path.c_str())) throw std::runtime_error("cannot write " + path);
+}
+
+}  // namespace hawser::io

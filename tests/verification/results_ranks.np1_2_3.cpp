@@ -1,0 +1,270 @@
+// A results file is the same, byte for byte, on any number of ranks, and a checkpoint written on one number
+// of ranks comes back bit for bit on another.
+#include <gtest/gtest.h>
+#include <mpi.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/hdf5.hpp"
+#include "hawser/io/results.hpp"
+
+namespace hawser::io {
+namespace {
+
+int rank_of(MPI_Comm comm) {
+  int r = 0;
+  MPI_Comm_rank(comm, &r);
+  return r;
+}
+int size_of(MPI_Comm comm) {
+  int n = 0;
+  MPI_Comm_size(comm, &n);
+  return n;
+}
+
+std::string temporary(const std::string& name) {
+  return std::string(HAWSER_BINARY_DIR) + "/results_" + std::to_string(size_of(MPI_COMM_WORLD)) + "_" + name;
+}
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+ResultContents contents() {
+  ResultContents c;
+  c.run = {"hawser: 1\ntitle: test\n", "test.yaml", "0.1.0", "-ksp_view", "2024-01-01T00:00:00Z", 1};
+  c.lines = {{"hose", 0, 23, {}}, {"mooring/1", 23, 7, {}}, {"mooring:1", 30, 11, {}}};
+  for (auto& line : c.lines)
+    for (int i = 0; i < line.nodes; ++i) line.arc.push_back(2.5 * i);
+  c.fields = {{"position", "m", 3}, {"effective_tension", "N", 1}, {"bending_moment", "N m", 3}};
+  c.series = {{"end A", {{"position", "m", 3}, {"effective_tension", "N", 1}}},
+              {"energy", {{"kinetic", "J", 1}}}};
+  c.bodies = {"reel"};
+  c.volumes = {{"drum",
+                0,
+                {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
+                {1, 0, 1, 1}},
+               {"floor", -1, {{-9, -9, -1}, {9, -9, -1}, {0, 9, -1}}, {{0, 1, 2}}, {1}}};
+  c.expected_outputs = 3;  // so that the room is made twice over
+  c.expected_steps = 4;
+  return c;
+}
+
+// Nodes in stretches of five, dealt to the ranks in turn; on three ranks the last one has nothing.
+std::vector<int> owned_nodes(MPI_Comm comm, int total) {
+  const int ranks = std::min(size_of(comm), 2);
+  std::vector<int> owned;
+  for (int n = 0; n < total; ++n)
+    if (n / 5 % ranks == rank_of(comm)) owned.push_back(n);
+  return owned;
+}
+
+double value(int output, int field, int node, int component) {
+  return std::sin(1.0 + output) * 1e3 + field * 100 + node + component / 7.0;
+}
+
+void write_rows(ResultsFile& file, MPI_Comm comm, const std::vector<int>& owned, int from, int to) {
+  const auto& c = file.contents();
+  for (int k = from; k < to; ++k) {
+    for (int step = 0; step < 3; ++step) {
+      std::vector<std::vector<double>> rows(2);
+      const double t = k - 1 + (step + 1) / 3.0;
+      if (rank_of(comm) == std::min(size_of(comm), 2) - 1) rows[0] = {t, 2 * t, 3 * t, 4 * t};
+      if (rank_of(comm) == 0) rows[1] = {t * t};
+      file.append_series(t, rows);
+    }
+    std::vector<std::vector<double>> fields(c.fields.size());
+    for (size_t f = 0; f < fields.size(); ++f)
+      for (const int n : owned)
+        for (int i = 0; i < c.fields[f].components; ++i)
+          fields[f].push_back(value(k, static_cast<int>(f), n, i));
+    const BodyPose pose{Vec3(k, 0, 0), Quat(Eigen::AngleAxisd(0.1 * k, Vec3::UnitY()))};
+    file.write_output(k, fields, {&pose, 1});
+  }
+}
+
+Checkpoint checkpoint(const std::vector<int>& owned, double time) {
+  Checkpoint c;
+  c.time = time;
+  c.scalars = {{"step", 0.1}, {"negative zero", -0.0}};
+  auto& x = c.nodes["position"];
+  x.components = 3;
+  c.nodes["tension"].components = 1;
+  c.records["friction drum"], c.records["none"];
+  for (const int n : owned) {
+    for (int i = 0; i < 3; ++i) x.values.push_back(std::sqrt(n + i / 3.0) * time);
+    c.nodes["tension"].values.push_back(n % 4 == 0 ? std::numeric_limits<double>::denorm_min()
+                                        : n % 4 == 1
+                                            ? std::bit_cast<double>(0x7ff8dead00000001ULL + unsigned(n))
+                                            : -1.0 / n);
+    for (int key = n % 3; key > 0; --key)
+      c.records["friction drum"].push_back(
+          {n, key, std::vector<double>(static_cast<size_t>(n % 5), n + 0.1 * key)});
+  }
+  return c;
+}
+
+std::vector<std::uint64_t> bits(const std::vector<double>& v) {
+  std::vector<std::uint64_t> b;
+  for (const double x : v) b.push_back(std::bit_cast<std::uint64_t>(x));
+  return b;
+}
+
+void expect_same(const Checkpoint& a, Checkpoint b) {
+  EXPECT_EQ(a.time, b.time);
+  ASSERT_EQ(a.scalars.size(), b.scalars.size());
+  for (const auto& [name, v] : a.scalars) EXPECT_EQ(bits({v}), bits({b.scalars.at(name)})) << name;
+  ASSERT_EQ(a.nodes.size(), b.nodes.size());
+  for (const auto& [name, f] : a.nodes) {
+    EXPECT_EQ(f.components, b.nodes.at(name).components);
+    EXPECT_EQ(bits(f.values), bits(b.nodes.at(name).values)) << name;
+  }
+  ASSERT_EQ(a.records.size(), b.records.size());
+  for (const auto& [name, list] : a.records) {
+    auto& other = b.records.at(name);
+    std::stable_sort(other.begin(), other.end(), [](const HistoryRecord& p, const HistoryRecord& q) {
+      return p.node != q.node ? p.node < q.node : p.key < q.key;
+    });
+    ASSERT_EQ(list.size(), other.size()) << name;
+    for (size_t i = 0; i < list.size(); ++i) {
+      EXPECT_EQ(list[i].node, other[i].node);
+      EXPECT_EQ(list[i].key, other[i].key);
+      EXPECT_EQ(bits(list[i].values), bits(other[i].values));
+    }
+  }
+}
+
+void write_run(MPI_Comm comm, const std::string& path, bool finish) {
+  const auto owned = owned_nodes(comm, contents().nodes_total());
+  auto file = ResultsFile::create(comm, path, contents(), owned);
+  write_rows(file, comm, owned, 0, 5);
+  file.write_checkpoint(checkpoint(owned, 4));
+  write_rows(file, comm, owned, 5, 8);
+  file.write_checkpoint(checkpoint(owned, 7));
+  if (finish)
+    file.finish({{"max effective tension", "hose", 670e3, "N", 3, 25}, {"min", "mooring/1", -1, "N", 0, 0}});
+}
+
+TEST(ResultsRanks, FileIsTheSameAsFromOneRank) {
+  for (const bool finish : {false, true}) {
+    const std::string together = temporary("together.h5"), alone = temporary("alone.h5");
+    write_run(MPI_COMM_WORLD, together, finish);
+    if (rank_of(MPI_COMM_WORLD) == 0) {
+      write_run(MPI_COMM_SELF, alone, finish);
+      const std::string a = bytes_of(together), b = bytes_of(alone);
+      EXPECT_GT(a.size(), 10000u);
+      EXPECT_TRUE(a == b) << "files differ";
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+  }
+}
+
+TEST(ResultsRanks, EveryValueIsInItsPlace) {
+  const std::string path = temporary("values.h5");
+  write_run(MPI_COMM_WORLD, path, true);
+  if (rank_of(MPI_COMM_WORLD) == 0) {
+    const auto c = contents();
+    const auto file = h5::open_read(path);
+    for (size_t f = 0; f < c.fields.size(); ++f) {
+      const auto a = h5::read_array(file, "fields/" + c.fields[f].name);
+      ASSERT_EQ(a.shape[0], 8u);
+      ASSERT_EQ(a.shape[1], 41u);
+      size_t at = 0;
+      for (int k = 0; k < 8; ++k)
+        for (int n = 0; n < 41; ++n)
+          for (int i = 0; i < c.fields[f].components; ++i)
+            ASSERT_EQ(a.values[at++], value(k, static_cast<int>(f), n, i));
+    }
+    const auto series = h5::read_array(file, "series/end_A");
+    ASSERT_EQ(series.shape, (h5::Shape{24, 4}));
+    const auto time = h5::read_array(file, "series/time");
+    for (size_t i = 0; i < 24; ++i) {
+      EXPECT_NEAR(time.values[i], -1 + (static_cast<double>(i) + 1) / 3, 1e-14);
+      EXPECT_EQ(series.values[4 * i + 3], 4 * time.values[i]);
+    }
+    const auto moved = h5::read_array(file, "volumes/drum/moved");
+    // Vertex 1 is (1, 0, 0) in the body frame; about y by 0.7 rad, then moved by 7 along x.
+    EXPECT_NEAR(moved.values[7 * 12 + 3], 7 + std::cos(0.7), 1e-6);
+    EXPECT_NEAR(moved.values[7 * 12 + 5], -std::sin(0.7), 1e-6);
+    EXPECT_EQ(h5::read_text(file, "case"), c.run.case_text);
+    EXPECT_EQ(h5::read_texts(file, "lines/name")[2], "mooring:1");
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST(ResultsRanks, CheckpointComesBackOnAnyRanks) {
+  const std::string path = temporary("checkpoint.h5");
+  write_run(MPI_COMM_WORLD, path, false);
+  // To a rank on its own with everything, and to the same ranks with other shares.
+  std::vector<int> all;
+  for (int n = 0; n < 41; ++n) all.push_back(n);
+  expect_same(read_checkpoint(MPI_COMM_SELF, path, 41, all), checkpoint(all, 7));
+  std::vector<int> mine;
+  for (int n = 0; n < 41; ++n)
+    if (n * size_of(MPI_COMM_WORLD) / 41 == rank_of(MPI_COMM_WORLD)) mine.push_back(n);
+  expect_same(read_checkpoint(MPI_COMM_WORLD, path, 41, mine), checkpoint(mine, 7));
+  // And written alone, read together.
+  if (rank_of(MPI_COMM_WORLD) == 0) write_run(MPI_COMM_SELF, path, true);
+  MPI_Barrier(MPI_COMM_WORLD);
+  expect_same(read_checkpoint(MPI_COMM_WORLD, path, 41, mine), checkpoint(mine, 7));
+  EXPECT_THROW(read_checkpoint(MPI_COMM_WORLD, path, 40, {}), InputError);
+}
+
+TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
+  const std::string path = temporary("resumed.h5"), straight = temporary("straight.h5");
+  write_run(MPI_COMM_WORLD, straight, true);
+  const auto owned = owned_nodes(MPI_COMM_WORLD, 41);
+  {
+    auto file = ResultsFile::create(MPI_COMM_WORLD, path, contents(), owned);
+    write_rows(file, MPI_COMM_WORLD, owned, 0, 5);
+    file.write_checkpoint(checkpoint(owned, 4));
+    write_rows(file, MPI_COMM_WORLD, owned, 5, 6);  // accepted, but after the checkpoint
+  }
+  {
+    const double t = read_checkpoint(MPI_COMM_WORLD, path, 41, owned).time;
+    auto file = ResultsFile::resume(MPI_COMM_WORLD, path, contents(), owned, t);
+    EXPECT_EQ(file.outputs(), 5);
+    write_rows(file, MPI_COMM_WORLD, owned, 5, 8);
+    file.write_checkpoint(checkpoint(owned, 7));
+    file.finish({{"max effective tension", "hose", 670e3, "N", 3, 25}, {"min", "mooring/1", -1, "N", 0, 0}});
+  }
+  if (rank_of(MPI_COMM_WORLD) == 0) {
+    const auto a = h5::open_read(path), b = h5::open_read(straight);
+    for (const char* name : {"outputs/time", "fields/position", "fields/effective_tension", "series/time",
+                             "series/end_A", "series/energy", "bodies/rotation", "volumes/drum/moved"}) {
+      const auto p = h5::read_array(a, name), q = h5::read_array(b, name);
+      EXPECT_EQ(p.shape, q.shape) << name;
+      EXPECT_EQ(bits(p.values), bits(q.values)) << name;
+    }
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  auto other = contents();
+  other.lines[1].arc[3] += 0.5;
+  EXPECT_THROW(ResultsFile::resume(MPI_COMM_WORLD, path, other, owned, 4), InputError);
+  EXPECT_THROW(ResultsFile::create(MPI_COMM_WORLD, "/nowhere/run.h5", contents(), owned), InputError);
+}
+
+TEST(ResultsRanks, ErrorOfOneRankReachesAll) {
+  const auto owned = owned_nodes(MPI_COMM_WORLD, 41);
+  auto file = ResultsFile::create(MPI_COMM_WORLD, temporary("error.h5"), contents(), owned);
+  std::vector<std::vector<double>> fields{std::vector<double>(owned.size() * 3),
+                                          std::vector<double>(owned.size()),
+                                          std::vector<double>(owned.size() * 3)};
+  if (rank_of(MPI_COMM_WORLD) == 0) fields[1].pop_back();
+  const BodyPose pose;
+  EXPECT_THROW(file.write_output(0, fields, {&pose, 1}), std::runtime_error);
+  EXPECT_EQ(file.outputs(), 0);
+}
+
+}  // namespace
+}  // namespace hawser::io
