@@ -53,21 +53,25 @@ class Commands(unittest.TestCase):
         self.assertIn("paraview", run("scripts/install-deps", "--list", "--view").stdout.split())
 
     def test_install_deps_names_what_is_missing(self):
-        # A machine with nothing installed, played by a dpkg-query that knows no package, an apt-get that only
-        # says what it was asked, and a user who needs no sudo.
-        with tempfile.TemporaryDirectory() as folder:
-            for name, body in [("dpkg-query", ":"), ("id", "echo 0"), ("apt-get", 'echo "apt-get $*"')]:
-                path = Path(folder) / name
-                path.write_text(f"#!/bin/sh\n{body}\n", encoding="utf-8")
-                path.chmod(0o755)
-            for tool in ["bash", "sed", "tr", "grep", "env", "sh"]:
-                os.symlink(shutil.which(tool), Path(folder) / tool)
-            result = run("scripts/install-deps", env={"PATH": folder})
-            self.assertEqual(result.returncode, 0, result.stderr)
-            asked = [line for line in result.stdout.splitlines() if line.startswith("apt-get")][-1]
-            self.assertIn("--no-install-recommends", asked)
-            for package in run("scripts/install-deps", "--list").stdout.split():
-                self.assertIn(f" {package}", asked)
+        # A machine with nothing installed, played by a dpkg-query that knows no package, a user who needs no sudo, and
+        # an apt-get that writes down what it is asked and can install only after an update (or never).
+        apt = ('echo "$*" >>"$0.log"; '
+               'case $1 in update) : >"$0.lists";; install) [ -e "$0.lists" ] && [ {works} = 1 ];; esac')
+        for works in (1, 0):
+            with self.subTest(works=works), tempfile.TemporaryDirectory() as folder:
+                for name, body in [("dpkg-query", ":"), ("id", "echo 0"), ("apt-get", apt.format(works=works))]:
+                    path = Path(folder) / name
+                    path.write_text(f"#!/bin/sh\n{body}\n", encoding="utf-8")
+                    path.chmod(0o755)
+                for tool in ["bash", "sed", "tr", "grep", "env", "sh", "mktemp", "rm", "cat"]:
+                    os.symlink(shutil.which(tool), Path(folder) / tool)
+                result = run("scripts/install-deps", env={"PATH": folder})
+                self.assertEqual(result.returncode, 1 - works, result.stderr)
+                asked = (Path(folder) / "apt-get.log").read_text(encoding="utf-8").splitlines()
+                self.assertIn("update -qq", asked)
+                self.assertIn("--no-install-recommends", asked[-1])
+                for package in run("scripts/install-deps", "--list").stdout.split():
+                    self.assertIn(f" {package}", asked[-1])
 
     def test_env_keeps_what_is_set(self):
         text = f'. "{ROOT}/scripts/env.sh"; echo $OMP_NUM_THREADS $OMPI_ALLOW_RUN_AS_ROOT $(hawser_jobs)'
