@@ -41,6 +41,8 @@ points, cells, shown = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkDoubleArray()
 points.SetDataTypeToDouble()
 shown.SetName("shown")
 for leaf in leaves(self.GetInputDataObject(0, 0)):
+    if leaf.GetNumberOfPoints() == 0:
+        continue  # cells without points crash: the reader leaves them so when it cannot read the .h5
     values = leaf.GetPointData().GetArray({field!r})
     for c in range(leaf.GetNumberOfCells()):
         if leaf.GetCellType(c) not in (vtk.VTK_LINE, vtk.VTK_POLY_LINE):
@@ -82,6 +84,8 @@ def leaves(data):
 points, cells = vtk.vtkPoints(), vtk.vtkCellArray()
 points.SetDataTypeToDouble()
 for leaf in leaves(self.GetInputDataObject(0, 0)):
+    if leaf.GetNumberOfPoints() == 0:
+        continue
     known = {{}}
     for c in range(leaf.GetNumberOfCells()):
         if leaf.GetCellType(c) not in (vtk.VTK_TRIANGLE, vtk.VTK_QUAD):
@@ -224,6 +228,8 @@ def render(options):
     lines = derived(source, LINES, field=options.field, factor=factor)
     faces = derived(source, FACES)
     lower, upper = extent(source, times)
+    if lower[0] > upper[0]:
+        raise SystemExit(f"render: {options.results} has no points; is its .h5 file beside it?")
     diagonal = math.dist(lower, upper) or 1.0
     tubes = pv.Tube(Input=lines, Radius=(options.diameter or diagonal / 400) / 2, NumberofSides=24, Capping=1)
     tubes.Scalars = ["POINTS", "shown"]
