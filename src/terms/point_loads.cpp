@@ -1,0 +1,153 @@
+#include "hawser/terms/point_loads.hpp"
+
+#include <stdexcept>
+#include <unordered_map>
+
+#include "hawser/kernels/motion.hpp"
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+double factor(const NodeLoad& load, double time) {
+  return load.ramp > 0 ? quintic_ramp(time, load.ramp).value : 1;
+}
+
+// visit(case line, line index, local owned node of an arc length on it, or -1)
+template <class Visit>
+void for_lines(const model::Case& c, const LocalMesh& mesh, Visit visit) {
+  std::unordered_map<int, int> local;
+  for (int i = 0; i < mesh.owned; ++i) local[mesh.global[static_cast<size_t>(i)]] = i;
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    visit(c.lines[l], [&, l](double at) {
+      const auto found = local.find(mesh.mesh->nearest_node(static_cast<int>(l), at));
+      return found == local.end() ? -1 : found->second;
+    });
+}
+
+}  // namespace
+
+Mat3 moment_stiffness(const Quat& rotation, const Vec3& moment) {
+  return -hat(rotation.conjugate() * moment);
+}
+
+std::vector<NodeLoad> point_loads(const model::Case& c, const LocalMesh& mesh) {
+  std::vector<NodeLoad> loads;
+  for_lines(c, mesh, [&](const model::Line& line, auto node_at) {
+    for (const model::PointLoad& p : line.point_loads)
+      if (const int node = node_at(p.at); node >= 0) loads.push_back({node, p.force, p.moment, p.ramp});
+  });
+  return loads;
+}
+
+std::vector<NodeMass> point_masses(const model::Case& c, const LocalMesh& mesh) {
+  std::vector<NodeMass> masses;
+  for_lines(c, mesh, [&](const model::Line& line, auto node_at) {
+    for (const model::PointMass& p : line.masses)
+      if (const int node = node_at(p.at); node >= 0) masses.push_back({node, p.mass});
+  });
+  return masses;
+}
+
+PointLoads::PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads) {
+  for (const NodeLoad& load : loads) {
+    if (load.node >= mesh.owned) continue;
+    if (!load.moment.isZero(0) && !mesh.rotates(load.node))
+      throw std::invalid_argument("a moment acts on a cable node, which has no rotation");
+    loads_.push_back(load);
+    block_.push_back(mesh.block[static_cast<size_t>(load.node)]);
+    global_.push_back(mesh.global[static_cast<size_t>(load.node)]);
+  }
+  work_.assign(loads_.size(), 0);
+}
+
+void PointLoads::prepare(const Kinematics& committed, double) {
+  start_.clear();
+  rotation_.clear();
+  start_time_ = committed.time;
+  for (const NodeLoad& load : loads_) {
+    start_.push_back(committed.x[static_cast<size_t>(load.node)]);
+    rotation_.push_back(committed.q[static_cast<size_t>(load.node)]);
+  }
+}
+
+void PointLoads::evaluate(const Kinematics& trial, Sink& sink) {
+  for (size_t i = 0; i < loads_.size(); ++i) {
+    const NodeLoad& load = loads_[i];
+    const double s = factor(load, trial.time);
+    const Vec3 force = -s * load.force;
+    sink.add({&block_[i], 1}, force.data(), nullptr, nullptr, nullptr);
+    if (load.moment.isZero(0)) continue;
+    const Quat& q = trial.q[static_cast<size_t>(load.node)];
+    const int block = block_[i] + 1;
+    const Vec3 moment = -s * (q.conjugate() * load.moment);
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s * moment_stiffness(q, load.moment);
+    sink.add({&block, 1}, moment.data(), sink.convex() ? nullptr : K.data(), nullptr, nullptr);
+  }
+}
+
+void PointLoads::commit(const Kinematics& accepted) {
+  if (!(accepted.step > 0) || start_.size() != loads_.size()) return;
+  for (size_t i = 0; i < loads_.size(); ++i) {
+    const NodeLoad& load = loads_[i];
+    const size_t n = static_cast<size_t>(load.node);
+    const double s = 0.5 * (factor(load, start_time_) + factor(load, accepted.time));
+    work_[i] += s * load.force.dot(accepted.x[n] - start_[i]);
+    if (!load.moment.isZero(0))
+      work_[i] += s * load.moment.dot(log_so3(accepted.q[n] * rotation_[i].conjugate()));
+  }
+}
+
+Energy PointLoads::energy(const Kinematics&) const {
+  Energy e;
+  for (double w : work_) e.work += w;
+  return e;
+}
+
+// Records of a node's loads keep their order, which is that of the case.
+std::vector<HistoryRecord> PointLoads::save() const {
+  std::vector<HistoryRecord> records;
+  std::unordered_map<int, int> count;
+  for (size_t i = 0; i < work_.size(); ++i) records.push_back({global_[i], count[global_[i]]++, {work_[i]}});
+  return records;
+}
+
+void PointLoads::restore(const std::vector<HistoryRecord>& records) {
+  std::unordered_map<int, int> count;
+  work_.assign(work_.size(), 0);
+  for (size_t i = 0; i < work_.size(); ++i) {
+    const int key = count[global_[i]]++;
+    for (const HistoryRecord& r : records)
+      if (r.node == global_[i] && r.key == key && r.values.size() == 1) work_[i] = r.values[0];
+  }
+}
+
+PointMasses::PointMasses(const LocalMesh& mesh, std::vector<NodeMass> masses, double gravity)
+    : gravity_(gravity) {
+  for (const NodeMass& m : masses) {
+    if (m.node >= mesh.owned) continue;
+    masses_.push_back(m);
+    block_.push_back(mesh.block[static_cast<size_t>(m.node)]);
+  }
+}
+
+void PointMasses::evaluate(const Kinematics& trial, Sink& sink) {
+  for (size_t i = 0; i < masses_.size(); ++i) {
+    const double m = masses_[i].mass;
+    const Vec3 force = m * (trial.a[static_cast<size_t>(masses_[i].node)] + gravity_ * Vec3::UnitZ());
+    const double M[9] = {m, 0, 0, 0, m, 0, 0, 0, m};
+    sink.add({&block_[i], 1}, force.data(), nullptr, nullptr, M);
+  }
+}
+
+Energy PointMasses::energy(const Kinematics& at) const {
+  Energy e;
+  for (const NodeMass& m : masses_) {
+    const size_t n = static_cast<size_t>(m.node);
+    e.kinetic += 0.5 * m.mass * at.v[n].squaredNorm();
+    e.potential += m.mass * gravity_ * at.x[n].z();
+  }
+  return e;
+}
+
+}  // namespace hawser

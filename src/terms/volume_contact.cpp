@@ -1,0 +1,181 @@
+#include "hawser/terms/volume_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+
+// Candidates are the pairs whose box comes within the margin: twice what node and body move towards each
+// other in the step at their present speed, and at least half an element. In statics (h = 0) a Newton
+// iteration may go anywhere, so every pair is one.
+void VolumeContact::prepare(const Kinematics& committed, double h) {
+  pose_bodies(committed.time, start_poses_);
+  std::vector<Pair> old;
+  old.swap(pairs_);
+  size_t known = 0;
+  for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
+    const size_t n = static_cast<size_t>(i);
+    if (!(nodes_[n].radius > 0)) continue;
+    const Vec3 tangent = line_tangent(committed, i);
+    for (int k = 0; k < static_cast<int>(volumes_.size()); ++k) {
+      while (known < old.size() && std::pair(old[known].node, old[known].volume) < std::pair(i, k)) ++known;
+      const bool kept = known < old.size() && old[known].node == i && old[known].volume == k;
+      const RigidPose& pose = start_poses_[body(k)];
+      const Vec3 &x = committed.x[n], y = pose.to_body(x);
+      const ContactLaw laws = law(i, k);
+      const double touch = nodes_[n].radius + laws.normal.smoothing;
+      const double motion = 2 * h * (committed.v[n] - pose.velocity_at(x)).norm();
+      const double margin = std::max(motion, 0.5 * element_[n]);
+      const double away = distance(boxes_[static_cast<size_t>(k)], y);
+      if (h > 0 && away > touch + margin) continue;
+
+      Pair& pair = pairs_.emplace_back();
+      pair.node = i;
+      pair.volume = k;
+      pair.touch = touch;
+      pair.law = laws;
+      if (kept) pair.history = old[known].history;
+      pair.hint = pair.history.hint;
+      ContactTrial at;
+      at.gap = std::max(margin, away - touch) + laws.normal.smoothing;  // a bound, for those out of reach
+      locate(pair, y, margin, at);
+      pair.start.point = y;
+      pair.start.gap = at.gap;
+      pair.start.tangent = pose.rotation.conjugate() * tangent;
+      pair.start.slip = pair.history.slip;
+      pair.start.normal = pair.history.normal;
+    }
+  }
+}
+
+bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {
+  if (pair.clear > 0 && (y - pair.centre).squaredNorm() < pair.clear * pair.clear) return false;
+  const size_t k = static_cast<size_t>(pair.volume);
+  const auto p = volumes_[k].surface->query(y, pair.touch + reach, pair.hint);
+  pair.centre = y;
+  if (!p) {
+    // Out of reach, or inside but under an inactive part: only outside the box is nothing near for sure.
+    pair.clear = std::min(reach, distance(boxes_[k], y) - pair.touch);
+    return false;
+  }
+  pair.hint = p->triangle;
+  pair.clear = p->distance - pair.touch;
+  trial.point = y;
+  trial.gap = p->distance - nodes_[static_cast<size_t>(pair.node)].radius;
+  trial.normal = p->normal;
+  trial.curvature = p->curvature;
+  return pair.clear < 0;
+}
+
+PointContact VolumeContact::contact(Pair& pair, const Kinematics& at, bool derivatives, bool convex,
+                                    ContactTrial& trial) {
+  const size_t n = static_cast<size_t>(pair.node);
+  const RigidPose& pose = poses_[body(pair.volume)];
+  const Vec3& x = at.x[n];
+  trial.point = pose.to_body(x);
+  if (!locate(pair, trial.point, 0.5 * element_[n], trial)) return {};
+  if (at.step > 0) trial.velocity = pose.rotation.conjugate() * (at.v[n] - pose.velocity_at(x));
+  if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
+  const ContactLaw law{pair.law.normal, friction_on_ ? pair.law.friction : FrictionLaw{}};
+  return volume_contact(law, pair.start, trial, derivatives);
+}
+
+VolumeContact::Force VolumeContact::force(const Kinematics& trial, int pair, bool tangent, bool convex) {
+  pose_bodies(trial.time, poses_);
+  return resolve(pairs_[static_cast<size_t>(pair)], trial, tangent, convex);
+}
+
+VolumeContact::Force VolumeContact::resolve(Pair& p, const Kinematics& trial, bool tangent, bool convex) {
+  ContactTrial at;
+  const PointContact c = contact(p, trial, tangent, convex, at);
+  Force f;
+  if (!(c.normal.force > 0)) return f;
+  const RigidPose& pose = poses_[body(p.volume)];
+  const Mat3 R = pose.rotation.toRotationMatrix();
+  f.touches = true;
+  f.total = R * c.force;
+  f.friction = R * c.friction;
+  if (tangent) {
+    // Relative velocity in the body frame: u = R'(v - V) - omega x y.
+    const Mat3 spin = hat(pose.rotation.conjugate() * pose.angular_velocity);
+    f.K = -R * (c.by_point - (trial.step > 0 ? 1.0 : 0.0) * c.by_velocity * spin) * R.transpose();
+    if (trial.step > 0) f.C = -R * c.by_velocity * R.transpose();
+  }
+  return f;
+}
+
+void VolumeContact::evaluate(const Kinematics& trial, Sink& sink) {
+  pose_bodies(trial.time, poses_);
+  const bool tangent = sink.wants_tangent(), convex = sink.convex();
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  for (Pair& pair : pairs_) {
+    const Force f = resolve(pair, trial, tangent, convex);
+    if (!f.touches) continue;
+    const int block = block_[static_cast<size_t>(pair.node)];
+    const Vec3 residual = -f.total;
+    const RowMajor K = f.K, C = f.C;
+    sink.add({&block, 1}, residual.data(), tangent ? K.data() : nullptr, tangent ? C.data() : nullptr,
+             nullptr);
+  }
+}
+
+// Evaluated again at the accepted state, so that what is kept belongs to it and to no other trial.
+void VolumeContact::commit(const Kinematics& accepted) {
+  pose_bodies(accepted.time, poses_);
+  for (Pair& pair : pairs_) {
+    ContactTrial at;
+    const PointContact c = contact(pair, accepted, false, false, at);
+    History next;
+    if (c.normal.elastic > 0) {
+      next.touches = true;
+      next.slip = c.slip;
+      next.normal = at.normal;
+      next.force = c.force;
+      next.friction = c.friction;
+      next.normal_force = c.normal.force;
+      next.damping_force = c.normal.force - c.normal.elastic;
+      next.potential = c.normal.potential;
+      next.depth = std::max(0.0, -at.gap);
+      next.hint = pair.hint;
+    }
+    Account& sum = accounts_[static_cast<size_t>(pair.node)];
+    if (next.depth > sum.depth) {
+      sum.depth = next.depth;
+      sum.time = accepted.time;
+      sum.volume = pair.volume;
+    }
+    if (accepted.step > 0 && (next.touches || pair.history.touches)) account(pair, next, at.point);
+    pair.history = next;
+  }
+}
+
+// Trapezoid over the step. The motion of the node splits exactly into that of the body's material and that
+// relative to it: x1 - x0 = [p1 - p0 + (R1 - R0)(y0 + y1)/2] + (R0 + R1)/2 (y1 - y0). Of a step in which the
+// pair met or parted only the part in touch counts.
+void VolumeContact::account(const Pair& pair, const History& next, const Vec3& y) {
+  const RigidPose &before = start_poses_[body(pair.volume)], &after = poses_[body(pair.volume)];
+  const History& last = pair.history;
+  const Mat3 R0 = before.rotation.toRotationMatrix(), R1 = after.rotation.toRotationMatrix();
+  const Vec3& y0 = pair.start.point;
+  double part = 1;
+  const double smoothing = pair.law.normal.smoothing;
+  if (!last.touches) {
+    const double moved = std::max(pair.start.gap - smoothing, 0.0), deep = smoothing + next.depth;
+    part = deep / (moved + deep);
+  } else if (!next.touches) {
+    const double away = last.normal.dot(y - y0), deep = std::max(smoothing - pair.start.gap, 0.0);
+    part = away > deep ? deep / away : 1;
+  }
+  const Vec3 relative = 0.5 * part * (R0 + R1) * (y - y0);
+  const Vec3 carried = part * (after.position - before.position + 0.5 * (R1 - R0) * (y0 + y));
+  Account& sum = accounts_[static_cast<size_t>(pair.node)];
+  sum.friction -= 0.5 * (R0 * last.friction + R1 * next.friction).dot(relative);
+  sum.damping -=
+      0.5 * (last.damping_force * (R0 * last.normal) + next.damping_force * (R1 * next.normal)).dot(relative);
+  sum.work += 0.5 * (R0 * last.force + R1 * next.force).dot(carried);
+}
+
+}  // namespace hawser

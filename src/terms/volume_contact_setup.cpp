@@ -1,0 +1,203 @@
+// What VolumeContact is made from, and what it shows and keeps.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "hawser/terms/volume_contact.hpp"
+
+namespace hawser {
+
+VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+                             std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes)
+    : bodies_(std::move(bodies)), volumes_(std::move(volumes)), nodes_(std::move(nodes)) {
+  if (!bodies_) bodies_ = std::make_shared<const Bodies>();
+  const size_t owned = static_cast<size_t>(mesh.owned);
+  if (nodes_.size() != owned)
+    throw std::invalid_argument("contact needs one ContactNode for each owned node");
+  for (const ContactVolume& v : volumes_) {
+    if (!v.surface) throw std::invalid_argument("volume " + v.settings.name + " has no surface");
+    if (v.body >= bodies_->size())
+      throw std::invalid_argument("volume " + v.settings.name + " has no such body");
+    if (v.settings.basis == model::StiffnessBasis::automatic || !(v.settings.normal_stiffness > 0))
+      throw std::invalid_argument("volume " + v.settings.name + " has no contact stiffness");
+    boxes_.push_back(v.surface->bounds());
+  }
+  accounts_.resize(owned);
+  before_.resize(owned);
+  after_.resize(owned);
+  element_.assign(owned, 0);
+  for (size_t i = 0; i < owned; ++i) {
+    before_[i] = after_[i] = static_cast<int>(i);
+    global_.push_back(mesh.global[i]);
+    block_.push_back(mesh.block[i]);
+    tributary_.push_back(mesh.mesh->nodes[static_cast<size_t>(mesh.global[i])].tributary);
+  }
+  for (const LocalElement& e : mesh.elements) {
+    const size_t first = static_cast<size_t>(e.first), second = static_cast<size_t>(e.second);
+    const double length = mesh.mesh->elements[static_cast<size_t>(e.global)].length;
+    if (first < owned) after_[first] = e.second, element_[first] = std::max(element_[first], length);
+    if (second < owned) before_[second] = e.first, element_[second] = std::max(element_[second], length);
+  }
+  pose_bodies(0, poses_);
+  start_poses_ = poses_;
+}
+
+ContactLaw VolumeContact::law(int node, int volume) const {
+  const size_t n = static_cast<size_t>(node);
+  const model::Volume& v = volumes_[static_cast<size_t>(volume)].settings;
+  const double diameter = 2 * nodes_[n].radius;
+  double share = 1;  // of the node: what turns the basis into N/m
+  if (v.basis == model::StiffnessBasis::per_length) share = tributary_[n];
+  if (v.basis == model::StiffnessBasis::per_area) share = tributary_[n] * diameter;
+  ContactLaw law;
+  law.normal.stiffness = v.normal_stiffness * share;
+  // A fifth of the penetration the automatic stiffness allows: the ramp stays small beside it.
+  law.normal.smoothing = v.smoothing > 0 ? v.smoothing : 0.001 * diameter;
+  law.normal.damping = contact_damping(v.relative_damping, law.normal.stiffness, nodes_[n].mass);
+  law.friction.axial = v.friction.axial;
+  law.friction.lateral = v.friction.lateral;
+  law.friction.stiffness = v.friction.shear_stiffness * share;
+  const double length = v.friction.mobilisation_length > 0 ? v.friction.mobilisation_length : 0.01 * diameter;
+  law.friction.axial_length = law.friction.lateral_length = length;
+  return law;
+}
+
+void VolumeContact::pose_bodies(double time, std::vector<RigidPose>& poses) const {
+  const int n = bodies_->size();
+  poses.resize(static_cast<size_t>(n) + 1);
+  for (int b = 0; b < n; ++b) poses[static_cast<size_t>(b) + 1] = bodies_->pose(b, time);
+}
+
+Vec3 VolumeContact::line_tangent(const Kinematics& at, int node) const {
+  const size_t n = static_cast<size_t>(node);
+  const Vec3 chord = at.x[static_cast<size_t>(after_[n])] - at.x[static_cast<size_t>(before_[n])];
+  const double length = chord.norm();
+  return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
+}
+
+Energy VolumeContact::energy(const Kinematics&) const {
+  Energy e;
+  for (const Pair& p : pairs_) e.strain += p.history.potential;
+  for (const Account& a : accounts_) e.friction += a.friction, e.damping += a.damping, e.work += a.work;
+  return e;
+}
+
+void VolumeContact::fields(FieldRegistry& registry) const {
+  // Sums (or the largest) over the volumes of `value` of a committed pair.
+  const auto scalar = [this](auto value, bool largest) {
+    return [this, value, largest](const Kinematics&, std::span<double> out) {
+      std::fill(out.begin(), out.end(), 0.0);
+      for (const Pair& p : pairs_) {
+        double& o = out[static_cast<size_t>(p.node)];
+        o = largest ? std::max(o, value(p.history)) : o + value(p.history);
+      }
+    };
+  };
+  const auto vector = [this](auto value) {
+    return [this, value](const Kinematics& at, std::span<double> out) {
+      std::fill(out.begin(), out.end(), 0.0);
+      for (const Pair& p : pairs_) {
+        const Vec3 f =
+            bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time).rotation * value(p.history);
+        for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * p.node + c)] += f[c];
+      }
+    };
+  };
+  registry.add({"contact_force", "N", 3, vector([](const History& h) { return h.force; })});
+  registry.add(
+      {"contact_normal_force", "N", 1, scalar([](const History& h) { return h.normal_force; }, false)});
+  registry.add({"friction_force", "N", 3, vector([](const History& h) { return h.friction; })});
+  registry.add({"penetration", "m", 1, scalar([](const History& h) { return h.depth; }, true)});
+}
+
+namespace {
+constexpr int kAccount = -1;  // key of a node's sums; volumes count from 0
+
+void put(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), v.begin(), v.end()); }
+}  // namespace
+
+std::vector<HistoryRecord> VolumeContact::save() const {
+  std::vector<HistoryRecord> records;
+  for (size_t n = 0; n < accounts_.size(); ++n) {
+    const Account& a = accounts_[n];
+    if (a.depth > 0 || a.friction != 0 || a.damping != 0 || a.work != 0)
+      records.push_back({global_[n],
+                         kAccount,
+                         {a.friction, a.damping, a.work, a.depth, a.time, static_cast<double>(a.volume)}});
+  }
+  for (const Pair& p : pairs_) {
+    const History& h = p.history;
+    if (!h.touches) continue;
+    HistoryRecord r{global_[static_cast<size_t>(p.node)], p.volume, {}};
+    for (const Vec3* v : {&h.slip, &h.normal, &h.force, &h.friction}) put(r.values, *v);
+    r.values.insert(r.values.end(),
+                    {h.normal_force, h.damping_force, h.potential, h.depth, static_cast<double>(h.hint)});
+    records.push_back(std::move(r));
+  }
+  return records;
+}
+
+void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
+  std::unordered_map<int, int> local;
+  for (size_t n = 0; n < global_.size(); ++n) local[global_[n]] = static_cast<int>(n);
+  pairs_.clear();
+  accounts_.assign(accounts_.size(), {});
+  for (const HistoryRecord& r : records) {
+    const auto found = local.find(r.node);
+    if (found == local.end()) continue;
+    const std::vector<double>& v = r.values;
+    if (r.key == kAccount) {
+      if (v.size() != 6) throw std::invalid_argument("a contact record of the checkpoint has the wrong size");
+      accounts_[static_cast<size_t>(found->second)] = {v[0], v[1], v[2], v[3], v[4], static_cast<int>(v[5])};
+      continue;
+    }
+    if (v.size() != 17 || r.key < 0 || r.key >= static_cast<int>(volumes_.size()))
+      throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
+    Pair& p = pairs_.emplace_back();
+    p.node = found->second;
+    p.volume = r.key;
+    History& h = p.history;
+    int at = 0;
+    for (Vec3* part : {&h.slip, &h.normal, &h.force, &h.friction})
+      for (int c = 0; c < 3; ++c) (*part)[c] = v[static_cast<size_t>(at++)];
+    h.normal_force = v[12], h.damping_force = v[13], h.potential = v[14], h.depth = v[15];
+    h.hint = static_cast<int>(v[16]);
+    h.touches = true;
+  }
+  std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
+    return std::pair(a.node, a.volume) < std::pair(b.node, b.volume);
+  });
+}
+
+Penetration VolumeContact::largest_penetration() const {
+  Penetration p;
+  for (size_t n = 0; n < accounts_.size(); ++n)
+    if (accounts_[n].depth > p.depth)
+      p = {accounts_[n].depth, global_[n], accounts_[n].volume, accounts_[n].time};
+  return p;
+}
+
+int VolumeContact::touching() const {
+  return static_cast<int>(
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.history.touches; }));
+}
+
+AutomaticStiffness automatic_contact_stiffness(double radius, double weight, double length, double EA) {
+  const double tension = std::max(weight * length, 1e-4 * EA), bend = std::max(radius, 1.0);
+  const double pressure = tension / bend, allowed = 0.005 * radius;
+  const auto number = [](double v) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", v);
+    return std::string(text);
+  };
+  return {pressure / allowed,
+          "contact stiffness " + number(pressure / allowed) + " N/m per metre of line: a tension of " +
+              number(tension) + " N (" +
+              (weight * length >= 1e-4 * EA ? "the line's weight" : "1e-4 of its EA, more than its weight") +
+              ") bent to a radius of " + number(bend) + " m presses in by 0.5 % of the line's radius, " +
+              number(allowed) + " m"};
+}
+
+}  // namespace hawser
