@@ -125,7 +125,6 @@ struct ResultsFile::Impl {
     if (summary) return;
     attempt([&] { open_all(); });
     agree();
-    if (rank == 0) xdmf->rebuild(times, room.outputs);
   }
 
   void open_all() {
@@ -382,6 +381,8 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   auto impl = Impl::prepare(comm, path, std::move(contents), std::move(owned));
   impl->count = {n[0], n[1]};
   impl->times = progress.output_times;
+  if (rank == 0)
+    for (const double t : impl->times) impl->xdmf->add(t);
   impl->sequence = n[4];
   impl->build({std::max<long long>(impl->contents.expected_outputs, n[0] + 1),
                std::max<long long>(impl->contents.expected_steps, n[1] + 1), n[2], n[3]},
@@ -458,7 +459,6 @@ void ResultsFile::finish(const std::vector<SummaryRow>& summary) {
   m.build({std::max<long long>(m.count.outputs, 1), std::max<long long>(m.count.steps, 1),
            m.room.slot_doubles, m.room.slot_text},
           m.path, &summary);
-  if (m.rank == 0) m.xdmf->rebuild(m.times, m.room.outputs);
   m.save_xdmf(true);
 }
 

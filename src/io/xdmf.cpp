@@ -43,6 +43,7 @@ struct Slab {
   std::string dataset;  // in the HDF5 file
   std::string type;     // NumberType and Precision
   std::vector<long long> start, count, shape;
+  long long row = -1;  // of a dataset with one row an output; the rest is then within the row
 };
 
 const std::string kDouble = "NumberType=\"Float\" Precision=\"8\"";
@@ -50,16 +51,21 @@ const std::string kFloat = "NumberType=\"Float\" Precision=\"4\"";
 const std::string kInt = "NumberType=\"Int\" Precision=\"4\"";
 const std::string kChar = "NumberType=\"Char\" Precision=\"1\"";
 
+// A whole dataset, or a box cut out of it in the way XDMF 3 writes such boxes itself:
+// file:/dataset|start:stride:count:shape. (ParaView 5.11 reads no ItemType="HyperSlab" for node fields.)
+// Of rows it is told no more than up to the one it shall read, so the text stays true when the HDF5 file is
+// made anew with more room.
 std::string item(const std::string& h5, const Slab& s) {
-  std::vector<long long> result(s.count);
-  if (result.size() > 1 && s.count.size() == s.shape.size() && result[0] == 1) result.erase(result.begin());
-  const std::string source = "Format=\"HDF\">" + h5 + ":/" + s.dataset + "</DataItem>";
-  if (s.count == s.shape) return "<DataItem Dimensions=\"" + joined(s.shape) + "\" " + s.type + " " + source;
-  const std::vector<long long> stride(s.start.size(), 1);
-  return "<DataItem ItemType=\"HyperSlab\" Dimensions=\"" + joined(result) + "\" " + s.type +
-         "><DataItem Dimensions=\"3 " + std::to_string(s.start.size()) + "\" Format=\"XML\">" +
-         joined(s.start) + " " + joined(stride) + " " + joined(s.count) +
-         "</DataItem><DataItem Dimensions=\"" + joined(s.shape) + "\" " + s.type + " " + source +
+  std::string text = h5 + ":/" + s.dataset;
+  if (s.row >= 0 || s.count != s.shape) {
+    const std::vector<long long> stride(s.start.size(), 1);
+    const auto part = [&](long long row, const std::vector<long long>& rest) {
+      return (s.row >= 0 ? std::to_string(row) + " " : "") + joined(rest);
+    };
+    text += "|" + part(s.row, s.start) + ":" + part(1, stride) + ":" + part(1, s.count) + ":" +
+            part(s.row + 1, s.shape);
+  }
+  return "<DataItem Dimensions=\"" + joined(s.count) + "\" " + s.type + " Format=\"HDF\">" + text +
          "</DataItem>";
 }
 
@@ -98,65 +104,63 @@ XdmfWriter::XdmfWriter(const ResultContents& contents, const std::string& h5_nam
   }
 }
 
-void XdmfWriter::rebuild(const std::vector<double>& times, long long capacity) {
-  capacity_ = capacity, outputs_ = 0;
-  body_.clear();
-  for (const double t : times) add(t);
-}
-
 void XdmfWriter::add(double time) {
-  const auto& c = *contents_;
-  const long long row = outputs_++, total = c.nodes_total();
+  const long long row = outputs_++;
   char number[32];
   std::snprintf(number, sizeof number, "%.17g", time);
   body_ += "<Grid Name=\"output\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time Value=\"";
   body_ += number;
   body_ += "\"/>\n";
+  add_lines(row);
+  add_volumes(row);
+  body_ += "</Grid>\n";
+}
 
+void XdmfWriter::add_lines(long long row) {
+  const auto& c = *contents_;
+  const long long total = c.nodes_total(), lines = static_cast<long long>(c.lines.size());
   const auto grid = [&](const std::string& name, long long first, long long nodes,
                         const std::string& topology) {
     body_ += "<Grid Name=\"" + escaped(name) + "\" GridType=\"Uniform\">\n" + topology;
     for (const auto& f : c.fields) {
-      Slab s{"fields/" + safe_name(f.name), kDouble, {row, first}, {1, nodes}, {capacity_, total}};
+      Slab s{"fields/" + safe_name(f.name), kDouble, {first}, {nodes}, {total}, row};
       if (f.components > 1)
         s.start.push_back(0), s.count.push_back(f.components), s.shape.push_back(f.components);
+      const char* kind = f.components == 1 ? "Scalar" : f.components == 3 ? "Vector" : "Matrix";
       if (f.name == "position")
         body_ += "<Geometry GeometryType=\"XYZ\">" + item(h5_name_, s) + "</Geometry>\n";
-      else if (f.components == 1)
-        body_ += attribute(f.name, "Scalar", "Node", item(h5_name_, s));
-      else if (f.components == 3)
-        body_ += attribute(f.name, "Vector", "Node", item(h5_name_, s));
       else
-        body_ += attribute(f.name, "Matrix", "Node", item(h5_name_, s));
+        body_ += attribute(f.name, kind, "Node", item(h5_name_, s));
     }
     body_ += attribute("arc_length", "Scalar", "Node",
                        item(h5_name_, {"nodes/arc_length", kDouble, {first}, {nodes}, {total}}));
+    body_ +=
+        attribute("line", "Scalar", "Node", item(h5_name_, {"nodes/line", kInt, {first}, {nodes}, {total}}));
     body_ += "</Grid>\n";
   };
-  if (c.lines.size() <= kSeparateLines) {
-    for (const auto& line : c.lines)
-      grid(line.name, line.first_node, line.nodes,
-           "<Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"" +
-               std::to_string(line.nodes) + "\">" +
-               item(h5_name_, {"nodes/number", kInt, {0}, {line.nodes}, {total}}) + "</Topology>\n");
-  } else {
-    const long long cells = total + 2 * static_cast<long long>(c.lines.size());
-    grid(
-        "lines", 0, total,
-        "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(c.lines.size()) + "\">" +
-            item(h5_name_, {"lines/cells", kInt, {0}, {cells}, {cells}}) + "</Topology>\n" +
-            attribute("line", "Scalar", "Node", item(h5_name_, {"nodes/line", kInt, {0}, {total}, {total}})));
+  if (c.lines.size() > kSeparateLines) {
+    const long long cells = total + 2 * lines;
+    grid("lines", 0, total,
+         "<Topology TopologyType=\"Mixed\" NumberOfElements=\"" + std::to_string(lines) + "\">" +
+             item(h5_name_, {"lines/cells", kInt, {0}, {cells}, {cells}}) + "</Topology>\n");
+    return;
   }
+  for (const auto& line : c.lines)
+    grid(line.name, line.first_node, line.nodes,
+         "<Topology TopologyType=\"Polyline\" NumberOfElements=\"1\" NodesPerElement=\"" +
+             std::to_string(line.nodes) + "\">" +
+             item(h5_name_, {"nodes/number", kInt, {0}, {line.nodes}, {total}}) + "</Topology>\n");
+}
 
-  for (size_t i = 0; i < c.volumes.size(); ++i) {
-    const auto& v = c.volumes[i];
+void XdmfWriter::add_volumes(long long row) {
+  for (size_t i = 0; i < drawn_.size(); ++i) {
+    const auto& v = contents_->volumes[i];
     const Drawn& d = drawn_[i];
     const long long nv = d.vertices, nt = d.triangles;
     const Slab triangles{
         places_[i] + (d.boxed ? "/box_triangles" : "/triangles"), kInt, {0, 0}, {nt, 3}, {nt, 3}};
-    const Slab points = d.moves
-                            ? Slab{places_[i] + "/moved", kFloat, {row, 0, 0}, {1, nv, 3}, {capacity_, nv, 3}}
-                            : Slab{places_[i] + "/vertices", kDouble, {0, 0}, {nv, 3}, {nv, 3}};
+    const Slab points = d.moves ? Slab{places_[i] + "/moved", kFloat, {0, 0}, {nv, 3}, {nv, 3}, row}
+                                : Slab{places_[i] + "/vertices", kDouble, {0, 0}, {nv, 3}, {nv, 3}};
     body_ += "<Grid Name=\"" + escaped(v.name) + "\" GridType=\"Uniform\">\n" +
              "<Topology TopologyType=\"Triangle\" NumberOfElements=\"" + std::to_string(nt) + "\">" +
              item(h5_name_, triangles) + "</Topology>\n<Geometry GeometryType=\"XYZ\">" +
@@ -166,7 +170,6 @@ void XdmfWriter::add(double time) {
                          item(h5_name_, {places_[i] + "/active", kChar, {0}, {nt}, {nt}}));
     body_ += "</Grid>\n";
   }
-  body_ += "</Grid>\n";
 }
 
 void XdmfWriter::save(const std::string& path) const {

@@ -18,14 +18,15 @@ class XdmfWriter {
   // The contents must outlive the writer. `h5_name`: file name without folder; both files lie side by side.
   XdmfWriter(const ResultContents& contents, const std::string& h5_name);
 
-  // From the start, for datasets with `capacity` rows.
-  void rebuild(const std::vector<double>& times, long long capacity);
   void add(double time);
 
   // Throws std::runtime_error when the file cannot be written.
   void save(const std::string& path) const;
 
  private:
+  void add_lines(long long row);
+  void add_volumes(long long row);
+
   struct Drawn {
     long long vertices, triangles;
     bool moves, boxed;
@@ -34,7 +35,7 @@ class XdmfWriter {
   std::string h5_name_, body_;
   std::vector<std::string> places_;  // of the volumes in the HDF5 file
   std::vector<Drawn> drawn_;
-  long long capacity_ = 0, outputs_ = 0;
+  long long outputs_ = 0;
 };
 
 }  // namespace hawser::io
