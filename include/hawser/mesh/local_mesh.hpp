@@ -15,16 +15,18 @@ struct LocalElement {
 
 struct LocalMesh {
   const Mesh* mesh = nullptr;
-  int owned = 0;                      // owned nodes; local nodes [0, owned) in file order
-  std::vector<int> global;            // local node -> node
-  std::vector<int> block;             // local node -> its first local 3-block (position; +1: rotation)
-  int owned_blocks = 0;               // local blocks [0, owned_blocks) are rows of this rank
-  std::vector<int> global_block;      // local block -> block of the parallel numbering
-  std::vector<LocalElement> elements; // every element that touches an owned node
+  int owned = 0;                       // owned nodes; local nodes [0, owned) in file order
+  std::vector<int> global;             // local node -> node
+  std::vector<int> block;              // local node -> its first local 3-block (position; +1: rotation)
+  int owned_blocks = 0;                // local blocks [0, owned_blocks) are rows of this rank
+  std::vector<int> global_block;       // local block -> block of the parallel numbering
+  std::vector<LocalElement> elements;  // every element that touches an owned node
 
   int nodes() const { return static_cast<int>(global.size()); }
   int blocks() const { return static_cast<int>(global_block.size()); }
-  bool rotates(int local) const { return mesh->nodes[static_cast<size_t>(global[static_cast<size_t>(local)])].rotates; }
+  bool rotates(int local) const {
+    return mesh->nodes[static_cast<size_t>(global[static_cast<size_t>(local)])].rotates;
+  }
 };
 
 }  // namespace hawser

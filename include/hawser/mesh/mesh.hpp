@@ -13,9 +13,9 @@ struct Case;
 
 struct Node {
   int line = 0;
-  double arc = 0;          // m, unstretched arc length from end A
-  double tributary = 0;    // m, half the lengths of the elements at this node
-  bool rotates = false;    // beam node: two 3-blocks; cable node: one
+  double arc = 0;        // m, unstretched arc length from end A
+  double tributary = 0;  // m, half the lengths of the elements at this node
+  bool rotates = false;  // beam node: two 3-blocks; cable node: one
 };
 
 struct Element {

@@ -12,8 +12,8 @@
 namespace hawser {
 
 struct FieldSource {
-  std::string name;   // "effective_tension"
-  std::string unit;   // "N"
+  std::string name;  // "effective_tension"
+  std::string unit;  // "N"
   int components = 1;
   // Fills values[node * components + c] for this rank's owned nodes from an accepted state.
   std::function<void(const Kinematics& at, std::span<double> values)> fill;

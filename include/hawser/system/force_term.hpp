@@ -15,7 +15,8 @@ namespace hawser {
 // Sums over what this rank counts, J. The last four are accumulated over the accepted steps.
 struct Energy {
   double kinetic = 0, strain = 0, potential = 0;
-  double friction = 0, damping = 0, work = 0;  // taken out by friction, by damping; brought in by moving bodies
+  double friction = 0, damping = 0,
+         work = 0;  // taken out by friction, by damping; brought in by moving bodies
 
   Energy& operator+=(const Energy& o) {
     kinetic += o.kinetic, strain += o.strain, potential += o.potential;

@@ -11,9 +11,11 @@
 
 namespace hawser {
 
-// J = K T + wC C + wM M, where T is the right Jacobian of the step's rotation increments.
+// J = wK K T + wC C + wM M, where T is the right Jacobian of the step's rotation increments, plus a shift of
+// the free diagonal: N/m on positions, N m on rotations.
 struct Weights {
-  double C = 0, M = 0;
+  double K = 1, C = 0, M = 0;
+  double shift_position = 0, shift_rotation = 0;
 };
 
 class Sink {
@@ -31,9 +33,9 @@ class Sink {
 
  private:
   friend class System;
-  std::vector<double>* force_ = nullptr;      // 3 * local blocks
-  double force_square_ = 0;                   // sum of squares of what was added to owned position rows
-  double moment_square_ = 0;                  // the same, rotation rows
+  std::vector<double>* force_ = nullptr;  // 3 * local blocks
+  double force_square_ = 0;               // sum of squares of what was added to owned position rows
+  double moment_square_ = 0;              // the same, rotation rows
   Mat matrix_ = nullptr;
   Weights weights_;
   bool convex_ = false;
@@ -41,7 +43,8 @@ class Sink {
   const std::vector<int>* global_block_ = nullptr;
   const std::vector<Mat3>* retraction_ = nullptr;   // per local block; empty: identity everywhere
   const std::vector<char>* is_rotation_ = nullptr;  // per local block
-  const std::vector<unsigned char>* held_ = nullptr;  // per local block: bit c set when component c is prescribed
+  const std::vector<unsigned char>* held_ =
+      nullptr;  // per local block: bit c set when component c is prescribed
 };
 
 }  // namespace hawser

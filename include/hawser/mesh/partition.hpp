@@ -1,0 +1,20 @@
+// Which rank owns which node.
+#pragma once
+
+#include <vector>
+
+#include "hawser/mesh/local_mesh.hpp"
+
+namespace hawser {
+
+// Owner of every node: METIS k-way on the graph of elements, vertices weighed by the work of a node, edges
+// along a chain heavy so that lines are cut as seldom as balance allows. Same answer on every rank.
+std::vector<int> partition(const Mesh& mesh, int ranks);
+
+// This rank's part. `owner` has one rank a node.
+LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks);
+
+// Elements whose nodes belong to different ranks.
+int cut_elements(const Mesh& mesh, const std::vector<int>& owner);
+
+}  // namespace hawser

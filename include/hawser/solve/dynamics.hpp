@@ -1,0 +1,97 @@
+// Time integration of a system: a PETSc TS whose steps are generalized-alpha steps on the Lie group, each
+// solved by SNES, retried shorter when they fail.
+#pragma once
+
+#include <petscts.h>
+
+#include <exception>
+#include <functional>
+#include <string>
+
+#include "hawser/solve/generalized_alpha.hpp"
+#include "hawser/solve/linear_solver.hpp"
+#include "hawser/solve/step_control.hpp"
+#include "hawser/system/system.hpp"
+
+namespace hawser {
+
+struct DynamicsSettings {
+  double rho_infinity = 0.8;
+  double tolerance = 1e-8;  // of the residual, against the size of its contributions
+  int max_iterations = 20;  // Newton, before a step counts as failed
+  StepSettings step;
+};
+
+// What happened in one accepted step.
+struct StepInfo {
+  double time = 0, h = 0;  // s, at its end; its length
+  int iterations = 0;      // Newton, of the accepted try
+  int rejected = 0;        // tries before it
+  double error = 0;        // m, estimated local error
+};
+
+class Dynamics {
+ public:
+  // Called after every accepted step; false stops the run.
+  using Observer = std::function<bool(const StepInfo&)>;
+
+  Dynamics(System& system, const DynamicsSettings& settings);
+
+  // Starts from positions, rotations and velocities; accelerations come from the mass matrix.
+  void start(const State& state);
+  // Starts from a checkpoint: nothing is recomputed.
+  void resume(const AlphaState& state, double step_wish, int step_wait, double support_work);
+
+  // Integrates to `until` [s]; steps end exactly at the times `next_stop` names (> its argument).
+  // Throws SolveError, naming line, arc length and cause, when the shortest step fails.
+  void run(double until, const std::function<double(double)>& next_stop, const Observer& observer);
+
+  const AlphaState& committed() const { return committed_; }
+  Kinematics kinematics() const { return committed_.s.view(last_step_); }
+  const StepControl& control() const { return control_; }
+  double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
+  long newton_iterations() const { return total_iterations_; }
+
+  // Used by the TS type.
+  struct Attempt {
+    bool converged = false;
+    int iterations = 0;
+    double error = 0;
+  };
+  Attempt attempt(double h);
+  void accept(double h);
+  PetscErrorCode ts_step(TS ts);
+
+ private:
+  static PetscErrorCode residual(SNES, Vec u, Vec r, void* self);
+  static PetscErrorCode jacobian(SNES, Vec u, Mat, Mat P, void* self);
+  static PetscErrorCode converged(SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason*,
+                                  void*);
+  void load(Vec u);
+  std::string failure(double h) const;
+
+  System& system_;
+  DynamicsSettings settings_;
+  AlphaCoefficients alpha_;
+  StepControl control_;
+  AlphaState committed_, trial_;
+  double h_ = 0, last_step_ = 0;
+  std::vector<double> local_u_, gathered_, reactions_;
+  bool loaded_ = false;  // trial_ belongs to local_u_
+  VecHandle u_, r_, solution_;
+  MatHandle J_;
+  Handle<TS, TSDestroy> ts_;
+  SNES snes_ = nullptr;
+  ResidualNorms norms_;
+  double support_work_ = 0;
+  long total_iterations_ = 0;
+  std::function<double(double)> next_stop_;
+  Observer observer_;
+  std::exception_ptr error_;  // carried through PETSc's C frames
+};
+
+// Registers the TS type "liealpha" (once).
+void register_lie_alpha();
+void lie_alpha_attach(TS ts, Dynamics* dynamics);
+
+}  // namespace hawser

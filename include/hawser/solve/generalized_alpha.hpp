@@ -1,0 +1,43 @@
+// Generalized-alpha on R³ x SO(3), with equilibrium at the end of the step.
+// Arnold & Brüls (2007), "Convergence of the generalized-alpha scheme for constrained mechanical systems",
+// Multibody System Dynamics 18; rotations as in Brüls & Cardona (2010), J. Comput. Nonlinear Dynam. 5.
+#pragma once
+
+#include <vector>
+
+#include "hawser/state/state.hpp"
+#include "hawser/system/sink.hpp"
+#include "hawser/system/supports.hpp"
+
+namespace hawser {
+
+// Chung & Hulbert (1993): second order, unconditionally stable, spectral radius rho at infinite frequency.
+struct AlphaCoefficients {
+  double am, af, gamma, beta;
+  explicit AlphaCoefficients(double rho_infinity);
+};
+
+// A committed state with the algorithmic accelerations that the scheme carries from step to step.
+struct AlphaState {
+  State s;
+  std::vector<Vec3> ax, aw;  // algorithmic accelerations, m/s² and rad/s² (material)
+};
+
+// The scheme's velocity and acceleration of a trial increment u (3 * local blocks, ghosts included) over a
+// step h from `from`; configuration by retraction; prescribed components from the supports.
+void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoefficients& c, double h,
+                 const AlphaState& from, const std::vector<double>& u, AlphaState& trial);
+
+// Increment that the scheme predicts when the algorithmic acceleration does not change.
+void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, const AlphaState& from,
+                   std::vector<double>& u);
+
+// Weights of K, C and M in the step's tangent.
+Weights alpha_weights(const AlphaCoefficients& c, double h);
+
+// Local error of position, m, at this rank's nodes: |1/6 - beta| h² |change of acceleration|
+// (Zienkiewicz & Xie 1991, eq. 17).
+double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, const AlphaState& from,
+                   const AlphaState& to);
+
+}  // namespace hawser

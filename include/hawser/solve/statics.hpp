@@ -1,0 +1,34 @@
+// Static equilibrium from a start shape that may be far from it.
+//
+// Newton on the potential energy with a Levenberg shift and an energy line search: far away the tangent drops
+// compression (so it is positive and the step goes downhill), near the solution it is exact and the last
+// iterations are quadratic. The configuration is re-based every iteration, so rotations of any size are met
+// by small increments. At the end the inertia of the tangent tells a stable equilibrium from a false one
+// (a straight line of compressed elements, say), which is left and the search goes on.
+#pragma once
+
+#include <string>
+
+#include "hawser/solve/linear_solver.hpp"
+#include "hawser/state/state.hpp"
+#include "hawser/system/system.hpp"
+
+namespace hawser {
+
+struct StaticsSettings {
+  double tolerance = 1e-8;  // of the residual, against the size of its contributions
+  int max_iterations = 500;
+};
+
+struct StaticsReport {
+  int iterations = 0;
+  int escapes = 0;               // false equilibria left
+  int negative_eigenvalues = 0;  // of the final tangent; -1: not known
+  ResidualNorms norms;
+};
+
+// Moves `state` (positions and rotations; rates are zeroed) to equilibrium at state.time and commits the
+// terms there. Throws SolveError naming line, arc length and what is out of balance.
+StaticsReport solve_statics(System& system, const StaticsSettings& settings, State& state);
+
+}  // namespace hawser

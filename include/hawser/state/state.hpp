@@ -1,0 +1,29 @@
+// Position, velocity and acceleration of this rank's nodes as owned arrays, and the retraction.
+#pragma once
+
+#include <vector>
+
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/state/kinematics.hpp"
+
+namespace hawser {
+
+struct State {
+  double time = 0;
+  std::vector<Vec3> x, v, a;
+  std::vector<Quat> q;
+  std::vector<Vec3> w, alpha;
+
+  explicit State(int nodes = 0) { resize(nodes); }
+  void resize(int nodes) {
+    const size_t n = static_cast<size_t>(nodes);
+    for (auto* s : {&x, &v, &a, &w, &alpha}) s->assign(n, Vec3::Zero());
+    q.assign(n, Quat::Identity());
+  }
+  Kinematics view(double step) const { return {time, step, x, v, a, q, w, alpha}; }
+};
+
+// Configuration x + u_x, R exp(u_theta) from a local block vector u[3 * blocks] (ghosts included).
+void retract(const LocalMesh& mesh, const State& from, const double* u, State& to);
+
+}  // namespace hawser

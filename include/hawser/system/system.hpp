@@ -1,0 +1,74 @@
+// One rank's share of the discrete equations: terms, supports, and their assembly into PETSc objects.
+#pragma once
+
+#include <petscmat.h>
+
+#include <memory>
+#include <vector>
+
+#include "hawser/base/handle.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/state/state.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/system/supports.hpp"
+
+namespace hawser {
+
+using VecHandle = Handle<Vec, VecDestroy>;
+using MatHandle = Handle<Mat, MatDestroy>;
+
+// What the residual is measured against: root of the sum of squares of all contributions, over all ranks.
+struct ResidualNorms {
+  double force = 0, moment = 0;  // N, N m, of the free components
+  double force_scale = 0, moment_scale = 0;
+};
+
+class System {
+ public:
+  System(MPI_Comm comm, LocalMesh mesh);
+
+  MPI_Comm comm() const { return comm_; }
+  const LocalMesh& mesh() const { return mesh_; }
+  const Supports& supports() const { return supports_; }
+  const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
+
+  void add(std::unique_ptr<ForceTerm> term);
+  void support(std::vector<Support> supports, BodyMotion motion);
+
+  // A ghosted increment vector (blocks of 3) and the tangent with the pattern of the chains.
+  VecHandle create_vector() const;
+  MatHandle create_matrix() const;
+  // Local values of a ghosted vector after refreshing its ghosts, copied to `out` (3 * local blocks).
+  void gather(Vec u, std::vector<double>& out) const;
+
+  // r = sum of all terms at the trial state; held components of r are zero, their reactions are kept.
+  void residual(const Kinematics& trial, Vec r);
+  // J = K T(u) + wC C + wM M; rows and columns of held components are the identity's. `u` are the local
+  // increments that led to the trial (3 * local blocks).
+  void tangent(const Kinematics& trial, Weights weights, const std::vector<double>& u, bool convex, Mat J);
+
+  // Of the last residual() call. Collective.
+  ResidualNorms norms(Vec r) const;
+  // The force that the support (or whatever holds the component) exerts on the line: the residual of the
+  // last residual() call before held components were zeroed; 3 * local blocks, valid for owned blocks.
+  const std::vector<double>& reactions() const { return force_; }
+
+  void prepare(const Kinematics& committed, double h);
+  void commit(const Kinematics& accepted);
+  // Summed over the terms, this rank's share.
+  Energy energy(const Kinematics& at) const;
+  FieldRegistry fields() const;
+
+ private:
+  MPI_Comm comm_;
+  LocalMesh mesh_;
+  Supports supports_;
+  std::vector<std::unique_ptr<ForceTerm>> terms_;
+  std::vector<PetscLogEvent> residual_event_, tangent_event_;  // -log_view names time by term
+  std::vector<char> is_rotation_;
+  std::vector<double> force_;
+  std::vector<Mat3> retraction_;
+  double force_square_ = 0, moment_square_ = 0;
+};
+
+}  // namespace hawser

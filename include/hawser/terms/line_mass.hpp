@@ -1,0 +1,61 @@
+// Inertia, weight and distributed dead loads of all lines.
+#pragma once
+
+#include <vector>
+
+#include "hawser/kernels/line_mass.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/state/state.hpp"
+#include "hawser/system/force_term.hpp"
+
+namespace hawser {
+
+namespace model {
+struct Case;
+}
+
+class LineMassTerm final : public ForceTerm {
+ public:
+  struct Load {
+    Vec3 per_length = Vec3::Zero();  // N/m of unstretched element length
+    double ramp = 0;                 // s, smooth start; 0: acts always
+  };
+  struct Piece {
+    LocalElement at;
+    bool beam = true;
+    int blocks[4];
+    MassSection section;
+    Vec3 load = Vec3::Zero();          // N/m, weight and lasting loads
+    int first_ramped = 0, ramped = 0;  // into the list of ramped loads
+  };
+
+  LineMassTerm(const LocalMesh& mesh, std::vector<Piece> pieces, std::vector<Load> ramped_loads);
+
+  // Masses and distributed loads of the case; gravity along -z.
+  LineMassTerm(const LocalMesh& mesh, const model::Case& c);
+
+  std::string_view name() const override { return "mass"; }
+  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void prepare(const Kinematics& committed, double h) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+
+ private:
+  struct Built {
+    std::vector<Piece> pieces;
+    std::vector<Load> ramped;
+  };
+  static Built build(const LocalMesh& mesh, const model::Case& c);
+  LineMassTerm(const LocalMesh& mesh, Built built);
+
+  Vec3 ramped_load(const Piece& p, double t) const;
+  Vec3 load(const Piece& p, double t) const { return p.ramped ? Vec3(p.load + ramped_load(p, t)) : p.load; }
+
+  const LocalMesh& mesh_;
+  std::vector<Piece> pieces_;
+  std::vector<Load> ramped_;
+  State committed_;  // for the work of ramped loads only
+  double work_ = 0;  // J, done by ramped loads
+};
+
+}  // namespace hawser

@@ -1,0 +1,57 @@
+// Internal forces of all lines: beams and cables.
+#pragma once
+
+#include <vector>
+
+#include "hawser/kernels/beam.hpp"
+#include "hawser/kernels/cable.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/system/force_term.hpp"
+
+namespace hawser {
+
+namespace model {
+struct Case;
+}
+
+class StructureTerm final : public ForceTerm {
+ public:
+  struct Beam {
+    LocalElement at;
+    int blocks[4];  // x1, theta1, x2, theta2
+    BeamSection section;
+    BeamReference reference;
+  };
+  struct Cable {
+    LocalElement at;
+    int blocks[2];
+    CableSection section;
+  };
+
+  StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
+
+  // Line types of the case on the elements of the mesh; every beam straight when free of stress.
+  StructureTerm(const LocalMesh& mesh, const model::Case& c);
+
+  std::string_view name() const override { return "structure"; }
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  void fields(FieldRegistry& registry) const override;
+
+  std::vector<Beam>& beams() { return beams_; }
+  const std::vector<Beam>& beams() const { return beams_; }
+
+ private:
+  double dissipation(const Kinematics& at) const;
+
+  const LocalMesh& mesh_;
+  std::vector<Beam> beams_;
+  std::vector<Cable> cables_;
+  bool damped_ = false;
+  double power_ = -1;   // W, dissipated at the committed state; < 0: not known yet
+  double damping_ = 0;  // J, dissipated so far
+};
+
+}  // namespace hawser

@@ -1,0 +1,67 @@
+#include "hawser/mesh/mesh.hpp"
+
+#include <cmath>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser {
+namespace {
+
+// Lengths of n elements over `length`, the last `ratio` times the first, in geometric progression.
+std::vector<double> graded_lengths(double length, int n, double ratio) {
+  std::vector<double> l(static_cast<size_t>(n), length / n);
+  if (n < 2 || ratio == 1) return l;
+  const double q = std::pow(ratio, 1.0 / (n - 1));
+  double sum = 0;
+  for (size_t i = 0; i < l.size(); ++i) sum += l[i] = std::pow(q, static_cast<double>(i));
+  for (double& x : l) x *= length / sum;
+  return l;
+}
+
+}  // namespace
+
+Mesh build_mesh(const model::Case& c) {
+  Mesh m;
+  for (size_t i = 0; i < c.lines.size(); ++i) {
+    const auto& line = c.lines[i];
+    LineSpan span;
+    span.first_node = static_cast<int>(m.nodes.size());
+    span.first_element = static_cast<int>(m.elements.size());
+    const int number = static_cast<int>(i);
+    m.nodes.push_back({number, 0, 0, false});
+    for (const auto& section : line.sections) {
+      int type = 0;
+      while (c.line_types[static_cast<size_t>(type)].name != section.type) ++type;
+      const bool beam = c.line_types[static_cast<size_t>(type)].kind == model::LineKind::beam;
+      const double start = m.nodes.back().arc;
+      double along = 0;
+      for (double l : graded_lengths(section.length, section.elements, section.grading)) {
+        along += l;
+        const int a = static_cast<int>(m.nodes.size()) - 1;
+        m.nodes.push_back({number, start + along, 0, false});
+        m.elements.push_back({number, a, a + 1, type, l, beam});
+        for (int n : {a, a + 1}) {
+          m.nodes[static_cast<size_t>(n)].tributary += 0.5 * l;
+          m.nodes[static_cast<size_t>(n)].rotates |= beam;
+        }
+      }
+      m.nodes.back().arc = start + section.length;
+    }
+    span.nodes = static_cast<int>(m.nodes.size()) - span.first_node;
+    span.elements = static_cast<int>(m.elements.size()) - span.first_element;
+    span.length = m.nodes.back().arc;
+    m.lines.push_back(span);
+  }
+  return m;
+}
+
+int Mesh::nearest_node(int line, double s) const {
+  const LineSpan& span = lines[static_cast<size_t>(line)];
+  int best = span.first_node;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n)
+    if (std::abs(nodes[static_cast<size_t>(n)].arc - s) < std::abs(nodes[static_cast<size_t>(best)].arc - s))
+      best = n;
+  return best;
+}
+
+}  // namespace hawser

@@ -1,0 +1,101 @@
+#include "hawser/mesh/partition.hpp"
+
+#include <metis.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace hawser {
+namespace {
+
+// Relative cost of a node in an implicit step (docs/performance.md): kernels, assembly and factorisation.
+constexpr idx_t kBeamWork = 5, kCableWork = 1;
+constexpr idx_t kChainEdge = 100;
+
+}  // namespace
+
+std::vector<int> partition(const Mesh& mesh, int ranks) {
+  const size_t n = mesh.nodes.size();
+  std::vector<int> owner(n, 0);
+  if (ranks == 1) return owner;
+  std::vector<idx_t> degree(n, 0), weight(n);
+  for (const Element& e : mesh.elements)
+    ++degree[static_cast<size_t>(e.first)], ++degree[static_cast<size_t>(e.second)];
+  std::vector<idx_t> start(n + 1, 0), next, edge;
+  for (size_t i = 0; i < n; ++i) {
+    start[i + 1] = start[i] + degree[i];
+    weight[i] = mesh.nodes[i].rotates ? kBeamWork : kCableWork;
+  }
+  next.resize(static_cast<size_t>(start[n])), edge.assign(next.size(), kChainEdge);
+  std::vector<idx_t> fill(start.begin(), start.end() - 1);
+  for (const Element& e : mesh.elements) {
+    next[static_cast<size_t>(fill[static_cast<size_t>(e.first)]++)] = e.second;
+    next[static_cast<size_t>(fill[static_cast<size_t>(e.second)]++)] = e.first;
+  }
+  idx_t vertices = static_cast<idx_t>(n), constraints = 1, parts = ranks, cut = 0;
+  idx_t options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_SEED] = 1;  // every rank computes the same cut
+  std::vector<idx_t> part(n);
+  const int status =
+      METIS_PartGraphRecursive(&vertices, &constraints, start.data(), next.data(), weight.data(), nullptr,
+                               edge.data(), &parts, nullptr, nullptr, options, &cut, part.data());
+  if (status != METIS_OK) throw std::runtime_error("METIS could not cut the lines into parts");
+  for (size_t i = 0; i < n; ++i) owner[i] = static_cast<int>(part[i]);
+  return owner;
+}
+
+LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks) {
+  LocalMesh l;
+  l.mesh = &mesh;
+  // Parallel numbering: rank by rank, in file order within a rank.
+  std::vector<int> count(static_cast<size_t>(ranks) + 1, 0);
+  auto width = [&](size_t n) { return mesh.nodes[n].rotates ? 2 : 1; };
+  for (size_t n = 0; n < owner.size(); ++n) count[static_cast<size_t>(owner[n]) + 1] += width(n);
+  for (size_t r = 0; r < static_cast<size_t>(ranks); ++r) count[r + 1] += count[r];
+  std::vector<int> first_block(owner.size());
+  for (size_t n = 0; n < owner.size(); ++n) {
+    int& next = count[static_cast<size_t>(owner[n])];
+    first_block[n] = next;
+    next += width(n);
+  }
+
+  std::vector<int> ghosts;
+  for (size_t n = 0; n < owner.size(); ++n)
+    if (owner[n] == rank) l.global.push_back(static_cast<int>(n));
+  l.owned = static_cast<int>(l.global.size());
+  for (const Element& e : mesh.elements) {
+    const bool a = owner[static_cast<size_t>(e.first)] == rank,
+               b = owner[static_cast<size_t>(e.second)] == rank;
+    if (a && !b) ghosts.push_back(e.second);
+    if (b && !a) ghosts.push_back(e.first);
+  }
+  std::sort(ghosts.begin(), ghosts.end());
+  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
+  l.global.insert(l.global.end(), ghosts.begin(), ghosts.end());
+
+  std::unordered_map<int, int> local;
+  for (int i = 0; i < l.nodes(); ++i) {
+    const size_t n = static_cast<size_t>(l.global[static_cast<size_t>(i)]);
+    local[static_cast<int>(n)] = i;
+    l.block.push_back(static_cast<int>(l.global_block.size()));
+    for (int k = 0; k < width(n); ++k) l.global_block.push_back(first_block[n] + k);
+    if (i + 1 == l.owned) l.owned_blocks = l.blocks();
+  }
+  for (size_t i = 0; i < mesh.elements.size(); ++i) {
+    const Element& e = mesh.elements[i];
+    const bool a = owner[static_cast<size_t>(e.first)] == rank,
+               b = owner[static_cast<size_t>(e.second)] == rank;
+    if (a || b) l.elements.push_back({local.at(e.first), local.at(e.second), static_cast<int>(i), a});
+  }
+  return l;
+}
+
+int cut_elements(const Mesh& mesh, const std::vector<int>& owner) {
+  return static_cast<int>(std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
+    return owner[static_cast<size_t>(e.first)] != owner[static_cast<size_t>(e.second)];
+  }));
+}
+
+}  // namespace hawser

@@ -1,0 +1,233 @@
+#include "hawser/solve/dynamics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser {
+
+Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
+    : system_(system), settings_(settings), alpha_(settings.rho_infinity), control_(settings.step) {
+  u_ = system_.create_vector();
+  check(VecDuplicate(u_.get(), r_.out()));
+  check(VecDuplicate(u_.get(), solution_.out()));
+  J_ = system_.create_matrix();
+  register_lie_alpha();
+  check(TSCreate(system_.comm(), ts_.out()));
+  check(TSSetOptionsPrefix(ts_.get(), "dynamics_"));
+  check(TSSetProblemType(ts_.get(), TS_NONLINEAR));
+  check(TSSetType(ts_.get(), "liealpha"));
+  lie_alpha_attach(ts_.get(), this);
+  check(TSSetExactFinalTime(ts_.get(), TS_EXACTFINALTIME_STEPOVER));
+  check(TSGetSNES(ts_.get(), &snes_));
+  check(SNESSetType(snes_, SNESNEWTONLS));
+  SNESLineSearch search = nullptr;
+  check(SNESGetLineSearch(snes_, &search));
+  check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
+  check(SNESSetFunction(snes_, r_.get(), residual, this));
+  check(SNESSetJacobian(snes_, J_.get(), J_.get(), jacobian, this));
+  check(SNESSetTolerances(snes_, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, settings_.max_iterations,
+                          PETSC_DEFAULT));
+  check(SNESSetConvergenceTest(snes_, converged, this, nullptr));
+  KSP ksp = nullptr;
+  check(SNESGetKSP(snes_, &ksp));
+  configure_linear_solver(ksp, system_, "dynamics_");
+  check(TSSetSolution(ts_.get(), solution_.get()));
+  check(TSSetFromOptions(ts_.get()));
+}
+
+void Dynamics::load(Vec u) {
+  system_.gather(u, gathered_);
+  if (loaded_ && gathered_ == local_u_) return;  // the tangent is asked where the residual was
+  std::swap(gathered_, local_u_);
+  alpha_trial(system_.mesh(), system_.supports(), alpha_, h_, committed_, local_u_, trial_);
+  loaded_ = true;
+}
+
+PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
+  PetscFunctionBegin;
+  auto& d = *static_cast<Dynamics*>(self);
+  try {
+    d.load(u);
+    d.system_.residual(d.trial_.s.view(d.h_), r);
+  } catch (...) {
+    d.error_ = std::current_exception();
+    PetscFunctionReturn(PETSC_ERR_LIB);
+  }
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode Dynamics::jacobian(SNES, Vec u, Mat, Mat P, void* self) {
+  PetscFunctionBegin;
+  auto& d = *static_cast<Dynamics*>(self);
+  try {
+    d.load(u);
+    d.system_.tangent(d.trial_.s.view(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, P);
+  } catch (...) {
+    d.error_ = std::current_exception();
+    PetscFunctionReturn(PETSC_ERR_LIB);
+  }
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal, PetscReal fnorm,
+                                   SNESConvergedReason* reason, void* self) {
+  PetscFunctionBegin;
+  auto& d = *static_cast<Dynamics*>(self);
+  *reason = SNES_CONVERGED_ITERATING;
+  if (!std::isfinite(fnorm)) {
+    *reason = SNES_DIVERGED_FNORM_NAN;
+    PetscFunctionReturn(0);
+  }
+  try {
+    Vec r = nullptr;
+    PetscCall(SNESGetFunction(snes, &r, nullptr, nullptr));
+    d.norms_ = d.system_.norms(r);
+  } catch (...) {
+    d.error_ = std::current_exception();
+    PetscFunctionReturn(PETSC_ERR_LIB);
+  }
+  const ResidualNorms& n = d.norms_;
+  const double tol = d.settings_.tolerance;
+  // Where nothing bends, the moments are measured against forces over a millimetre.
+  const double moments = std::max(n.moment_scale, 1e-3 * n.force_scale);
+  if (it > 0 && n.force <= tol * n.force_scale && n.moment <= tol * moments)
+    *reason = SNES_CONVERGED_FNORM_RELATIVE;
+  else if (fnorm == 0)
+    *reason = SNES_CONVERGED_FNORM_ABS;
+  PetscFunctionReturn(0);
+}
+
+Dynamics::Attempt Dynamics::attempt(double h) {
+  h_ = h;
+  system_.prepare(committed_.s.view(last_step_), h);
+  trial_ = committed_;
+  alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
+  PetscScalar* p = nullptr;
+  check(VecGetArray(u_.get(), &p));
+  std::copy(local_u_.begin(), local_u_.begin() + 3 * system_.mesh().owned_blocks, p);
+  check(VecRestoreArray(u_.get(), &p));
+  loaded_ = false;
+  error_ = nullptr;
+  const PetscErrorCode code = SNESSolve(snes_, nullptr, u_.get());
+  if (error_) std::rethrow_exception(error_);
+  check(code);
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  PetscInt its = 0;
+  check(SNESGetConvergedReason(snes_, &reason));
+  check(SNESGetIterationNumber(snes_, &its));
+  Attempt a;
+  a.converged = reason > 0;
+  a.iterations = static_cast<int>(its);
+  total_iterations_ += its;
+  if (a.converged) {
+    load(u_.get());
+    a.error = alpha_error(system_.mesh(), alpha_, h, committed_, trial_);
+    MPI_Allreduce(MPI_IN_PLACE, &a.error, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+  }
+  return a;
+}
+
+void Dynamics::accept(double h) {
+  // Work of whatever holds the ends, by the trapezoidal rule.
+  const std::vector<double>& now = system_.reactions();
+  const LocalMesh& m = system_.mesh();
+  for (const Support& s : system_.supports().list()) {
+    if (s.node >= m.owned) continue;
+    const size_t b = 3 * static_cast<size_t>(m.block[static_cast<size_t>(s.node)]);
+    const int n = m.rotates(s.node) ? 6 : 3;
+    for (int c = 0; c < n; ++c) {
+      const size_t i = b + static_cast<size_t>(c);
+      if ((c < 3 ? s.position_mask >> c : s.rotation_mask >> (c - 3)) & 1)
+        support_work_ += 0.5 * (reactions_[i] + now[i]) * local_u_[i];
+    }
+  }
+  reactions_ = now;
+  std::swap(committed_, trial_);
+  last_step_ = h;
+  system_.commit(committed_.s.view(h));
+}
+
+void Dynamics::start(const State& state) {
+  committed_.s = state;
+  const size_t n = state.x.size();
+  committed_.ax.assign(n, Vec3::Zero()), committed_.aw.assign(n, Vec3::Zero());
+  State& s = committed_.s;
+  s.a.assign(n, Vec3::Zero()), s.alpha.assign(n, Vec3::Zero());
+  system_.supports().rates(s.time, s);
+  system_.prepare(s.view(0), control_.wish());
+  system_.residual(s.view(0), r_.get());
+  std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
+  Weights mass;
+  mass.K = 0, mass.M = 1;
+  system_.tangent(s.view(0), mass, zero, false, J_.get());
+  KSP ksp = nullptr;
+  check(SNESGetKSP(snes_, &ksp));
+  check(KSPSetOperators(ksp, J_.get(), J_.get()));
+  check(KSPSolve(ksp, r_.get(), u_.get()));
+  system_.gather(u_.get(), local_u_);
+  for (size_t i = 0; i < n; ++i) {
+    const double* p = local_u_.data() + 3 * system_.mesh().block[i];
+    s.a[i] -= Eigen::Map<const Vec3>(p);
+    if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
+  }
+  committed_.ax = s.a, committed_.aw = s.alpha;
+  system_.residual(s.view(0), r_.get());
+  reactions_ = system_.reactions();
+}
+
+void Dynamics::resume(const AlphaState& state, double step_wish, int step_wait, double support_work) {
+  committed_ = state;
+  control_.restore(step_wish, step_wait);
+  support_work_ = support_work;
+  system_.prepare(committed_.s.view(0), control_.wish());
+  system_.residual(committed_.s.view(0), r_.get());
+  reactions_ = system_.reactions();
+}
+
+void Dynamics::run(double until, const std::function<double(double)>& next_stop, const Observer& observer) {
+  if (committed_.s.time >= until - 1e-12 * std::max(1.0, until)) return;
+  next_stop_ = next_stop;
+  observer_ = observer;
+  error_ = nullptr;
+  check(TSSetTime(ts_.get(), committed_.s.time));
+  check(TSSetTimeStep(ts_.get(), control_.wish()));
+  check(TSSetMaxTime(ts_.get(), until));
+  check(TSSetMaxSteps(ts_.get(), PETSC_MAX_INT));
+  check(TSSetStepNumber(ts_.get(), 0));
+  check(TSSetConvergedReason(ts_.get(), TS_CONVERGED_ITERATING));
+  check(TSSetErrorIfStepFails(ts_.get(), PETSC_FALSE));
+  check(TSSolve(ts_.get(), nullptr));
+  if (error_) std::rethrow_exception(error_);
+  TSConvergedReason reason = TS_CONVERGED_ITERATING;
+  check(TSGetConvergedReason(ts_.get(), &reason));
+  if (reason < 0) throw SolveError(failure(h_));
+}
+
+std::string Dynamics::failure(double h) const {
+  // The node with the largest force out of balance, over all ranks.
+  const LocalMesh& m = system_.mesh();
+  struct {
+    double value;
+    int node;
+  } worst{-1, 0};
+  const PetscScalar* p = nullptr;
+  check(VecGetArrayRead(r_.get(), &p));
+  for (int n = 0; n < m.owned; ++n) {
+    const double r = Eigen::Map<const Vec3>(p + 3 * m.block[static_cast<size_t>(n)]).norm();
+    if (!(r <= worst.value)) worst = {std::isfinite(r) ? r : 1e300, m.global[static_cast<size_t>(n)]};
+  }
+  check(VecRestoreArrayRead(r_.get(), &p));
+  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
+  const Node& node = m.mesh->nodes[static_cast<size_t>(worst.node)];
+  return fmt::format(
+      "no convergence at t = {:.6g} s with the shortest step ({:.3g} s): line {}, arc length {:.6g} m, is "
+      "out of "
+      "balance by {:.3g} N (forces of size {:.3g} N)",
+      committed_.s.time, h, node.line, node.arc, worst.value, norms_.force_scale);
+}
+
+}  // namespace hawser

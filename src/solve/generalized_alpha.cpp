@@ -1,0 +1,73 @@
+#include "hawser/solve/generalized_alpha.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+
+AlphaCoefficients::AlphaCoefficients(double rho)
+    : am((2 * rho - 1) / (rho + 1)),
+      af(rho / (rho + 1)),
+      gamma(0.5 + af - am),
+      beta(0.25 * (gamma + 0.5) * (gamma + 0.5)) {}
+
+void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoefficients& c, double h,
+                 const AlphaState& from, const std::vector<double>& u, AlphaState& trial) {
+  State& s = trial.s;
+  s.time = from.s.time + h;
+  retract(mesh, from.s, u.data(), s);
+  const double b = 1 / (h * h * c.beta), k1 = h * (1 - c.gamma), k2 = h * c.gamma,
+               half = h * h * (0.5 - c.beta);
+  const double m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
+  auto advance = [&](const double* p, const Vec3& v0, const Vec3& a0, const Vec3& true0, Vec3& v, Vec3& a,
+                     Vec3& true1) {
+    const Eigen::Map<const Vec3> du(p);
+    a = b * (du - h * v0 - half * a0);
+    v = v0 + k1 * a0 + k2 * a;
+    true1 = m1 * a + m0 * a0 - d0 * true0;
+  };
+  for (size_t n = 0; n < s.x.size(); ++n) {
+    const double* p = u.data() + 3 * mesh.block[n];
+    advance(p, from.s.v[n], from.ax[n], from.s.a[n], s.v[n], trial.ax[n], s.a[n]);
+    if (mesh.rotates(static_cast<int>(n)))
+      advance(p + 3, from.s.w[n], from.aw[n], from.s.alpha[n], s.w[n], trial.aw[n], s.alpha[n]);
+  }
+  // What is prescribed moves exactly, not as the scheme would have it (no ringing at rho = 1).
+  supports.rates(s.time, s);
+  for (const Support& p : supports.list()) {
+    const size_t n = static_cast<size_t>(p.node);
+    for (int i = 0; i < 3; ++i) {
+      if (p.position_mask >> i & 1) trial.ax[n][i] = s.a[n][i];
+      if (p.rotation_mask >> i & 1) trial.aw[n][i] = s.alpha[n][i];
+    }
+  }
+}
+
+void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, const AlphaState& from,
+                   std::vector<double>& u) {
+  u.resize(3 * static_cast<size_t>(mesh.blocks()));
+  for (size_t n = 0; n < from.s.x.size(); ++n) {
+    double* p = u.data() + 3 * mesh.block[n];
+    Eigen::Map<Vec3>(p, 3) = h * from.s.v[n] + (0.5 * h * h) * from.ax[n];
+    if (mesh.rotates(static_cast<int>(n)))
+      Eigen::Map<Vec3>(p + 3, 3) = h * from.s.w[n] + (0.5 * h * h) * from.aw[n];
+  }
+  supports.increments(from.s, from.s.time + h, u.data());
+}
+
+Weights alpha_weights(const AlphaCoefficients& c, double h) {
+  Weights w;
+  w.C = c.gamma / (h * c.beta);
+  w.M = (1 - c.am) / (h * h * c.beta * (1 - c.af));
+  return w;
+}
+
+double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, const AlphaState& from,
+                   const AlphaState& to) {
+  double worst = 0;
+  for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n)
+    worst = std::max(worst, (to.ax[n] - from.ax[n]).squaredNorm());
+  return std::abs(1.0 / 6 - c.beta) * h * h * std::sqrt(worst);
+}
+
+}  // namespace hawser

@@ -1,0 +1,200 @@
+#include "hawser/solve/statics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
+constexpr double kArmijo = 1e-4;
+constexpr int kHalvings = 30, kMaxEscapes = 3;
+
+class Search {
+ public:
+  Search(System& system, const StaticsSettings& settings, State& state)
+      : system_(system), settings_(settings), state_(state), trial_(state) {
+    u_ = system.create_vector();
+    check(VecDuplicate(u_.get(), r_.out()));
+    J_ = system.create_matrix();
+    check(KSPCreate(system.comm(), ksp_.out()));
+    configure_linear_solver(ksp_.get(), system, "statics_");
+    for (const Element& e : system.mesh().mesh->elements) length_ = std::max(length_, e.length);
+    zero_.assign(3 * static_cast<size_t>(system.mesh().blocks()), 0);
+  }
+
+  StaticsReport run() {
+    StaticsReport report;
+    for (;;) {
+      descend(report);
+      system_.tangent(state_.view(0), {}, zero_, false, J_.get());
+      report.negative_eigenvalues = negative_eigenvalues(J_.get());
+      if (report.negative_eigenvalues <= 0 || report.escapes == kMaxEscapes) return report;
+      ++report.escapes;
+      leave(report.escapes);
+    }
+  }
+
+ private:
+  double sum(double x) const {
+    MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, system_.comm());
+    return x;
+  }
+  double potential(const State& s) const {
+    const Energy e = system_.energy(s.view(0));
+    return sum(e.strain + e.potential);
+  }
+  static bool small(const ResidualNorms& n, double tol) {
+    return n.force <= tol * n.force_scale && n.moment <= tol * std::max(n.moment_scale, 1e-3 * n.force_scale);
+  }
+  static double size(const ResidualNorms& n) {
+    return std::max(n.force / std::max(n.force_scale, 1e-300),
+                    n.moment / std::max({n.moment_scale, 1e-3 * n.force_scale, 1e-300}));
+  }
+
+  void descend(StaticsReport& report) {
+    system_.residual(state_.view(0), r_.get());
+    ResidualNorms norms = system_.norms(r_.get());
+    double energy = potential(state_), shift = 1e-3;
+    for (int it = 0;; ++it, ++report.iterations) {
+      report.norms = norms;
+      system_.prepare(state_.view(0), 0);  // contact candidates move with the line
+      if (small(norms, settings_.tolerance)) return;
+      if (it >= settings_.max_iterations) throw SolveError(failure(norms, "too many iterations"));
+      const bool near = size(norms) < kNear;
+      const double slope = direction(near, near && shift < 1e-5 ? 0 : shift, norms);
+      double factor = limit();
+      const bool full = factor == 1;
+      bool taken = false;
+      int halvings = 0;
+      for (; halvings < kHalvings && !taken; ++halvings, factor *= taken ? 1 : 0.5) {
+        step(factor);
+        const double e = potential(trial_);
+        system_.residual(trial_.view(0), r_.get());
+        const ResidualNorms n = system_.norms(r_.get());
+        if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
+        const bool flat = std::abs(e - energy) <= 1e-10 * std::abs(energy);
+        const bool down = slope < 0 && e <= energy + kArmijo * factor * slope;
+        if (down || ((flat || near) && size(n) < size(norms)) || small(n, settings_.tolerance)) {
+          taken = true;
+          std::swap(state_.x, trial_.x), std::swap(state_.q, trial_.q);
+          norms = n, energy = e;
+        }
+      }
+      if (!taken && shift > 1e6) {
+        system_.residual(state_.view(0), r_.get());
+        if (small(norms, 100 * settings_.tolerance)) return;  // round-off of very stiff lines
+        throw SolveError(failure(norms, "no descent"));
+      }
+      shift = std::clamp(taken && halvings <= 1 && (full || near) ? 0.2 * shift
+                         : taken && halvings <= 1                 ? shift
+                                                                  : 4 * shift,
+                         1e-9, 1e7);
+      if (!taken) shift *= 10;
+    }
+  }
+
+  // Newton direction into local_; returns its slope on the energy.
+  double direction(bool exact, double shift, const ResidualNorms& norms) {
+    Weights w;
+    // A tension's worth of stiffness over an element for a unit of shift.
+    const double unit = norms.force_scale / std::sqrt(static_cast<double>(zero_.size())) / length_;
+    w.shift_position = shift * unit;
+    w.shift_rotation = shift * unit * length_ * length_;
+    system_.residual(state_.view(0), r_.get());
+    system_.tangent(state_.view(0), w, zero_, !exact, J_.get());
+    check(KSPSetOperators(ksp_.get(), J_.get(), J_.get()));
+    check(KSPSolve(ksp_.get(), r_.get(), u_.get()));
+    check(VecScale(u_.get(), -1));
+    PetscScalar slope = 0;
+    check(VecDot(u_.get(), r_.get(), &slope));
+    if (exact && !(slope < 0)) return direction(false, std::max(shift, 1e-6), norms);
+    system_.gather(u_.get(), local_);
+    return slope;
+  }
+
+  // Longest fraction of the direction that keeps increments within what the linearisation is good for.
+  double limit() const {
+    double x = 0, turn = 0;
+    const LocalMesh& m = system_.mesh();
+    for (int n = 0; n < m.owned; ++n) {
+      const double* p = local_.data() + 3 * m.block[static_cast<size_t>(n)];
+      x = std::max(x, Eigen::Map<const Vec3>(p).norm());
+      if (m.rotates(n)) turn = std::max(turn, Eigen::Map<const Vec3>(p + 3).norm());
+    }
+    double longest = 0;
+    for (const LineSpan& l : m.mesh->lines) longest = std::max(longest, l.length);
+    double worst = std::max(x / (0.05 * longest), turn / 0.5);
+    MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+    return worst > 1 ? 1 / worst : 1;
+  }
+
+  void step(double factor) {
+    std::vector<double> u(local_);
+    for (double& x : u) x *= factor;
+    retract(system_.mesh(), state_, u.data(), trial_);
+  }
+
+  // Push off a saddle: a fixed, rank-independent displacement field without symmetry.
+  void leave(int attempt) {
+    const LocalMesh& m = system_.mesh();
+    for (int n = 0; n < m.nodes(); ++n) {
+      const size_t i = static_cast<size_t>(n);
+      const Node& node = m.mesh->nodes[static_cast<size_t>(m.global[i])];
+      const double L = m.mesh->lines[static_cast<size_t>(node.line)].length, z = node.arc / L;
+      const double bump = 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
+      Vec3 d = bump * Vec3(0.31, 0.52, -0.79);
+      const unsigned char held = system_.supports().held()[static_cast<size_t>(m.block[i])];
+      for (int c = 0; c < 3; ++c)
+        if (held >> c & 1) d[c] = 0;
+      state_.x[i] += d;
+    }
+  }
+
+  std::string failure(const ResidualNorms& n, const char* why) const {
+    const LocalMesh& m = system_.mesh();
+    struct {
+      double value;
+      int node;
+    } worst{-1, 0};
+    const PetscScalar* p = nullptr;
+    check(VecGetArrayRead(r_.get(), &p));
+    for (int k = 0; k < m.owned; ++k) {
+      const double r = Eigen::Map<const Vec3>(p + 3 * m.block[static_cast<size_t>(k)]).norm();
+      if (!(r <= worst.value)) worst = {std::isfinite(r) ? r : 1e300, m.global[static_cast<size_t>(k)]};
+    }
+    check(VecRestoreArrayRead(r_.get(), &p));
+    MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
+    const Node& node = m.mesh->nodes[static_cast<size_t>(worst.node)];
+    return fmt::format(
+        "statics: {}: line {}, arc length {:.6g} m, is out of balance by {:.3g} N (forces of size {:.3g} N)",
+        why, node.line, node.arc, worst.value, n.force_scale);
+  }
+
+  System& system_;
+  const StaticsSettings& settings_;
+  State& state_;
+  State trial_;
+  VecHandle u_, r_;
+  MatHandle J_;
+  KspHandle ksp_;
+  std::vector<double> local_, zero_;
+  double length_ = 0;
+};
+
+}  // namespace
+
+StaticsReport solve_statics(System& system, const StaticsSettings& settings, State& state) {
+  const size_t n = state.x.size();
+  for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
+  system.prepare(state.view(0), 0);
+  const StaticsReport report = Search(system, settings, state).run();
+  system.commit(state.view(0));
+  return report;
+}
+
+}  // namespace hawser

@@ -1,0 +1,55 @@
+#include "hawser/solve/step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+namespace {
+constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
+constexpr int kPatience = 5;
+}  // namespace
+
+StepControl::StepControl(const StepSettings& settings)
+    : s_(settings), wish_(settings.fixed > 0 ? settings.fixed : std::min(settings.first, settings.longest)) {}
+
+double StepControl::next(double t, double stop) const {
+  const double n = std::ceil((stop - t) / wish_ - 1e-6);
+  return (stop - t) / std::max(n, 1.0);
+}
+
+bool StepControl::accurate(double h, double error) const {
+  if (s_.fixed > 0 || s_.error_tolerance <= 0 || h <= s_.shortest) return true;
+  return error <= 2 * s_.error_tolerance;
+}
+
+void StepControl::accepted(double h, int iterations, double error) {
+  const double limit = s_.fixed > 0 ? s_.fixed : s_.longest;
+  if (wait_ > 0) {
+    --wait_;
+    return;
+  }
+  double factor = iterations <= s_.easy_iterations ? kGrow : 1.0;
+  if (s_.fixed > 0) {
+    factor = 2;  // back to the user's step
+  } else {
+    if (iterations > s_.hard_iterations) factor = 0.7;
+    // The local error grows with the cube of the step.
+    if (s_.error_tolerance > 0 && error > 0)
+      factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, factor);
+  }
+  // A clipped step before an output must not shorten the wish.
+  const double from = factor >= 1 ? std::max(h, wish_) : h;
+  wish_ = std::clamp(from * factor, s_.shortest, limit);
+}
+
+bool StepControl::rejected(double h, bool diverged, double error) {
+  if (h <= s_.shortest * (1 + 1e-9)) return false;
+  double factor = 0.5;
+  if (!diverged && s_.error_tolerance > 0)
+    factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, 0.8);
+  wish_ = std::max(h * factor, s_.shortest);
+  wait_ = diverged ? kPatience : 1;
+  return true;
+}
+
+}  // namespace hawser

@@ -1,0 +1,18 @@
+#include "hawser/state/state.hpp"
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+
+void retract(const LocalMesh& mesh, const State& from, const double* u, State& to) {
+  for (size_t n = 0; n < from.x.size(); ++n) {
+    const double* p = u + 3 * mesh.block[n];
+    to.x[n] = from.x[n] + Eigen::Map<const Vec3>(p);
+    if (mesh.rotates(static_cast<int>(n))) {
+      // Normalised every time: round-off never builds up over many turns.
+      to.q[n] = (from.q[n] * exp_so3(Eigen::Map<const Vec3>(p + 3))).normalized();
+    }
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,57 @@
+#include "hawser/system/supports.hpp"
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+
+Supports::Supports(const LocalMesh& mesh, std::vector<Support> supports, BodyMotion motion)
+    : mesh_(&mesh), supports_(std::move(supports)), motion_(std::move(motion)) {
+  held_.assign(static_cast<size_t>(mesh.blocks()), 0);
+  for (const Support& s : supports_) {
+    const size_t b = static_cast<size_t>(mesh.block[static_cast<size_t>(s.node)]);
+    held_[b] |= s.position_mask;
+    if (mesh.rotates(s.node)) held_[b + 1] |= s.rotation_mask;
+  }
+}
+
+RigidPose Supports::pose(const Support& s, double t) const {
+  return s.body < 0 ? RigidPose{} : motion_(s.body, t);
+}
+
+void Supports::increments(const State& from, double t, double* u) const {
+  for (const Support& s : supports_) {
+    const size_t n = static_cast<size_t>(s.node);
+    double* p = u + 3 * mesh_->block[n];
+    const RigidPose b = pose(s, t);
+    const Vec3 move = b.to_space(s.at) - from.x[n];
+    for (int c = 0; c < 3; ++c)
+      if (s.position_mask >> c & 1) p[c] = s.position_mask == 7 ? move[c] : 0;
+    if (!mesh_->rotates(s.node)) continue;
+    const Vec3 turn =
+        s.rotation_mask == 7 ? log_so3(from.q[n].conjugate() * (b.rotation * s.rotation)) : Vec3(0, 0, 0);
+    for (int c = 0; c < 3; ++c)
+      if (s.rotation_mask >> c & 1) p[3 + c] = turn[c];
+  }
+}
+
+void Supports::rates(double t, State& out) const {
+  for (const Support& s : supports_) {
+    const size_t n = static_cast<size_t>(s.node);
+    const RigidPose b = pose(s, t);
+    const Vec3 x = b.to_space(s.at), v = b.velocity_at(x), a = b.acceleration_at(x);
+    for (int c = 0; c < 3; ++c)
+      if (s.position_mask >> c & 1)
+        out.v[n][c] = s.position_mask == 7 ? v[c] : 0, out.a[n][c] = s.position_mask == 7 ? a[c] : 0;
+    if (!mesh_->rotates(s.node)) continue;
+    // Rates of a rotation that follows the body, in the node's material axes.
+    const Quat inv = (b.rotation * s.rotation).conjugate();
+    const Vec3 w = inv * b.angular_velocity, al = inv * b.angular_acceleration;
+    for (int c = 0; c < 3; ++c)
+      if (s.rotation_mask >> c & 1) {
+        out.w[n][c] = s.rotation_mask == 7 ? w[c] : 0;
+        out.alpha[n][c] = s.rotation_mask == 7 ? al[c] : 0;
+      }
+  }
+}
+
+}  // namespace hawser

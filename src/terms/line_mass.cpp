@@ -1,0 +1,132 @@
+#include "hawser/terms/line_mass.hpp"
+
+#include <algorithm>
+
+#include "hawser/kernels/motion.hpp"
+#include "hawser/model/case.hpp"
+
+namespace hawser {
+namespace {
+
+MassEnds ends(const LineMassTerm::Piece& p, const Kinematics& k) {
+  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  return {k.a[i], k.a[j], k.v[i], k.v[j], k.q[i], k.q[j], k.w[i], k.w[j], k.alpha[i], k.alpha[j]};
+}
+
+double load_work(const LineMassTerm::Piece& p, const Kinematics& k, const Vec3& load) {
+  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  if (p.beam) return beam_load_work(p.section, k.x[i], k.q[i], k.x[j], k.q[j], load);
+  return 0.5 * p.section.length * load.dot(k.x[i] + k.x[j]);
+}
+
+}  // namespace
+
+LineMassTerm::LineMassTerm(const LocalMesh& mesh, std::vector<Piece> pieces, std::vector<Load> ramped)
+    : mesh_(mesh), pieces_(std::move(pieces)), ramped_(std::move(ramped)) {
+  for (Piece& p : pieces_) {
+    const int a = mesh_.block[static_cast<size_t>(p.at.first)],
+              b = mesh_.block[static_cast<size_t>(p.at.second)];
+    if (p.beam)
+      p.blocks[0] = a, p.blocks[1] = a + 1, p.blocks[2] = b, p.blocks[3] = b + 1;
+    else
+      p.blocks[0] = a, p.blocks[1] = b;
+  }
+}
+
+LineMassTerm::LineMassTerm(const LocalMesh& mesh, Built built)
+    : LineMassTerm(mesh, std::move(built.pieces), std::move(built.ramped)) {}
+
+LineMassTerm::LineMassTerm(const LocalMesh& mesh, const model::Case& c)
+    : LineMassTerm(mesh, build(mesh, c)) {}
+
+LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case& c) {
+  Built out;
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const auto& t = c.line_types[static_cast<size_t>(g.type)];
+    Piece p;
+    p.at = e;
+    p.beam = g.beam;
+    p.section = {g.length, t.mass_per_length, t.rotary_inertia, Mat3::Identity()};
+    p.load = Vec3(0, 0, -c.environment.gravity * t.mass_per_length);
+    p.first_ramped = static_cast<int>(out.ramped.size());
+    const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc, to = from + g.length;
+    for (const auto& l : c.lines[static_cast<size_t>(g.line)].loads) {
+      const double end = l.to < 0 ? mesh.mesh->lines[static_cast<size_t>(g.line)].length : l.to;
+      const double overlap = std::min(to, end) - std::max(from, l.from);
+      if (overlap <= 0) continue;
+      const Vec3 share = overlap / g.length * l.per_length;
+      if (l.ramp > 0)
+        out.ramped.push_back({share, l.ramp});
+      else
+        p.load += share;
+    }
+    p.ramped = static_cast<int>(out.ramped.size()) - p.first_ramped;
+    out.pieces.push_back(p);
+  }
+  return out;
+}
+
+Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
+  Vec3 sum = Vec3::Zero();
+  for (int i = p.first_ramped; i < p.first_ramped + p.ramped; ++i) {
+    const Load& l = ramped_[static_cast<size_t>(i)];
+    sum += quintic_ramp(t, l.ramp).value * l.per_length;
+  }
+  return sum;
+}
+
+void LineMassTerm::evaluate(const Kinematics& trial, Sink& sink) {
+  double f[12], K[144], C[144], M[144];
+  for (const Piece& p : pieces_) {
+    const Vec3 w = load(p, trial.time);
+    const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
+    if (!p.beam) {
+      const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+      cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
+      if (sink.wants_tangent()) cable_mass_tangent(p.section, M);
+      sink.add(blocks, f, nullptr, nullptr, M);
+    } else if (sink.wants_tangent()) {
+      beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
+      sink.add(blocks, f, K, C, M);
+    } else {
+      beam_mass_force(p.section, ends(p, trial), w, f);
+      sink.add(blocks, f, nullptr, nullptr, nullptr);
+    }
+  }
+}
+
+void LineMassTerm::prepare(const Kinematics& committed, double) {
+  if (ramped_.empty()) return;
+  committed_.x.assign(committed.x.begin(), committed.x.end());
+  committed_.q.assign(committed.q.begin(), committed.q.end());
+  committed_.time = committed.time;
+}
+
+void LineMassTerm::commit(const Kinematics& accepted) {
+  if (ramped_.empty() || committed_.x.size() != accepted.x.size()) return;
+  Kinematics before;
+  before.x = committed_.x, before.q = committed_.q;
+  for (const Piece& p : pieces_)
+    if (p.ramped && p.at.counted) {
+      const Vec3 mean = 0.5 * (ramped_load(p, committed_.time) + ramped_load(p, accepted.time));
+      work_ += load_work(p, accepted, mean) - load_work(p, before, mean);
+    }
+}
+
+Energy LineMassTerm::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Piece& p : pieces_) {
+    if (!p.at.counted) continue;
+    const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+    e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, at))
+                        : cable_kinetic_energy(p.section, at.v[i], at.v[j]);
+    e.potential -= load_work(p, at, p.load);
+    // In statics a ramped load is a constant too; in dynamics its work is accumulated.
+    if (p.ramped && at.step == 0) e.potential -= load_work(p, at, ramped_load(p, at.time));
+  }
+  e.work = work_;
+  return e;
+}
+
+}  // namespace hawser

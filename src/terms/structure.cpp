@@ -1,0 +1,170 @@
+#include "hawser/terms/structure.hpp"
+
+#include "hawser/model/case.hpp"
+
+namespace hawser {
+namespace {
+
+BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
+  const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
+  BeamEnds e;
+  e.x1 = k.x[i], e.x2 = k.x[j], e.q1 = k.q[i], e.q2 = k.q[j];
+  if (b.section.beta > 0) e.v1 = k.v[i], e.v2 = k.v[j], e.w1 = k.w[i], e.w2 = k.w[j];
+  return e;
+}
+
+CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k) {
+  const size_t i = static_cast<size_t>(c.at.first), j = static_cast<size_t>(c.at.second);
+  return {k.x[i], k.x[j], k.v[i], k.v[j]};
+}
+
+}  // namespace
+
+StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
+    : mesh_(mesh), beams_(std::move(beams)), cables_(std::move(cables)) {
+  auto block = [&](int node) { return mesh_.block[static_cast<size_t>(node)]; };
+  for (Beam& b : beams_) {
+    const int p = block(b.at.first), q = block(b.at.second);
+    b.blocks[0] = p, b.blocks[1] = p + 1, b.blocks[2] = q, b.blocks[3] = q + 1;
+    damped_ |= b.section.beta > 0;
+  }
+  for (Cable& c : cables_) {
+    c.blocks[0] = block(c.at.first), c.blocks[1] = block(c.at.second);
+    damped_ |= c.section.beta > 0;
+  }
+}
+
+namespace {
+
+std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<StructureTerm::Beam> out;
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const auto& t = c.line_types[static_cast<size_t>(g.type)];
+    if (g.beam) out.push_back({e, {}, {g.length, t.EA, t.EI2, t.EI3, t.GJ, t.GA, t.stiffness_damping}, {}});
+  }
+  return out;
+}
+
+std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<StructureTerm::Cable> out;
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const auto& t = c.line_types[static_cast<size_t>(g.type)];
+    if (!g.beam) out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping}});
+  }
+  return out;
+}
+
+}  // namespace
+
+StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
+    : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {}
+
+void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
+  if (sink.wants_tangent()) {
+    double f[12], K[144], C[144];
+    for (const Beam& b : beams_) {
+      beam_tangent(b.section, b.reference, ends(b, trial), sink.convex(), f, K, C);
+      sink.add(b.blocks, f, K, b.section.beta > 0 ? C : nullptr, nullptr);
+    }
+    for (const Cable& c : cables_) {
+      cable_tangent(c.section, ends(c, trial), sink.convex(), f, K, C);
+      sink.add(c.blocks, f, K, c.section.beta > 0 ? C : nullptr, nullptr);
+    }
+    return;
+  }
+  double f[12];
+  for (const Beam& b : beams_) {
+    beam_force(b.section, b.reference, ends(b, trial), f);
+    sink.add(b.blocks, f, nullptr, nullptr, nullptr);
+  }
+  for (const Cable& c : cables_) {
+    cable_force(c.section, ends(c, trial), f);
+    sink.add(c.blocks, f, nullptr, nullptr, nullptr);
+  }
+}
+
+double StructureTerm::dissipation(const Kinematics& at) const {
+  double p = 0;
+  for (const Beam& b : beams_)
+    if (b.at.counted && b.section.beta > 0) p += beam_stress(b.section, b.reference, ends(b, at)).dissipation;
+  for (const Cable& c : cables_)
+    if (c.at.counted && c.section.beta > 0) p += cable_stress(c.section, ends(c, at)).dissipation;
+  return p;
+}
+
+void StructureTerm::prepare(const Kinematics& committed, double) {
+  if (damped_ && power_ < 0) power_ = dissipation(committed);
+}
+
+void StructureTerm::commit(const Kinematics& accepted) {
+  if (!damped_) return;
+  const double before = power_ < 0 ? 0 : power_;
+  power_ = dissipation(accepted);
+  damping_ += 0.5 * accepted.step * (before + power_);
+}
+
+Energy StructureTerm::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Beam& b : beams_)
+    if (b.at.counted) e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
+  for (const Cable& c : cables_)
+    if (c.at.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
+  e.damping = damping_;
+  return e;
+}
+
+void StructureTerm::fields(FieldRegistry& registry) const {
+  // Mean of the elements at a node; what a beam shows at its end is its own end value.
+  auto at_nodes = [this](int components, auto&& of_beam, auto&& of_cable) {
+    return [this, components, of_beam, of_cable](const Kinematics& k, std::span<double> out) {
+      std::fill(out.begin(), out.end(), 0.0);
+      std::vector<int> count(static_cast<size_t>(mesh_.owned), 0);
+      auto put = [&](int node, const Vec3& value) {
+        if (node >= mesh_.owned) return;
+        ++count[static_cast<size_t>(node)];
+        for (int c = 0; c < components; ++c) out[static_cast<size_t>(node * components + c)] += value[c];
+      };
+      for (const Beam& b : beams_) {
+        const BeamStress s = beam_stress(b.section, b.reference, ends(b, k));
+        put(b.at.first, of_beam(s, 0)), put(b.at.second, of_beam(s, 1));
+      }
+      for (const Cable& c : cables_) {
+        const CableStress s = cable_stress(c.section, ends(c, k));
+        put(c.at.first, of_cable(s)), put(c.at.second, of_cable(s));
+      }
+      for (size_t n = 0; n < count.size(); ++n)
+        for (size_t c = 0; c < static_cast<size_t>(components); ++c)
+          out[n * static_cast<size_t>(components) + c] /= std::max(count[n], 1);
+    };
+  };
+  auto nothing = [](const CableStress&) { return Vec3(0, 0, 0); };
+  registry.add({"effective_tension", "N", 1,
+                at_nodes(
+                    1, [](const BeamStress& s, int) { return Vec3(s.tension, 0, 0); },
+                    [](const CableStress& s) { return Vec3(s.tension, 0, 0); })});
+  if (beams_.empty() && mesh_.mesh->elements.size() == cables_.size()) return;
+  // Magnitudes are taken element by element, so that torsion of the axes between neighbours does not matter.
+  registry.add({"bending_moment", "N m", 1,
+                at_nodes(
+                    1,
+                    [](const BeamStress& s, int end) {
+                      return Vec3((end ? s.moment2 : s.moment1).tail<2>().norm(), 0, 0);
+                    },
+                    nothing)});
+  registry.add(
+      {"torsion_moment", "N m", 1,
+       at_nodes(
+           1, [](const BeamStress& s, int end) { return Vec3((end ? s.moment2 : s.moment1).x(), 0, 0); },
+           nothing)});
+  registry.add({"curvature", "1/m", 1,
+                at_nodes(
+                    1,
+                    [](const BeamStress& s, int end) {
+                      return Vec3((end ? s.curvature2 : s.curvature1).tail<2>().norm(), 0, 0);
+                    },
+                    nothing)});
+}
+
+}  // namespace hawser
