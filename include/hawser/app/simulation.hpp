@@ -1,0 +1,55 @@
+// A checked case made ready to compute on this rank: mesh, partition, bodies, volumes, terms, start shape.
+#pragma once
+
+#include <mpi.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/solve/dynamics.hpp"
+#include "hawser/solve/statics.hpp"
+#include "hawser/system/system.hpp"
+#include "hawser/terms/bodies.hpp"
+#include "hawser/terms/structure.hpp"
+#include "hawser/terms/volume_contact.hpp"
+
+namespace hawser::app {
+
+class Simulation {
+ public:
+  // surfaces: one for each volume of the case, in its order. Collective.
+  Simulation(MPI_Comm comm, const model::Case& c, std::vector<std::shared_ptr<const Surface>> surfaces = {});
+
+  const model::Case& model() const { return case_; }
+  const Mesh& mesh() const { return *mesh_; }
+  const LocalMesh& local() const { return system_->mesh(); }
+  const Bodies& bodies() const { return *bodies_; }
+  System& system() { return *system_; }
+  StructureTerm& structure() { return *structure_; }
+  VolumeContact* contact() { return contact_; }  // null: nothing to touch
+  State& state() { return state_; }
+  Dynamics& dynamics();                                             // made at the first call
+  const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
+  int cut_elements() const { return cut_; }
+
+  // Static equilibrium of the state: without friction first, then friction starts where the lines lie.
+  StaticsReport solve_statics();
+  DynamicsSettings dynamics_settings() const;
+
+ private:
+  const model::Case& case_;
+  std::unique_ptr<Mesh> mesh_;
+  std::shared_ptr<const Bodies> bodies_;
+  std::unique_ptr<System> system_;
+  StructureTerm* structure_ = nullptr;
+  VolumeContact* contact_ = nullptr;
+  State state_;
+  std::unique_ptr<Dynamics> dynamics_;
+  std::vector<std::string> notes_;
+  int cut_ = 0;
+};
+
+}  // namespace hawser::app

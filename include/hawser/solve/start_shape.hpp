@@ -1,0 +1,22 @@
+// Where the nodes of all lines start: catenaries, straight or given shapes, with rotations along the line.
+#pragma once
+
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/state/state.hpp"
+#include "hawser/system/supports.hpp"
+#include "hawser/terms/bodies.hpp"
+
+namespace hawser {
+
+struct StartShape {
+  State state;                    // of this rank's local nodes, at t = 0, at rest
+  std::vector<Support> supports;  // of this rank's local nodes
+};
+
+// Nodes are placed by line (Start of the case); rotations follow the tangent with least twist from end A,
+// whose axis 2 is horizontal. A clamped end has its given direction, or the tangent of the start shape. Where
+// no end of a line of beams is clamped its twist is held at one supported end, for nothing else holds it.
+StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies);
+
+}  // namespace hawser

@@ -1,0 +1,130 @@
+#include "hawser/app/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/mesh/partition.hpp"
+#include "hawser/solve/start_shape.hpp"
+#include "hawser/terms/line_mass.hpp"
+#include "hawser/terms/point_loads.hpp"
+
+namespace hawser::app {
+namespace {
+
+bool chosen(bool all, const std::vector<std::string>& names, const std::string& name) {
+  return all || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Radius and mass of the owned nodes, for contact.
+std::vector<ContactNode> contact_nodes(const model::Case& c, const LocalMesh& mesh) {
+  std::vector<ContactNode> out(static_cast<size_t>(mesh.owned));
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const auto& type = c.line_types[static_cast<size_t>(g.type)];
+    const bool takes_part =
+        chosen(c.contact.all_lines, c.contact.lines, c.lines[static_cast<size_t>(g.line)].name);
+    for (int n : {e.first, e.second}) {
+      if (n >= mesh.owned) continue;
+      ContactNode& node = out[static_cast<size_t>(n)];
+      if (takes_part) node.radius = std::max(node.radius, 0.5 * type.contact_diameter);
+      node.mass += 0.5 * g.length * type.mass_per_length;
+    }
+  }
+  return out;
+}
+
+// The heaviest line decides an automatic stiffness.
+AutomaticStiffness automatic(const model::Case& c, const Mesh& mesh) {
+  AutomaticStiffness best;
+  for (const Element& e : mesh.elements) {
+    const auto& t = c.line_types[static_cast<size_t>(e.type)];
+    const auto s =
+        automatic_contact_stiffness(0.5 * t.contact_diameter, t.mass_per_length * c.environment.gravity,
+                                    mesh.lines[static_cast<size_t>(e.line)].length, t.EA);
+    if (s.per_length > best.per_length) best = s;
+  }
+  return best;
+}
+
+}  // namespace
+
+Simulation::Simulation(MPI_Comm comm, const model::Case& c,
+                       std::vector<std::shared_ptr<const Surface>> surfaces)
+    : case_(c), mesh_(std::make_unique<Mesh>(build_mesh(c))), bodies_(std::make_shared<Bodies>(c.bodies)) {
+  int rank = 0, size = 1;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &size);
+  const std::vector<int> owner = partition(*mesh_, size);
+  cut_ = hawser::cut_elements(*mesh_, owner);
+  system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
+  const LocalMesh& local = system_->mesh();
+
+  auto structure = std::make_unique<StructureTerm>(local, c);
+  structure_ = structure.get();
+  system_->add(std::move(structure));
+  system_->add(std::make_unique<LineMassTerm>(local, c));
+  bool loads = false, masses = false;
+  for (const auto& line : c.lines) loads |= !line.point_loads.empty(), masses |= !line.masses.empty();
+  if (loads) system_->add(std::make_unique<PointLoads>(local, point_loads(c, local)));
+  if (masses)
+    system_->add(std::make_unique<PointMasses>(local, point_masses(c, local), c.environment.gravity));
+
+  std::vector<ContactVolume> volumes;
+  for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
+    model::Volume settings = c.volumes[v];
+    if (!chosen(c.contact.all_volumes, c.contact.volumes, settings.name)) continue;
+    if (settings.basis == model::StiffnessBasis::automatic) {
+      const AutomaticStiffness s = automatic(c, *mesh_);
+      settings.basis = model::StiffnessBasis::per_length;
+      settings.normal_stiffness = s.per_length;
+      notes_.push_back(fmt::format("volume {}: normal stiffness {:.3g} N/m per m: {}", settings.name,
+                                   s.per_length, s.reason));
+    }
+    volumes.push_back({surfaces[v], c.body_index(settings.body), settings});
+  }
+  if (!volumes.empty()) {
+    auto contact =
+        std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), contact_nodes(c, local));
+    contact_ = contact.get();
+    system_->add(std::move(contact));
+  }
+
+  StartShape start = start_shape(c, local, *bodies_);
+  state_ = std::move(start.state);
+  system_->support(std::move(start.supports), [b = bodies_](int body, double t) { return b->pose(body, t); });
+}
+
+StaticsReport Simulation::solve_statics() {
+  if (contact_) contact_->enable_friction(false);
+  StaticsSettings settings{case_.statics.tolerance, case_.statics.max_iterations};
+  StaticsReport report = hawser::solve_statics(*system_, settings, state_);
+  if (contact_) {
+    contact_->enable_friction(true);
+    system_->commit(state_.view(0));
+  }
+  return report;
+}
+
+DynamicsSettings Simulation::dynamics_settings() const {
+  const model::Dynamics& d = case_.dynamics;
+  DynamicsSettings s;
+  s.rho_infinity = d.rho_infinity;
+  s.tolerance = d.tolerance;
+  double diameter = 0;
+  for (const auto& t : case_.line_types) diameter = std::max(diameter, t.outer_diameter);
+  s.step.fixed = d.step;
+  s.step.longest = d.max_step > 0 ? d.max_step : std::max(d.duration / 1000, 0.05);
+  s.step.first = s.step.longest / 10;
+  s.step.shortest = d.min_step > 0 ? d.min_step : 1e-7 * std::max(1.0, d.step > 0 ? 10 * d.step : 1.0);
+  // A hundredth of a diameter a step is far below what a picture or a tension shows.
+  s.step.error_tolerance = d.error_tolerance > 0 ? d.error_tolerance : 0.01 * diameter;
+  return s;
+}
+
+Dynamics& Simulation::dynamics() {
+  if (!dynamics_) dynamics_ = std::make_unique<Dynamics>(*system_, dynamics_settings());
+  return *dynamics_;
+}
+
+}  // namespace hawser::app

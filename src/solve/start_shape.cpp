@@ -1,0 +1,177 @@
+#include "hawser/solve/start_shape.hpp"
+
+#include <cmath>
+#include <unordered_map>
+
+#include "hawser/base/error.hpp"
+#include "hawser/kernels/catenary.hpp"
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+struct Shape {
+  std::vector<Vec3> x, tangent;  // one a node
+};
+
+RigidPose frame(const model::Case& c, const Bodies& bodies, const model::End& e) {
+  return e.kind == model::EndKind::body ? bodies.pose(c.body_index(e.body), 0) : RigidPose{};
+}
+
+std::vector<CatenarySection> catenary_sections(const model::Case& c, const model::Line& line) {
+  double total = 0;
+  for (const auto& s : line.sections) total += s.length;
+  std::vector<CatenarySection> out;
+  double from = 0;
+  for (const auto& s : line.sections) {
+    const auto& t = c.line_type(s.type);
+    CatenarySection k;
+    k.length = s.length;
+    k.EA = t.EA;
+    k.load = Vec3(0, 0, -c.environment.gravity * t.mass_per_length);
+    for (const auto& l : line.loads) {
+      if (l.ramp > 0) continue;  // not there yet at t = 0
+      const double end = l.to < 0 ? total : l.to;
+      const double overlap = std::min(from + s.length, end) - std::max(from, l.from);
+      if (overlap > 0) k.load += overlap / s.length * l.per_length;
+    }
+    from += s.length;
+    // Point masses and forces act at the end of the section they are in: a start shape need not be exact.
+    for (const auto& m : line.masses)
+      if (m.at > from - s.length && m.at <= from && from < total)
+        k.end_load += Vec3(0, 0, -m.mass * c.environment.gravity);
+    out.push_back(k);
+  }
+  return out;
+}
+
+Shape from_catenary(const CatenaryShape& shape, const Mesh& mesh, const LineSpan& span) {
+  Shape out;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
+    const double s = mesh.nodes[static_cast<size_t>(n)].arc;
+    out.x.push_back(shape.position(s));
+    const Vec3 t = shape.tension(s);
+    out.tangent.push_back(t.norm() > 0 ? Vec3(t.normalized()) : Vec3::Zero());
+  }
+  return out;
+}
+
+// Nodes at equal fractions of the polyline's length; a straight line is a polyline of two points.
+Shape along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpan& span) {
+  std::vector<double> at{0};
+  for (size_t i = 1; i < points.size(); ++i) at.push_back(at.back() + (points[i] - points[i - 1]).norm());
+  Shape out;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
+    const double s = mesh.nodes[static_cast<size_t>(n)].arc / span.length * at.back();
+    size_t i = 1;
+    while (i + 1 < points.size() && s > at[i]) ++i;
+    const double z = (s - at[i - 1]) / (at[i] - at[i - 1]);
+    out.x.push_back(points[i - 1] + z * (points[i] - points[i - 1]));
+    out.tangent.push_back((points[i] - points[i - 1]).normalized());
+  }
+  return out;
+}
+
+// Tangents where the shape has none (a slack end): from the neighbours' positions.
+void mend(Shape& s) {
+  for (size_t i = 0; i < s.x.size(); ++i) {
+    if (s.tangent[i].norm() > 0) continue;
+    const Vec3 d = s.x[std::min(i + 1, s.x.size() - 1)] - s.x[i > 0 ? i - 1 : 0];
+    s.tangent[i] = d.norm() > 0 ? Vec3(d.normalized()) : Vec3::UnitX();
+  }
+}
+
+Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
+            const LineSpan& span) {
+  using model::EndKind, model::Start;
+  const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
+  const Vec3 xa = frame(c, bodies, line.end_a).to_space(line.end_a.at);
+  const Vec3 xb = frame(c, bodies, line.end_b).to_space(line.end_b.at);
+  if (line.start == Start::points) return along(line.points, mesh, span);
+  if (line.start == Start::straight) {
+    if (a && b) return along({xa, xb}, mesh, span);
+    const model::End& e = a ? line.end_a : line.end_b;
+    const Vec3 d = e.direction ? Vec3(frame(c, bodies, e).rotation * *e.direction) : Vec3(0, 0, a ? -1 : 1);
+    return a ? along({xa, xa + span.length * d}, mesh, span) : along({xb - span.length * d, xb}, mesh, span);
+  }
+  const auto sections = catenary_sections(c, line);
+  try {
+    if (a && b) return from_catenary(catenary(xa, xb, sections), mesh, span);
+    if (a) return from_catenary(catenary_free_b(xa, sections), mesh, span);
+    if (b) return from_catenary(catenary_free_a(xb, sections), mesh, span);
+  } catch (const std::invalid_argument&) {
+    // No load to hang by: any shape of the right length will do, and a straight one is the least surprise.
+    if (a && b) return along({xa, xb}, mesh, span);
+    return a ? along({xa, xa + Vec3(0, 0, -span.length)}, mesh, span)
+             : along({xb + Vec3(0, 0, -span.length), xb}, mesh, span);
+  }
+  throw InputError("lines." + line.name + ": both ends are free and no start shape is given");
+}
+
+// Axes with the first along t and the second horizontal.
+Quat axes_along(const Vec3& t) {
+  const Vec3 side = std::abs(t.z()) > 0.999 ? Vec3::UnitY() : Vec3::UnitZ();
+  Mat3 m;
+  m.col(0) = t;
+  m.col(1) = (std::abs(t.z()) > 0.999 ? Vec3(side - side.dot(t) * t) : Vec3(side.cross(t))).normalized();
+  m.col(2) = m.col(0).cross(m.col(1));
+  return Quat(m);
+}
+
+}  // namespace
+
+StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies) {
+  const Mesh& g = *mesh.mesh;
+  StartShape out{State(mesh.nodes()), {}};
+  std::unordered_map<int, int> local;
+  for (int n = 0; n < mesh.nodes(); ++n) local[mesh.global[static_cast<size_t>(n)]] = n;
+
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const model::Line& line = c.lines[l];
+    const LineSpan& span = g.lines[l];
+    Shape shape = place(c, line, bodies, g, span);
+    mend(shape);
+    auto clamp_direction = [&](const model::End& e, size_t node) {
+      if (e.clamped && e.direction)
+        shape.tangent[node] = frame(c, bodies, e).rotation * e.direction->normalized();
+    };
+    clamp_direction(line.end_a, 0);
+    clamp_direction(line.end_b, shape.x.size() - 1);
+    std::vector<Quat> q{axes_along(shape.tangent[0])};
+    for (size_t i = 1; i < shape.x.size(); ++i)
+      q.push_back((minimal_rotation(shape.tangent[i - 1], shape.tangent[i]) * q.back()).normalized());
+
+    for (int i = 0; i < span.nodes; ++i) {
+      const auto it = local.find(span.first_node + i);
+      if (it == local.end()) continue;
+      const size_t n = static_cast<size_t>(it->second), k = static_cast<size_t>(i);
+      out.state.x[n] = shape.x[k];
+      if (mesh.rotates(it->second)) out.state.q[n] = q[k];
+    }
+    bool twist_held = line.end_a.clamped || line.end_b.clamped;
+    for (int end = 0; end < 2; ++end) {
+      const model::End& e = end ? line.end_b : line.end_a;
+      if (e.kind == model::EndKind::free) continue;
+      const int node = span.first_node + (end ? span.nodes - 1 : 0);
+      Support s;
+      s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
+      s.at = e.at;
+      if (g.nodes[static_cast<size_t>(node)].rotates) {
+        if (e.clamped) {
+          s.rotation_mask = 7;
+          s.rotation = frame(c, bodies, e).rotation.conjugate() * q[end ? q.size() - 1 : 0];
+        } else if (!twist_held) {
+          s.rotation_mask = 1;
+          twist_held = true;
+        }
+      }
+      if (const auto it = local.find(node); it != local.end()) {
+        s.node = it->second;
+        out.supports.push_back(s);
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace hawser
