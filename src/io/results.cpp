@@ -57,6 +57,7 @@ struct ResultsFile::Impl {
   std::optional<XdmfWriter> xdmf;
   Clock::time_point last_xdmf, last_sync;
   double xdmf_cost = 0;  // s
+  bool xdmf_behind = false;
 
   h5::Id file, collective, count_type;
   std::map<std::string, h5::Id> open;  // datasets; closed before the file
@@ -70,7 +71,10 @@ struct ResultsFile::Impl {
 
   static std::unique_ptr<Impl> prepare(MPI_Comm comm, const std::string& path, ResultContents contents,
                                        std::vector<int> owned);
-  ~Impl() { close(); }
+  ~Impl() {
+    if (xdmf_behind && rank == 0) attempt([&] { xdmf->save(xdmf_path); });
+    close();
+  }
   void close() {
     open.clear();
     file.reset();
@@ -274,6 +278,7 @@ struct ResultsFile::Impl {
     if (rank == 0 && contents.xdmf && (always || seconds_since(last_xdmf) * kXdmfShare > xdmf_cost)) {
       const auto start = Clock::now();
       attempt([&] { xdmf->save(xdmf_path); });
+      xdmf_behind = false;
       xdmf_cost = seconds_since(start);
       last_xdmf = Clock::now();
     }
@@ -427,6 +432,7 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   m.forget_steps();
   m.times.push_back(time);
   if (m.rank == 0) m.xdmf->add(time);
+  m.xdmf_behind = m.contents.xdmf;
   m.save_xdmf(false);
 }
 

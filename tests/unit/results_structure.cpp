@@ -1,0 +1,201 @@
+// What the promise of a file that is valid at every moment rests on: writing changes bytes of rows only.
+// And the XDMF beside it: well formed, and everything it points at is there.
+#include <gtest/gtest.h>
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+#include "hawser/io/hdf5.hpp"
+#include "hawser/io/results.hpp"
+#include "hawser/io/xdmf.hpp"
+
+namespace hawser::io {
+namespace {
+
+std::string temporary(const std::string& name) { return std::string(HAWSER_BINARY_DIR) + "/results_" + name; }
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+ResultContents contents(int lines, int nodes) {
+  ResultContents c;
+  c.run.case_path = "a <strange> & \"quoted\" case.yaml";
+  for (int l = 0; l < lines; ++l)
+    c.lines.push_back(
+        {"line " + std::to_string(l), l * nodes, nodes, std::vector<double>(static_cast<size_t>(nodes))});
+  c.fields = {{"position", "m", 3}, {"contact force", "N", 3}, {"penetration", "m", 1}};
+  c.series = {{"time", {{"value", "", 1}}}};
+  c.bodies = {"reel"};
+  c.volumes = {{"drum & flange", 0, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {1}},
+               {"drum / flange", 0, std::vector<Vec3>(30, Vec3(1, 2, 3)), {{0, 1, 2}, {3, 4, 5}}, {1, 0}},
+               {"deck", -1, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}}};
+  c.moving_vertices = 20;
+  c.expected_outputs = 4;
+  c.expected_steps = 4;
+  return c;
+}
+
+std::vector<int> all_nodes(const ResultContents& c) {
+  std::vector<int> n;
+  for (int i = 0; i < c.nodes_total(); ++i) n.push_back(i);
+  return n;
+}
+
+void write(ResultsFile& file, double time) {
+  const auto& c = file.contents();
+  file.append_series(time, {{time}});
+  std::vector<std::vector<double>> fields;
+  for (const auto& f : c.fields)
+    fields.emplace_back(static_cast<size_t>(c.nodes_total() * f.components), time + 1);
+  const BodyPose pose;
+  file.write_output(time, fields, {&pose, 1});
+}
+
+// Where the raw data of all datasets lie: [first byte, end).
+std::vector<std::pair<size_t, size_t>> data_of(const std::string& path) {
+  const auto file = h5::open_read(path);
+  std::vector<std::pair<size_t, size_t>> places;
+  H5Ovisit2(
+      file, H5_INDEX_NAME, H5_ITER_NATIVE,
+      [](hid_t root, const char* name, const H5O_info_t* info, void* out) -> herr_t {
+        if (info->type != H5O_TYPE_DATASET) return 0;
+        const auto set = h5::open_dataset(root, name);
+        const haddr_t at = H5Dget_offset(set);
+        if (at != HADDR_UNDEF)
+          static_cast<std::vector<std::pair<size_t, size_t>>*>(out)->emplace_back(
+              at, at + H5Dget_storage_size(set));
+        return 0;
+      },
+      &places, H5O_INFO_BASIC);
+  return places;
+}
+
+TEST(ResultsStructure, WritingChangesRowsOnly) {
+  const std::string path = temporary("structure.h5");
+  auto file = ResultsFile::create(MPI_COMM_SELF, path, contents(2, 11), all_nodes(contents(2, 11)));
+  Checkpoint checkpoint;
+  checkpoint.scalars["step"] = 1;
+  file.write_checkpoint(checkpoint);  // makes room for checkpoints, once
+  const std::string before = text_of(path);
+  const auto data = data_of(path);
+  EXPECT_GT(data.size(), 20u);
+  for (int k = 0; k < 4; ++k) {
+    write(file, k);
+    file.write_checkpoint(checkpoint);
+    const std::string after = text_of(path);
+    ASSERT_EQ(after.size(), before.size());
+    size_t changed = 0, outside = 0;
+    for (size_t i = 0; i < after.size(); ++i) {
+      if (after[i] == before[i]) continue;
+      ++changed;
+      outside += std::none_of(data.begin(), data.end(), [&](auto p) { return i >= p.first && i < p.second; });
+    }
+    EXPECT_GT(changed, 200u);
+    EXPECT_EQ(outside, 0u) << "structure changed by output " << k;
+  }
+  // The counter is one write within one page of memory, so no kill can cut it.
+  const auto h5 = h5::open_read(path);
+  const auto at = H5Dget_offset(h5::open_dataset(h5, "written"));
+  EXPECT_EQ(at / 4096, (at + 15) / 4096);
+}
+
+TEST(ResultsStructure, SafeNames) {
+  EXPECT_EQ(safe_name("hose@12.5"), "hose@12.5");
+  EXPECT_EQ(safe_names({"a/b", "a:b", "", "..", "a_b"}),
+            (std::vector<std::string>{"a_b", "a_b_2", "_", "__", "a_b_3"}));
+}
+
+// Tags open and close in order, and no bare & or < inside.
+void expect_well_formed(const std::string& xml) {
+  std::vector<std::string> open;
+  const std::regex tag(
+      "<(/?)([A-Za-z?][A-Za-z0-9]*)((?: [A-Za-z]+=\"[^\"<&]*(?:&(?:amp|lt|gt|quot);[^\"<&]*)*\")*)([/?]?)>");
+  size_t at = 0;
+  std::smatch m;
+  for (auto it = std::sregex_iterator(xml.begin(), xml.end(), tag); it != std::sregex_iterator(); ++it) {
+    const std::string between = xml.substr(at, static_cast<size_t>(it->position()) - at);
+    ASSERT_EQ(between.find('<'), std::string::npos) << between;
+    at = static_cast<size_t>(it->position() + it->length());
+    if ((*it)[4].length()) continue;
+    if ((*it)[1].length()) {
+      ASSERT_FALSE(open.empty());
+      ASSERT_EQ(open.back(), (*it)[2].str());
+      open.pop_back();
+    } else {
+      open.push_back((*it)[2].str());
+    }
+  }
+  EXPECT_TRUE(open.empty());
+  EXPECT_EQ(xml.substr(at), "\n");
+}
+
+std::vector<hsize_t> numbers(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<hsize_t>(in), {}};
+}
+
+// Every reference: the dataset is there, the box is inside it, and holds as much as Dimensions says.
+int check_references(const std::string& folder, const std::string& xml) {
+  const std::regex item(
+      "<DataItem Dimensions=\"([0-9 ]+)\" NumberType=\"(\\w+)\" Precision=\"(\\d)\" "
+      "Format=\"HDF\">([^:<]+):/([^|<]+)(?:\\|([0-9 ]+):([0-9 ]+):([0-9 ]+):([0-9 ]+))?</DataItem>");
+  int n = 0;
+  for (auto it = std::sregex_iterator(xml.begin(), xml.end(), item); it != std::sregex_iterator();
+       ++it, ++n) {
+    const auto& m = *it;
+    const auto file = h5::open_read(folder + m[4].str());
+    const auto set = h5::open_dataset(file, m[5].str());
+    const auto type = h5::own(H5Dget_type(set), H5Tclose, "type");
+    EXPECT_EQ(H5Tget_size(type), std::stoul(m[3].str())) << m[0].str();
+    EXPECT_EQ(H5Tget_class(type), m[2].str() == "Float" ? H5T_FLOAT : H5T_INTEGER) << m[0].str();
+    const auto shape = h5::shape_of(set);
+    hsize_t size = 1, wanted = 1;
+    for (const auto k : numbers(m[1].str())) wanted *= k;
+    if (m[6].matched) {
+      const auto start = numbers(m[6].str()), count = numbers(m[8].str()), told = numbers(m[9].str());
+      EXPECT_EQ(start.size(), shape.size()) << m[0].str();
+      EXPECT_EQ(count.size(), shape.size()) << m[0].str();
+      for (size_t i = 0; i < shape.size(); ++i) {
+        EXPECT_LE(start[i] + count[i], told[i]) << m[0].str();
+        EXPECT_LE(told[i], shape[i]) << m[0].str();
+        size *= count[i];
+      }
+    } else {
+      for (const auto k : shape) size *= k;
+    }
+    EXPECT_EQ(size, wanted) << m[0].str();
+  }
+  return n;
+}
+
+TEST(ResultsXdmf, PointsAtWhatIsThere) {
+  for (const int lines : {3, 20}) {  // one grid a line, and one for all
+    for (const bool finish : {false, true}) {
+      const std::string path = temporary("xdmf.h5");
+      {
+        const auto c = contents(lines, 7);
+        auto file = ResultsFile::create(MPI_COMM_SELF, path, c, all_nodes(c));
+        EXPECT_EQ(file.xdmf_path(), temporary("xdmf.xdmf"));
+        for (int k = 0; k < 6; ++k) write(file, 0.5 * k);
+        if (finish) file.finish({});
+      }
+      const std::string xml = text_of(temporary("xdmf.xdmf"));
+      expect_well_formed(xml);
+      // Of each output: a line has topology, 3 fields, arc length, line number; the drum and its boxed
+      // neighbour 3 + 2, the deck 2.
+      const int each = 6 * (lines == 3 ? 3 : 1) + 7;
+      const int n = check_references(std::string(HAWSER_BINARY_DIR) + "/", xml);
+      EXPECT_EQ(n, 6 * each);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hawser::io

@@ -1,0 +1,228 @@
+// Every output, series row and checkpoint that was reported accepted survives kill -9, at whatever moment it
+// comes. A child (this program again) writes as fast as it can, grows its file, checkpoints, resumes where
+// the last one was killed; the parent kills it at random moments and reads what is on the disk.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <mpi.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "hawser/io/hdf5.hpp"
+#include "hawser/io/results.hpp"
+
+namespace hawser::io {
+namespace {
+
+constexpr int kNodes = 4000, kSteps = 3;  // 4000 nodes: an output is larger than a page by far
+const char* const kFileVariable = "HAWSER_TEST_KILL_FILE";
+
+ResultContents contents() {
+  ResultContents c;
+  c.run = {"hawser: 1\n", "kill.yaml", "0.1.0", "", "2024-01-01T00:00:00Z", 1};
+  c.lines = {{"hose", 0, kNodes, std::vector<double>(kNodes)}};
+  for (int i = 0; i < kNodes; ++i) c.lines[0].arc[static_cast<size_t>(i)] = i;
+  c.fields = {{"position", "m", 3}, {"effective_tension", "N", 1}};
+  c.series = {{"end A", {{"effective_tension", "N", 1}}}};
+  c.bodies = {"reel"};
+  c.volumes = {{"drum", 0, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {1}}};
+  c.expected_outputs = 2;  // so that it is often killed while the file is made anew
+  c.expected_steps = 5;
+  return c;
+}
+
+std::vector<int> all_nodes() {
+  std::vector<int> n;
+  for (int i = 0; i < kNodes; ++i) n.push_back(i);
+  return n;
+}
+
+double value(int output, int i) { return output * 1e6 + i + 0.25; }
+
+Checkpoint checkpoint(int output) {
+  Checkpoint c;
+  c.time = output;
+  c.nodes["position"].components = 1;
+  for (int i = 0; i < kNodes; ++i) {
+    c.nodes["position"].values.push_back(value(output, i));
+    if (i % 100 < output % 100) c.records["friction"].push_back({i, 0, {1.0 * i, 1.0 * output}});
+  }
+  return c;
+}
+
+void write_for_ever(const std::string& path) {
+  const auto owned = all_nodes();
+  int next = 0;
+  std::unique_ptr<ResultsFile> file;
+  if (access(path.c_str(), F_OK) == 0) {
+    double time = -1;
+    try {
+      time = read_checkpoint(MPI_COMM_SELF, path, kNodes, owned).time;
+    } catch (const std::exception&) {  // killed before the first one
+    }
+    file = std::make_unique<ResultsFile>(ResultsFile::resume(MPI_COMM_SELF, path, contents(), owned, time));
+    next = static_cast<int>(time) + 1;
+    std::printf("resumed %d\n", next);
+  } else {
+    file = std::make_unique<ResultsFile>(ResultsFile::create(MPI_COMM_SELF, path, contents(), owned));
+  }
+  for (int k = next; k < 200; ++k) {
+    for (int s = 0; s < kSteps; ++s) file->append_series(k - 1 + (s + 1.0) / kSteps, {{value(k, s)}});
+    std::vector<std::vector<double>> fields(2);
+    for (int i = 0; i < 3 * kNodes; ++i) fields[0].push_back(value(k, i));
+    for (int i = 0; i < kNodes; ++i) fields[1].push_back(value(k, -i));
+    const BodyPose pose{Vec3(k, 0, 0), Quat::Identity()};
+    file->write_output(k, fields, {&pose, 1});
+    std::printf("output %d\n", k), std::fflush(stdout);
+    file->write_checkpoint(checkpoint(k));
+    std::printf("checkpoint %d\n", k), std::fflush(stdout);
+  }
+  file->finish({{"max", "hose", 1, "N", 0, 0}});
+  std::printf("end\n");
+}
+
+// The child's main: only when asked for by the variable.
+TEST(ResultsKill, Child) {
+  const char* path = std::getenv(kFileVariable);
+  if (!path) GTEST_SKIP() << "run by ResultsKill.AcceptedOutputsSurvive";
+  write_for_ever(path);
+}
+
+struct Said {
+  int outputs = -1, checkpoint = -1;  // last accepted
+  bool end = false, spoke = false;
+};
+
+// Runs the child, kills it `seconds` after its first word, returns what it had said.
+Said run_and_kill(const std::string& path, double seconds) {
+  int pipe_ends[2];
+  if (pipe(pipe_ends)) throw std::runtime_error("pipe");
+  const pid_t child = fork();
+  if (child == 0) {
+    dup2(pipe_ends[1], 1);
+    close(pipe_ends[0]), close(pipe_ends[1]);
+    // A fresh environment: MPI must not take the child for a part of the parent's job.
+    const std::string file = std::string(kFileVariable) + "=" + path;
+    std::vector<std::string> env{file};
+    for (const char* name : {"PATH", "HOME", "TMPDIR", "LD_LIBRARY_PATH", "OMPI_ALLOW_RUN_AS_ROOT",
+                             "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_btl_vader_single_copy_mechanism",
+                             "OMPI_MCA_hwloc_base_binding_policy"})
+      if (const char* v = std::getenv(name)) env.push_back(std::string(name) + "=" + v);
+    std::vector<char*> envp;
+    for (auto& e : env) envp.push_back(e.data());
+    envp.push_back(nullptr);
+    char self[] = "/proc/self/exe", filter[] = "--gtest_filter=ResultsKill.Child";
+    char* argv[] = {self, filter, nullptr};
+    execve(self, argv, envp.data());
+    _exit(127);
+  }
+  close(pipe_ends[1]);
+  std::string text;
+  char buffer[4096];
+  const auto has_begun = [&] {
+    return text.find("output ") != std::string::npos || text.find("resumed ") != std::string::npos;
+  };
+  ssize_t n = 0;
+  while (!has_begun() && (n = read(pipe_ends[0], buffer, sizeof buffer)) > 0)
+    text.append(buffer, static_cast<size_t>(n));
+  usleep(static_cast<useconds_t>(seconds * 1e6));
+  kill(child, SIGKILL);
+  while ((n = read(pipe_ends[0], buffer, sizeof buffer)) > 0) text.append(buffer, static_cast<size_t>(n));
+  close(pipe_ends[0]);
+  waitpid(child, nullptr, 0);
+
+  Said said;
+  said.spoke = has_begun();
+  for (size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1) {
+    const std::string line = text.substr(at, end - at);
+    std::sscanf(line.c_str(), "output %d", &said.outputs);
+    std::sscanf(line.c_str(), "checkpoint %d", &said.checkpoint);
+    said.end = said.end || line == "end";
+  }
+  return said;
+}
+
+void expect_whole(const std::string& path, const Said& said) {
+  const auto file = h5::open_read(path);
+  std::int64_t written[2];
+  {
+    const auto set = h5::open_dataset(file, "written");
+    const auto type = h5::own(H5Dget_type(set), H5Tclose, "type");
+    ASSERT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, written), 0);
+  }
+  ASSERT_GE(written[0], said.outputs + 1);
+  ASSERT_EQ(written[1], kSteps * written[0]);
+  const auto n = static_cast<size_t>(written[0]);
+  const auto time = h5::read_array(file, "outputs/time"), x = h5::read_array(file, "fields/position");
+  const auto tension = h5::read_array(file, "fields/effective_tension"),
+             end = h5::read_array(file, "series/end_A");
+  const auto body = h5::read_array(file, "bodies/position"),
+             moved = h5::read_array(file, "volumes/drum/moved");
+  long wrong = 0;
+  for (size_t k = 0; k < n; ++k) {
+    const int out = static_cast<int>(k);
+    wrong += time.values[k] != out;
+    for (int i = 0; i < 3 * kNodes; ++i)
+      wrong += x.values[3 * kNodes * k + static_cast<size_t>(i)] != value(out, i);
+    for (int i = 0; i < kNodes; ++i)
+      wrong += tension.values[kNodes * k + static_cast<size_t>(i)] != value(out, -i);
+    for (int s = 0; s < kSteps; ++s)
+      wrong += end.values[kSteps * k + static_cast<size_t>(s)] != value(out, s);
+    wrong += body.values[3 * k] != out;
+    wrong += moved.values[9 * k + 3] != out + 1;
+  }
+  EXPECT_EQ(wrong, 0);
+
+  if (said.checkpoint >= 0) {
+    const auto read = read_checkpoint(MPI_COMM_SELF, path, kNodes, all_nodes());
+    const int k = static_cast<int>(read.time);
+    EXPECT_GE(k, said.checkpoint);
+    EXPECT_LT(k, written[0]);
+    const auto right = checkpoint(k);
+    EXPECT_EQ(read.nodes.at("position").values, right.nodes.at("position").values);
+    const auto records = right.records.find("friction");
+    if (records != right.records.end()) {
+      ASSERT_EQ(read.records.at("friction").size(), records->second.size());
+      for (size_t i = 0; i < records->second.size(); ++i)
+        EXPECT_EQ(read.records.at("friction")[i].values, records->second[i].values);
+    }
+  }
+
+  std::ifstream in(path.substr(0, path.size() - 3) + ".xdmf");
+  const std::string xml{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_NE(xml.find("</Xdmf>\n"), std::string::npos);
+}
+
+TEST(ResultsKill, AcceptedOutputsSurvive) {
+  const std::string path = std::string(HAWSER_BINARY_DIR) + "/results_kill.h5";
+  std::mt19937 random(20240101);
+  std::uniform_real_distribution<double> moment(0, 0.06);  // s; an output with its checkpoint takes some ms
+  int kills = 0, resumed = 0, files = 0;
+  std::remove(path.c_str());
+  while (kills < 40) {
+    const bool fresh = access(path.c_str(), F_OK) != 0;
+    const Said said = run_and_kill(path, moment(random));
+    ASSERT_TRUE(said.spoke) << "the child did not start";
+    expect_whole(path, said);
+    if (::testing::Test::HasFatalFailure() || ::testing::Test::HasNonfatalFailure())
+      FAIL() << "after kill " << kills;
+    if (fresh) ++files;
+    if (said.end || kills % 8 == 7) std::remove(path.c_str());
+    if (said.end) continue;
+    ++kills;
+    resumed += !fresh;
+  }
+  std::printf("%d kills, %d of runs that had resumed, %d files\n", kills, resumed, files);
+}
+
+}  // namespace
+}  // namespace hawser::io
