@@ -20,7 +20,7 @@ void fail(const std::string& file, int line, const std::string& key, const std::
   throw InputError(s);
 }
 
-const char* name_pattern() { return "^[A-Za-z0-9_\\u0080-\\uffff][A-Za-z0-9_+ \\u0080-\\uffff-]*$"; }
+const char* name_pattern() { return "^[A-Za-z0-9_\u0080-\uffff][A-Za-z0-9_+ \u0080-\uffff-]*$"; }
 
 bool is_name(std::string_view text) {
   constexpr std::size_t kLongest = 100;
@@ -42,11 +42,13 @@ std::string in_unit(Dimension d) { return d == Dimension::none ? "" : fmt::forma
 
 std::string plural(std::string s) {  // "a number [m]" -> "numbers [m]"
   if (s.starts_with("a number")) return "numbers" + s.substr(8);
-  if (s.starts_with("the name of")) return "names" + s.substr(8);
+  if (s.starts_with("the name of an entry")) return "names of entries" + s.substr(20);
   return s;
 }
 
 std::string bounds_text(const Key& k) {
+  if (k.bounds.at_least && k.bounds.at_least == k.bounds.at_most)
+    return fmt::format("{:g}", *k.bounds.at_least);
   const double f = k.unit == Dimension::angle ? 180 / 3.14159265358979323846 : 1;
   std::vector<std::string> parts;
   if (k.bounds.above) parts.push_back(fmt::format("above {:g}", *k.bounds.above * f));
@@ -301,8 +303,11 @@ class Checker {
 
   static std::string choices(const Key& k) {
     std::vector<std::string> c;
-    for (const Group& g : k.groups)
-      c.push_back(fmt::format("{}", fmt::join(g.needed.empty() ? g.keys : g.needed, " and ")));
+    for (const Group& g : k.groups) {
+      std::vector<std::string> keys;
+      for (const std::string& key : g.needed.empty() ? g.keys : g.needed) keys.push_back("'" + key + "'");
+      c.push_back(enumerate(keys, g.needed.empty() ? "and" : "with"));
+    }
     return "give " + std::string(k.group_required ? "one of " : "only one of ") + enumerate(c);
   }
 
@@ -368,6 +373,7 @@ std::string describe(const Key& k) {
       if (k.max_items > 0 && k.max_items == k.min_items)
         return fmt::format("a list of {} {}", k.min_items, of);
       if (k.max_items > 0) return fmt::format("a list of {} to {} {}", k.min_items, k.max_items, of);
+      if (k.min_items == 1) return "a list of one or more " + of;
       if (k.min_items > 0) return fmt::format("a list of at least {} {}", k.min_items, of);
       return "a list of " + of;
     }

@@ -1,0 +1,21 @@
+// A case in plain words, for `hawser check`.
+#pragma once
+
+#include <string>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser::model {
+
+struct LineSize {
+  double length = 0;  // m, unstretched
+  long long elements = 0, nodes = 0;
+  long long unknowns = 0;  // 3 a cable node, 6 a beam node; held ends included
+  double mass = 0;         // kg, with point masses
+};
+LineSize size_of(const Case& c, const Line& line);
+
+// Several lines of text, ending in a newline: lines, bodies, volumes, what is run, notes.
+std::string summary(const Case& c);
+
+}  // namespace hawser::model

@@ -1,0 +1,154 @@
+#include "hawser/model/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "hawser/model/check.hpp"
+
+namespace hawser::model {
+namespace {
+
+std::string point(const Vec3& x) { return fmt::format("({:g}, {:g}, {:g})", x.x(), x.y(), x.z()); }
+
+std::string end_text(const End& e) {
+  if (e.kind == EndKind::free) return "free";
+  const std::string where =
+      e.kind == EndKind::anchor ? "anchored at " + point(e.at) : "tied to " + e.body + " at " + point(e.at);
+  return where + (e.clamped ? ", clamped" : "");
+}
+
+std::string start_text(Start s) {
+  switch (s) {
+    case Start::automatic:
+      return "auto";
+    case Start::catenary:
+      return "catenary";
+    case Start::hanging:
+      return "hanging";
+    case Start::straight:
+      return "straight";
+    case Start::points:
+      return "along given points";
+  }
+  return {};
+}
+
+std::string motion_text(const Body& b) {
+  std::string s = "stands still";
+  if (const auto* c = std::get_if<ConstantMotion>(&b.motion)) {
+    s = "moves";
+    if (!c->velocity.isZero()) s += " at " + point(c->velocity) + " m/s";
+    if (c->rate != 0) {
+      if (!c->velocity.isZero()) s += " and";
+      s += fmt::format(" turning at {:g} rad/s about {}", c->rate, point(c->axis));
+    }
+  } else if (const auto* h = std::get_if<HarmonicMotion>(&b.motion)) {
+    s = fmt::format("moves harmonically, period {:g} s", h->period);
+  } else if (const auto* t = std::get_if<TableMotion>(&b.motion)) {
+    s = fmt::format("moves by a table of {} rows, {:g} to {:g} s", t->time.size(), t->time.front(),
+                    t->time.back());
+  }
+  if (b.ramp > 0) s += fmt::format(", starting smoothly over {:g} s", b.ramp);
+  return s;
+}
+
+std::string stiffness_text(const Volume& v) {
+  switch (v.basis) {
+    case StiffnessBasis::automatic:
+      return "stiffness automatic";
+    case StiffnessBasis::per_point:
+      return fmt::format("stiffness {:g} N/m a point", v.normal_stiffness);
+    case StiffnessBasis::per_length:
+      return fmt::format("stiffness {:g} N/m²", v.normal_stiffness);
+    case StiffnessBasis::per_area:
+      return fmt::format("stiffness {:g} N/m³", v.normal_stiffness);
+  }
+  return {};
+}
+
+std::string friction_text(const Friction& f) {
+  if (f.axial == 0 && f.lateral == 0) return "no friction";
+  if (f.axial == f.lateral) return fmt::format("friction {:g}", f.axial);
+  return fmt::format("friction {:g} along, {:g} across", f.axial, f.lateral);
+}
+
+std::string step_text(const Dynamics& d) {
+  return d.step > 0 ? fmt::format("steps of {:g} s", d.step) : "automatic steps";
+}
+
+void describe_line(const Case& c, const Line& l, std::string& s) {
+  const LineSize z = size_of(c, l);
+  s += fmt::format("  {}: {:g} m, {} elements, {} nodes, {} unknowns, {:.4g} kg, weight {:.4g} kN\n", l.name,
+                   z.length, z.elements, z.nodes, z.unknowns, z.mass, z.mass * c.environment.gravity / 1000);
+  for (const Section& sec : l.sections) {
+    const LineType& t = c.line_type(sec.type);
+    s += fmt::format("    {:g} m of {} ({}, diameter {:g} m, {:g} kg/m), {} elements{}\n", sec.length, t.name,
+                     t.kind == LineKind::beam ? "beam" : "cable", t.outer_diameter, t.mass_per_length,
+                     sec.elements, sec.grading == 1 ? "" : fmt::format(", last / first {:g}", sec.grading));
+  }
+  s += fmt::format("    end A {}; end B {}; start {}\n", end_text(l.end_a), end_text(l.end_b),
+                   start_text(l.start));
+  if (!l.masses.empty() || !l.loads.empty() || !l.point_loads.empty())
+    s += fmt::format("    {} point masses, {} distributed loads, {} point loads\n", l.masses.size(),
+                     l.loads.size(), l.point_loads.size());
+}
+
+}  // namespace
+
+LineSize size_of(const Case& c, const Line& line) {
+  LineSize z;
+  z.length = length_of(line);
+  z.nodes = 1;
+  bool beam_before = false;
+  for (std::size_t i = 0; i < line.sections.size(); ++i) {
+    const Section& s = line.sections[i];
+    const LineType& t = c.line_type(s.type);
+    const bool beam = t.kind == LineKind::beam;
+    // The node between two sections has rotations if one of them is a beam.
+    if (i == 0) z.unknowns += beam ? 6 : 3;
+    if (i > 0 && beam && !beam_before) z.unknowns += 3;
+    z.unknowns += (beam ? 6LL : 3LL) * s.elements;
+    z.elements += s.elements;
+    z.nodes += s.elements;
+    z.mass += t.mass_per_length * s.length;
+    beam_before = beam;
+  }
+  for (const PointMass& m : line.masses) z.mass += m.mass;
+  return z;
+}
+
+std::string summary(const Case& c) {
+  std::string s;
+  if (!c.title.empty()) s += c.title + "\n";
+  long long nodes = 0, elements = 0, unknowns = 0;
+  for (const Line& l : c.lines) {
+    const LineSize z = size_of(c, l);
+    nodes += z.nodes, elements += z.elements, unknowns += z.unknowns;
+  }
+  s += fmt::format("lines: {} ({} elements, {} nodes, {} unknowns)\n", c.lines.size(), elements, nodes,
+                   unknowns);
+  for (const Line& l : c.lines) describe_line(c, l, s);
+  s += fmt::format("bodies: {}\n", c.bodies.size());
+  for (const Body& b : c.bodies)
+    s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(b));
+  s += fmt::format("volumes: {}\n", c.volumes.size());
+  for (const Volume& v : c.volumes)
+    s += fmt::format("  {}: {}, {}, {}, {}{}\n", v.name, std::filesystem::path(v.mesh).filename().string(),
+                     v.body.empty() ? std::string("fixed in space") : "on " + v.body, stiffness_text(v),
+                     friction_text(v.friction),
+                     v.active_box            ? ", active in a box"
+                     : v.active_part.empty() ? std::string()
+                                             : ", active: " + v.active_part);
+  s += fmt::format("gravity: {:g} m/s²\n", c.environment.gravity);
+  s += fmt::format("run: {}", c.statics.enabled ? "statics" : "no statics");
+  if (c.dynamics.enabled)
+    s += fmt::format(", dynamics of {:g} s in {}, rho_infinity {:g}", c.dynamics.duration,
+                     step_text(c.dynamics), c.dynamics.rho_infinity);
+  s += "\n";
+  s += fmt::format("results: {}{}\n", c.output.file, c.output.xdmf ? " and .xdmf" : "");
+  for (const std::string& n : c.notes) s += "note: " + n + "\n";
+  return s;
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,126 @@
+// Meshes from files: welded, closed, outward, scaled; notes on what was mended.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/mesh_reader.hpp"
+
+namespace hawser {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kBox = HAWSER_SOURCE_DIR "/tests/data/bad/box.obj";
+
+std::string temporary(const std::string& name, const std::string& text) {
+  const fs::path folder = fs::path(testing::TempDir()) / "hawser_meshes";
+  fs::create_directories(folder);
+  std::ofstream(folder / name) << text;
+  return (folder / name).string();
+}
+
+std::string facet(const char* a, const char* b, const char* c) {
+  return std::string("facet normal 0 0 0\nouter loop\nvertex ") + a + "\nvertex " + b + "\nvertex " + c +
+         "\nendloop\nendfacet\n";
+}
+
+std::string tetrahedron(const std::string& name, const char* o, const char* x, const char* y, const char* z,
+                        bool outward) {
+  std::string s = "solid " + name + "\n";
+  if (outward)
+    s += facet(o, y, x) + facet(o, x, z) + facet(o, z, y) + facet(x, y, z);
+  else
+    s += facet(o, x, y) + facet(o, z, x) + facet(o, y, z) + facet(x, z, y);
+  return s + "endsolid " + name + "\n";
+}
+
+TEST(CaseMeshReader, ObjWithGroups) {
+  const io::LoadedMesh m = io::read_mesh(kBox, 0.5);
+  EXPECT_EQ(m.mesh.triangles.size(), 12U);
+  EXPECT_EQ(m.mesh.vertices.size(), 8U);
+  EXPECT_TRUE(m.report.valid());
+  EXPECT_DOUBLE_EQ(m.report.volume, 1);  // 2 m box at half scale
+  EXPECT_TRUE(m.notes.empty());
+  model::Volume v;
+  v.active_part = "top";
+  std::vector<bool> active = io::active_triangles(m.mesh, v);
+  EXPECT_EQ(std::count(active.begin(), active.end(), true), 2);
+  v.active_part.clear();
+  active = io::active_triangles(m.mesh, v);
+  EXPECT_EQ(std::count(active.begin(), active.end(), true), 12);
+  v.active_box = model::Box{Vec3(-1, -1, 0.9), Vec3(2, 2, 1.1)};
+  active = io::active_triangles(m.mesh, v);
+  EXPECT_EQ(std::count(active.begin(), active.end(), true), 2);
+  v.active_box = model::Box{Vec3(5, 5, 5), Vec3(6, 6, 6)};
+  EXPECT_THROW(io::active_triangles(m.mesh, v), InputError);
+}
+
+// The drum's file lists every corner anew, in single precision.
+TEST(CaseMeshReader, DrumIsWeldedAndClosed) {
+  const io::LoadedMesh m = io::read_mesh(HAWSER_SOURCE_DIR "/cases/reel/drum.stl");
+  EXPECT_TRUE(m.report.valid());
+  EXPECT_EQ(m.report.components, 1);
+  // Euler: V - E + F = 2 with 2 E = 3 F.
+  EXPECT_EQ(2 * m.mesh.vertices.size(), m.mesh.triangles.size() + 4);
+  EXPECT_EQ(m.report.welded, static_cast<int>(3 * m.mesh.triangles.size() - m.mesh.vertices.size()));
+  // Barrel and two flanges with 96-gons for circles: area of a regular n-gon is n/2 sin(2 pi/n) R².
+  const double area = 48 * std::sin(2 * std::numbers::pi / 96);
+  EXPECT_NEAR(m.report.volume, area * (3.6 * 3.6 * 5.5 + 2 * 6.4 * 6.4 * 0.15), 0.01);
+}
+
+TEST(CaseMeshReader, StlSolidsAreParts) {
+  const std::string path =
+      temporary("two.stl", tetrahedron("left", "0 0 0", "1 0 0", "0 1 0", "0 0 1", true) +
+                               tetrahedron("right", "5 0 0", "6 0 0", "5 1 0", "5 0 1", true));
+  const io::LoadedMesh m = io::read_mesh(path);
+  EXPECT_EQ(m.mesh.parts, (std::vector<std::string>{"left", "right"}));
+  EXPECT_EQ(m.mesh.part, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1}));
+  EXPECT_EQ(m.mesh.vertices.size(), 8U);
+  EXPECT_NEAR(m.report.volume, 2.0 / 6, 1e-12);
+}
+
+TEST(CaseMeshReader, InsideOutIsTurnedWithANote) {
+  const io::LoadedMesh m =
+      io::read_mesh(temporary("inside.stl", tetrahedron("t", "0 0 0", "1 0 0", "0 1 0", "0 0 1", false)));
+  EXPECT_TRUE(m.report.valid());
+  EXPECT_NEAR(m.report.volume, 1.0 / 6, 1e-12);
+  ASSERT_EQ(m.notes.size(), 1U);
+  EXPECT_NE(m.notes[0].find("inside.stl"), std::string::npos);
+}
+
+TEST(CaseMeshReader, CornersThatDifferByRoundingAreWelded) {
+  std::string text = tetrahedron("t", "1000 0 0", "1001 0 0", "1000 1 0", "1000 0 1", true);
+  text.replace(text.find("1001 0 0"), 8, "1001.0001 0 0");  // half a unit in the last place of a float
+  EXPECT_TRUE(io::read_mesh(temporary("rounded.stl", text)).report.valid());
+  std::string apart = tetrahedron("t", "1000 0 0", "1001 0 0", "1000 1 0", "1000 0 1", true);
+  apart.replace(apart.find("1001 0 0"), 8, "1001.01 0 0");
+  EXPECT_THROW(io::read_mesh(temporary("apart.stl", apart)), InputError);
+}
+
+TEST(CaseMeshReader, PlyWithQuadrilaterals) {
+  const io::LoadedMesh m = io::read_mesh(
+      temporary("cube.PLY",
+                "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+                "property float z\nelement face 6\nproperty list uchar int vertex_indices\nend_header\n"
+                "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+                "4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n4 4 5 6 7\n"),
+      3);
+  EXPECT_EQ(m.mesh.triangles.size(), 12U);
+  EXPECT_NEAR(m.report.volume, 27, 1e-12);
+}
+
+TEST(CaseMeshReader, OpenMeshIsRefused) {
+  try {
+    io::read_mesh(HAWSER_SOURCE_DIR "/tests/data/bad/open_box.obj");
+    FAIL() << "was accepted";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("3 open edges"), std::string::npos) << e.what();
+  }
+}
+
+}  // namespace
+}  // namespace hawser

@@ -1,0 +1,296 @@
+// Good case files: what was written is what is read, and what was not is the documented default.
+#include "hawser/io/case_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <string>
+
+#include "hawser/base/error.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/summary.hpp"
+
+namespace hawser {
+namespace {
+
+namespace fs = std::filesystem;
+using model::Case;
+
+constexpr const char* kTypes =
+    "hawser: 1\n"
+    "line_types:\n"
+    "  hose: {outer_diameter: 0.2, mass_per_length: 50, EA: 1e8, EI: 1e4, GJ: 1e4}\n"
+    "  chain: {outer_diameter: 100 mm, mass_per_length: 0.1 t/m, EA: 100 MN, bending: false}\n";
+
+Case read(const std::string& text) {
+  return io::read_case_text(text, (fs::path(HAWSER_SOURCE_DIR) / "tests/data/bad/text.yaml").string());
+}
+Case read_line(const std::string& line) {
+  return read(std::string(kTypes) + "lines:\n  a: {" + line + "}\n");
+}
+
+bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-14; }
+
+TEST(CaseReader, Reel) {
+  const Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
+  EXPECT_EQ(c.title, "Marlim Sul hose reel");
+  EXPECT_EQ(c.environment.gravity, 9.80665);
+  ASSERT_EQ(c.line_types.size(), 1U);
+  const model::LineType& t = c.line_type("hose");
+  EXPECT_EQ(t.kind, model::LineKind::beam);
+  EXPECT_EQ(t.outer_diameter, 0.85);
+  EXPECT_EQ(t.contact_diameter, 0.85);
+  EXPECT_EQ(t.mass_per_length, 273.4);
+  EXPECT_EQ(t.EA, 9.505e8);
+  EXPECT_EQ(t.EI2, 1e6);
+  EXPECT_EQ(t.EI3, 1e6);
+  EXPECT_EQ(t.GJ, 1e6);
+  EXPECT_EQ(t.GA, 0);
+  const double round = 273.4 * 0.85 * 0.85 / 8;
+  EXPECT_TRUE(near(t.rotary_inertia, {round, round / 2, round / 2}));
+  ASSERT_EQ(c.bodies.size(), 1U);
+  EXPECT_EQ(c.body_index("reel"), 0);
+  EXPECT_EQ(c.body_index("wheel"), -1);
+  EXPECT_EQ(c.bodies[0].ramp, 10);
+  const auto& m = std::get<model::ConstantMotion>(c.bodies[0].motion);
+  EXPECT_EQ(m.axis, Vec3(0, -1, 0));
+  EXPECT_EQ(m.rate, 0.1);
+  EXPECT_EQ(m.velocity, Vec3(0, 0, 0));
+  ASSERT_EQ(c.volumes.size(), 1U);
+  EXPECT_EQ(c.volumes[0].mesh, (fs::path(HAWSER_SOURCE_DIR) / "cases/reel/drum.stl").string());
+  EXPECT_EQ(c.volumes[0].body, "reel");
+  EXPECT_EQ(c.volumes[0].basis, model::StiffnessBasis::per_length);
+  EXPECT_EQ(c.volumes[0].normal_stiffness, 2e8);
+  EXPECT_EQ(c.volumes[0].friction.axial, 0.3);
+  EXPECT_EQ(c.volumes[0].friction.lateral, 0.3);
+  ASSERT_EQ(c.lines.size(), 1U);
+  const model::Line& l = c.lines[0];
+  ASSERT_EQ(l.sections.size(), 1U);
+  EXPECT_EQ(l.sections[0].length, 250);
+  EXPECT_EQ(l.sections[0].elements, 250);
+  EXPECT_EQ(l.end_a.kind, model::EndKind::body);
+  EXPECT_EQ(l.end_a.at, Vec3(4.025, -2.3, 0));
+  EXPECT_TRUE(l.end_a.clamped);
+  EXPECT_EQ(l.end_a.direction.value(), Vec3(0, 0, -1));
+  EXPECT_EQ(l.end_b.kind, model::EndKind::free);
+  EXPECT_EQ(l.start, model::Start::hanging);
+  ASSERT_EQ(l.loads.size(), 1U);
+  EXPECT_EQ(l.loads[0].per_length, Vec3(0, 93.8, 0));
+  EXPECT_LT(l.loads[0].to, 0);
+  EXPECT_EQ(c.contact.method, model::ContactMethod::nodes);
+  EXPECT_TRUE(c.contact.all_lines && c.contact.all_volumes);
+  EXPECT_TRUE(c.statics.enabled && c.dynamics.enabled);
+  EXPECT_EQ(c.dynamics.duration, 325);
+  EXPECT_EQ(c.dynamics.step, 0);
+  EXPECT_EQ(c.output.every, 1);
+  EXPECT_EQ(c.output.file, (fs::path(HAWSER_SOURCE_DIR) / "cases/reel/reel.h5").string());
+  EXPECT_TRUE(c.output.xdmf);
+  ASSERT_EQ(c.output.histories.size(), 2U);
+  EXPECT_EQ(c.output.histories[1].at, 250);
+  EXPECT_TRUE(c.notes.empty());
+  EXPECT_NE(c.text.find("Marlim Sul"), std::string::npos);
+}
+
+TEST(CaseReader, HangingLine) {
+  const Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/hanging-line/hanging-line.yaml");
+  EXPECT_EQ(c.lines.size(), 1U);
+  EXPECT_TRUE(c.volumes.empty());
+  EXPECT_FALSE(c.dynamics.enabled);
+}
+
+// The schema's defaults and those of model::Case are written in two places; here they meet.
+TEST(CaseReader, DefaultsAreThoseOfTheCase) {
+  const Case c = read_line(
+      "sections: [{type: chain, length: 10, elements: 5}], end_a: {anchor: [0, 0, 0]}, end_b: free");
+  const Case d;
+  EXPECT_EQ(c.title, d.title);
+  EXPECT_EQ(c.environment.gravity, d.environment.gravity);
+  EXPECT_EQ(c.contact.method, d.contact.method);
+  EXPECT_EQ(c.contact.all_lines, d.contact.all_lines);
+  EXPECT_EQ(c.statics.enabled, d.statics.enabled);
+  EXPECT_EQ(c.statics.tolerance, d.statics.tolerance);
+  EXPECT_EQ(c.statics.max_iterations, d.statics.max_iterations);
+  EXPECT_EQ(c.dynamics.enabled, d.dynamics.enabled);
+  EXPECT_EQ(c.output.every, d.output.every);
+  EXPECT_EQ(c.output.xdmf, d.output.xdmf);
+  const Case s = read_line(
+      "sections: [{type: chain, length: 10, elements: 5}], end_a: {anchor: [0, 0, 0]}, end_b: free}\n"
+      "bodies: {b: {}}\nvolumes: {v: {mesh: box.obj}}\nstatics: {}\ndynamics: {duration: 1");
+  EXPECT_EQ(s.statics.tolerance, d.statics.tolerance);
+  EXPECT_EQ(s.statics.max_iterations, d.statics.max_iterations);
+  EXPECT_EQ(s.dynamics.step, d.dynamics.step);
+  EXPECT_EQ(s.dynamics.rho_infinity, d.dynamics.rho_infinity);
+  EXPECT_EQ(s.dynamics.tolerance, d.dynamics.tolerance);
+  EXPECT_EQ(s.dynamics.error_tolerance, d.dynamics.error_tolerance);
+  const model::Volume v, &w = s.volumes[0];
+  EXPECT_EQ(w.scale, v.scale);
+  EXPECT_EQ(w.basis, v.basis);
+  EXPECT_EQ(w.smoothing, v.smoothing);
+  EXPECT_EQ(w.relative_damping, v.relative_damping);
+  EXPECT_EQ(w.friction.axial, v.friction.axial);
+  EXPECT_EQ(w.friction.mobilisation_length, v.friction.mobilisation_length);
+  const model::Body b;
+  EXPECT_EQ(s.bodies[0].position, b.position);
+  EXPECT_EQ(s.bodies[0].rotation, b.rotation);
+  EXPECT_EQ(s.bodies[0].motion.index(), 0U);
+  EXPECT_EQ(s.lines[0].start, model::Start::automatic);
+  EXPECT_EQ(s.lines[0].sections[0].grading, 1);
+}
+
+TEST(CaseReader, EverythingGiven) {
+  const Case c = read(std::string(kTypes) + R"(
+  flat: {outer_diameter: 0.3, contact_diameter: 350 mm, mass_per_length: 80, EA: 1e8, EI: [1 MN m2, 20 kN m2],
+         GJ: 5e4, GA: 1e7, rotary_inertia: [1, 2, 3], stiffness_damping: 10 ms}
+bodies:
+  ship: {position: [1, 2, 3], rotation_deg: [0, 0, 90],
+         motion: {harmonic: {amplitude: [1, 0, 2], rotation_amplitude_deg: [0, 3.5, 0], period: 10,
+                             phase_deg: [90, 0, 0]}}}
+  tug: {motion: {velocity: [2 kn, 0, 0], ramp: 5}}
+  rig: {motion: {table: {rows: [[0, 0, 0, 0, 0, 0, 0], [5, 1, 0, 0, 0, 0, 90], [9, 2, 0, 0, 0, 0, 0]]}}}
+volumes:
+  deck: {mesh: box.obj, scale: 2, body: ship, active: top, normal_stiffness: {per_area: 1 MN/m3}, smoothing: 1 mm,
+         relative_damping: 5 %, friction: {axial: 0.2, lateral: 0.4, mobilisation_length: 2 mm}}
+  block: {mesh: box.obj, active: {box: [[-1, -1, -1], [3, 3, 0.5]]}, normal_stiffness: {per_point: 1 kN/m},
+          friction: {axial: 0.2, shear_stiffness: 1e5}}
+lines:
+  "line 1":
+    sections: [{type: chain, length: 10, element_length: 0.7}, {type: flat, length: 30, elements: 7, grading: 2}]
+    end_a: {anchor: [0, 0, 0], direction: [3, 0, 4]}
+    end_b: {body: ship, at: [5, 0, 0], direction: [0, 0, 2], clamped: true}
+    start: {points: [[0, 0, 0], [0, 2, -18], [2, 7, 3]]}
+    masses: [{at: end_b, mass: 1 t}]
+    loads:
+      - {per_length: [0, 1 kN/m, 0], from: 5, to: 20, ramp: 3}
+      - {at: 20, moment: [0, 0, 2 kN m]}
+contact: {lines: [line 1], volumes: [block]}
+statics: {tolerance: 1e-9, max_iterations: 50}
+dynamics: {duration: 2 min, step: 50 ms, max_step: 0.1, min_step: 1e-4, rho_infinity: 0.5, tolerance: 1e-6,
+           error_tolerance: 1 mm}
+output: {file: out/r.h5, every: 2, checkpoint_every: 10, format: [hdf5],
+         histories: [{line: line 1, at: 7.5}, {line: line 1, at: end_b, name: top}]}
+)");
+  const model::LineType& f = c.line_type("flat");
+  EXPECT_EQ(f.EI2, 1e6);
+  EXPECT_EQ(f.EI3, 2e4);
+  EXPECT_EQ(f.contact_diameter, 0.35);
+  EXPECT_EQ(f.rotary_inertia, Vec3(1, 2, 3));
+  EXPECT_EQ(f.stiffness_damping, 0.01);
+  EXPECT_EQ(c.line_type("chain").mass_per_length, 100);
+  EXPECT_EQ(c.line_type("chain").kind, model::LineKind::cable);
+  const auto& h = std::get<model::HarmonicMotion>(c.bodies[0].motion);
+  EXPECT_TRUE(near(c.bodies[0].rotation, {0, 0, std::numbers::pi / 2}));
+  EXPECT_TRUE(near(h.rotation_amplitude, {0, 3.5 * std::numbers::pi / 180, 0}));
+  EXPECT_TRUE(near(h.phase, {std::numbers::pi / 2, 0, 0}));
+  EXPECT_NEAR(std::get<model::ConstantMotion>(c.bodies[1].motion).velocity.x(), 1.028889, 1e-6);
+  const auto& t = std::get<model::TableMotion>(c.bodies[2].motion);
+  EXPECT_EQ(t.time, (std::vector<double>{0, 5, 9}));
+  EXPECT_TRUE(near(t.rotation[1], {0, 0, std::numbers::pi / 2}));
+  EXPECT_EQ(c.volumes[0].active_part, "top");
+  EXPECT_EQ(c.volumes[0].basis, model::StiffnessBasis::per_area);
+  EXPECT_EQ(c.volumes[0].normal_stiffness, 1e6);
+  EXPECT_EQ(c.volumes[0].relative_damping, 0.05);
+  EXPECT_EQ(c.volumes[0].friction.lateral, 0.4);
+  EXPECT_EQ(c.volumes[0].friction.mobilisation_length, 0.002);
+  EXPECT_EQ(c.volumes[1].active_box->upper, Vec3(3, 3, 0.5));
+  EXPECT_EQ(c.volumes[1].friction.lateral, 0.2);
+  EXPECT_EQ(c.volumes[1].friction.shear_stiffness, 1e5);
+  const model::Line& l = c.lines[0];
+  EXPECT_EQ(l.name, "line 1");
+  EXPECT_EQ(l.sections[0].elements, 15);
+  EXPECT_EQ(l.sections[1].grading, 2);
+  EXPECT_TRUE(near(l.end_a.direction.value(), {0.6, 0, 0.8}));
+  EXPECT_TRUE(near(l.end_b.direction.value(), {0, 0, 1}));
+  // Turned by 90° about z, and moved by amplitude * sin(phase) = (1, 0, 0) at t = 0.
+  EXPECT_LT((model::end_position(c, l.end_b) - Vec3(2, 7, 3)).norm(), 1e-12);
+  EXPECT_EQ(l.points.size(), 3U);
+  EXPECT_EQ(l.masses[0].at, 40);
+  EXPECT_EQ(l.masses[0].mass, 1000);
+  EXPECT_EQ(l.loads[0].from, 5);
+  EXPECT_EQ(l.loads[0].to, 20);
+  EXPECT_EQ(l.loads[0].ramp, 3);
+  EXPECT_EQ(l.point_loads[0].moment, Vec3(0, 0, 2000));
+  EXPECT_FALSE(c.contact.all_lines || c.contact.all_volumes);
+  EXPECT_EQ(c.contact.volumes, std::vector<std::string>{"block"});
+  EXPECT_EQ(c.dynamics.duration, 120);
+  EXPECT_EQ(c.dynamics.step, 0.05);
+  EXPECT_EQ(c.dynamics.error_tolerance, 0.001);
+  EXPECT_EQ(c.output.file, (fs::path(c.directory) / "out/r.h5").string());
+  EXPECT_FALSE(c.output.xdmf);
+  EXPECT_EQ(c.output.checkpoint_every, 10);
+  EXPECT_EQ(c.output.histories[0].name, "line 1@7.5");
+  EXPECT_EQ(c.output.histories[1].name, "top");
+  EXPECT_EQ(c.output.histories[1].at, 40);
+}
+
+// The longest element is at most what was asked for, and one element fewer would not do.
+TEST(CaseReader, ElementLength) {
+  for (const double h : {0.3, 1.0, 7.0, 50.0})
+    for (const double g : {0.2, 1.0, 5.0}) {
+      const Case c =
+          read_line("sections: [{type: chain, length: 50, element_length: " + std::to_string(h) +
+                    ", grading: " + std::to_string(g) + "}], end_a: {anchor: [0, 0, 0]}, end_b: free");
+      const auto longest = [&](int n) {
+        double sum = 0, most = 0;
+        for (int i = 0; i < n; ++i) {
+          const double x = n > 1 ? std::pow(g, static_cast<double>(i) / (n - 1)) : 1;
+          sum += x, most = std::max(most, x);
+        }
+        return 50 * most / sum;
+      };
+      const int n = c.lines[0].sections[0].elements;
+      EXPECT_LE(longest(n), h * (1 + 1e-8)) << h << " " << g;
+      EXPECT_TRUE(n == 1 || longest(n - 1) > h) << h << " " << g;
+    }
+}
+
+TEST(CaseReader, TautLineMayBeALittleShort) {
+  const auto line = [](const char* length) {
+    return std::string("sections: [{type: chain, length: ") + length +
+           ", elements: 5}], end_a: {anchor: [0, 0, 0]}, end_b: {anchor: [100, 0, 0]}";
+  };
+  EXPECT_NO_THROW(read_line(line("99")));
+  EXPECT_NO_THROW(read_line(line("91")));
+  EXPECT_THROW(read_line(line("90.9")), InputError);
+}
+
+TEST(CaseReader, MotionTableFromAFile) {
+  const fs::path folder = fs::path(testing::TempDir()) / "hawser_table";
+  fs::create_directories(folder);
+  std::ofstream(folder / "surge.txt") << "# t x y z\n0 0 0 0\n\n1.5, 2, 0, -1  # up\n";
+  const Case c =
+      io::read_case_text(std::string(kTypes) +
+                             "bodies: {b: {motion: {table: {file: surge.txt}, ramp: 2}}}\n"
+                             "lines: {a: {sections: [{type: hose, length: 10, elements: 5}], end_a: free, "
+                             "end_b: {body: b, at: [0, 0, 0]}}}\n",
+                         (folder / "x.yaml").string());
+  const auto& t = std::get<model::TableMotion>(c.bodies[0].motion);
+  ASSERT_EQ(t.time.size(), 2U);
+  EXPECT_EQ(t.offset[1], Vec3(2, 0, -1));
+  EXPECT_TRUE(t.rotation.empty());
+  EXPECT_EQ(c.bodies[0].ramp, 2);
+}
+
+TEST(CaseSummary, CountsUnknownsOfMixedLines) {
+  const Case c = read_line(
+      "sections: [{type: chain, length: 10, elements: 4}, {type: hose, length: 20, elements: 3}, "
+      "{type: chain, length: 10, elements: 2}], end_a: {anchor: [0, 0, 0]}, end_b: free, masses: [{at: 0, "
+      "mass: 5}]");
+  const model::LineSize z = model::size_of(c, c.lines[0]);
+  EXPECT_EQ(z.elements, 9);
+  EXPECT_EQ(z.nodes, 10);
+  EXPECT_EQ(z.unknowns, 3 * 10 + 3 * 4);  // the four nodes of the hose have rotations
+  EXPECT_EQ(z.mass, 10 * 100 + 20 * 50 + 10 * 100 + 5);
+  EXPECT_EQ(z.length, 40);
+}
+
+TEST(CaseSummary, OfTheReel) {
+  const std::string s = model::summary(io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml"));
+  for (const char* part : {"Marlim Sul", "hose: 250 m, 250 elements, 251 nodes, 1506 unknowns",
+                           "weight 670.3 kN", "drum: drum.stl, on reel", "friction 0.3", "dynamics of 325 s"})
+    EXPECT_NE(s.find(part), std::string::npos) << part << "\n" << s;
+}
+
+}  // namespace
+}  // namespace hawser
