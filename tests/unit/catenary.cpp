@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 namespace hawser {
@@ -105,6 +106,32 @@ TEST(Catenary, LooseVerticalTightAndReversed) {
   EXPECT_THROW(catenary({0, 0, 0}, {0, 99, 0}, {{100, {0, 0, 0}, 1e7}}), std::invalid_argument);
   EXPECT_THROW(catenary({0, 0, 0}, {0, 99, 0}, {{0, {0, 0, -1}, 1e7}}), std::invalid_argument);
   EXPECT_THROW(catenary({0, 0, 0}, {0, 99, 0}, {{100, {0, 0, -1}, 0}}), std::invalid_argument);
+}
+
+// Any proportions: lengths, loads (some upward), stiffness over five decades, spans from nothing to too long.
+TEST(Catenary, RandomLines) {
+  std::mt19937 generator(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto u = [&] { return uniform(generator); };
+  const auto decades = [&](double from, double to) { return from * std::pow(to / from, u()); };
+  for (int i = 0; i < 20000; ++i) {
+    std::vector<CatenarySection> sections(1 + static_cast<size_t>(u() * 4));
+    double length = 0;
+    for (CatenarySection& s : sections) {
+      s.length = decades(1, 1000);
+      s.EA = decades(1e5, 1e10);
+      s.load = Vec3(u() - 0.5, u() - 0.5, -decades(0.1, 50)) * decades(1, 100);
+      if (u() < 0.2) s.load = -s.load;
+      if (u() < 0.2) s.end_load = {0, 0, (u() - 0.5) * 1e5};
+      length += s.length;
+    }
+    Vec3 b = Vec3(u() - 0.5, u() - 0.5, u() - 0.5).normalized() * length *
+             (u() < 0.3 ? decades(1e-6, 1) : 1.1 * u());
+    if (u() < 0.1) b = {0, 0, b.z()};
+    ASSERT_NO_THROW({
+      EXPECT_LT((catenary({0, 0, 0}, b, sections).end_b() - b).norm(), 1e-11 * length);
+    }) << i;
+  }
 }
 
 TEST(Catenary, FreeEnds) {
