@@ -35,4 +35,8 @@ ClosestPoint closest_point_on_segment(const Vec3& p, const Vec3& a, const Vec3& 
 // Nearest point of triangle a-b-c to p, robust; degenerate triangles are segments or points.
 ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
+// Unit normal by the right-hand rule, to rounding also for very flat triangles; zero when the height
+// over the longest edge is below 1e-12 of that edge.
+Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c);
+
 }  // namespace hawser

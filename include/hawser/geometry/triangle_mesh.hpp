@@ -29,8 +29,9 @@ struct Topology {
   int components = 0;
   int open_edges = 0;          // edges with one triangle
   int non_manifold_edges = 0;  // edges with more than two
-  int unbalanced_edges = 0;    // edges not run through as often one way as the other
-  int flipped_edges = 0;       // edges of two triangles that run the same way: one of them is turned over
+  int odd_edges = 0;           // edges with an odd number of triangles, the open ones among them
+  int flipped_edges = 0;       // edges of an even number of triangles that do not run half each way:
+                               // somewhere beside them a triangle is turned over
 };
 Topology topology(const TriangleMesh& mesh);
 
@@ -41,8 +42,8 @@ struct MeshReport {
   int degenerate = 0;  // triangles of no area (height below 1e-12 of the longest edge)
   int open_edges = 0, non_manifold_edges = 0, flipped_edges = 0;
   int components = 0;
-  bool closed = false;                 // every edge has as many triangles one way as the other or 2 of them
-  bool consistently_oriented = false;  // closed or not, no two neighbours disagree
+  bool closed = false;                 // every edge belongs to an even number of triangles
+  bool consistently_oriented = false;  // every edge of 2, 4, ... triangles runs half of them each way
   bool outward = false;  // components not inside another have volume > 0, those inside (cavities) < 0
   double volume = 0;     // m³, signed; of a closed mesh
   double area = 0;       // m²

@@ -1,0 +1,40 @@
+// Is a point inside a closed triangle mesh? Three classical tests that can check one another; each looks
+// at every triangle. (For many points near one mesh use MeshSurface.)
+//
+//   tetrahedra   signed volume of the tetrahedron of the point and each face; convex meshes only
+//   ray          crossings of a ray along an axis; rays through vertices and edges are decided by exact
+//                signs and a symbolic shift (Edelsbrunner & Mücke 1990, "Simulation of simplicity")
+//   solid_angle  sum of the solid angles of the faces (van Oosterom & Strackee 1983, IEEE Trans. Biomed.
+//                Eng. 30(2)): 4 pi inside, 0 outside
+//
+// A point within `tolerance` [m] of the surface is on the boundary.
+#pragma once
+
+#include "hawser/geometry/triangle_mesh.hpp"
+
+namespace hawser {
+
+enum class Location { outside, boundary, inside };
+enum class InsideTest { tetrahedra, ray, solid_angle };
+
+// The mesh is closed and outward (MeshReport::valid), and for `tetrahedra` convex: not checked here.
+Location locate(const TriangleMesh& mesh, const Vec3& p, InsideTest test, double tolerance = 0);
+
+// `tetrahedra` with every face moved out by `shift` [m] (in if negative): with a line's radius the test
+// of its centreline. Convex meshes only.
+Location locate_by_tetrahedra(const TriangleMesh& mesh, const Vec3& p, double tolerance = 0,
+                              double shift = 0);
+// `ray` along +axis (0, 1, 2).
+Location locate_by_ray(const TriangleMesh& mesh, const Vec3& p, double tolerance = 0, int axis = 0);
+Location locate_by_solid_angle(const TriangleMesh& mesh, const Vec3& p, double tolerance = 0);
+
+// Solid angle [rad²] of a triangle seen from p: positive when p sees its back (is inside); in [-2pi, 2pi].
+double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
+// Sum over 4 pi: 1 inside, 0 outside of a closed outward mesh; in between for one with holes.
+double winding_number(const TriangleMesh& mesh, const Vec3& p);
+
+// No vertex is above the plane of a face by more than `tolerance` [m] (where `tetrahedra` is valid).
+// Looks along edges of a closed oriented manifold mesh of one piece.
+bool is_convex(const TriangleMesh& mesh, double tolerance = 0);
+
+}  // namespace hawser

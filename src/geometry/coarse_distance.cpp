@@ -1,0 +1,47 @@
+#include "coarse_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser::detail {
+
+CoarseDistance::CoarseDistance(const Box& box, std::size_t triangles,
+                               const std::function<Sample(const Vec3&, int hint)>& sample)
+    : box_(box) {
+  // About as many cells as triangles, no fewer than 512 and no more than 32^3, as near cubes as they get.
+  const double wanted = std::clamp(static_cast<double>(triangles), 512.0, 32768.0);
+  const Vec3 e = box.extent().cwiseMax(1e-3 * box.extent().maxCoeff());
+  side_ = std::cbrt(e.prod() / wanted);
+  rounding_ = 1e-6 * box.extent().maxCoeff();
+  if (!(side_ > 0)) side_ = 1;
+  for (int a = 0; a < 3; ++a) n_[a] = std::max(1, static_cast<int>(std::ceil(e[a] / side_)));
+  cells_.reserve(static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) *
+                 static_cast<std::size_t>(n_[2]));
+  int hint = -1;
+  for (int k = 0; k < n_[2]; ++k)
+    for (int j = 0; j < n_[1]; ++j)
+      for (int i = 0; i < n_[0]; ++i) {
+        const Sample s = sample(box.lo + side_ * Vec3(i + 0.5, j + 0.5, k + 0.5), hint);
+        hint = s.triangle;
+        cells_.push_back({static_cast<float>(s.active), static_cast<float>(s.whole)});
+      }
+}
+
+CoarseDistance::About CoarseDistance::about(const Vec3& y) const {
+  if (!box_.contains(y)) return {true, 0, std::numeric_limits<double>::infinity()};
+  int at[3];
+  Vec3 centre;
+  for (int a = 0; a < 3; ++a) {
+    at[a] = std::min(static_cast<int>((y[a] - box_.lo[a]) / side_), n_[a] - 1);
+    centre[a] = box_.lo[a] + side_ * (at[a] + 0.5);
+  }
+  const Cell& c = cells_[(static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(n_[1]) +
+                          static_cast<std::size_t>(at[1])) *
+                             static_cast<std::size_t>(n_[0]) +
+                         static_cast<std::size_t>(at[0])];
+  const double way = (y - centre).norm() + rounding_;
+  return {c.whole > way, c.active - way, c.active + way};
+}
+
+}  // namespace hawser::detail

@@ -1,0 +1,41 @@
+// Signed distances at the cell centres of a coarse grid over a mesh. As distance grows no faster than
+// the way (Lipschitz constant 1) they bound it at every point: most points outside are known to be so
+// without a search, and a point that may be inside knows how far to search at most.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "hawser/geometry/box.hpp"
+
+namespace hawser::detail {
+
+class CoarseDistance {
+ public:
+  struct Sample {
+    int triangle;   // nearest active, hint for the next
+    double active;  // m, to the active part, >= 0
+    double whole;   // m, signed, to the whole mesh
+  };
+  struct About {
+    bool outside;              // certainly
+    double at_least, at_most;  // m, bounds of the distance to the active part
+  };
+
+  CoarseDistance() = default;
+  CoarseDistance(const Box& box, std::size_t triangles,
+                 const std::function<Sample(const Vec3&, int hint)>& sample);
+  About about(const Vec3& y) const;
+  std::size_t memory() const { return cells_.capacity() * sizeof(cells_[0]); }
+
+ private:
+  struct Cell {
+    float active, whole;
+  };
+  Box box_;
+  double side_ = 1, rounding_ = 0;
+  int n_[3] = {1, 1, 1};
+  std::vector<Cell> cells_;
+};
+
+}  // namespace hawser::detail

@@ -1,0 +1,196 @@
+#include "hawser/geometry/mesh_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "coarse_distance.hpp"
+#include "hawser/geometry/point_in_polyhedron.hpp"
+#include "hawser/geometry/spatial_hash.hpp"
+#include "pseudonormals.hpp"
+
+namespace hawser {
+
+struct MeshSurface::Data {
+  TriangleMesh mesh;
+  detail::Pseudonormals normals;
+  SpatialHash active, whole;  // whole is empty when all are active
+  bool partial = false;
+  std::vector<bool> is_active;      // when partial
+  std::vector<bool> border_vertex;  // when partial: touches active and inactive triangles
+  detail::CoarseDistance coarse;
+  Box bounds;
+  double small = 0;  // m, lengths below are rounding or need a bound
+
+  const Vec3& corner(int t, int i) const {
+    return mesh.vertices[static_cast<std::size_t>(
+        mesh.triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)])];
+  }
+  ClosestPoint closest(int t, const Vec3& y) const {
+    ClosestPoint best = closest_point_on_triangle(y, corner(t, 0), corner(t, 1), corner(t, 2));
+    if (best.feature != Feature::face || !normals.face(t).isZero(0)) return best;
+    // No area, so no face: the nearest of its edges.
+    for (int i = 0; i < 3; ++i) {
+      ClosestPoint c = closest_point_on_segment(y, corner(t, i), corner(t, (i + 1) % 3));
+      if (i > 0 && !(c.squared_distance < best.squared_distance)) continue;
+      c.feature =
+          c.feature == Feature::edge0 ? edge_feature(i) : vertex_feature((i + feature_index(c.feature)) % 3);
+      best = c;
+    }
+    return best;
+  }
+  // Whether y is behind the surface at its closest point c.
+  bool behind(int t, const ClosestPoint& c, const Vec3& y, const Vec3& pseudonormal) const {
+    if (c.feature == Feature::face) return normals.face(t).dot(y - corner(t, 0)) < 0;
+    if (pseudonormal.isZero(0)) return winding_number(mesh, y) > 0.5;
+    return pseudonormal.dot(y - c.point) < 0;
+  }
+  bool inside_whole(const Vec3& y, double bound, int hint) const {
+    const int t = whole.nearest(y, bound, hint).triangle;
+    if (t < 0) return winding_number(mesh, y) > 0.5;  // cannot be: `hint` is within the bound
+    const ClosestPoint c = closest(t, y);
+    return behind(t, c, y, normals.at(t, c.feature));
+  }
+  // Of a point behind the border of the active part: does it lie under an active face, to 45 degrees?
+  bool under_active(int t, const ClosestPoint& c, const Vec3& y) const;
+};
+
+bool MeshSurface::Data::under_active(int t, const ClosestPoint& c, const Vec3& y) const {
+  const int i = feature_index(c.feature);
+  const auto& tri = mesh.triangles[static_cast<std::size_t>(t)];
+  bool border = false;
+  if (is_vertex(c.feature)) {
+    border = border_vertex[static_cast<std::size_t>(tri[static_cast<std::size_t>(i)])];
+  } else if (is_edge(c.feature)) {
+    const int other = normals.neighbour(t, i);
+    border = other < 0 || !is_active[static_cast<std::size_t>(other)];
+  }
+  if (!border) return true;
+  const Vec3 r = y - c.point;
+  return -normals.face(t).dot(r) >= std::sqrt(0.5) * r.norm();
+}
+
+MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active) {
+  const Topology topo = topology(mesh);
+  const auto refuse = [](const std::string& why) {
+    throw std::invalid_argument("the mesh has no inside: " + why);
+  };
+  if (mesh.triangles.empty()) refuse("it is empty");
+  if (topo.odd_edges > 0) refuse(std::to_string(topo.odd_edges) + " edges are open");
+  if (topo.flipped_edges > 0)
+    refuse(std::to_string(topo.flipped_edges) + " edges lie between triangles turned opposite ways");
+  if (!active.empty() && active.size() != mesh.triangles.size())
+    throw std::invalid_argument("the active part has " + std::to_string(active.size()) + " flags for " +
+                                std::to_string(mesh.triangles.size()) + " triangles");
+  if (std::find(active.begin(), active.end(), false) == active.end()) active.clear();
+  if (!active.empty() && std::find(active.begin(), active.end(), true) == active.end())
+    throw std::invalid_argument("no triangle of the mesh is active");
+
+  auto data = std::make_unique<Data>();
+  Data& d = *data;
+  d.mesh = std::move(mesh);
+  d.normals = detail::Pseudonormals(d.mesh, topo);
+  d.active = SpatialHash(d.mesh.vertices, d.mesh.triangles, active);
+  d.partial = !active.empty();
+  if (d.partial) {
+    d.whole = SpatialHash(d.mesh.vertices, d.mesh.triangles);
+    d.border_vertex.assign(d.mesh.vertices.size(), false);
+    std::vector<int> touched(d.mesh.vertices.size(), 0);
+    for (std::size_t t = 0; t < active.size(); ++t)
+      for (const int v : d.mesh.triangles[t]) touched[static_cast<std::size_t>(v)] |= active[t] ? 1 : 2;
+    for (std::size_t v = 0; v < touched.size(); ++v) d.border_vertex[v] = touched[v] == 3;
+  }
+  d.is_active = std::move(active);
+  d.bounds = d.partial ? d.whole.box() : d.active.box();
+  d.small = 1e-6 * d.bounds.extent().maxCoeff();
+  d.coarse = detail::CoarseDistance(d.bounds, d.mesh.triangles.size(), [&d](const Vec3& y, int hint) {
+    const auto near = d.active.nearest(y, std::numeric_limits<double>::infinity(), hint);
+    const auto all = d.partial ? d.whole.nearest(y, std::sqrt(near.squared_distance), near.triangle) : near;
+    const ClosestPoint c = d.closest(all.triangle, y);
+    const double whole = std::sqrt(c.squared_distance);
+    return detail::CoarseDistance::Sample{
+        near.triangle, std::sqrt(near.squared_distance),
+        d.behind(all.triangle, c, y, d.normals.at(all.triangle, c.feature)) ? -whole : whole};
+  });
+  data_ = std::move(data);
+}
+
+MeshSurface::~MeshSurface() = default;
+MeshSurface::MeshSurface(MeshSurface&&) noexcept = default;
+MeshSurface& MeshSurface::operator=(MeshSurface&&) noexcept = default;
+
+std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distance, int hint) const {
+  const Data& d = *data_;
+  // Where the coarse distances allow y to be inside, search as far as they say; elsewhere to max_distance.
+  const auto about = d.coarse.about(y);
+  if (about.outside && about.at_least > max_distance) return std::nullopt;
+  const double reach = about.outside ? std::min(max_distance, about.at_most) : about.at_most;
+  const int t = d.active.nearest(y, reach, hint).triangle;
+  if (t < 0) return std::nullopt;
+
+  const ClosestPoint c = d.closest(t, y);
+  const Vec3 pseudonormal = d.normals.at(t, c.feature);
+  const bool behind = d.behind(t, c, y, pseudonormal);
+  const Vec3 r = y - c.point;
+  const double length = std::sqrt(c.squared_distance);
+  if (!behind && length > max_distance) return std::nullopt;
+  if (behind && d.partial &&
+      (about.outside || !d.inside_whole(y, length * (1 + 1e-6) + 1e-3 * d.small, t) ||
+       !d.under_active(t, c, y)))
+    return std::nullopt;
+
+  SurfacePoint s;
+  s.point = c.point;
+  s.triangle = t;
+  s.feature = c.feature;
+  if (c.feature == Feature::face) {
+    s.normal = d.normals.face(t);
+    s.distance = s.normal.dot(y - d.corner(t, 0));
+    return s;
+  }
+  s.distance = behind ? -length : length;
+  // So near that the direction of r is rounding: any normal between those of the faces is right.
+  if (length > 1e-4 * d.small)
+    s.normal = r / s.distance;
+  else
+    s.normal = pseudonormal.isZero(0) ? d.normals.face(t) : pseudonormal.normalized();
+  const double divisor = std::copysign(std::max(length, d.small), s.distance);
+  Mat3 across = Mat3::Identity() - s.normal * s.normal.transpose();
+  if (is_edge(c.feature)) {
+    const int i = feature_index(c.feature);
+    const Vec3 e = (d.corner(t, (i + 1) % 3) - d.corner(t, i)).normalized();
+    across -= e * e.transpose();
+  }
+  s.curvature = across / divisor;
+  return s;
+}
+
+Box MeshSurface::bounds() const { return data_->bounds; }
+const TriangleMesh& MeshSurface::mesh() const { return data_->mesh; }
+
+std::size_t MeshSurface::memory() const {
+  const Data& d = *data_;
+  return sizeof(Data) + d.mesh.vertices.capacity() * sizeof(Vec3) +
+         d.mesh.triangles.capacity() * sizeof(d.mesh.triangles[0]) + d.normals.memory() + d.active.memory() +
+         d.whole.memory() + d.coarse.memory();
+}
+
+std::vector<bool> active_by_part(const TriangleMesh& mesh, const std::vector<std::string>& names) {
+  std::vector<bool> active(mesh.triangles.size(), false);
+  for (std::size_t t = 0; t < mesh.part.size(); ++t)
+    active[t] = std::find(names.begin(), names.end(), mesh.parts[static_cast<std::size_t>(mesh.part[t])]) !=
+                names.end();
+  return active;
+}
+
+std::vector<bool> active_by_box(const TriangleMesh& mesh, const Box& box) {
+  std::vector<bool> active(mesh.triangles.size());
+  for (std::size_t t = 0; t < active.size(); ++t)
+    active[t] = std::all_of(mesh.triangles[t].begin(), mesh.triangles[t].end(),
+                            [&](int v) { return box.contains(mesh.vertices[static_cast<std::size_t>(v)]); });
+  return active;
+}
+
+}  // namespace hawser

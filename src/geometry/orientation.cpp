@@ -1,0 +1,142 @@
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "hawser/geometry/point_in_polyhedron.hpp"
+#include "hawser/geometry/triangle_mesh.hpp"
+#include "nesting.hpp"
+
+namespace hawser {
+namespace {
+
+const Vec3& corner(const TriangleMesh& mesh, std::size_t t, std::size_t i) {
+  return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][i])];
+}
+
+// Whether edge (a, b) of `other` runs from a to b as well.
+bool same_way(const std::array<int, 3>& other, int a, int b) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (other[i] == a && other[(i + 1) % 3] == b) return true;
+  return false;
+}
+
+// Which triangles to turn so that neighbours agree with the first of their piece; false: one-sided.
+bool find_turns(const TriangleMesh& mesh, const Topology& topo, std::vector<int>& turn) {
+  std::vector<int> seen(mesh.triangles.size(), 0);
+  std::vector<std::size_t> todo;
+  for (std::size_t first = 0; first < seen.size(); ++first) {
+    if (seen[first]) continue;
+    seen[first] = 1;
+    todo.assign(1, first);
+    while (!todo.empty()) {
+      const std::size_t t = todo.back();
+      todo.pop_back();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto u = static_cast<std::size_t>(topo.neighbours[t][i]);
+        const bool agree = !same_way(mesh.triangles[u], mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
+        const int wanted = agree ? turn[t] : 1 - turn[t];
+        if (seen[u]) {
+          if (turn[u] != wanted) return false;
+          continue;
+        }
+        seen[u] = 1;
+        turn[u] = wanted;
+        todo.push_back(u);
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+namespace detail {
+
+std::vector<double> component_volumes(const TriangleMesh& mesh, const Topology& topo) {
+  std::vector<double> volume(static_cast<std::size_t>(topo.components), 0);
+  // From a vertex of the piece itself, so that far-off pieces lose nothing.
+  std::vector<int> origin(volume.size(), -1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto c = static_cast<std::size_t>(topo.component[t]);
+    if (origin[c] < 0) origin[c] = mesh.triangles[t][0];
+    const Vec3& o = mesh.vertices[static_cast<std::size_t>(origin[c])];
+    volume[c] += (corner(mesh, t, 0) - o).dot((corner(mesh, t, 1) - o).cross(corner(mesh, t, 2) - o)) / 6;
+  }
+  return volume;
+}
+
+std::vector<int> nesting_depth(const TriangleMesh& mesh, const Topology& topo) {
+  const auto n = static_cast<std::size_t>(topo.components);
+  std::vector<int> depth(n, 0);
+  if (n < 2) return depth;
+  std::vector<std::vector<std::size_t>> members(n);
+  std::vector<Box> box(n);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto c = static_cast<std::size_t>(topo.component[t]);
+    members[c].push_back(t);
+    for (std::size_t i = 0; i < 3; ++i) box[c].add(corner(mesh, t, i));
+  }
+  for (std::size_t c = 0; c < n; ++c) {
+    const std::size_t t = members[c].front();
+    const Vec3 p = (corner(mesh, t, 0) + corner(mesh, t, 1) + corner(mesh, t, 2)) / 3;
+    for (std::size_t o = 0; o < n; ++o) {
+      if (o == c || !box[o].contains(p)) continue;
+      double angle = 0;
+      for (const std::size_t u : members[o])
+        angle += solid_angle(p, corner(mesh, u, 0), corner(mesh, u, 1), corner(mesh, u, 2));
+      if (std::abs(angle) > 2 * M_PI) ++depth[c];
+    }
+  }
+  return depth;
+}
+
+}  // namespace detail
+
+OrientationResult orient(TriangleMesh& mesh) {
+  OrientationResult result;
+  const Topology topo = topology(mesh);
+  if (mesh.triangles.empty() || topo.open_edges > 0 || topo.non_manifold_edges > 0) {
+    result.sentence =
+        "The triangles were left as they are: the mesh is not closed or joins more than two triangles along "
+        "an edge.";
+    return result;
+  }
+  std::vector<int> turn(mesh.triangles.size(), 0);
+  if (!find_turns(mesh, topo, turn)) {
+    result.sentence =
+        "The triangles were left as they are: the surface has one side only, like a Möbius band.";
+    return result;
+  }
+  const auto flip = [&](std::size_t t) { std::swap(mesh.triangles[t][1], mesh.triangles[t][2]); };
+  for (std::size_t t = 0; t < turn.size(); ++t)
+    if (turn[t]) flip(t);
+  const std::vector<double> volume = detail::component_volumes(mesh, topo);
+  const std::vector<int> depth = detail::nesting_depth(mesh, topo);
+  std::vector<int> size(volume.size(), 0), turned(volume.size(), 0);
+  std::vector<int> inside_out(volume.size(), 0);
+  for (std::size_t c = 0; c < volume.size(); ++c) inside_out[c] = (volume[c] > 0) != (depth[c] % 2 == 0);
+  for (std::size_t t = 0; t < turn.size(); ++t) {
+    const auto c = static_cast<std::size_t>(topo.component[t]);
+    if (inside_out[c]) {
+      flip(t);
+      turn[t] = 1 - turn[t];
+    }
+    ++size[c];
+    turned[c] += turn[t];
+  }
+  for (std::size_t c = 0; c < volume.size(); ++c) {
+    result.turned += turned[c];
+    if (turned[c] == size[c]) ++result.components_turned;
+  }
+  result.done = true;
+  if (result.turned == 0)
+    result.sentence = "All normals point out of the solid.";
+  else
+    result.sentence = "Turned " + std::to_string(result.turned) + " of " + std::to_string(turn.size()) +
+                      " triangles over (" + std::to_string(result.components_turned) + " of " +
+                      std::to_string(volume.size()) +
+                      " pieces were inside out); all normals now point out of the solid.";
+  return result;
+}
+
+}  // namespace hawser

@@ -1,0 +1,172 @@
+#include "hawser/geometry/point_in_polyhedron.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hawser/geometry/closest_point.hpp"
+#include "hawser/geometry/wide.hpp"
+
+namespace hawser {
+namespace {
+
+const Vec3& corner(const TriangleMesh& mesh, const std::array<int, 3>& t, std::size_t i) {
+  return mesh.vertices[static_cast<std::size_t>(t[i])];
+}
+
+// Bounding box first, then the surface itself: true when `where` is decided.
+bool easy(const TriangleMesh& mesh, const Vec3& p, double tolerance, Location& where) {
+  Box box;
+  for (const Vec3& v : mesh.vertices) box.add(v);
+  where = Location::outside;
+  if (!box.grown(tolerance).contains(p)) return true;
+  const double limit = tolerance * tolerance;
+  for (const auto& t : mesh.triangles)
+    if (closest_point_on_triangle(p, corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2))
+            .squared_distance <= limit) {
+      where = Location::boundary;
+      return true;
+    }
+  return false;
+}
+
+int sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
+
+// Exact sign of the sum of six products of doubles.
+int exact_sign(const double (&product)[6][2]) {
+  // The sum as an expansion of non-overlapping doubles (Shewchuk 1997, "Adaptive precision floating-point
+  // arithmetic", grow-expansion); its sign is that of the largest, the last that is not zero.
+  double e[12];
+  int n = 0;
+  const auto add = [&](double b) {
+    for (int i = 0; i < n; ++i) {
+      const double s = e[i] + b, bb = s - e[i];
+      e[i] = (e[i] - (s - bb)) + (b - bb);
+      b = s;
+    }
+    e[n++] = b;
+  };
+  for (const auto& f : product) {
+    volatile double high = f[0] * f[1];  // not to be fused with the sums
+    add(std::fma(f[0], f[1], -high));
+    add(high);
+  }
+  while (n > 1 && e[n - 1] == 0) --n;
+  return sign(e[n - 1]);
+}
+
+// Side of the 2D point o of the line a -> b: 1 left, -1 right; never 0 unless a = b, as o is thought moved
+// by (eps, eps²).
+int side(const double o[2], const double a[2], const double b[2]) {
+  const double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
+  const double l = ax * by, r = ay * bx, det = l - r;
+  int s = 0;
+  if (std::abs(det) > 4e-16 * (std::abs(l) + std::abs(r))) {
+    s = sign(det);
+  } else {
+    s = exact_sign({{a[0], b[1]}, {-a[0], o[1]}, {-o[0], b[1]}, {-a[1], b[0]}, {a[1], o[0]}, {o[1], b[0]}});
+  }
+  if (s == 0) s = -sign(b[1] - a[1]);
+  if (s == 0) s = sign(b[0] - a[0]);
+  return s;
+}
+
+// Sign of (a - p).n, n = (b - a) x (c - a): 1 when p is below the plane (inside of an outward face).
+int below(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 n = (b - a).cross(c - a), r = a - p;
+  const double d = n.dot(r);
+  const double size = (b - a).cwiseAbs().maxCoeff() * (c - a).cwiseAbs().maxCoeff() * r.cwiseAbs().maxCoeff();
+  if (std::abs(d) > 1e-14 * size) return sign(d);
+  using detail::triple;
+  using detail::Wide;
+  const auto wa = triple<Wide>(a);
+  const Wide w = (triple<Wide>(b) - wa).cross(triple<Wide>(c) - wa).dot(wa - triple<Wide>(p));
+  return w > 0 ? 1 : w < 0 ? -1 : 0;
+}
+
+}  // namespace
+
+Location locate(const TriangleMesh& mesh, const Vec3& p, InsideTest test, double tolerance) {
+  switch (test) {
+    case InsideTest::tetrahedra:
+      return locate_by_tetrahedra(mesh, p, tolerance);
+    case InsideTest::ray:
+      return locate_by_ray(mesh, p, tolerance);
+    case InsideTest::solid_angle:
+      return locate_by_solid_angle(mesh, p, tolerance);
+  }
+  return Location::outside;
+}
+
+Location locate_by_tetrahedra(const TriangleMesh& mesh, const Vec3& p, double tolerance, double shift) {
+  // Six times the volume over twice the area is the height of p above the face.
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const auto& t : mesh.triangles) {
+    const Vec3& a = corner(mesh, t, 0);
+    const Vec3 n = triangle_normal(a, corner(mesh, t, 1), corner(mesh, t, 2));
+    if (n.isZero(0)) continue;
+    highest = std::max(highest, n.dot(p - a) - shift);
+    if (highest > tolerance) return Location::outside;
+  }
+  return highest < -tolerance ? Location::inside : Location::boundary;
+}
+
+Location locate_by_ray(const TriangleMesh& mesh, const Vec3& p, double tolerance, int axis) {
+  Location where;
+  if (easy(mesh, p, tolerance, where)) return where;
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const double o[2] = {p[u], p[v]};
+  int crossings = 0;
+  for (const auto& t : mesh.triangles) {
+    double q[3][2];
+    for (std::size_t i = 0; i < 3; ++i) {
+      q[i][0] = corner(mesh, t, i)[u];
+      q[i][1] = corner(mesh, t, i)[v];
+    }
+    // The sign of an edge must come out the same for both its triangles: exact up to reversal.
+    const int s0 = side(o, q[0], q[1]), s1 = side(o, q[1], q[2]), s2 = side(o, q[2], q[0]);
+    if (s0 == 0 || s0 != s1 || s1 != s2) continue;
+    // Seen along the axis the face points forward (s = 1) or back; the crossing is ahead when p is on the
+    // matching side of its plane.
+    if (below(p, corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2)) == s0) crossings += s0;
+  }
+  return crossings > 0 ? Location::inside : Location::outside;
+}
+
+Location locate_by_solid_angle(const TriangleMesh& mesh, const Vec3& p, double tolerance) {
+  Location where;
+  if (easy(mesh, p, tolerance, where)) return where;
+  return winding_number(mesh, p) > 0.5 ? Location::inside : Location::outside;
+}
+
+double solid_angle(const Vec3& p, const Vec3& v0, const Vec3& v1, const Vec3& v2) {
+  const Vec3 a = v0 - p, b = v1 - p, c = v2 - p;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  const double det = a.dot((v1 - v0).cross(v2 - v0));
+  return 2 * std::atan2(det, la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+double winding_number(const TriangleMesh& mesh, const Vec3& p) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles)
+    sum += solid_angle(p, corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));
+  return sum / (4 * M_PI);
+}
+
+bool is_convex(const TriangleMesh& mesh, double tolerance) {
+  const Topology topo = topology(mesh);
+  if (topo.components != 1 || topo.odd_edges > 0 || topo.non_manifold_edges > 0) return false;
+  // Locally convex everywhere and closed is convex (van Heijenoort 1952), unless it winds twice, which a
+  // surface without self-intersection cannot.
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& tri = mesh.triangles[t];
+    const Vec3 n = triangle_normal(corner(mesh, tri, 0), corner(mesh, tri, 1), corner(mesh, tri, 2));
+    for (const int neighbour : topo.neighbours[t])
+      for (const int v : mesh.triangles[static_cast<std::size_t>(neighbour)])
+        if (n.dot(mesh.vertices[static_cast<std::size_t>(v)] - corner(mesh, tri, 0)) > tolerance)
+          return false;
+  }
+  return true;
+}
+
+}  // namespace hawser

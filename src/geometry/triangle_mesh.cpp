@@ -1,0 +1,248 @@
+#include "hawser/geometry/triangle_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <unordered_map>
+
+#include "hawser/geometry/closest_point.hpp"
+#include "nesting.hpp"
+
+namespace hawser {
+namespace {
+
+// One triangle's use of an edge.
+struct Use {
+  std::uint64_t edge;   // (low vertex, high vertex)
+  std::uint32_t where;  // 3 * triangle + edge
+  bool forward;         // from low to high
+};
+
+std::vector<Use> edge_uses(const TriangleMesh& mesh) {
+  std::vector<Use> uses;
+  uses.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto a = static_cast<std::uint32_t>(mesh.triangles[t][i]);
+      const auto b = static_cast<std::uint32_t>(mesh.triangles[t][(i + 1) % 3]);
+      uses.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b),
+                      static_cast<std::uint32_t>(3 * t + i), a < b});
+    }
+  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
+    return a.edge != b.edge ? a.edge < b.edge : a.where < b.where;
+  });
+  return uses;
+}
+
+int find_root(std::vector<int>& parent, int i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    auto& p = parent[static_cast<std::size_t>(i)];
+    p = parent[static_cast<std::size_t>(p)];
+    i = p;
+  }
+  return i;
+}
+
+// Coordinates, or the cube of the grid that holds them, as a key.
+struct KeyHash {
+  std::size_t operator()(const std::array<std::int64_t, 3>& k) const {
+    std::uint64_t h = 0;
+    for (const auto x : k) {
+      h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ull;
+      h ^= h >> 29;
+    }
+    return static_cast<std::size_t>(h);
+  }
+};
+
+// For each vertex the lowest one it merges with.
+std::vector<int> representatives(const std::vector<Vec3>& vertices, double tolerance) {
+  std::vector<int> same(vertices.size());
+  std::unordered_map<std::array<std::int64_t, 3>, std::vector<int>, KeyHash> grid;
+  grid.reserve(vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    same[v] = static_cast<int>(v);
+    std::array<std::int64_t, 3> key;
+    if (tolerance <= 0) {
+      const Vec3 x = vertices[v] + Vec3::Zero();  // -0 becomes 0
+      std::memcpy(key.data(), x.data(), sizeof key);
+      auto& list = grid[key];
+      if (list.empty()) list.push_back(same[v]);
+      same[v] = list.front();
+      continue;
+    }
+    // Cubes of twice the tolerance: what is within it lies in the 8 cubes around the nearest corner.
+    const Vec3 q = vertices[v] / (2 * tolerance);
+    int best = same[v];
+    for (int corner = 0; corner < 8; ++corner) {
+      for (int a = 0; a < 3; ++a)
+        key[static_cast<std::size_t>(a)] =
+            static_cast<std::int64_t>(std::floor(q[a] + (corner >> a & 1 ? 0.5 : -0.5)));
+      const auto found = grid.find(key);
+      if (found == grid.end()) continue;
+      for (const int w : found->second)
+        if (w < best && (vertices[static_cast<std::size_t>(w)] - vertices[v]).norm() <= tolerance) best = w;
+    }
+    same[v] = best;
+    if (best == static_cast<int>(v)) {
+      for (int a = 0; a < 3; ++a)
+        key[static_cast<std::size_t>(a)] = static_cast<std::int64_t>(std::floor(q[a]));
+      grid[key].push_back(best);
+    }
+  }
+  return same;
+}
+
+}  // namespace
+
+Topology topology(const TriangleMesh& mesh) {
+  Topology out;
+  const std::size_t n = mesh.triangles.size();
+  out.neighbours.assign(n, {kOpenEdge, kOpenEdge, kOpenEdge});
+  std::vector<int> parent(n);
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto uses = edge_uses(mesh);
+  for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+    int balance = 0;
+    for (j = i; j < uses.size() && uses[j].edge == uses[i].edge; ++j) {
+      balance += uses[j].forward ? 1 : -1;
+      const int a = find_root(parent, static_cast<int>(uses[i].where / 3));
+      const int b = find_root(parent, static_cast<int>(uses[j].where / 3));
+      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    }
+    const std::size_t count = j - i;
+    if (count == 1) ++out.open_edges;
+    if (count > 2) ++out.non_manifold_edges;
+    if (count % 2 == 1)
+      ++out.odd_edges;
+    else if (balance != 0)
+      ++out.flipped_edges;
+    for (std::size_t k = i; k < j; ++k) {
+      int& neighbour = out.neighbours[uses[k].where / 3][uses[k].where % 3];
+      if (count == 2) neighbour = static_cast<int>(uses[k == i ? j - 1 : i].where / 3);
+      if (count > 2) neighbour = kNonManifoldEdge;
+    }
+  }
+  out.component.assign(n, -1);
+  for (std::size_t t = 0; t < n; ++t) {
+    const auto root = static_cast<std::size_t>(find_root(parent, static_cast<int>(t)));
+    if (root == t)
+      out.component[t] = out.components++;
+    else
+      out.component[t] = out.component[root];
+  }
+  return out;
+}
+
+MeshReport inspect(const TriangleMesh& mesh) {
+  MeshReport r;
+  const Topology topo = topology(mesh);
+  r.triangles = static_cast<int>(mesh.triangles.size());
+  r.vertices = static_cast<int>(mesh.vertices.size());
+  r.open_edges = topo.open_edges;
+  r.non_manifold_edges = topo.non_manifold_edges;
+  r.flipped_edges = topo.flipped_edges;
+  r.components = topo.components;
+  r.closed = r.triangles > 0 && topo.odd_edges == 0;
+  r.consistently_oriented = topo.flipped_edges == 0;
+  double shortest2 = std::numeric_limits<double>::infinity(), longest2 = 0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3* v[3];
+    for (std::size_t i = 0; i < 3; ++i) v[i] = &mesh.vertices[static_cast<std::size_t>(t[i])];
+    for (int i = 0; i < 3; ++i) {
+      r.box.add(*v[i]);
+      const double l2 = (*v[(i + 1) % 3] - *v[i]).squaredNorm();
+      shortest2 = std::min(shortest2, l2);
+      longest2 = std::max(longest2, l2);
+    }
+    if (triangle_normal(*v[0], *v[1], *v[2]).isZero(0)) ++r.degenerate;
+    r.area += 0.5 * (*v[1] - *v[0]).cross(*v[2] - *v[0]).norm();
+  }
+  if (r.triangles > 0) {
+    r.shortest_edge = std::sqrt(shortest2);
+    r.longest_edge = std::sqrt(longest2);
+  }
+  const std::vector<double> volumes = detail::component_volumes(mesh, topo);
+  r.volume = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  if (r.closed && r.consistently_oriented) {
+    const std::vector<int> depth = detail::nesting_depth(mesh, topo);
+    r.outward = true;
+    for (std::size_t c = 0; c < volumes.size(); ++c)
+      if (volumes[c] != 0 && (volumes[c] > 0) != (depth[c] % 2 == 0)) r.outward = false;
+  }
+  return r;
+}
+
+std::string summary(const MeshReport& r) {
+  const auto many = [](int n, const char* one, const char* more) {
+    return std::to_string(n) + " " + (n == 1 ? one : more);
+  };
+  std::ostringstream s;
+  s.precision(6);
+  s << many(r.triangles, "triangle", "triangles") << ", " << many(r.vertices, "vertex", "vertices") << " in "
+    << many(r.components, "piece", "pieces");
+  if (r.triangles > 0) {
+    const Vec3 e = r.box.extent();
+    s << ", " << e.x() << " x " << e.y() << " x " << e.z() << " m, edges " << r.shortest_edge << " to "
+      << r.longest_edge << " m, area " << r.area << " m²";
+  }
+  if (r.valid()) s << ", closed and outward, volume " << r.volume << " m³";
+  s << ".";
+  if (r.welded > 0 || r.removed > 0)
+    s << " Merged " << many(r.welded, "vertex", "vertices") << ", which removed "
+      << many(r.removed, "triangle", "triangles") << ".";
+  std::vector<std::string> faults;
+  if (r.triangles == 0) faults.push_back("it is empty");
+  if (r.open_edges > 0)
+    faults.push_back(many(r.open_edges, "edge has", "edges have") + " a triangle on one side only");
+  if (r.non_manifold_edges > 0)
+    faults.push_back(many(r.non_manifold_edges, "edge joins", "edges join") + " more than two triangles");
+  if (r.flipped_edges > 0)
+    faults.push_back(many(r.flipped_edges, "edge lies", "edges lie") +
+                     " between triangles turned opposite ways");
+  if (r.closed && r.consistently_oriented && !r.outward) faults.push_back("normals point into the solid");
+  if (r.degenerate > 0) faults.push_back(many(r.degenerate, "triangle has", "triangles have") + " no area");
+  for (std::size_t i = 0; i < faults.size(); ++i)
+    s << (i == 0 ? (r.valid() ? " Note: " : " Not fit for contact: ") : "; ") << faults[i];
+  if (!faults.empty()) s << ".";
+  return s.str();
+}
+
+WeldResult weld(TriangleMesh& mesh, double tolerance) {
+  WeldResult result;
+  const std::vector<int> same = representatives(mesh.vertices, tolerance);
+  std::vector<int> renumbered(mesh.vertices.size(), -1);
+  std::vector<char> used(mesh.vertices.size(), 0);
+  std::size_t kept = 0;
+  const bool parts = mesh.part.size() == mesh.triangles.size();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    auto tri = mesh.triangles[t];
+    for (int& v : tri) v = same[static_cast<std::size_t>(v)];
+    if (tri[0] == tri[1] || tri[1] == tri[2] || tri[2] == tri[0]) {
+      ++result.removed;
+      continue;
+    }
+    for (const int v : tri) used[static_cast<std::size_t>(v)] = 1;
+    if (parts) mesh.part[kept] = mesh.part[t];
+    mesh.triangles[kept++] = tri;
+  }
+  mesh.triangles.resize(kept);
+  if (parts) mesh.part.resize(kept);
+  std::size_t n = 0;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (same[v] != static_cast<int>(v)) ++result.welded;
+    if (!used[v]) continue;
+    renumbered[v] = static_cast<int>(n);
+    mesh.vertices[n++] = mesh.vertices[v];
+  }
+  mesh.vertices.resize(n);
+  for (auto& tri : mesh.triangles)
+    for (int& v : tri) v = renumbered[static_cast<std::size_t>(v)];
+  return result;
+}
+
+}  // namespace hawser

@@ -1,0 +1,156 @@
+// Time of a nearest-triangle query near the surface, 0 to 0.3 m off it, within 0.5 m. Even meshes of 10^4 to
+// 10^6 triangles (target: the time of `line` grows at most 1.5 times), and a hull with small rollers
+// (argument 0), where cells of one size fail.
+//   line    10 lines of 200 nodes 0.5 m apart over the surface, asked again and again, as time steps do
+//   warm    the same, moved 2 cm, with the last answer as a hint
+//   first   10^5 such points, each once: what a query reads is not in the cache yet
+//   random  10^5 points in random order: neither is anything near it
+#include "hawser/geometry/spatial_hash.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+namespace {
+
+using namespace hawser;
+
+struct Mesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+// A ship-like closed surface of 2 nu nv triangles, some thin and some without area at its ends.
+void add_hull(Mesh& m, int nu, int nv, const Vec3& size, const Vec3& centre) {
+  const int base = static_cast<int>(m.vertices.size());
+  const auto power = [](double x, double p) { return std::copysign(std::pow(std::abs(x), p), x); };
+  for (int i = 0; i <= nu; ++i)
+    for (int j = 0; j < nv; ++j) {
+      const double u = M_PI * i / nu, v = 2 * M_PI * j / nv, s = std::sqrt(std::max(std::sin(u), 0.0));
+      m.vertices.push_back(centre + 0.5 * size.cwiseProduct(Vec3(std::cos(u), s * power(std::cos(v), 0.6),
+                                                                 s * power(std::sin(v), 0.6))));
+    }
+  for (int i = 0; i < nu; ++i)
+    for (int j = 0; j < nv; ++j) {
+      const int a = base + i * nv + j, b = base + i * nv + (j + 1) % nv;
+      m.triangles.push_back({a, b, a + nv});
+      m.triangles.push_back({b, b + nv, a + nv});
+    }
+}
+
+// A tube of radius 20 m and length 320 m, askew, of `count` triangles of one size.
+void add_tube(Mesh& m, int count) {
+  const double radius = 20, length = 320;
+  const int nv = static_cast<int>(std::lround(std::sqrt(count / 2.0 * 2 * M_PI * radius / length)));
+  const int nu = count / (2 * nv);
+  const Eigen::AngleAxisd askew(0.7, Vec3(1, 2, 3).normalized());
+  for (int i = 0; i <= nu; ++i)
+    for (int j = 0; j < nv; ++j) {
+      const double v = 2 * M_PI * j / nv;
+      m.vertices.push_back(askew * Vec3(length * i / nu, radius * std::cos(v), radius * std::sin(v)));
+    }
+  for (int i = 0; i < nu; ++i)
+    for (int j = 0; j < nv; ++j) {
+      const int a = i * nv + j, b = i * nv + (j + 1) % nv;
+      m.triangles.push_back({a, b, a + nv});
+      m.triangles.push_back({b, b + nv, a + nv});
+    }
+}
+
+Mesh make(int kind) {
+  Mesh m;
+  if (kind == 0) {
+    add_hull(m, 100, 100, {320, 55, 27}, Vec3::Zero());
+    for (int r = 0; r < 60; ++r)
+      add_hull(m, 90, 90, {4, 0.6, 0.6}, {170.0 + 6 * (r / 4), (r % 4) * 1.2 - 2, 5.0 - 0.3 * (r / 4)});
+  } else {
+    add_tube(m, kind);
+  }
+  return m;
+}
+
+struct Queries {
+  Mesh mesh;
+  SpatialHash hash;
+  std::vector<Vec3> along, moved, scattered;
+  std::vector<int> answer;
+};
+
+const Queries& queries(int kind) {
+  static std::map<int, Queries> all;
+  auto [it, made] = all.try_emplace(kind);
+  Queries& q = it->second;
+  if (!made) return q;
+  q.mesh = make(kind);
+  q.hash = SpatialHash(q.mesh.vertices, q.mesh.triangles);
+  std::mt19937 gen(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  std::normal_distribution<double> normal;
+  const auto direction = [&] { return Vec3(normal(gen), normal(gen), normal(gen)).normalized().eval(); };
+  const auto on_surface = [&] {
+    const auto t = static_cast<std::size_t>(uniform(gen) * static_cast<double>(q.mesh.triangles.size()));
+    return q.mesh.vertices[static_cast<std::size_t>(q.mesh.triangles[t][0])];
+  };
+  // Lines of 200 points 0.5 m apart that follow the surface.
+  const int points = 100000;
+  while (static_cast<int>(q.along.size()) < points) {
+    Vec3 x = on_surface(), way = direction();
+    for (int i = 0; i < 200; ++i) {
+      const auto near = q.hash.nearest(x);
+      const auto& t = q.mesh.triangles[static_cast<std::size_t>(near.triangle)];
+      const auto v = [&](std::size_t k) { return q.mesh.vertices[static_cast<std::size_t>(t[k])]; };
+      const Vec3 n = (v(1) - v(0)).cross(v(2) - v(0)).stableNormalized();
+      if (n.allFinite()) x -= n * n.dot(x - v(0));
+      q.along.push_back(x + 0.3 * uniform(gen) * direction());
+      way = (way - n * n.dot(way)).stableNormalized();
+      x += 0.5 * way;
+    }
+  }
+  for (int i = 0; i < points; ++i) q.scattered.push_back(on_surface() + 0.3 * uniform(gen) * direction());
+  for (const Vec3& x : q.along) {
+    q.answer.push_back(q.hash.nearest(x, 0.5).triangle);
+    q.moved.push_back(x + 0.02 * direction());
+  }
+  return q;
+}
+
+enum Way { line, warm, first, scattered };
+
+void nearest(benchmark::State& state, Way way) {
+  const Queries& q = queries(static_cast<int>(state.range(0)));
+  const auto& points = way == warm ? q.moved : way == scattered ? q.scattered : q.along;
+  const std::size_t n = way == line || way == warm ? 2000 : points.size();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(q.hash.nearest(points[i], 0.5, way == warm ? q.answer[i] : -1));
+    if (++i == n) i = 0;
+  }
+  SpatialHash::Counters c;
+  for (std::size_t k = 0; k < n; ++k) q.hash.nearest(points[k], 0.5, way == warm ? q.answer[k] : -1, &c);
+  const auto per = [&](long total) { return static_cast<double>(total) / static_cast<double>(c.queries); };
+  state.counters["triangles"] = static_cast<double>(q.mesh.triangles.size());
+  state.counters["lookups/q"] = per(c.lookups);
+  state.counters["cells/q"] = per(c.cells);
+  state.counters["tests/q"] = per(c.triangles);
+  state.counters["MB"] = static_cast<double>(q.hash.memory()) / 1e6;
+}
+
+void build(benchmark::State& state) {
+  const Mesh& m = queries(static_cast<int>(state.range(0))).mesh;
+  for (auto _ : state) benchmark::DoNotOptimize(SpatialHash(m.vertices, m.triangles));
+  state.counters["triangles"] = static_cast<double>(m.triangles.size());
+}
+
+// 0 stands for the hull with rollers.
+#define EACH_MESH ->Arg(10000)->Arg(100000)->Arg(1000000)->Arg(0)
+BENCHMARK_CAPTURE(nearest, line, line) EACH_MESH;
+BENCHMARK_CAPTURE(nearest, warm, warm) EACH_MESH;
+BENCHMARK_CAPTURE(nearest, first, first) EACH_MESH;
+BENCHMARK_CAPTURE(nearest, random, scattered) EACH_MESH;
+BENCHMARK(build)->Arg(10000)->Arg(1000000)->Arg(0)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
