@@ -32,9 +32,10 @@ Candidate<T> on_segment(const Triple<T>& p, const Triple<T>& a, const Triple<T>&
 }
 
 // Twice the area vector, from the two edges at the corner of the largest angle: their cross product
-// loses least. `sine2` is the squared sine of that angle.
+// loses least. `sine2` is the squared sine of that angle, `slender2` the squared ratio of the shortest
+// edge to the longest.
 template <class T>
-Triple<T> area_vector(const Triple<T> v[3], T& sine2) {
+Triple<T> area_vector(const Triple<T> v[3], T& sine2, T& slender2) {
   Triple<T> e[3];
   T l[3];
   for (int i = 0; i < 3; ++i) {
@@ -46,6 +47,7 @@ Triple<T> area_vector(const Triple<T> v[3], T& sine2) {
   const Triple<T> n = e[i].cross(e[j]);
   const T product = l[i] * l[j];
   sine2 = product > 0 ? n.dot(n) / product : T(0);
+  slender2 = std::min(l[i], l[j]) / l[longest];
   return n;
 }
 
@@ -75,14 +77,15 @@ ClosestPoint on_triangle(const Triple<T>& p, const Triple<T> v[3], const Triple<
 }
 
 // Squared sine of the largest angle below which the normal needs more than double, and more than long
-// double, to keep 1e-14.
-constexpr double kFlat = 0.04, kVeryFlat = 1e-7;
+// double, to keep 1e-14; and squared ratio of edges below which the choice between two sides of a needle
+// does.
+constexpr double kFlat = 0.04, kVeryFlat = 1e-7, kSlender = 1e-5;
 
 template <class T>
 ClosestPoint on_flat_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Triple<T> v[3] = {triple<T>(a), triple<T>(b), triple<T>(c)};
-  T sine2 = 0;
-  const Triple<T> n = area_vector(v, sine2);
+  T sine2 = 0, slender2 = 0;
+  const Triple<T> n = area_vector(v, sine2, slender2);
   return on_triangle(triple<T>(p), v, n, !(sine2 > T(1e-40)));
 }
 
@@ -95,9 +98,9 @@ ClosestPoint closest_point_on_segment(const Vec3& p, const Vec3& a, const Vec3& 
 
 ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Triple<double> v[3] = {triple<double>(a), triple<double>(b), triple<double>(c)};
-  double sine2 = 0;
-  const Triple<double> n = area_vector(v, sine2);
-  if (sine2 > kFlat) return on_triangle(triple<double>(p), v, n, false);
+  double sine2 = 0, slender2 = 0;
+  const Triple<double> n = area_vector(v, sine2, slender2);
+  if (sine2 > kFlat && slender2 > kSlender) return on_triangle(triple<double>(p), v, n, false);
   if (a == b || b == c || c == a) return on_triangle(triple<double>(p), v, n, true);
   if (sine2 > kVeryFlat) return on_flat_triangle<long double>(p, a, b, c);
   return on_flat_triangle<Wide>(p, a, b, c);
@@ -105,13 +108,13 @@ ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3&
 
 Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Triple<double> v[3] = {triple<double>(a), triple<double>(b), triple<double>(c)};
-  double sine2 = 0;
-  const Vec3 n = area_vector(v, sine2).vec();
+  double sine2 = 0, slender2 = 0;
+  const Vec3 n = area_vector(v, sine2, slender2).vec();
   const double longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   if (sine2 > kFlat) return n.norm() > 1e-12 * longest2 ? Vec3(n.normalized()) : Vec3(Vec3::Zero());
   const Triple<Wide> w[3] = {triple<Wide>(a), triple<Wide>(b), triple<Wide>(c)};
-  Wide wide_sine2 = 0;
-  const Vec3 m = area_vector(w, wide_sine2).vec();
+  Wide wide_sine2 = 0, wide_slender2 = 0;
+  const Vec3 m = area_vector(w, wide_sine2, wide_slender2).vec();
   return m.norm() > 1e-12 * longest2 ? Vec3(m.normalized()) : Vec3(Vec3::Zero());
 }
 

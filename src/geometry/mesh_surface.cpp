@@ -107,7 +107,9 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active) {
   d.small = 1e-6 * d.bounds.extent().maxCoeff();
   d.coarse = detail::CoarseDistance(d.bounds, d.mesh.triangles.size(), [&d](const Vec3& y, int hint) {
     const auto near = d.active.nearest(y, std::numeric_limits<double>::infinity(), hint);
-    const auto all = d.partial ? d.whole.nearest(y, std::sqrt(near.squared_distance), near.triangle) : near;
+    const auto all =
+        d.partial ? d.whole.nearest(y, std::sqrt(near.squared_distance) * (1 + 1e-6) + d.small, near.triangle)
+                  : near;
     const ClosestPoint c = d.closest(all.triangle, y);
     const double whole = std::sqrt(c.squared_distance);
     return detail::CoarseDistance::Sample{

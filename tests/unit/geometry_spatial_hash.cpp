@@ -1,0 +1,129 @@
+// The nearest triangle of the hash is the nearest of all, on even and graded meshes, cold and warm.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "hawser/geometry/closest_point.hpp"
+#include "hawser/geometry/spatial_hash.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace {
+
+using namespace hawser;
+using namespace hawser::testing;
+
+double brute_force(const TriangleMesh& m, const Vec3& y) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const auto& t : m.triangles) {
+    const auto v = [&](std::size_t i) { return m.vertices[static_cast<std::size_t>(t[i])]; };
+    best = std::min(best, closest_point_on_triangle(y, v(0), v(1), v(2)).squared_distance);
+  }
+  return best;
+}
+
+// A large box with small spheres beside and on it: sizes of triangles 1 : 1000.
+TriangleMesh graded() {
+  TriangleMesh m = box_mesh({-50, -10, -10}, {50, 10, 10});
+  for (const Vec3& at : {Vec3(0, 0, 11), Vec3(49, 10, 10), Vec3(0, 0, -10)}) {
+    TriangleMesh s = sphere_mesh(3, 0.5);
+    for (Vec3& v : s.vertices) v += at;
+    append(m, s);
+  }
+  append(m, tetrahedron_mesh());
+  return m;
+}
+
+void campaign(const TriangleMesh& m, int n) {
+  const SpatialHash hash(m.vertices, m.triangles);
+  EXPECT_EQ(hash.size(), m.triangles.size());
+  std::mt19937 gen(2);
+  std::uniform_real_distribution<double> u(-1, 1);
+  std::uniform_int_distribution<std::size_t> any(0, m.vertices.size() - 1);
+  const double size = hash.box().diagonal();
+  for (int i = 0; i < n; ++i) {
+    const Vec3 shift(u(gen), u(gen), u(gen));
+    const Vec3 y = m.vertices[any(gen)] + size * std::pow(10.0, -5 * std::abs(u(gen))) * shift;
+    const double exact = brute_force(m, y);
+    const auto all = hash.nearest(y);
+    ASSERT_NEAR(std::sqrt(all.squared_distance), std::sqrt(exact), 1e-13 * size) << y.transpose();
+    // Whatever the hint and the limit: the same, to the last bit.
+    const int hint = static_cast<int>(gen() % m.triangles.size());
+    const auto warm = hash.nearest(y, std::numeric_limits<double>::infinity(), hint);
+    ASSERT_EQ(warm.triangle, all.triangle);
+    ASSERT_EQ(warm.squared_distance, all.squared_distance);
+    for (const double factor : {1.0 + 1e-9, 1.5, 4.0, 50.0}) {
+      const auto near = hash.nearest(y, factor * std::sqrt(exact), i % 2 ? all.triangle : -1);
+      ASSERT_EQ(near.triangle, all.triangle) << y.transpose() << " x " << factor;
+    }
+    if (exact > 1e-20) {
+      ASSERT_EQ(hash.nearest(y, (1 - 1e-9) * std::sqrt(exact)).triangle, -1);
+    }
+  }
+}
+
+TEST(GeometrySpatialHash, Even) { campaign(sphere_mesh(4), 3000); }
+TEST(GeometrySpatialHash, Graded) { campaign(graded(), 5000); }
+TEST(GeometrySpatialHash, LongThinFacets) { campaign(drum_mesh(96, 0.3, 50), 3000); }
+TEST(GeometrySpatialHash, FewTriangles) {
+  campaign(tetrahedron_mesh(), 2000);
+  campaign({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}, {}}, 500);
+}
+
+TEST(GeometrySpatialHash, ManyTrianglesInOnePlaceAndNoSize) {
+  // A hundred equal triangles and some points: more than a cell's list holds, and equal distances.
+  TriangleMesh m = tetrahedron_mesh();
+  for (int i = 0; i < 100; ++i) m.triangles.push_back(m.triangles[3]);
+  for (int i = 0; i < 20; ++i) m.triangles.push_back({1, 1, 1});
+  campaign(m, 500);
+  campaign({{{1, 2, 3}}, {{0, 0, 0}, {0, 0, 0}}, {}, {}}, 1);
+}
+
+TEST(GeometrySpatialHash, OnlyActiveTriangles) {
+  const TriangleMesh m = sphere_mesh(3);
+  std::vector<bool> active(m.triangles.size(), false);
+  TriangleMesh some = m;
+  some.triangles.clear();
+  for (std::size_t t = 0; t < active.size(); t += 7) {
+    active[t] = true;
+    some.triangles.push_back(m.triangles[t]);
+  }
+  const SpatialHash hash(m.vertices, m.triangles, active);
+  std::mt19937 gen(3);
+  std::uniform_real_distribution<double> u(-2, 2);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 y(u(gen), u(gen), u(gen));
+    const auto near = hash.nearest(y, 10, i % static_cast<int>(active.size()));
+    ASSERT_TRUE(active[static_cast<std::size_t>(near.triangle)]);
+    ASSERT_NEAR(near.squared_distance, brute_force(some, y), 1e-13);
+  }
+}
+
+TEST(GeometrySpatialHash, EmptyAndStrangePoints) {
+  EXPECT_EQ(SpatialHash().nearest({0, 0, 0}).triangle, -1);
+  const TriangleMesh m = sphere_mesh(2);
+  const SpatialHash hash(m.vertices, m.triangles);
+  EXPECT_EQ(hash.nearest({0, 0, 0}, -1).triangle, -1);
+  EXPECT_EQ(hash.nearest(Vec3::Constant(std::nan(""))).triangle, -1);
+  EXPECT_GE(hash.nearest(Vec3::Constant(1e12)).triangle, 0);
+  EXPECT_EQ(hash.nearest(Vec3::Constant(1e12), 5).triangle, -1);
+}
+
+TEST(GeometrySpatialHash, WorkDoesNotGrowWithTheMesh) {
+  // Tests per query a fixed fraction of a triangle above the surface.
+  const auto work = [](int levels) {
+    const TriangleMesh m = sphere_mesh(levels, 10);
+    const SpatialHash hash(m.vertices, m.triangles);
+    std::mt19937 gen(4);
+    std::normal_distribution<double> g;
+    SpatialHash::Counters c;
+    const double d = 3.0 * std::ldexp(1.0, -levels);
+    for (int i = 0; i < 2000; ++i)
+      hash.nearest((10 + d) * Vec3(g(gen), g(gen), g(gen)).normalized(), 2 * d, -1, &c);
+    return static_cast<double>(c.triangles + c.cells + c.lookups) / static_cast<double>(c.queries);
+  };
+  const double small = work(4), large = work(7);  // 2048 and 131072 triangles
+  EXPECT_LT(large, 1.3 * small);
+  EXPECT_LT(large, 60);
+}
+
+}  // namespace

@@ -1,0 +1,317 @@
+// Signed distance of meshes and primitives: against every triangle in turn, the solid angle, closed forms
+// and finite differences.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <thread>
+
+#include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/geometry/point_in_polyhedron.hpp"
+#include "hawser/geometry/spatial_hash.hpp"
+#include "hawser/geometry/surface.hpp"
+#include "tests/support/shapes.hpp"
+
+namespace {
+
+using namespace hawser;
+using namespace hawser::testing;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double brute_force(const TriangleMesh& m, const Vec3& y, const std::vector<bool>& active = {}) {
+  double best = kInfinity;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+    if (!active.empty() && !active[t]) continue;
+    const auto v = [&](std::size_t i) { return m.vertices[static_cast<std::size_t>(m.triangles[t][i])]; };
+    best = std::min(best, closest_point_on_triangle(y, v(0), v(1), v(2)).squared_distance);
+  }
+  return std::sqrt(best);
+}
+
+// A point about a mesh: anywhere in its grown box, or near a vertex, edge or face.
+class Points {
+ public:
+  explicit Points(const TriangleMesh& m, unsigned seed = 1) : mesh_(m), gen_(seed) {
+    for (const Vec3& v : m.vertices) box_.add(v);
+  }
+  Vec3 operator()() {
+    const double size = box_.diagonal();
+    if (gen_() % 2) return box_.centre() + 0.6 * box_.extent().cwiseProduct(direction());
+    const auto& t = mesh_.triangles[gen_() % mesh_.triangles.size()];
+    const auto v = [&](std::size_t i) { return mesh_.vertices[static_cast<std::size_t>(t[i])]; };
+    double a = unit_(gen_), b = unit_(gen_) * (1 - a);
+    const auto kind = gen_() % 4;
+    if (kind == 0) a = b = 0;
+    if (kind == 1) b = 0;
+    return v(0) + a * (v(1) - v(0)) + b * (v(2) - v(0)) +
+           size * std::pow(10.0, -5 * unit_(gen_)) * 0.3 * direction();
+  }
+  Vec3 direction() { return Vec3(2 * unit_(gen_) - 1, 2 * unit_(gen_) - 1, 2 * unit_(gen_) - 1); }
+
+ private:
+  const TriangleMesh& mesh_;
+  std::mt19937 gen_;
+  std::uniform_real_distribution<double> unit_{0, 1};
+  Box box_;
+};
+
+std::vector<TriangleMesh> bodies() {
+  return {box_mesh({-1, 0, 1}, {1, 3, 2}),
+          tetrahedron_mesh(),
+          l_prism_mesh(),
+          u_channel_mesh(),
+          hollow_cube_mesh(),
+          drum_mesh(96, 3.6, 5.5),
+          flanged_drum_mesh(24, 1, 2, 1.5, 0.2),
+          sphere_mesh(2)};
+}
+
+TEST(GeometrySurface, CampaignOfDistanceAndSign) {
+  int points = 0, inside = 0;
+  for (const TriangleMesh& m : bodies()) {
+    const MeshSurface surface(m);
+    const double size = inspect(m).box.diagonal();
+    Points next(m);
+    int hint = -1;
+    for (int i = 0; i < 13000; ++i, ++points) {
+      const Vec3 y = next();
+      const double d = brute_force(m, y);
+      const auto s = surface.query(y, kInfinity, hint);
+      ASSERT_TRUE(s);
+      hint = s->triangle;
+      ASSERT_NEAR(std::abs(s->distance), d, 1e-13 * size) << y.transpose();
+      ASSERT_NEAR((y - s->point).norm(), d, 1e-13 * size);
+      ASSERT_NEAR(s->normal.norm(), 1, 1e-14);
+      if (d > 1e-12 * size) {
+        const bool in = winding_number(m, y) > 0.5;
+        ASSERT_EQ(s->distance < 0, in) << y.transpose() << " d " << s->distance;
+        inside += in;
+      }
+      // With a limit: the same answer, or none when outside and farther.
+      const double limit = 0.05 * size;
+      const auto near = surface.query(y, limit);
+      ASSERT_EQ(near.has_value(), s->distance <= limit) << y.transpose();
+      if (near) {
+        ASSERT_EQ(near->distance, s->distance);
+        ASSERT_EQ(near->triangle, s->triangle);
+        ASSERT_EQ(near->normal, s->normal);
+        ASSERT_TRUE(surface.bounds().grown(limit).contains(y));
+      }
+    }
+  }
+  EXPECT_GE(points, 100000);
+  EXPECT_GT(inside, 10000);
+}
+
+// Normal and curvature against central differences of distance, away from where they jump.
+void expect_derivatives(const Surface& surface, const Vec3& y, double h, int& checked) {
+  const auto s = surface.query(y, kInfinity);
+  ASSERT_TRUE(s);
+  if (std::abs(s->distance) < 100 * h) return;
+  Vec3 gradient;
+  Mat3 hessian;
+  for (int a = 0; a < 3; ++a) {
+    const Vec3 e = h * Vec3::Unit(a);
+    const auto up = surface.query(y + e, kInfinity), down = surface.query(y - e, kInfinity);
+    if (up->triangle != s->triangle || down->triangle != s->triangle || up->feature != s->feature ||
+        down->feature != s->feature)
+      return;
+    gradient[a] = (up->distance - down->distance) / (2 * h);
+    hessian.col(a) = (up->normal - down->normal) / (2 * h);
+  }
+  ++checked;
+  // The length over which the distance bends.
+  const double d = std::min(std::abs(s->distance), 1 / (s->curvature.norm() + 1e-9));
+  ASSERT_LE((gradient - s->normal).norm(), 10 * h * h / (d * d) + 1e-9) << y.transpose();
+  ASSERT_LE((hessian - s->curvature).norm(), (10 * h * h / (d * d) + 1e-8) * (1 + 1 / d))
+      << y.transpose() << "\n"
+      << hessian << "\n"
+      << s->curvature;
+}
+
+TEST(GeometrySurface, NormalAndCurvatureAreDerivatives) {
+  for (const TriangleMesh& m : bodies()) {
+    const MeshSurface surface(m);
+    Points next(m, 2);
+    int checked = 0;
+    for (int i = 0; i < 2000; ++i)
+      ASSERT_NO_FATAL_FAILURE(expect_derivatives(surface, next(), 1e-5, checked));
+    EXPECT_GT(checked, 300);
+  }
+  const CylinderSurface cylinder({1, 2, 3}, {2, 4, 1}, 0.7);
+  const TriangleMesh around = box_mesh({0, 1, 0}, {3, 5, 4});
+  Points next(around, 3);
+  int checked = 0;
+  for (int i = 0; i < 5000; ++i) ASSERT_NO_FATAL_FAILURE(expect_derivatives(cylinder, next(), 1e-5, checked));
+  EXPECT_GT(checked, 3000);
+}
+
+TEST(GeometrySurface, CurvatureOnEachFeature) {
+  const MeshSurface cube(box_mesh(Vec3::Zero(), Vec3::Ones()));
+  EXPECT_EQ(cube.query({0.4, 0.7, 1.5}, 1)->curvature, Mat3::Zero());
+  auto s = cube.query({1.3, 0.5, 1.4}, 1);  // edge along y, d = 0.5
+  EXPECT_NEAR(s->distance, 0.5, 1e-15);
+  EXPECT_TRUE(is_edge(s->feature));
+  EXPECT_NEAR(s->curvature.trace(), 1 / 0.5, 1e-14);
+  EXPECT_NEAR((s->curvature * Vec3::UnitY()).norm(), 0, 1e-15);
+  s = cube.query({1 + 1.0 / 3, 1 + 2.0 / 3, 1 + 2.0 / 3}, 2);  // vertex, d = 1
+  EXPECT_TRUE(is_vertex(s->feature));
+  EXPECT_NEAR(s->curvature.trace(), 2, 1e-14);
+  // On the very edge and vertex: bounded, and a normal between the faces'.
+  s = cube.query({1, 0.5, 1}, 1);
+  EXPECT_NEAR(s->distance, 0, 1e-15);
+  EXPECT_TRUE(s->curvature.allFinite());
+  EXPECT_LE(s->curvature.norm(), 2e6);
+  EXPECT_GE(s->normal.x(), 0);
+  EXPECT_GE(s->normal.z(), 0);
+  // Inside, at the reflex edge of the L: the curvature has the sign of d.
+  s = MeshSurface(l_prism_mesh()).query({0.9, 0.8, 0.5}, 1);
+  EXPECT_TRUE(is_edge(s->feature));
+  EXPECT_NEAR(s->distance, -std::hypot(0.1, 0.2), 1e-15);
+  EXPECT_NEAR(s->curvature.trace(), -1 / std::hypot(0.1, 0.2), 1e-13);
+}
+
+TEST(GeometrySurface, DeepInsideIsReportedFarOutsideIsNot) {
+  const MeshSurface drum(drum_mesh(96, 3.6, 5.5));
+  const auto deep = drum.query({0.1, 0, 0.2}, 0.01);
+  ASSERT_TRUE(deep);
+  EXPECT_NEAR(deep->distance, -(2.75 - 0.2), 1e-14);
+  EXPECT_FALSE(drum.query({3.3, 3.3, 0}, 0.01));  // in the box, outside the body
+  EXPECT_FALSE(drum.query({30, 0, 0}, 0.01));
+  const MeshSurface hollow(hollow_cube_mesh());
+  EXPECT_FALSE(hollow.query({1.5, 1.5, 1.5}, 0.4));
+  EXPECT_NEAR(hollow.query({1.5, 1.5, 1.5}, 0.6)->distance, 0.5, 1e-15);
+}
+
+TEST(GeometrySurface, PlaneAndCylinder) {
+  const PlaneSurface plane({0, 0, 2}, {0, 0, 5});
+  EXPECT_DOUBLE_EQ(plane.query({4, 5, 1}, 0.1)->distance, -1);
+  EXPECT_FALSE(plane.query({4, 5, 2.2}, 0.1));
+  EXPECT_EQ(plane.bounds().hi.z(), 2);
+  EXPECT_EQ(plane.bounds().lo.z(), -kInfinity);
+  const CylinderSurface c({0, 0, -1}, {0, 0, 1}, 2);
+  EXPECT_DOUBLE_EQ(c.query({3, 0, 0.5}, 5)->distance, 1);
+  EXPECT_DOUBLE_EQ(c.query({0, 0, 0.8}, 5)->distance, -0.2);
+  EXPECT_DOUBLE_EQ(c.query({5, 0, 5}, 9)->distance, 5);
+  EXPECT_LE((c.query({5, 0, 5}, 9)->point - Vec3(2, 0, 1)).norm(), 1e-15);
+  EXPECT_FALSE(c.query({5, 0, 5}, 4.9));
+  EXPECT_LE((c.bounds().hi - Vec3(2, 2, 1)).norm(), 1e-15);
+  EXPECT_THROW(CylinderSurface({0, 0, 0}, {0, 0, 0}, 1), std::invalid_argument);
+  EXPECT_THROW(PlaneSurface({0, 0, 0}, {0, 0, 0}), std::invalid_argument);
+  // The drum's facets lie within radius (1 - cos(pi / n)) of the cylinder.
+  const MeshSurface drum(drum_mesh(96, 2, 2));
+  Points next(drum.mesh(), 8);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 y = next();
+    ASSERT_NEAR(c.query(y, kInfinity)->distance, drum.query(y, kInfinity)->distance,
+                2 * (1 - std::cos(M_PI / 96)) + 1e-12);
+  }
+}
+
+TEST(GeometrySurface, ActivePart) {
+  const TriangleMesh m = flanged_drum_mesh(24, 1, 2, 1.5, 0.2);
+  const std::vector<bool> active = active_by_part(m, {"barrel"});
+  const MeshSurface barrel(m, active), whole(m);
+  // Beside the barrel both agree; beside the flange only the whole is met.
+  const double across = std::cos(M_PI / 24);
+  const Vec3 mid(std::cos(M_PI / 24), std::sin(M_PI / 24), 0);
+  for (const double depth : {-0.3, -0.01, 0.01, 0.3}) {
+    const auto s = barrel.query((across + depth) * mid, 0.5);
+    ASSERT_TRUE(s) << depth;
+    EXPECT_NEAR(s->distance, depth, 1e-14);
+  }
+  EXPECT_TRUE(whole.query({0, 0, 1.21}, 0.1));
+  EXPECT_FALSE(barrel.query({0, 0, 1.21}, 0.1));
+  EXPECT_TRUE(whole.query({0, 1.4, 1.1}, 0.1));
+  EXPECT_FALSE(barrel.query({0, 1.4, 1.1}, 0.1));  // in the flange: not under the barrel
+  EXPECT_TRUE(barrel.query({0, 0, 0.9}, 0.01));    // deep in the barrel, nearer to nothing active than 0.9
+  // A plate of which only the top is met: from below nothing, within all the way.
+  const TriangleMesh plate = box_mesh({0, 0, 0}, {4, 4, 0.1});
+  std::vector<bool> top = active_by_box(plate, {{-1, -1, 0.05}, {5, 5, 1}});
+  EXPECT_EQ(std::count(top.begin(), top.end(), true), 2);
+  const MeshSurface deck(plate, top);
+  EXPECT_NEAR(deck.query({1, 2, 0.3}, 0.5)->distance, 0.2, 1e-15);
+  EXPECT_NEAR(deck.query({1, 2, 0.02}, 0.5)->distance, -0.08, 1e-15);
+  EXPECT_FALSE(deck.query({1, 2, -0.02}, 0.5));
+  // Distances of the active part agree with its triangles.
+  Points next(m, 9);
+  int met = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 y = next();
+    const auto s = barrel.query(y, 0.4);
+    const double d = brute_force(m, y, active);
+    if (s) {
+      ++met;
+      ASSERT_NEAR(std::abs(s->distance), d, 1e-13);
+      if (s->distance < 0) {
+        ASSERT_GT(winding_number(m, y), 0.5);
+      }
+    } else if (d < 0.4) {
+      // Only behind the barrel's faces can something near not be met.
+      ASSERT_LT(std::hypot(y.x(), y.y()), 1.5);
+    }
+  }
+  EXPECT_GT(met, 500);
+  EXPECT_THROW(MeshSurface(m, std::vector<bool>(3, true)), std::invalid_argument);
+  EXPECT_THROW(MeshSurface(m, std::vector<bool>(m.triangles.size(), false)), std::invalid_argument);
+}
+
+TEST(GeometrySurface, RefusesMeshesWithoutInside) {
+  TriangleMesh m = box_mesh(Vec3::Zero(), Vec3::Ones());
+  std::swap(m.triangles[0][0], m.triangles[0][1]);
+  EXPECT_THROW(MeshSurface{m}, std::invalid_argument);
+  m.triangles.erase(m.triangles.begin());
+  EXPECT_THROW(MeshSurface{m}, std::invalid_argument);
+  EXPECT_THROW(MeshSurface{TriangleMesh{}}, std::invalid_argument);
+}
+
+TEST(GeometrySurface, SignWhereTheSurfaceTouchesItselfOrHasNoArea) {
+  // Two cubes that share an edge, and two that share a vertex.
+  for (const Vec3& shift : {Vec3(1, 1, 0), Vec3(1, 1, 1)}) {
+    TriangleMesh m = box_mesh(Vec3::Zero(), Vec3::Ones());
+    append(m, box_mesh(shift, shift + Vec3::Ones()));
+    weld(m);
+    ASSERT_TRUE(inspect(m).closed);
+    const MeshSurface s(m);
+    Points next(m, 4);
+    for (int i = 0; i < 3000; ++i) {
+      const Vec3 y = i % 3 ? Vec3(Vec3(1, 1, 1) + 0.1 * next.direction()) : next();
+      if (brute_force(m, y) < 1e-12) continue;
+      ASSERT_EQ(s.query(y, kInfinity)->distance<0, winding_number(m, y)> 0.5) << y.transpose();
+    }
+  }
+  // A triangle of no area between faces that meet at an angle.
+  TriangleMesh m = tetrahedron_mesh();
+  m.vertices.push_back({0.5, 0, 0});
+  m.triangles = {{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {0, 4, 1}, {0, 3, 2}, {1, 2, 3}};
+  const MeshSurface s(m);
+  Points next(m, 5);
+  for (int i = 0; i < 5000; ++i) {
+    const Vec3 y = next();
+    const double d = brute_force(m, y);
+    const auto q = s.query(y, kInfinity);
+    ASSERT_NEAR(std::abs(q->distance), d, 1e-14);
+    ASSERT_NEAR(q->normal.norm(), 1, 1e-14);
+    if (d > 1e-12) {
+      ASSERT_EQ(q->distance<0, winding_number(m, y)> 0.5) << y.transpose();
+    }
+  }
+}
+
+TEST(GeometrySurface, ThreadsAgree) {
+  const MeshSurface s(sphere_mesh(3));
+  std::vector<Vec3> points;
+  Points next(s.mesh(), 6);
+  for (int i = 0; i < 2000; ++i) points.push_back(next());
+  std::vector<std::vector<double>> d(3);
+  std::vector<std::thread> threads;
+  for (auto& mine : d)
+    threads.emplace_back([&] {
+      for (const Vec3& y : points) mine.push_back(s.query(y, kInfinity)->distance);
+    });
+  for (auto& t : threads) t.join();
+  EXPECT_EQ(d[0], d[1]);
+  EXPECT_EQ(d[0], d[2]);
+}
+
+}  // namespace
