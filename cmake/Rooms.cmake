@@ -3,6 +3,7 @@ add_library(hawser_options INTERFACE)
 target_include_directories(hawser_options INTERFACE ${PROJECT_SOURCE_DIR}/include)
 target_compile_features(hawser_options INTERFACE cxx_std_20)
 target_compile_options(hawser_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-psabi
+  -Wno-maybe-uninitialized -Wno-stringop-overflow
   -fno-math-errno -fno-trapping-math)
 if(HAWSER_WERROR)
   target_compile_options(hawser_options INTERFACE -Werror)

@@ -90,11 +90,7 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
     d.error_ = std::current_exception();
     PetscFunctionReturn(PETSC_ERR_LIB);
   }
-  const ResidualNorms& n = d.norms_;
-  const double tol = d.settings_.tolerance;
-  // Where nothing bends, the moments are measured against forces over a millimetre.
-  const double moments = std::max(n.moment_scale, 1e-3 * n.force_scale);
-  if (it > 0 && n.force <= tol * n.force_scale && n.moment <= tol * moments)
+  if (it > 0 && d.norms_.small(d.settings_.tolerance))
     *reason = SNES_CONVERGED_FNORM_RELATIVE;
   else if (fnorm == 0)
     *reason = SNES_CONVERGED_FNORM_ABS;

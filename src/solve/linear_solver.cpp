@@ -96,6 +96,8 @@ int negative_eigenvalues(Mat J) {
   check(MatConvert(a.get(), MATSBAIJ, MAT_INITIAL_MATRIX, s.out()));
   MatHandle factor;
   if (MatGetFactor(s.get(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.out())) return -1;
+  check(MatMumpsSetIcntl(factor.get(), 24, 1));  // what PETSc asks for before it tells the inertia
+  check(MatMumpsSetIcntl(factor.get(), 13, 1));
   MatFactorInfo info;
   check(MatFactorInfoInitialize(&info));
   IsHandle rows, columns;

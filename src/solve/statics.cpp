@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
 constexpr double kArmijo = 1e-4;
+constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at the start, and a stage on
 constexpr int kHalvings = 30, kMaxEscapes = 3;
 
 class Search {
@@ -29,8 +30,9 @@ class Search {
 
   StaticsReport run() {
     StaticsReport report;
+    approach(report);
     for (;;) {
-      descend(report);
+      descend(report, settings_.tolerance);
       system_.tangent(state_.view(0), {}, zero_, false, J_.get());
       report.negative_eigenvalues = negative_eigenvalues(J_.get());
       if (report.negative_eigenvalues <= 0 || report.escapes == kMaxEscapes) return report;
@@ -48,25 +50,38 @@ class Search {
     const Energy e = system_.energy(s.view(0));
     return sum(e.strain + e.potential);
   }
-  static bool small(const ResidualNorms& n, double tol) {
-    return n.force <= tol * n.force_scale && n.moment <= tol * std::max(n.moment_scale, 1e-3 * n.force_scale);
-  }
-  static double size(const ResidualNorms& n) {
-    return std::max(n.force / std::max(n.force_scale, 1e-300),
-                    n.moment / std::max({n.moment_scale, 1e-3 * n.force_scale, 1e-300}));
+  // Close enough for the exact tangent. Not against the internal forces: a straight line, longer than its
+  // span and compressed, is in balance but for its weight.
+  bool near(const ResidualNorms& n) const {
+    const double load =
+        system_.dead_load() / std::sqrt(static_cast<double>(system_.mesh().mesh->nodes.size()));
+    return load > 0 ? n.force < kNear * load && n.moment < kNear * std::max(n.moment_scale, load * length_)
+                    : n.relative() < kNear;
   }
 
-  void descend(StaticsReport& report) {
+  // Where the axial stiffness is far above the forces, equilibrium is found with a soft line first.
+  void approach(StaticsReport& report) {
+    system_.residual(state_.view(0), r_.get());
+    const ResidualNorms norms = system_.norms(r_.get());
+    const double stiff = system_.axial_stiffness(), load = system_.dead_load();
+    if (load == 0 || near(norms)) return;
+    for (double soft = kSoft * load; soft < stiff; soft *= kStiffening) {
+      system_.soften(soft / stiff);
+      descend(report, 1e-4);
+    }
+    system_.soften(1);
+  }
+  void descend(StaticsReport& report, double tolerance) {
     system_.residual(state_.view(0), r_.get());
     ResidualNorms norms = system_.norms(r_.get());
     double energy = potential(state_), shift = 1e-3;
     for (int it = 0;; ++it, ++report.iterations) {
       report.norms = norms;
       system_.prepare(state_.view(0), 0);  // contact candidates move with the line
-      if (small(norms, settings_.tolerance)) return;
+      if (norms.small(tolerance)) return;
       if (it >= settings_.max_iterations) throw SolveError(failure(norms, "too many iterations"));
-      const bool near = size(norms) < kNear;
-      const double slope = direction(near, near && shift < 1e-5 ? 0 : shift, norms);
+      const bool close = near(norms);
+      const double slope = direction(close, close && shift < 1e-5 ? 0 : shift, norms);
       double factor = limit();
       const bool full = factor == 1;
       bool taken = false;
@@ -79,7 +94,7 @@ class Search {
         if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
         const bool flat = std::abs(e - energy) <= 1e-10 * std::abs(energy);
         const bool down = slope < 0 && e <= energy + kArmijo * factor * slope;
-        if (down || ((flat || near) && size(n) < size(norms)) || small(n, settings_.tolerance)) {
+        if (down || ((flat || close) && n.relative() < norms.relative()) || n.small(tolerance)) {
           taken = true;
           std::swap(state_.x, trial_.x), std::swap(state_.q, trial_.q);
           norms = n, energy = e;
@@ -87,12 +102,12 @@ class Search {
       }
       if (!taken && shift > 1e6) {
         system_.residual(state_.view(0), r_.get());
-        if (small(norms, 100 * settings_.tolerance)) return;  // round-off of very stiff lines
+        if (norms.small(100 * tolerance)) return;  // round-off of very stiff lines
         throw SolveError(failure(norms, "no descent"));
       }
-      shift = std::clamp(taken && halvings <= 1 && (full || near) ? 0.2 * shift
-                         : taken && halvings <= 1                 ? shift
-                                                                  : 4 * shift,
+      shift = std::clamp(taken && halvings <= 1 && (full || close) ? 0.2 * shift
+                         : taken && halvings <= 1                  ? shift
+                                                                   : 4 * shift,
                          1e-9, 1e7);
       if (!taken) shift *= 10;
     }

@@ -17,6 +17,7 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
   force_.assign(3 * static_cast<size_t>(mesh_.blocks()), 0);
   retraction_.assign(static_cast<size_t>(mesh_.blocks()), Mat3::Identity());
   supports_ = Supports(mesh_, {}, {});
+  for (const Element& e : mesh_.mesh->elements) longest_element_ = std::max(longest_element_, e.length);
 }
 
 void System::add(std::unique_ptr<ForceTerm> term) {
@@ -158,11 +159,46 @@ ResidualNorms System::norms(Vec r) const {
       s[is_rotation_[static_cast<size_t>(b)] ? 1 : 0] += p[3 * b + c] * p[3 * b + c];
   check(VecRestoreArrayRead(r, &p));
   MPI_Allreduce(MPI_IN_PLACE, s, 4, MPI_DOUBLE, MPI_SUM, comm_);
-  return {std::sqrt(s[0]), std::sqrt(s[1]), std::sqrt(s[2]), std::sqrt(s[3])};
+  return {std::sqrt(s[0]), std::sqrt(s[1]), std::sqrt(s[2]), std::sqrt(s[3]), round_off_, longest_element_};
+}
+
+bool ResidualNorms::small(double tolerance) const {
+  return force <= tolerance * force_scale + 4 * round_off &&
+         moment <= tolerance * std::max(moment_scale, 1e-3 * force_scale) + 4 * round_off * arm;
+}
+
+double ResidualNorms::relative() const {
+  constexpr double tiny = 1e-300;
+  return std::max(force / std::max(force_scale, tiny),
+                  moment / std::max({moment_scale, 1e-3 * force_scale, tiny}));
+}
+
+void System::soften(double factor) {
+  for (auto& t : terms_) t->soften(factor);
+}
+
+double System::axial_stiffness() const {
+  double most = 0;
+  for (const auto& t : terms_) most = std::max(most, t->axial_stiffness());
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  return most;
+}
+
+double System::dead_load() const {
+  double sum = 0;
+  for (const auto& t : terms_) sum += t->dead_load();
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  return sum;
 }
 
 void System::prepare(const Kinematics& committed, double h) {
-  for (auto& t : terms_) t->prepare(committed, h);
+  double square = 0;
+  for (auto& t : terms_) {
+    t->prepare(committed, h);
+    square += t->round_off(committed);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  round_off_ = std::sqrt(square);
 }
 
 void System::commit(const Kinematics& accepted) {

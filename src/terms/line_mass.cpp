@@ -114,6 +114,13 @@ void LineMassTerm::commit(const Kinematics& accepted) {
     }
 }
 
+double LineMassTerm::dead_load() const {
+  double sum = 0;
+  for (const Piece& p : pieces_)
+    if (p.at.counted) sum += p.section.length * p.load.norm();
+  return sum;
+}
+
 Energy LineMassTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Piece& p : pieces_) {

@@ -1,5 +1,9 @@
 #include "hawser/terms/structure.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "hawser/model/case.hpp"
 
 namespace hawser {
@@ -83,6 +87,31 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
     cable_force(c.section, ends(c, trial), f);
     sink.add(c.blocks, f, nullptr, nullptr, nullptr);
   }
+}
+
+double StructureTerm::round_off(const Kinematics& at) const {
+  // A strain is a difference of positions: each is known to eps |x|.
+  double far = 0, sum = 0;
+  for (const Vec3& x : at.x) far = std::max(far, x.cwiseAbs().maxCoeff());
+  const double eps = std::numeric_limits<double>::epsilon() * far;
+  for (const Beam& b : beams_)
+    if (b.at.counted) sum += std::pow(b.section.EA / b.section.length * eps, 2);
+  for (const Cable& c : cables_)
+    if (c.at.counted) sum += std::pow(c.section.EA / c.section.length * eps, 2);
+  return sum;
+}
+
+void StructureTerm::soften(double factor) {
+  for (Beam& b : beams_) b.section.EA *= factor / softness_;
+  for (Cable& c : cables_) c.section.EA *= factor / softness_;
+  softness_ = factor;
+}
+
+double StructureTerm::axial_stiffness() const {
+  double most = 0;
+  for (const Beam& b : beams_) most = std::max(most, b.section.EA);
+  for (const Cable& c : cables_) most = std::max(most, c.section.EA);
+  return most;
 }
 
 double StructureTerm::dissipation(const Kinematics& at) const {

@@ -46,6 +46,16 @@ class ForceTerm {
   // The state is accepted: history that belongs to it becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
+  // Sum of squares, N², of the round-off in the forces on this rank: no residual can be smaller.
+  virtual double round_off(const Kinematics& at) const { return (void)at, 0.0; }
+  // Axial stiffness is `factor` (0..1) of the true one until told otherwise: statics starts soft, where a
+  // very stiff line would have to creep along a narrow valley of its energy.
+  virtual void soften(double factor) { (void)factor; }
+  // Sum of the sizes of the dead loads on this rank, N: what a static residual is judged against.
+  virtual double dead_load() const { return 0; }
+  // Largest EA, N, of this rank; 0: none.
+  virtual double axial_stiffness() const { return 0; }
+
   virtual Energy energy(const Kinematics& at) const { return (void)at, Energy{}; }
   virtual void fields(FieldRegistry& registry) const { (void)registry; }
 

@@ -21,6 +21,13 @@ using MatHandle = Handle<Mat, MatDestroy>;
 struct ResidualNorms {
   double force = 0, moment = 0;  // N, N m, of the free components
   double force_scale = 0, moment_scale = 0;
+  double round_off = 0, arm = 0;  // N, what is noise; m, that makes it a moment
+
+  // Whether the residual is down to `tolerance` of what makes it up, or to round-off. Where nothing bends,
+  // moments are measured against forces over a millimetre.
+  bool small(double tolerance) const;
+  // Residual over its scale, the larger of forces and moments.
+  double relative() const;
 };
 
 class System {
@@ -53,6 +60,11 @@ class System {
   // last residual() call before held components were zeroed; 3 * local blocks, valid for owned blocks.
   const std::vector<double>& reactions() const { return force_; }
 
+  // Of all terms, over all ranks (collective): see ForceTerm.
+  void soften(double factor);
+  double axial_stiffness() const;
+  double dead_load() const;
+
   void prepare(const Kinematics& committed, double h);
   void commit(const Kinematics& accepted);
   // Summed over the terms, this rank's share.
@@ -69,6 +81,7 @@ class System {
   std::vector<double> force_;
   std::vector<Mat3> retraction_;
   double force_square_ = 0, moment_square_ = 0;
+  double round_off_ = 0, longest_element_ = 0;
 };
 
 }  // namespace hawser

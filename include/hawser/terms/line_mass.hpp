@@ -23,7 +23,7 @@ class LineMassTerm final : public ForceTerm {
   struct Piece {
     LocalElement at;
     bool beam = true;
-    int blocks[4];
+    int blocks[4] = {};
     MassSection section;
     Vec3 load = Vec3::Zero();          // N/m, weight and lasting loads
     int first_ramped = 0, ramped = 0;  // into the list of ramped loads
@@ -39,6 +39,7 @@ class LineMassTerm final : public ForceTerm {
   void prepare(const Kinematics& committed, double h) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
+  double dead_load() const override;
 
  private:
   struct Built {

@@ -18,13 +18,13 @@ class StructureTerm final : public ForceTerm {
  public:
   struct Beam {
     LocalElement at;
-    int blocks[4];  // x1, theta1, x2, theta2
+    int blocks[4] = {};  // x1, theta1, x2, theta2
     BeamSection section;
     BeamReference reference;
   };
   struct Cable {
     LocalElement at;
-    int blocks[2];
+    int blocks[2] = {};
     CableSection section;
   };
 
@@ -38,6 +38,9 @@ class StructureTerm final : public ForceTerm {
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
+  double round_off(const Kinematics& at) const override;
+  void soften(double factor) override;
+  double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
 
   std::vector<Beam>& beams() { return beams_; }
@@ -50,8 +53,9 @@ class StructureTerm final : public ForceTerm {
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
   bool damped_ = false;
-  double power_ = -1;   // W, dissipated at the committed state; < 0: not known yet
-  double damping_ = 0;  // J, dissipated so far
+  double softness_ = 1;  // of EA, for the first stages of statics
+  double power_ = -1;    // W, dissipated at the committed state; < 0: not known yet
+  double damping_ = 0;   // J, dissipated so far
 };
 
 }  // namespace hawser
