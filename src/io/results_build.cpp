@@ -345,6 +345,12 @@ ResultProgress read_progress(const std::string& path) {
   p.step_times = h5::read_array(file, "series/time").values;
   p.output_times.resize(static_cast<size_t>(p.count.outputs));
   p.step_times.resize(static_cast<size_t>(p.count.steps));
+  if (!h5::exists(file, "checkpoint/1")) return p;
+  p.room.slot_doubles =
+      static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/values"))[0]);
+  p.room.slot_text = static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/index"))[0]);
+  for (const char* header : {"checkpoint/0/header", "checkpoint/1/header"})
+    p.sequence = std::max(p.sequence, static_cast<long long>(h5::read_array(file, header).values[0]));
   return p;
 }
 

@@ -35,7 +35,10 @@ std::string escaped(const std::string& text) {
 
 std::string joined(const std::vector<long long>& numbers) {
   std::string out;
-  for (const long long n : numbers) out += (out.empty() ? "" : " ") + std::to_string(n);
+  for (const long long n : numbers) {
+    if (!out.empty()) out += ' ';
+    out += std::to_string(n);
+  }
   return out;
 }
 
@@ -60,7 +63,9 @@ std::string item(const std::string& h5, const Slab& s) {
   if (s.row >= 0 || s.count != s.shape) {
     const std::vector<long long> stride(s.start.size(), 1);
     const auto part = [&](long long row, const std::vector<long long>& rest) {
-      return (s.row >= 0 ? std::to_string(row) + " " : "") + joined(rest);
+      std::vector<long long> all(rest);
+      if (s.row >= 0) all.insert(all.begin(), row);
+      return joined(all);
     };
     text += "|" + part(s.row, s.start) + ":" + part(1, stride) + ":" + part(1, s.count) + ":" +
             part(s.row + 1, s.shape);
@@ -89,7 +94,7 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
   std::vector<std::string> out;
   for (const auto& name : names) {
     std::string safe = safe_name(name);
-    for (int k = 2; !taken.insert(safe).second; ++k) safe = safe_name(name) + "_" + std::to_string(k);
+    for (int k = 2; !taken.insert(safe).second; ++k) (safe = safe_name(name) + "_").append(std::to_string(k));
     out.push_back(safe);
   }
   return out;

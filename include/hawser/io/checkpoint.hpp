@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/io/results_rows.hpp"
 #include "hawser/system/force_term.hpp"
 
 namespace hawser::io {
@@ -34,14 +35,10 @@ Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_tot
 
 // --- What results.cpp stores: the checkpoint as one array of doubles with a text that says what is where.
 
-struct CheckpointRun {  // a stretch of the array that this rank holds
-  long long first = 0, count = 0;
-};
-
 struct PackedCheckpoint {
   std::string index;                // same on all ranks
   long long size = 0;               // doubles in the whole array, same on all ranks
-  std::vector<CheckpointRun> runs;  // this rank's share, ascending
+  std::vector<RowRun> runs;         // this rank's share, ascending
   std::vector<double> values;       // of the runs, one after the other
   unsigned long long checksum = 0;  // of the whole array and the index, same on all ranks
 };

@@ -109,8 +109,8 @@ class ResultsFile {
   // When it returns, read_checkpoint() gives this one; until then, the one before.
   void write_checkpoint(const Checkpoint& checkpoint);
 
-  // End of the run: writes series rows still in memory and the table, and cuts the file to what is used.
-  // Only the destructor may follow.
+  // End of the run, be it a good one or not: writes series rows still in memory and the table, and cuts the
+  // file to what is used. Only the destructor may follow.
   void finish(const std::vector<SummaryRow>& summary);
 
   long long outputs() const;                 // accepted so far

@@ -53,10 +53,12 @@ DrawnMesh drawn_mesh(const VolumeMesh& volume, int limit);
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
                    const std::string& from, const ResultCount& kept, const std::vector<SummaryRow>* summary);
 
-// Counter, times of the outputs and of the steps, in the file at `path`. Serial.
+// How far the file at `path` got. Serial. Throws InputError when it is no results file.
 struct ResultProgress {
   ResultCount count;
-  std::vector<double> output_times, step_times;
+  std::vector<double> output_times, step_times;  // s, of the rows that count
+  ResultRoom room;                               // of the checkpoint slots; outputs and steps are left 0
+  long long sequence = 0;                        // of the newest checkpoint; 0: none
 };
 ResultProgress read_progress(const std::string& path);
 

@@ -1,0 +1,72 @@
+// Writing rows of a file that all ranks have open, and agreeing on what went wrong. Inside io only.
+#pragma once
+
+#include <hdf5.h>
+#include <mpi.h>
+
+#include <exception>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "hawser/io/hdf5.hpp"
+
+namespace hawser::io {
+
+struct RowRun {  // a stretch along a dimension that this rank holds
+  long long first = 0, count = 0;
+};
+
+// The stretches of an ascending list of numbers.
+std::vector<RowRun> runs_of(const std::vector<int>& ascending);
+
+class SharedFile {
+ public:
+  // `comm` must outlive the object.
+  SharedFile(MPI_Comm comm, std::string path);
+  ~SharedFile() { close(); }
+
+  int rank() const { return rank_; }
+  MPI_Comm comm() const { return comm_; }
+  const std::string& path() const { return path_; }
+
+  // Collective. The datasets are kept open; the writers below know no others.
+  void open(const std::vector<std::string>& datasets);
+  void close();
+
+  // Runs f on this rank; an error is kept for agree(), so that all ranks make the same collective calls.
+  template <class F>
+  void attempt(F&& f) {
+    try {
+      f();
+    } catch (const std::exception& e) {
+      if (trouble_.empty()) trouble_ = e.what();
+    }
+  }
+
+  // Collective: all ranks have done their part, or all throw the first one's error (std::runtime_error).
+  void agree();
+
+  // The next four attempt. Collective: stretches of the first dimension (row < 0) or of the second, at a row.
+  void write_runs(const std::string& name, hid_t type, long long row, const std::vector<RowRun>& runs,
+                  const void* data);
+  // Collective: whole rows [first, first + rows), of which only the rank with `here` has the data.
+  void write_rows(const std::string& name, hid_t type, long long first, long long rows, bool here,
+                  const void* data);
+  // By this rank alone: a whole dataset.
+  void write_alone(const std::string& name, hid_t type, const void* data);
+  // Collective: to the disk, against power cuts.
+  void flush();
+
+ private:
+  void transfer(hid_t set, hid_t type, hid_t space, hsize_t n, const void* data);
+
+  MPI_Comm comm_;
+  int rank_ = 0;
+  std::string path_;
+  h5::Id file_, collective_;
+  std::map<std::string, h5::Id> open_;  // closed before the file
+  std::string trouble_;                 // first error on this rank since the ranks last agreed
+};
+
+}  // namespace hawser::io

@@ -1,0 +1,110 @@
+#include "hawser/io/results_rows.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace hawser::io {
+
+std::vector<RowRun> runs_of(const std::vector<int>& ascending) {
+  std::vector<RowRun> runs;
+  for (const int n : ascending) {
+    if (runs.empty() || runs.back().first + runs.back().count != n) runs.push_back({n, 0});
+    ++runs.back().count;
+  }
+  return runs;
+}
+
+SharedFile::SharedFile(MPI_Comm comm, std::string path) : comm_(comm), path_(std::move(path)) {
+  MPI_Comm_rank(comm_, &rank_);
+}
+
+void SharedFile::open(const std::vector<std::string>& datasets) {
+  attempt([&] {
+    h5::quiet();
+    const h5::Id access = h5::own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "HDF5 property list");
+    h5::check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "HDF5 property list");
+    h5::check(H5Pset_fapl_mpio(access, comm_, MPI_INFO_NULL), "HDF5 with MPI");
+    file_ = h5::own(H5Fopen(path_.c_str(), H5F_ACC_RDWR, access), H5Fclose, "cannot open " + path_);
+    collective_ = h5::own(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "HDF5 property list");
+    h5::check(H5Pset_dxpl_mpio(collective_, H5FD_MPIO_COLLECTIVE), "HDF5 with MPI");
+    for (const auto& name : datasets) open_[name] = h5::open_dataset(file_, name);
+  });
+  agree();
+}
+
+void SharedFile::close() {
+  open_.clear();
+  file_.reset();
+}
+
+void SharedFile::agree() {
+  int size = 0;
+  MPI_Comm_size(comm_, &size);
+  int who = trouble_.empty() ? size : rank_;
+  MPI_Allreduce(MPI_IN_PLACE, &who, 1, MPI_INT, MPI_MIN, comm_);
+  if (who == size) return;
+  auto length = static_cast<int>(trouble_.size());
+  MPI_Bcast(&length, 1, MPI_INT, who, comm_);
+  trouble_.resize(static_cast<size_t>(length));
+  MPI_Bcast(trouble_.data(), length, MPI_CHAR, who, comm_);
+  throw std::runtime_error(std::exchange(trouble_, ""));
+}
+
+void SharedFile::write_runs(const std::string& name, hid_t type, long long row,
+                            const std::vector<RowRun>& runs, const void* data) {
+  attempt([&] {
+    const hid_t set = open_.at(name);
+    const h5::Shape shape = h5::shape_of(set);
+    const size_t axis = row >= 0 ? 1 : 0;
+    h5::Shape start(shape.size(), 0), block(shape);
+    hsize_t total = 0, inner = 1;
+    for (size_t i = axis + 1; i < shape.size(); ++i) inner *= shape[i];
+    if (row >= 0) start[0] = static_cast<hsize_t>(row), block[0] = 1;
+    const h5::Id space = h5::own(H5Dget_space(set), H5Sclose, name);
+    h5::check(H5Sselect_none(space), name);
+    for (const auto& run : runs) {
+      start[axis] = static_cast<hsize_t>(run.first), block[axis] = static_cast<hsize_t>(run.count);
+      const H5S_seloper_t how = total == 0 ? H5S_SELECT_SET : H5S_SELECT_OR;
+      h5::check(H5Sselect_hyperslab(space, how, start.data(), nullptr, block.data(), nullptr), name);
+      total += block[axis] * inner;
+    }
+    transfer(set, type, space, total, data);
+  });
+}
+
+void SharedFile::write_rows(const std::string& name, hid_t type, long long first, long long rows, bool here,
+                            const void* data) {
+  attempt([&] {
+    const hid_t set = open_.at(name);
+    h5::Shape count = h5::shape_of(set), start(count.size(), 0);
+    start[0] = static_cast<hsize_t>(first), count[0] = static_cast<hsize_t>(rows);
+    hsize_t total = here ? 1 : 0;
+    for (const hsize_t n : count) total *= n;
+    const h5::Id space = h5::own(H5Dget_space(set), H5Sclose, name);
+    h5::check(total ? H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr)
+                    : H5Sselect_none(space),
+              name);
+    transfer(set, type, space, total, data);
+  });
+}
+
+void SharedFile::transfer(hid_t set, hid_t type, hid_t space, hsize_t n, const void* data) {
+  const hsize_t length = std::max<hsize_t>(n, 1);
+  const h5::Id memory = h5::own(H5Screate_simple(1, &length, nullptr), H5Sclose, "rows");
+  if (n == 0) h5::check(H5Sselect_none(memory), "rows");
+  const double nothing = 0;
+  h5::check(H5Dwrite(set, type, memory, space, collective_, n ? data : &nothing), "cannot write " + path_);
+}
+
+void SharedFile::write_alone(const std::string& name, hid_t type, const void* data) {
+  attempt([&] {
+    h5::check(H5Dwrite(open_.at(name), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "cannot write " + path_);
+  });
+}
+
+void SharedFile::flush() {
+  attempt([&] { h5::check(H5Fflush(file_, H5F_SCOPE_LOCAL), "cannot write " + path_); });
+}
+
+}  // namespace hawser::io
