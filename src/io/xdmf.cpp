@@ -67,7 +67,8 @@ std::string item(const std::string& h5, const Slab& s) {
       if (s.row >= 0) all.insert(all.begin(), row);
       return joined(all);
     };
-    text += "|" + part(s.row, s.start) + ":" + part(1, stride) + ":" + part(1, s.count) + ":" +
+    text += '|';
+    text += part(s.row, s.start) + ":" + part(1, stride) + ":" + part(1, s.count) + ":" +
             part(s.row + 1, s.shape);
   }
   return "<DataItem Dimensions=\"" + joined(s.count) + "\" " + s.type + " Format=\"HDF\">" + text +
@@ -94,7 +95,7 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
   std::vector<std::string> out;
   for (const auto& name : names) {
     std::string safe = safe_name(name);
-    for (int k = 2; !taken.insert(safe).second; ++k) (safe = safe_name(name) + "_").append(std::to_string(k));
+    for (int k = 2; !taken.insert(safe).second; ++k) safe = safe_name(name) + "_" + std::to_string(k);
     out.push_back(safe);
   }
   return out;
