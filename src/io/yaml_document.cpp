@@ -1,13 +1,15 @@
+// Events of the YAML parser into a tree. Not YAML::LoadAll: some broken files make it loop for ever.
 #include "hawser/io/yaml_document.hpp"
 
 #include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
+#include <sstream>
 
 #include "hawser/base/error.hpp"
-#include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::io {
@@ -15,65 +17,169 @@ namespace {
 
 using model::Value;
 
-class Converter {
+constexpr std::size_t kDeepest = 40;
+constexpr long kMostNodes = 1'000'000;
+
+int line_of(const YAML::Mark& m) { return std::max(m.line, 0) + 1; }
+
+class TreeBuilder final : public YAML::EventHandler {
  public:
-  explicit Converter(const std::string& file) : file_(file) {}
+  explicit TreeBuilder(const std::string& file) : file_(file) {}
 
-  Value convert(const YAML::Node& node, int line, const std::string& path, int depth) {
-    constexpr int kDeepest = 40;
-    constexpr int kMost = 1'000'000;
-    if (depth > kDeepest) model::fail(file_, line, path, "is nested too deeply");
-    if (++count_ > kMost) model::fail(file_, line, path, "has too many entries");
+  Value take() { return std::move(root_); }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override { leaf(Value(), mark, anchor, 1); }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& text) override {
     Value v;
-    v.line = line;
-    switch (node.Type()) {
-      case YAML::NodeType::Undefined:
-      case YAML::NodeType::Null:
-        v.kind = Value::Kind::null;
-        break;
-      case YAML::NodeType::Scalar:
-        v.kind = Value::Kind::scalar;
-        v.text = node.Scalar();
-        v.quoted = node.Tag() == "!";
-        break;
-      case YAML::NodeType::Sequence: {
-        v.kind = Value::Kind::list;
-        std::size_t i = 0;
-        for (const YAML::Node& item : node)
-          v.items.push_back(convert(item, line_of(item, line), fmt::format("{}[{}]", path, i++), depth + 1));
-        break;
-      }
-      case YAML::NodeType::Map:
-        convert_map(node, v, path, depth);
-        break;
-    }
-    return v;
+    v.kind = Value::Kind::scalar;
+    v.text = text;
+    v.quoted = tag == "!";
+    leaf(std::move(v), mark, anchor, 1);
   }
 
-  static int line_of(const YAML::Node& node, int otherwise) {
-    const YAML::Mark m = node.Mark();
-    return m.line < 0 ? otherwise : m.line + 1;
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    const auto known = anchors_.find(anchor);
+    if (known == anchors_.end())  // the parser knows the name, so it is still being built
+      model::fail(file_, line_of(mark), path(), "is an alias of something that holds it");
+    count_nodes(known->second.nodes, mark);
+    leaf(known->second.value, mark, 0, 0);
   }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(Value::Kind::list, mark, anchor);
+  }
+  void OnSequenceEnd() override { close(); }
+  void OnMapStart(const YAML::Mark& mark, const std::string&, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(Value::Kind::map, mark, anchor);
+  }
+  void OnMapEnd() override { close(); }
 
  private:
-  void convert_map(const YAML::Node& node, Value& v, const std::string& path, int depth) {
-    v.kind = Value::Kind::map;
-    std::set<std::string> seen;
-    for (const auto& entry : node) {
-      const int line = line_of(entry.first, v.line);
-      if (!entry.first.IsScalar()) model::fail(file_, line, path, "has an entry whose key is no plain word");
-      const std::string key = entry.first.Scalar();
-      const std::string below = path.empty() ? key : path + "." + key;
-      if (!seen.insert(key).second)
-        model::fail(file_, line, below, fmt::format("is given twice (first in line {})", v.line_of(key)));
-      Value value = convert(entry.second, line, below, depth + 1);
-      v.keys.push_back(key);
-      v.items.push_back(std::move(value));
+  struct Frame {
+    Value value;
+    YAML::anchor_t anchor = 0;
+    long nodes_before = 0;
+    std::string key;  // of the map's entry under way
+    int key_line = 0;
+    bool has_key = false;
+    std::map<std::string, int> key_lines;
+  };
+  struct Anchor {
+    Value value;
+    long nodes = 0;
+  };
+
+  std::string path() const {
+    std::string p;
+    for (const Frame& f : stack_) {
+      if (f.value.kind == Value::Kind::list)
+        p += fmt::format("[{}]", f.value.items.size());
+      else if (f.has_key)
+        p += (p.empty() ? "" : ".") + f.key;
+    }
+    return p;
+  }
+
+  void count_nodes(long n, const YAML::Mark& mark) {
+    nodes_ += n;
+    if (nodes_ > kMostNodes) model::fail(file_, line_of(mark), path(), "has too many entries");
+  }
+
+  void open(Value::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
+    if (stack_.size() >= kDeepest) model::fail(file_, line_of(mark), path(), "is nested too deeply");
+    if (wants_key()) no_key(line_of(mark));
+    Frame f;
+    f.value.kind = kind;
+    f.value.line = line_of(mark);
+    f.anchor = anchor;
+    f.nodes_before = nodes_;
+    count_nodes(1, mark);
+    stack_.push_back(std::move(f));
+  }
+
+  void close() {
+    Frame f = std::move(stack_.back());
+    stack_.pop_back();
+    if (f.anchor) anchors_[f.anchor] = {f.value, nodes_ - f.nodes_before};
+    add(std::move(f.value));
+  }
+
+  void leaf(Value v, const YAML::Mark& mark, YAML::anchor_t anchor, long nodes) {
+    v.line = line_of(mark);
+    count_nodes(nodes, mark);
+    if (anchor) anchors_[anchor] = {v, 1};
+    add(std::move(v));
+  }
+
+  bool wants_key() const {
+    return !stack_.empty() && stack_.back().value.kind == Value::Kind::map && !stack_.back().has_key;
+  }
+  [[noreturn]] void no_key(int line) const {
+    model::fail(file_, line, path(), "has an entry whose key is no plain word");
+  }
+
+  void add(Value v) {
+    if (stack_.empty()) {
+      root_ = std::move(v);
+      return;
+    }
+    Frame& f = stack_.back();
+    if (f.value.kind == Value::Kind::list) {
+      f.value.items.push_back(std::move(v));
+    } else if (!f.has_key) {
+      if (v.kind != Value::Kind::scalar) no_key(v.line);
+      f.key = v.text;
+      f.key_line = v.line;
+      f.has_key = true;
+      const auto [first, is_new] = f.key_lines.emplace(f.key, f.key_line);
+      if (!is_new)
+        model::fail(file_, f.key_line, path(),
+                    fmt::format("is given twice (first in line {})", first->second));
+    } else {
+      v.line = f.key_line;
+      f.value.keys.push_back(std::move(f.key));
+      f.value.items.push_back(std::move(v));
+      f.has_key = false;
     }
   }
 
   const std::string& file_;
-  int count_ = 0;
+  Value root_;
+  std::vector<Frame> stack_;
+  std::map<YAML::anchor_t, Anchor> anchors_;
+  long nodes_ = 0;
+};
+
+// Refuses a document at its first event.
+class NoDocument final : public YAML::EventHandler {
+ public:
+  explicit NoDocument(const std::string& file) : file_(file) {}
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    model::fail(
+        file_, line_of(mark), "",
+        "a second YAML document begins here; a case file holds one (is this line indented less than the "
+        "first?)");
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+  }
+  void OnMapEnd() override {}
+
+ private:
+  const std::string& file_;
 };
 
 }  // namespace
@@ -81,12 +187,13 @@ class Converter {
 model::Value parse_yaml(const std::string& text, const std::string& file) {
   if (text.find('\0') != std::string::npos) model::fail(file, 1, "", "is no text file: it holds zero bytes");
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty()) model::fail(file, 1, "", "the file is empty");
-    if (documents.size() > 1)
-      model::fail(file, Converter::line_of(documents[1], 1), "",
-                  "a second YAML document begins here; a case file holds one");
-    return Converter(file).convert(documents[0], Converter::line_of(documents[0], 1), "", 0);
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    TreeBuilder tree(file);
+    if (!parser.HandleNextDocument(tree)) model::fail(file, 1, "", "the file is empty");
+    NoDocument second(file);
+    parser.HandleNextDocument(second);
+    return tree.take();
   } catch (const YAML::Exception& e) {
     const int line = e.mark.line < 0 ? 1 : e.mark.line + 1;
     model::fail(file, line, "",
