@@ -95,8 +95,8 @@ model::TableMotion read_motion_table(const Value& table, const std::string& key,
 
 void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
   constexpr double kHuge = 5000;  // m; no body at sea is as large, a mesh in mm taken for m is
-  constexpr double kThin = 1e4;   // a volume this much larger than the thinnest line
-  constexpr double kTiny = 0.05;  // a volume this much smaller than the thinnest line
+  constexpr double kThin = 1e5;   // a volume this much larger than the thinnest line
+  constexpr double kTiny = 0.02;  // a volume this much smaller than the thinnest line
   double thinnest = 0;
   for (const model::Line& l : c.lines)
     for (const model::Section& s : l.sections) {

@@ -391,7 +391,7 @@ const Key& case_schema() {
                 .or_else_note("chosen by the program")},
            "Motion in time; without this key only statics is run."),
        map("output",
-           {text("file", "results, relative to the case file")
+           {text("file", "results (.h5), relative to the case file")
                 .or_else_note("`<case>.h5` beside the case file"),
             number("every", time, "time between fields").above(0).or_else_note("100 outputs a run"),
             number("checkpoint_every", time, "time between checkpoints")
