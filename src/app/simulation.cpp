@@ -70,6 +70,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (masses)
     system_->add(std::make_unique<PointMasses>(local, point_masses(c, local), c.environment.gravity));
 
+  StartShape start = start_shape(c, local, *bodies_);
   std::vector<ContactVolume> volumes;
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
     model::Volume settings = c.volumes[v];
@@ -84,13 +85,15 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     volumes.push_back({surfaces[v], c.body_index(settings.body), settings});
   }
   if (!volumes.empty()) {
-    auto contact =
-        std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), contact_nodes(c, local));
+    std::vector<ContactNode> nodes = contact_nodes(c, local);
+    // A held end touches nothing: its support carries whatever a surface would.
+    for (const Support& held : start.supports)
+      if (held.node < local.owned) nodes[static_cast<size_t>(held.node)].radius = 0;
+    auto contact = std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), std::move(nodes));
     contact_ = contact.get();
     system_->add(std::move(contact));
   }
 
-  StartShape start = start_shape(c, local, *bodies_);
   state_ = std::move(start.state);
   system_->support(std::move(start.supports), [b = bodies_](int body, double t) { return b->pose(body, t); });
 }

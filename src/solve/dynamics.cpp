@@ -175,13 +175,12 @@ void Dynamics::start(const State& state) {
   reactions_ = system_.reactions();
 }
 
-void Dynamics::resume(const AlphaState& state, double step_wish, int step_wait, double support_work) {
+void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried) {
   committed_ = state;
-  control_.restore(step_wish, step_wait);
-  support_work_ = support_work;
-  system_.prepare(committed_.s.view(0), control_.wish());
-  system_.residual(committed_.s.view(0), r_.get());
-  reactions_ = system_.reactions();
+  reactions_ = std::move(reactions);
+  control_.restore(carried.step_wish, carried.step_wait);
+  last_step_ = carried.last_step;
+  support_work_ = carried.support_work;
 }
 
 void Dynamics::run(double until, const std::function<double(double)>& next_stop, const Observer& observer) {

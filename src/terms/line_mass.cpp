@@ -114,6 +114,16 @@ void LineMassTerm::commit(const Kinematics& accepted) {
     }
 }
 
+std::vector<HistoryRecord> LineMassTerm::save() const {
+  if (ramped_.empty() || mesh_.owned == 0) return {};
+  return {{mesh_.global[0], 0, {work_}}};
+}
+
+void LineMassTerm::restore(const std::vector<HistoryRecord>& records) {
+  work_ = 0;
+  for (const HistoryRecord& r : records) work_ += r.values[0];
+}
+
 double LineMassTerm::dead_load() const {
   double sum = 0;
   for (const Piece& p : pieces_)

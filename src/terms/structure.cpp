@@ -144,6 +144,17 @@ Energy StructureTerm::energy(const Kinematics& at) const {
   return e;
 }
 
+// One record a rank, at its first node: the sums over ranks are what counts.
+std::vector<HistoryRecord> StructureTerm::save() const {
+  if (!damped_ || mesh_.owned == 0) return {};
+  return {{mesh_.global[0], 0, {std::max(power_, 0.0), damping_}}};
+}
+
+void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
+  power_ = 0, damping_ = 0;
+  for (const HistoryRecord& r : records) power_ += r.values[0], damping_ += r.values[1];
+}
+
 void StructureTerm::fields(FieldRegistry& registry) const {
   // Mean of the elements at a node; what a beam shows at its end is its own end value.
   auto at_nodes = [this](int components, auto&& of_beam, auto&& of_cable) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hawser/io/results_rows.hpp"
-#include "hawser/system/force_term.hpp"
+#include "hawser/system/history_record.hpp"
 
 namespace hawser::io {
 

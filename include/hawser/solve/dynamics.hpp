@@ -39,8 +39,15 @@ class Dynamics {
 
   // Starts from positions, rotations and velocities; accelerations come from the mass matrix.
   void start(const State& state);
-  // Starts from a checkpoint: nothing is recomputed.
-  void resume(const AlphaState& state, double step_wish, int step_wait, double support_work);
+  // What a checkpoint carries beside the state.
+  struct Carried {
+    double step_wish = 0;
+    int step_wait = 0;
+    double last_step = 0;
+    double support_work = 0;  // J, this rank's share
+  };
+  // Starts from a checkpoint: nothing is recomputed. reactions: 3 * local blocks.
+  void resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried);
 
   // Integrates to `until` [s]; steps end exactly at the times `next_stop` names (> its argument).
   // Throws SolveError, naming line, arc length and cause, when the shortest step fails.
@@ -49,6 +56,8 @@ class Dynamics {
   const AlphaState& committed() const { return committed_; }
   Kinematics kinematics() const { return committed_.s.view(last_step_); }
   const StepControl& control() const { return control_; }
+  double last_step() const { return last_step_; }
+  const std::vector<double>& reactions() const { return reactions_; }  // of the committed state
   double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
   long newton_iterations() const { return total_iterations_; }
 

@@ -8,6 +8,7 @@
 
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/field_registry.hpp"
+#include "hawser/system/history_record.hpp"
 #include "hawser/system/sink.hpp"
 
 namespace hawser {
@@ -23,13 +24,6 @@ struct Energy {
     friction += o.friction, damping += o.damping, work += o.work;
     return *this;
   }
-};
-
-// A piece of a term's committed history that belongs to a node: what a checkpoint stores.
-struct HistoryRecord {
-  int node = 0;  // mesh node (file order)
-  int key = 0;   // whatever the term tells its records apart by (a volume, say)
-  std::vector<double> values;
 };
 
 class ForceTerm {

@@ -40,6 +40,8 @@ class LineMassTerm final : public ForceTerm {
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
 
  private:
   struct Built {

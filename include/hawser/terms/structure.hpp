@@ -42,6 +42,8 @@ class StructureTerm final : public ForceTerm {
   void soften(double factor) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }
   const std::vector<Beam>& beams() const { return beams_; }

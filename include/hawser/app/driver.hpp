@@ -1,0 +1,25 @@
+// What `hawser run` and `hawser check` do with a case file.
+#pragma once
+
+#include <mpi.h>
+
+#include <string>
+
+namespace hawser::app {
+
+struct RunOptions {
+  std::string case_path;
+  std::string output;        // results file instead of the case's
+  std::string restart;       // results file whose newest checkpoint to go on from
+  std::string options_text;  // PETSc options, for the record
+  double stop_at = 0;        // s, end the run early; 0: the case's duration
+  bool quiet = false;
+};
+
+// Exit code. Throws InputError and SolveError. Collective.
+int run(MPI_Comm comm, const RunOptions& options);
+
+// Reads and checks, prints the summary with the partition for `ranks` and the expected cost; runs nothing.
+int check_case(MPI_Comm comm, const std::string& case_path, int ranks);
+
+}  // namespace hawser::app

@@ -1,0 +1,74 @@
+// What a run leaves behind: node fields, histories of named points at every step, the energy audit, and the
+// extremes over the run.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/app/simulation.hpp"
+#include "hawser/io/results.hpp"
+
+namespace hawser::app {
+
+// Largest or smallest value of a field on a line over the run.
+struct Extreme {
+  double value = 0, time = 0, arc = 0;
+  bool set = false;
+};
+
+// The sums of the energy audit, J, over all ranks.
+struct Audit {
+  Energy now;
+  double brought_in = 0;  // by supports, ramped and point loads, moving bodies and dead loads since the start
+  double error = 0;       // kinetic + strain + friction + damping - brought in
+};
+
+class Recorder {
+ public:
+  // Starts a new results file, or goes on with the one at `resume_path` from `time`.
+  Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes, const io::RunInfo& run,
+           bool append, double time);
+
+  // The state from which energies count.
+  void start(double time, const Kinematics& at);
+  // Every accepted step: histories, extremes, audit. Collective only in the audit.
+  void step(const StepInfo& info, const Kinematics& at, double support_work);
+  // A picture of the state: all fields.
+  void output(double time, const Kinematics& at);
+  void checkpoint(const io::Checkpoint& c) { file_->write_checkpoint(c); }
+  // Summary table into the file; returns it as text.
+  std::string finish();
+
+  const Audit& audit() const { return audit_; }
+  const io::ResultsFile& file() const { return *file_; }
+
+  // The recorder's own share of a checkpoint.
+  void save(std::map<std::string, double>& scalars) const;
+  void restore(const std::map<std::string, double>& scalars);
+
+ private:
+  void fill(const Kinematics& at);
+  void correct_ends(const Kinematics& at);
+  std::vector<io::SummaryRow> summary() const;
+
+  MPI_Comm comm_;
+  Simulation& sim_;
+  FieldRegistry registry_;
+  std::vector<std::vector<double>> values_;  // position, velocity, then the registry's fields
+  std::vector<io::ResultField> fields_;
+  int tension_ = -1, moment_ = -1, curvature_ = -1, penetration_ = -1, contact_ = -1;  // among values_
+  struct Point {
+    int owned = -1;  // local node when this rank has it
+  };
+  std::vector<Point> points_;
+  std::vector<std::map<std::string, Extreme>> extremes_;  // by line, of this rank's nodes
+  std::unique_ptr<io::ResultsFile> file_;
+  Audit audit_;
+  Energy start_;        // energies at the start of the run
+  double carried_ = 0;  // J, support work of runs before a restart, over all ranks
+  double filled_ = -1;  // time the values belong to
+};
+
+}  // namespace hawser::app

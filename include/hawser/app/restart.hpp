@@ -1,0 +1,15 @@
+// A run's state to a checkpoint and back.
+#pragma once
+
+#include "hawser/app/recorder.hpp"
+#include "hawser/app/simulation.hpp"
+#include "hawser/io/checkpoint.hpp"
+
+namespace hawser::app {
+
+io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder);
+
+// Puts dynamics and terms where the checkpoint was taken, on whatever ranks there are now. Collective.
+void restore(const io::Checkpoint& checkpoint, Simulation& simulation);
+
+}  // namespace hawser::app

@@ -1,0 +1,187 @@
+#include "hawser/app/driver.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <csignal>
+#include <ctime>
+#include <filesystem>
+
+#include "hawser/app/progress.hpp"
+#include "hawser/app/recorder.hpp"
+#include "hawser/app/restart.hpp"
+#include "hawser/app/version.hpp"
+#include "hawser/app/volumes.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "hawser/mesh/partition.hpp"
+#include "hawser/model/summary.hpp"
+
+namespace hawser::app {
+namespace {
+
+// Set by SIGINT and SIGTERM: the run ends after the step, with everything on disk.
+volatile std::sig_atomic_t stop_requested = 0;
+void request_stop(int) { stop_requested = 1; }
+
+// Multiples of `every`, as numbers that do not drift.
+double next_multiple(double t, double every) { return every * (std::floor(t / every + 1e-9) + 1); }
+
+io::RunInfo run_info(const model::Case& c, const RunOptions& o, int ranks) {
+  io::RunInfo info;
+  info.case_text = c.text, info.case_path = c.path;
+  info.version = kVersion, info.options = o.options_text, info.ranks = ranks;
+  const std::time_t now = std::time(nullptr);
+  info.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+  return info;
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code e;
+  return std::filesystem::equivalent(a, b, e);
+}
+
+}  // namespace
+
+int run(MPI_Comm comm, const RunOptions& options) {
+  int rank = 0, size = 1;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &size);
+  model::Case c = io::read_case(options.case_path);
+  if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
+  const bool speak = rank == 0 && !options.quiet;
+  std::vector<LoadedVolume> volumes = load_volumes(c);
+  Simulation sim(comm, c, surfaces(volumes));
+  const double end =
+      options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
+  Progress progress(speak, 0, end);
+  progress.say(fmt::format("{}: {} nodes, {} ranks, {} cut elements", c.title.empty() ? c.path : c.title,
+                           sim.mesh().nodes.size(), size, sim.cut_elements()));
+  for (const auto& n : c.notes) progress.say("note: " + n);
+  for (const auto& v : volumes)
+    for (const auto& n : v.notes) progress.say("note: " + n);
+  for (const auto& n : sim.notes()) progress.say("note: " + n);
+
+  const bool restarted = !options.restart.empty();
+  io::Checkpoint checkpoint;
+  if (restarted) {
+    const LocalMesh& m = sim.local();
+    checkpoint = io::read_checkpoint(comm, options.restart, static_cast<int>(sim.mesh().nodes.size()),
+                                     {m.global.begin(), m.global.begin() + m.owned});
+    progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
+  } else if (c.statics.enabled) {
+    const StaticsReport s = sim.solve_statics();
+    progress.say(fmt::format("statics: {} iterations{}", s.iterations,
+                             s.escapes > 0 ? fmt::format(", {} false equilibria left", s.escapes) : ""));
+    if (s.negative_eigenvalues > 0)
+      progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",
+                               s.negative_eigenvalues));
+  }
+
+  const bool append = restarted && same_file(options.restart, c.output.file);
+  Recorder recorder(comm, sim, volume_meshes(c, volumes), run_info(c, options, size), append,
+                    checkpoint.time);
+  if (restarted) {
+    restore(checkpoint, sim);
+    recorder.restore(checkpoint.scalars);
+  } else if (c.dynamics.enabled) {
+    sim.dynamics().start(sim.state());
+    recorder.start(0, sim.dynamics().kinematics());
+    recorder.output(0, sim.dynamics().kinematics());
+  } else {
+    recorder.start(0, sim.state().view(0));
+    recorder.step({}, sim.state().view(0), 0);
+    recorder.output(0, sim.state().view(0));
+  }
+
+  if (c.dynamics.enabled) {
+    std::signal(SIGINT, request_stop);
+    std::signal(SIGTERM, request_stop);
+    Dynamics& d = sim.dynamics();
+    const double every = c.output.every > 0 ? c.output.every : c.dynamics.duration / 100;
+    const double keep = c.output.checkpoint_every;
+    auto next_stop = [&](double t) {
+      return keep > 0 ? std::min(next_multiple(t, every), next_multiple(t, keep)) : next_multiple(t, every);
+    };
+    double output_at = next_multiple(d.committed().s.time, every);
+    double checkpoint_at = keep > 0 ? next_multiple(d.committed().s.time, keep) : output_at;
+    auto observer = [&](const StepInfo& info) {
+      recorder.step(info, d.kinematics(), d.support_work());
+      progress.step(info.time, info.h, info.iterations);
+      const double slack = 1e-9 * std::max(1.0, info.time);
+      int stop = stop_requested;
+      const bool last = info.time >= end - slack;
+      const bool output = info.time >= output_at - slack || last;
+      const bool save = info.time >= checkpoint_at - slack || last;
+      // Whether somebody asked to stop is agreed on where everybody meets anyhow.
+      if (output || save)
+        MPI_Allreduce(MPI_IN_PLACE, &stop, 1, MPI_INT, MPI_MAX, comm);
+      else
+        stop = 0;
+      if (output || stop)
+        recorder.output(info.time, d.kinematics()), output_at = next_multiple(info.time, every);
+      if (save || stop) {
+        recorder.checkpoint(make_checkpoint(sim, recorder));
+        checkpoint_at = keep > 0 ? next_multiple(info.time, keep) : output_at;
+      }
+      return stop == 0;
+    };
+    try {
+      d.run(end, next_stop, observer);
+    } catch (const SolveError&) {
+      recorder.finish();
+      throw;
+    }
+  }
+  progress.end();
+  const std::string table = recorder.finish();
+  if (speak) {
+    fmt::print("\n{}", table);
+    const Audit& a = recorder.audit();
+    if (c.dynamics.enabled)
+      fmt::print(
+          "\nenergy: brought in {:.6g} J; kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g} J; "
+          "not accounted for {:.3g} J ({:.3g} %)\n",
+          a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.error,
+          100 * a.error / std::max(std::abs(a.brought_in), 1e-300));
+    fmt::print("\nresults: {}\n", recorder.file().path());
+    if (c.output.xdmf) fmt::print("look at them: paraview {}\n", recorder.file().xdmf_path());
+    std::fflush(stdout);
+  }
+  return stop_requested ? 130 : 0;
+}
+
+int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  const model::Case c = io::read_case(case_path);
+  const std::vector<LoadedVolume> volumes = load_volumes(c);
+  if (rank != 0) return 0;
+  fmt::print("{}", model::summary(c));
+  for (const auto& v : volumes) {
+    fmt::print("volume {}: {}\n", v.name, v.report);
+    for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
+  }
+  const Mesh mesh = build_mesh(c);
+  const std::vector<int> owner = partition(mesh, ranks);
+  std::vector<int> share(static_cast<size_t>(ranks), 0);
+  long beams = 0;
+  for (size_t n = 0; n < owner.size(); ++n)
+    ++share[static_cast<size_t>(owner[n])], beams += mesh.nodes[n].rotates;
+  fmt::print("partition: {} rank{}, nodes {}, {} cut elements\n", ranks, ranks > 1 ? "s" : "",
+             fmt::join(share, " + "), cut_elements(mesh, owner));
+  // Microseconds a node and Newton iteration on the machine of docs/performance.md.
+  const double iteration = 1e-6 * (2.5 * static_cast<double>(beams) +
+                                   0.5 * static_cast<double>(mesh.nodes.size() - static_cast<size_t>(beams)));
+  if (c.dynamics.enabled) {
+    const double step = c.dynamics.step > 0 ? c.dynamics.step : std::max(c.dynamics.duration / 1000, 0.05);
+    const double cost = c.dynamics.duration / step * 4 * iteration;
+    fmt::print("expected cost: about {:.2g} CPU s, if steps of {:.3g} s need 4 Newton iterations each\n",
+               cost, step);
+  }
+  fmt::print("the case is good\n");
+  return 0;
+}
+
+}  // namespace hawser::app

@@ -1,0 +1,122 @@
+// hawser: the command line.
+#include <fmt/format.h>
+#include <petscsys.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "hawser/app/driver.hpp"
+#include "hawser/app/version.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/model/schema.hpp"
+
+namespace {
+
+using hawser::app::RunOptions;
+
+// PETSc for the life of the program. Its errors come back as codes, not as tracebacks.
+struct Petsc {
+  int rank = 0;
+  Petsc(int argc, char** argv) {
+    PetscInitialize(&argc, &argv, nullptr, nullptr);
+    PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
+    PetscPopSignalHandler();
+    MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+  }
+  ~Petsc() { PetscFinalize(); }
+};
+
+int guarded(const Petsc& petsc, const std::function<int()>& work) {
+  int code = 1;
+  std::string text;
+  try {
+    return work();
+  } catch (const hawser::InputError& e) {
+    code = hawser::kExitInput, text = e.what();
+  } catch (const hawser::SolveError& e) {
+    code = hawser::kExitSolve, text = e.what();
+  } catch (const std::exception& e) {
+    // Not the user's doing, and perhaps only this rank's: the others must not wait for it.
+    std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
+    int size = 1;
+    MPI_Comm_size(PETSC_COMM_WORLD, &size);
+    if (size > 1) MPI_Abort(PETSC_COMM_WORLD, 1);
+    return 1;
+  }
+  if (petsc.rank == 0) std::fputs(fmt::format("hawser: {}\n", text).c_str(), stderr);
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // What follows a lone "--" is PETSc's.
+  std::vector<char*> mine, theirs{argv[0]};
+  std::string options;
+  bool after = false;
+  for (int i = 0; i < argc; ++i) {
+    if (!after && std::string(argv[i]) == "--") {
+      after = true;
+      continue;
+    }
+    (after ? theirs : mine).push_back(argv[i]);
+    if (after) options += (options.empty() ? "" : " ") + std::string(argv[i]);
+  }
+  mine.push_back(nullptr);
+  theirs.push_back(nullptr);
+
+  CLI::App cli{"hawser: nonlinear statics and dynamics of the lines of the sea, and their contact."};
+  cli.set_version_flag("--version", std::string("hawser ") + hawser::app::kVersion);
+  cli.require_subcommand(1);
+  cli.footer(
+      "Run on several ranks with: mpirun -n 4 hawser run case.yaml\n"
+      "Exit codes: 0 done, 2 the input is wrong, 3 the solver gave up, 1 anything else.");
+
+  RunOptions run;
+  CLI::App* run_command =
+      cli.add_subcommand("run", "Run a case: statics, then dynamics; results go to an HDF5 file.");
+  run_command->add_option("case", run.case_path, "Case file (YAML; keys in docs/user-guide/case-keys.md)")
+      ->required();
+  run_command->add_option("-o,--output", run.output, "Results file instead of the one the case names (.h5)");
+  run_command->add_option("--restart", run.restart,
+                          "Go on from the newest checkpoint of this results file; when it is the case's own "
+                          "results file, the run is continued in it");
+  run_command->add_option("--stop-at", run.stop_at,
+                          "End at this simulated time, s, instead of the case's duration");
+  run_command->add_flag("-q,--quiet", run.quiet, "Say nothing but errors");
+  run_command->footer(
+      "PETSc options follow a lone --, with the prefixes statics_ and dynamics_:\n"
+      "  hawser run case.yaml -- -dynamics_snes_monitor -log_view\n"
+      "While it runs, results up to the last output can be opened in ParaView; Ctrl-C ends it cleanly.");
+
+  std::string check_path;
+  int ranks = 1;
+  CLI::App* check_command =
+      cli.add_subcommand("check", "Read and check a case, print what is in it, run nothing.");
+  check_command->add_option("case", check_path, "Case file")->required();
+  check_command->add_option("-n,--ranks", ranks, "Show the partition for this many ranks")
+      ->check(CLI::Range(1, 1 << 20));
+
+  bool json = false, markdown = false;
+  CLI::App* schema_command = cli.add_subcommand("schema", "Print the schema of case files.");
+  schema_command->add_flag("--json", json, "As JSON Schema, for editors");
+  schema_command->add_flag("--markdown", markdown, "As the key tables of the user guide (default)");
+
+  try {
+    cli.parse(static_cast<int>(mine.size()) - 1, mine.data());
+  } catch (const CLI::ParseError& e) {
+    return cli.exit(e) ? hawser::kExitInput : 0;
+  }
+  if (*schema_command) {
+    std::fputs((json ? hawser::model::schema_json() : hawser::model::schema_markdown()).c_str(), stdout);
+    return 0;
+  }
+  const Petsc petsc(static_cast<int>(theirs.size()) - 1, theirs.data());
+  run.options_text = options;
+  return guarded(petsc, [&] {
+    return *run_command ? hawser::app::run(PETSC_COMM_WORLD, run)
+                        : hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks);
+  });
+}

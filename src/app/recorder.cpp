@@ -1,0 +1,254 @@
+#include "hawser/app/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::app {
+namespace {
+
+Energy sum(MPI_Comm comm, const Energy& e) {
+  double v[6] = {e.kinetic, e.strain, e.potential, e.friction, e.damping, e.work};
+  MPI_Allreduce(MPI_IN_PLACE, v, 6, MPI_DOUBLE, MPI_SUM, comm);
+  return {v[0], v[1], v[2], v[3], v[4], v[5]};
+}
+
+// Fields that a history of a point shows, in this order, when the run has them.
+const std::vector<std::string> kShown = {"effective_tension", "bending_moment", "curvature",
+                                         "contact_normal_force", "penetration"};
+
+// The extremes of the summary: name, field, largest (or smallest).
+struct Wanted {
+  const char* quantity;
+  const char* field;
+  bool largest;
+};
+constexpr Wanted kExtremes[] = {{"max effective tension", "effective_tension", true},
+                                {"min effective tension", "effective_tension", false},
+                                {"max curvature", "curvature", true},
+                                {"max bending moment", "bending_moment", true},
+                                {"max penetration", "penetration", true}};
+
+}  // namespace
+
+Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes,
+                   const io::RunInfo& run, bool append, double time)
+    : comm_(comm), sim_(simulation), registry_(simulation.system().fields()) {
+  const model::Case& c = sim_.model();
+  const LocalMesh& local = sim_.local();
+  fields_ = {{"position", "m", 3}, {"velocity", "m/s", 3}};
+  for (const FieldSource& s : registry_.sources()) fields_.push_back({s.name, s.unit, s.components});
+  for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
+  auto find = [&](const std::string& name) {
+    for (size_t i = 0; i < fields_.size(); ++i)
+      if (fields_[i].name == name) return static_cast<int>(i);
+    return -1;
+  };
+  tension_ = find("effective_tension"), moment_ = find("bending_moment"), curvature_ = find("curvature");
+  penetration_ = find("penetration"), contact_ = find("contact_force");
+
+  io::ResultContents contents;
+  contents.run = run;
+  contents.fields = fields_;
+  contents.volumes = std::move(volumes);
+  contents.xdmf = c.output.xdmf;
+  const Mesh& mesh = sim_.mesh();
+  for (size_t l = 0; l < mesh.lines.size(); ++l) {
+    io::ResultLine line{c.lines[l].name, mesh.lines[l].first_node, mesh.lines[l].nodes, {}};
+    for (int n = 0; n < line.nodes; ++n)
+      line.arc.push_back(mesh.nodes[static_cast<size_t>(line.first_node + n)].arc);
+    contents.lines.push_back(std::move(line));
+  }
+  for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
+  for (const auto& h : c.output.histories) {
+    const int node = mesh.nearest_node(c.line_index(h.line), h.at);
+    Point p;
+    for (int n = 0; n < local.owned; ++n)
+      if (local.global[static_cast<size_t>(n)] == node) p.owned = n;
+    points_.push_back(p);
+    io::ResultSeries series{h.name, {{"position", "m", 3}, {"velocity", "m/s", 3}}};
+    for (const std::string& name : kShown)
+      if (const int f = find(name); f >= 0) series.columns.push_back(fields_[static_cast<size_t>(f)]);
+    contents.series.push_back(std::move(series));
+  }
+  io::ResultSeries energy{"energy", {}};
+  for (const char* name : {"kinetic", "strain", "potential", "friction", "damping", "brought_in", "error"})
+    energy.columns.push_back({name, "J", 1});
+  contents.series.push_back(std::move(energy));
+  contents.series.push_back(
+      {"solver", {{"step", "s", 1}, {"newton_iterations", "1", 1}, {"rejected", "1", 1}}});
+  const double every = c.output.every > 0 ? c.output.every : std::max(c.dynamics.duration / 100, 1e-9);
+  contents.expected_outputs = c.dynamics.enabled ? static_cast<int>(c.dynamics.duration / every) + 3 : 2;
+  std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
+  file_ = std::make_unique<io::ResultsFile>(
+      append ? io::ResultsFile::resume(comm, c.output.file, std::move(contents), std::move(owned), time)
+             : io::ResultsFile::create(comm, c.output.file, std::move(contents), std::move(owned)));
+  extremes_.resize(mesh.lines.size());
+}
+
+void Recorder::fill(const Kinematics& at) {
+  if (filled_ == at.time) return;
+  const size_t owned = static_cast<size_t>(sim_.local().owned);
+  for (size_t n = 0; n < owned; ++n)
+    for (size_t k = 0; k < 3; ++k) {
+      values_[0][3 * n + k] = at.x[n][static_cast<Eigen::Index>(k)];
+      values_[1][3 * n + k] = at.v[n][static_cast<Eigen::Index>(k)];
+    }
+  for (size_t f = 0; f < registry_.sources().size(); ++f) registry_.sources()[f].fill(at, values_[f + 2]);
+  correct_ends(at);
+  filled_ = at.time;
+}
+
+// An element's tension is that of its middle. At an end that is held, the support's force and the contact
+// force there are what the line pulls with.
+void Recorder::correct_ends(const Kinematics& at) {
+  if (tension_ < 0) return;
+  const LocalMesh& local = sim_.local();
+  for (const Support& s : sim_.system().supports().list()) {
+    if (s.node >= local.owned || s.position_mask != 7) continue;
+    const size_t n = static_cast<size_t>(s.node);
+    const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
+    const bool first = node.arc == 0;
+    Vec3 force = Eigen::Map<const Vec3>(sim_.system().reactions().data() + 3 * local.block[n]);
+    if (contact_ >= 0) force += Eigen::Map<const Vec3>(values_[static_cast<size_t>(contact_)].data() + 3 * n);
+    Vec3 tangent;
+    if (local.rotates(s.node)) {
+      tangent = at.q[n] * Vec3::UnitX();
+    } else {
+      for (const LocalElement& e : local.elements)
+        if (e.first == s.node || e.second == s.node)
+          tangent = (at.x[static_cast<size_t>(e.second)] - at.x[static_cast<size_t>(e.first)]).normalized();
+    }
+    values_[static_cast<size_t>(tension_)][n] = (first ? -1 : 1) * force.dot(tangent);
+  }
+}
+
+void Recorder::start(double, const Kinematics& at) {
+  start_ = sum(comm_, sim_.system().energy(at));
+  filled_ = -1;
+}
+
+void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work) {
+  fill(at);
+  Energy share = sim_.system().energy(at);
+  share.work += support_work;
+  audit_.now = sum(comm_, share);
+  const Energy& e = audit_.now;
+  audit_.brought_in = carried_ + e.work - start_.work - (e.potential - start_.potential);
+  audit_.error = (e.kinetic - start_.kinetic) + (e.strain - start_.strain) + (e.friction - start_.friction) +
+                 (e.damping - start_.damping) - audit_.brought_in;
+
+  std::vector<std::vector<double>> rows;
+  for (const Point& p : points_) {
+    std::vector<double> row;
+    if (p.owned >= 0) {
+      const size_t n = static_cast<size_t>(p.owned);
+      for (int f : {0, 1})
+        for (size_t k = 0; k < 3; ++k) row.push_back(values_[static_cast<size_t>(f)][3 * n + k]);
+      for (const std::string& name : kShown)
+        for (size_t f = 2; f < fields_.size(); ++f)
+          if (fields_[f].name == name) row.push_back(values_[f][n]);
+    }
+    rows.push_back(std::move(row));
+  }
+  int rank = 0;
+  MPI_Comm_rank(comm_, &rank);
+  if (rank == 0) {
+    rows.push_back(
+        {e.kinetic, e.strain, e.potential, e.friction, e.damping, audit_.brought_in, audit_.error});
+    rows.push_back({info.h, static_cast<double>(info.iterations), static_cast<double>(info.rejected)});
+  } else {
+    rows.push_back({}), rows.push_back({});
+  }
+  file_->append_series(info.time, rows);
+
+  const LocalMesh& local = sim_.local();
+  for (const Wanted& w : kExtremes) {
+    int field = -1;
+    for (size_t f = 2; f < fields_.size(); ++f)
+      if (fields_[f].name == w.field) field = static_cast<int>(f);
+    if (field < 0) continue;
+    const auto& v = values_[static_cast<size_t>(field)];
+    for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
+      const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
+      Extreme& x = extremes_[static_cast<size_t>(node.line)][w.quantity];
+      if (!x.set || (w.largest ? v[n] > x.value : v[n] < x.value)) x = {v[n], info.time, node.arc, true};
+    }
+  }
+}
+
+void Recorder::output(double time, const Kinematics& at) {
+  fill(at);
+  std::vector<io::BodyPose> poses;
+  for (int b = 0; b < sim_.bodies().size(); ++b) {
+    const RigidPose p = sim_.bodies().pose(b, time);
+    poses.push_back({p.position, p.rotation});
+  }
+  file_->write_output(time, values_, poses);
+}
+
+std::vector<io::SummaryRow> Recorder::summary() const {
+  std::vector<io::SummaryRow> rows;
+  int rank = 0;
+  MPI_Comm_rank(comm_, &rank);
+  for (size_t l = 0; l < extremes_.size(); ++l)
+    for (const Wanted& w : kExtremes) {
+      const auto it = extremes_[l].find(w.quantity);
+      const bool have = it != extremes_[l].end() && it->second.set;
+      // The rank with the extreme tells the others; equal values go to the lowest rank.
+      struct {
+        double value;
+        int rank;
+      } best{have ? (w.largest ? it->second.value : -it->second.value) : -HUGE_VAL, rank};
+      MPI_Allreduce(MPI_IN_PLACE, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
+      if (best.value == -HUGE_VAL) continue;
+      double x[3] = {0, 0, 0};
+      if (rank == best.rank) x[0] = it->second.value, x[1] = it->second.time, x[2] = it->second.arc;
+      MPI_Bcast(x, 3, MPI_DOUBLE, best.rank, comm_);
+      std::string unit;
+      for (const auto& f : fields_)
+        if (f.name == w.field) unit = f.unit;
+      rows.push_back({w.quantity, sim_.model().lines[l].name, x[0], unit, x[1], x[2]});
+    }
+  return rows;
+}
+
+std::string Recorder::finish() {
+  const auto rows = summary();
+  file_->finish(rows);
+  std::string text = fmt::format("{:<24} {:<16} {:>14} {:<6} {:>10} {:>12}\n", "quantity", "line", "value",
+                                 "unit", "time [s]", "arc [m]");
+  for (const auto& r : rows)
+    text += fmt::format("{:<24} {:<16} {:>14.6g} {:<6} {:>10.3f} {:>12.3f}\n", r.quantity, r.line, r.value,
+                        r.unit, r.time, r.arc_length);
+  return text;
+}
+
+void Recorder::save(std::map<std::string, double>& scalars) const {
+  // The audit counts on from here: everything that was summed up so far.
+  scalars["audit.brought_in"] = audit_.brought_in;
+  scalars["audit.friction"] = audit_.now.friction, scalars["audit.damping"] = audit_.now.damping;
+  scalars["audit.work"] = audit_.now.work, scalars["audit.potential"] = start_.potential;
+  scalars["audit.kinetic0"] = start_.kinetic, scalars["audit.strain0"] = start_.strain;
+  for (const auto& r : summary()) {
+    const std::string key = "extreme." + r.line + "." + r.quantity;
+    scalars[key] = r.value, scalars[key + ".time"] = r.time, scalars[key + ".arc"] = r.arc_length;
+  }
+}
+
+void Recorder::restore(const std::map<std::string, double>& scalars) {
+  auto get = [&](const std::string& k) {
+    const auto it = scalars.find(k);
+    return it == scalars.end() ? 0.0 : it->second;
+  };
+  start_ = {get("audit.kinetic0"), get("audit.strain0"), get("audit.potential"), 0, 0, 0};
+  for (size_t l = 0; l < extremes_.size(); ++l)
+    for (const Wanted& w : kExtremes) {
+      const std::string key = "extreme." + sim_.model().lines[l].name + "." + w.quantity;
+      if (scalars.count(key))
+        extremes_[l][w.quantity] = {get(key), get(key + ".time"), get(key + ".arc"), true};
+    }
+}
+
+}  // namespace hawser::app

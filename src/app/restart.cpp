@@ -1,0 +1,111 @@
+#include "hawser/app/restart.hpp"
+
+namespace hawser::app {
+namespace {
+
+const char* const kVectors[] = {"position",
+                                "velocity",
+                                "acceleration",
+                                "angular_velocity",
+                                "angular_acceleration",
+                                "algorithmic_acceleration",
+                                "algorithmic_angular_acceleration"};
+
+std::vector<Vec3>& vectors(AlphaState& s, size_t i) {
+  std::vector<Vec3>* all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
+  return *all[i];
+}
+
+// Values of the ghosts: carried in the position blocks of a ghosted vector.
+void spread(const System& system, std::vector<Vec3>& values) {
+  const LocalMesh& m = system.mesh();
+  VecHandle v = system.create_vector();
+  PetscScalar* p = nullptr;
+  check(VecGetArray(v.get(), &p));
+  for (int n = 0; n < m.owned; ++n)
+    Eigen::Map<Vec3>(p + 3 * m.block[static_cast<size_t>(n)], 3) = values[static_cast<size_t>(n)];
+  check(VecRestoreArray(v.get(), &p));
+  std::vector<double> local;
+  system.gather(v.get(), local);
+  for (int n = m.owned; n < m.nodes(); ++n)
+    values[static_cast<size_t>(n)] =
+        Eigen::Map<const Vec3>(local.data() + 3 * m.block[static_cast<size_t>(n)]);
+}
+
+}  // namespace
+
+io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder) {
+  const Dynamics& d = simulation.dynamics();
+  const LocalMesh& m = simulation.local();
+  AlphaState s = d.committed();
+  io::Checkpoint c;
+  c.time = s.s.time;
+  const size_t owned = static_cast<size_t>(m.owned);
+  for (size_t i = 0; i < std::size(kVectors); ++i) {
+    io::CheckpointField& f = c.nodes[kVectors[i]];
+    f.components = 3;
+    for (size_t n = 0; n < owned; ++n)
+      for (int k = 0; k < 3; ++k) f.values.push_back(vectors(s, i)[n][k]);
+  }
+  io::CheckpointField& q = c.nodes["rotation"];
+  q.components = 4;
+  for (size_t n = 0; n < owned; ++n)
+    for (double x : {s.s.q[n].w(), s.s.q[n].x(), s.s.q[n].y(), s.s.q[n].z()}) q.values.push_back(x);
+  io::CheckpointField& r = c.nodes["reaction"];
+  r.components = 6;
+  for (size_t n = 0; n < owned; ++n)
+    for (size_t k = 0; k < 6; ++k) {
+      const size_t b = 3 * static_cast<size_t>(m.block[n]);
+      r.values.push_back(k < 3 || m.rotates(static_cast<int>(n)) ? d.reactions()[b + k] : 0.0);
+    }
+  for (const auto& term : simulation.system().terms()) c.records[std::string(term->name())] = term->save();
+  c.scalars["step.wish"] = d.control().wish();
+  c.scalars["step.wait"] = d.control().wait();
+  c.scalars["step.last"] = d.last_step();
+  double work = d.support_work();
+  MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, simulation.system().comm());
+  c.scalars["support_work"] = work;
+  recorder.save(c.scalars);
+  return c;
+}
+
+void restore(const io::Checkpoint& c, Simulation& simulation) {
+  const LocalMesh& m = simulation.local();
+  const System& system = simulation.system();
+  AlphaState s;
+  s.s.resize(m.nodes());
+  s.s.time = c.time;
+  s.ax.assign(static_cast<size_t>(m.nodes()), Vec3::Zero()), s.aw = s.ax;
+  const size_t owned = static_cast<size_t>(m.owned);
+  for (size_t i = 0; i < std::size(kVectors); ++i) {
+    const auto& f = c.nodes.at(kVectors[i]);
+    for (size_t n = 0; n < owned; ++n) vectors(s, i)[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
+    spread(system, vectors(s, i));
+  }
+  const auto& q = c.nodes.at("rotation").values;
+  std::vector<Vec3> vec(static_cast<size_t>(m.nodes()), Vec3::Zero()), w = vec;
+  for (size_t n = 0; n < owned; ++n)
+    vec[n] = Eigen::Map<const Vec3>(q.data() + 4 * n + 1), w[n].x() = q[4 * n];
+  spread(system, vec), spread(system, w);
+  for (size_t n = 0; n < vec.size(); ++n) s.s.q[n] = Quat(w[n].x(), vec[n].x(), vec[n].y(), vec[n].z());
+
+  std::vector<double> reactions(3 * static_cast<size_t>(m.blocks()), 0);
+  const auto& r = c.nodes.at("reaction").values;
+  for (size_t n = 0; n < owned; ++n)
+    for (size_t k = 0; k < (m.rotates(static_cast<int>(n)) ? 6u : 3u); ++k)
+      reactions[3 * static_cast<size_t>(m.block[n]) + k] = r[6 * n + k];
+  for (const auto& term : simulation.system().terms())
+    if (const auto it = c.records.find(std::string(term->name())); it != c.records.end())
+      term->restore(it->second);
+
+  int rank = 0;
+  MPI_Comm_rank(system.comm(), &rank);
+  Dynamics::Carried carried;
+  carried.step_wish = c.scalars.at("step.wish");
+  carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));
+  carried.last_step = c.scalars.at("step.last");
+  carried.support_work = rank == 0 ? c.scalars.at("support_work") : 0;
+  simulation.dynamics().resume(s, reactions, carried);
+}
+
+}  // namespace hawser::app
