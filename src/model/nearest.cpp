@@ -1,5 +1,7 @@
 #include "hawser/model/nearest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -40,7 +42,7 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
   const std::string n = nearest(word, candidates);
-  return n.empty() ? n : "; did you mean '" + n + "'?";
+  return n.empty() ? n : fmt::format("; did you mean '{}'?", n);
 }
 
 std::string quote(std::string_view text) {
@@ -48,13 +50,13 @@ std::string quote(std::string_view text) {
   std::string s(text.substr(0, kLongest));
   for (char& c : s)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  return "'" + s + (text.size() > kLongest ? "...'" : "'");
+  return fmt::format("'{}{}'", s, text.size() > kLongest ? "..." : "");
 }
 
 std::string enumerate(const std::vector<std::string>& words, std::string_view last) {
   std::string s;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) s += i + 1 == words.size() ? " " + std::string(last) + " " : ", ";
+    if (i > 0) s += i + 1 == words.size() ? fmt::format(" {} ", last) : ", ";
     s += words[i];
   }
   return s;

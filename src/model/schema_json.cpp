@@ -28,7 +28,7 @@ class Writer {
   }
   void close(char bracket) {
     --depth_;
-    text_ += first_ ? std::string(1, bracket) : "\n" + indent() + bracket;
+    text_ += first_ ? std::string(1, bracket) : fmt::format("\n{}{}", indent(), bracket);
     first_ = false;
   }
   // `json` is written as it is.
@@ -115,7 +115,7 @@ void group_members(const Key& k, Writer& w) {
   if (k.groups.empty()) return;
   const auto any_of = [](const std::vector<std::string>& keys) {
     std::vector<std::string> each;
-    for (const std::string& key : keys) each.push_back("{\"required\": [" + quoted(key) + "]}");
+    for (const std::string& key : keys) each.push_back(fmt::format("{{\"required\": [{}]}}", quoted(key)));
     return fmt::format("{{\"anyOf\": [{}]}}", fmt::join(each, ", "));
   };
   std::vector<std::string> all;
@@ -127,11 +127,11 @@ void group_members(const Key& k, Writer& w) {
     all.insert(all.end(), g.keys.begin(), g.keys.end());
     std::string s = "{";
     s += g.needed.empty() ? any_of(g.keys).substr(1, any_of(g.keys).size() - 2)
-                          : "\"required\": " + array(g.needed);
-    if (!others.empty()) s += ", \"not\": " + any_of(others);
+                          : fmt::format("\"required\": {}", array(g.needed));
+    if (!others.empty()) s += fmt::format(", \"not\": {}", any_of(others));
     w.item(s + "}");
   }
-  if (!k.group_required) w.item("{\"not\": " + any_of(all) + "}");
+  if (!k.group_required) w.item(fmt::format("{{\"not\": {}}}", any_of(all)));
   w.close(']');
 }
 

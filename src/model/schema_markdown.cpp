@@ -31,31 +31,31 @@ std::string value_text(const Key& k);
 
 std::string list_text(const Key& k) {
   std::string items = value_text(k.keys[0]);
-  if (items.starts_with("number")) items = "numbers" + items.substr(6);
-  if (items.starts_with("name from")) items = "names from" + items.substr(9);
-  if (items.starts_with("list of")) items = "lists of" + items.substr(7);
-  if (items.starts_with("3 numbers")) items = "lists of " + items;
+  if (items.starts_with("number")) items = fmt::format("numbers{}", items.substr(6));
+  if (items.starts_with("name from")) items = fmt::format("names from{}", items.substr(9));
+  if (items.starts_with("list of")) items = fmt::format("lists of{}", items.substr(7));
+  if (items.starts_with("3 numbers")) items = fmt::format("lists of {}", items);
   if (items == "keys") items = "maps";
   if (k.max_items > 1 && k.max_items == k.min_items) return fmt::format("list of {} {}", k.max_items, items);
   if (k.max_items > 1 && k.min_items > 1)
     return fmt::format("list of {} to {} {}", k.min_items, k.max_items, items);
   if (k.min_items > 1) return fmt::format("list of at least {} {}", k.min_items, items);
-  return "list of " + items;
+  return fmt::format("list of {}", items);
 }
 
 std::string value_text(const Key& k) {
   switch (k.type) {
     case Type::number:
-      return "number" + bounds(k);
+      return fmt::format("number{}", bounds(k));
     case Type::integer:
       return k.bounds.at_least && k.bounds.at_least == k.bounds.at_most
                  ? fmt::format("{:g}", *k.bounds.at_least)
-                 : "integer" + bounds(k);
+                 : fmt::format("integer{}", bounds(k));
     case Type::boolean:
       return "`true` or `false`";
     case Type::word: {
       std::vector<std::string> words;
-      for (const std::string& w : k.words) words.push_back("`" + w + "`");
+      for (const std::string& w : k.words) words.push_back(fmt::format("`{}`", w));
       return enumerate(words);
     }
     case Type::text:
@@ -63,9 +63,9 @@ std::string value_text(const Key& k) {
     case Type::name:
       return "name";
     case Type::reference:
-      return "name from `" + k.refers + "`";
+      return fmt::format("name from `{}`", k.refers);
     case Type::vec3:
-      return "3 numbers" + bounds(k);
+      return fmt::format("3 numbers{}", bounds(k));
     case Type::list:
       return list_text(k);
     case Type::map:
@@ -95,7 +95,7 @@ std::string default_text(const Key& k) {
   if (!k.fallback_note.empty()) return k.fallback_note;
   if (!k.fallback) return "";
   if (k.fallback->empty() || *k.fallback == "[]" || *k.fallback == "{}") return "";
-  return "`" + *k.fallback + "`";
+  return fmt::format("`{}`", *k.fallback);
 }
 
 std::string groups_text(const Key& k) {
@@ -103,10 +103,11 @@ std::string groups_text(const Key& k) {
   std::vector<std::string> parts;
   for (const Group& g : k.groups) {
     std::vector<std::string> keys;
-    for (const std::string& key : g.needed.empty() ? g.keys : g.needed) keys.push_back("`" + key + "`");
+    for (const std::string& key : g.needed.empty() ? g.keys : g.needed)
+      keys.push_back(fmt::format("`{}`", key));
     parts.push_back(enumerate(keys, "and"));
   }
-  return (k.group_required ? " Give one of " : " Give only one of ") + enumerate(parts) + ".";
+  return fmt::format(" Give {} of {}.", k.group_required ? "one" : "only one", enumerate(parts));
 }
 
 std::string groups_below(
@@ -159,7 +160,7 @@ std::string units_table() {
     const Dimension d = static_cast<Dimension>(i);
     std::vector<std::string> names;
     for (const Unit& u : units_of(d))
-      if (u.name != "1") names.push_back("`" + std::string(u.name) + "`");
+      if (u.name != "1") names.push_back(fmt::format("`{}`", u.name));
     s += fmt::format("| {} | {} | {} |\n", dimension_name(d), base_unit(d), fmt::join(names, ", "));
   }
   return s;
@@ -173,7 +174,8 @@ std::string schema_markdown() {
   s += kTable;
   for (const Key& k : case_schema().keys) {
     const bool own_table = k.type == Type::map || k.type == Type::names || k.type == Type::one_of;
-    const std::string name = own_table ? fmt::format("[`{}`](#{})", k.name, k.name) : "`" + k.name + "`";
+    const std::string name =
+        own_table ? fmt::format("[`{}`](#{})", k.name, k.name) : fmt::format("`{}`", k.name);
     s += fmt::format("| {} | {} | {} | {} | {} |\n", name, value_text(k), unit_text(k), default_text(k),
                      k.about);
   }
