@@ -155,7 +155,7 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   s.distance = behind ? -length : length;
   // So near that the direction of r is rounding: any normal between those of the faces is right.
   if (length > 1e-4 * d.small)
-    s.normal = r / s.distance;
+    s.normal = (behind ? -1 : 1) * r.normalized();
   else
     s.normal = pseudonormal.isZero(0) ? d.normals.face(t) : pseudonormal.normalized();
   const double divisor = std::copysign(std::max(length, d.small), s.distance);

@@ -33,7 +33,8 @@ TriangleMesh graded() {
   return m;
 }
 
-void campaign(const TriangleMesh& m, int n) {
+// Points about the vertices, from the size of the mesh down to `finest` of it.
+void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
   const SpatialHash hash(m.vertices, m.triangles);
   EXPECT_EQ(hash.size(), m.triangles.size());
   std::mt19937 gen(2);
@@ -42,7 +43,7 @@ void campaign(const TriangleMesh& m, int n) {
   const double size = hash.box().diagonal();
   for (int i = 0; i < n; ++i) {
     const Vec3 shift(u(gen), u(gen), u(gen));
-    const Vec3 y = m.vertices[any(gen)] + size * std::pow(10.0, -5 * std::abs(u(gen))) * shift;
+    const Vec3 y = m.vertices[any(gen)] + size * std::pow(finest, std::abs(u(gen))) * shift;
     const double exact = brute_force(m, y);
     const auto all = hash.nearest(y);
     ASSERT_NEAR(std::sqrt(all.squared_distance), std::sqrt(exact), 1e-13 * size) << y.transpose();
@@ -52,11 +53,12 @@ void campaign(const TriangleMesh& m, int n) {
     ASSERT_EQ(warm.triangle, all.triangle);
     ASSERT_EQ(warm.squared_distance, all.squared_distance);
     for (const double factor : {1.0 + 1e-9, 1.5, 4.0, 50.0}) {
-      const auto near = hash.nearest(y, factor * std::sqrt(exact), i % 2 ? all.triangle : -1);
+      const auto near = hash.nearest(y, factor * std::sqrt(exact) + 1e-13 * size, i % 2 ? all.triangle : -1);
       ASSERT_EQ(near.triangle, all.triangle) << y.transpose() << " x " << factor;
     }
-    if (exact > 1e-20) {
-      ASSERT_EQ(hash.nearest(y, (1 - 1e-9) * std::sqrt(exact)).triangle, -1);
+    const double less = (1 - 1e-9) * std::sqrt(exact) - 1e-13 * size;
+    if (less > 0) {
+      ASSERT_EQ(hash.nearest(y, less).triangle, -1);
     }
   }
 }
@@ -64,6 +66,14 @@ void campaign(const TriangleMesh& m, int n) {
 TEST(GeometrySpatialHash, Even) { campaign(sphere_mesh(4), 3000); }
 TEST(GeometrySpatialHash, Graded) { campaign(graded(), 5000); }
 TEST(GeometrySpatialHash, LongThinFacets) { campaign(drum_mesh(96, 0.3, 50), 3000); }
+TEST(GeometrySpatialHash, TrianglesSmallerThanSinglePrecision) {
+  // Boxes are kept in single precision: nothing may be lost where it ends.
+  TriangleMesh m = box_mesh(Vec3::Constant(-50), Vec3::Constant(50));
+  TriangleMesh s = sphere_mesh(3, 2e-5);
+  for (Vec3& v : s.vertices) v += Vec3(33.3, 44.4, 50);
+  append(m, s);
+  campaign(m, 5000, 1e-8);
+}
 TEST(GeometrySpatialHash, FewTriangles) {
   campaign(tetrahedron_mesh(), 2000);
   campaign({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}, {}}, 500);

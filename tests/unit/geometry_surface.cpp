@@ -164,6 +164,9 @@ TEST(GeometrySurface, CurvatureOnEachFeature) {
   EXPECT_LE(s->curvature.norm(), 2e6);
   EXPECT_GE(s->normal.x(), 0);
   EXPECT_GE(s->normal.z(), 0);
+  s = cube.query({1 + 1e-9, 0.5, 1 + 1e-9}, 1);
+  EXPECT_NEAR(s->distance, std::sqrt(2) * 1e-9, 1e-15);
+  EXPECT_LE(s->curvature.norm(), 2e6);
   // Inside, at the reflex edge of the L: the curvature has the sign of d.
   s = MeshSurface(l_prism_mesh()).query({0.9, 0.8, 0.5}, 1);
   EXPECT_TRUE(is_edge(s->feature));
@@ -223,6 +226,7 @@ TEST(GeometrySurface, ActivePart) {
   EXPECT_TRUE(whole.query({0, 0, 1.21}, 0.1));
   EXPECT_FALSE(barrel.query({0, 0, 1.21}, 0.1));
   EXPECT_TRUE(whole.query({0, 1.4, 1.1}, 0.1));
+  EXPECT_FALSE(barrel.query({0, 1.05, 1.15}, 0.1));
   EXPECT_FALSE(barrel.query({0, 1.4, 1.1}, 0.1));  // in the flange: not under the barrel
   EXPECT_TRUE(barrel.query({0, 0, 0.9}, 0.01));    // deep in the barrel, nearer to nothing active than 0.9
   // A plate of which only the top is met: from below nothing, within all the way.
@@ -233,6 +237,11 @@ TEST(GeometrySurface, ActivePart) {
   EXPECT_NEAR(deck.query({1, 2, 0.3}, 0.5)->distance, 0.2, 1e-15);
   EXPECT_NEAR(deck.query({1, 2, 0.02}, 0.5)->distance, -0.08, 1e-15);
   EXPECT_FALSE(deck.query({1, 2, -0.02}, 0.5));
+  // In the gap of a U of which only the far side of a leg is met: behind that side, but outside.
+  const TriangleMesh channel = u_channel_mesh();
+  const MeshSurface far_side(channel, active_by_box(channel, {{-1, -1, -1}, {0.5, 9, 9}}));
+  EXPECT_FALSE(far_side.query({1.0001, 1.5, 2}, 5));
+  EXPECT_NEAR(far_side.query({0.9999, 1.5, 2}, 0.1)->distance, -0.9999, 1e-15);
   // Distances of the active part agree with its triangles.
   Points next(m, 9);
   int met = 0;
@@ -280,14 +289,17 @@ TEST(GeometrySurface, SignWhereTheSurfaceTouchesItselfOrHasNoArea) {
       ASSERT_EQ(s.query(y, kInfinity)->distance<0, winding_number(m, y)> 0.5) << y.transpose();
     }
   }
-  // A triangle of no area between faces that meet at an angle.
+  // A triangle of no area along a sharp edge, with a corner in the middle of it.
   TriangleMesh m = tetrahedron_mesh();
-  m.vertices.push_back({0.5, 0, 0});
-  m.triangles = {{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {0, 4, 1}, {0, 3, 2}, {1, 2, 3}};
+  m.vertices.push_back({0.5, 0.5, 0});
+  m.triangles = {{0, 2, 4}, {0, 4, 1}, {1, 4, 2}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  ASSERT_TRUE(inspect(m).valid());
   const MeshSurface s(m);
   Points next(m, 5);
   for (int i = 0; i < 5000; ++i) {
-    const Vec3 y = next();
+    // Every other one straight out from that corner, between the normals of the faces that meet there.
+    const double out = i % 199 / 199.0;
+    const Vec3 y = i % 2 ? next() : Vec3(Vec3(0.5, 0.5, 0) + out * Vec3(1, 1, 1) - (1 - out) * Vec3::UnitZ());
     const double d = brute_force(m, y);
     const auto q = s.query(y, kInfinity);
     ASSERT_NEAR(std::abs(q->distance), d, 1e-14);
