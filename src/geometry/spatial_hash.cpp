@@ -1,6 +1,7 @@
 #include "hawser/geometry/spatial_hash.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cfloat>
 #include <cmath>
 #include <numeric>
@@ -173,16 +174,23 @@ struct SpatialHash::Made {
 
 SpatialHash::Made SpatialHash::bundle(const Made* first, const Made* last) {
   Made out;
-  Children c;
-  for (int k = 0; k < 8; ++k) {
-    const bool there = first + k < last;
-    for (int a = 0; a < 3; ++a) {
-      c.lo[a][k] = there ? first[k].lo[a] : std::numeric_limits<float>::infinity();
-      c.hi[a][k] = there ? first[k].hi[a] : -std::numeric_limits<float>::infinity();
+  for (const Made* m = first; m < last; ++m) out.add(*m);
+  Children c{};
+  c.count = static_cast<std::uint8_t>(last - first);
+  for (int a = 0; a < 3; ++a) {
+    c.origin[a] = out.lo[a];
+    const double extent = static_cast<double>(out.hi[a]) - out.lo[a];
+    const int e =
+        extent > 0 ? std::clamp(static_cast<int>(std::ceil(std::log2(extent / 254))), -126, 120) : -126;
+    c.exponent[a] = static_cast<std::uint8_t>(e + 127);
+    for (std::ptrdiff_t k = 0; k < last - first; ++k) {
+      c.lo[a][k] = static_cast<std::uint8_t>(
+          std::floor(std::ldexp(static_cast<double>(first[k].lo[a]) - out.lo[a], -e)));
+      c.hi[a][k] = static_cast<std::uint8_t>(
+          std::ceil(std::ldexp(static_cast<double>(first[k].hi[a]) - out.lo[a], -e)));
     }
-    c.entry[k] = there ? first[k].entry : Entry{};
-    if (there) out.add(first[k]);
   }
+  std::transform(first, last, c.entry, [](const Made& m) { return m.entry; });
   out.entry.children = static_cast<std::uint32_t>(children_.size());
   children_.push_back(c);
   return out;
@@ -280,7 +288,7 @@ double SpatialHash::test(std::uint32_t slot, const Vec3& p) const {
 struct SpatialHash::Search {
   Vec3 p;
   float x[3];       // p from centre_
-  double rounding;  // m, of x
+  double rounding;  // m, of x and of what is computed with it in float
   double best;      // m²
   std::uint32_t slot = kNone;
   float limit = 0;  // m², what is farther than this in float is farther than best
@@ -324,17 +332,17 @@ void SpatialHash::descend(Search& q) const {
     for (std::uint32_t s = first; s < first + count; ++s) q.offer(s, test(s, q.p));
     if (item.entry.children == kNone) continue;
     const Children& c = children_[item.entry.children];
-    float d[8];
-    for (int k = 0; k < 8; ++k) {
-      float sum = 0;
-      for (int a = 0; a < 3; ++a) {
-        const float out = std::max(std::max(c.lo[a][k] - q.x[a], q.x[a] - c.hi[a][k]), 0.0f);
-        sum += out * out;
+    float d[8] = {};
+    for (int a = 0; a < 3; ++a) {
+      const float step = std::bit_cast<float>(static_cast<std::uint32_t>(c.exponent[a]) << 23);
+      const float x = q.x[a] - c.origin[a];
+      for (int k = 0; k < 8; ++k) {
+        const float out = std::max(std::max(step * c.lo[a][k] - x, x - step * c.hi[a][k]), 0.0f);
+        d[k] += out * out;
       }
-      d[k] = sum;
     }
     const int base = q.depth;
-    for (int k = 0; k < 8; ++k) {
+    for (int k = 0; k < c.count; ++k) {
       if (!(d[k] <= q.limit)) continue;
       // Fetch while the others are looked at.
       if (c.entry[k].children != kNone) prefetch(&children_[c.entry[k].children], sizeof(Children));
@@ -352,7 +360,7 @@ SpatialHash::Nearest SpatialHash::nearest(const Vec3& p, double max_distance, in
   const Vec3 x = p - centre_;
   if (!x.allFinite()) return {};
   for (int a = 0; a < 3; ++a) q.x[a] = static_cast<float>(x[a]);
-  q.rounding = 2e-7 * x.cwiseAbs().maxCoeff();
+  q.rounding = 3e-7 * (x.cwiseAbs().maxCoeff() + 0.5 * box_.extent().maxCoeff());
   q.best = max_distance * max_distance;
   q.set_limit();
   if (hint >= 0 && static_cast<std::size_t>(hint) < slot_.size() &&

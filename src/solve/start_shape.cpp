@@ -47,11 +47,13 @@ std::vector<CatenarySection> catenary_sections(const model::Case& c, const model
 
 Shape from_catenary(const CatenaryShape& shape, const Mesh& mesh, const LineSpan& span) {
   Shape out;
+  const double most = std::max(shape.tension_a().norm(), shape.tension_b().norm());
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
     const double s = mesh.nodes[static_cast<size_t>(n)].arc;
     out.x.push_back(shape.position(s));
     const Vec3 t = shape.tension(s);
-    out.tangent.push_back(t.norm() > 0 ? Vec3(t.normalized()) : Vec3::Zero());
+    // At a free end the tension is nothing but round-off, and points anywhere.
+    out.tangent.push_back(t.norm() > 1e-9 * most ? Vec3(t.normalized()) : Vec3::Zero());
   }
   return out;
 }

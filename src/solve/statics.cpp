@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/math/so3.hpp"
 
 namespace hawser {
 namespace {
@@ -167,6 +168,12 @@ class Search {
       for (int c = 0; c < 3; ++c)
         if (held >> c & 1) d[c] = 0;
       state_.x[i] += d;
+      // A node turned over against its neighbours is a saddle of rotations.
+      const size_t b = static_cast<size_t>(m.block[i]);
+      if (!m.rotates(n) || system_.supports().held()[b + 1]) continue;
+      const double angle = 0.05 * attempt;
+      state_.q[i] =
+          state_.q[i] * exp_so3(angle * Vec3(0.1 * std::sin(5 * z), std::sin(37 * z + 1), std::cos(41 * z)));
     }
   }
 

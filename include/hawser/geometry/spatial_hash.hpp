@@ -7,8 +7,8 @@
 // few cells around it of a side comparable with the search radius (or of the coarsest triangles), and goes
 // down from there, nearest first, leaving out what is farther than the best found.
 //
-// Memory: triangles are copied in the order of a space-filling curve (72 bytes each) plus about 40 bytes
-// of cells and lists; float boxes are rounded outward, distances are double.
+// Memory: triangles are copied in the order of a space-filling curve (80 bytes each) plus about 25 bytes
+// of cells and lists; the boxes are coarse and rounded outward, the distances are double.
 #pragma once
 
 #include <array>
@@ -62,9 +62,13 @@ class SpatialHash {
     std::uint32_t first() const { return own >> 4; }
     std::uint32_t count() const { return own & kMost; }
   };
-  // Eight children side by side, so that their distances are found together: four cache lines.
+  // Up to eight children side by side, so that their distances are found together, in two cache lines:
+  // boxes on a grid of 255 steps of a power of two over the box of all.
   struct alignas(64) Children {
-    float lo[3][8], hi[3][8];  // m, from centre_; none: lo = +inf
+    float origin[3];           // m, from centre_
+    std::uint8_t exponent[3];  // of the step, biased by 127
+    std::uint8_t count;
+    std::uint8_t lo[3][8], hi[3][8];
     Entry entry[8];
   };
   struct Slot {
