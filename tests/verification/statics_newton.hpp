@@ -1,0 +1,85 @@
+// Plain Newton with the exact tangent, loads raised in increments: verifies element, loads and assembly
+// without the globalisation of the statics solver.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "hawser/solve/linear_solver.hpp"
+#include "support/rig.hpp"
+
+namespace hawser::test {
+
+// Equilibrium near `state` at state.time; returns the iterations. Throws std::runtime_error when it fails.
+inline int newton(System& system, State& state, double tolerance = 1e-12) {
+  VecHandle u = system.create_vector(), r = system.create_vector();
+  MatHandle J = system.create_matrix();
+  KspHandle ksp;
+  check(KSPCreate(system.comm(), ksp.out()));
+  configure_linear_solver(ksp.get(), system, "verification_");
+  const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
+  std::vector<double> local;
+  State next = state;
+  bool last = false;
+  for (int it = 0; it < 40; ++it) {
+    system.prepare(state.view(0), 0);
+    system.residual(state.view(0), r.get());
+    if (last) return it;
+    last = it > 0 && system.norms(r.get()).small(tolerance);  // one more step to polish
+    system.tangent(state.view(0), {}, zero, false, J.get());
+    check(KSPSetOperators(ksp.get(), J.get(), J.get()));
+    check(KSPSolve(ksp.get(), r.get(), u.get()));
+    check(VecScale(u.get(), -1));
+    PetscReal size = 0;
+    check(VecNorm(u.get(), NORM_INFINITY, &size));
+    if (!std::isfinite(size)) break;
+    system.gather(u.get(), local);
+    retract(system.mesh(), state, local.data(), next);
+    std::swap(state, next);
+  }
+  throw std::runtime_error("Newton does not converge");
+}
+
+// Raises loads with a ramp of 1 s from time 0 to 1 in `steps`, halved where Newton fails, and follows the
+// equilibrium.
+inline void follow(app::Simulation& s, int steps) {
+  const double whole = 1.0 / steps;
+  State reached = s.state();
+  reached.time = 0;
+  for (double step = whole; reached.time < 1;) {
+    s.state() = reached;
+    s.state().time = std::min(reached.time + step, 1.0);
+    try {
+      newton(s.system(), s.state());
+      reached = s.state();
+      step = std::min(2 * step, whole);
+    } catch (const std::runtime_error&) {
+      if ((step /= 2) < 1e-4 * whole) throw;
+    }
+  }
+}
+
+// The force and moment (node axes) the support exerts on a node of the last residual, rank 0.
+inline Vec3 reaction(app::Simulation& s, int node, int which = 0) {
+  const size_t b = 3 * static_cast<size_t>(s.local().block[static_cast<size_t>(node)] + which);
+  return Eigen::Map<const Vec3>(s.system().reactions().data() + b);
+}
+
+// Observed order of convergence of errors on meshes that double.
+inline double order(double coarse, double fine) { return std::log2(coarse / fine); }
+
+// A cantilever along x from the origin: the loads at its tip rise within 1 s. The case must outlive the
+// simulation.
+inline model::Case cantilever(const model::LineType& type, double length, int elements, const Vec3& force,
+                              const Vec3& moment = Vec3::Zero()) {
+  model::Case c = one_line(type, length, elements, clamp(Vec3::Zero(), Vec3::UnitX()), {});
+  c.lines[0].start = model::Start::straight;
+  c.lines[0].point_loads.push_back({length, force, moment, 1, 0});
+  return c;
+}
+
+}  // namespace hawser::test
