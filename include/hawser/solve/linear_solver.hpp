@@ -1,5 +1,6 @@
-// The linear solver of a Newton step: direct on one rank; on several, chains by LU a rank and the cut nodes
-// by an exact Schur complement. PETSc options under the prefix override everything.
+// The linear solver of a Newton step: direct on one rank; on several, chains by LU a rank and the cuts by an
+// exact small system (substructure.hpp), or MUMPS where there are many. PETSc options under the prefix
+// override.
 #pragma once
 
 #include <petscksp.h>
