@@ -1,0 +1,154 @@
+// What the verification of dynamics shares: loads that follow any function of time, chains of beams that the
+// case file cannot describe, momentum, and runs that stop at given times.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "hawser/mesh/partition.hpp"
+#include "hawser/terms/line_mass.hpp"
+#include "support/rig.hpp"
+
+namespace hawser::test {
+
+// Dead force and moment on a local node, both times factor(t). Space axes.
+class TimedLoad final : public ForceTerm {
+ public:
+  TimedLoad(const LocalMesh& mesh, int node, const Vec3& force, const Vec3& moment,
+            std::function<double(double)> factor)
+      : node_(static_cast<size_t>(node)),
+        block_{mesh.block[node_], mesh.block[node_] + 1},
+        force_(force),
+        moment_(moment),
+        factor_(std::move(factor)) {}
+
+  std::string_view name() const override { return "timed load"; }
+  void evaluate(const Kinematics& trial, Sink& sink) override {
+    const double s = factor_(trial.time);
+    const Vec3 m = trial.q[node_].conjugate() * moment_;
+    Eigen::Matrix<double, 6, 1> f;
+    f << -s * force_, -s * m;
+    Eigen::Matrix<double, 6, 6, Eigen::RowMajor> K;
+    K.setZero();
+    K.bottomRightCorner<3, 3>() = -s * hat(m);
+    sink.add(block_, f.data(), K.data(), nullptr, nullptr);
+  }
+
+ private:
+  size_t node_;
+  int block_[2];
+  Vec3 force_, moment_;
+  std::function<double(double)> factor_;
+};
+
+// A chain of straight beams on one rank whose nodes start with axes of their own choice.
+class BeamChain {
+ public:
+  struct Piece {
+    BeamSection section;
+    Vec3 rotary = Vec3::Zero();    // kg m, per length
+    double mass_per_length = 0;    // kg/m
+    Mat3 axes = Mat3::Identity();  // element axes in the axes of its nodes (columns)
+  };
+
+  // Element i joins nodes i and i + 1; all nodes start with the identity.
+  BeamChain(std::vector<Vec3> nodes, const std::vector<Piece>& pieces) : mesh_(mesh(nodes, pieces)) {
+    system_ = std::make_unique<System>(PETSC_COMM_SELF,
+                                       local_mesh(mesh_, std::vector<int>(mesh_.nodes.size(), 0), 0, 1));
+    const LocalMesh& l = system_->mesh();
+    std::vector<StructureTerm::Beam> beams;
+    std::vector<LineMassTerm::Piece> masses;
+    for (const LocalElement& e : l.elements) {
+      const Piece& p = pieces[static_cast<size_t>(e.global)];
+      BeamReference reference;
+      reference.axes = p.axes;
+      reference.aligned = p.axes.isIdentity(0);
+      beams.push_back({e, {}, p.section, reference});
+      LineMassTerm::Piece m;
+      m.at = e;
+      m.section = {p.section.length, p.mass_per_length, p.rotary, p.axes};
+      masses.push_back(m);
+    }
+    system_->add(std::make_unique<StructureTerm>(l, std::move(beams), std::vector<StructureTerm::Cable>{}));
+    system_->add(std::make_unique<LineMassTerm>(l, std::move(masses), std::vector<LineMassTerm::Load>{}));
+    state.resize(l.nodes());
+    state.x = std::move(nodes);
+  }
+
+  System& system() { return *system_; }
+  State state;
+
+ private:
+  static Mesh mesh(const std::vector<Vec3>& nodes, const std::vector<Piece>& pieces) {
+    Mesh m;
+    double arc = 0;
+    for (size_t i = 0; i < nodes.size(); ++i) {
+      const double before = i > 0 ? pieces[i - 1].section.length : 0,
+                   after = i < pieces.size() ? pieces[i].section.length : 0;
+      m.nodes.push_back({0, arc, 0.5 * (before + after), true});
+      if (i < pieces.size())
+        m.elements.push_back({0, static_cast<int>(i), static_cast<int>(i) + 1, 0, after, true});
+      arc += after;
+    }
+    m.lines = {{0, static_cast<int>(nodes.size()), 0, static_cast<int>(pieces.size()), arc}};
+    return m;
+  }
+
+  Mesh mesh_;
+  std::unique_ptr<System> system_;
+};
+
+// Momentum of the discrete system, from its own mass matrix: p = M (v, w). One rank.
+struct Momentum {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  // kg m/s; about the origin, kg m²/s
+};
+inline Momentum momentum(System& system, const Kinematics& k) {
+  const LocalMesh& mesh = system.mesh();
+  MatHandle M = system.create_matrix();
+  Weights mass;
+  mass.K = 0, mass.M = 1;
+  system.tangent(k, mass, std::vector<double>(3 * static_cast<size_t>(mesh.blocks()), 0), false, M.get());
+  VecHandle v = system.create_vector(), p = system.create_vector();
+  PetscScalar* a = nullptr;
+  check(VecGetArray(v.get(), &a));
+  for (int n = 0; n < mesh.owned; ++n) {
+    double* at = a + 3 * mesh.block[static_cast<size_t>(n)];
+    Eigen::Map<Vec3>(at, 3) = k.v[static_cast<size_t>(n)];
+    if (mesh.rotates(n)) Eigen::Map<Vec3>(at + 3, 3) = k.w[static_cast<size_t>(n)];
+  }
+  check(VecRestoreArray(v.get(), &a));
+  check(MatMult(M.get(), v.get(), p.get()));
+  Momentum sum;
+  check(VecGetArray(p.get(), &a));
+  for (int n = 0; n < mesh.owned; ++n) {
+    const size_t i = static_cast<size_t>(n);
+    const double* at = a + 3 * mesh.block[i];
+    const Eigen::Map<const Vec3> linear(at);
+    sum.linear += linear;
+    sum.angular += k.x[i].cross(linear);
+    if (mesh.rotates(n)) sum.angular += k.q[i] * Eigen::Map<const Vec3>(at + 3);
+  }
+  check(VecRestoreArray(p.get(), &a));
+  return sum;
+}
+
+// Kinetic, strain and potential energy, J.
+inline double total(const Energy& e) { return e.kinetic + e.strain + e.potential; }
+
+// Steps of h from the state's time to `until`; each(info) after every step; steps end at multiples of `mark`.
+inline void integrate(Dynamics& d, double until, double mark,
+                      const std::function<void(const StepInfo&)>& each) {
+  d.run(
+      until, [=](double t) { return mark * (std::floor(t / mark + 1e-9) + 1); },
+      [&](const StepInfo& info) {
+        each(info);
+        return true;
+      });
+}
+
+inline bool at_mark(double t, double mark) { return std::abs(t / mark - std::round(t / mark)) < 1e-6; }
+
+}  // namespace hawser::test
