@@ -4,7 +4,7 @@
 #include <random>
 
 #include "hawser/geometry/triangle_mesh.hpp"
-#include "tests/support/shapes.hpp"
+#include "support/shapes.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "hawser/geometry/point_in_polyhedron.hpp"
-#include "tests/support/shapes.hpp"
+#include "support/shapes.hpp"
 
 namespace {
 

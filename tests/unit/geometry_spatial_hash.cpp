@@ -5,7 +5,7 @@
 
 #include "hawser/geometry/closest_point.hpp"
 #include "hawser/geometry/spatial_hash.hpp"
-#include "tests/support/shapes.hpp"
+#include "support/shapes.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "hawser/geometry/point_in_polyhedron.hpp"
 #include "hawser/geometry/spatial_hash.hpp"
 #include "hawser/geometry/surface.hpp"
-#include "tests/support/shapes.hpp"
+#include "support/shapes.hpp"
 
 namespace {
 
