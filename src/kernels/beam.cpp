@@ -4,9 +4,12 @@
 #include <cmath>
 
 #include "hawser/math/so3.hpp"
+#include "hawser/math/wide3.hpp"
 
 namespace hawser {
 namespace {
+
+using namespace wide;  // rows and matrices of the local element; hat and the rest are theirs
 
 // tan(t/4)/t and (d/dt)/t of it: the skew part of the mean spin.
 void mean_spin_coefficient(double t2, double& tau, double& tau1) {
@@ -22,139 +25,169 @@ void mean_spin_coefficient(double t2, double& tau, double& tau1) {
 
 // Everything of the local element that force and tangent share, in element axes.
 struct Local {
-  Mat3 Rm;          // element axes to space
-  Vec3 y, psi;      // chord in the mean frame, relative rotation
-  Mat3 Psi1, Psi2;  // psi' = Psi1 theta1' + Psi2 theta2'
-  Mat3 B;           // mean spin = B' theta1' + B theta2'
+  Mat Rm;          // element axes to space
+  Row y, psi;      // chord in the mean frame, relative rotation
+  Mat Psi1, Psi2;  // psi' = Psi1 theta1' + Psi2 theta2'
+  Mat B;           // mean spin = B' theta1' + B theta2'
   double tau, tau1, eta, eta1;
-  double l, a2, a3;     // |y|, y2/l, y3/l
-  Vec3 d, da2, da3;     // gradients of l, a2, a3
-  Vec3 eps_y, eps_psi;  // gradients of the strain
-  double strain;        // from the stress-free state
-  double k2, k3;        // 12 EI/(L (1 + P))
-  Vec3 D;               // (GJ, EI2, EI3)/L
-  double N, m2, m3;     // stresses: axial, antisymmetric bending about 2 (with a3), about 3 (with a2)
-  Vec3 mpsi;            // symmetric bending and torsion moments, D (psi - psi0 + beta psi')
-  Vec3 n, m;            // dW/dy, dW/dpsi
-  Vec3 yd, psid;        // rates, with damping only
+  double l, a2, a3;    // |y|, y2/l, y3/l
+  Row d, da2, da3;     // gradients of l, a2, a3
+  Row eps_y, eps_psi;  // gradients of the strain
+  double strain;       // from the stress-free state
+  double k2, k3;       // 12 EI/(L (1 + P))
+  Row D;               // (GJ, EI2, EI3)/L
+  double N, m2, m3;    // stresses: axial, antisymmetric bending about 2 (with a3), about 3 (with a2)
+  Row mpsi;            // symmetric bending and torsion moments, D (psi - psi0 + beta psi')
+  Row n, m;            // dW/dy, dW/dpsi
+  Row yd, psid;        // rates, with damping only
   double epsd;
 };
 
-void kinematics(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool rates, Local& o) {
+// Angular velocities of the ends in element axes.
+void spins(const BeamReference& r, const BeamEnds& e, Row& w1, Row& w2) {
+  w1 = load(e.w1), w2 = load(e.w2);
+  if (!r.aligned) w1 = load(Vec3(r.axes.transpose() * e.w1)), w2 = load(Vec3(r.axes.transpose() * e.w2));
+}
+
+inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool rates,
+                       Local& o) {
   Quat q1 = e.q1, q2 = e.q2;
   if (!r.aligned) {
     const Quat a(r.axes);
     q1 = q1 * a, q2 = q2 * a;
   }
-  o.psi = log_so3(q1.conjugate() * q2);
-  o.Rm = (q1 * exp_so3(0.5 * o.psi)).toRotationMatrix();
-  o.y.noalias() = o.Rm.transpose() * (e.x2 - e.x1);
-  const double t2 = o.psi.squaredNorm();
+  const Vec3 psi = log_so3(q1.conjugate() * q2);
+  o.psi = load(psi);
+  o.Rm = wide::rotation(q1 * exp_so3(0.5 * psi));
+  o.y = left(load(Vec3(e.x2 - e.x1)), o.Rm);
+  const double t2 = psi.squaredNorm();
   mean_spin_coefficient(t2, o.tau, o.tau1);
   inverse_jacobian_coefficient(t2, o.eta, o.eta1);
-  const Mat3 h = hat(o.psi);
+  const Mat h = hat(o.psi);
   // hat² = psi psi' - t2 I
-  const Mat3 even = (1 - o.eta * t2) * Mat3::Identity() + o.eta * o.psi * o.psi.transpose();
+  const Mat even = identity(1 - o.eta * t2) + o.eta * outer(o.psi, o.psi);
   o.Psi2 = even + 0.5 * h;
   o.Psi1 = 0.5 * h - even;
-  o.B = 0.5 * Mat3::Identity() + (0.5 * o.tau) * h;
+  o.B = identity(0.5) + (0.5 * o.tau) * h;
 
-  o.l = o.y.norm();
-  const double il = 1 / o.l;
+  o.l = std::sqrt(dot(o.y, o.y));
+  const double il = 1 / o.l, iL = 1 / s.length;
   o.d = il * o.y;
-  o.a2 = o.d.y(), o.a3 = o.d.z();
-  o.da2 = il * (Vec3::UnitY() - o.a2 * o.d);
-  o.da3 = il * (Vec3::UnitZ() - o.a3 * o.d);
-  o.eps_y = o.d / s.length + 0.2 * (o.a2 * o.da2 + o.a3 * o.da3);
-  o.eps_psi = Vec3(0, o.psi.y() / 12, o.psi.z() / 12);
-  o.strain = (o.l - s.length) / s.length + 0.1 * (o.a2 * o.a2 + o.a3 * o.a3) +
-             (o.psi.y() * o.psi.y() + o.psi.z() * o.psi.z()) / 24 - r.strain;
-  const double shear = s.GA > 0 ? 12 / (s.GA * s.length * s.length) : 0;
-  o.k2 = 12 * s.EI2 / (s.length * (1 + shear * s.EI2));
-  o.k3 = 12 * s.EI3 / (s.length * (1 + shear * s.EI3));
-  o.D = Vec3(s.GJ, s.EI2, s.EI3) / s.length;
+  o.a2 = o.d[1], o.a3 = o.d[2];
+  o.da2 = il * (unit(1) - o.a2 * o.d);
+  o.da3 = il * (unit(2) - o.a3 * o.d);
+  o.eps_y = iL * o.d + 0.2 * (o.a2 * o.da2 + o.a3 * o.da3);
+  o.eps_psi = Row{0, psi.y() / 12, psi.z() / 12, 0};
+  o.strain = (o.l - s.length) * iL + 0.1 * (o.a2 * o.a2 + o.a3 * o.a3) +
+             (psi.y() * psi.y() + psi.z() * psi.z()) / 24 - r.strain;
+  const double shear = s.GA > 0 ? 12 * iL * iL / s.GA : 0;
+  o.k2 = 12 * iL * s.EI2 / (1 + shear * s.EI2);
+  o.k3 = 12 * iL * s.EI3 / (1 + shear * s.EI3);
+  o.D = iL * Row{s.GJ, s.EI2, s.EI3, 0};
 
   o.N = s.EA * o.strain;
   o.m2 = o.k2 * o.a3;
   o.m3 = o.k3 * o.a2;
-  o.mpsi = o.D.cwiseProduct(o.psi - r.psi);
+  o.mpsi = o.D * (o.psi - load(r.psi));
   if (rates) {
-    Vec3 w1 = e.w1, w2 = e.w2;
-    if (!r.aligned) w1 = r.axes.transpose() * w1, w2 = r.axes.transpose() * w2;
-    o.psid = o.Psi1 * w1 + o.Psi2 * w2;
-    o.yd = o.Rm.transpose() * (e.v2 - e.v1) + o.y.cross(o.B.transpose() * w1 + o.B * w2);
-    o.epsd = o.eps_y.dot(o.yd) + o.eps_psi.dot(o.psid);
+    Row w1, w2;
+    spins(r, e, w1, w2);
+    o.psid = times(o.Psi1, w1) + times(o.Psi2, w2);
+    o.yd = left(load(Vec3(e.v2 - e.v1)), o.Rm) + cross(o.y, left(w1, o.B) + times(o.B, w2));
+    o.epsd = dot(o.eps_y, o.yd) + dot(o.eps_psi, o.psid);
     o.N += s.beta * s.EA * o.epsd;
-    o.m2 += s.beta * o.k2 * o.da3.dot(o.yd);
-    o.m3 += s.beta * o.k3 * o.da2.dot(o.yd);
-    o.mpsi += s.beta * o.D.cwiseProduct(o.psid);
+    o.m2 += s.beta * o.k2 * dot(o.da3, o.yd);
+    o.m3 += s.beta * o.k3 * dot(o.da2, o.yd);
+    o.mpsi += s.beta * (o.D * o.psid);
   }
   o.n = (o.N * s.length) * o.eps_y + o.m3 * o.da2 + o.m2 * o.da3;
   o.m = (o.N * s.length) * o.eps_psi + o.mpsi;
 }
 
-void force(const Local& o, const BeamReference& r, double* f) {
-  const Vec3 q = o.n.cross(o.y);
-  const Vec3 fd = o.Rm * o.n;
-  Vec3 f1 = o.B * q + o.Psi1.transpose() * o.m;
-  Vec3 f2 = o.B.transpose() * q + o.Psi2.transpose() * o.m;
+inline void force(const Local& o, const BeamReference& r, double* f) {
+  const Row q = cross(o.n, o.y);
+  const Row fd = times(o.Rm, o.n);
+  Vec3 f1 = vec(times(o.B, q) + left(o.m, o.Psi1));
+  Vec3 f2 = vec(left(q, o.B) + left(o.m, o.Psi2));
   if (!r.aligned) f1 = r.axes * f1, f2 = r.axes * f2;
-  Eigen::Map<Vec3>(f + 0) = -fd;
-  Eigen::Map<Vec3>(f + 3) = f1;
-  Eigen::Map<Vec3>(f + 6) = fd;
-  Eigen::Map<Vec3>(f + 9) = f2;
+  for (int i = 0; i < 3; ++i) f[i] = -fd[i], f[3 + i] = f1[i], f[6 + i] = fd[i], f[9 + i] = f2[i];
 }
 
-// Hessian of a_k = y_k/|y| (Crisfield's lateral chord components).
-Mat3 slope_hessian(const Vec3& axis, double a, const Vec3& d, double l) {
+// Hessian of a_k = y_k/|y| (Crisfield's lateral chord components), k = 1, 2.
+inline Mat slope_hessian(int k, double a, Row d, double l) {
   const double c = 1 / (l * l);
-  Mat3 h = (3 * a * c) * d * d.transpose();
-  h.noalias() -= c * (axis * d.transpose() + d * axis.transpose());
-  h.diagonal().array() -= a * c;
-  return h;
+  const Row e = unit(k);
+  return outer((3 * a * c) * d - c * e, d) - outer(c * d, e) - identity(a * c);
 }
-
-using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
 
 // Blocks of a 9x9 in (d, theta1, theta2), d in the mean frame, to the 12x12 in space axes.
 struct Blocks {
-  Mat3 dd, d1, d2, one_d, one_one, one_two, two_d, two_one, two_two;
+  Mat dd, d1, d2, one_d, one_one, one_two, two_d, two_one, two_two;
 };
 
-void expand(const Local& o, const BeamReference& r, Blocks& b, double* out) {
-  Eigen::Map<Mat12> K(out);
-  const Mat3 dd = o.Rm * b.dd * o.Rm.transpose();
-  Mat3 d1 = o.Rm * b.d1, d2 = o.Rm * b.d2;
-  Mat3 a = b.one_d * o.Rm.transpose(), c = b.two_d * o.Rm.transpose();
+inline void expand(const Local& o, const BeamReference& r, const Blocks& b, double* K) {
+  const Mat Rt = transpose(o.Rm);
+  const Mat dd = o.Rm * b.dd * Rt;
+  Mat d1 = o.Rm * b.d1, d2 = o.Rm * b.d2, a = b.one_d * Rt, c = b.two_d * Rt;
+  Mat m11 = b.one_one, m12 = b.one_two, m21 = b.two_one, m22 = b.two_two;
   if (!r.aligned) {
-    const Mat3& A = r.axes;
-    d1 = d1 * A.transpose(), d2 = d2 * A.transpose();
-    a = A * a, c = A * c;
-    for (Mat3* m : {&b.one_one, &b.one_two, &b.two_one, &b.two_two}) *m = (A * *m * A.transpose()).eval();
+    const Mat A = load(r.axes), At = transpose(A);
+    d1 = d1 * At, d2 = d2 * At, a = A * a, c = A * c;
+    m11 = A * m11 * At, m12 = A * m12 * At, m21 = A * m21 * At, m22 = A * m22 * At;
   }
-  K.block<3, 3>(0, 0) = dd, K.block<3, 3>(0, 6) = -dd, K.block<3, 3>(6, 0) = -dd, K.block<3, 3>(6, 6) = dd;
-  K.block<3, 3>(0, 3) = -d1, K.block<3, 3>(6, 3) = d1, K.block<3, 3>(0, 9) = -d2, K.block<3, 3>(6, 9) = d2;
-  K.block<3, 3>(3, 0) = -a, K.block<3, 3>(3, 6) = a, K.block<3, 3>(9, 0) = -c, K.block<3, 3>(9, 6) = c;
-  K.block<3, 3>(3, 3) = b.one_one, K.block<3, 3>(3, 9) = b.one_two;
-  K.block<3, 3>(9, 3) = b.two_one, K.block<3, 3>(9, 9) = b.two_two;
+  const auto put = [K](int i, int j, const Mat& m) { store(m, K + 36 * i + 3 * j, 12); };
+  put(0, 0, dd), put(0, 2, -dd), put(2, 0, -dd), put(2, 2, dd);
+  put(0, 1, -d1), put(2, 1, d1), put(0, 3, -d2), put(2, 3, d2);
+  put(1, 0, -a), put(1, 2, a), put(3, 0, -c), put(3, 2, c);
+  put(1, 1, m11), put(1, 3, m12), put(3, 1, m21), put(3, 3, m22);
 }
 
 // Derivative of (I -+ hat/2 + eta hat²) m with respect to psi; `sign` is that of the hat term.
-Mat3 inverse_jacobian_derivative(const Local& o, const Vec3& m, double sign) {
-  const Vec3 pm = o.psi.cross(m);
-  Mat3 d = (-0.5 * sign) * hat(m);
-  d.noalias() += o.eta1 * o.psi.cross(pm) * o.psi.transpose();
+inline Mat inverse_jacobian_derivative(const Local& o, Row m, double sign) {
+  const Row pm = cross(o.psi, m);
   // -(hat(psi x m) + hat(psi) hat(m)), with hat(a)hat(b) = b a' - (a.b) I
-  d.noalias() -= o.eta * (hat(pm) + m * o.psi.transpose());
-  d.diagonal().array() += o.eta * o.psi.dot(m);
-  return d;
+  return hat((-0.5 * sign) * m - o.eta * pm) + outer(o.eta1 * cross(o.psi, pm) - o.eta * m, o.psi) +
+         identity(o.eta * dot(o.psi, m));
 }
 
 // Derivative of B q with respect to psi.
-Mat3 mean_spin_derivative(const Local& o, const Vec3& q) {
-  Mat3 d = (-0.5 * o.tau) * hat(q);
-  d.noalias() += (0.5 * o.tau1) * o.psi.cross(q) * o.psi.transpose();
-  return d;
+inline Mat mean_spin_derivative(const Local& o, Row q) {
+  return hat((-0.5 * o.tau) * q) + outer((0.5 * o.tau1) * cross(o.psi, q), o.psi);
+}
+
+// The damping metric in (y, psi), and the change of the strain rates with the configuration.
+struct Damping {
+  Mat Gyy, Gyp, Gpp, Yd, Y1, Y2, R1, R2;
+};
+
+// Joins the rate terms at fixed strain rates to the Hessian, and gives what the strain rates' change adds.
+void damping(const BeamSection& s, const BeamReference& r, const BeamEnds& e, const Local& o,
+             const Mat& eps_yy, const Mat& h2, const Mat& h3, const Mat& Z1, const Mat& Z2, Mat& Hyy,
+             Mat& Hyp, Mat& Hpy, Mat& Hpp, Damping& g) {
+  const double b = s.beta, EAL = s.EA * s.length;
+  g.Gyy = b * (EAL * outer(o.eps_y, o.eps_y) + o.k3 * outer(o.da2, o.da2) + o.k2 * outer(o.da3, o.da3));
+  g.Gyp = (b * EAL) * outer(o.eps_y, o.eps_psi);
+  g.Gpp = (b * EAL) * outer(o.eps_psi, o.eps_psi);
+  for (int i = 0; i < 3; ++i) g.Gpp.r[i] += b * o.D[i] * unit(i);
+  const Row ey = times(eps_yy, o.yd);
+  const Row ep = Row{0, o.psid[1] / 12, o.psid[2] / 12, 0};
+  Hyy += b * (EAL * outer(o.eps_y, ey) + o.k3 * outer(o.da2, times(h2, o.yd)) +
+              o.k2 * outer(o.da3, times(h3, o.yd)));
+  Hyp += (b * EAL) * outer(o.eps_y, ep);
+  Hpy += (b * EAL) * outer(o.eps_psi, ey);
+  Hpp += (b * EAL) * outer(o.eps_psi, ep);
+
+  Row w1, w2;
+  spins(r, e, w1, w2);
+  const Row wm = left(w1, o.B) + times(o.B, w2);
+  const Row vd = left(load(Vec3(e.v2 - e.v1)), o.Rm);
+  // y' = vd + y x wm: varies by vd x dm + dy x wm + y x dwm, dwm = d(B)(w2 - w1)
+  const Mat W = hat_times(o.y, mean_spin_derivative(o, w2 - w1));
+  g.Yd = hat(-wm);
+  g.Y1 = hat_times(vd, transpose(o.B)) - hat_times(wm, Z1) + W * o.Psi1;
+  g.Y2 = hat_times(vd, o.B) - hat_times(wm, Z2) + W * o.Psi2;
+  const Mat R = inverse_jacobian_derivative(o, w2, 1) - inverse_jacobian_derivative(o, w1, -1);
+  g.R1 = R * o.Psi1, g.R2 = R * o.Psi2;
 }
 
 }  // namespace
@@ -174,77 +207,48 @@ void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& 
 
   const double EAL = s.EA * s.length;
   const double NL = (convex ? std::max(o.N, 0.0) : o.N) * s.length;
-  const Mat3 h2 = slope_hessian(Vec3::UnitY(), o.a2, o.d, o.l);
-  const Mat3 h3 = slope_hessian(Vec3::UnitZ(), o.a3, o.d, o.l);
-  Mat3 eps_yy = 0.2 * (o.da2 * o.da2.transpose() + o.da3 * o.da3.transpose() + o.a2 * h2 + o.a3 * h3);
+  const Mat h2 = slope_hessian(1, o.a2, o.d, o.l), h3 = slope_hessian(2, o.a3, o.d, o.l);
   const double c = 1 / (o.l * s.length);
-  eps_yy.noalias() -= c * o.d * o.d.transpose();
-  eps_yy.diagonal().array() += c;
+  const Mat eps_yy = outer(0.2 * o.da2, o.da2) + outer(0.2 * o.da3, o.da3) + (0.2 * o.a2) * h2 +
+                     (0.2 * o.a3) * h3 + identity(c) - outer(c * o.d, o.d);
 
-  // Hessian of W; with damping the rate terms at fixed strain rates join it.
-  Mat3 Hyy = EAL * o.eps_y * o.eps_y.transpose() + NL * eps_yy + o.k3 * o.da2 * o.da2.transpose() +
-             o.m3 * h2 + o.k2 * o.da3 * o.da3.transpose() + o.m2 * h3;
-  Mat3 Hyp = EAL * o.eps_y * o.eps_psi.transpose();
-  Mat3 Hpp = EAL * o.eps_psi * o.eps_psi.transpose();
-  Hpp.diagonal() += o.D + Vec3(0, NL / 12, NL / 12);
-  Mat3 Hpy = Hyp.transpose();
+  // Hessian of W
+  Mat Hyy = outer(EAL * o.eps_y, o.eps_y) + NL * eps_yy + outer(o.k3 * o.da2, o.da2) + o.m3 * h2 +
+            outer(o.k2 * o.da3, o.da3) + o.m2 * h3;
+  Mat Hyp = outer(EAL * o.eps_y, o.eps_psi);
+  Mat Hpp = outer(EAL * o.eps_psi, o.eps_psi);
+  const Row diagonal = o.D + Row{0, NL / 12, NL / 12, 0};
+  for (int i = 0; i < 3; ++i) Hpp.r[i] += diagonal[i] * unit(i);
+  Mat Hpy = transpose(Hyp);
 
-  const Vec3 q = o.n.cross(o.y);
-  const Mat3 yhat = hat(o.y), nhat = hat(o.n);
-  const Mat3 Z1 = yhat * o.B.transpose(), Z2 = yhat * o.B;
-  const Mat3 S = mean_spin_derivative(o, q);
-  const Mat3 P1 = S - inverse_jacobian_derivative(o, o.m, 1);   // of B q + Psi1' m
-  const Mat3 P2 = inverse_jacobian_derivative(o, o.m, -1) - S;  // of B' q + Psi2' m
-
-  // The damping metric in (y, psi), and the change of the strain rates with the configuration.
-  Mat3 Gyy, Gyp, Gpp, Yd, Y1, Y2, R1, R2;
-  if (damped) {
-    const double b = s.beta;
-    Gyy = b * (EAL * o.eps_y * o.eps_y.transpose() + o.k3 * o.da2 * o.da2.transpose() +
-               o.k2 * o.da3 * o.da3.transpose());
-    Gyp = b * EAL * o.eps_y * o.eps_psi.transpose();
-    Gpp = b * EAL * o.eps_psi * o.eps_psi.transpose();
-    Gpp.diagonal() += b * o.D;
-    const Vec3 ey = eps_yy * o.yd;
-    const Vec3 ep(0, o.psid.y() / 12, o.psid.z() / 12);
-    Hyy += b * (EAL * o.eps_y * ey.transpose() + o.k3 * o.da2 * (h2 * o.yd).transpose() +
-                o.k2 * o.da3 * (h3 * o.yd).transpose());
-    Hyp += b * EAL * o.eps_y * ep.transpose();
-    Hpy += b * EAL * o.eps_psi * ey.transpose();
-    Hpp += b * EAL * o.eps_psi * ep.transpose();
-
-    Vec3 w1 = e.w1, w2 = e.w2;
-    if (!r.aligned) w1 = r.axes.transpose() * w1, w2 = r.axes.transpose() * w2;
-    const Vec3 wm = o.B.transpose() * w1 + o.B * w2;
-    const Vec3 vd = o.Rm.transpose() * (e.v2 - e.v1);
-    // y' = vd + y x wm: varies by vd x dm + dy x wm + y x dwm, dwm = d(B)(w2 - w1)
-    const Mat3 W = yhat * mean_spin_derivative(o, w2 - w1);
-    const Mat3 V = hat(vd), wh = hat(wm);
-    Yd = -wh;
-    Y1 = V * o.B.transpose() - wh * Z1 + W * o.Psi1;
-    Y2 = V * o.B - wh * Z2 + W * o.Psi2;
-    const Mat3 R = inverse_jacobian_derivative(o, w2, 1) - inverse_jacobian_derivative(o, w1, -1);
-    R1 = R * o.Psi1, R2 = R * o.Psi2;
-  }
+  const Row q = cross(o.n, o.y);
+  const Mat Bt = transpose(o.B);
+  const Mat Z1 = hat_times(o.y, Bt), Z2 = hat_times(o.y, o.B);
+  const Mat S = mean_spin_derivative(o, q);
+  const Mat P1 = S - inverse_jacobian_derivative(o, o.m, 1);   // of B q + Psi1' m
+  const Mat P2 = inverse_jacobian_derivative(o, o.m, -1) - S;  // of B' q + Psi2' m
+  Damping g;
+  if (damped) damping(s, r, e, o, eps_yy, h2, h3, Z1, Z2, Hyy, Hyp, Hpy, Hpp, g);
 
   // dn and dm (of the potential's gradients) for each of d, theta1, theta2
-  Mat3 nd = Hyy, n1 = Hyy * Z1 + Hyp * o.Psi1, n2 = Hyy * Z2 + Hyp * o.Psi2;
-  Mat3 md = Hpy, m1 = Hpy * Z1 + Hpp * o.Psi1, m2 = Hpy * Z2 + Hpp * o.Psi2;
+  Mat nd = Hyy, n1 = Hyy * Z1 + Hyp * o.Psi1, n2 = Hyy * Z2 + Hyp * o.Psi2;
+  Mat md = Hpy, m1 = Hpy * Z1 + Hpp * o.Psi1, m2 = Hpy * Z2 + Hpp * o.Psi2;
   if (damped) {
-    nd.noalias() += Gyy * Yd;
-    n1.noalias() += Gyy * Y1 + Gyp * R1;
-    n2.noalias() += Gyy * Y2 + Gyp * R2;
-    md.noalias() += Gyp.transpose() * Yd;
-    m1.noalias() += Gyp.transpose() * Y1 + Gpp * R1;
-    m2.noalias() += Gyp.transpose() * Y2 + Gpp * R2;
+    nd += g.Gyy * g.Yd;
+    n1 += g.Gyy * g.Y1 + g.Gyp * g.R1;
+    n2 += g.Gyy * g.Y2 + g.Gyp * g.R2;
+    md += transposed_times(g.Gyp, g.Yd);
+    m1 += transposed_times(g.Gyp, g.Y1) + g.Gpp * g.R1;
+    m2 += transposed_times(g.Gyp, g.Y2) + g.Gpp * g.R2;
   }
   // dq = dn x y + n x dy
-  const Mat3 qd = nhat - yhat * nd, q1 = nhat * Z1 - yhat * n1, q2 = nhat * Z2 - yhat * n2;
-  const Mat3 Bt = o.B.transpose(), Psi1t = o.Psi1.transpose(), Psi2t = o.Psi2.transpose();
+  const Mat qd = hat(o.n) - hat_times(o.y, nd);
+  const Mat q1 = hat_times(o.n, Z1) - hat_times(o.y, n1), q2 = hat_times(o.n, Z2) - hat_times(o.y, n2);
   Blocks k;
   k.dd = nd;
-  k.d1 = n1 - nhat * Bt;
-  k.d2 = n2 - nhat * o.B;
+  k.d1 = n1 - hat_times(o.n, Bt);
+  k.d2 = n2 - hat_times(o.n, o.B);
+  const Mat Psi1t = transpose(o.Psi1), Psi2t = transpose(o.Psi2);
   k.one_d = o.B * qd + Psi1t * md;
   k.one_one = o.B * q1 + Psi1t * m1 + P1 * o.Psi1;
   k.one_two = o.B * q2 + Psi1t * m2 + P1 * o.Psi2;
@@ -254,18 +258,19 @@ void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& 
   expand(o, r, k, K);
 
   if (damped && C) {
-    const Mat3 c1 = Gyy * Z1 + Gyp * o.Psi1, c2 = Gyy * Z2 + Gyp * o.Psi2;
-    const Mat3 p1 = Gyp.transpose() * Z1 + Gpp * o.Psi1, p2 = Gyp.transpose() * Z2 + Gpp * o.Psi2;
-    Blocks g;
-    g.dd = Gyy, g.d1 = c1, g.d2 = c2;
-    const Mat3 T1 = Z1.transpose(), T2 = Z2.transpose();  // theta row: Z' dn + Psi' dm
-    g.one_d = T1 * Gyy + Psi1t * Gyp.transpose();
-    g.one_one = T1 * c1 + Psi1t * p1;
-    g.one_two = T1 * c2 + Psi1t * p2;
-    g.two_d = T2 * Gyy + Psi2t * Gyp.transpose();
-    g.two_one = T2 * c1 + Psi2t * p1;
-    g.two_two = T2 * c2 + Psi2t * p2;
-    expand(o, r, g, C);
+    const Mat c1 = g.Gyy * Z1 + g.Gyp * o.Psi1, c2 = g.Gyy * Z2 + g.Gyp * o.Psi2;
+    const Mat Gpy = transpose(g.Gyp);
+    const Mat p1 = Gpy * Z1 + g.Gpp * o.Psi1, p2 = Gpy * Z2 + g.Gpp * o.Psi2;
+    const Mat T1 = transpose(Z1), T2 = transpose(Z2);  // theta row: Z' dn + Psi' dm
+    Blocks v;
+    v.dd = g.Gyy, v.d1 = c1, v.d2 = c2;
+    v.one_d = T1 * g.Gyy + Psi1t * Gpy;
+    v.one_one = T1 * c1 + Psi1t * p1;
+    v.one_two = T1 * c2 + Psi1t * p2;
+    v.two_d = T2 * g.Gyy + Psi2t * Gpy;
+    v.two_one = T2 * c1 + Psi2t * p1;
+    v.two_two = T2 * c2 + Psi2t * p2;
+    expand(o, r, v, C);
   }
 }
 
@@ -274,18 +279,18 @@ BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamE
   kinematics(s, r, e, s.beta > 0, o);
   BeamStress out;
   out.tension = o.N;
-  const Vec3 p = o.psi - r.psi;
+  const Row p = o.psi - load(r.psi);
   out.strain_energy = 0.5 * (s.EA * s.length * o.strain * o.strain + o.k3 * o.a2 * o.a2 + o.k2 * o.a3 * o.a3 +
-                             p.dot(o.D.cwiseProduct(p)));
+                             dot(p, o.D * p));
   if (s.beta > 0) {
-    const double r2 = o.da2.dot(o.yd), r3 = o.da3.dot(o.yd);
+    const double r2 = dot(o.da2, o.yd), r3 = dot(o.da3, o.yd);
     out.dissipation = s.beta * (s.EA * s.length * o.epsd * o.epsd + o.k3 * r2 * r2 + o.k2 * r3 * r3 +
-                                o.psid.dot(o.D.cwiseProduct(o.psid)));
+                                dot(o.psid, o.D * o.psid));
   }
   // The chord turns by +y3/l about axis 2 and by -y2/l about axis 3 against the mean frame.
-  const Vec3 bend(0, 0.5 * o.m2, -0.5 * o.m3);
-  out.moment1 = o.mpsi - bend;
-  out.moment2 = o.mpsi + bend;
+  const Vec3 bend(0, 0.5 * o.m2, -0.5 * o.m3), mean = vec(o.mpsi);
+  out.moment1 = mean - bend;
+  out.moment2 = mean + bend;
   const Vec3 EI(s.GJ, s.EI2, s.EI3);
   for (int i = 0; i < 3; ++i) {
     out.curvature1[i] = EI[i] > 0 ? out.moment1[i] / EI[i] : 0;
@@ -300,7 +305,7 @@ BeamReference beam_reference(const BeamSection& s, const BeamEnds& e, const Mat3
   r.aligned = axes.isIdentity(0);
   Local o;
   kinematics(s, r, e, false, o);
-  r.psi = o.psi;
+  r.psi = vec(o.psi);
   r.strain = o.strain;
   return r;
 }

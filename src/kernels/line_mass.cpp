@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
-#include "hawser/math/so3.hpp"
+#include "hawser/math/wide3.hpp"
 
 namespace hawser {
 namespace {
+
+using namespace wide;
 
 // Hermite mass and load in (x1, L t1, x2, L t2), per m L and per w L.
 constexpr double kMass[4][4] = {{156. / 420, 22. / 420, 54. / 420, -13. / 420},
@@ -14,40 +16,48 @@ constexpr double kMass[4][4] = {{156. / 420, 22. / 420, 54. / 420, -13. / 420},
                                 {-13. / 420, -3. / 420, -22. / 420, 4. / 420}};
 constexpr double kLoad[4] = {0.5, 1. / 12, 0.5, -1. / 12};
 
-using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
-
 struct Local {
-  Mat3 R[2];
-  Vec3 c;        // tangent in node axes
-  Vec3 g[2];     // t'' in node axes: alpha x c + w x (w x c)
-  Vec3 A[4];     // accelerations of (x1, L t1, x2, L t2)
-  Vec3 F[4];     // forces conjugate to them
-  Vec3 back[2];  // Q' F of the tangents
-  Mat3 J;        // rotary inertia of half the element, node axes
+  Mat R[2];
+  Row c;                        // tangent in node axes
+  Row g[2];                     // t'' in node axes: alpha x c + w x (w x c)
+  Row A[4];                     // accelerations of (x1, L t1, x2, L t2)
+  Row F[4];                     // forces conjugate to them
+  Row back[2];                  // Q' F of the tangents
+  Row w[2], alpha[2], spin[2];  // spin: J w
 };
 
-void kinematics(const MassSection& s, const MassEnds& e, const Vec3& load, Local& o) {
-  const double L = s.length, mL = s.mass_per_length * L;
-  o.R[0] = e.q1.toRotationMatrix(), o.R[1] = e.q2.toRotationMatrix();
-  o.c = s.axes.col(0);
-  const Vec3 *w[2] = {&e.w1, &e.w2}, *al[2] = {&e.alpha1, &e.alpha2};
-  for (int i = 0; i < 2; ++i) o.g[i] = al[i]->cross(o.c) + w[i]->cross(w[i]->cross(o.c));
-  o.A[0] = e.a1, o.A[2] = e.a2;
-  o.A[1] = L * (o.R[0] * o.g[0]), o.A[3] = L * (o.R[1] * o.g[1]);
-  for (int i = 0; i < 4; ++i) {
-    o.F[i] = -(kLoad[i] * L) * load;
-    for (int j = 0; j < 4; ++j) o.F[i] += (kMass[i][j] * mL) * o.A[j];
-  }
-  o.back[0] = o.R[0].transpose() * o.F[1], o.back[1] = o.R[1].transpose() * o.F[3];
-  o.J = (0.5 * L) * s.axes * s.rotary.asDiagonal() * s.axes.transpose();
+// Rotary inertia of half the element, node axes.
+inline Mat rotary(const MassSection& s) {
+  const Mat A = load(s.axes);
+  Mat JA = transpose(A);
+  for (int i = 0; i < 3; ++i) JA.r[i] *= 0.5 * s.length * s.rotary[i];
+  return A * JA;
 }
 
-void force(const MassSection& s, const MassEnds& e, const Local& o, double* f) {
-  const Vec3 *w[2] = {&e.w1, &e.w2}, *al[2] = {&e.alpha1, &e.alpha2};
+inline void kinematics(const MassSection& s, const MassEnds& e, const Vec3& dead, const Mat& J, Local& o) {
+  const double L = s.length, mL = s.mass_per_length * L;
+  o.R[0] = rotation(e.q1), o.R[1] = rotation(e.q2);
+  o.c = load(Vec3(s.axes.col(0)));
+  o.w[0] = load(e.w1), o.w[1] = load(e.w2);
+  o.alpha[0] = load(e.alpha1), o.alpha[1] = load(e.alpha2);
   for (int i = 0; i < 2; ++i) {
-    Eigen::Map<Vec3>(f + 6 * i) = o.F[2 * i];
-    Eigen::Map<Vec3>(f + 6 * i + 3) =
-        s.length * o.c.cross(o.back[i]) + o.J * *al[i] + w[i]->cross(o.J * *w[i]);
+    o.g[i] = cross(o.alpha[i], o.c) + cross(o.w[i], cross(o.w[i], o.c));
+    o.A[2 * i + 1] = L * times(o.R[i], o.g[i]);
+    o.spin[i] = times(J, o.w[i]);
+  }
+  o.A[0] = load(e.a1), o.A[2] = load(e.a2);
+  const Row q = load(dead);
+  for (int i = 0; i < 4; ++i) {
+    o.F[i] = -(kLoad[i] * L) * q;
+    for (int j = 0; j < 4; ++j) o.F[i] += (kMass[i][j] * mL) * o.A[j];
+  }
+  o.back[0] = left(o.F[1], o.R[0]), o.back[1] = left(o.F[3], o.R[1]);
+}
+
+inline void force(const MassSection& s, const Local& o, const Mat& J, double* f) {
+  for (int i = 0; i < 2; ++i) {
+    const Row m = s.length * cross(o.c, o.back[i]) + times(J, o.alpha[i]) + cross(o.w[i], o.spin[i]);
+    for (int k = 0; k < 3; ++k) f[6 * i + k] = o.F[2 * i][k], f[6 * i + 3 + k] = m[k];
   }
 }
 
@@ -55,46 +65,47 @@ void force(const MassSection& s, const MassEnds& e, const Local& o, double* f) {
 
 void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, double* f) {
   Local o;
-  kinematics(s, e, load, o);
-  force(s, e, o, f);
+  const Mat J = rotary(s);
+  kinematics(s, e, load, J, o);
+  force(s, o, J, f);
 }
 
-void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, double* f, double* pK,
-                       double* pC, double* pM) {
+void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, double* f, double* K,
+                       double* C, double* M) {
   Local o;
-  kinematics(s, e, load, o);
-  force(s, e, o, f);
-  Eigen::Map<Mat12> K(pK), C(pC), M(pM);
-  K.setZero(), C.setZero(), M.setZero();
+  const Mat J = rotary(s);
+  kinematics(s, e, load, J, o);
+  force(s, o, J, f);
   const double L = s.length, mL = s.mass_per_length * L;
-  const Mat3 ch = hat(o.c), I = Mat3::Identity();
-  const Vec3* w[2] = {&e.w1, &e.w2};
+  const Mat zero{};
   // Columns of the tangent's acceleration: L Q (-hat(g), G, -hat(c)) by theta, w, alpha.
-  Mat3 T[2], W[2], A[2];
+  Mat T[2], W[2], A[2];
   for (int i = 0; i < 2; ++i) {
-    const Mat3 R = L * o.R[i];
-    T[i].noalias() = -R * hat(o.g[i]);
-    const Mat3 G = -hat(w[i]->cross(o.c)) - hat(*w[i]) * ch;
-    W[i].noalias() = R * G;
-    A[i].noalias() = -R * ch;
+    const Mat R = L * o.R[i];
+    T[i] = times_hat(R, -o.g[i]);
+    W[i] = times_hat(R, -cross(o.w[i], o.c)) - times_hat(times_hat(R, o.w[i]), o.c);
+    A[i] = times_hat(R, -o.c);
   }
+  const auto put = [](double* to, int i, int j, const Mat& m) { store(m, to + 36 * i + 3 * j, 12); };
   for (int i = 0; i < 2; ++i) {
-    const Mat3 row = L * ch * o.R[i].transpose();  // tangent force to moment
+    const Mat row = L * hat_times(o.c, transpose(o.R[i]));  // tangent force to moment
     for (int j = 0; j < 2; ++j) {
       const double xx = mL * kMass[2 * i][2 * j], xt = mL * kMass[2 * i][2 * j + 1],
                    tx = mL * kMass[2 * i + 1][2 * j], tt = mL * kMass[2 * i + 1][2 * j + 1];
-      M.block<3, 3>(6 * i, 6 * j) = xx * I;
-      M.block<3, 3>(6 * i, 6 * j + 3) = xt * A[j];
-      M.block<3, 3>(6 * i + 3, 6 * j) = tx * row;
-      M.block<3, 3>(6 * i + 3, 6 * j + 3).noalias() = tt * row * A[j];
-      C.block<3, 3>(6 * i, 6 * j + 3) = xt * W[j];
-      C.block<3, 3>(6 * i + 3, 6 * j + 3).noalias() = tt * row * W[j];
-      K.block<3, 3>(6 * i, 6 * j + 3) = xt * T[j];
-      K.block<3, 3>(6 * i + 3, 6 * j + 3).noalias() = tt * row * T[j];
+      const Mat moment = tt * row;
+      Mat k = moment * T[j], c = moment * W[j], m = moment * A[j];
+      if (i == j) {
+        k += L * hat_times(o.c, hat(o.back[i]));
+        c += hat_times(o.w[i], J) - hat(o.spin[i]);
+        m += J;
+      }
+      put(M, 2 * i, 2 * j, identity(xx)), put(M, 2 * i, 2 * j + 1, xt * A[j]);
+      put(M, 2 * i + 1, 2 * j, tx * row), put(M, 2 * i + 1, 2 * j + 1, m);
+      put(C, 2 * i, 2 * j, zero), put(C, 2 * i, 2 * j + 1, xt * W[j]);
+      put(C, 2 * i + 1, 2 * j, zero), put(C, 2 * i + 1, 2 * j + 1, c);
+      put(K, 2 * i, 2 * j, zero), put(K, 2 * i, 2 * j + 1, xt * T[j]);
+      put(K, 2 * i + 1, 2 * j, zero), put(K, 2 * i + 1, 2 * j + 1, k);
     }
-    K.block<3, 3>(6 * i + 3, 6 * i + 3).noalias() += L * ch * hat(o.back[i]);
-    C.block<3, 3>(6 * i + 3, 6 * i + 3).noalias() += hat(*w[i]) * o.J - hat(o.J * *w[i]);
-    M.block<3, 3>(6 * i + 3, 6 * i + 3) += o.J;
   }
 }
 

@@ -1,10 +1,22 @@
 #include "hawser/system/sink.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 #include "hawser/base/handle.hpp"
 
 namespace hawser {
+namespace {
+
+// Three columns of a row-major matrix with m rows and columns, times T.
+void turn_columns(const Mat3& T, int m, double* p) {
+  for (int r = 0; r < m; ++r, p += m) {
+    const double a0 = p[0], a1 = p[1], a2 = p[2];
+    for (int c = 0; c < 3; ++c) p[c] = a0 * T(0, c) + a1 * T(1, c) + a2 * T(2, c);
+  }
+}
+
+}  // namespace
 
 void Sink::add(std::span<const int> blocks, const double* f, const double* K, const double* C,
                const double* M) {
@@ -28,25 +40,23 @@ void Sink::add(std::span<const int> blocks, const double* f, const double* K, co
   const int m = 3 * n;
   double J[9 * kMaxBlocks * kMaxBlocks];
   PetscInt rows[kMaxBlocks], columns[kMaxBlocks];
+  const double wC = C ? weights_.C : 0, wM = M ? weights_.M : 0;
   if (K && weights_.K != 0) {
     for (int i = 0; i < m * m; ++i) J[i] = weights_.K * K[i];
-    for (int j = 0; j < n; ++j) {
-      const size_t b = static_cast<size_t>(blocks[static_cast<size_t>(j)]);
-      if (!(*is_rotation_)[b] || retraction_->empty()) continue;
-      const Mat3& T = (*retraction_)[b];
-      for (int r = 0; r < m; ++r) {
-        double* p = J + r * m + 3 * j;
-        const double a0 = p[0], a1 = p[1], a2 = p[2];
-        for (int c = 0; c < 3; ++c) p[c] = a0 * T(0, c) + a1 * T(1, c) + a2 * T(2, c);
+    if (!retraction_->empty())
+      for (int j = 0; j < n; ++j) {
+        const size_t b = static_cast<size_t>(blocks[static_cast<size_t>(j)]);
+        if ((*is_rotation_)[b]) turn_columns((*retraction_)[b], m, J + 3 * j);
       }
-    }
   } else {
-    for (int i = 0; i < m * m; ++i) J[i] = 0;
+    std::fill(J, J + m * m, 0.0);
   }
-  if (C && weights_.C != 0)
-    for (int i = 0; i < m * m; ++i) J[i] += weights_.C * C[i];
-  if (M && weights_.M != 0)
-    for (int i = 0; i < m * m; ++i) J[i] += weights_.M * M[i];
+  if (wC != 0 && wM != 0)
+    for (int i = 0; i < m * m; ++i) J[i] += wC * C[i] + wM * M[i];
+  else if (wC != 0)
+    for (int i = 0; i < m * m; ++i) J[i] += wC * C[i];
+  else if (wM != 0)
+    for (int i = 0; i < m * m; ++i) J[i] += wM * M[i];
 
   bool any_held = false;
   for (int i = 0; i < n; ++i) {
