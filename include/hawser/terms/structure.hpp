@@ -55,9 +55,9 @@ class StructureTerm final : public ForceTerm {
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
   bool damped_ = false;
-  double softness_ = 1;  // of EA, for the first stages of statics
-  double power_ = -1;    // W, dissipated at the committed state; < 0: not known yet
-  double damping_ = 0;   // J, dissipated so far
+  std::vector<double> true_EA_;  // N, of beams, then cables, while they are softened
+  double power_ = -1;            // W, dissipated at the committed state; < 0: not known yet
+  double damping_ = 0;           // J, dissipated so far
 };
 
 }  // namespace hawser
