@@ -12,8 +12,9 @@ constexpr int kPatience = 5;
 StepControl::StepControl(const StepSettings& settings)
     : s_(settings), wish_(settings.fixed > 0 ? settings.fixed : std::min(settings.first, settings.longest)) {}
 
-double StepControl::next(double t, double stop) const {
-  const double n = std::ceil((stop - t) / wish_ - 1e-6);
+double StepControl::next(double t, double stop, double cap) const {
+  const double wish = automatic() ? std::max(std::min(wish_, cap), s_.shortest) : wish_;
+  const double n = std::ceil((stop - t) / wish - 1e-6);
   return (stop - t) / std::max(n, 1.0);
 }
 

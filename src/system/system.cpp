@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "hawser/math/so3.hpp"
@@ -189,6 +190,13 @@ double System::dead_load() const {
   for (const auto& t : terms_) sum += t->dead_load();
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
   return sum;
+}
+
+double System::longest_step(const Kinematics& committed) const {
+  double h = std::numeric_limits<double>::infinity();
+  for (const auto& t : terms_) h = std::min(h, t->longest_step(committed));
+  MPI_Allreduce(MPI_IN_PLACE, &h, 1, MPI_DOUBLE, MPI_MIN, comm_);
+  return h;
 }
 
 void System::prepare(const Kinematics& committed, double h) {

@@ -67,6 +67,7 @@ class Dynamics {
     int iterations = 0;
     double error = 0;
   };
+  // One try of a step h from the committed state, after the terms were prepared for a step at least as long.
   Attempt attempt(double h);
   void accept(double h);
   PetscErrorCode ts_step(TS ts);

@@ -19,8 +19,9 @@ class StepControl {
   explicit StepControl(const StepSettings& settings);
 
   // Step from t towards `stop` (an output time or the end), which is hit exactly: the way there is divided
-  // into equal steps not longer than the wish.
-  double next(double t, double stop) const;
+  // into equal steps not longer than the wish, nor, when steps are automatic, than `cap`.
+  double next(double t, double stop, double cap) const;
+  bool automatic() const { return s_.fixed <= 0; }
   // Whether a converged step is accurate enough; a step at the shortest length always is.
   bool accurate(double h, double error) const;
 

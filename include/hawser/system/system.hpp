@@ -64,6 +64,7 @@ class System {
   void soften(double factor);
   double axial_stiffness() const;
   double dead_load() const;
+  double longest_step(const Kinematics& committed) const;
 
   void prepare(const Kinematics& committed, double h);
   void commit(const Kinematics& accepted);
