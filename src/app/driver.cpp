@@ -8,6 +8,7 @@
 #include <ctime>
 #include <filesystem>
 
+#include "hawser/app/files.hpp"
 #include "hawser/app/progress.hpp"
 #include "hawser/app/recorder.hpp"
 #include "hawser/app/restart.hpp"
@@ -21,9 +22,13 @@
 namespace hawser::app {
 namespace {
 
-// Set by SIGINT and SIGTERM: the run ends after the step, with everything on disk.
+// Set by SIGINT and SIGTERM: the run ends at the next output, with everything on disk. Who cannot wait
+// sends the signal again.
 volatile std::sig_atomic_t stop_requested = 0;
-void request_stop(int) { stop_requested = 1; }
+void request_stop(int signal) {
+  stop_requested = 1;
+  std::signal(signal, SIG_DFL);
+}
 
 // Multiples of `every`, as numbers that do not drift.
 double next_multiple(double t, double every) { return every * (std::floor(t / every + 1e-9) + 1); }
@@ -50,26 +55,31 @@ int run(MPI_Comm comm, const RunOptions& options) {
   MPI_Comm_size(comm, &size);
   model::Case c = io::read_case(options.case_path);
   if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
-  const bool speak = rank == 0 && !options.quiet;
+  const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
+  check_output_place(comm, c.output.file);
+  if (restarted && !c.dynamics.enabled)
+    throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
   std::vector<LoadedVolume> volumes = load_volumes(c);
   Simulation sim(comm, c, surfaces(volumes));
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
-  Progress progress(speak, 0, end);
-  progress.say(fmt::format("{}: {} nodes, {} ranks, {} cut elements", c.title.empty() ? c.path : c.title,
-                           sim.mesh().nodes.size(), size, sim.cut_elements()));
+  io::Checkpoint checkpoint;
+  if (restarted) checkpoint = read_restart(options.restart, sim);
+  Progress progress(speak, end);
+  progress.say(
+      fmt::format("{}: {} nodes on {}", c.title.empty() ? c.path : c.title, sim.mesh().nodes.size(),
+                  size == 1 ? "1 rank" : fmt::format("{} ranks, {} cut elements", size, sim.cut_elements())));
   for (const auto& n : c.notes) progress.say("note: " + n);
   for (const auto& v : volumes)
     for (const auto& n : v.notes) progress.say("note: " + n);
   for (const auto& n : sim.notes()) progress.say("note: " + n);
 
-  const bool restarted = !options.restart.empty();
-  io::Checkpoint checkpoint;
   if (restarted) {
-    const LocalMesh& m = sim.local();
-    checkpoint = io::read_checkpoint(comm, options.restart, static_cast<int>(sim.mesh().nodes.size()),
-                                     {m.global.begin(), m.global.begin() + m.owned});
     progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
+    if (checkpoint.time >= end * (1 - 1e-12)) {
+      progress.say(fmt::format("nothing to do: the run ends at t = {:.6g} s", end));
+      return 0;
+    }
   } else if (c.statics.enabled) {
     const StaticsReport s = sim.solve_statics();
     progress.say(fmt::format("statics: {} iterations{}", s.iterations,
@@ -85,9 +95,12 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (restarted) {
     restore(checkpoint, sim);
     recorder.restore(checkpoint.scalars);
+    // A new file begins with the state the run goes on from.
+    if (!append) recorder.output(checkpoint.time, sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
     sim.dynamics().start(sim.state());
     recorder.start(0, sim.dynamics().kinematics());
+    recorder.step({}, sim.dynamics().kinematics(), 0);
     recorder.output(0, sim.dynamics().kinematics());
   } else {
     recorder.start(0, sim.state().view(0));
@@ -99,6 +112,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
     Dynamics& d = sim.dynamics();
+    progress.begin(d.committed().s.time);
     const double every = c.output.every > 0 ? c.output.every : c.dynamics.duration / 100;
     const double keep = c.output.checkpoint_every;
     auto next_stop = [&](double t) {

@@ -4,6 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,7 +19,7 @@ namespace {
 
 using hawser::app::RunOptions;
 
-// PETSc for the life of the program. Its errors come back as codes, not as tracebacks.
+// MPI and PETSc for the life of the program. PETSc's errors come back as codes, not as tracebacks.
 struct Petsc {
   int rank = 0;
   Petsc(int argc, char** argv) {
@@ -25,6 +28,8 @@ struct Petsc {
     PetscPopSignalHandler();
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
   }
+  // No rank ends before the others are here: mpirun kills the rest when one ends with an error, and rank 0
+  // has something to say.
   ~Petsc() { PetscFinalize(); }
 };
 
@@ -83,8 +88,12 @@ int main(int argc, char** argv) {
   run_command->add_option("--restart", run.restart,
                           "Go on from the newest checkpoint of this results file; when it is the case's own "
                           "results file, the run is continued in it");
-  run_command->add_option("--stop-at", run.stop_at,
-                          "End at this simulated time, s, instead of the case's duration");
+  run_command
+      ->add_option("--stop-at", run.stop_at, "End at this simulated time, s, if the case would go on longer")
+      ->check([](const std::string& text) {
+        char* end = nullptr;
+        return std::strtod(text.c_str(), &end) > 0 && !*end ? "" : "'" + text + "' is no time above 0";
+      });
   run_command->add_flag("-q,--quiet", run.quiet, "Say nothing but errors");
   run_command->footer(
       "PETSc options follow a lone --, with the prefixes statics_ and dynamics_:\n"
@@ -104,16 +113,27 @@ int main(int argc, char** argv) {
   schema_command->add_flag("--json", json, "As JSON Schema, for editors");
   schema_command->add_flag("--markdown", markdown, "As the key tables of the user guide (default)");
 
+  cli.failure_message([&](const CLI::App*, const CLI::Error& e) {
+    std::string what = e.what();
+    if (cli.get_subcommands().empty() && e.get_name() == "RequiredError")
+      what = mine.size() > 2 ? fmt::format("there is no command '{}'", mine[1]) : "it needs a command";
+    return fmt::format("hawser: {} (hawser --help tells what there is)\n", what);
+  });
+
+  const Petsc petsc(static_cast<int>(theirs.size()) - 1, theirs.data());
   try {
     cli.parse(static_cast<int>(mine.size()) - 1, mine.data());
   } catch (const CLI::ParseError& e) {
-    return cli.exit(e) ? hawser::kExitInput : 0;
+    std::ostringstream out, wrong;
+    const bool failed = cli.exit(e, out, wrong) != 0;
+    if (petsc.rank == 0) std::fputs(out.str().c_str(), stdout), std::fputs(wrong.str().c_str(), stderr);
+    return failed ? hawser::kExitInput : 0;
   }
   if (*schema_command) {
-    std::fputs((json ? hawser::model::schema_json() : hawser::model::schema_markdown()).c_str(), stdout);
+    if (petsc.rank == 0)
+      std::fputs((json ? hawser::model::schema_json() : hawser::model::schema_markdown()).c_str(), stdout);
     return 0;
   }
-  const Petsc petsc(static_cast<int>(theirs.size()) - 1, theirs.data());
   run.options_text = options;
   return guarded(petsc, [&] {
     return *run_command ? hawser::app::run(PETSC_COMM_WORLD, run)

@@ -1,41 +1,71 @@
 #include "hawser/app/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace hawser::app {
+namespace {
+
+constexpr double kRewriteEvery = 0.2, kLineEvery = 60;  // s, on a terminal; elsewhere at the latest
+
+// Columns of the terminal that stdout is; 0: it is none. mpirun gives its processes a pseudo-terminal even
+// when its own output goes to a file, but then one without a size.
+int terminal_columns() {
+  if (!isatty(STDOUT_FILENO)) return 0;
+  winsize size{};
+  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  if (known) return size.ws_col;
+  return std::getenv("OMPI_COMM_WORLD_SIZE") ? 0 : 80;
+}
+
+double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+}  // namespace
 
 std::string clock_text(double seconds) {
-  const long s = std::lround(std::max(seconds, 0.0));
+  const long s = std::lround(std::clamp(seconds, 0.0, 1e9));
   return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
-Progress::Progress(bool speak, double start, double duration)
-    : speak_(speak), terminal_(isatty(STDOUT_FILENO)), start_(start), duration_(duration) {}
+Progress::Progress(bool speak, double duration)
+    : speak_(speak), columns_(terminal_columns()), duration_(duration) {}
+
+void Progress::begin(double time) {
+  start_ = time;
+  began_ = last_ = Clock::now();
+  next_share_ = std::floor(10 * time / std::max(duration_, 1e-300) + 1e-9) / 10 + 0.1;
+}
 
 void Progress::step(double time, double step, int iterations) {
   if (!speak_) return;
-  const double share = (time - start_) / std::max(duration_ - start_, 1e-300);
+  const double share = time / std::max(duration_, 1e-300);
   const auto now = Clock::now();
-  const double spent = std::chrono::duration<double>(now - began_).count();
-  const std::string text = fmt::format(
-      "t = {:.3f} of {:.6g} s ({:3.0f} %), step {:.3g} s, {} iterations, {} left", time, duration_,
-      100 * share, step, iterations, clock_text(spent * (1 - share) / std::max(share, 1e-9)));
-  if (terminal_) {
-    if (std::chrono::duration<double>(now - last_).count() < 0.2 && share < 1) return;
-    last_ = now;
+  const bool last = share >= 1 - 1e-9;
+  const bool due = share >= next_share_ - 1e-9;
+  const double silent = seconds(now - last_);
+  if (columns_ > 0 ? silent < kRewriteEvery && !last : silent < kLineEvery && !due) return;
+  last_ = now;
+  // The rate so far is the best guess of the rate to come.
+  const double left = seconds(now - began_) * (duration_ - time) / std::max(time - start_, 1e-300);
+  std::string text = fmt::format("t = {:.3f} of {:.6g} s ({:3.0f} %), step {:.3g} s, {} iterations, {} left",
+                                 time, duration_, 100 * share, step, iterations, clock_text(left));
+  if (columns_ > 0) {
+    // A line that wraps cannot be rewritten.
+    text.resize(std::min(text.size(), static_cast<size_t>(columns_ - 1)));
     std::fputs(fmt::format("\r\033[K{}", text).c_str(), stdout);
-    std::fflush(stdout);
     open_ = true;
-  } else if (share >= next_share_ - 1e-9) {
-    next_share_ = std::floor(share * 10 + 1e-9) / 10 + 0.1;
+  } else {
+    if (due) next_share_ = std::floor(share * 10 + 1e-9) / 10 + 0.1;
     std::puts(text.c_str());
-    std::fflush(stdout);
   }
+  std::fflush(stdout);
 }
 
 void Progress::say(const std::string& text) {
@@ -46,7 +76,9 @@ void Progress::say(const std::string& text) {
 }
 
 void Progress::end() {
-  if (open_) std::fputc('\n', stdout);
+  if (!open_) return;
+  std::fputc('\n', stdout);
+  std::fflush(stdout);
   open_ = false;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace hawser::app {
 namespace {
@@ -12,6 +14,20 @@ Energy sum(MPI_Comm comm, const Energy& e) {
   double v[6] = {e.kinetic, e.strain, e.potential, e.friction, e.damping, e.work};
   MPI_Allreduce(MPI_IN_PLACE, v, 6, MPI_DOUBLE, MPI_SUM, comm);
   return {v[0], v[1], v[2], v[3], v[4], v[5]};
+}
+
+constexpr std::pair<const char*, double Energy::*> kEnergies[] = {
+    {"kinetic", &Energy::kinetic},   {"strain", &Energy::strain},   {"potential", &Energy::potential},
+    {"friction", &Energy::friction}, {"damping", &Energy::damping}, {"work", &Energy::work}};
+
+void save_energy(std::map<std::string, double>& to, const std::string& prefix, const Energy& e) {
+  for (const auto& [name, member] : kEnergies) to[prefix + name] = e.*member;
+}
+
+Energy saved_energy(const std::function<double(const std::string&)>& get, const std::string& prefix) {
+  Energy e;
+  for (const auto& [name, member] : kEnergies) e.*member = get(prefix + name);
+  return e;
 }
 
 // Fields that a history of a point shows, in this order, when the run has them.
@@ -105,12 +121,15 @@ void Recorder::fill(const Kinematics& at) {
 void Recorder::correct_ends(const Kinematics& at) {
   if (tension_ < 0) return;
   const LocalMesh& local = sim_.local();
+  // Those of dynamics are there after a restart as well.
+  const std::vector<double>& reactions =
+      sim_.model().dynamics.enabled ? sim_.dynamics().reactions() : sim_.system().reactions();
   for (const Support& s : sim_.system().supports().list()) {
     if (s.node >= local.owned || s.position_mask != 7) continue;
     const size_t n = static_cast<size_t>(s.node);
     const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
     const bool first = node.arc == 0;
-    Vec3 force = Eigen::Map<const Vec3>(sim_.system().reactions().data() + 3 * local.block[n]);
+    Vec3 force = Eigen::Map<const Vec3>(reactions.data() + 3 * local.block[n]);
     if (contact_ >= 0) force += Eigen::Map<const Vec3>(values_[static_cast<size_t>(contact_)].data() + 3 * n);
     Vec3 tangent;
     if (local.rotates(s.node)) {
@@ -135,7 +154,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   share.work += support_work;
   audit_.now = sum(comm_, share);
   const Energy& e = audit_.now;
-  audit_.brought_in = carried_ + e.work - start_.work - (e.potential - start_.potential);
+  audit_.brought_in = e.work - start_.work - (e.potential - start_.potential);
   audit_.error = (e.kinetic - start_.kinetic) + (e.strain - start_.strain) + (e.friction - start_.friction) +
                  (e.damping - start_.damping) - audit_.brought_in;
 
@@ -226,11 +245,10 @@ std::string Recorder::finish() {
 }
 
 void Recorder::save(std::map<std::string, double>& scalars) const {
-  // The audit counts on from here: everything that was summed up so far.
+  save_energy(scalars, "audit.start.", start_);
+  save_energy(scalars, "audit.now.", audit_.now);
   scalars["audit.brought_in"] = audit_.brought_in;
-  scalars["audit.friction"] = audit_.now.friction, scalars["audit.damping"] = audit_.now.damping;
-  scalars["audit.work"] = audit_.now.work, scalars["audit.potential"] = start_.potential;
-  scalars["audit.kinetic0"] = start_.kinetic, scalars["audit.strain0"] = start_.strain;
+  scalars["audit.error"] = audit_.error;
   for (const auto& r : summary()) {
     const std::string key = "extreme." + r.line + "." + r.quantity;
     scalars[key] = r.value, scalars[key + ".time"] = r.time, scalars[key + ".arc"] = r.arc_length;
@@ -242,7 +260,9 @@ void Recorder::restore(const std::map<std::string, double>& scalars) {
     const auto it = scalars.find(k);
     return it == scalars.end() ? 0.0 : it->second;
   };
-  start_ = {get("audit.kinetic0"), get("audit.strain0"), get("audit.potential"), 0, 0, 0};
+  start_ = saved_energy(get, "audit.start.");
+  audit_.now = saved_energy(get, "audit.now.");
+  audit_.brought_in = get("audit.brought_in"), audit_.error = get("audit.error");
   for (size_t l = 0; l < extremes_.size(); ++l)
     for (const Wanted& w : kExtremes) {
       const std::string key = "extreme." + sim_.model().lines[l].name + "." + w.quantity;

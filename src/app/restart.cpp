@@ -1,5 +1,12 @@
 #include "hawser/app/restart.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/app/files.hpp"
+#include "hawser/base/error.hpp"
+
 namespace hawser::app {
 namespace {
 
@@ -14,6 +21,16 @@ const char* const kVectors[] = {"position",
 std::vector<Vec3>& vectors(AlphaState& s, size_t i) {
   std::vector<Vec3>* all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
   return *all[i];
+}
+
+// What the state and the contact history mean beyond numbers: which nodes rotate, which volume is which.
+std::map<std::string, double> signature(const Simulation& simulation) {
+  std::map<std::string, double> out;
+  double& beams = out["case.rotating nodes"];
+  for (const Node& n : simulation.mesh().nodes) beams += n.rotates;
+  const auto& volumes = simulation.model().volumes;
+  for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
+  return out;
 }
 
 // Values of the ghosts: carried in the position blocks of a ghosted vector.
@@ -59,6 +76,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder)
       r.values.push_back(k < 3 || m.rotates(static_cast<int>(n)) ? d.reactions()[b + k] : 0.0);
     }
   for (const auto& term : simulation.system().terms()) c.records[std::string(term->name())] = term->save();
+  c.scalars = signature(simulation);
   c.scalars["step.wish"] = d.control().wish();
   c.scalars["step.wait"] = d.control().wait();
   c.scalars["step.last"] = d.last_step();
@@ -66,6 +84,27 @@ io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder)
   MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, simulation.system().comm());
   c.scalars["support_work"] = work;
   recorder.save(c.scalars);
+  return c;
+}
+
+io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
+  const LocalMesh& m = simulation.local();
+  const MPI_Comm comm = simulation.system().comm();
+  check_restart_file(comm, path, simulation.mesh());
+  io::Checkpoint c = io::read_checkpoint(comm, path, static_cast<int>(simulation.mesh().nodes.size()),
+                                         {m.global.begin(), m.global.begin() + m.owned});
+  const auto refuse = [&](const std::string& why) {
+    return InputError(fmt::format("cannot go on from {}: it holds another case: {}", path, why));
+  };
+  const auto here = signature(simulation);
+  for (const auto& [name, value] : here) {
+    const auto there = c.scalars.find(name);
+    if (there == c.scalars.end() || there->second != value)
+      throw refuse(name == "case.rotating nodes" ? "other nodes are of beams" : "other volumes");
+  }
+  const auto more = std::count_if(c.scalars.begin(), c.scalars.end(),
+                                  [](const auto& s) { return s.first.starts_with("case."); });
+  if (more != static_cast<long>(here.size())) throw refuse("other volumes");
   return c;
 }
 
@@ -101,7 +140,9 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   int rank = 0;
   MPI_Comm_rank(system.comm(), &rank);
   Dynamics::Carried carried;
-  carried.step_wish = c.scalars.at("step.wish");
+  // The case may ask for shorter steps than it did then.
+  const StepSettings step = simulation.dynamics_settings().step;
+  carried.step_wish = std::min(c.scalars.at("step.wish"), step.fixed > 0 ? step.fixed : step.longest);
   carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));
   carried.last_step = c.scalars.at("step.last");
   carried.support_work = rank == 0 ? c.scalars.at("support_work") : 0;

@@ -1,5 +1,7 @@
 #include "hawser/mesh/mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "hawser/model/case.hpp"
@@ -50,6 +52,7 @@ Mesh build_mesh(const model::Case& c) {
     span.nodes = static_cast<int>(m.nodes.size()) - span.first_node;
     span.elements = static_cast<int>(m.elements.size()) - span.first_element;
     span.length = m.nodes.back().arc;
+    span.name = line.name;
     m.lines.push_back(span);
   }
   return m;
@@ -62,6 +65,11 @@ int Mesh::nearest_node(int line, double s) const {
     if (std::abs(nodes[static_cast<size_t>(n)].arc - s) < std::abs(nodes[static_cast<size_t>(best)].arc - s))
       best = n;
   return best;
+}
+
+std::string Mesh::place(int node) const {
+  const Node& n = nodes[static_cast<size_t>(node)];
+  return fmt::format("line {}, arc length {:.6g} m", lines[static_cast<size_t>(n.line)].name, n.arc);
 }
 
 }  // namespace hawser

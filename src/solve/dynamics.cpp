@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/system/imbalance.hpp"
 
 namespace hawser {
 
@@ -202,26 +203,8 @@ void Dynamics::run(double until, const std::function<double(double)>& next_stop,
 }
 
 std::string Dynamics::failure(double h) const {
-  // The node with the largest force out of balance, over all ranks.
-  const LocalMesh& m = system_.mesh();
-  struct {
-    double value;
-    int node;
-  } worst{-1, 0};
-  const PetscScalar* p = nullptr;
-  check(VecGetArrayRead(r_.get(), &p));
-  for (int n = 0; n < m.owned; ++n) {
-    const double r = Eigen::Map<const Vec3>(p + 3 * m.block[static_cast<size_t>(n)]).norm();
-    if (!(r <= worst.value)) worst = {std::isfinite(r) ? r : 1e300, m.global[static_cast<size_t>(n)]};
-  }
-  check(VecRestoreArrayRead(r_.get(), &p));
-  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
-  const Node& node = m.mesh->nodes[static_cast<size_t>(worst.node)];
-  return fmt::format(
-      "no convergence at t = {:.6g} s with the shortest step ({:.3g} s): line {}, arc length {:.6g} m, is "
-      "out of "
-      "balance by {:.3g} N (forces of size {:.3g} N)",
-      committed_.s.time, h, node.line, node.arc, worst.value, norms_.force_scale);
+  return fmt::format("no convergence at t = {:.6g} s with the shortest step ({:.3g} s): {}",
+                     committed_.s.time, h, imbalance(system_, r_.get(), norms_));
 }
 
 }  // namespace hawser

@@ -7,6 +7,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/system/imbalance.hpp"
 
 namespace hawser {
 namespace {
@@ -178,23 +179,7 @@ class Search {
   }
 
   std::string failure(const ResidualNorms& n, const char* why) const {
-    const LocalMesh& m = system_.mesh();
-    struct {
-      double value;
-      int node;
-    } worst{-1, 0};
-    const PetscScalar* p = nullptr;
-    check(VecGetArrayRead(r_.get(), &p));
-    for (int k = 0; k < m.owned; ++k) {
-      const double r = Eigen::Map<const Vec3>(p + 3 * m.block[static_cast<size_t>(k)]).norm();
-      if (!(r <= worst.value)) worst = {std::isfinite(r) ? r : 1e300, m.global[static_cast<size_t>(k)]};
-    }
-    check(VecRestoreArrayRead(r_.get(), &p));
-    MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
-    const Node& node = m.mesh->nodes[static_cast<size_t>(worst.node)];
-    return fmt::format(
-        "statics: {}: line {}, arc length {:.6g} m, is out of balance by {:.3g} N (forces of size {:.3g} N)",
-        why, node.line, node.arc, worst.value, n.force_scale);
+    return fmt::format("statics: {}: {}", why, imbalance(system_, r_.get(), n));
   }
 
   System& system_;

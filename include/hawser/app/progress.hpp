@@ -8,9 +8,11 @@ namespace hawser::app {
 
 class Progress {
  public:
-  // Only rank 0 speaks. `duration` and `start` in simulated seconds.
-  Progress(bool speak, double start, double duration);
+  // Only rank 0 speaks. `duration`: the simulated time at the end, s.
+  Progress(bool speak, double duration);
 
+  // The steps begin at this simulated time [s]: what came before does not count for the time left.
+  void begin(double time);
   void step(double time, double step, int iterations);
   // A line of its own, not lost in the rewritten one.
   void say(const std::string& text);
@@ -18,8 +20,9 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool speak_, terminal_;
-  double start_, duration_;
+  bool speak_;
+  int columns_;  // of the terminal; 0: none
+  double start_ = 0, duration_;
   Clock::time_point began_ = Clock::now(), last_ = Clock::now();
   double next_share_ = 0.1;
   bool open_ = false;  // a rewritten line stands on the terminal

@@ -66,8 +66,7 @@ class Recorder {
   std::vector<std::map<std::string, Extreme>> extremes_;  // by line, of this rank's nodes
   std::unique_ptr<io::ResultsFile> file_;
   Audit audit_;
-  Energy start_;        // energies at the start of the run
-  double carried_ = 0;  // J, support work of runs before a restart, over all ranks
+  Energy start_;        // energies at the start of the run, that of before all restarts
   double filled_ = -1;  // time the values belong to
 };
 

@@ -9,6 +9,10 @@ namespace hawser::app {
 
 io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder);
 
+// The newest checkpoint of the results file `path`, this rank's share. Throws InputError when there is none
+// or its lines or volumes are not those of the simulation. Collective.
+io::Checkpoint read_restart(const std::string& path, Simulation& simulation);
+
 // Puts dynamics and terms where the checkpoint was taken, on whatever ranks there are now. Collective.
 void restore(const io::Checkpoint& checkpoint, Simulation& simulation);
 

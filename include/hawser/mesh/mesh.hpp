@@ -1,6 +1,7 @@
 // Nodes and elements of all lines, the same on every rank, in file order: line by line, end A to end B.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "hawser/math/types.hpp"
@@ -29,6 +30,7 @@ struct Element {
 struct LineSpan {
   int first_node = 0, nodes = 0, first_element = 0, elements = 0;
   double length = 0;  // m, unstretched
+  std::string name;   // as in the case, for messages
 };
 
 struct Mesh {
@@ -38,6 +40,8 @@ struct Mesh {
 
   // Node of `line` nearest to arc length s [m from end A].
   int nearest_node(int line, double s) const;
+  // "line hose, arc length 12.5 m": where a node is, in words.
+  std::string place(int node) const;
 };
 
 // Cut the lines of a checked case into elements: graded sections, arc lengths from end A.

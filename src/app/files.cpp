@@ -1,0 +1,99 @@
+#include "hawser/app/files.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/hdf5.hpp"
+
+namespace hawser::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void compare_lines(const std::string& path, const Mesh& mesh) {
+  const auto other = [&](const std::string& what) {
+    return InputError(fmt::format("it holds another case: {}", what));
+  };
+  const io::h5::Id file = io::h5::open_read(path);
+  const auto names = io::h5::read_texts(file, "lines/name");
+  const auto nodes = io::h5::read_array(file, "lines/nodes").values;
+  const auto arc = io::h5::read_array(file, "nodes/arc_length").values;
+  if (names.size() != mesh.lines.size())
+    throw other(fmt::format("lines: {} there, {} here", names.size(), mesh.lines.size()));
+  for (size_t l = 0; l < names.size(); ++l) {
+    const LineSpan& line = mesh.lines[l];
+    if (names[l] != line.name)
+      throw other(fmt::format("its line {} is {}, not {}", l + 1, names[l], line.name));
+    if (nodes[l] != line.nodes)
+      throw other(fmt::format("line {} has {} nodes there, {} here", line.name, nodes[l], line.nodes));
+    for (int n = line.first_node; n < line.first_node + line.nodes; ++n) {
+      const double here = mesh.nodes[static_cast<size_t>(n)].arc, there = arc.at(static_cast<size_t>(n));
+      if (std::abs(here - there) > 1e-9 * line.length)
+        throw other(
+            fmt::format("a node of line {} is at {:.6g} m there, {:.6g} m here", line.name, there, here));
+    }
+  }
+}
+
+}  // namespace
+
+void on_root(MPI_Comm comm, const std::function<void()>& work) {
+  int rank = 0, length = -1;
+  MPI_Comm_rank(comm, &rank);
+  std::string text;
+  if (rank == 0) {
+    try {
+      work();
+    } catch (const InputError& e) {
+      text = e.what();
+      length = static_cast<int>(text.size());
+    }
+  }
+  MPI_Bcast(&length, 1, MPI_INT, 0, comm);
+  if (length < 0) return;
+  text.resize(static_cast<size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, 0, comm);
+  throw InputError(text);
+}
+
+void check_output_place(MPI_Comm comm, const std::string& path) {
+  on_root(comm, [&] {
+    const fs::path file(path), folder = fs::absolute(file).parent_path();
+    const auto refuse = [&](const std::string& why) {
+      return InputError(fmt::format("cannot write the results to {}: {}", path, why));
+    };
+    std::error_code e;
+    if (file.extension() != ".h5") throw refuse("the name must end in .h5");
+    if (fs::is_directory(file, e)) throw refuse("that is a folder");
+    if (!fs::exists(folder, e)) throw refuse("there is no folder " + folder.string());
+    if (!fs::is_directory(folder, e)) throw refuse(folder.string() + " is not a folder");
+    if (access(folder.c_str(), W_OK | X_OK) != 0)
+      throw refuse("the folder " + folder.string() + " cannot be written");
+  });
+}
+
+void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh) {
+  on_root(comm, [&] {
+    std::error_code e;
+    const auto refuse = [&](const std::string& why) {
+      return InputError(fmt::format("cannot go on from {}: {}", path, why));
+    };
+    if (!fs::exists(path, e)) throw refuse("there is no such file");
+    if (access(path.c_str(), R_OK) != 0) throw refuse("it cannot be read");
+    io::h5::quiet();
+    if (H5Fis_hdf5(path.c_str()) <= 0) throw refuse("it is no HDF5 file");
+    try {
+      compare_lines(path, mesh);
+    } catch (const InputError& wrong) {
+      throw refuse(wrong.what());
+    } catch (const std::exception&) {
+      throw refuse("it is no results file of hawser");
+    }
+  });
+}
+
+}  // namespace hawser::app

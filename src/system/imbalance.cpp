@@ -1,0 +1,54 @@
+#include "hawser/system/imbalance.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hawser {
+namespace {
+
+struct Worst {
+  double value = -1;
+  int node = 0;
+};
+
+// What is not a number is worse than everything.
+void take(Worst& worst, double value, int node) {
+  if (std::isnan(value)) value = HUGE_VAL;
+  if (value > worst.value) worst = {value, node};
+}
+
+Worst over_ranks(MPI_Comm comm, Worst w) {
+  MPI_Allreduce(MPI_IN_PLACE, &w, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
+  return w;
+}
+
+}  // namespace
+
+std::string imbalance(const System& system, Vec residual, const ResidualNorms& norms) {
+  const LocalMesh& m = system.mesh();
+  Worst force, moment;
+  const PetscScalar* p = nullptr;
+  check(VecGetArrayRead(residual, &p));
+  for (int n = 0; n < m.owned; ++n) {
+    const PetscScalar* r = p + 3 * m.block[static_cast<size_t>(n)];
+    const int node = m.global[static_cast<size_t>(n)];
+    take(force, Eigen::Map<const Vec3>(r).norm(), node);
+    if (m.rotates(n)) take(moment, Eigen::Map<const Vec3>(r + 3).norm(), node);
+  }
+  check(VecRestoreArrayRead(residual, &p));
+  force = over_ranks(system.comm(), force);
+  moment = over_ranks(system.comm(), moment);
+  const bool turns = std::isfinite(force.value) &&
+                     moment.value * norms.force_scale > force.value * norms.moment_scale &&
+                     norms.moment_scale > 0;
+  const Worst& worst = turns ? moment : force;
+  const std::string place = m.mesh->place(worst.node);
+  if (!std::isfinite(worst.value)) return place + ", has forces beyond all numbers";
+  return turns ? fmt::format("{}, is out of balance by {:.3g} N m (moments of size {:.3g} N m)", place,
+                             worst.value, norms.moment_scale)
+               : fmt::format("{}, is out of balance by {:.3g} N (forces of size {:.3g} N)", place,
+                             worst.value, norms.force_scale);
+}
+
+}  // namespace hawser
