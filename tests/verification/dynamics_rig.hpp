@@ -93,7 +93,10 @@ class BeamChain {
         m.elements.push_back({0, static_cast<int>(i), static_cast<int>(i) + 1, 0, after, true});
       arc += after;
     }
-    m.lines = {{0, static_cast<int>(nodes.size()), 0, static_cast<int>(pieces.size()), arc}};
+    LineSpan span;
+    span.nodes = static_cast<int>(nodes.size()), span.elements = static_cast<int>(pieces.size()),
+    span.length = arc;
+    m.lines = {span};
     return m;
   }
 

@@ -74,7 +74,8 @@ End reference(double until, int steps) {
 End top_run(double until, double h, double rho) {
   Mesh mesh;
   mesh.nodes = {{0, 0, 0, true}};
-  mesh.lines = {{0, 1, 0, 0, 0}};
+  mesh.lines.emplace_back();
+  mesh.lines[0].nodes = 1;
   System system(PETSC_COMM_SELF, local_mesh(mesh, {0}, 0, 1));
   system.add(std::make_unique<TopTerm>());
   system.support({Support{}}, {});

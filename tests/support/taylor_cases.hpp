@@ -1,0 +1,259 @@
+// The models that show every force term in all its situations, for the term suite.
+#pragma once
+
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/terms/line_mass.hpp"
+#include "hawser/terms/point_loads.hpp"
+#include "hawser/terms/structure.hpp"
+#include "hawser/terms/volume_contact.hpp"
+#include "support/shapes.hpp"
+#include "support/taylor_model.hpp"
+
+namespace hawser::test {
+
+struct SuiteCase {
+  std::string name;
+  std::function<std::unique_ptr<SuiteModel>(MPI_Comm, const Placement&)> build;
+};
+
+// Places of contact. Nodes are put on the surface, each in a state of its own (kStory), and one step of
+// history is laid down.
+enum class ContactOn { plane, cylinder, face, edge, vertex };
+inline constexpr double kContactRadius = 0.1, kNormalStiffness = 1e5;
+
+inline const Vec3 kTurn(0.3, -0.4, 0.5);  // of element axes in node axes
+inline Mat3 suite_axes(bool turned) { return turned ? exp_so3(kTurn).toRotationMatrix() : Mat3::Identity(); }
+
+inline std::unique_ptr<SuiteModel> held_model(MPI_Comm comm, const Placement& at) {
+  auto m = std::make_unique<SuiteModel>(comm, at);
+  // One position held by components, one rotation by a component: an end as dynamics has it.
+  std::vector<Support> s;
+  const LocalMesh& l = m->system->mesh();
+  for (int n = 0; n < l.nodes(); ++n)
+    if (l.global[static_cast<size_t>(n)] == 3) {
+      Support held;
+      held.node = n, held.position_mask = 7, held.rotation_mask = 1;
+      s.push_back(held);
+    }
+  m->system->support(s, {});
+  return m;
+}
+
+// Stiffnesses of one size, so that no part hides behind another.
+inline void add_structure(SuiteModel& m, double beta, double GA, bool turned) {
+  const LocalMesh& l = m.system->mesh();
+  std::vector<StructureTerm::Beam> beams;
+  std::vector<StructureTerm::Cable> cables;
+  for (const LocalElement& e : l.elements) {
+    const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
+    if (!g.beam) {
+      cables.push_back({e, {}, {g.length, 300, beta}});
+      continue;
+    }
+    StructureTerm::Beam b{e, {}, {g.length, 300, 50, 80, 40, GA, beta}, {}};
+    if (turned) {
+      b.reference.axes = suite_axes(true), b.reference.aligned = false;
+      b.reference.psi = Vec3(0.1, -0.05, 0.08), b.reference.strain = 0.02;
+    }
+    beams.push_back(b);
+  }
+  m.system->add(std::make_unique<StructureTerm>(l, std::move(beams), std::move(cables)));
+}
+
+inline void add_mass(SuiteModel& m, const Placement& at, bool turned) {
+  const LocalMesh& l = m.system->mesh();
+  std::vector<LineMassTerm::Piece> pieces;
+  for (const LocalElement& e : l.elements) {
+    const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
+    LineMassTerm::Piece p;
+    p.at = e, p.beam = g.beam;
+    p.section = {g.length, 2, Vec3(0.5, 0.2, 0.4), suite_axes(turned)};
+    p.load = at.rotation * Vec3(1, -2, -15);
+    p.first_ramped = 0, p.ramped = 2;
+    pieces.push_back(p);
+  }
+  m.system->add(std::make_unique<LineMassTerm>(
+      l, pieces,
+      std::vector<LineMassTerm::Load>{{at.rotation * Vec3(3, 0, 1), 2}, {at.rotation * Vec3(0, 5, 1), 0.5}}));
+}
+
+inline void add_loads(SuiteModel& m, const Placement& at, bool gravity) {
+  const LocalMesh& l = m.system->mesh();
+  std::vector<NodeLoad> loads;
+  std::vector<NodeMass> masses;
+  for (int n = 0; n < l.nodes(); ++n) {
+    const int g = l.global[static_cast<size_t>(n)];
+    if (g == 1 || g == 2)
+      loads.push_back({n, at.rotation * Vec3(4, -3, 2), at.rotation * Vec3(5, 7, -6), g == 1 ? 0.0 : 1.5});
+    if (g == 1) loads.push_back({n, Vec3::Zero(), at.rotation * Vec3(-2, 1, 3), 2});
+    if (g == 5) loads.push_back({n, at.rotation * Vec3(0, 9, 2), Vec3::Zero(), 3});
+    if (g == 0 || g == 6) masses.push_back({n, 4.0 + g});
+  }
+  m.system->add(std::make_unique<PointLoads>(l, loads));
+  m.system->add(std::make_unique<PointMasses>(l, masses, gravity ? 9.81 : 0));
+}
+
+// A place over the surface, body axes: `gap` from it, moved by `slip` along it from where node g begins.
+inline Vec3 place(ContactOn on, int g, double gap, double slip) {
+  const double d = kContactRadius + gap, k = g;
+  const double way = slip / d;  // rad, over an edge or a vertex
+  switch (on) {
+    case ContactOn::plane:
+      return {0.4 * k + 0.8 * slip, -0.6 * slip, d};
+    case ContactOn::cylinder: {  // about y, radius 2, from y = -5 to 5
+      const double angle = 0.3 + 0.2 * k + 0.6 * slip / 2;
+      return (2 + d) * Vec3(std::cos(angle), 0, std::sin(angle)) + Vec3(0, 0.5 * k - 2 + 0.8 * slip, 0);
+    }
+    case ContactOn::face:
+      return {0.3 + 0.3 * k + 0.8 * slip, 1.7 - 0.6 * slip, 2 + d};
+    case ContactOn::edge: {  // along y at x = 3, z = 2, from y = 0 to 3
+      const double angle = 0.7 + 0.03 * k + 0.6 * way;
+      return Vec3(3, 0.3 + 0.3 * k + 0.8 * slip, 2) + d * Vec3(std::sin(angle), 0, std::cos(angle));
+    }
+    case ContactOn::vertex:
+      return Vec3(3, 3, 2) +
+             d * (Vec3(1, 0.8 + 0.02 * k, 1.1).normalized() + way * Vec3(0.6, -0.8, 0)).normalized();
+  }
+  return {};
+}
+
+struct NodeStory {
+  double before, gap;  // m, at the start of the step and in the trial
+  double slip;         // m, in the step
+  double speed;        // m/s, relative, of each component
+};
+inline constexpr double mm = 1e-3;
+// By node: open, ramp and stick, full and stick, full and slip, ramp and slip, first touch and stick, first
+// touch and slip, leaves. The ramp is 1 mm wide on either side.
+inline constexpr NodeStory kStory[8] = {
+    {50 * mm, 30 * mm, 5 * mm, 0.1},  {-0.2 * mm, 0.3 * mm, 0.02 * mm, 0.02}, {-5 * mm, -6 * mm, 1 * mm, 0.1},
+    {-5 * mm, -4 * mm, 20 * mm, 0.1}, {-0.3 * mm, 0.2 * mm, 5 * mm, 0.02},    {10 * mm, -4 * mm, 1 * mm, 0.1},
+    {10 * mm, -5 * mm, 40 * mm, 0.1}, {-3 * mm, 5 * mm, 1 * mm, 0.1}};
+
+inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn on, double axial,
+                                  double lateral) {
+  const LocalMesh& l = m.system->mesh();
+  const Quat start = exp_so3({0.3, -0.2, 0.5});
+  const bool moves = on != ContactOn::plane;
+  const SteadyLaw turning{at.rotation * Vec3(0.2, -0.1, 0.3), at.rotation * Vec3(1, 2, -2), 0.4};
+  const auto bodies = std::make_shared<const Bodies>(std::vector<RigidMotion>{
+      {at.point({1, 2, 3}), log_so3(at.rotation * start), moves ? MotionLaw(turning) : MotionLaw()}});
+  ContactVolume v;
+  v.body = 0;
+  v.settings.name = "volume";
+  v.settings.basis = model::StiffnessBasis::per_point;
+  v.settings.normal_stiffness = kNormalStiffness;
+  v.settings.smoothing = 1 * mm;
+  v.settings.relative_damping = 0.1;
+  v.settings.friction = {axial, lateral, 0, axial == lateral ? 4e4 : 0.0};
+  if (axial != lateral) v.settings.friction.mobilisation_length = 2 * mm;
+  if (on == ContactOn::plane)
+    v.surface = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ());
+  else if (on == ContactOn::cylinder)
+    v.surface = std::make_shared<CylinderSurface>(Vec3(0, -5, 0), Vec3(0, 5, 0), 2);
+  else
+    v.surface = std::make_shared<MeshSurface>(testing::box_mesh(Vec3(0, 0, -1), Vec3(3, 3, 2)));
+  auto term = std::make_unique<VolumeContact>(
+      l, bodies, std::vector<ContactVolume>{v},
+      std::vector<ContactNode>(static_cast<size_t>(l.owned), {kContactRadius, 50}));
+  VolumeContact& contact = *term;
+  m.system->add(std::move(term));
+
+  // One step that ends where the trial's begins lays down history, then the trial's step is prepared.
+  Trial& t = m.trial;
+  const double t0 = t.from.time;
+  const RigidPose p0 = bodies->pose(0, t0 - t.h), p1 = bodies->pose(0, t0), p2 = bodies->pose(0, t0 + t.h);
+  State before = t.from;
+  before.time = t0 - t.h;
+  for (int n = 0; n < l.nodes(); ++n) {
+    const int g = l.global[static_cast<size_t>(n)];
+    const NodeStory& s = kStory[g];
+    const double old = g == 1 ? 0.02 * mm : 0.5 * mm;
+    before.x[static_cast<size_t>(n)] = p0.to_space(place(on, g, s.before, -old));
+    const Vec3 from = p1.to_space(place(on, g, s.before, 0)), to = p2.to_space(place(on, g, s.gap, s.slip));
+    m.put(n, from, to, p2.velocity_at(to) + s.speed * (at.rotation * noise3(g, 9)));
+    t.from.v[static_cast<size_t>(n)] = p1.velocity_at(from);
+    before.v[static_cast<size_t>(n)] = p0.velocity_at(before.x[static_cast<size_t>(n)]);
+  }
+  m.system->prepare(before.view(t.h), t.h);
+  m.system->commit(t.from.view(t.h));
+  m.system->prepare(t.from.view(t.h), t.h);
+  t.length = 0.2 * mm;
+  return contact;
+}
+
+inline std::vector<SuiteCase> structure_cases() {
+  std::vector<SuiteCase> out;
+  const auto structure = [&](const char* name, double beta, double GA, bool turned) {
+    out.push_back({name, [=](MPI_Comm comm, const Placement& at) {
+                     auto m = held_model(comm, at);
+                     add_structure(*m, beta, GA, turned);
+                     m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+                     return m;
+                   }});
+  };
+  structure("structure", 0, 0, false);
+  structure("structure, shear", 0, 200, false);
+  structure("structure, damped", 0.3, 200, false);
+  structure("structure, curved, damped", 0.3, 200, true);
+  return out;
+}
+
+inline std::vector<SuiteCase> mass_and_load_cases() {
+  std::vector<SuiteCase> out;
+  for (const bool turned : {false, true})
+    out.push_back({turned ? "mass, turned axes" : "mass", [=](MPI_Comm comm, const Placement& at) {
+                     auto m = held_model(comm, at);
+                     add_mass(*m, at, turned);
+                     m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+                     return m;
+                   }});
+  out.push_back({"point loads and masses", [](MPI_Comm comm, const Placement& at) {
+                   auto m = held_model(comm, at);
+                   // Weight does not turn with the model.
+                   add_loads(*m, at, at.rotation.isApprox(Quat::Identity()));
+                   m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+                   return m;
+                 }});
+  return out;
+}
+
+inline std::vector<SuiteCase> contact_cases() {
+  std::vector<SuiteCase> out;
+  constexpr std::pair<ContactOn, const char*> kinds[] = {{ContactOn::plane, "plane"},
+                                                         {ContactOn::cylinder, "cylinder"},
+                                                         {ContactOn::face, "face"},
+                                                         {ContactOn::edge, "edge"},
+                                                         {ContactOn::vertex, "vertex"}};
+  for (const auto& [on, name] : kinds)
+    for (const auto& [axial, lateral, friction] :
+         {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
+      out.push_back({std::string("contact, ") + name + ", " + friction,
+                     [on = on, axial = axial, lateral = lateral](MPI_Comm comm, const Placement& at) {
+                       auto m = std::make_unique<SuiteModel>(comm, at);
+                       add_contact(*m, at, on, axial, lateral);
+                       return m;
+                     }});
+  return out;
+}
+
+inline std::vector<SuiteCase> all_cases() {
+  std::vector<SuiteCase> out = structure_cases();
+  for (auto list : {mass_and_load_cases(), contact_cases()}) out.insert(out.end(), list.begin(), list.end());
+  out.push_back({"everything", [](MPI_Comm comm, const Placement& at) {
+                   auto m = held_model(comm, at);
+                   add_structure(*m, 0.01, 200, true);
+                   add_mass(*m, at, true);
+                   add_loads(*m, at, at.rotation.isApprox(Quat::Identity()));
+                   add_contact(*m, at, ContactOn::cylinder, 0.3, 0.3);
+                   return m;
+                 }});
+  return out;
+}
+
+}  // namespace hawser::test
