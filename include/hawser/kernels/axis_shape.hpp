@@ -1,0 +1,60 @@
+// The axis of an element as contact along it sees it, and how forces on it reach the nodes.
+//
+// x(xi) = sum H_j(xi) X_j, xi in [0, 1]: a beam has Hermite's cubic through X = (x1, L t1, x2, L t2), t = Q c
+// the unit tangent that turns with the node (the shape of line_mass.hpp); a cable has the straight X = (x1,
+// x2).
+#pragma once
+
+#include <array>
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct AxisEnds {
+  bool beam = true;
+  double length = 0;                          // m, unstretched
+  Vec3 tangent = Vec3::UnitX();               // c: of the line in the nodes' material axes
+  Vec3 x1, x2;                                // m
+  Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s
+  Quat q1 = Quat::Identity(), q2 = Quat::Identity();
+  Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();  // rad/s, material
+};
+
+class AxisShape {
+ public:
+  static constexpr int kMost = 4;
+  using Weights = std::array<double, kMost>;
+
+  explicit AxisShape(const AxisEnds& ends);
+
+  int count() const { return count_; }  // generalised positions: 4 for a beam, 2 for a cable
+  Weights functions(double xi) const;
+  Weights derivatives(double xi) const;
+  Vec3 point(double xi) const { return combine(functions(xi), X_); }
+  Vec3 slope(double xi) const { return combine(derivatives(xi), X_); }  // dx/dxi, m
+  Vec3 velocity(double xi) const { return combine(functions(xi), V_); }
+  // A bound of |dx/dxi| over the element, m.
+  double reach() const { return reach_; }
+
+  // Forces F_j conjugate to X_j, with dF_j/dX_k and dF_j/dV_k, to the nodes' blocks (x1, theta1, x2, theta2)
+  // or (x1, x2): f[3n], K and C (3n)x(3n) row-major, n = count(). Adds. K and C may be null together.
+  struct Generalised {
+    std::array<Vec3, kMost> F;
+    std::array<std::array<Mat3, kMost>, kMost> K, C;
+    Generalised();
+  };
+  void to_nodes(const Generalised& g, double* f, double* K, double* C) const;
+
+ private:
+  Vec3 combine(const Weights& w, const std::array<Vec3, kMost>& v) const;
+
+  int count_;
+  double length_, reach_;
+  Vec3 c_;
+  std::array<Vec3, kMost> X_, V_;
+  std::array<Mat3, 2> R_;
+  std::array<Vec3, 2> w_;
+};
+
+}  // namespace hawser
