@@ -77,9 +77,21 @@ Vec3 VolumeContact::line_tangent(const Kinematics& at, int node) const {
   return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
 }
 
-Energy VolumeContact::energy(const Kinematics&) const {
+// In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
+Energy VolumeContact::energy(const Kinematics& at) const {
   Energy e;
-  for (const Pair& p : pairs_) e.strain += p.history.potential;
+  for (const Pair& p : pairs_) {
+    if (at.step > 0) {
+      e.strain += p.history.potential;
+      continue;
+    }
+    const size_t n = static_cast<size_t>(p.node);
+    Pair pair = p;
+    ContactTrial trial;
+    const Vec3 y = bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time).to_body(at.x[n]);
+    if (locate(pair, y, 0.5 * element_[n], trial))
+      e.strain += normal_force(p.law.normal, trial.gap, 0).potential;
+  }
   for (const Account& a : accounts_) e.friction += a.friction, e.damping += a.damping, e.work += a.work;
   return e;
 }

@@ -1,0 +1,88 @@
+// What the verification of contact shares: a line over a drum about the y axis in no gravity, and figures
+// drawn from runs.
+#pragma once
+
+#include <cmath>
+#include <ctime>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hawser/geometry/mesh_surface.hpp"
+#include "support/rig.hpp"
+#include "support/shapes.hpp"
+
+namespace hawser::test {
+
+// A drum of flat facets about the y axis, its vertices on the radius; turned by `phase` about its axis.
+inline std::shared_ptr<const Surface> faceted_drum(int facets, double radius, double width, int rings = 4,
+                                                   double phase = 0) {
+  TriangleMesh m = testing::drum_mesh(facets, radius, width, rings);
+  for (Vec3& v : m.vertices) {
+    const double a = std::atan2(v.y(), v.x()) + phase, r = std::hypot(v.x(), v.y());
+    v = Vec3(r * std::sin(a), v.z(), r * std::cos(a));  // z to y, a turn of space
+  }
+  return std::make_shared<MeshSurface>(std::move(m));
+}
+
+inline std::shared_ptr<const Surface> round_drum(double radius, double width) {
+  return std::make_shared<CylinderSurface>(Vec3(0, -width / 2, 0), Vec3(0, width / 2, 0), radius);
+}
+
+// Place on a circle about the y axis: angle 0 at +x, pi/2 at +z; and the way along it.
+inline Vec3 on_circle(double radius, double angle) {
+  return {radius * std::cos(angle), 0, radius * std::sin(angle)};
+}
+inline Vec3 along_circle(double angle) { return {-std::sin(angle), 0, std::cos(angle)}; }
+
+// Leg, arc from angle 0 to `wrap`, leg: legs along the tangents. The arc's corners are at its nodes' spacing
+// or finer.
+inline std::vector<Vec3> capstan_path(double radius, double wrap, double leg_a, double leg_b) {
+  std::vector<Vec3> p{on_circle(radius, 0) - leg_a * along_circle(0)};
+  const int pieces = static_cast<int>(std::ceil(wrap * 200));
+  for (int i = 0; i <= pieces; ++i) p.push_back(on_circle(radius, wrap * i / pieces));
+  p.push_back(p.back() + leg_b * along_circle(wrap));
+  return p;
+}
+
+inline double path_length(const std::vector<Vec3>& p) {
+  double s = 0;
+  for (size_t i = 1; i < p.size(); ++i) s += (p[i] - p[i - 1]).norm();
+  return s;
+}
+
+// Mean, spread about it and extremes of samples that count with a weight (the step they stand for).
+struct Samples {
+  double weight = 0, sum = 0, square = 0, least = 1e300, most = -1e300;
+  void add(double value, double w = 1) {
+    weight += w, sum += w * value, square += w * value * value;
+    least = std::min(least, value), most = std::max(most, value);
+  }
+  double mean() const { return sum / weight; }
+  double rms() const { return std::sqrt(std::max(0.0, square / weight - mean() * mean())); }
+};
+
+// A field of the results at this rank's nodes, by name.
+class NodeField {
+ public:
+  NodeField(Simulation& s, const std::string& name) {
+    const FieldRegistry registry = s.system().fields();
+    for (const FieldSource& f : registry.sources())
+      if (f.name == name) source_ = f;
+    if (!source_.fill) throw std::invalid_argument("no field " + name);
+    values_.resize(static_cast<size_t>(s.local().owned * source_.components));
+  }
+  const std::vector<double>& at(const Kinematics& k) {
+    source_.fill(k, values_);
+    return values_;
+  }
+
+ private:
+  FieldSource source_;
+  std::vector<double> values_;
+};
+
+inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+}  // namespace hawser::test
