@@ -16,8 +16,11 @@ constexpr double kTip[][5] = {{0.5, 9.7055243757, -1.2311874039, 105.0105263, 1.
 
 struct Pendulum {
   double tip = 0, kinetic = 0, total = 0;  // m, J, J: largest errors
+  int steps = 0, rejected = 0;
+  double shortest = 1e300, longest = 0;  // s
 };
 
+// h > 0: fixed step [s]; else automatic, -h the local error allowed [m].
 Pendulum pendulum(int elements, double h, double rho) {
   model::LineType t = beam_type(1e5, 20, 20, 1);
   t.GA = 1e5;
@@ -27,13 +30,16 @@ Pendulum pendulum(int elements, double h, double rho) {
   c.lines[0].start = model::Start::points;
   c.lines[0].points = {{0, 0, 0}, {10, 0, 0}};
   c.statics.enabled = false;
-  c.dynamics.duration = 3, c.dynamics.step = h, c.dynamics.rho_infinity = rho;
+  c.dynamics.duration = 3, c.dynamics.rho_infinity = rho;
+  (h > 0 ? c.dynamics.step : c.dynamics.error_tolerance) = std::abs(h);
   Simulation s(PETSC_COMM_SELF, c);
   Dynamics& d = s.dynamics();
   d.start(s.state());
   Pendulum out;
   size_t next = 0;
   integrate(d, 3, 0.5, [&](const StepInfo& i) {
+    ++out.steps, out.rejected += i.rejected;
+    out.shortest = std::min(out.shortest, i.h), out.longest = std::max(out.longest, i.h);
     const Energy e = s.system().energy(d.kinematics());
     out.total = std::max(out.total, std::abs(total(e)));  // all of it is zero at the start
     if (next == std::size(kTip) || std::abs(i.time - kTip[next][0]) > 1e-6) return;
@@ -56,6 +62,24 @@ TEST(Dynamics, HeavyPendulum) {
     EXPECT_LT(p.kinetic, 0.01 * 482.66);
     EXPECT_LT(p.total, 0.005 * 482.66);
   }
+}
+
+// Automatic steps: the whip at the bottom is taken with short ones, and the error follows the tolerance.
+TEST(Dynamics, HeavyPendulumWithAutomaticSteps) {
+  double before = 1e300;
+  for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
+    const Pendulum p = pendulum(40, -tolerance, 0.8);
+    printf(
+        "pendulum, 40 elements, local error %g m: tip off by %.4f m, total energy by %.3f J; %d steps of "
+        "%.1e to "
+        "%.1e s, %d rejected\n",
+        tolerance, p.tip, p.total, p.steps, p.shortest, p.longest, p.rejected);
+    EXPECT_LT(p.tip, 0.6 * before);
+    EXPECT_GT(p.longest, 2 * p.shortest);
+    EXPECT_LT(p.rejected, p.steps / 4);
+    before = p.tip;
+  }
+  EXPECT_LT(before, 0.05);
 }
 
 }  // namespace

@@ -60,6 +60,9 @@ Spin spin_up(int elements, double h, double rho) {
   long count = 0;
   integrate(d, 20, 0.5, [&](const StepInfo& i) {
     const Vec3 u = root(i.time).rotation.conjugate() * d.committed().s.x.back() - Vec3(10, 0, 0);
+    const Quat& q = d.committed().s.q.front();  // what is prescribed is exact
+    EXPECT_LT(log_so3(q.conjugate() * root(i.time).rotation).norm(), 1e-13);
+    EXPECT_LT((d.committed().s.w.front() - root(i.time).angular_velocity).norm(), 1e-12);
     if (i.time > 15 - 1e-9) out.steady += u.x(), ++count;
     if (next < std::size(kTip) && std::abs(i.time - kTip[next][0]) < 1e-6) {
       out.u1 = std::max(out.u1, std::abs(u.x() - kTip[next][1]));
