@@ -30,8 +30,9 @@ struct Local {
   Mat Psi1, Psi2;  // psi' = Psi1 theta1' + Psi2 theta2'
   Mat B;           // mean spin = B' theta1' + B theta2'
   double tau, tau1, eta, eta1;
-  double l, a2, a3;    // |y|, y2/l, y3/l
+  double l, a2, a3;    // |y|, 2 y2/(l + y1), 2 y3/(l + y1)
   Row d, da2, da3;     // gradients of l, a2, a3
+  Row g;               // of l + y1
   Row eps_y, eps_psi;  // gradients of the strain
   double strain;       // from the stress-free state
   double k2, k3;       // 12 EI/(L (1 + P))
@@ -73,9 +74,11 @@ inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamE
   o.l = std::sqrt(dot(o.y, o.y));
   const double il = 1 / o.l, iL = 1 / s.length;
   o.d = il * o.y;
-  o.a2 = o.d[1], o.a3 = o.d[2];
-  o.da2 = il * (unit(1) - o.a2 * o.d);
-  o.da3 = il * (unit(2) - o.a3 * o.d);
+  o.g = o.d + unit(0);
+  const double ic = 1 / (o.l + o.y[0]);
+  o.a2 = 2 * ic * o.y[1], o.a3 = 2 * ic * o.y[2];
+  o.da2 = ic * (2 * unit(1) - o.a2 * o.g);
+  o.da3 = ic * (2 * unit(2) - o.a3 * o.g);
   o.eps_y = iL * o.d + 0.2 * (o.a2 * o.da2 + o.a3 * o.da3);
   o.eps_psi = Row{0, psi.y() / 12, psi.z() / 12, 0};
   o.strain = (o.l - s.length) * iL + 0.1 * (o.a2 * o.a2 + o.a3 * o.a3) +
@@ -113,11 +116,10 @@ inline void force(const Local& o, const BeamReference& r, double* f) {
   for (int i = 0; i < 3; ++i) f[i] = -fd[i], f[3 + i] = f1[i], f[6 + i] = fd[i], f[9 + i] = f2[i];
 }
 
-// Hessian of a_k = y_k/|y| (Crisfield's lateral chord components), k = 1, 2.
-inline Mat slope_hessian(int k, double a, Row d, double l) {
-  const double c = 1 / (l * l);
-  const Row e = unit(k);
-  return outer((3 * a * c) * d - c * e, d) - outer(c * d, e) - identity(a * c);
+// Hessian of a_k = 2 y_k/(l + y1).
+inline Mat slope_hessian(const Local& o, double a, Row da) {
+  const double is = 1 / (o.l + o.y[0]), c = a * is / o.l;
+  return outer(c * o.d, o.d) - identity(c) - outer(is * da, o.g) - outer(is * o.g, da);
 }
 
 // Blocks of a 9x9 in (d, theta1, theta2), d in the mean frame, to the 12x12 in space axes.
@@ -207,7 +209,7 @@ void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& 
 
   const double EAL = s.EA * s.length;
   const double NL = (convex ? std::max(o.N, 0.0) : o.N) * s.length;
-  const Mat h2 = slope_hessian(1, o.a2, o.d, o.l), h3 = slope_hessian(2, o.a3, o.d, o.l);
+  const Mat h2 = slope_hessian(o, o.a2, o.da2), h3 = slope_hessian(o, o.a3, o.da3);
   const double c = 1 / (o.l * s.length);
   const Mat eps_yy = outer(0.2 * o.da2, o.da2) + outer(0.2 * o.da3, o.da3) + (0.2 * o.a2) * h2 +
                      (0.2 * o.a3) * h3 + identity(c) - outer(c * o.d, o.d);

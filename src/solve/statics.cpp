@@ -76,10 +76,11 @@ class Search {
   void descend(StaticsReport& report, double tolerance) {
     system_.residual(state_.view(0), r_.get());
     ResidualNorms norms = system_.norms(r_.get());
-    double energy = potential(state_), shift = 1e-3;
+    double energy = 0, shift = 1e-3;
     for (int it = 0;; ++it, ++report.iterations) {
       report.norms = norms;
       system_.prepare(state_.view(0), 0);  // contact candidates move with the line
+      energy = potential(state_);          // and so does what moments are measured from
       if (norms.small(tolerance)) return;
       if (it >= settings_.max_iterations) throw SolveError(failure(norms, "too many iterations"));
       const bool close = near(norms);

@@ -56,7 +56,10 @@ PointLoads::PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads) {
       throw std::invalid_argument("a moment acts on a cable node, which has no rotation");
     loads_.push_back(load);
     block_.push_back(mesh.block[static_cast<size_t>(load.node)]);
-    global_.push_back(mesh.global[static_cast<size_t>(load.node)]);
+    const int node = mesh.global[static_cast<size_t>(load.node)];
+    const int line = mesh.mesh->nodes[static_cast<size_t>(node)].line;
+    global_.push_back(node);
+    length_.push_back(mesh.mesh->lines[static_cast<size_t>(line)].length);
   }
   work_.assign(loads_.size(), 0);
 }
@@ -92,16 +95,32 @@ void PointLoads::commit(const Kinematics& accepted) {
     const NodeLoad& load = loads_[i];
     const size_t n = static_cast<size_t>(load.node);
     const double s = 0.5 * (factor(load, start_time_) + factor(load, accepted.time));
-    work_[i] += s * load.force.dot(accepted.x[n] - start_[i]);
+    if (load.ramp > 0) work_[i] += s * load.force.dot(accepted.x[n] - start_[i]);
     if (!load.moment.isZero(0))
       work_[i] += s * load.moment.dot(log_so3(accepted.q[n] * rotation_[i].conjugate()));
   }
 }
 
-Energy PointLoads::energy(const Kinematics&) const {
+Energy PointLoads::energy(const Kinematics& at) const {
   Energy e;
   for (double w : work_) e.work += w;
+  const bool statics = !(at.step > 0) && start_.size() == loads_.size();
+  for (size_t i = 0; i < loads_.size(); ++i) {
+    const NodeLoad& load = loads_[i];
+    if (load.ramp > 0) continue;
+    const size_t n = static_cast<size_t>(load.node);
+    e.potential -= load.force.dot(at.x[n]);
+    if (statics && !load.moment.isZero(0))
+      e.potential -= load.moment.dot(log_so3(at.q[n] * rotation_[i].conjugate()));
+  }
   return e;
+}
+
+double PointLoads::dead_load() const {
+  double sum = 0;
+  for (size_t i = 0; i < loads_.size(); ++i)
+    if (loads_[i].ramp == 0) sum += loads_[i].force.norm() + loads_[i].moment.norm() / length_[i];
+  return sum;
 }
 
 // Records of a node's loads keep their order, which is that of the case.
@@ -138,6 +157,12 @@ void PointMasses::evaluate(const Kinematics& trial, Sink& sink) {
     const double M[9] = {m, 0, 0, 0, m, 0, 0, 0, m};
     sink.add({&block_[i], 1}, force.data(), nullptr, nullptr, M);
   }
+}
+
+double PointMasses::dead_load() const {
+  double sum = 0;
+  for (const NodeMass& m : masses_) sum += m.mass * gravity_;
+  return sum;
 }
 
 Energy PointMasses::energy(const Kinematics& at) const {

@@ -6,7 +6,7 @@
 // local element is a potential W(y, psi) of the chord y = Rm'(x2 - x1) and the relative rotation psi, in
 // Argyris' natural modes (Argyris et al. 1979, CMAME 17-18):
 //   eps = |y|/L - 1 + (a2^2 + a3^2)/10 + (psi2^2 + psi3^2)/24     axial strain of the cubic deflection
-//   a2 = y2/|y|, a3 = y3/|y|                                      antisymmetric bending
+//   a2 = 2 y2/(|y| + y1), a3 = 2 y3/(|y| + y1)                     antisymmetric bending
 //   W = EA L eps^2/2 + 6 EI3/(L(1+P3)) a2^2 + 6 EI2/(L(1+P2)) a3^2 + (GJ psi1^2 + EI2 psi2^2 + EI3
 //   psi3^2)/(2L)
 // with P = 12 EI/(GA L^2) for shear. The derivation is in docs/theory/beam.md.

@@ -29,14 +29,17 @@ class PointLoads final : public ForceTerm {
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
-  // work: done by the loads over the accepted steps (trapezoid).
-  Energy energy(const Kinematics&) const override;
+  // Forces that last have a potential. work: done over the accepted steps by moments and by forces with a
+  // ramp (trapezoid). In statics a moment has a potential too, good from the prepared state on only.
+  Energy energy(const Kinematics& at) const override;
+  double dead_load() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:
   std::vector<NodeLoad> loads_;
   std::vector<int> block_, global_;
+  std::vector<double> length_;  // m, of the line
   std::vector<Vec3> start_;     // position and
   std::vector<Quat> rotation_;  // rotation of the loaded nodes at the start of the step
   double start_time_ = 0;
@@ -61,6 +64,7 @@ class PointMasses final : public ForceTerm {
   std::string_view name() const override { return "point masses"; }
   void evaluate(const Kinematics& trial, Sink& sink) override;
   Energy energy(const Kinematics& at) const override;
+  double dead_load() const override;
 
  private:
   std::vector<NodeMass> masses_;
