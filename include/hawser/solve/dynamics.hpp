@@ -25,7 +25,7 @@ struct DynamicsSettings {
 // What happened in one accepted step.
 struct StepInfo {
   double time = 0, h = 0;  // s, at its end; its length
-  int iterations = 0;      // Newton, of the accepted try
+  int iterations = 0;      // Newton, of the accepted try, as step control counts them
   int rejected = 0;        // tries before it
   double error = 0;        // m, estimated local error
 };
@@ -87,7 +87,9 @@ class Dynamics {
   AlphaState committed_, trial_;
   double h_ = 0, last_step_ = 0;
   std::vector<double> local_u_, gathered_, reactions_;
-  bool loaded_ = false;  // trial_ belongs to local_u_
+  bool loaded_ = false;     // trial_ belongs to local_u_
+  bool polishing_ = false;  // within the tolerance, improved once more with the old factors
+  int counted_ = -1;        // iterations to a residual far above rounding; < 0: not there yet
   VecHandle u_, r_, solution_;
   MatHandle J_;
   Handle<TS, TSDestroy> ts_;
