@@ -114,6 +114,7 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
 
 Dynamics::Attempt Dynamics::attempt(double h) {
   h_ = h;
+  system_.expect(committed_.s.view(last_step_), h);
   trial_ = committed_;
   alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
   PetscScalar* p = nullptr;

@@ -200,11 +200,12 @@ double System::longest_step(const Kinematics& committed) const {
 }
 
 void System::prepare(const Kinematics& committed, double h) {
+  for (auto& t : terms_) t->prepare(committed, h);
+}
+
+void System::expect(const Kinematics& committed, double h) {
   double square = 0;
-  for (auto& t : terms_) {
-    t->prepare(committed, h);
-    square += t->round_off(committed);
-  }
+  for (const auto& t : terms_) square += t->round_off(committed, h);
   MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_SUM, comm_);
   round_off_ = std::sqrt(square);
 }

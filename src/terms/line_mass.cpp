@@ -1,6 +1,8 @@
 #include "hawser/terms/line_mass.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "hawser/kernels/motion.hpp"
 #include "hawser/model/case.hpp"
@@ -122,6 +124,20 @@ std::vector<HistoryRecord> LineMassTerm::save() const {
 void LineMassTerm::restore(const std::vector<HistoryRecord>& records) {
   work_ = 0;
   for (const HistoryRecord& r : records) work_ += r.values[0];
+}
+
+double LineMassTerm::round_off(const Kinematics& at, double h) const {
+  if (h <= 0) return 0;
+  // The scheme makes accelerations of a difference of positions over h²: of what is left of v h.
+  const double eps = std::numeric_limits<double>::epsilon();
+  double sum = 0;
+  for (const Piece& p : pieces_) {
+    if (!p.at.counted) continue;
+    const double v =
+        std::max(at.v[static_cast<size_t>(p.at.first)].norm(), at.v[static_cast<size_t>(p.at.second)].norm());
+    sum += std::pow(4 * eps * p.section.mass_per_length * p.section.length * v / h, 2);
+  }
+  return sum;
 }
 
 double LineMassTerm::dead_load() const {

@@ -89,7 +89,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
   }
 }
 
-double StructureTerm::round_off(const Kinematics& at) const {
+double StructureTerm::round_off(const Kinematics& at, double) const {
   // A strain is a difference of positions: each is known to eps |x|.
   double far = 0, sum = 0;
   for (const Vec3& x : at.x) far = std::max(far, x.cwiseAbs().maxCoeff());

@@ -46,8 +46,9 @@ class ForceTerm {
   // The state is accepted: history that belongs to it becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
-  // Sum of squares, N², of the round-off in the forces on this rank: no residual can be smaller.
-  virtual double round_off(const Kinematics& at) const { return (void)at, 0.0; }
+  // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics): no
+  // residual can be smaller.
+  virtual double round_off(const Kinematics& at, double h) const { return (void)at, (void)h, 0.0; }
   // Axial stiffness is `factor` (0..1) of the true one until told otherwise: statics starts soft, where a
   // very stiff line would have to creep along a narrow valley of its energy.
   virtual void soften(double factor) { (void)factor; }

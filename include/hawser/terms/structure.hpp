@@ -38,7 +38,7 @@ class StructureTerm final : public ForceTerm {
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  double round_off(const Kinematics& at) const override;
+  double round_off(const Kinematics& at, double h) const override;
   void soften(double factor) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
