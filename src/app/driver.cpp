@@ -2,6 +2,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <petsclog.h>
 
 #include <cmath>
 #include <csignal>
@@ -42,6 +43,17 @@ io::RunInfo run_info(const model::Case& c, const RunOptions& o, int ranks) {
   return info;
 }
 
+// A stage of -log_view for as long as it lives; inside it, events are named by term.
+class Stage {
+ public:
+  explicit Stage(const char* name) {
+    PetscLogStage stage = 0;
+    check(PetscLogStageRegister(name, &stage));
+    check(PetscLogStagePush(stage));
+  }
+  ~Stage() { PetscLogStagePop(); }
+};
+
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code e;
   return std::filesystem::equivalent(a, b, e);
@@ -81,6 +93,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
       return 0;
     }
   } else if (c.statics.enabled) {
+    const Stage stage("statics");
     const StaticsReport s = sim.solve_statics();
     progress.say(fmt::format("statics: {} iterations{}", s.iterations,
                              s.escapes > 0 ? fmt::format(", {} false equilibria left", s.escapes) : ""));
@@ -109,6 +122,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   }
 
   if (c.dynamics.enabled) {
+    const Stage stage("dynamics");
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
     Dynamics& d = sim.dynamics();
