@@ -1,0 +1,77 @@
+// Exact primitives as contact surfaces: signed distance, normal and curvature in closed form.
+//
+// A Primitive (primitive_shape.hpp) is the plain description, make_surface its Surface, facets a triangle
+// mesh of it for pictures. Body frame, m. Plane and cylinder are declared in surface.hpp, the others here.
+//
+// Inside, where several surface points are equally near (the medial axis: a sphere's centre, a cylinder's
+// axis, a box's diagonals), the distance has a kink; the answer there is one of them, always the same. The
+// curvature is the Hessian of the distance at the query point, bounded by 1e6 over the primitive's size.
+// Formulas: for a distance f(rho, z) about an axis the Hessian is that of f in the meridian plane plus
+// (df/drho) / rho on the circle's tangent; see docs/theory/geometry.md for what contact asks.
+#pragma once
+
+#include <memory>
+
+#include "hawser/geometry/primitive_shape.hpp"
+#include "hawser/geometry/surface.hpp"
+#include "hawser/geometry/triangle_mesh.hpp"
+
+namespace hawser {
+
+// Throws std::invalid_argument with a sentence when the shape has no inside (see above what each needs).
+std::shared_ptr<const Surface> make_surface(const Primitive& shape);
+
+// The shape as triangles, corners on the surface; closed and outward, except the plane: that is a square
+// patch centred at the foot of `seen.centre()` and large enough for the foot of every point of `seen`.
+TriangleMesh facets(const Primitive& shape, const Box& seen);
+
+// Patches: (i + 1) + 3 (j + 1) + 9 (k + 1), with i, j, k in {-1, 0, 1} the side of the box on which the
+// nearest point lies, in the box's axes; features face, edge0 and vertex0.
+class BoxSurface final : public Surface {
+ public:
+  explicit BoxSurface(const BoxShape& shape);
+  std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
+  Box bounds() const override;
+
+ private:
+  Vec3 centre_, half_;
+  Mat3 axes_;  // columns
+};
+
+// One patch, 0.
+class SphereSurface final : public Surface {
+ public:
+  explicit SphereSurface(const SphereShape& shape);
+  std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
+  Box bounds() const override;
+
+ private:
+  Vec3 centre_;
+  double radius_;
+};
+
+// Patches: 0 side, 1 round end at `from`, 2 at `to`.
+class CapsuleSurface final : public Surface {
+ public:
+  explicit CapsuleSurface(const CapsuleShape& shape);
+  std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
+  Box bounds() const override;
+
+ private:
+  Vec3 from_, to_, axis_;
+  double length_, radius_;
+};
+
+// One patch, 0. On the axis, outside, the nearest points are a circle: one of them.
+class TorusSurface final : public Surface {
+ public:
+  explicit TorusSurface(const TorusShape& shape);
+  std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
+  Box bounds() const override;
+
+ private:
+  Vec3 centre_, axis_;
+  double radius_, tube_;
+};
+
+}  // namespace hawser

@@ -1,0 +1,125 @@
+// Surfaces of primitives, and triangle meshes of them for pictures.
+#include <cmath>
+#include <numbers>
+
+#include "hawser/geometry/primitives.hpp"
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr int kAround = 64;   // facets about an axis; the corners lie on the surface
+constexpr int kQuarter = 12;  // facets along a quarter of a circle of the profile
+constexpr double kPi = std::numbers::pi;
+
+struct ProfilePoint {
+  double rho, z;
+};
+
+// The profile turned about the axis through `origin`; outward when it runs from low to high z on the
+// outside. Points with rho = 0 are poles. A closed profile has its last point joined to the first.
+TriangleMesh revolve(const std::vector<ProfilePoint>& profile, const Vec3& origin, const Vec3& axis,
+                     bool closed) {
+  const Vec3 ex = axis.unitOrthogonal(), ey = axis.cross(ex);
+  TriangleMesh m;
+  std::vector<int> first;  // vertex of each profile point
+  for (const ProfilePoint& p : profile) {
+    first.push_back(static_cast<int>(m.vertices.size()));
+    const int copies = p.rho > 0 ? kAround : 1;
+    for (int i = 0; i < copies; ++i) {
+      const double angle = 2 * kPi * i / kAround;
+      m.vertices.push_back(origin + p.z * axis + p.rho * (std::cos(angle) * ex + std::sin(angle) * ey));
+    }
+  }
+  const auto vertex = [&](std::size_t k, int i) { return first[k] + (profile[k].rho > 0 ? i % kAround : 0); };
+  for (std::size_t k = 0; k + (closed ? 0 : 1) < profile.size(); ++k) {
+    const std::size_t up = (k + 1) % profile.size();
+    for (int i = 0; i < kAround; ++i) {
+      const int a = vertex(k, i), b = vertex(k, i + 1), c = vertex(up, i + 1), d = vertex(up, i);
+      if (a != b) m.triangles.push_back({a, b, c});
+      if (c != d) m.triangles.push_back({a, c, d});
+    }
+  }
+  return m;
+}
+
+// Points of a circle about (rho, z) from angle `from` to `to`, measured from the axis' downward direction.
+void arc(std::vector<ProfilePoint>& profile, double rho, double z, double radius, double from, double to,
+         int n) {
+  for (int i = 0; i <= n; ++i) {
+    const double angle = from + (to - from) * i / n;
+    const bool pole = rho == 0 && (angle == 0 || angle == kPi);
+    profile.push_back({pole ? 0 : rho + radius * std::sin(angle), z - radius * std::cos(angle)});
+  }
+}
+
+TriangleMesh capsule(const Vec3& from, const Vec3& to, double radius) {
+  const double length = (to - from).norm();
+  const Vec3 axis = length > 0 ? Vec3((to - from) / length) : Vec3::UnitZ();
+  std::vector<ProfilePoint> profile;
+  arc(profile, 0, 0, radius, 0, kPi / 2, kQuarter);
+  if (!(length > 0)) profile.pop_back();
+  arc(profile, 0, length, radius, kPi / 2, kPi, kQuarter);
+  return revolve(profile, from, axis, false);
+}
+
+struct Facets {
+  const Box& seen;
+
+  TriangleMesh operator()(const PlaneShape& s) const {
+    const Vec3 n = s.normal.stableNormalized(), ex = n.unitOrthogonal(), ey = n.cross(ex);
+    const Vec3 middle = seen.empty() ? s.point : Vec3(seen.centre() - n.dot(seen.centre() - s.point) * n);
+    const double half = seen.diagonal() > 0 ? 0.5 * seen.diagonal() : 1;
+    TriangleMesh m;
+    m.vertices = {middle + half * (-ex - ey), middle + half * (ex - ey), middle + half * (ex + ey),
+                  middle + half * (ey - ex)};
+    m.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return m;
+  }
+  TriangleMesh operator()(const BoxShape& s) const {
+    const Quat turn = exp_so3(s.rotation);
+    TriangleMesh m;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 side(i & 1 ? 0.5 : -0.5, i & 2 ? 0.5 : -0.5, i & 4 ? 0.5 : -0.5);
+      m.vertices.push_back(s.centre + turn * s.size.cwiseProduct(side));
+    }
+    m.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                   {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return m;
+  }
+  TriangleMesh operator()(const SphereShape& s) const { return capsule(s.centre, s.centre, s.radius); }
+  TriangleMesh operator()(const CylinderShape& s) const {
+    const double length = (s.to - s.from).norm();
+    return revolve({{0, 0}, {s.radius, 0}, {s.radius, length}, {0, length}}, s.from, (s.to - s.from) / length,
+                   false);
+  }
+  TriangleMesh operator()(const CapsuleShape& s) const { return capsule(s.from, s.to, s.radius); }
+  TriangleMesh operator()(const TorusShape& s) const {
+    std::vector<ProfilePoint> profile;
+    arc(profile, s.radius, 0, s.tube_radius, 0, 2 * kPi, 2 * kQuarter);
+    profile.pop_back();  // the first again
+    return revolve(profile, s.centre, s.axis.stableNormalized(), true);
+  }
+};
+
+struct MakeSurface {
+  using Result = std::shared_ptr<const Surface>;
+  Result operator()(const PlaneShape& s) const { return std::make_shared<PlaneSurface>(s.point, s.normal); }
+  Result operator()(const BoxShape& s) const { return std::make_shared<BoxSurface>(s); }
+  Result operator()(const SphereShape& s) const { return std::make_shared<SphereSurface>(s); }
+  Result operator()(const CylinderShape& s) const {
+    return std::make_shared<CylinderSurface>(s.from, s.to, s.radius);
+  }
+  Result operator()(const CapsuleShape& s) const { return std::make_shared<CapsuleSurface>(s); }
+  Result operator()(const TorusShape& s) const { return std::make_shared<TorusSurface>(s); }
+};
+
+}  // namespace
+
+std::shared_ptr<const Surface> make_surface(const Primitive& shape) {
+  return std::visit(MakeSurface{}, shape);
+}
+
+TriangleMesh facets(const Primitive& shape, const Box& seen) { return std::visit(Facets{seen}, shape); }
+
+}  // namespace hawser
