@@ -47,7 +47,8 @@ struct Reeled {
   double penetration = 0, audit = 0, cpu = 0;  // m; part of the work brought in; s
   std::vector<Wound> wound;                    // every 25 s
   std::vector<double> moment;                  // of the nodes well inside the wound part, over EI/rho
-  Series leaving, hanging;  // N: tension 5 m below the drum and at 230 m, less the weight below
+  Series leaving,
+      hanging;  // N: tension 6 m below the last node in contact and at 230 m, less the weight below
   long steps = 0;
 };
 
@@ -147,7 +148,8 @@ TEST(Reel, FiveTurns) {
   EXPECT_EQ(off, 0);
 
   std::printf(
-      "reel: tension noise %.0f N at 230 m, %.0f N 5 m below the drum (15 to 60 s), %.0f N (15 to 290 s)\n",
+      "reel: tension noise %.0f N at 230 m, %.0f N 6 m below the last node in contact (15 to 60 s), %.0f N "
+      "(15 to 290 s)\n",
       r.hanging.noise(15, 310), r.leaving.noise(15, 60), r.leaving.noise(15, 290));
   EXPECT_LT(r.hanging.noise(15, 310), 1000);
   // 1 kN is wanted. Nodes alone are met, and 1 m is a coarse element on a drum of 4 m: see the next test.
@@ -161,7 +163,7 @@ TEST(Reel, TensionNoise) {
   const double faceted = run(500, 65).leaving.noise(15, 60),
                fine = run(500, 65, smooth).leaving.noise(15, 60);
   std::printf(
-      "reel: tension noise 5 m below the drum: smooth drum, elements of 1 m %.0f N; of 0.5 m %.0f N, on "
+      "reel: tension noise below the drum: smooth drum, elements of 1 m %.0f N; of 0.5 m %.0f N, on "
       "facets %.0f N\n",
       coarse, fine, faceted);
   EXPECT_LT(fine, 0.5 * coarse);
