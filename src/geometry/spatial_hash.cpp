@@ -4,49 +4,24 @@
 #include <bit>
 #include <cfloat>
 #include <cmath>
-#include <numeric>
+#include <cstring>
 
 #include "hawser/geometry/closest_point.hpp"
+#include "spatial_hash_keys.hpp"
 
 namespace hawser {
 namespace {
 
-// Side of the cell over the longest side of the box of a triangle in it, at least.
-constexpr double kFineness = 0.75;
-
 // Side of the cells a search starts from over its radius, at least.
 constexpr double kRoom = 8;
 
-constexpr int kMaxLevels = 20;  // 3 x 20 bits of key and a leading one fit 64
-
-// Spread the lowest 21 bits of x to every third bit.
-std::uint64_t spread(std::uint64_t x) {
-  x &= 0x1fffff;
-  x = (x | x << 32) & 0x1f00000000ffff;
-  x = (x | x << 16) & 0x1f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  x = (x | x << 2) & 0x1249249249249249;
-  return x;
-}
-
-std::uint64_t morton(std::uint64_t i, std::uint64_t j, std::uint64_t k) {
-  return spread(i) | spread(j) << 1 | spread(k) << 2;
-}
-
-std::uint64_t scramble(std::uint64_t k) {
-  k ^= k >> 31;
-  k *= 0x7fb5d329728ea185ull;
-  k ^= k >> 27;
-  return k;
-}
+using detail::kMaxLevels;
+using detail::morton;
+using detail::scramble;
 
 void prefetch(const void* at, std::size_t bytes) {
   for (std::size_t i = 0; i < bytes; i += 64) __builtin_prefetch(static_cast<const char*>(at) + i);
 }
-
-float below(double x) { return std::nextafter(static_cast<float>(x), -FLT_MAX); }
-float above(double x) { return std::nextafter(static_cast<float>(x), FLT_MAX); }
 
 // Squared distance to a triangle of sound shape (Ericson 2005, 5.1.5), corners seen from the point.
 double squared_distance_to(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -68,214 +43,16 @@ double squared_distance_to(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (a + vb * f * ab + vc * f * ac).squaredNorm();
 }
 
-// Too flat for the formula above.
-bool thin(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const double l2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return !((b - a).cross(c - a).norm() > 1e-4 * l2);
-}
-
 }  // namespace
 
-SpatialHash::SpatialHash(const std::vector<Vec3>& vertices, const std::vector<std::array<int, 3>>& triangles,
-                         const std::vector<bool>& active) {
-  std::vector<int> which;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (active.empty() || active[t]) which.push_back(static_cast<int>(t));
-  slot_.assign(triangles.size(), -1);
-  if (which.empty()) return;
-  std::vector<std::uint64_t> keys;
-  std::vector<int> levels;
-  sort_triangles(vertices, triangles, which, keys, levels);
-  build_cells(keys, levels);
-}
-
-void SpatialHash::sort_triangles(const std::vector<Vec3>& vertices,
-                                 const std::vector<std::array<int, 3>>& triangles,
-                                 const std::vector<int>& which, std::vector<std::uint64_t>& keys,
-                                 std::vector<int>& levels) {
-  const std::size_t n = which.size();
-  const auto box_of = [&](int t) {
-    Box b;
-    for (const int v : triangles[static_cast<std::size_t>(t)]) b.add(vertices[static_cast<std::size_t>(v)]);
-    return b;
-  };
-  std::vector<double> size(n);
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Box b = box_of(which[i]);
-    box_.add(b);
-    size[i] = b.extent().maxCoeff();
-    if (size[i] > 0) smallest = std::min(smallest, size[i]);
+const SpatialHash::Entry* SpatialHash::find(int level, std::uint64_t key) const {
+  const Table& t = tables_[static_cast<std::size_t>(level - start_)];
+  std::size_t h = scramble(key) & t.mask;
+  while (hash_[t.first + h].key != key) {
+    if (hash_[t.first + h].key == kFree) return nullptr;
+    h = (h + 1) & t.mask;
   }
-  origin_ = box_.lo;
-  centre_ = box_.centre();
-  const double extent = std::max(box_.extent().maxCoeff() * (1 + 1e-9), DBL_MIN * 1e30);
-  top_ = static_cast<int>(
-      std::clamp(std::floor(std::log2(extent / (kFineness * smallest))), 0.0, double{kMaxLevels}));
-  side_ = std::ldexp(extent, -top_);
-
-  std::vector<std::uint64_t> key(n);
-  std::vector<int> level(n);
-  const double cells = std::ldexp(1.0, top_) - 1;
-  margin_.assign(static_cast<std::size_t>(top_) + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    const Box b = box_of(which[i]);
-    int l = 0;
-    while (l < top_ && std::ldexp(side_, l) < kFineness * size[i]) ++l;
-    const Vec3 q = ((b.centre() - origin_) / side_).cwiseMax(0.0).cwiseMin(cells);
-    key[i] = morton(static_cast<std::uint64_t>(q.x()), static_cast<std::uint64_t>(q.y()),
-                    static_cast<std::uint64_t>(q.z())) >>
-             (3 * l);
-    level[i] = l;
-    own_top_ = std::max(own_top_, l);
-    double& m = margin_[static_cast<std::size_t>(l)];
-    m = std::max(m, 0.5 * size[i] + 1e-9 * extent);
-  }
-  for (std::size_t l = 1; l < margin_.size(); ++l) margin_[l] = std::max(margin_[l], margin_[l - 1]);
-
-  // The order of a walk down the tree: a cell's own triangles, then those of its children.
-  std::vector<std::uint32_t> order(n);
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    const std::uint64_t ka = key[a] << (3 * level[a]), kb = key[b] << (3 * level[b]);
-    return ka != kb ? ka < kb : level[a] != level[b] ? level[a] > level[b] : a < b;
-  });
-  corners_.resize(n);
-  keys.resize(n);
-  levels.resize(n);
-  for (std::size_t s = 0; s < n; ++s) {
-    const std::uint32_t i = order[s];
-    const int t = which[i];
-    const auto& tri = triangles[static_cast<std::size_t>(t)];
-    const Vec3 &a = vertices[static_cast<std::size_t>(tri[0])],
-               &b = vertices[static_cast<std::size_t>(tri[1])],
-               &c = vertices[static_cast<std::size_t>(tri[2])];
-    corners_[s] = {
-        {a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z()}, thin(a, b, c) ? ~t : t, 0};
-    slot_[static_cast<std::size_t>(t)] = static_cast<std::int32_t>(s);
-    keys[s] = key[i];
-    levels[s] = level[i];
-  }
-}
-
-// A cell, or a part of one, on its way into the tree.
-struct SpatialHash::Made {
-  std::uint64_t key = 0;
-  Entry entry;
-  float lo[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, hi[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
-
-  void add(const Made& o) {
-    for (int a = 0; a < 3; ++a) {
-      lo[a] = std::min(lo[a], o.lo[a]);
-      hi[a] = std::max(hi[a], o.hi[a]);
-    }
-  }
-};
-
-SpatialHash::Made SpatialHash::bundle(const Made* first, const Made* last) {
-  Made out;
-  for (const Made* m = first; m < last; ++m) out.add(*m);
-  Children c{};
-  c.count = static_cast<std::uint8_t>(last - first);
-  for (int a = 0; a < 3; ++a) {
-    c.origin[a] = out.lo[a];
-    const double extent = static_cast<double>(out.hi[a]) - out.lo[a];
-    const int e =
-        extent > 0 ? std::clamp(static_cast<int>(std::ceil(std::log2(extent / 254))), -126, 120) : -126;
-    c.exponent[a] = static_cast<std::uint8_t>(e + 127);
-    for (std::ptrdiff_t k = 0; k < last - first; ++k) {
-      c.lo[a][k] = static_cast<std::uint8_t>(
-          std::floor(std::ldexp(static_cast<double>(first[k].lo[a]) - out.lo[a], -e)));
-      c.hi[a][k] = static_cast<std::uint8_t>(
-          std::ceil(std::ldexp(static_cast<double>(first[k].hi[a]) - out.lo[a], -e)));
-    }
-  }
-  std::transform(first, last, c.entry, [](const Made& m) { return m.entry; });
-  out.entry.children = static_cast<std::uint32_t>(children_.size());
-  children_.push_back(c);
-  return out;
-}
-
-void SpatialHash::build_cells(const std::vector<std::uint64_t>& keys, const std::vector<int>& levels) {
-  // Runs of triangles of one cell, no longer than an entry can hold, by level in the order of their keys.
-  std::vector<std::vector<Made>> own(static_cast<std::size_t>(top_) + 1);
-  for (std::size_t s = 0; s < keys.size(); ++s) {
-    auto& list = own[static_cast<std::size_t>(levels[s])];
-    if (list.empty() || list.back().key != keys[s] || list.back().entry.count() == Entry::kMost) {
-      list.emplace_back();
-      list.back().key = keys[s];
-      list.back().entry.own = static_cast<std::uint32_t>(s) << 4;
-    }
-    Made& run = list.back();
-    ++run.entry.own;
-    for (int k = 0; k < 9; ++k) {
-      const double x = corners_[s].v[k] - centre_[k % 3];
-      run.lo[k % 3] = std::min(run.lo[k % 3], below(x));
-      run.hi[k % 3] = std::max(run.hi[k % 3], above(x));
-    }
-  }
-  std::vector<std::pair<std::uint64_t, Entry>> hashed;
-  std::vector<Made> finer, level, group, packed;
-  for (int l = 0; l <= top_; ++l) {
-    level.clear();
-    const auto& mine = own[static_cast<std::size_t>(l)];
-    std::size_t i = 0, j = 0;
-    while (i < mine.size() || j < finer.size()) {
-      const std::uint64_t key = std::min(i < mine.size() ? mine[i].key : ~std::uint64_t{0},
-                                         j < finer.size() ? finer[j].key >> 3 : ~std::uint64_t{0});
-      const std::size_t i0 = i, j0 = j;
-      while (i < mine.size() && mine[i].key == key) ++i;
-      while (j < finer.size() && finer[j].key >> 3 == key) ++j;
-      Made cell;
-      if (i - i0 == 1 && j - j0 <= 8) {
-        // One run and the children.
-        cell = mine[i0];
-        if (j > j0) {
-          const Made below_it = bundle(&finer[j0], finer.data() + j);
-          cell.add(below_it);
-          cell.entry.children = below_it.entry.children;
-        }
-      } else {
-        // Several runs, or none: bundles of eight until one is left, which stands for the cell.
-        group.assign(mine.begin() + static_cast<std::ptrdiff_t>(i0),
-                     mine.begin() + static_cast<std::ptrdiff_t>(i));
-        group.insert(group.end(), finer.begin() + static_cast<std::ptrdiff_t>(j0),
-                     finer.begin() + static_cast<std::ptrdiff_t>(j));
-        while (group.size() > 1) {
-          packed.clear();
-          for (std::size_t k = 0; k < group.size(); k += 8)
-            packed.push_back(bundle(&group[k], group.data() + std::min(k + 8, group.size())));
-          group.swap(packed);
-        }
-        cell = group.front();
-      }
-      cell.key = key;
-      level.push_back(cell);
-      ++cells_;
-      if (l >= own_top_) hashed.emplace_back(code(l, key), cell.entry);
-    }
-    finer.swap(level);
-  }
-  root_ = finer.front().entry;
-  std::size_t capacity = 4;
-  while (capacity < 2 * hashed.size()) capacity *= 2;
-  hash_.assign(capacity, {});
-  for (const auto& [k, entry] : hashed) {
-    std::size_t h = scramble(k) & (capacity - 1);
-    while (hash_[h].code != 0) h = (h + 1) & (capacity - 1);
-    hash_[h] = {k, entry};
-  }
-  children_.shrink_to_fit();
-}
-
-const SpatialHash::Entry* SpatialHash::find(std::uint64_t k) const {
-  const std::size_t mask = hash_.size() - 1;
-  std::size_t h = scramble(k) & mask;
-  while (hash_[h].code != k) {
-    if (hash_[h].code == 0) return nullptr;
-    h = (h + 1) & mask;
-  }
-  return &hash_[h].entry;
+  return &hash_[t.first + h].entry;
 }
 
 double SpatialHash::test(std::uint32_t slot, const Vec3& p) const {
@@ -285,69 +62,216 @@ double SpatialHash::test(std::uint32_t slot, const Vec3& p) const {
   return squared_distance_to(a - p, b - p, c - p);
 }
 
+namespace {
+
+// Eight lanes of single precision.
+constexpr int kLanes = 8;
+using Lanes [[gnu::vector_size(4 * kLanes)]] = float;
+using LaneInts [[gnu::vector_size(4 * kLanes)]] = std::int32_t;
+using LaneShorts [[gnu::vector_size(2 * kLanes)]] = std::uint16_t;
+
+using LaneBytes [[gnu::vector_size(kLanes)]] = std::uint8_t;
+
+struct Lanes3 {
+  Lanes x, y, z;
+  Lanes3 operator-(const Lanes3& o) const { return {x - o.x, y - o.y, z - o.z}; }
+  Lanes dot(const Lanes3& o) const { return x * o.x + y * o.y + z * o.z; }
+  Lanes3 cross(const Lanes3& o) const { return {y * o.z - z * o.y, z * o.x - x * o.z, x * o.y - y * o.x}; }
+};
+
+Lanes load(const std::uint16_t* at) {
+  LaneShorts s;
+  std::memcpy(&s, at, sizeof s);
+  return __builtin_convertvector(__builtin_convertvector(s, LaneInts), Lanes);
+}
+
+Lanes load(const std::uint8_t* at) {
+  LaneBytes s;
+  std::memcpy(&s, at, sizeof s);
+  return __builtin_convertvector(__builtin_convertvector(s, LaneInts), Lanes);
+}
+
+Lanes lesser(Lanes a, Lanes b) { return a < b ? a : b; }
+Lanes greater(Lanes a, Lanes b) { return a > b ? a : b; }
+
+Lanes root(Lanes a) {
+  for (int i = 0; i < kLanes; ++i) a[i] = std::sqrt(a[i]);
+  return a;
+}
+
+// Squared distance from 0 to the segments from a along e, of squared length e2.
+Lanes squared_distance_to_segment(const Lanes3& a, const Lanes3& e, Lanes e2) {
+  const Lanes zero = {}, one = zero + 1;
+  const Lanes t = lesser(greater(-a.dot(e) / greater(e2, zero + FLT_MIN), zero), one);
+  const Lanes3 r = {a.x + t * e.x, a.y + t * e.y, a.z + t * e.z};
+  return r.dot(r);
+}
+
+// A triangle whose height over its longest side is less than this much of it is taken for its edges.
+constexpr float kFlat = 0.1f;
+
+// Errors of bounds in single precision over the size of what is computed with. The normal of a triangle
+// that is not flat is right to 3 u / kFlat (u = 6e-8), its inside to that over the sine of half its sharpest
+// angle, kFlat / 2: 4e-5.
+constexpr float kBoundError = 1e-4f;
+
+}  // namespace
+
 struct SpatialHash::Search {
-  Vec3 p;
-  float x[3];       // p from centre_
-  double rounding;  // m, of x and of what is computed with it in float
-  double best;      // m²
+  Vec3 p, from_centre;
+  float x[3];              // p from centre_
+  double rounding;         // m, of x and of what is computed with it in float
+  double rounding_double;  // m, of p from centre_ in double
+  double best;             // m², of slot, at first the square of the distance asked for
   std::uint32_t slot = kNone;
-  float limit = 0;  // m², what is farther than this in float is farther than best
+  double reach = std::numeric_limits<double>::infinity();  // m, the nearest is not farther than this
+  float limit = 0;  // m², what is farther than this in float is farther than reach
   struct Item {
     float squared;
-    Entry entry;
+    std::uint32_t own, children;  // of its entry
+    std::uint32_t frame;          // the block it is in
   };
   Item stack[8 * (kMaxLevels + 12) + 32];
   int depth = 0;
+  struct Candidate {
+    float at_least;  // m
+    std::uint32_t slot;
+  };
+  static constexpr int kMostCandidates = 32;
+  Candidate candidates[kMostCandidates];
+  int waiting = 0;
+  bool hinted = false;  // the only candidate is the hint, being fetched
   Counters count;
 
-  void set_limit() {
-    const double r = std::sqrt(best) * (1 + 1e-6) + rounding;
-    limit = static_cast<float>(std::min(r * r, static_cast<double>(FLT_MAX) / 2));
+  void bring_in(double r) {
+    if (!(r < reach) && limit > 0) return;
+    reach = r;
+    const double far = r * (1 + 1e-6) + rounding;
+    limit = static_cast<float>(std::min(far * far, static_cast<double>(FLT_MAX) / 2));
   }
   void offer(std::uint32_t s, double squared) {
     if (squared > best || (squared == best && s >= slot)) return;
-    const bool closer = squared < best;
     best = squared;
     slot = s;
-    if (closer) set_limit();
   }
   // Onto the stack above `base`, farthest first.
-  void push(int base, float squared, const Entry& entry) {
+  void push(int base, float squared, const Entry& entry, std::uint32_t frame) {
     int i = depth++;
     while (i > base && stack[i - 1].squared < squared) {
       stack[i] = stack[i - 1];
       --i;
     }
-    stack[i] = {squared, entry};
+    stack[i] = {squared, entry.own, entry.children, frame};
   }
 };
 
+// Exact distances of the triangles that still could be the nearest, the most promising first.
+void SpatialHash::settle(Search& q) const {
+  int first = 0;
+  for (int i = 1; i < q.waiting; ++i)
+    if (q.candidates[i].at_least < q.candidates[first].at_least) first = i;
+  if (q.waiting > 0) std::swap(q.candidates[0], q.candidates[first]);
+  for (int i = 0; i < q.waiting; ++i) {
+    if (q.candidates[i].at_least > q.reach) continue;
+    const std::uint32_t s = q.candidates[i].slot;
+    ++q.count.exact;
+    q.offer(s, test(s, q.p));
+    if (q.slot == s) q.bring_in(std::sqrt(q.best) * (1 + 1e-12));
+  }
+  q.waiting = 0;
+}
+
+// Bounds of the distances of a run, from corners rounded to a grid.
+void SpatialHash::bound(Search& q, const Children& frame, const Entry& run) const {
+  const std::size_t n = run.count();
+  q.count.triangles += static_cast<long>(n);
+  float step[3], x[3], size = 0, off = 0;
+  for (int a = 0; a < 3; ++a) {
+    step[a] = std::bit_cast<float>(static_cast<std::uint32_t>(frame.exponent[a] - 8) << 23);
+    x[a] = static_cast<float>(q.from_centre[a] - static_cast<double>(frame.origin[a]));
+    size += std::abs(x[a]) + 65536 * step[a];
+    off += step[a] * step[a];
+  }
+  const float error = 0.501f * std::sqrt(off) + kBoundError * size + static_cast<float>(q.rounding_double);
+  const Lanes zero = {};
+  for (std::size_t g = 0; g < n; g += kLanes) {
+    const std::uint16_t* v = &rounded_[9 * run.first() + g];
+    const auto corner = [&](std::size_t k) {
+      return Lanes3{step[0] * load(v + 3 * k * n), step[1] * load(v + (3 * k + 1) * n),
+                    step[2] * load(v + (3 * k + 2) * n)};
+    };
+    Lanes3 a = corner(0), b = corner(1), c = corner(2);
+    const Lanes3 ab = b - a, bc = c - b, ca = a - c;  // exact
+    const Lanes3 p = {zero + x[0], zero + x[1], zero + x[2]};
+    a = a - p;
+    b = b - p;
+    c = c - p;
+    const Lanes ab2 = ab.dot(ab), bc2 = bc.dot(bc), ca2 = ca.dot(ca);
+    const Lanes edges =
+        lesser(squared_distance_to_segment(a, ab, ab2),
+               lesser(squared_distance_to_segment(b, bc, bc2), squared_distance_to_segment(c, ca, ca2)));
+    const Lanes3 normal = ca.cross(ab);
+    const Lanes normal2 = normal.dot(normal), longest2 = greater(ab2, greater(bc2, ca2));
+    const Lanes height = a.dot(normal), plane = height * height / greater(normal2, zero + FLT_MIN);
+    const Lanes inside =
+        lesser(ab.cross(normal).dot(a), lesser(bc.cross(normal).dot(b), ca.cross(normal).dot(c)));
+    const LaneInts flat = normal2 <= kFlat * kFlat * longest2 * longest2;
+    // No point of a triangle is farther from its edges than half its least height.
+    const Lanes within = flat ? 0.5f * root(normal2 / greater(longest2, zero + FLT_MIN)) : zero;
+    const Lanes distance = root((inside >= zero) & ~flat ? plane : edges);
+    const Lanes at_least = distance - within - error, at_most = distance + error;
+    float nearest = FLT_MAX;
+    const int lanes = static_cast<int>(std::min<std::size_t>(kLanes, n - g));
+    for (int i = 0; i < lanes; ++i) nearest = std::min(nearest, at_most[i]);
+    q.bring_in(nearest);
+    for (int i = 0; i < lanes; ++i) {
+      if (at_least[i] > q.reach) continue;
+      if (q.waiting == Search::kMostCandidates) settle(q);
+      const std::uint32_t s = run.first() + static_cast<std::uint32_t>(g) + static_cast<std::uint32_t>(i);
+      prefetch(&corners_[s], sizeof(Corners));
+      q.candidates[q.waiting++] = {at_least[i], s};
+    }
+  }
+}
+
 void SpatialHash::descend(Search& q) const {
+  const Lanes zero = {};
   while (q.depth > 0) {
     const Search::Item item = q.stack[--q.depth];
     if (item.squared > q.limit) continue;
-    const std::uint32_t first = item.entry.first(), count = item.entry.count();
     ++q.count.cells;
-    q.count.triangles += count;
-    for (std::uint32_t s = first; s < first + count; ++s) q.offer(s, test(s, q.p));
-    if (item.entry.children == kNone) continue;
-    const Children& c = children_[item.entry.children];
-    float d[8] = {};
+    if (const Entry run{item.own, kNone}; run.count() > 0) {
+      if (q.hinted) {
+        settle(q);
+        q.hinted = false;
+        if (item.squared > q.limit) continue;
+      }
+      bound(q, children_[item.frame], run);
+    }
+    if (item.children == kNone) continue;
+    const Children& c = children_[item.children];
+    Lanes squared = zero;
     for (int a = 0; a < 3; ++a) {
       const float step = std::bit_cast<float>(static_cast<std::uint32_t>(c.exponent[a]) << 23);
       const float x = q.x[a] - c.origin[a];
-      for (int k = 0; k < 8; ++k) {
-        const float out = std::max(std::max(step * c.lo[a][k] - x, x - step * c.hi[a][k]), 0.0f);
-        d[k] += out * out;
-      }
+      const Lanes out = greater(greater(step * load(c.lo[a]) - x, x - step * load(c.hi[a])), zero);
+      squared += out * out;
+    }
+    float d[kLanes];
+    std::memcpy(d, &squared, sizeof d);
+    int near[kLanes], n = 0;
+    for (int k = 0; k < kLanes; ++k) {
+      near[n] = k;
+      n += k < c.count && d[k] <= q.limit;
     }
     const int base = q.depth;
-    for (int k = 0; k < c.count; ++k) {
-      if (!(d[k] <= q.limit)) continue;
+    for (int i = 0; i < n; ++i) {
+      const int k = near[i];
+      const Entry& e = c.entry[k];
       // Fetch while the others are looked at.
-      if (c.entry[k].children != kNone) prefetch(&children_[c.entry[k].children], sizeof(Children));
-      if (c.entry[k].count() > 0) prefetch(&corners_[c.entry[k].first()], sizeof(Corners));
-      q.push(base, d[k], c.entry[k]);
+      if (e.children != kNone) prefetch(&children_[e.children], sizeof(Children));
+      if (e.count() > 0) prefetch(&rounded_[9 * std::size_t{e.first()}], 18 * e.count());
+      q.push(base, d[k], e, item.children);
     }
   }
 }
@@ -357,31 +281,43 @@ SpatialHash::Nearest SpatialHash::nearest(const Vec3& p, double max_distance, in
   if (corners_.empty() || !(max_distance >= 0)) return {};
   Search q;
   q.p = p;
-  const Vec3 x = p - centre_;
+  const Vec3 x = q.from_centre = p - centre_;
   if (!x.allFinite()) return {};
   for (int a = 0; a < 3; ++a) q.x[a] = static_cast<float>(x[a]);
   q.rounding = 3e-7 * (x.cwiseAbs().maxCoeff() + 0.5 * box_.extent().maxCoeff());
+  q.rounding_double = 1e-15 * (p.cwiseAbs().maxCoeff() + centre_.cwiseAbs().maxCoeff());
   q.best = max_distance * max_distance;
-  q.set_limit();
+  q.bring_in(max_distance);
   if (hint >= 0 && static_cast<std::size_t>(hint) < slot_.size() &&
       slot_[static_cast<std::size_t>(hint)] >= 0) {
     const auto s = static_cast<std::uint32_t>(slot_[static_cast<std::size_t>(hint)]);
-    q.offer(s, test(s, p));
-    ++q.count.triangles;
+    if (max_distance < kRoom * side_ * (1 << start_)) {
+      // Its distance would spare little of so short a search, and waiting for it costs more: it is fetched,
+      // with what is kept of its neighbours, while the search goes down to them.
+      prefetch(&corners_[s], sizeof(Corners));
+      const std::size_t from = 9 * std::size_t{s};
+      prefetch(&rounded_[from > 64 ? from - 64 : 0], 256);
+      q.candidates[q.waiting++] = {0, s};
+      q.hinted = true;
+    } else {
+      q.offer(s, test(s, p));
+      ++q.count.exact;
+      q.bring_in(std::sqrt(q.best) * (1 + 1e-12));
+    }
   }
 
   // The level to start from: cells about as large as the ball, no finer than the coarsest triangles.
-  const double radius = std::sqrt(q.best) * (1 + 1e-9) + q.rounding;
-  int level = own_top_;
+  const double radius = q.reach * (1 + 1e-9) + q.rounding;
+  int level = start_;
   while (level < top_ &&
-         std::ldexp(side_, level) < kRoom * std::max(radius, margin_[static_cast<std::size_t>(level)]))
+         side_ * (1 << level) < kRoom * std::max(radius, margin_[static_cast<std::size_t>(level)]))
     ++level;
   if (level >= top_) {
-    q.push(0, 0, root_);
+    q.push(0, 0, root_, kNone);
     descend(q);
   } else {
-    const double side = std::ldexp(side_, level), reach = radius + margin_[static_cast<std::size_t>(level)];
-    const double last = std::ldexp(1.0, top_ - level) - 1;
+    const double side = side_ * (1 << level), reach = radius + margin_[static_cast<std::size_t>(level)];
+    const double last = static_cast<double>((1 << (top_ - level)) - 1);
     int lo[3], hi[3];
     for (int a = 0; a < 3; ++a) {
       const double from = std::floor((p[a] - origin_[a] - reach) / side),
@@ -397,21 +333,24 @@ SpatialHash::Nearest SpatialHash::nearest(const Vec3& p, double max_distance, in
       for (int j = lo[1]; j <= hi[1]; ++j)
         for (int i = lo[0]; i <= hi[0]; ++i) {
           const Vec3 from = origin_ + side * Vec3(i, j, k) - Vec3::Constant(m);
-          const float d = below(squared_distance(Box{from, from + Vec3::Constant(side + 2 * m)}, p));
+          const float d = static_cast<float>(
+              (1 - 1e-6) * squared_distance(Box{from, from + Vec3::Constant(side + 2 * m)}, p));
           if (d > q.limit) continue;
           ++q.count.lookups;
           const Entry* entry =
-              find(code(level, morton(static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j),
-                                      static_cast<std::uint64_t>(k))));
-          if (entry) q.push(0, d, *entry);
+              find(level, morton(static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j),
+                                 static_cast<std::uint64_t>(k)));
+          if (entry) q.push(0, d, *entry, kNone);
         }
     descend(q);
   }
+  settle(q);
   if (counters) {
     ++counters->queries;
     counters->lookups += q.count.lookups;
     counters->cells += q.count.cells;
     counters->triangles += q.count.triangles;
+    counters->exact += q.count.exact;
   }
   if (q.slot == kNone) return {};
   const std::int32_t id = corners_[q.slot].id;
@@ -420,7 +359,7 @@ SpatialHash::Nearest SpatialHash::nearest(const Vec3& p, double max_distance, in
 
 std::size_t SpatialHash::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return bytes(corners_) + bytes(slot_) + bytes(children_) + bytes(hash_);
+  return bytes(corners_) + bytes(rounded_) + bytes(slot_) + bytes(children_) + bytes(hash_);
 }
 
 }  // namespace hawser

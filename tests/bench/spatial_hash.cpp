@@ -1,10 +1,11 @@
 // Time of a nearest-triangle query near the surface, 0 to 0.3 m off it, within 0.5 m. Even meshes of 10^4 to
-// 10^6 triangles (target: the time of `line` grows at most 1.5 times), and a hull with small rollers
+// 10^6 triangles (target: the time of `step` grows at most 1.5 times), and a hull with small rollers
 // (argument 0), where cells of one size fail.
 //   line    250 nodes of a line 0.5 m apart over the surface, asked again and again, as time steps do
 //   warm    the same, moved 2 cm, with the last answer as a hint
 //   lines   2000 nodes of such lines: more than the second-level cache holds on the finest mesh
 //   first   10^5 such points, each once: what a query reads is not in the cache yet
+//   step    the same, moved 2 cm, with the last answer as a hint: what contact asks in a step
 //   random  10^5 points in random order: neither is anything near it
 #include "hawser/geometry/spatial_hash.hpp"
 
@@ -117,19 +118,20 @@ const Queries& queries(int kind) {
   return q;
 }
 
-enum Way { line, warm, lines, first, scattered };
+enum Way { line, warm, lines, first, step, scattered };
 
 void nearest(benchmark::State& state, Way way) {
   const Queries& q = queries(static_cast<int>(state.range(0)));
-  const auto& points = way == warm ? q.moved : way == scattered ? q.scattered : q.along;
+  const bool hinted = way == warm || way == step;
+  const auto& points = hinted ? q.moved : way == scattered ? q.scattered : q.along;
   const std::size_t n = way == line || way == warm ? 250 : way == lines ? 2000 : points.size();
   std::size_t i = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(q.hash.nearest(points[i], 0.5, way == warm ? q.answer[i] : -1));
+    benchmark::DoNotOptimize(q.hash.nearest(points[i], 0.5, hinted ? q.answer[i] : -1));
     if (++i == n) i = 0;
   }
   SpatialHash::Counters c;
-  for (std::size_t k = 0; k < n; ++k) q.hash.nearest(points[k], 0.5, way == warm ? q.answer[k] : -1, &c);
+  for (std::size_t k = 0; k < n; ++k) q.hash.nearest(points[k], 0.5, hinted ? q.answer[k] : -1, &c);
   const auto per = [&](long total) { return static_cast<double>(total) / static_cast<double>(c.queries); };
   state.counters["triangles"] = static_cast<double>(q.mesh.triangles.size());
   state.counters["lookups/q"] = per(c.lookups);
@@ -150,6 +152,7 @@ BENCHMARK_CAPTURE(nearest, line, line) EACH_MESH;
 BENCHMARK_CAPTURE(nearest, warm, warm) EACH_MESH;
 BENCHMARK_CAPTURE(nearest, lines, lines) EACH_MESH;
 BENCHMARK_CAPTURE(nearest, first, first) EACH_MESH;
+BENCHMARK_CAPTURE(nearest, step, step) EACH_MESH;
 BENCHMARK_CAPTURE(nearest, random, scattered) EACH_MESH;
 BENCHMARK(build)->Arg(10000)->Arg(1000000)->Arg(0)->Unit(benchmark::kMillisecond);
 

@@ -53,7 +53,11 @@ void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
     ASSERT_EQ(warm.triangle, all.triangle);
     ASSERT_EQ(warm.squared_distance, all.squared_distance);
     for (const double factor : {1.0 + 1e-9, 1.5, 4.0, 50.0}) {
-      const auto near = hash.nearest(y, factor * std::sqrt(exact) + 1e-13 * size, i % 2 ? all.triangle : -1);
+      const auto near = hash.nearest(y, factor * std::sqrt(exact) + 1e-13 * size,
+                                     i % 3 == 0   ? -1
+                                     : i % 3 == 1 ? hint
+                                                  : all.triangle);
+      ASSERT_EQ(near.squared_distance, all.squared_distance) << y.transpose() << " x " << factor;
       ASSERT_EQ(near.triangle, all.triangle) << y.transpose() << " x " << factor;
     }
     const double less = (1 - 1e-9) * std::sqrt(exact) - 1e-13 * size;
