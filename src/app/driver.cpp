@@ -47,8 +47,9 @@ io::RunInfo run_info(const model::Case& c, const RunOptions& o, int ranks) {
 class Stage {
  public:
   explicit Stage(const char* name) {
-    PetscLogStage stage = 0;
-    check(PetscLogStageRegister(name, &stage));
+    PetscLogStage stage = -1;
+    check(PetscLogStageGetId(name, &stage));  // a second run of the same process knows it
+    if (stage < 0) check(PetscLogStageRegister(name, &stage));
     check(PetscLogStagePush(stage));
   }
   ~Stage() { PetscLogStagePop(); }
