@@ -34,6 +34,20 @@ std::vector<ContactNode> contact_nodes(const model::Case& c, const LocalMesh& me
   return out;
 }
 
+// Radius and mass of the elements, for contact along them.
+std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh) {
+  std::vector<LineContactElement> out;
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const auto& type = c.line_types[static_cast<size_t>(g.type)];
+    LineContactElement& element = out.emplace_back();
+    if (chosen(c.contact.all_lines, c.contact.lines, c.lines[static_cast<size_t>(g.line)].name))
+      element.radius = 0.5 * type.contact_diameter;
+    element.mass_per_length = type.mass_per_length;
+  }
+  return out;
+}
+
 // The heaviest line decides an automatic stiffness.
 AutomaticStiffness automatic(const model::Case& c, const Mesh& mesh) {
   AutomaticStiffness best;
@@ -84,7 +98,12 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     }
     volumes.push_back({surfaces[v], c.body_index(settings.body), settings});
   }
-  if (!volumes.empty()) {
+  if (!volumes.empty() && c.contact.method == model::ContactMethod::line) {
+    auto contact =
+        std::make_unique<LineContact>(local, bodies_, std::move(volumes), contact_elements(c, local));
+    line_contact_ = contact.get();
+    system_->add(std::move(contact));
+  } else if (!volumes.empty()) {
     std::vector<ContactNode> nodes = contact_nodes(c, local);
     // A held end touches nothing: its support carries whatever a surface would.
     for (const Support& held : start.supports)
@@ -99,13 +118,15 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 }
 
 StaticsReport Simulation::solve_statics() {
-  if (contact_) contact_->enable_friction(false);
+  const auto enable_friction = [this](bool on) {
+    if (contact_) contact_->enable_friction(on);
+    if (line_contact_) line_contact_->enable_friction(on);
+  };
+  enable_friction(false);
   StaticsSettings settings{case_.statics.tolerance, case_.statics.max_iterations};
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
-  if (contact_) {
-    contact_->enable_friction(true);
-    system_->commit(state_.view(0));
-  }
+  enable_friction(true);
+  if (contact_ || line_contact_) system_->commit(state_.view(0));
   return report;
 }
 

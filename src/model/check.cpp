@@ -171,8 +171,6 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
   if (elements > kMostElements)
     issues.push_back(
         {"lines", fmt::format("{:.3g} elements in all; the limit is {:.3g}", elements, kMostElements)});
-  if (c.contact.method == ContactMethod::line)
-    issues.push_back({"contact.method", "contact along the line is not available yet; use 'nodes'"});
   if (!c.statics.enabled && !c.dynamics.enabled)
     issues.push_back({"statics", "statics is off and there is no 'dynamics': nothing to run"});
   const Dynamics& d = c.dynamics;

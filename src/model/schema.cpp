@@ -350,8 +350,7 @@ const Key& case_schema() {
            {all_or_names("lines", "lines", "lines that take part in contact"),
             all_or_names("volumes", "volumes", "volumes that take part in contact"),
             word("method", {"nodes", "line"},
-                 "where a line touches: at its nodes; `line` (anywhere along its "
-                 "elements) is not available yet")
+                 "where a line touches: at its nodes, or (`line`) anywhere along its elements")
                 .or_else("nodes")},
            "Contact of lines with volumes.")
            .or_else("{}"),

@@ -13,6 +13,7 @@
 #include "hawser/solve/statics.hpp"
 #include "hawser/system/system.hpp"
 #include "hawser/terms/bodies.hpp"
+#include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/structure.hpp"
 #include "hawser/terms/volume_contact.hpp"
 
@@ -29,7 +30,8 @@ class Simulation {
   const Bodies& bodies() const { return *bodies_; }
   System& system() { return *system_; }
   StructureTerm& structure() { return *structure_; }
-  VolumeContact* contact() { return contact_; }  // null: nothing to touch
+  VolumeContact* contact() { return contact_; }          // null: nothing to touch, or another method
+  LineContact* line_contact() { return line_contact_; }  // likewise
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
@@ -50,6 +52,7 @@ class Simulation {
   std::unique_ptr<Dynamics> dynamics_;
   std::vector<std::string> notes_;
   int cut_ = 0;
+  LineContact* line_contact_ = nullptr;
 };
 
 }  // namespace hawser::app

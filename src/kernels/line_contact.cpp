@@ -1,0 +1,162 @@
+#include "hawser/kernels/line_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+namespace {
+
+constexpr double kRoot = 1e-14;
+constexpr int kMost = 100;
+
+class Scan {
+ public:
+  Scan(AxisGapFunction& gap, double reach, std::vector<ContactStretch>& out)
+      : gap_(gap), reach_(reach), out_(out) {}
+
+  void piece(double a, const AxisGap& A, double b, const AxisGap& B, int levels) {
+    const bool in_a = A.gap < 0, in_b = B.gap < 0;
+    const double span = reach_ * (b - a);
+    if (!in_a && !in_b && A.gap + B.gap >= span) return;
+    if (levels > 0) {
+      const double m = 0.5 * (a + b);
+      const AxisGap M = gap_.at(m, span);
+      piece(a, A, m, M, levels - 1);
+      piece(m, M, b, B, levels - 1);
+    } else if (in_a && in_b) {
+      arch(a, A, b, B);
+    } else if (in_a) {
+      add({a, root(a, A, b, B), false, true});
+    } else if (in_b) {
+      add({root(b, B, a, A), b, true, false});
+    } else if (A.slope < 0 && B.slope > 0) {
+      dip(a, A, b, B);
+    }
+  }
+
+ private:
+  void add(const ContactStretch& s) {
+    if (!out_.empty() && out_.back().to == s.from && !out_.back().to_moves && !s.from_moves)
+      out_.back().to = s.to, out_.back().to_moves = s.to_moves;
+    else
+      out_.push_back(s);
+  }
+
+  // Both ends touch. Looks between them when the cubic through them lifts off there.
+  void arch(double a, const AxisGap& A, double b, const AxisGap& B) {
+    const double w = b - a;
+    if (0.5 * (A.gap + B.gap) + w * (A.slope - B.slope) / 8 > 0) {
+      const double m = 0.5 * (a + b);
+      const AxisGap M = gap_.at(m, reach_ * w);
+      if (M.gap >= 0) {
+        add({a, root(a, A, m, M), false, true});
+        add({root(b, B, m, M), b, true, false});
+        return;
+      }
+    }
+    add({a, b, false, false});
+  }
+
+  // Neither end touches and the gap falls from both: contact if the minimum is below zero.
+  void dip(double a, AxisGap A, double b, AxisGap B) {
+    const double first = a, last = b;
+    const AxisGap F = A, L = B;
+    for (int i = 0; i < kMost && b - a > kRoot; ++i) {
+      // Where the two tangents meet: no convex gap goes below.
+      const double z = (B.gap - A.gap - B.slope * (b - a)) / (A.slope - B.slope);
+      if (A.gap + A.slope * z >= 0) return;
+      double m = a + (b - a) * A.slope / (A.slope - B.slope);  // root of the slope, by the secant
+      if (i % 3 == 2) m = 0.5 * (a + b);
+      const double edge = 1e-3 * (b - a);
+      m = std::clamp(m, a + edge, b - edge);
+      const AxisGap M = gap_.at(m, reach_ * (last - first));
+      if (M.gap < 0) {
+        add({root(m, M, first, F), root(m, M, last, L), true, true});
+        return;
+      }
+      if (M.slope < 0)
+        a = m, A = M;
+      else if (M.slope > 0)
+        b = m, B = M;
+      else
+        return;
+    }
+  }
+
+  // The root between `in`, where the gap is negative, and `out`.
+  double root(double in, AxisGap I, double out, AxisGap O) {
+    const double wide = reach_ * std::abs(out - in);
+    if (O.gap == 0) return out;
+    double x = out - O.gap / (O.gap - I.gap) * (out - in);
+    if (const double newton = out - O.gap / O.slope; (newton - in) * (newton - out) < 0) x = newton;
+    double last = std::abs(out - in);
+    for (int i = 0; i < kMost; ++i) {
+      const AxisGap X = gap_.at(x, wide);
+      (X.gap < 0 ? in : out) = x;
+      double next = x - X.gap / X.slope;
+      // Newton must stay inside and at least halve its step; else the bracket is halved.
+      const bool good = (next - in) * (next - out) < 0 && std::abs(next - x) < 0.5 * last;
+      if (std::isfinite(next) && std::abs(next - x) <= kRoot) return std::clamp(next, 0.0, 1.0);
+      if (!good) next = 0.5 * (in + out);
+      last = std::abs(next - x);
+      if (last <= kRoot) return next;
+      x = next;
+    }
+    return x;
+  }
+
+  AxisGapFunction& gap_;
+  double reach_;
+  std::vector<ContactStretch>& out_;
+};
+
+}  // namespace
+
+std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, double reach, int levels) {
+  std::vector<ContactStretch> out;
+  const double half = 0.5 * reach;
+  const AxisGap M = gap.at(0.5, half);
+  if (M.gap >= half) return out;
+  const AxisGap A = gap.at(0, half), B = gap.at(1, half);
+  Scan scan(gap, reach, out);
+  scan.piece(0, A, 0.5, M, levels - 1);
+  scan.piece(0.5, M, 1, B, levels - 1);
+  return out;
+}
+
+int contact_levels(double length, double radius) {
+  int levels = 1;
+  while (levels < 5 && std::ldexp(length, -levels) > 4 * radius) ++levels;
+  return levels;
+}
+
+void cut_stretches(const std::vector<ContactStretch>& stretches, std::vector<ContactStretch>& panels) {
+  panels.clear();
+  for (const ContactStretch& s : stretches) {
+    if (s.from < 0.5 && s.to > 0.5) {
+      panels.push_back({s.from, 0.5, s.from_moves, false});
+      panels.push_back({0.5, s.to, false, s.to_moves});
+    } else if (s.to > s.from) {
+      panels.push_back(s);
+    }
+  }
+}
+
+const std::array<double, ContactRule::kPoints>& ContactRule::place() {
+  static const std::array<double, kPoints> p = [] {
+    const double far = std::sqrt(3.0 / 7 + 2.0 / 7 * std::sqrt(1.2)),
+                 near = std::sqrt(3.0 / 7 - 2.0 / 7 * std::sqrt(1.2));
+    return std::array<double, kPoints>{0.5 - far / 2, 0.5 - near / 2, 0.5 + near / 2, 0.5 + far / 2};
+  }();
+  return p;
+}
+
+const std::array<double, ContactRule::kPoints>& ContactRule::weight() {
+  static const std::array<double, kPoints> w = [] {
+    const double outer = (18 - std::sqrt(30.0)) / 72, inner = (18 + std::sqrt(30.0)) / 72;
+    return std::array<double, kPoints>{outer, inner, inner, outer};
+  }();
+  return w;
+}
+
+}  // namespace hawser

@@ -1,0 +1,270 @@
+#include "hawser/terms/line_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+
+// The gap along the axis less the smoothing, as the search for stretches sees it.
+class LineContact::Gap final : public AxisGapFunction {
+ public:
+  Gap(const Surface& surface, const AxisShape& shape, const RigidPose& pose, double touch, int& hint)
+      : surface_(surface), shape_(shape), pose_(pose), touch_(touch), hint_(hint) {}
+
+  std::optional<SurfacePoint> query(double xi, double within) {
+    const auto p = surface_.query(pose_.to_body(shape_.point(xi)), touch_ + within, hint_);
+    if (p) hint_ = p->triangle;
+    return p;
+  }
+  AxisGap at(double xi, double within) override {
+    if (xi == 0.5 && middle_) return *middle_;
+    const auto p = query(xi, within);
+    if (!p) return {within, 0};
+    return {p->distance - touch_, (pose_.rotation * p->normal).dot(shape_.slope(xi))};
+  }
+  void set_middle(const AxisGap& m) { middle_ = m; }
+
+ private:
+  const Surface& surface_;
+  const AxisShape& shape_;
+  const RigidPose& pose_;
+  double touch_;
+  int& hint_;
+  std::optional<AxisGap> middle_;
+};
+
+// Candidates as in the `nodes` method, from the element's middle. In statics (h = 0) every pair is one.
+void LineContact::prepare(const Kinematics& committed, double h) {
+  pose_bodies(committed.time, start_poses_);
+  std::vector<Pair> old;
+  old.swap(pairs_);
+  size_t known = 0;
+  for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
+    const LineContactElement& element = elements_[static_cast<size_t>(e)];
+    if (!(element.radius > 0)) continue;
+    const AxisEnds at = ends(committed, e);
+    const AxisShape shape(at);
+    for (int k = 0; k < static_cast<int>(volumes_.size()); ++k) {
+      while (known < old.size() && std::pair(old[known].element, old[known].volume) < std::pair(e, k))
+        ++known;
+      const bool kept = known < old.size() && old[known].element == e && old[known].volume == k;
+      const RigidPose& pose = start_poses_[body(k)];
+      const ContactLaw laws = law(static_cast<size_t>(e), volumes_[static_cast<size_t>(k)].settings);
+      const double touch = element.radius + laws.normal.smoothing;
+      const double speed =
+          std::max((at.v1 - pose.velocity_at(at.x1)).norm(), (at.v2 - pose.velocity_at(at.x2)).norm());
+      const double margin = std::max(2 * h * speed, 0.5 * length(e));
+      const double away = distance(boxes_[static_cast<size_t>(k)], pose.to_body(shape.point(0.5)));
+      if (h > 0 && away > touch + margin + 0.5 * shape.reach()) continue;
+
+      Pair& pair = pairs_.emplace_back();
+      pair.element = e;
+      pair.volume = k;
+      pair.touch = touch;
+      pair.levels = contact_levels(length(e), element.radius);
+      pair.law = laws;
+      pair.start = shape;
+      if (kept) {
+        pair.history = std::move(old[known].history);
+        pair.hint = old[known].hint;
+      }
+    }
+  }
+}
+
+std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& shape,
+                                                const RigidPose& pose) const {
+  const double reach = shape.reach();
+  const Vec3 y = pose.to_body(shape.point(0.5));
+  if (pair.clear > 0 && (y - pair.centre).norm() + 0.5 * reach < pair.clear) return {};
+  const size_t k = static_cast<size_t>(pair.volume);
+  Gap gap(*volumes_[k].surface, shape, pose, pair.touch, pair.hint);
+  const auto middle = gap.query(0.5, 2 * reach);
+  pair.centre = y;
+  if (!middle) {
+    // Out of reach, or inside but under an inactive part: only outside the box is nothing near for sure.
+    pair.clear = std::min(2 * reach, distance(boxes_[k], y) - pair.touch);
+    return {};
+  }
+  pair.clear = middle->distance - pair.touch;
+  if (pair.clear >= 0.5 * reach) return {};
+  gap.set_middle({pair.clear, (pose.rotation * middle->normal).dot(shape.slope(0.5))});
+  std::vector<ContactStretch> panels;
+  cut_stretches(contact_stretches(gap, reach, pair.levels), panels);
+  return panels;
+}
+
+bool LineContact::sample(Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi, bool moves,
+                         ContactTrial& trial, double within) const {
+  const size_t k = static_cast<size_t>(pair.volume);
+  const Vec3 x = shape.point(xi);
+  trial.point = pose.to_body(x);
+  const auto p = volumes_[k].surface->query(trial.point, pair.touch + within, pair.hint);
+  if (!p) return false;
+  pair.hint = p->triangle;
+  trial.gap = p->distance - elements_[static_cast<size_t>(pair.element)].radius;
+  trial.normal = p->normal;
+  trial.curvature = p->curvature;
+  if (moves) trial.velocity = pose.rotation.conjugate() * (shape.velocity(xi) - pose.velocity_at(x));
+  return true;
+}
+
+LineContact::Origin LineContact::origin(Pair& pair, double xi) const {
+  Origin o;
+  o.xi = xi;
+  for (const Point& p : pair.history)
+    if (p.from <= xi && xi <= p.to) return o;
+  const size_t k = static_cast<size_t>(pair.volume);
+  const double within = 2 * pair.start.reach() + length(pair.element);
+  const Vec3 y = start_poses_[body(pair.volume)].to_body(pair.start.point(xi));
+  const auto p = volumes_[k].surface->query(y, pair.touch + within, pair.hint);
+  o.touched = false;
+  o.gap = p ? p->distance - elements_[static_cast<size_t>(pair.element)].radius
+            : within + pair.law.normal.smoothing;
+  if (p) o.gradient = p->normal;
+  return o;
+}
+
+// Slip is interpolated between the Gauss points of one stretch. Material that did not touch has none.
+ContactStart LineContact::start(const Pair& pair, const Origin& from, double xi) const {
+  const RigidPose& pose = start_poses_[body(pair.volume)];
+  ContactStart s;
+  s.point = pose.to_body(pair.start.point(xi));
+  s.tangent = (pose.rotation.conjugate() * pair.start.slope(xi)).normalized();
+  if (!from.touched) {
+    s.gap = from.gap + from.gradient.dot(s.point - pose.to_body(pair.start.point(from.xi)));
+    return s;
+  }
+  const auto after =
+      std::find_if(pair.history.begin(), pair.history.end(), [&](const Point& p) { return p.xi > from.xi; });
+  const Point* b = after != pair.history.end() ? &*after : nullptr;
+  const Point* a = after != pair.history.begin() ? &*(after - 1) : nullptr;
+  if (a && b && a->from != b->from && a->to != b->from) (from.xi <= a->to ? b : a) = nullptr;
+  if (!a || !b) {
+    const Point& p = a ? *a : *b;
+    s.slip = p.slip, s.normal = p.normal;
+    return s;
+  }
+  const double t = (xi - a->xi) / (b->xi - a->xi);
+  s.normal = ((1 - t) * a->normal + t * b->normal).normalized();
+  s.slip = (1 - t) * transport_slip<double>(a->slip, a->normal, s.normal) +
+           t * transport_slip<double>(b->slip, b->normal, s.normal);
+  return s;
+}
+
+// Ends that move with the unknowns: s is where gap(s, X) = smoothing, so ds = -n . dx(s) / (n . x'(s)), and
+// the places and weights of the Gauss points follow it.
+struct LineContact::Moving {
+  bool on = false;
+  AxisShape::Weights H{};
+  Vec3 by_axis = Vec3::Zero();                 // ds / dx(s), 1/m
+  std::array<Vec3, AxisShape::kMost> force{};  // dF_j / ds
+};
+
+// Adds the forces of one panel. The tangent is exact, moving ends included: of the Gauss points' places the
+// force is differenced along the axis, where all it depends on is known.
+void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, const ContactStretch& s,
+                        bool moves, const Sink& sink, AxisShape::Generalised& g) const {
+  const bool tangent = sink.wants_tangent(), convex = sink.convex();
+  const double L = length(pair.element), span = s.to - s.from;
+  const ContactLaw laws = applied(pair);
+  const size_t n = static_cast<size_t>(shape.count());
+  const Mat3 R = pose.rotation.toRotationMatrix();
+  // Relative velocity in the body frame: u = R'(v - V) - omega x y.
+  const Mat3 spin = hat(pose.rotation.conjugate() * pose.angular_velocity);
+  Moving ends[2];
+  for (size_t i = 0; i < 2 && tangent && !convex; ++i) {
+    if (!(i ? s.to_moves : s.from_moves)) continue;
+    const double xi = i ? s.to : s.from;
+    ContactTrial at;
+    if (!sample(pair, shape, pose, xi, false, at, 1e-9)) continue;
+    const Vec3 normal = R * at.normal;
+    const double slope = normal.dot(shape.slope(xi));
+    if (std::abs(slope) < 1e-9 * shape.reach()) continue;
+    ends[i].on = true;
+    ends[i].H = shape.functions(xi);
+    ends[i].by_axis = -normal / slope;
+    ends[i].force.fill(Vec3::Zero());
+  }
+  for (size_t q = 0; q < ContactRule::kPoints; ++q) {
+    const double place = ContactRule::place()[q], weight = ContactRule::weight()[q];
+    const double xi = s.from + span * place, w = L * span * weight;
+    ContactTrial trial;
+    if (!sample(pair, shape, pose, xi, moves, trial)) continue;
+    if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
+    Origin from;
+    ContactStart begin;
+    if (laws.friction.active()) from = origin(pair, xi), begin = start(pair, from, xi);
+    const PointContact c = volume_contact(laws, begin, trial, tangent);
+    if (!(c.normal.force > 0)) continue;
+    const AxisShape::Weights H = shape.functions(xi);
+    const Vec3 f = -(R * c.force);
+    for (size_t j = 0; j < n; ++j) g.F[j] += w * H[j] * f;
+    if (!tangent) continue;
+    const Mat3 K = -w * R * (c.by_point - (moves ? 1.0 : 0.0) * c.by_velocity * spin) * R.transpose();
+    const Mat3 C = moves ? Mat3(-w * R * c.by_velocity * R.transpose()) : Mat3(Mat3::Zero());
+    for (size_t j = 0; j < n; ++j)
+      for (size_t k = 0; k < n; ++k) {
+        g.K[j][k] += H[j] * H[k] * K;
+        if (moves) g.C[j][k] += H[j] * H[k] * C;
+      }
+    if (!ends[0].on && !ends[1].on) continue;
+
+    const auto along = [&](double e) {
+      ContactTrial t = trial;
+      const Vec3 x = shape.point(xi + e);
+      t.point = pose.to_body(x);
+      const Vec3 d = t.point - trial.point, turn = trial.curvature * d;
+      t.gap += trial.normal.dot(d) + 0.5 * d.dot(turn);
+      t.normal = (trial.normal + turn).normalized();
+      if (moves) t.velocity = pose.rotation.conjugate() * (shape.velocity(xi + e) - pose.velocity_at(x));
+      ContactStart b;
+      if (laws.friction.active()) b = start(pair, from, xi + e);
+      return Vec3(R * volume_contact(laws, b, t, false).force);
+    };
+    constexpr double e = 1e-5;
+    const Vec3 slope = -(along(e) - along(-e)) / (2 * e);
+    const AxisShape::Weights dH = shape.derivatives(xi);
+    for (size_t i = 0; i < 2; ++i) {
+      if (!ends[i].on) continue;
+      const double stretch = i ? weight : -weight, shift = span * weight * (i ? place : 1 - place);
+      for (size_t j = 0; j < n; ++j)
+        ends[i].force[j] += L * ((stretch * H[j] + shift * dH[j]) * f + shift * H[j] * slope);
+    }
+  }
+  for (const Moving& m : ends)
+    for (size_t j = 0; j < n && m.on; ++j)
+      for (size_t k = 0; k < n; ++k) g.K[j][k] += m.H[k] * m.force[j] * m.by_axis.transpose();
+}
+
+void LineContact::evaluate(const Kinematics& trial, Sink& sink) {
+  pose_bodies(trial.time, poses_);
+  const bool tangent = sink.wants_tangent();
+  double f[12], K[144], C[144];
+  for (Pair& pair : pairs_) {
+    const AxisShape shape(ends(trial, pair.element));
+    const RigidPose& pose = poses_[body(pair.volume)];
+    const std::vector<ContactStretch> panels = locate(pair, shape, pose);
+    if (panels.empty()) continue;
+    AxisShape::Generalised g;
+    for (const ContactStretch& s : panels) panel(pair, shape, pose, s, trial.step > 0, sink, g);
+    std::fill(std::begin(f), std::end(f), 0.0);
+    std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
+    shape.to_nodes(g, f, nullptr, nullptr);
+    if (tangent) {
+      // The moment arms' turning is negative stiffness as well.
+      if (sink.convex()) g.F.fill(Vec3::Zero());
+      double same[12] = {};
+      shape.to_nodes(g, same, K, C);
+    }
+    const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
+    const int a = mesh_.block[static_cast<size_t>(e.first)], b = mesh_.block[static_cast<size_t>(e.second)];
+    const int blocks[4] = {a, shape.count() == 4 ? a + 1 : b, b, b + 1};
+    sink.add({blocks, static_cast<size_t>(shape.count())}, f, tangent ? K : nullptr,
+             tangent && trial.step > 0 ? C : nullptr, nullptr);
+  }
+}
+
+}  // namespace hawser

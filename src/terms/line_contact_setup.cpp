@@ -1,0 +1,219 @@
+// What LineContact is made from, what it remembers, shows and keeps.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "hawser/terms/line_contact.hpp"
+
+namespace hawser {
+
+LineContact::LineContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+                         std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements)
+    : mesh_(mesh), bodies_(std::move(bodies)), volumes_(std::move(volumes)), elements_(std::move(elements)) {
+  if (!bodies_) bodies_ = std::make_shared<const Bodies>();
+  if (elements_.size() != mesh_.elements.size())
+    throw std::invalid_argument("contact along lines needs one LineContactElement for each local element");
+  for (const ContactVolume& v : volumes_) {
+    if (!v.surface) throw std::invalid_argument("volume " + v.settings.name + " has no surface");
+    if (v.body >= bodies_->size())
+      throw std::invalid_argument("volume " + v.settings.name + " has no such body");
+    if (v.settings.basis == model::StiffnessBasis::automatic || !(v.settings.normal_stiffness > 0))
+      throw std::invalid_argument("volume " + v.settings.name + " has no contact stiffness");
+    boxes_.push_back(v.surface->bounds());
+  }
+  for (const LocalElement& e : mesh_.elements)
+    lengths_.push_back(mesh_.mesh->elements[static_cast<size_t>(e.global)].length);
+  accounts_.resize(elements_.size());
+  pose_bodies(0, poses_);
+  start_poses_ = poses_;
+}
+
+ContactLaw LineContact::law(size_t element, const model::Volume& v) const {
+  const double diameter = 2 * elements_[element].radius;
+  double share = 1;  // of a metre: what turns the basis into N/m²
+  if (v.basis == model::StiffnessBasis::per_point) share = 1 / lengths_[element];
+  if (v.basis == model::StiffnessBasis::per_area) share = diameter;
+  ContactLaw law;
+  law.normal.stiffness = v.normal_stiffness * share;
+  law.normal.smoothing = v.smoothing > 0 ? v.smoothing : 0.001 * diameter;  // as in the nodes method
+  law.normal.damping =
+      contact_damping(v.relative_damping, law.normal.stiffness, elements_[element].mass_per_length);
+  law.friction.axial = v.friction.axial;
+  law.friction.lateral = v.friction.lateral;
+  law.friction.stiffness = v.friction.shear_stiffness * share;
+  const double length = v.friction.mobilisation_length > 0 ? v.friction.mobilisation_length : 0.01 * diameter;
+  law.friction.axial_length = law.friction.lateral_length = length;
+  return law;
+}
+
+void LineContact::pose_bodies(double time, std::vector<RigidPose>& poses) const {
+  const int n = bodies_->size();
+  poses.resize(static_cast<size_t>(n) + 1);
+  for (int b = 0; b < n; ++b) poses[static_cast<size_t>(b) + 1] = bodies_->pose(b, time);
+}
+
+AxisEnds LineContact::ends(const Kinematics& at, int element) const {
+  const LocalElement& e = mesh_.elements[static_cast<size_t>(element)];
+  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  AxisEnds a;
+  a.beam = mesh_.mesh->elements[static_cast<size_t>(e.global)].beam;
+  a.length = length(element);
+  a.x1 = at.x[i], a.x2 = at.x[j], a.v1 = at.v[i], a.v2 = at.v[j];
+  if (!a.beam) return a;
+  a.tangent = elements_[static_cast<size_t>(element)].tangent;
+  a.q1 = at.q[i], a.q2 = at.q[j], a.w1 = at.w[i], a.w2 = at.w[j];
+  return a;
+}
+
+// Evaluated again at the accepted state, so that what is kept belongs to it and to no other trial.
+void LineContact::commit(const Kinematics& accepted) {
+  pose_bodies(accepted.time, poses_);
+  for (Pair& pair : pairs_) {
+    const AxisShape shape(ends(accepted, pair.element));
+    const RigidPose& pose = poses_[body(pair.volume)];
+    const ContactLaw laws = applied(pair);
+    std::vector<Point> next;
+    Account& sum = accounts_[static_cast<size_t>(pair.element)];
+    for (const ContactStretch& s : locate(pair, shape, pose))
+      for (size_t q = 0; q < ContactRule::kPoints; ++q) {
+        Point p;
+        p.xi = s.from + (s.to - s.from) * ContactRule::place()[q];
+        p.from = s.from, p.to = s.to;
+        p.weight = length(pair.element) * (s.to - s.from) * ContactRule::weight()[q];
+        ContactTrial at;
+        if (!sample(pair, shape, pose, p.xi, accepted.step > 0, at)) continue;
+        ContactStart begin;
+        if (laws.friction.active()) begin = start(pair, origin(pair, p.xi), p.xi);
+        const PointContact c = volume_contact(laws, begin, at, false);
+        if (!(c.normal.elastic > 0)) continue;
+        p.slip = c.slip, p.normal = at.normal;
+        p.force = c.force, p.friction = c.friction;
+        p.normal_force = c.normal.force, p.damping_force = c.normal.force - c.normal.elastic;
+        p.potential = c.normal.potential, p.gap = at.gap;
+        if (-p.gap > sum.depth) {
+          sum.depth = -p.gap, sum.time = accepted.time;
+          sum.volume = pair.volume, sum.end = p.xi < 0.5 ? 0 : 1;
+        }
+        next.push_back(p);
+      }
+    if (accepted.step > 0 && !(next.empty() && pair.history.empty())) account(pair, shape, next);
+    pair.history = std::move(next);
+  }
+}
+
+// Trapezoid over the step, as in the nodes method: half with the forces at its start where they were, half
+// with those at its end where they are. Of a step in which a point met or left only the part in touch counts.
+void LineContact::account(Pair& pair, const AxisShape& shape, const std::vector<Point>& next) {
+  const RigidPose &before = start_poses_[body(pair.volume)], &after = poses_[body(pair.volume)];
+  const Mat3 R0 = before.rotation.toRotationMatrix(), R1 = after.rotation.toRotationMatrix();
+  const double smoothing = pair.law.normal.smoothing;
+  Account& sum = accounts_[static_cast<size_t>(pair.element)];
+  const auto add = [&](const Point& p, const Mat3& R, const Vec3& y0, const Vec3& y1, double part) {
+    const Vec3 relative = 0.5 * (R0 + R1) * (y1 - y0);
+    const Vec3 carried = after.position - before.position + 0.5 * (R1 - R0) * (y0 + y1);
+    const double w = 0.5 * part * p.weight;
+    sum.friction -= w * (R * p.friction).dot(relative);
+    sum.damping -= w * p.damping_force * (R * p.normal).dot(relative);
+    sum.work += w * (R * p.force).dot(carried);
+  };
+  for (const Point& p : pair.history) {
+    const Vec3 y0 = before.to_body(pair.start.point(p.xi)), y1 = after.to_body(shape.point(p.xi));
+    const double away = p.normal.dot(y1 - y0), deep = std::max(smoothing - p.gap, 0.0);
+    add(p, R0, y0, y1, away > deep ? deep / away : 1);
+  }
+  for (const Point& p : next) {
+    const Vec3 y0 = before.to_body(pair.start.point(p.xi)), y1 = after.to_body(shape.point(p.xi));
+    const Origin o = origin(pair, p.xi);
+    const double moved = o.touched ? 0 : std::max(o.gap - smoothing, 0.0), deep = smoothing - p.gap;
+    add(p, R1, y0, y1, moved > 0 ? deep / (moved + deep) : 1);
+  }
+}
+
+// In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
+Energy LineContact::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Pair& p : pairs_) {
+    if (!mesh_.elements[static_cast<size_t>(p.element)].counted) continue;
+    if (at.step > 0) {
+      for (const Point& q : p.history) e.strain += q.weight * q.potential;
+      continue;
+    }
+    Pair pair = p;
+    const AxisShape shape(ends(at, p.element));
+    const RigidPose pose = bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time);
+    for (const ContactStretch& s : locate(pair, shape, pose))
+      for (size_t q = 0; q < ContactRule::kPoints; ++q) {
+        ContactTrial trial;
+        if (!sample(pair, shape, pose, s.from + (s.to - s.from) * ContactRule::place()[q], false, trial))
+          continue;
+        e.strain += length(p.element) * (s.to - s.from) * ContactRule::weight()[q] *
+                    normal_force(p.law.normal, trial.gap, 0).potential;
+      }
+  }
+  for (size_t i = 0; i < accounts_.size(); ++i) {
+    if (!mesh_.elements[i].counted) continue;
+    e.friction += accounts_[i].friction, e.damping += accounts_[i].damping, e.work += accounts_[i].work;
+  }
+  return e;
+}
+
+void LineContact::fields(FieldRegistry& registry) const {
+  // The share of each Gauss point of the elements at an owned node, by the shape functions of positions.
+  const auto shared = [this](const auto& put) {
+    for (const Pair& p : pairs_) {
+      const LocalElement& e = mesh_.elements[static_cast<size_t>(p.element)];
+      const bool beam = mesh_.mesh->elements[static_cast<size_t>(e.global)].beam;
+      for (const Point& q : p.history) {
+        const double second = beam ? q.xi * q.xi * (3 - 2 * q.xi) : q.xi;
+        if (e.first < mesh_.owned) put(e.first, p, q, 1 - second);
+        if (e.second < mesh_.owned) put(e.second, p, q, second);
+      }
+    }
+  };
+  const auto vector = [this, shared](Vec3 Point::*value) {
+    return [this, shared, value](const Kinematics& at, std::span<double> out) {
+      std::fill(out.begin(), out.end(), 0.0);
+      std::vector<RigidPose> poses;
+      pose_bodies(at.time, poses);
+      shared([&](int node, const Pair& p, const Point& q, double share) {
+        const Vec3 f = share * q.weight * (poses[body(p.volume)].rotation * (q.*value));
+        for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * node + c)] += f[c];
+      });
+    };
+  };
+  registry.add({"contact_force", "N", 3, vector(&Point::force)});
+  registry.add({"contact_normal_force", "N", 1, [shared](const Kinematics&, std::span<double> out) {
+                  std::fill(out.begin(), out.end(), 0.0);
+                  shared([&](int node, const Pair&, const Point& q, double share) {
+                    out[static_cast<size_t>(node)] += share * q.weight * q.normal_force;
+                  });
+                }});
+  registry.add({"friction_force", "N", 3, vector(&Point::friction)});
+  registry.add({"penetration", "m", 1, [shared](const Kinematics&, std::span<double> out) {
+                  std::fill(out.begin(), out.end(), 0.0);
+                  shared([&](int node, const Pair&, const Point& q, double share) {
+                    if (share >= 0.5)
+                      out[static_cast<size_t>(node)] = std::max(out[static_cast<size_t>(node)], -q.gap);
+                  });
+                }});
+}
+
+Penetration LineContact::largest_penetration() const {
+  Penetration p;
+  for (size_t i = 0; i < accounts_.size(); ++i) {
+    const LocalElement& e = mesh_.elements[i];
+    const Account& a = accounts_[i];
+    if (e.counted && a.depth > p.depth)
+      p = {a.depth, mesh_.global[static_cast<size_t>(a.end ? e.second : e.first)], a.volume, a.time};
+  }
+  return p;
+}
+
+int LineContact::touching() const {
+  return static_cast<int>(std::count_if(pairs_.begin(), pairs_.end(), [this](const Pair& p) {
+    return !p.history.empty() && mesh_.elements[static_cast<size_t>(p.element)].counted;
+  }));
+}
+
+}  // namespace hawser

@@ -1,0 +1,194 @@
+// Contact along elements: exact tangents in every situation, repeatable, turns with the model, energies
+// close.
+#include "terms/line_contact_cases.hpp"
+
+namespace hawser::test {
+namespace {
+
+TEST(LineContact, Tangents) {
+  for (const LineCase& c : line_cases()) {
+    LineModel m(c);
+    EXPECT_GT(m.contact->touching(), 1) << c.name;
+    expect_tangent(*m.system, m.trial, "along the line, " + c.name);
+  }
+}
+
+std::vector<double> node_field(const LineContact& contact, const Kinematics& at, const std::string& name,
+                               int nodes) {
+  FieldRegistry registry;
+  contact.fields(registry);
+  for (const FieldSource& f : registry.sources()) {
+    if (f.name != name) continue;
+    std::vector<double> values(static_cast<size_t>(nodes * f.components), -1);
+    f.fill(at, values);
+    return values;
+  }
+  return {};
+}
+
+// The cases are what they claim to be: open and in touch, in the ramp and beyond, stuck and sliding.
+TEST(LineContact, Situations) {
+  for (const LineCase& c : line_cases()) {
+    LineModel m(c);
+    const State end = state_of(m.system->mesh(), m.trial);
+    m.system->commit(end.view(m.trial.h));
+    const auto records = m.contact->save();
+    int ramp = 0, full = 0, sliding = 0, stuck = 0, moving = 0;
+    for (const HistoryRecord& r : records) {
+      if (r.key != 0) continue;  // once an element
+      for (size_t i = 0; i < r.values.size(); i += 20) {
+        const double gap = r.values[i + 7], normal = r.values[i + 4];
+        const Vec3 friction = Eigen::Map<const Vec3>(r.values.data() + i + 17);
+        ++(gap > -1e-3 ? ramp : full);
+        moving += (r.values[i + 1] > 0 && r.values[i + 1] != 0.5) ||
+                  (r.values[i + 2] < 1 && r.values[i + 2] != 0.5);
+        if (c.axial != c.lateral || c.axial == 0) continue;
+        ++(friction.norm() > 0.2999 * normal ? sliding : stuck);
+      }
+    }
+    EXPECT_GT(ramp, 0) << c.name;
+    EXPECT_GT(full, 0) << c.name;
+    EXPECT_GT(moving, 0) << c.name;
+    if (c.axial > 0 && c.axial == c.lateral) {
+      EXPECT_GT(c.far ? sliding : stuck, 4) << c.name;
+    }
+  }
+}
+
+TEST(LineContact, EvaluatingLeavesNoTrace) {
+  for (const LineCase& c : line_cases()) {
+    LineModel m(c), other(c);
+    System& system = *m.system;
+    const Trial& t = m.trial;
+    const LocalMesh& mesh = system.mesh();
+    const State here = state_of(mesh, t);
+    const auto f = residual(system, here, t.h);
+    const MatHandle J = tangent(system, t, {1, 3, 7, 0, 0});
+    for (const double far : {5.0, 1e4}) {
+      const auto d = direction(system, t, 55);
+      residual(system, state_of(mesh, t, far, &d, {1, 1, 1, 0, 0}), t.h);
+      system.energy(state_of(mesh, t, far, &d).view(0));
+    }
+    system.prepare(t.from.view(t.h), 0.3 * t.h);
+    residual(system, here, t.h);
+    system.prepare(t.from.view(t.h), t.h);
+    EXPECT_EQ(residual(system, here, t.h), f) << c.name;
+    const MatHandle K = tangent(system, t, {1, 3, 7, 0, 0});
+    PetscBool equal = PETSC_FALSE;
+    check(MatEqual(J.get(), K.get(), &equal));
+    EXPECT_TRUE(equal) << c.name;
+    system.commit(here.view(t.h)), other.system->commit(here.view(t.h));
+    const auto a = m.contact->save(), b = other.contact->save();
+    ASSERT_EQ(a.size(), b.size());
+    for (size_t i = 0; i < a.size(); ++i)
+      EXPECT_TRUE(a[i].node == b[i].node && a[i].key == b[i].key && a[i].values == b[i].values) << c.name;
+  }
+}
+
+TEST(LineContact, TurnsWithTheModel) {
+  const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
+  for (const LineCase& c : line_cases()) {
+    LineModel m(c), turned(c, PETSC_COMM_SELF, at);
+    const LocalMesh& mesh = m.system->mesh();
+    // Rotations of the nodes are given in space: the turned model's are turned too.
+    const auto f = residual(*m.system, state_of(mesh, m.trial), m.trial.h);
+    const auto g = residual(*turned.system, state_of(mesh, turned.trial), m.trial.h);
+    double size = 0, off = 0;
+    for (int n = 0; n < mesh.owned; ++n)
+      for (int k = 0; k <= mesh.rotates(n); ++k) {
+        const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
+        const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
+        size = std::max(size, a.norm());
+        off = std::max(off, (k ? Vec3(b - a) : Vec3(b - at.rotation * a)).norm());
+      }
+    EXPECT_LT(off, 1e-10 * size) << c.name;
+    EXPECT_GT(size, 10) << c.name;
+  }
+}
+
+TEST(LineContact, HistoryGoesThroughACheckpoint) {
+  for (const LineCase& c : line_cases()) {
+    LineModel m(c), copy(c);
+    const double h = m.trial.h;
+    const State end = state_of(m.system->mesh(), m.trial);
+    m.system->commit(end.view(h));
+    auto records = m.contact->save();
+    std::reverse(records.begin(), records.end());
+    copy.contact->restore(records);
+    EXPECT_EQ(copy.contact->energy(end.view(h)).strain, m.contact->energy(end.view(h)).strain);
+    EXPECT_EQ(copy.contact->energy(end.view(h)).friction, m.contact->energy(end.view(h)).friction);
+    EXPECT_EQ(copy.contact->largest_penetration().depth, m.contact->largest_penetration().depth);
+    EXPECT_EQ(copy.contact->largest_penetration().node, m.contact->largest_penetration().node);
+    for (LineModel* one : {&m, &copy}) {
+      one->trial.from = end;
+      for (double& u : one->trial.u) u *= 0.1;
+      one->system->prepare(end.view(h), h);
+    }
+    const State next = state_of(m.system->mesh(), m.trial);
+    EXPECT_EQ(residual(*m.system, next, h), residual(*copy.system, next, h)) << c.name;
+  }
+}
+
+// Force of an element that lies on a plane, by hand; shared out half and half; work of a plane that rises.
+TEST(LineContact, OneElementOnARisingPlane) {
+  Mesh mesh;
+  mesh.nodes = {{0, 0, 1, false}, {0, 2, 1, false}};
+  mesh.elements = {{0, 0, 1, 0, 2, false}};
+  mesh.lines = {{0, 2, 0, 1, 2, "line"}};
+  for (const auto& [basis, force] : {std::pair(model::StiffnessBasis::per_point, 1e5 * 0.02),
+                                     std::pair(model::StiffnessBasis::per_length, 2e5 * 0.02),
+                                     std::pair(model::StiffnessBasis::per_area, 0.2 * 2e5 * 0.02)}) {
+    const LocalMesh l = local_mesh(mesh, {0, 0}, 0, 1);
+    const RigidMotion rising({0, 0, 0}, {0, 0, 0}, SteadyLaw{{0.1, 0, 0.2}, {0, 0, 1}, 0}, 0);
+    ContactVolume v;
+    v.surface = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ());
+    v.body = 0;
+    v.settings.basis = basis;
+    v.settings.normal_stiffness = 1e5;
+    v.settings.friction = {0.3, 0.3, 0, 4e4};
+    LineContact term(l, std::make_shared<const Bodies>(std::vector<RigidMotion>{rising}), {v}, {{0.1, 50}});
+    State s(2);
+    s.x = {Vec3(0, 0, 0.12), Vec3(2, 0, 0.12)};
+    const double h = 1e-3;
+    for (int i = 1; i <= 200; ++i) {
+      term.prepare(s.view(h), h);
+      s.time = i * h;
+      term.commit(s.view(h));
+    }
+    const auto at = s.view(h);
+    const Energy e = term.energy(at);
+    EXPECT_NEAR(term.largest_penetration().depth, 0.02, 1e-12);
+    EXPECT_NEAR(e.work, e.strain + e.friction + e.damping, 1e-3 * e.work);
+    EXPECT_GT(e.friction, 0.01 * e.work);
+    const auto normal = node_field(term, at, "contact_normal_force", 2);
+    EXPECT_NEAR(normal[0], force / 2, 1e-9 * force);
+    EXPECT_NEAR(normal[1], force / 2, 1e-9 * force);
+    const auto friction = node_field(term, at, "friction_force", 2);
+    // Carried along by 10 mm from the touch on, 0.4 of the normal stiffness.
+    EXPECT_NEAR(friction[0], 0.4 * force / 2 * (0.010 / 0.020), 0.005 * force);
+    EXPECT_NEAR(node_field(term, at, "penetration", 2)[1], 0.02, 1e-12);
+    term.enable_friction(false);
+    term.prepare(s.view(h), h);
+    term.commit(s.view(h));
+    EXPECT_EQ(node_field(term, at, "friction_force", 2)[0], 0);
+  }
+}
+
+TEST(LineContact, RefusesWhatItCannotUse) {
+  SuiteModel m;
+  const LocalMesh& l = m.system->mesh();
+  ContactVolume v;
+  v.surface = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ());
+  v.settings.basis = model::StiffnessBasis::per_length;
+  v.settings.normal_stiffness = 1e5;
+  const std::vector<LineContactElement> elements(l.elements.size());
+  EXPECT_NO_THROW(LineContact(l, nullptr, {v}, elements));
+  EXPECT_THROW(LineContact(l, nullptr, {v}, {}), std::invalid_argument);
+  v.body = 0;
+  EXPECT_THROW(LineContact(l, nullptr, {v}, elements), std::invalid_argument);
+  v.body = -1, v.settings.basis = model::StiffnessBasis::automatic;
+  EXPECT_THROW(LineContact(l, nullptr, {v}, elements), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hawser::test

@@ -1,0 +1,111 @@
+// Stretches of contact along an axis against gaps whose roots are known.
+#include "hawser/kernels/line_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace hawser {
+namespace {
+
+struct Gap final : AxisGapFunction {
+  std::function<double(double)> value, slope;
+  int calls = 0;
+  AxisGap at(double xi, double within) override {
+    ++calls;
+    const double v = value(xi);
+    return v > within ? AxisGap{within, 0} : AxisGap{v, slope(xi)};
+  }
+};
+
+// Straight element of length L along x past a circle of radius R at (c, depth below the axis: height).
+Gap circle(double L, double c, double height, double R) {
+  Gap g;
+  g.value = [=](double xi) { return std::hypot(L * xi - c, height) - R; };
+  g.slope = [=](double xi) { return L * (L * xi - c) / std::hypot(L * xi - c, height); };
+  return g;
+}
+
+TEST(LineContactStretches, FindsARollerAnywhere) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> u(0, 1);
+  int most = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double L = 0.2 + 4 * u(random), R = 0.3 + 0.2 * u(random), c = L * (1.4 * u(random) - 0.2);
+    const double height = R * (1 - std::pow(10, -8 * u(random)));
+    const double half = std::sqrt(R * R - height * height);
+    const double from = std::max(0.0, (c - half) / L), to = std::min(1.0, (c + half) / L);
+    Gap g = circle(L, c, height, R);
+    const auto found = contact_stretches(g, L, contact_levels(L, 0.16));
+    most = std::max(most, g.calls);
+    if (from >= to) {
+      EXPECT_TRUE(found.empty());
+      continue;
+    }
+    ASSERT_EQ(found.size(), 1u) << L << " " << c << " " << R << " " << height;
+    // A root is as good as the gap: eps over its slope.
+    EXPECT_NEAR(found[0].from, from, 1e-13 + 1e-15 * R / half);
+    EXPECT_NEAR(found[0].to, to, 1e-13 + 1e-15 * R / half);
+    EXPECT_EQ(found[0].from_moves, from > 0);
+    EXPECT_EQ(found[0].to_moves, to < 1);
+  }
+  printf("  at most %d distances for an element\n", most);
+  EXPECT_LE(most, 60);
+}
+
+TEST(LineContactStretches, FarCostsOneDistance) {
+  Gap g = circle(1, 0.5, 3, 0.5);
+  EXPECT_TRUE(contact_stretches(g, 1, 5).empty());
+  EXPECT_EQ(g.calls, 1);
+}
+
+TEST(LineContactStretches, LyingAndArching) {
+  Gap g;
+  g.value = [](double) { return -1e-3; }, g.slope = [](double) { return 0.0; };
+  auto found = contact_stretches(g, 1, 1);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(g.calls, 3);
+  EXPECT_FALSE(found[0].from_moves || found[0].to_moves);
+  // An arch over the second half: roots of -1e-3 + 0.1 (x - 0.6)(0.9 - x) by the formula.
+  g.value = [](double x) { return -1e-3 + 0.1 * (x - 0.6) * (0.9 - x); };
+  g.slope = [](double x) { return 0.1 * (1.5 - 2 * x); };
+  found = contact_stretches(g, 1, 1);
+  ASSERT_EQ(found.size(), 2u);
+  const double half = std::sqrt(0.15 * 0.15 - 0.01);
+  EXPECT_NEAR(found[0].to, 0.75 - half, 1e-13);
+  EXPECT_NEAR(found[1].from, 0.75 + half, 1e-13);
+  std::vector<ContactStretch> panels;
+  cut_stretches(found, panels);
+  ASSERT_EQ(panels.size(), 3u);
+  EXPECT_EQ(panels[0].to, 0.5);
+  EXPECT_TRUE(panels[1].to_moves);
+}
+
+TEST(LineContactStretches, TwoRollersUnderOneElement) {
+  Gap g;
+  const auto one = [](double x, double c) { return std::hypot(4 * x - c, 0.4) - 0.41; };
+  const auto slope = [](double x, double c) { return 4 * (4 * x - c) / std::hypot(4 * x - c, 0.4); };
+  g.value = [&](double x) { return std::min(one(x, 0.0), one(x, 2.0)); };
+  g.slope = [&](double x) { return slope(x, one(x, 0.0) < one(x, 2.0) ? 0.0 : 2.0); };
+  const auto found = contact_stretches(g, 4, contact_levels(4, 0.16));
+  ASSERT_EQ(found.size(), 2u);  // both ends of the first half touch, its middle does not
+  EXPECT_NEAR(found[0].to, std::sqrt(0.41 * 0.41 - 0.16) / 4, 1e-13);
+  EXPECT_NEAR(found[1].from + found[1].to, 1, 1e-13);
+}
+
+TEST(LineContactRule, IsExactToTheSeventhDegree) {
+  for (int n = 0; n < 9; ++n) {
+    double sum = 0;
+    for (size_t q = 0; q < ContactRule::kPoints; ++q)
+      sum += ContactRule::weight()[q] * std::pow(ContactRule::place()[q], n);
+    if (n < 8)
+      EXPECT_NEAR(sum, 1.0 / (n + 1), 1e-15);
+    else
+      EXPECT_GT(std::abs(sum - 1.0 / 9), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace hawser

@@ -1,0 +1,118 @@
+// C09 with contact along the line: a stiff line under a far tension T leaves a circle of radius rho (of its
+// centreline), without friction. Elastica: it leaves at alpha before the point where T's direction would be
+// tangent, 1 - cos alpha = EI/(2 T rho²); there the drum pushes with a single force P = T sin alpha; on the
+// drum the tension is T cos alpha and the pressure that over rho; the far line of action passes rho + EI/(2 T
+// rho) from the axis.
+#include "verification/contact_rig.hpp"
+
+namespace hawser::test {
+namespace {
+
+struct Row {
+  double EI, rho, T;  // N m², m, N
+  double alpha, P, tension, pressure, M,
+      offset;  // rad, N, N, N/m, N m, m: closed form, checked by a BVP solver
+};
+constexpr Row kRows[] = {
+    {196133, 4.025, 200e3, 0.2466584256, 48832.97822, 193946.7459, 48185.52693, 48728.69565, 0.2436434783},
+    {100e3, 5, 50e3, 0.2837941092, 14000, 48000, 9600, 20000, 0.4},
+    {1e6, 10, 200e3, 0.2240752853, 44440.97209, 195000, 19500, 100000, 0.5},
+    {120e3, 4.025, 10e3, 0.8897015468, 7768.838629, 6296.439181, 1564.332716, 29813.6646, 2.98136646}};
+constexpr double kWrap = 2.2;  // rad, from the clamp to where T's direction is tangent
+
+struct Found {
+  Samples curvature, moment, tension, pressure;  // on the middle half of the drum
+  double P = 0, lift_off = 0;                    // N; rad before the direction of T
+  double offset = 0;                             // m
+  int iterations = 0, unstable = 0;
+};
+
+Found solve(const Row& row, int elements_a_radian) {
+  const double r = 0.1 * row.rho, leg = 8 * std::sqrt(row.EI / row.T);
+  std::vector<Vec3> path = capstan_path(row.rho, kWrap, 0, leg);
+  path.erase(path.begin());
+  const double length = path_length(path);
+  const int n = static_cast<int>(std::ceil(length / row.rho * elements_a_radian));
+  const double h = length / n;
+  model::LineType type = beam_type(1e9, row.EI, row.EI, 10);
+  type.outer_diameter = type.contact_diameter = 2 * r;
+  model::Case c = one_line(type, length, n, clamp(on_circle(row.rho, 0), along_circle(0)), {});
+  c.lines[0].start = model::Start::points;
+  c.lines[0].points = path;
+  c.contact.method = model::ContactMethod::line;
+  c.lines[0].loads.push_back({row.T / h * along_circle(kWrap), length - h, length, 0, 0});
+  model::Volume drum;
+  drum.name = "drum";
+  drum.basis = model::StiffnessBasis::per_length;
+  drum.normal_stiffness = row.pressure / (1e-6 * row.rho);
+  drum.smoothing = 1e-7 * row.rho;
+  c.volumes.push_back(drum);
+  Simulation s(PETSC_COMM_WORLD, c, {round_drum(row.rho - r, 8)});
+  const StaticsReport report = s.solve_statics();
+
+  const Kinematics k = s.state().view(0);
+  const auto of = [&](const char* name) { return NodeField(s, name).at(k); };
+  const std::vector<double> curvature = of("curvature"), moment = of("bending_moment"),
+                            tension = of("effective_tension"), normal = of("contact_normal_force"),
+                            force = of("contact_force");
+  const double lift = kWrap - row.alpha, from = 0.25 * lift, to = 0.75 * lift;
+  Found f;
+  f.iterations = report.iterations, f.unstable = report.negative_eigenvalues;
+  double sum = 0, start = to;
+  int inside = 0;
+  Vec3 rest = Vec3::Zero();
+  for (size_t i = 1; i < k.x.size(); ++i) {
+    const double angle = std::atan2(k.x[i].z(), k.x[i].x());
+    if (normal[i] > 0 && angle > to) rest += Eigen::Map<const Vec3>(force.data() + 3 * i);
+    if (angle < from || angle > to) continue;
+    f.curvature.add(curvature[i]), f.moment.add(moment[i]), f.tension.add(tension[i]);
+    sum += normal[i], ++inside;
+    start = angle + 0.5 * h / row.rho;  // each node bears what presses on half its elements
+  }
+  const double pressure = sum / (inside * h);
+  f.pressure.add(pressure);
+  // What pushes beyond `to` is the pressure up to the lift-off and P there: two components, two unknowns.
+  double low = start, high = kWrap;
+  for (int i = 0; i < 80; ++i) {
+    const double q = 0.5 * (low + high);
+    const Vec3 arc = row.rho * Vec3(std::sin(q) - std::sin(start), 0, std::cos(start) - std::cos(q));
+    const Vec3 point = rest - pressure * arc;
+    f.P = point.dot(on_circle(1, q));
+    (point.dot(along_circle(q)) > 0 ? low : high) = q;
+  }
+  f.lift_off = kWrap - low;
+  f.offset = 2 * (k.x.back().dot(on_circle(1, kWrap)) - row.rho);
+  return f;
+}
+
+class LineLiftOff : public ::testing::TestWithParam<Row> {};
+
+void judge(const Row& row, int elements_a_radian, double tolerance) {
+  const Found f = solve(row, elements_a_radian);
+  std::printf(
+      "lift-off along the line, EI %.0f T %.0f, %d elements a radian: curvature %+.3f %%, moment %+.3f %%, "
+      "tension %+.3f %%, pressure %+.3f %%, P %+.2f %%, angle %.4f (%.4f) rad, offset %+.3f %%; %d "
+      "iterations\n",
+      row.EI, row.T, elements_a_radian, 100 * (f.curvature.mean() * row.rho - 1),
+      100 * (f.moment.mean() / row.M - 1), 100 * (f.tension.mean() / row.tension - 1),
+      100 * (f.pressure.mean() / row.pressure - 1), 100 * (f.P / row.P - 1), f.lift_off, row.alpha,
+      100 * (f.offset / row.offset - 1), f.iterations);
+  EXPECT_EQ(f.unstable, 0);
+  EXPECT_NEAR(f.curvature.mean() * row.rho, 1, tolerance);
+  EXPECT_LT(f.curvature.rms() * row.rho, tolerance);
+  EXPECT_NEAR(f.moment.mean(), row.M, tolerance * row.M);
+  EXPECT_NEAR(f.tension.mean(), row.tension, tolerance * row.tension);
+  EXPECT_NEAR(f.pressure.mean(), row.pressure, 10 * tolerance * row.pressure);
+  EXPECT_NEAR(f.P, row.P, 10 * tolerance * row.P);
+  EXPECT_NEAR(f.lift_off, row.alpha, 2 * tolerance);
+  EXPECT_NEAR(f.offset, row.offset, 2 * tolerance * row.offset);
+}
+
+TEST_P(LineLiftOff, Fine) { judge(GetParam(), 60, 1e-3); }
+TEST_P(LineLiftOff, Coarse) { judge(GetParam(), 15, 5e-3); }
+
+INSTANTIATE_TEST_SUITE_P(Rows, LineLiftOff, ::testing::ValuesIn(kRows),
+                         [](const auto& row) { return "row" + std::to_string(row.index + 1); });
+
+}  // namespace
+}  // namespace hawser::test
