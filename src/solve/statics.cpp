@@ -15,7 +15,7 @@ namespace {
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
 constexpr double kArmijo = 1e-4;
 constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at the start, and a stage on
-constexpr int kHalvings = 30, kMaxEscapes = 3;
+constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
 
 class Search {
  public:
@@ -37,10 +37,12 @@ class Search {
       descend(report, settings_.tolerance);
       system_.tangent(state_.view(0), {}, zero_, false, J_.get());
       report.negative_eigenvalues = negative_eigenvalues(J_.get());
-      if (report.negative_eigenvalues <= 0 || report.escapes == kMaxEscapes) return report;
+      if (report.negative_eigenvalues <= 0 || report.escapes == kMaxEscapes) break;
       ++report.escapes;
       leave(report.escapes);
     }
+    polish(report);
+    return report;
   }
 
  private:
@@ -115,6 +117,23 @@ class Search {
                          1e-9, 1e7);
       if (!taken) shift *= 10;
     }
+  }
+
+  // On to round-off: what the tolerance leaves depends on the iterations taken, these on rounding and so on
+  // the number of ranks, and a soft line beside stiff ones shows it.
+  void polish(StaticsReport& report) {
+    for (int i = 0; i < kPolish; ++i) {
+      direction(true, 0, report.norms);
+      if (limit() < 1) break;
+      step(1);
+      system_.residual(trial_.view(0), r_.get());
+      const ResidualNorms n = system_.norms(r_.get());
+      if (!(n.relative() < 0.5 * report.norms.relative())) break;
+      std::swap(state_.x, trial_.x), std::swap(state_.q, trial_.q);
+      report.norms = n;
+      ++report.iterations;
+    }
+    system_.residual(state_.view(0), r_.get());  // the reactions are those of the state
   }
 
   // Newton direction into local_; returns its slope on the energy.
