@@ -1,25 +1,73 @@
 #include "hawser/app/volumes.hpp"
 
+#include <fmt/format.h>
+
 #include "hawser/base/error.hpp"
+#include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/geometry/primitives.hpp"
 #include "hawser/io/mesh_reader.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/model/check.hpp"
 
 namespace hawser::app {
+namespace {
+
+LoadedVolume load_mesh(const model::Volume& v) {
+  io::LoadedMesh loaded = io::read_mesh(v.mesh, v.scale);
+  LoadedVolume l;
+  l.active = io::active_triangles(loaded.mesh, v);
+  l.report = summary(loaded.report);
+  l.notes = loaded.notes;
+  const auto surface = std::make_shared<MeshSurface>(std::move(loaded.mesh), l.active);
+  l.surface = surface;
+  l.facets = {surface, &surface->mesh()};
+  return l;
+}
+
+// What lines may reach, in the frame of a body at t = 0 before it moves: so much of a plane is drawn.
+// A line reaches its length from one held end, half its length from the middle between two.
+Box reach(const model::Case& c, const std::string& body_name) {
+  const int b = c.body_index(body_name);
+  const model::Body space, &body = b < 0 ? space : c.bodies[static_cast<std::size_t>(b)];
+  const Quat turn = exp_so3(body.rotation).conjugate();
+  const auto local = [&](const Vec3& x) { return Vec3(turn * (x - body.position)); };
+  Box box;
+  for (const model::Line& line : c.lines) {
+    const double length = model::length_of(line);
+    Box own;
+    for (const Vec3& p : line.points) own.add(local(p));
+    int held = 0;
+    for (const model::End* e : {&line.end_a, &line.end_b})
+      if (e->kind != model::EndKind::free) own.add(local(model::end_position(c, *e))), ++held;
+    if (line.points.empty() && held > 0) {
+      const Vec3 middle = own.centre();
+      own.add(Box{middle, middle}.grown(held == 1 ? length : 0.5 * length));
+    }
+    box.add(own);
+  }
+  return box;
+}
+
+LoadedVolume load_shape(const model::Case& c, const model::Volume& v) {
+  LoadedVolume l;
+  l.surface = make_surface(*v.shape);
+  l.facets = std::make_shared<TriangleMesh>(facets(*v.shape, reach(c, v.body)));
+  l.active.assign(l.facets->triangles.size(), true);
+  l.report = fmt::format("exact shape; {} triangles for pictures only", l.facets->triangles.size());
+  return l;
+}
+
+}  // namespace
 
 std::vector<LoadedVolume> load_volumes(const model::Case& c) {
   std::vector<LoadedVolume> out;
   for (const auto& v : c.volumes) {
-    io::LoadedMesh loaded = io::read_mesh(v.mesh, v.scale);
-    LoadedVolume l;
-    l.name = v.name;
-    l.active = io::active_triangles(loaded.mesh, v);
-    l.report = summary(loaded.report);
-    l.notes = loaded.notes;
     try {
-      l.surface = std::make_shared<MeshSurface>(std::move(loaded.mesh), l.active);
+      out.push_back(v.shape ? load_shape(c, v) : load_mesh(v));
     } catch (const std::invalid_argument& e) {
-      throw InputError(c.path + ": volumes." + v.name + ".mesh: " + e.what());
+      throw InputError(c.path + ": volumes." + v.name + (v.shape ? ".shape: " : ".mesh: ") + e.what());
     }
-    out.push_back(std::move(l));
+    out.back().name = v.name;
   }
   return out;
 }
@@ -33,7 +81,7 @@ std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVol
 std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vector<LoadedVolume>& volumes) {
   std::vector<io::VolumeMesh> out;
   for (size_t i = 0; i < volumes.size(); ++i) {
-    const TriangleMesh& m = volumes[i].surface->mesh();
+    const TriangleMesh& m = *volumes[i].facets;
     out.push_back({volumes[i].name,
                    c.body_index(c.volumes[i].body),
                    m.vertices,

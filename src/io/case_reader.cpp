@@ -59,10 +59,7 @@ class Reader {
     return x ? as_vec3(*x) : Vec3(Vec3::Zero());
   }
   Vec3 unit_vec(const Value& v, const char* key, const std::string& path) const {
-    const Vec3 x = vec(v, key);
-    const double n = x.stableNorm();
-    if (!(n > 0)) source_.bad(v[key], path + "." + key, "[0, 0, 0] is no direction");
-    return x / n;
+    return read_direction(v, key, path, source_);
   }
 
   model::LineType line_type(const std::string& name, const Value& v) const {
@@ -128,8 +125,12 @@ class Reader {
   model::Volume volume(const std::string& name, const Value& v) const {
     model::Volume o;
     o.name = name;
-    o.mesh = source_.absolute(v["mesh"].text);
-    o.scale = v["scale"].number;
+    if (const Value* shape = v.find("shape")) {
+      o.shape = read_shape(*shape, "volumes." + name + ".shape", source_);
+    } else {
+      o.mesh = source_.absolute(v["mesh"].text);
+      o.scale = v["scale"].number;
+    }
     if (v.has("body")) o.body = v["body"].text;
     if (const Value* a = v.find("active")) {
       if (a->kind == Kind::map) {

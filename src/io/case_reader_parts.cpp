@@ -56,6 +56,28 @@ void CaseSource::bad(const Value& v, const std::string& key, const std::string& 
 
 Vec3 as_vec3(const Value& v) { return {v.items[0].number, v.items[1].number, v.items[2].number}; }
 
+Vec3 read_direction(const Value& v, const char* key, const std::string& path, const CaseSource& source) {
+  const Vec3 x = as_vec3(v[key]);
+  const double n = x.stableNorm();
+  if (!(n > 0)) source.bad(v[key], path + "." + key, "[0, 0, 0] is no direction");
+  return x / n;
+}
+
+Primitive read_shape(const Value& shape, const std::string& key, const CaseSource& source) {
+  const std::string path = key + "." + shape.keys.front();
+  const Value& v = shape.items.front();
+  const auto vec = [&](const char* name) { return as_vec3(v[name]); };
+  const auto number = [&](const char* name) { return v[name].number; };
+  if (shape.has("plane")) return PlaneShape{vec("point"), read_direction(v, "normal", path, source)};
+  if (shape.has("box")) return BoxShape{vec("centre"), vec("size"), vec("rotation_deg")};
+  if (shape.has("sphere")) return SphereShape{vec("centre"), number("radius")};
+  if (shape.has("torus"))
+    return TorusShape{vec("centre"), read_direction(v, "axis", path, source), number("radius"),
+                      number("tube_radius")};
+  if (shape.has("capsule")) return CapsuleShape{vec("from"), vec("to"), number("radius")};
+  return CylinderShape{vec("from"), vec("to"), number("radius")};
+}
+
 model::TableMotion read_motion_table(const Value& table, const std::string& key, const CaseSource& source) {
   const bool from_file = table.has("file");
   const Value& at = table[from_file ? "file" : "rows"];
@@ -104,6 +126,7 @@ void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
       thinnest = thinnest > 0 ? std::min(thinnest, d) : d;
     }
   for (const model::Volume& v : c.volumes) {
+    if (v.shape) continue;
     const Value& given = root["volumes"][v.name];
     const std::string key = "volumes." + v.name;
     LoadedMesh loaded;

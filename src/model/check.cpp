@@ -206,6 +206,19 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
           {"volumes." + v.name + ".active.box", "the first corner must be below the second in x, y and z"});
 }
 
+// What the numbers of a shape cannot say one by one.
+void check_shape(const Volume& v, std::vector<Issue>& issues) {
+  const std::string key = "volumes." + v.name + ".shape.";
+  if (const auto* s = std::get_if<CylinderShape>(&*v.shape); s && s->from == s->to)
+    issues.push_back({key + "cylinder.to", "is the same point as 'from': a cylinder has a length"});
+  if (const auto* s = std::get_if<CapsuleShape>(&*v.shape); s && s->from == s->to)
+    issues.push_back({key + "capsule.to", "is the same point as 'from'; give a sphere instead"});
+  if (const auto* s = std::get_if<TorusShape>(&*v.shape); s && s->tube_radius >= s->radius)
+    issues.push_back({key + "torus.tube_radius",
+                      fmt::format("{:g} m closes the hole of the ring; must be below the radius of {:g} m",
+                                  s->tube_radius, s->radius)});
+}
+
 }  // namespace
 
 double length_of(const Line& line) {
@@ -227,6 +240,8 @@ Vec3 end_position(const Case& c, const End& end) {
 std::vector<Issue> check(const Case& c) {
   std::vector<Issue> issues;
   for (const Line& l : c.lines) LineCheck(c, l, issues).run();
+  for (const Volume& v : c.volumes)
+    if (v.shape) check_shape(v, issues);
   check_whole(c, issues);
   return issues;
 }

@@ -196,6 +196,40 @@ Key friction() {
       .or_else("0");
 }
 
+Key shape() {
+  const auto radius = [](std::string about) {
+    return number("radius", length, std::move(about)).above(0).is_required();
+  };
+  const auto point = [](std::string name, std::string about) {
+    return vec3(std::move(name), length, std::move(about)).is_required();
+  };
+  std::vector<Key> kinds = {
+      map("plane",
+          {point("point", "any point of it"),
+           vec3("normal", none, "out of the solid; its length does not matter").is_required()},
+          "everything below a plane"),
+      map("box",
+          {point("centre", "centre"), vec3("size", length, "whole sides").above(0).is_required(),
+           vec3("rotation_deg", angle, "rotation vector of its sides").or_else(kZero)},
+          "sides along the axes of the body, unless turned"),
+      map("sphere", {point("centre", "centre"), radius("radius")}, "sphere"),
+      map("cylinder",
+          {point("from", "centre of one end"), point("to", "centre of the other"), radius("radius")},
+          "closed by flat ends"),
+      map("capsule",
+          {point("from", "one end of the axis"), point("to", "the other"), radius("radius, of the ends too")},
+          "cylinder with round ends"),
+      map("torus",
+          {point("centre", "centre"), vec3("axis", none, "direction of the axis").is_required(),
+           radius("of the circle in the middle of the tube"),
+           number("tube_radius", length, "of the tube, below `radius`").above(0).is_required()},
+          "ring")};
+  std::vector<Group> groups;
+  for (const Key& k : kinds) groups.push_back({{k.name}, {k.name}});
+  return map("shape", std::move(kinds), "instead of a mesh: an exact smooth shape, in the body's frame")
+      .either(std::move(groups), true);
+}
+
 Key volumes() {
   Key stiffness =
       one_of("normal_stiffness",
@@ -224,10 +258,13 @@ Key volumes() {
   return names(
              "volumes",
              map("<volume>",
-                 {text("mesh", "closed triangle mesh (STL, OBJ or PLY), relative to the case file")
-                      .is_required(),
+                 {text(
+                      "mesh",
+                      "closed triangle mesh (STL, OBJ or PLY), relative to the case file; this or `shape` is "
+                      "needed"),
+                  shape(),
                   number("scale", none, "mesh units to m: 0.001 for a mesh in mm").above(0).or_else("1"),
-                  reference("body", "bodies", "body it is fixed to; the mesh is in the body's frame")
+                  reference("body", "bodies", "body it is fixed to; mesh and shape are in the body's frame")
                       .or_else_note("none: fixed in space"),
                   std::move(active), std::move(stiffness),
                   number("smoothing", length, "half width of the smooth start of the contact force")
@@ -238,7 +275,8 @@ Key volumes() {
                       .at_most(2)
                       .or_else("0"),
                   friction()},
-                 ""),
+                 "")
+                 .either({{{"mesh", "scale", "active"}, {"mesh"}}, {{"shape"}, {"shape"}}}, true),
              "Volumes that lines must not enter, by name.")
       .or_else("{}");
 }

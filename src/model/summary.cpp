@@ -53,6 +53,29 @@ std::string motion_text(const Body& b) {
   return s;
 }
 
+struct ShapeText {
+  std::string operator()(const PlaneShape& s) const {
+    return fmt::format("plane through {} facing {}", point(s.point), point(s.normal));
+  }
+  std::string operator()(const BoxShape& s) const {
+    return fmt::format("box of {:g} x {:g} x {:g} m about {}{}", s.size.x(), s.size.y(), s.size.z(),
+                       point(s.centre), s.rotation.isZero(0) ? "" : ", turned");
+  }
+  std::string operator()(const SphereShape& s) const {
+    return fmt::format("sphere of radius {:g} m about {}", s.radius, point(s.centre));
+  }
+  std::string operator()(const CylinderShape& s) const {
+    return fmt::format("cylinder of radius {:g} m from {} to {}", s.radius, point(s.from), point(s.to));
+  }
+  std::string operator()(const CapsuleShape& s) const {
+    return fmt::format("capsule of radius {:g} m from {} to {}", s.radius, point(s.from), point(s.to));
+  }
+  std::string operator()(const TorusShape& s) const {
+    return fmt::format("torus of radius {:g} m, tube {:g} m, about {} with axis {}", s.radius, s.tube_radius,
+                       point(s.centre), point(s.axis));
+  }
+};
+
 std::string stiffness_text(const Volume& v) {
   switch (v.basis) {
     case StiffnessBasis::automatic:
@@ -65,6 +88,10 @@ std::string stiffness_text(const Volume& v) {
       return fmt::format("stiffness {:g} N/m³", v.normal_stiffness);
   }
   return {};
+}
+
+std::string form_text(const Volume& v) {
+  return v.shape ? std::visit(ShapeText{}, *v.shape) : std::filesystem::path(v.mesh).filename().string();
 }
 
 std::string friction_text(const Friction& f) {
@@ -134,7 +161,7 @@ std::string summary(const Case& c) {
     s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(b));
   s += fmt::format("volumes: {}\n", c.volumes.size());
   for (const Volume& v : c.volumes)
-    s += fmt::format("  {}: {}, {}, {}, {}{}\n", v.name, std::filesystem::path(v.mesh).filename().string(),
+    s += fmt::format("  {}: {}, {}, {}, {}{}\n", v.name, form_text(v),
                      v.body.empty() ? std::string("fixed in space") : "on " + v.body, stiffness_text(v),
                      friction_text(v.friction),
                      v.active_box            ? ", active in a box"

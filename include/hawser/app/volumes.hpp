@@ -1,11 +1,12 @@
-// The volumes of a case with their meshes read.
+// The volumes of a case: their surfaces for contact, their triangles for pictures.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/geometry/surface.hpp"
+#include "hawser/geometry/triangle_mesh.hpp"
 #include "hawser/io/results.hpp"
 #include "hawser/model/case.hpp"
 
@@ -13,10 +14,11 @@ namespace hawser::app {
 
 struct LoadedVolume {
   std::string name;
-  std::shared_ptr<const MeshSurface> surface;
-  std::vector<bool> active;
-  std::string report;              // what the mesh is
-  std::vector<std::string> notes;  // what was repaired
+  std::shared_ptr<const Surface> surface;      // exact for shapes
+  std::shared_ptr<const TriangleMesh> facets;  // the mesh itself; of a shape only for pictures
+  std::vector<bool> active;                    // one a facet
+  std::string report;                          // what the mesh is, or that the shape is exact
+  std::vector<std::string> notes;              // what was repaired
 };
 
 // In the order of the case. Throws InputError.

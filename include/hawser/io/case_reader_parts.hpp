@@ -1,4 +1,4 @@
-// Parts of the case reader that look at other files: motion tables and meshes.
+// Parts of the case reader: shapes, and what looks at other files (motion tables, meshes).
 #pragma once
 
 #include <string>
@@ -18,6 +18,13 @@ struct CaseSource {
 };
 
 Vec3 as_vec3(const model::Value& v);
+
+// The key's three numbers as a unit vector; zero is refused.
+Vec3 read_direction(const model::Value& v, const char* key, const std::string& path,
+                    const CaseSource& source);
+
+// `shape: {cylinder: {...}}` and the like; `key` is its dotted key.
+Primitive read_shape(const model::Value& shape, const std::string& key, const CaseSource& source);
 
 // `table: {file}` or `{rows}`: t [s], x, y, z [m] and maybe the rotation vector [deg, here to rad].
 model::TableMotion read_motion_table(const model::Value& table, const std::string& key,

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "hawser/geometry/primitive_shape.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser::model {
@@ -74,11 +75,12 @@ struct Box {
 
 struct Volume {
   std::string name;
-  std::string mesh;               // absolute path of an STL, OBJ or PLY file
-  double scale = 1;               // mesh units to m
-  std::string body;               // empty: fixed in space
-  std::optional<Box> active_box;  // only triangles with all corners inside take part
-  std::string active_part;        // name of a mesh part (OBJ group, STL solid); empty: all
+  std::optional<Primitive> shape;  // exact shape, body frame; or else a mesh:
+  std::string mesh;                // absolute path of an STL, OBJ or PLY file
+  double scale = 1;                // mesh units to m
+  std::string body;                // empty: fixed in space
+  std::optional<Box> active_box;   // only triangles with all corners inside take part
+  std::string active_part;         // name of a mesh part (OBJ group, STL solid); empty: all
   StiffnessBasis basis = StiffnessBasis::automatic;
   double normal_stiffness = 0;  // N/m, N/m² or N/m³ by basis
   double smoothing = 0;         // m, half width of the C1 ramp; 0: default
