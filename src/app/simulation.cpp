@@ -31,6 +31,8 @@ std::vector<ContactNode> contact_nodes(const model::Case& c, const LocalMesh& me
       node.mass += 0.5 * g.length * type.mass_per_length;
     }
   }
+  for (const NodeMass& m : point_masses(c, mesh))
+    if (m.node < mesh.owned) out[static_cast<size_t>(m.node)].mass += m.mass;
   return out;
 }
 

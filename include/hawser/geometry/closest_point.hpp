@@ -3,7 +3,7 @@
 // closest_point_on_triangle is accurate to a few units of rounding of max(|p - a|, edge lengths), also
 // for needles, caps and triangles collapsed to a segment or a point; the nearest face/edge/vertex
 // classification follows Ericson (2005), "Real-Time Collision Detection", section 5.1.5.
-// (Segment-segment, for contact of lines with lines, belongs here as closest_points_of_segments.)
+// Segment-segment is in segment_distance.hpp.
 #pragma once
 
 #include "hawser/math/types.hpp"
