@@ -125,21 +125,22 @@ std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, double reach
 }
 
 int contact_levels(double length, double radius) {
-  int levels = 1;
+  int levels = 2;
   while (levels < 5 && std::ldexp(length, -levels) > 4 * radius) ++levels;
   return levels;
 }
 
-void cut_stretches(const std::vector<ContactStretch>& stretches, std::vector<ContactStretch>& panels) {
-  panels.clear();
-  for (const ContactStretch& s : stretches) {
-    if (s.from < 0.5 && s.to > 0.5) {
-      panels.push_back({s.from, 0.5, s.from_moves, false});
-      panels.push_back({0.5, s.to, false, s.to_moves});
-    } else if (s.to > s.from) {
-      panels.push_back(s);
+std::vector<ContactStretch> cut_stretches(const std::vector<ContactStretch>& stretches, int levels) {
+  std::vector<ContactStretch> panels;
+  const double size = std::ldexp(1.0, -levels);
+  for (const ContactStretch& s : stretches)
+    for (double a = size * std::floor(s.from / size); a < s.to; a += size) {
+      const bool first = a <= s.from, last = a + size >= s.to;
+      const ContactStretch p{first ? s.from : a, last ? s.to : a + size, first && s.from_moves,
+                             last && s.to_moves};
+      if (p.to > p.from) panels.push_back(p);
     }
-  }
+  return panels;
 }
 
 const std::array<double, ContactRule::kPoints>& ContactRule::place() {

@@ -91,9 +91,7 @@ std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& sha
   pair.clear = middle->distance - pair.touch;
   if (pair.clear >= 0.5 * reach) return {};
   gap.set_middle({pair.clear, (pose.rotation * middle->normal).dot(shape.slope(0.5))});
-  std::vector<ContactStretch> panels;
-  cut_stretches(contact_stretches(gap, reach, pair.levels), panels);
-  return panels;
+  return cut_stretches(contact_stretches(gap, reach, pair.levels), pair.levels);
 }
 
 bool LineContact::sample(Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi, bool moves,

@@ -76,11 +76,14 @@ TEST(LineContactStretches, LyingAndArching) {
   const double half = std::sqrt(0.15 * 0.15 - 0.01);
   EXPECT_NEAR(found[0].to, 0.75 - half, 1e-13);
   EXPECT_NEAR(found[1].from, 0.75 + half, 1e-13);
-  std::vector<ContactStretch> panels;
-  cut_stretches(found, panels);
+  const auto panels = cut_stretches(found, 1);
   ASSERT_EQ(panels.size(), 3u);
   EXPECT_EQ(panels[0].to, 0.5);
   EXPECT_TRUE(panels[1].to_moves);
+  EXPECT_FALSE(panels[1].from_moves);
+  double length = 0;
+  for (const ContactStretch& s : cut_stretches(found, 5)) length += s.to - s.from;
+  EXPECT_NEAR(length, 1 - 2 * half, 1e-12);
 }
 
 TEST(LineContactStretches, TwoRollersUnderOneElement) {

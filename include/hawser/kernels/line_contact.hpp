@@ -30,13 +30,14 @@ struct ContactStretch {
 // or one maximum at most. Ends are roots to 1e-14.
 std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, double reach, int levels);
 
-// Levels at which pieces are no longer than 4 radii, at most 1/32 of the element: two places of contact on
-// one piece would be nearer to each other than the line is thick.
+// Levels at which pieces are no longer than 4 radii, from 1/4 to 1/32 of the element: two places of contact
+// on one piece would be nearer to each other than the line is thick.
 int contact_levels(double length, double radius);
 
-// Stretches cut at the middle of the element: what one Gauss rule integrates. Fixed cuts, so that the
-// integral is continuous when a stretch grows.
-void cut_stretches(const std::vector<ContactStretch>& stretches, std::vector<ContactStretch>& panels);
+// Stretches cut where pieces of 2^-levels meet: what one Gauss rule integrates. Fixed cuts, so that the
+// integral is continuous when a stretch grows; fine ones, so that it hardly changes when a stretch parts in
+// two.
+std::vector<ContactStretch> cut_stretches(const std::vector<ContactStretch>& stretches, int levels);
 
 // Gauss-Legendre on (0, 1).
 struct ContactRule {

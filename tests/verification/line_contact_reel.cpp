@@ -1,0 +1,91 @@
+// The reel of cases/reel on a round drum, with contact along the hose and at its nodes: how evenly it is
+// drawn up. With nodes the place where it leaves the drum jumps from node to node.
+#include "hawser/io/case_reader.hpp"
+#include "verification/contact_rig.hpp"
+
+namespace hawser::test {
+namespace {
+
+constexpr double kBarrel = 3.6, kHose = 0.425, kLength = 250;  // m
+
+struct Drawn {
+  double noise = 0;        // N, rms of the tension 6 m below the drum about a line through 10 s
+  double penetration = 0;  // m
+  double audit = 0;        // of the work brought in
+  double cpu = 0;          // s a simulated second
+  int steps = 0, iterations = 0;
+};
+
+Drawn draw(model::ContactMethod method, int elements, double duration) {
+  model::Case c = io::read_case(std::string(HAWSER_SOURCE_DIR) + "/cases/reel/reel.yaml");
+  c.contact.method = method;
+  c.lines[0].sections[0].elements = elements;
+  Simulation s(PETSC_COMM_WORLD, c, {round_drum(kBarrel, 5.5)});
+  s.solve_statics();
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  const model::LineType& type = c.line_types[0];
+  const double load =
+      (c.lines[0].loads[0].per_length - type.mass_per_length * 9.80665 * Vec3::UnitZ()).norm();
+  const double h = kLength / elements;
+  NodeField tension(s, "effective_tension");
+  const Energy e0 = s.system().energy(d.kinematics());
+  std::vector<double> time, step, value;
+  Drawn out;
+  const double before = cpu_seconds();
+  d.run(
+      duration, [](double t) { return t + 1000; },
+      [&](const StepInfo& i) {
+        ++out.steps, out.iterations += i.iterations;
+        const Kinematics k = d.kinematics();
+        size_t n = k.x.size() - 1;
+        while (n > 0 && k.x[n].z() < -6) --n;  // between n and n + 1: 6 m below the axis
+        const double part = (k.x[n].z() + 6) / (k.x[n].z() - k.x[n + 1].z());
+        const std::vector<double>& T = tension.at(k);
+        const double arc = h * (static_cast<double>(n) + part);
+        time.push_back(i.time), step.push_back(i.h);
+        value.push_back((1 - part) * T[n] + part * T[n + 1] - load * (kLength - arc));
+        return true;
+      });
+  out.cpu = (cpu_seconds() - before) / duration;
+  out.penetration =
+      s.contact() ? s.contact()->largest_penetration().depth : s.line_contact()->largest_penetration().depth;
+  const Energy e = s.system().energy(d.kinematics());
+  const double brought = e.work + d.support_work() - (e.potential - e0.potential);
+  out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;
+  double sum = 0, weight = 0;
+  for (size_t i = 0; i < time.size(); ++i) {
+    if (time[i] < 15 || time[i] > duration - 5) continue;
+    double s0 = 0, s1 = 0, s2 = 0, y0 = 0, y1 = 0;
+    for (size_t k = 0; k < time.size(); ++k) {
+      const double x = time[k] - time[i], w = std::abs(x) <= 5 ? step[k] : 0;
+      s0 += w, s1 += w * x, s2 += w * x * x, y0 += w * value[k], y1 += w * x * value[k];
+    }
+    const double off = value[i] - (s2 * y0 - s1 * y1) / (s0 * s2 - s1 * s1);
+    sum += step[i] * off * off, weight += step[i];
+  }
+  out.noise = std::sqrt(sum / weight);
+  return out;
+}
+
+TEST(LineReel, IsDrawnUpEvenly) {
+  for (const int elements : {250, 125}) {
+    Drawn by[2];
+    for (const auto method : {model::ContactMethod::nodes, model::ContactMethod::line}) {
+      Drawn& r = by[method == model::ContactMethod::line];
+      r = draw(method, elements, 65);
+      std::printf(
+          "reel, %s, %d elements: tension noise %.0f N rms; penetration %.2f mm; energy not accounted for "
+          "%.3f "
+          "%%; %d steps, %.1f iterations a step, %.3f CPU s a second\n",
+          method == model::ContactMethod::line ? "line" : "nodes", elements, r.noise, 1e3 * r.penetration,
+          100 * r.audit, r.steps, static_cast<double>(r.iterations) / r.steps, r.cpu);
+      EXPECT_LT(std::abs(r.audit), 0.01);
+      EXPECT_LT(r.penetration, 0.01 * kHose);
+    }
+    EXPECT_LT(by[1].noise, 0.3 * by[0].noise);
+  }
+}
+
+}  // namespace
+}  // namespace hawser::test
