@@ -21,8 +21,8 @@ struct Pull {
 struct Pulled {
   Samples ratio;  // T2/T1 over the second half
   int steps = 0, iterations = 0, elements_on_drum = 0;
-  double penetration = 0;  // m
-  double cpu = 0;          // s, CPU a simulated second
+  double penetration = 0, audit = 0;  // m; of the work brought in
+  double cpu = 0;                     // s, CPU a simulated second
 };
 
 Pulled run(const Pull& p) {
@@ -67,6 +67,7 @@ Pulled run(const Pull& p) {
   Dynamics& d = s.dynamics();
   d.start(s.state());
   Pulled out;
+  const Energy e0 = s.system().energy(d.kinematics());
   const double before = cpu_seconds();
   d.run(
       p.duration, [](double t) { return t + 100; },
@@ -78,6 +79,9 @@ Pulled run(const Pull& p) {
         return true;
       });
   out.cpu = (cpu_seconds() - before) / p.duration;
+  const Energy e = s.system().energy(d.kinematics());
+  const double brought = e.work + d.support_work() - (e.potential - e0.potential);
+  out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;
   out.elements_on_drum = s.line_contact()->touching();
   out.penetration = s.line_contact()->largest_penetration().depth;
   return out;
@@ -88,11 +92,12 @@ void report(const Pull& p, const Pulled& o) {
   std::printf(
       "capstan along the line, %s, %s moves, mu %.1f, %3.0f deg: T2/T1 %.4f, exact %.4f (%+.3f %%), rms %.2f "
       "%%, between "
-      "%+.2f and %+.2f %%; %d steps, %.1f iterations a step, %.3f CPU s a second, penetration %.2g m\n",
+      "%+.2f and %+.2f %%; %d steps, %.1f iterations a step, %.3f CPU s a second, penetration %.2g m, energy "
+      "not accounted for %.3f %%\n",
       p.beam ? "beam" : "cable", p.moving == Moving::line ? "line" : "drum", p.mu, p.wrap * 180 / M_PI,
       o.ratio.mean(), exact, 100 * (o.ratio.mean() / exact - 1), 100 * o.ratio.rms() / exact,
       100 * (o.ratio.least / exact - 1), 100 * (o.ratio.most / exact - 1), o.steps,
-      static_cast<double>(o.iterations) / o.steps, o.cpu, o.penetration);
+      static_cast<double>(o.iterations) / o.steps, o.cpu, o.penetration, 100 * o.audit);
 }
 
 void expect_exact(const Pull& p) {
@@ -101,6 +106,7 @@ void expect_exact(const Pull& p) {
   const double exact = std::exp(p.mu * p.wrap);
   EXPECT_NEAR(o.ratio.mean(), exact, 0.005 * exact);
   EXPECT_LT(o.ratio.rms(), 0.005 * exact);
+  EXPECT_LT(std::abs(o.audit), 1e-4);
   EXPECT_GE(o.elements_on_drum, 6.5 * p.wrap);
 }
 
