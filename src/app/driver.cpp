@@ -89,10 +89,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
 
   if (restarted) {
     progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
-    if (checkpoint.time >= end * (1 - 1e-12)) {
-      progress.say(fmt::format("nothing to do: the run ends at t = {:.6g} s", end));
-      return 0;
-    }
+    if (checkpoint.time >= end * (1 - 1e-12)) progress.say("which is the end: nothing left to compute");
   } else if (c.statics.enabled) {
     const Stage stage("statics");
     const StaticsReport s = sim.solve_statics();

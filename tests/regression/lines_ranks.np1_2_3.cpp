@@ -1,0 +1,80 @@
+// Beams and cables without contact, at rest and in motion, on one rank and on all: the same to 1e-9.
+#include "regression/runs.hpp"
+
+namespace hawser::runs {
+namespace {
+
+// A riser from the ground to a heaving ship, a cable from the ship to a pile, a mast on the ship: supports of
+// every kind, grading, damping, a point mass, a ramped load.
+const char* const kLines = R"(hawser: 1
+title: lines of every kind
+environment: {gravity: 9.81}
+line_types:
+  riser: {outer_diameter: 0.3, mass_per_length: 150, EA: 5.0e7, EI: 2.0e5, GJ: 1.5e5, stiffness_damping: 0.02}
+  chain: {bending: false, outer_diameter: 0.1, mass_per_length: 40, EA: 3.0e7, stiffness_damping: 0.01}
+  rod: {outer_diameter: 0.1, mass_per_length: 20, EA: 2.0e7, EI: 3.0e4, GJ: 3.0e4}
+bodies:
+  ship:
+    position: [60, 0, 40]
+    motion:
+      harmonic: {amplitude: [1, 0, 1.5], period: 8, rotation_amplitude_deg: [0, 3, 0]}
+      ramp: 4
+lines:
+  riser:
+    sections:
+      - {type: riser, length: 40, elements: 20, grading: 2}
+      - {type: riser, length: 45, elements: 15}
+    end_a: {anchor: [0, 0, 0], direction: [0, 0, 1], clamped: true}
+    end_b: {body: ship, at: [0, 0, 0]}
+    start: catenary
+    loads:
+      - {at: 50, force: [0, 2000, 0], ramp: 3}
+    masses: [{at: 40, mass: 300}]
+  port:
+    sections: [{type: chain, length: 75, elements: 25}]
+    end_a: {anchor: [20, 60, 20]}
+    end_b: {body: ship, at: [0, 2, 0]}
+    start: catenary
+  mast:
+    sections: [{type: rod, length: 12, elements: 11}]
+    end_a: {body: ship, at: [2, 0, 3], direction: [1, 0, 0], clamped: true}
+    end_b: free
+    start: straight
+dynamics: {duration: 12, step: STEP, rho_infinity: 0.8}
+output:
+  every: 1
+  histories:
+    - {line: riser, at: end_b, name: hang-off}
+    - {line: port, at: end_a, name: pile}
+)";
+
+void compare(const std::string& step) {
+  const std::string path = folder("lines_" + step), input = path + "/lines.yaml";
+  write_case(input, kLines, {{"STEP", step}});
+  run_on_one({input, path + "/one.h5"});
+  run_on_all({input, path + "/all.h5"});
+  if (rank_of(MPI_COMM_WORLD) > 0) return;
+  const Results one = read(path + "/one.h5"), all = read(path + "/all.h5");
+  ASSERT_GT(one.step_times.size(), 50u);
+  EXPECT_EQ(one.output_times.size(), 13u);
+  EXPECT_EQ(one.output_times, all.output_times);
+  EXPECT_LE(largest_difference(one.step_times, all.step_times), 1e-12);
+  EXPECT_GT(largest(one.fields.at("velocity")), 1);  // it moves
+  for (const auto& [name, values] : one.fields) {
+    const auto& there = all.fields.at(name);
+    EXPECT_LE(largest_difference(values, there), 1e-9 * largest(values)) << name;
+    std::printf("%s %.1e  ", name.c_str(), largest_difference(values, there) / largest(values));
+  }
+  std::printf("\n");
+  for (const char* name : {"hang-off", "pile"})
+    for (size_t c = 0; c < one.columns.at(name); ++c) {
+      const auto a = one.column(name, c), b = all.column(name, c);
+      EXPECT_LE(largest_difference(a, b), 1e-9 * largest(a)) << name << ' ' << c;
+    }
+}
+
+TEST(LinesRanks, FixedStep) { compare("0.05"); }
+TEST(LinesRanks, AutomaticStep) { compare("auto"); }
+
+}  // namespace
+}  // namespace hawser::runs

@@ -1,0 +1,110 @@
+// A run that was stopped and goes on from its checkpoint is the run that was not: bit for bit on the same
+// number of ranks, to rounding on another.
+#include "regression/runs.hpp"
+
+namespace hawser::runs {
+namespace {
+
+constexpr double kHalf = 25, kEnd = 40;  // s; the hose lies on the drum with friction from 2 s on
+
+// The second half of `whole` against all of `rest`, relative to the largest of each quantity; 0: bit for bit.
+void expect_same(const Results& whole, const Results& rest, double tolerance) {
+  ASSERT_GT(rest.output_times.size(), 5u);
+  EXPECT_EQ(tail(whole.output_times, rest.output_times), rest.output_times);
+  EXPECT_EQ(tail(whole.step_times, rest.step_times), rest.step_times);
+  for (const auto& [name, values] : whole.fields) {
+    const auto &there = rest.fields.at(name), here = tail(values, there);
+    EXPECT_LE(largest_difference(here, there), tolerance * largest(here)) << name;
+  }
+  for (const auto& [name, values] : whole.series) {
+    if (name == "energy") continue;
+    for (size_t c = 0; c < whole.columns.at(name); ++c) {
+      const auto there = rest.column(name, c), here = tail(whole.column(name, c), there);
+      // What the free end carries is known no better than what the line does.
+      const double scale = largest(c < kTension || name == "solver" ? here : whole.column("fairlead", c));
+      EXPECT_LE(largest_difference(here, there), tolerance * scale) << name << ' ' << c;
+    }
+  }
+  // The audit goes on from where it was: friction, damping and the work of the drum since the very start.
+  const double brought_in = largest(whole.column("energy", 5));
+  for (size_t c = 0; c < whole.columns.at("energy"); ++c) {
+    const auto there = rest.column("energy", c), here = tail(whole.column("energy", c), there);
+    EXPECT_LE(largest_difference(here, there), tolerance * (c == 2 ? largest(here) : brought_in))
+        << "energy " << c;
+  }
+  ASSERT_EQ(whole.summary.size(), rest.summary.size());
+  EXPECT_LE(largest_difference(whole.summary, rest.summary), tolerance * largest(whole.summary));
+}
+
+class Restart : public ::testing::Test {
+ protected:
+  // Once for all tests: the whole run, and its first half, on all ranks and on one.
+  static void SetUpTestSuite() {
+    path = folder("restart");
+    input = reel(path + "/reel.yaml");
+    run_on_all({input, path + "/whole.h5", "", kEnd});
+    run_on_all({input, path + "/half.h5", "", kHalf});
+    run_on_one({input, path + "/half_one.h5", "", kHalf});
+  }
+  static bool first() { return rank_of(MPI_COMM_WORLD) == 0; }
+  static inline std::string path, input;
+};
+
+TEST_F(Restart, SameRanksBitForBit) {
+  run_on_all({input, path + "/rest.h5", path + "/half.h5", kEnd});
+  if (!first()) return;
+  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  EXPECT_EQ(rest.output_times.front(), kHalf);
+  EXPECT_GT(largest(whole.fields.at("friction_force")), 0);
+  expect_same(whole, rest, 0);
+}
+
+TEST_F(Restart, InTheSameFile) {
+  if (first())
+    std::filesystem::copy_file(path + "/half.h5", path + "/on.h5",
+                               std::filesystem::copy_options::overwrite_existing);
+  MPI_Barrier(MPI_COMM_WORLD);
+  run_on_all({input, path + "/on.h5", path + "/on.h5", kEnd});
+  if (!first()) return;
+  const Results whole = read(path + "/whole.h5"), on = read(path + "/on.h5");
+  EXPECT_EQ(on.output_times.front(), 0);
+  EXPECT_EQ(on.output_times.size(), whole.output_times.size());
+  expect_same(whole, on, 0);
+}
+
+// A run that was killed after its last output has no summary yet; of one that ended nothing changes.
+TEST_F(Restart, FromTheEnd) {
+  run_on_all({input, path + "/whole.h5", path + "/whole.h5", kEnd});
+  run_on_all({input, path + "/again.h5", path + "/whole.h5", kEnd});
+  if (!first()) return;
+  const Results whole = read(path + "/whole.h5"), again = read(path + "/again.h5");
+  EXPECT_EQ(whole.output_times.size(), 41u);
+  EXPECT_EQ(again.output_times, std::vector<double>{kEnd});
+  EXPECT_EQ(again.summary, whole.summary);
+  const auto &there = again.fields.at("effective_tension"),
+             here = tail(whole.fields.at("effective_tension"), there);
+  EXPECT_EQ(here, there);
+}
+
+TEST_F(Restart, OtherRanks) {
+  run_on_one({input, path + "/fewer.h5", path + "/half.h5", kEnd});
+  run_on_all({input, path + "/more.h5", path + "/half_one.h5", kEnd});
+  if (!first()) return;
+  const Results whole = read(path + "/whole.h5");
+  expect_same(whole, read(path + "/fewer.h5"), 1e-9);
+  expect_same(whole, read(path + "/more.h5"), 1e-9);
+}
+
+// Without the friction history the rest would be another.
+TEST_F(Restart, FrictionHistoryMatters) {
+  const std::string smooth = path + "/smooth.yaml";
+  reel(smooth, {{"friction: 0.3", "friction: 0"}});
+  run_on_all({smooth, path + "/other.h5", path + "/half.h5", kEnd});
+  if (!first()) return;
+  const Results whole = read(path + "/whole.h5"), other = read(path + "/other.h5");
+  const auto &a = whole.fields.at("position"), &b = other.fields.at("position");
+  EXPECT_GT(largest_difference(tail(a, b), b), 1e-6);
+}
+
+}  // namespace
+}  // namespace hawser::runs

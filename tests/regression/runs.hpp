@@ -1,0 +1,187 @@
+// Runs of the whole program inside a test, and what they left in their results files.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hawser/app/driver.hpp"
+#include "hawser/io/hdf5.hpp"
+
+namespace hawser::runs {
+
+inline int rank_of(MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  return rank;
+}
+inline int size_of(MPI_Comm comm) {
+  int size = 1;
+  MPI_Comm_size(comm, &size);
+  return size;
+}
+
+// A folder for the files of `test`, one for each number of ranks, since these run side by side.
+inline std::string folder(const std::string& test) {
+  const std::string path =
+      std::string(HAWSER_BINARY_DIR) + "/runs/" + test + "_np" + std::to_string(size_of(MPI_COMM_WORLD));
+  if (rank_of(MPI_COMM_WORLD) == 0) std::filesystem::create_directories(path);
+  MPI_Barrier(MPI_COMM_WORLD);
+  return path;
+}
+
+using Edits = std::vector<std::pair<std::string, std::string>>;
+
+// Writes `text` with pieces replaced, each of which must be there, to `path`. Collective.
+inline void write_case(const std::string& path, std::string text, const Edits& edits = {}) {
+  for (const auto& [from, to] : edits) {
+    const size_t at = text.find(from);
+    if (at == std::string::npos) throw std::logic_error("the case holds no '" + from + "'");
+    text.replace(at, from.size(), to);
+  }
+  if (rank_of(MPI_COMM_WORLD) == 0) std::ofstream(path) << text;
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+// The reel of cases/reel, changed here and there.
+inline std::string reel(const std::string& path, Edits edits = {}) {
+  const std::string folder = std::string(HAWSER_SOURCE_DIR) + "/cases/reel/";
+  std::ostringstream text;
+  text << std::ifstream(folder + "reel.yaml").rdbuf();
+  edits.push_back({"mesh: drum.stl", "mesh: " + folder + "drum.stl"});
+  write_case(path, text.str(), edits);
+  return path;
+}
+
+struct Run {
+  std::string case_path, output;
+  std::string restart = {};
+  double stop_at = 0;
+};
+
+inline void run(MPI_Comm comm, const Run& r) {
+  app::RunOptions o;
+  o.case_path = r.case_path, o.output = r.output, o.restart = r.restart, o.stop_at = r.stop_at;
+  o.quiet = true;
+  // Not let through: other ranks may be waiting.
+  try {
+    EXPECT_EQ(app::run(comm, o), 0);
+  } catch (const std::exception& e) {
+    ADD_FAILURE() << e.what();
+  }
+}
+inline void run_on_all(const Run& r) {
+  run(MPI_COMM_WORLD, r);
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+// By rank 0 alone, while the others wait.
+inline void run_on_one(const Run& r) {
+  if (rank_of(MPI_COMM_WORLD) == 0) run(MPI_COMM_SELF, r);
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+// Everything that counts in a results file: rows of outputs and of series.
+struct Results {
+  std::vector<double> output_times, step_times;
+  std::map<std::string, std::vector<double>> fields;  // outputs, then nodes, then components
+  std::map<std::string, std::vector<double>> series;  // steps, then columns
+  std::map<std::string, size_t> columns;              // of series
+  std::vector<double> summary;                        // value, time, arc length, row after row
+
+  // Column `c` of series `name`.
+  std::vector<double> column(const std::string& name, size_t c) const {
+    std::vector<double> out;
+    const auto& all = series.at(name);
+    for (size_t i = c; i < all.size(); i += columns.at(name)) out.push_back(all[i]);
+    return out;
+  }
+};
+// Column of a history of a beam point: after position and velocity.
+constexpr size_t kTension = 6;
+
+inline herr_t list_names(hid_t, const char* name, const H5L_info_t*, void* to) {
+  static_cast<std::vector<std::string>*>(to)->emplace_back(name);
+  return 0;
+}
+inline std::vector<std::string> names_in(hid_t file, const std::string& group) {
+  std::vector<std::string> names;
+  H5Literate_by_name(file, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, list_names, &names,
+                     H5P_DEFAULT);
+  return names;
+}
+
+// Rows that hold results: of outputs and of steps.
+inline std::pair<size_t, size_t> written(hid_t file) {
+  const auto set = io::h5::open_dataset(file, "written");
+  const auto type = io::h5::own(H5Dget_type(set), H5Tclose, "type");
+  long long n[2] = {};
+  io::h5::check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, n), "written");
+  return {static_cast<size_t>(n[0]), static_cast<size_t>(n[1])};
+}
+
+inline Results read(const std::string& path) {
+  using io::h5::read_array;
+  const auto file = io::h5::open_read(path);
+  Results r;
+  const auto [outputs, steps] = written(file);
+  const auto take = [](std::vector<double> values, size_t have, size_t rows) {
+    values.resize(have ? values.size() / have * rows : 0);
+    return values;
+  };
+  const auto times = read_array(file, "outputs/time");
+  r.output_times = take(times.values, times.shape[0], outputs);
+  for (const auto& name : names_in(file, "fields")) {
+    const auto a = read_array(file, "fields/" + name);
+    r.fields[name] = take(a.values, a.shape[0], outputs);
+  }
+  for (const auto& name : names_in(file, "series")) {
+    const auto a = read_array(file, "series/" + name);
+    if (name == "time") {
+      r.step_times = take(a.values, a.shape[0], steps);
+    } else {
+      r.series[name] = take(a.values, a.shape[0], steps), r.columns[name] = a.shape[1];
+    }
+  }
+  if (io::h5::exists(file, "summary")) {
+    const auto set = io::h5::open_dataset(file, "summary");
+    const auto type = io::h5::own(H5Tcreate(H5T_COMPOUND, 24), H5Tclose, "type");
+    size_t at = 0;
+    for (const char* name : {"value", "time", "arc_length"})
+      H5Tinsert(type, name, std::exchange(at, at + 8), H5T_NATIVE_DOUBLE);
+    r.summary.resize(3 * io::h5::shape_of(set)[0]);
+    io::h5::check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, r.summary.data()), "summary");
+  }
+  return r;
+}
+
+inline double largest(const std::vector<double>& a) {
+  double most = 0;
+  for (const double x : a) most = std::max(most, std::abs(x));
+  return most;
+}
+// Not a number counts as very different.
+inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return HUGE_VAL;
+  double most = 0;
+  for (size_t i = 0; i < a.size(); ++i)
+    most = std::max(most, std::isnan(a[i] - b[i]) ? HUGE_VAL : std::abs(a[i] - b[i]));
+  return most;
+}
+
+// The last rows of `a` from the time on at which `b` begins.
+inline std::vector<double> tail(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() < b.size()) return {};
+  return {a.end() - static_cast<std::ptrdiff_t>(b.size()), a.end()};
+}
+
+}  // namespace hawser::runs
