@@ -219,7 +219,8 @@ def render(options):
     if source is None:
         raise SystemExit(f"render: ParaView cannot open {options.results}")
     source.UpdatePipelineInformation()
-    times = chosen_times(list(source.TimestepValues) or [0.0], options)
+    written = source.TimestepValues  # a number, not a list, when there is one time only
+    times = chosen_times((list(written) if hasattr(written, "__iter__") else [written]) or [0.0], options)
     source.UpdatePipeline(times[-1])
     if not has_field(source, options.field):
         print(f"render: no node field '{options.field}' in {options.results}; the lines stay in one colour")

@@ -78,6 +78,8 @@ void SharedFile::write_rows(const std::string& name, hid_t type, long long first
   attempt([&] {
     const hid_t set = open_.at(name);
     h5::Shape count = h5::shape_of(set), start(count.size(), 0);
+    // A run without bodies has rows of nothing, which have no place in the file to write to.
+    if (std::find(count.begin(), count.end(), hsize_t{0}) != count.end()) return;
     start[0] = static_cast<hsize_t>(first), count[0] = static_cast<hsize_t>(rows);
     hsize_t total = here ? 1 : 0;
     for (const hsize_t n : count) total *= n;
