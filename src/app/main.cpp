@@ -101,11 +101,12 @@ int main(int argc, char** argv) {
       "While it runs, results up to the last output can be opened in ParaView; Ctrl-C ends it cleanly.");
 
   std::string check_path;
-  int ranks = 1;
+  int ranks = 0;
   CLI::App* check_command =
       cli.add_subcommand("check", "Read and check a case, print what is in it, run nothing.");
   check_command->add_option("case", check_path, "Case file")->required();
-  check_command->add_option("-n,--ranks", ranks, "Show the partition for this many ranks")
+  check_command
+      ->add_option("-n,--ranks", ranks, "Show the partition for this many ranks; else for those it runs on")
       ->check(CLI::Range(1, 1 << 20));
 
   bool json = false, markdown = false;

@@ -116,30 +116,35 @@ void Recorder::fill(const Kinematics& at) {
   filled_ = at.time;
 }
 
-// An element's tension is that of its middle. At an end that is held, the support's force and the contact
-// force there are what the line pulls with.
+// An element's tension is that of its middle. At a line's end it is what balances the support, if there is
+// one, and what else acts at the node.
 void Recorder::correct_ends(const Kinematics& at) {
   if (tension_ < 0) return;
   const LocalMesh& local = sim_.local();
   // Those of dynamics are there after a restart as well.
   const std::vector<double>& reactions =
       sim_.model().dynamics.enabled ? sim_.dynamics().reactions() : sim_.system().reactions();
-  for (const Support& s : sim_.system().supports().list()) {
-    if (s.node >= local.owned || s.position_mask != 7) continue;
-    const size_t n = static_cast<size_t>(s.node);
-    const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
-    const bool first = node.arc == 0;
-    Vec3 force = Eigen::Map<const Vec3>(reactions.data() + 3 * local.block[n]);
-    if (contact_ >= 0) force += Eigen::Map<const Vec3>(values_[static_cast<size_t>(contact_)].data() + 3 * n);
-    Vec3 tangent;
-    if (local.rotates(s.node)) {
-      tangent = at.q[n] * Vec3::UnitX();
-    } else {
-      for (const LocalElement& e : local.elements)
-        if (e.first == s.node || e.second == s.node)
-          tangent = (at.x[static_cast<size_t>(e.second)] - at.x[static_cast<size_t>(e.first)]).normalized();
+  auto& tension = values_[static_cast<size_t>(tension_)];
+  for (const LocalElement& e : local.elements) {
+    const Element& g = sim_.mesh().elements[static_cast<size_t>(e.global)];
+    const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(g.line)];
+    const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+    for (const bool first : {true, false}) {
+      const int node = first ? e.first : e.second;
+      const bool end = first ? g.first == span.first_node : g.second == span.first_node + span.nodes - 1;
+      if (!end || node >= local.owned) continue;
+      const size_t n = static_cast<size_t>(node), b = static_cast<size_t>(local.block[n]);
+      Vec3 force = Vec3::Zero();
+      const unsigned char held = sim_.system().supports().held()[b];
+      for (int c = 0; c < 3; ++c)
+        if (held >> c & 1) force[c] = reactions[3 * b + static_cast<size_t>(c)];
+      for (const auto& term : sim_.system().terms()) force += term->node_force(at, node);
+      if (contact_ >= 0 && sim_.contact())
+        force += Eigen::Map<const Vec3>(values_[static_cast<size_t>(contact_)].data() + 3 * n);
+      const Vec3 tangent = g.beam ? Vec3(at.q[n] * Vec3::UnitX()) : Vec3((at.x[j] - at.x[i]).normalized());
+      const double pull = (first ? -1 : 1) * force.dot(tangent);
+      tension[n] = g.beam ? pull : std::max(pull, 0.0);
     }
-    values_[static_cast<size_t>(tension_)][n] = (first ? -1 : 1) * force.dot(tangent);
   }
 }
 
@@ -236,6 +241,21 @@ std::vector<io::SummaryRow> Recorder::summary() const {
 std::string Recorder::finish() {
   const auto rows = summary();
   file_->finish(rows);
+  warnings_.clear();
+  for (const auto& r : rows) {
+    if (r.quantity != "max penetration") continue;
+    double radius = 0;
+    const model::Case& c = sim_.model();
+    for (const auto& s : c.lines[static_cast<size_t>(c.line_index(r.line))].sections)
+      radius = std::max(radius, 0.5 * c.line_type(s.type).contact_diameter);
+    if (r.value > 0.1 * radius)
+      warnings_.push_back(
+          fmt::format("line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, "
+                      "t = {:.6g} s: {}",
+                      r.line, r.value, radius, r.arc_length, r.time,
+                      r.value > radius ? "it is caught inside, forces there mean nothing"
+                                       : "the contact stiffness is low"));
+  }
   std::string text = fmt::format("{:<24} {:<16} {:>14} {:<6} {:>10} {:>12}\n", "quantity", "line", "value",
                                  "unit", "time [s]", "arc [m]");
   for (const auto& r : rows)

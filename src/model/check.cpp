@@ -136,7 +136,7 @@ class LineCheck {
     for (const PointLoad& p : line_.point_loads) {
       const std::string key = fmt::format("loads[{}]", p.order);
       check_arc(p.at, key + ".at");
-      if (!p.moment.isZero() && type_at(p.at).kind == LineKind::cable)
+      if (!p.moment.isZero(0) && type_at(p.at).kind == LineKind::cable)
         issue(key + ".moment", "a line without bending stiffness cannot carry a moment");
     }
   }
@@ -186,6 +186,17 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
     over(d.min_step, "min_step", d.step, "step");
     over(d.step, "step", d.max_step, "max_step");
   }
+  // A spline knows nothing beyond its rows, and going on with its last slope would be a guess.
+  for (const Body& b : c.bodies)
+    if (const auto* t = std::get_if<TableMotion>(&b.motion); t && !t->time.empty()) {
+      const std::string key = fmt::format("bodies.{}.motion.table", b.name);
+      if (t->time.front() > 0)
+        issues.push_back(
+            {key, fmt::format("the first row is at {:g} s; the run starts at 0 s", t->time.front())});
+      if (d.enabled && t->time.back() < d.duration)
+        issues.push_back({key, fmt::format("the last row is at {:g} s; the run lasts {:g} s", t->time.back(),
+                                           d.duration)});
+    }
   std::set<std::string> names;
   for (std::size_t i = 0; i < c.output.histories.size(); ++i) {
     const HistoryPoint& h = c.output.histories[i];

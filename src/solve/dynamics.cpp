@@ -181,6 +181,12 @@ void Dynamics::start(const State& state) {
   check(SNESGetKSP(snes_, &ksp));
   check(KSPSetOperators(ksp, J_.get(), J_.get()));
   check(KSPSolve(ksp, r_.get(), u_.get()));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(ksp, &reason));
+  PetscReal size = 0;
+  check(VecNorm(u_.get(), NORM_INFINITY, &size));
+  if (reason < 0 || !std::isfinite(size))
+    throw SolveError("dynamics cannot start: some part of a line has no mass (is a rotary_inertia zero?)");
   system_.gather(u_.get(), local_u_);
   for (size_t i = 0; i < n; ++i) {
     const double* p = local_u_.data() + 3 * system_.mesh().block[i];

@@ -40,21 +40,20 @@ void configure_linear_solver(KSP ksp, const System& system, const char* prefix) 
 }
 
 int negative_eigenvalues(Mat J) {
-  MatHandle a, t, s;
+  MatHandle a, t;
   check(MatConvert(J, MATAIJ, MAT_INITIAL_MATRIX, a.out()));
   check(MatTranspose(a.get(), MAT_INITIAL_MATRIX, t.out()));
   check(MatAXPY(a.get(), 1, t.get(), DIFFERENT_NONZERO_PATTERN));
   check(MatSetOption(a.get(), MAT_SYMMETRIC, PETSC_TRUE));
-  check(MatConvert(a.get(), MATSBAIJ, MAT_INITIAL_MATRIX, s.out()));
   MatHandle factor;
-  if (MatGetFactor(s.get(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.out())) return -1;
+  if (MatGetFactor(a.get(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.out())) return -1;
   check(MatMumpsSetIcntl(factor.get(), 24, 1));  // what PETSc asks for before it tells the inertia
   check(MatMumpsSetIcntl(factor.get(), 13, 1));
   MatFactorInfo info;
   check(MatFactorInfoInitialize(&info));
   IsHandle rows, columns;
-  if (MatCholeskyFactorSymbolic(factor.get(), s.get(), nullptr, &info)) return -1;
-  if (MatCholeskyFactorNumeric(factor.get(), s.get(), &info)) return -1;
+  if (MatCholeskyFactorSymbolic(factor.get(), a.get(), nullptr, &info)) return -1;
+  if (MatCholeskyFactorNumeric(factor.get(), a.get(), &info)) return -1;
   PetscInt negative = 0, zero = 0, positive = 0;
   if (MatGetInertia(factor.get(), &negative, &zero, &positive)) return -1;
   return static_cast<int>(negative);

@@ -1,5 +1,6 @@
 #include "hawser/solve/start_shape.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -37,9 +38,11 @@ std::vector<CatenarySection> catenary_sections(const model::Case& c, const model
     }
     from += s.length;
     // Point masses and forces act at the end of the section they are in: a start shape need not be exact.
+    const auto here = [&](double at) { return at > from - s.length && at <= from; };
     for (const auto& m : line.masses)
-      if (m.at > from - s.length && m.at <= from && from < total)
-        k.end_load += Vec3(0, 0, -m.mass * c.environment.gravity);
+      if (here(m.at)) k.end_load += Vec3(0, 0, -m.mass * c.environment.gravity);
+    for (const auto& p : line.point_loads)
+      if (here(p.at) && p.ramp == 0) k.end_load += p.force;
     out.push_back(k);
   }
   return out;
@@ -90,22 +93,24 @@ Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies,
   const Vec3 xa = frame(c, bodies, line.end_a).to_space(line.end_a.at);
   const Vec3 xb = frame(c, bodies, line.end_b).to_space(line.end_b.at);
   if (line.start == Start::points) return along(line.points, mesh, span);
-  if (line.start == Start::straight) {
+  const auto straight = [&] {
     if (a && b) return along({xa, xb}, mesh, span);
     const model::End& e = a ? line.end_a : line.end_b;
     const Vec3 d = e.direction ? Vec3(frame(c, bodies, e).rotation * *e.direction) : Vec3(0, 0, a ? -1 : 1);
     return a ? along({xa, xa + span.length * d}, mesh, span) : along({xb - span.length * d, xb}, mesh, span);
-  }
+  };
   const auto sections = catenary_sections(c, line);
+  // Nothing to hang by: any shape of the right length will do, and a straight one is the least surprise.
+  const bool loaded = std::any_of(sections.begin(), sections.end(), [](const CatenarySection& s) {
+    return !s.load.isZero(0) || !s.end_load.isZero(0);
+  });
+  if ((a || b) && (line.start == Start::straight || !loaded)) return straight();
   try {
     if (a && b) return from_catenary(catenary(xa, xb, sections), mesh, span);
     if (a) return from_catenary(catenary_free_b(xa, sections), mesh, span);
     if (b) return from_catenary(catenary_free_a(xb, sections), mesh, span);
   } catch (const std::invalid_argument&) {
-    // No load to hang by: any shape of the right length will do, and a straight one is the least surprise.
-    if (a && b) return along({xa, xb}, mesh, span);
-    return a ? along({xa, xa + Vec3(0, 0, -span.length)}, mesh, span)
-             : along({xb + Vec3(0, 0, -span.length), xb}, mesh, span);
+    return straight();  // slack, and its shape not determined
   }
   throw InputError("lines." + line.name + ": both ends are free and no start shape is given");
 }

@@ -9,8 +9,11 @@ constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
 constexpr int kPatience = 5;
 }  // namespace
 
-StepControl::StepControl(const StepSettings& settings)
-    : s_(settings), wish_(settings.fixed > 0 ? settings.fixed : std::min(settings.first, settings.longest)) {}
+StepControl::StepControl(const StepSettings& settings) : s_(settings) {
+  const double limit = s_.fixed > 0 ? s_.fixed : s_.longest;
+  s_.shortest = std::min(s_.shortest, limit);
+  wish_ = s_.fixed > 0 ? s_.fixed : std::clamp(s_.first, s_.shortest, s_.longest);
+}
 
 double StepControl::next(double t, double stop, double cap) const {
   const double wish = automatic() ? std::max(std::min(wish_, cap), s_.shortest) : wish_;

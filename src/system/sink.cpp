@@ -32,7 +32,7 @@ void Sink::add(std::span<const int> blocks, const double* f, const double* K, co
         out[3 * b + c] += f[3 * i + c];
         square += f[3 * i + c] * f[3 * i + c];
       }
-      ((*is_rotation_)[static_cast<size_t>(b)] ? moment_square_ : force_square_) += square;
+      (*squares_)[static_cast<size_t>((*square_of_block_)[static_cast<size_t>(b)])] += square;
     }
   }
   if (!matrix_) return;

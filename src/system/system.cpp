@@ -13,8 +13,16 @@ namespace hawser {
 
 System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mesh)) {
   is_rotation_.assign(static_cast<size_t>(mesh_.blocks()), 0);
-  for (int n = 0; n < mesh_.nodes(); ++n)
-    if (mesh_.rotates(n)) is_rotation_[static_cast<size_t>(mesh_.block[static_cast<size_t>(n)]) + 1] = 1;
+  square_of_block_.resize(is_rotation_.size());
+  for (int n = 0; n < mesh_.nodes(); ++n) {
+    const size_t b = static_cast<size_t>(mesh_.block[static_cast<size_t>(n)]);
+    const int line = mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[static_cast<size_t>(n)])].line;
+    square_of_block_[b] = 2 * line;
+    if (mesh_.rotates(n)) is_rotation_[b + 1] = 1, square_of_block_[b + 1] = 2 * line + 1;
+  }
+  int lines = 1;
+  for (const Node& n : mesh_.mesh->nodes) lines = std::max(lines, n.line + 1);
+  squares_.assign(2 * static_cast<size_t>(lines), 0);
   force_.assign(3 * static_cast<size_t>(mesh_.blocks()), 0);
   retraction_.assign(static_cast<size_t>(mesh_.blocks()), Mat3::Identity());
   supports_ = Supports(mesh_, {}, {});
@@ -97,6 +105,9 @@ void System::residual(const Kinematics& trial, Vec r) {
   std::fill(force_.begin(), force_.end(), 0.0);
   Sink sink;
   sink.force_ = &force_;
+  std::fill(squares_.begin(), squares_.end(), 0.0);
+  sink.squares_ = &squares_;
+  sink.square_of_block_ = &square_of_block_;
   sink.owned_blocks_ = mesh_.owned_blocks;
   sink.is_rotation_ = &is_rotation_;
   for (size_t i = 0; i < terms_.size(); ++i) {
@@ -104,7 +115,6 @@ void System::residual(const Kinematics& trial, Vec r) {
     terms_[i]->evaluate(trial, sink);
     check(PetscLogEventEnd(residual_event_[i], nullptr, nullptr, nullptr, nullptr));
   }
-  force_square_ = sink.force_square_, moment_square_ = sink.moment_square_;
   PetscScalar* p = nullptr;
   check(VecGetArray(r, &p));
   const size_t n = 3 * static_cast<size_t>(mesh_.owned_blocks);
@@ -152,26 +162,52 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
 }
 
 ResidualNorms System::norms(Vec r) const {
-  double s[4] = {0, 0, force_square_, moment_square_};
+  std::vector<double> s(2 * squares_.size(), 0);  // residuals, then what makes them up
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(r, &p));
   for (int b = 0; b < mesh_.owned_blocks; ++b)
-    for (int c = 0; c < 3; ++c)
-      s[is_rotation_[static_cast<size_t>(b)] ? 1 : 0] += p[3 * b + c] * p[3 * b + c];
+    s[static_cast<size_t>(square_of_block_[static_cast<size_t>(b)])] +=
+        p[3 * b] * p[3 * b] + p[3 * b + 1] * p[3 * b + 1] + p[3 * b + 2] * p[3 * b + 2];
   check(VecRestoreArrayRead(r, &p));
-  MPI_Allreduce(MPI_IN_PLACE, s, 4, MPI_DOUBLE, MPI_SUM, comm_);
-  return {std::sqrt(s[0]), std::sqrt(s[1]), std::sqrt(s[2]), std::sqrt(s[3]), round_off_, longest_element_};
+  std::copy(squares_.begin(), squares_.end(), s.begin() + static_cast<std::ptrdiff_t>(squares_.size()));
+  MPI_Allreduce(MPI_IN_PLACE, s.data(), static_cast<int>(s.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  ResidualNorms worst;
+  double most = -1;
+  for (size_t l = 0; l < squares_.size() / 2; ++l) {
+    const double* own = s.data() + 2 * l;
+    const double* scale = own + squares_.size();
+    const ResidualNorms n{std::sqrt(own[0]),
+                          std::sqrt(own[1]),
+                          std::sqrt(scale[0]),
+                          std::sqrt(scale[1]),
+                          round_off_,
+                          longest_element_,
+                          l < mesh_.mesh->lines.size() ? mesh_.mesh->lines[l].length : 1};
+    const double size = n.relative();
+    if (size > most || !std::isfinite(size)) worst = n, most = std::isfinite(size) ? size : HUGE_VAL;
+  }
+  return worst;
 }
 
+namespace {
+// Where only moments act there are hardly any forces, and the other way round: each is measured against the
+// other too, over the length of the line and over a millimetre.
+double force_size(const ResidualNorms& n) { return std::max(n.force_scale, n.moment_scale / n.span); }
+double moment_size(const ResidualNorms& n) { return std::max(n.moment_scale, 1e-3 * n.force_scale); }
+}  // namespace
+
 bool ResidualNorms::small(double tolerance) const {
-  return force <= tolerance * force_scale + 4 * round_off &&
-         moment <= tolerance * std::max(moment_scale, 1e-3 * force_scale) + 4 * round_off * arm;
+  return force <= tolerance * force_size(*this) + 4 * round_off &&
+         moment <= tolerance * moment_size(*this) + 4 * round_off * arm;
 }
 
 double ResidualNorms::relative() const {
-  constexpr double tiny = 1e-300;
-  return std::max(force / std::max(force_scale, tiny),
-                  moment / std::max({moment_scale, 1e-3 * force_scale, tiny}));
+  const auto ratio = [](double r, double noise, double size) {
+    const double above = std::max(r - noise, 0.0);
+    return above > 0 || !std::isfinite(r) ? above / std::max(size, 1e-300) : 0.0;
+  };
+  return std::max(ratio(force, 4 * round_off, force_size(*this)),
+                  ratio(moment, 4 * round_off * arm, moment_size(*this)));
 }
 
 void System::soften(double factor) {

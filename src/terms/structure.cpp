@@ -162,27 +162,28 @@ void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
 }
 
 void StructureTerm::fields(FieldRegistry& registry) const {
-  // Mean of the elements at a node; what a beam shows at its end is its own end value.
+  // Between the middles of the elements at a node, by their lengths; a beam's moments are its own end values.
   auto at_nodes = [this](int components, auto&& of_beam, auto&& of_cable) {
     return [this, components, of_beam, of_cable](const Kinematics& k, std::span<double> out) {
       std::fill(out.begin(), out.end(), 0.0);
-      std::vector<int> count(static_cast<size_t>(mesh_.owned), 0);
-      auto put = [&](int node, const Vec3& value) {
+      std::vector<double> weights(static_cast<size_t>(mesh_.owned), 0);
+      auto put = [&](int node, const Vec3& value, double length) {
         if (node >= mesh_.owned) return;
-        ++count[static_cast<size_t>(node)];
-        for (int c = 0; c < components; ++c) out[static_cast<size_t>(node * components + c)] += value[c];
+        weights[static_cast<size_t>(node)] += 1 / length;
+        for (int c = 0; c < components; ++c)
+          out[static_cast<size_t>(node * components + c)] += value[c] / length;
       };
       for (const Beam& b : beams_) {
         const BeamStress s = beam_stress(b.section, b.reference, ends(b, k));
-        put(b.at.first, of_beam(s, 0)), put(b.at.second, of_beam(s, 1));
+        put(b.at.first, of_beam(s, 0), b.section.length), put(b.at.second, of_beam(s, 1), b.section.length);
       }
       for (const Cable& c : cables_) {
         const CableStress s = cable_stress(c.section, ends(c, k));
-        put(c.at.first, of_cable(s)), put(c.at.second, of_cable(s));
+        put(c.at.first, of_cable(s), c.section.length), put(c.at.second, of_cable(s), c.section.length);
       }
-      for (size_t n = 0; n < count.size(); ++n)
+      for (size_t n = 0; n < weights.size(); ++n)
         for (size_t c = 0; c < static_cast<size_t>(components); ++c)
-          out[n * static_cast<size_t>(components) + c] /= std::max(count[n], 1);
+          out[n * static_cast<size_t>(components) + c] /= weights[n];
     };
   };
   auto nothing = [](const CableStress&) { return Vec3(0, 0, 0); };
@@ -190,7 +191,9 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                 at_nodes(
                     1, [](const BeamStress& s, int) { return Vec3(s.tension, 0, 0); },
                     [](const CableStress& s) { return Vec3(s.tension, 0, 0); })});
-  if (beams_.empty() && mesh_.mesh->elements.size() == cables_.size()) return;
+  // Of the whole model, not of this rank: all ranks write the same fields.
+  const auto& all = mesh_.mesh->elements;
+  if (std::none_of(all.begin(), all.end(), [](const Element& e) { return e.beam; })) return;
   // Magnitudes are taken element by element, so that torsion of the axes between neighbours does not matter.
   registry.add({"bending_moment", "N m", 1,
                 at_nodes(

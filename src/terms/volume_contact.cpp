@@ -51,6 +51,25 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
   }
 }
 
+double VolumeContact::longest_step(const Kinematics& committed) const {
+  double h = std::numeric_limits<double>::infinity();
+  for (const Pair& pair : pairs_) {
+    const size_t n = static_cast<size_t>(pair.node), k = static_cast<size_t>(pair.volume);
+    const RigidPose& pose = start_poses_[body(pair.volume)];
+    const Vec3 v = pose.rotation.conjugate() * (committed.v[n] - pose.velocity_at(committed.x[n]));
+    const double speed = v.norm();
+    if (speed == 0) continue;
+    // Look ahead as far as the node gets in half a second.
+    const auto p = volumes_[k].surface->query(pose.to_body(committed.x[n]),
+                                              pair.touch + 0.5 * (element_[n] + speed), pair.hint);
+    const double closing = p ? -p->normal.dot(v) : 0;
+    if (closing <= 0) continue;
+    const double radius = nodes_[n].radius;
+    h = std::min(h, (std::max(p->distance - radius, 0.0) + 0.5 * radius) / closing);
+  }
+  return h;
+}
+
 bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {
   if (pair.clear > 0 && (y - pair.centre).squaredNorm() < pair.clear * pair.clear) return false;
   const size_t k = static_cast<size_t>(pair.volume);

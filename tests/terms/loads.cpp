@@ -19,7 +19,7 @@ Mesh two_lines() {
   Mesh mesh;
   mesh.nodes = {{0, 0, 1, true}, {0, 2, 1, true}, {1, 0, 0, false}};
   mesh.elements = {{0, 0, 1, 0, 2, true}};
-  mesh.lines = {{0, 2, 0, 1, 2}, {2, 1, 1, 0, 0}};
+  mesh.lines = {{0, 2, 0, 1, 2, "one"}, {2, 1, 1, 0, 0, "two"}};
   return mesh;
 }
 

@@ -42,6 +42,8 @@ class Recorder {
   std::string finish();
 
   const Audit& audit() const { return audit_; }
+  // What a user must not overlook, after finish(): deep penetration, energy out of nowhere.
+  const std::vector<std::string>& warnings() const { return warnings_; }
   const io::ResultsFile& file() const { return *file_; }
 
   // The recorder's own share of a checkpoint.
@@ -66,6 +68,7 @@ class Recorder {
   std::vector<std::map<std::string, Extreme>> extremes_;  // by line, of this rank's nodes
   std::unique_ptr<io::ResultsFile> file_;
   Audit audit_;
+  std::vector<std::string> warnings_;
   Energy start_;        // energies at the start of the run, that of before all restarts
   double filled_ = -1;  // time the values belong to
 };

@@ -35,7 +35,7 @@ class StepControl {
 
  private:
   StepSettings s_;
-  double wish_;
+  double wish_ = 0;
   int wait_ = 0;  // accepted steps before the step may grow again after a failure
 };
 

@@ -35,7 +35,8 @@ class ForceTerm {
   // Once before a step of length h [s] is tried, from the last accepted state. May communicate.
   virtual void prepare(const Kinematics& committed, double h) { (void)committed, (void)h; }
 
-  // Longest step, s, that this term can be trusted with from here; asked after prepare(), for automatic steps.
+  // Longest step, s, that this term can be trusted with from here; asked after prepare(), for automatic
+  // steps.
   virtual double longest_step(const Kinematics& committed) const {
     return (void)committed, std::numeric_limits<double>::infinity();
   }
@@ -46,8 +47,8 @@ class ForceTerm {
   // The state is accepted: history that belongs to it becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
-  // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics): no
-  // residual can be smaller.
+  // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics):
+  // no residual can be smaller.
   virtual double round_off(const Kinematics& at, double h) const { return (void)at, (void)h, 0.0; }
   // Axial stiffness is `factor` (0..1) of the true one until told otherwise: statics starts soft, where a
   // very stiff line would have to creep along a narrow valley of its energy.
@@ -56,6 +57,11 @@ class ForceTerm {
   virtual double dead_load() const { return 0; }
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const { return 0; }
+
+  // What this term, if it acts at nodes, exerts on a local node, N, space axes; inertia counts as a force.
+  virtual Vec3 node_force(const Kinematics& at, int node) const {
+    return (void)at, (void)node, Vec3(0, 0, 0);
+  }
 
   virtual Energy energy(const Kinematics& at) const { return (void)at, Energy{}; }
   virtual void fields(FieldRegistry& registry) const { (void)registry; }

@@ -34,8 +34,9 @@ class Sink {
  private:
   friend class System;
   std::vector<double>* force_ = nullptr;  // 3 * local blocks
-  double force_square_ = 0;               // sum of squares of what was added to owned position rows
-  double moment_square_ = 0;              // the same, rotation rows
+  // Sums of squares of what was added to owned rows, by line: positions and rotations in turn.
+  std::vector<double>* squares_ = nullptr;
+  const std::vector<int>* square_of_block_ = nullptr;  // where a local block's rows are summed
   Mat matrix_ = nullptr;
   Weights weights_;
   bool convex_ = false;

@@ -17,11 +17,14 @@ namespace hawser {
 using VecHandle = Handle<Vec, VecDestroy>;
 using MatHandle = Handle<Mat, MatDestroy>;
 
-// What the residual is measured against: root of the sum of squares of all contributions, over all ranks.
+// The residual of the line that is worst off, and what it is measured against: root of the sum of squares of
+// all contributions to that line, over all ranks. A light line beside heavy ones is solved as well as they
+// are.
 struct ResidualNorms {
   double force = 0, moment = 0;  // N, N m, of the free components
   double force_scale = 0, moment_scale = 0;
   double round_off = 0, arm = 0;  // N, what is noise; m, that makes it a moment
+  double span = 1;                // m, length of the line
 
   // Whether the residual is down to `tolerance` of what makes it up, or to round-off. Where nothing bends,
   // moments are measured against forces over a millimetre.
@@ -83,7 +86,8 @@ class System {
   std::vector<char> is_rotation_;
   std::vector<double> force_;
   std::vector<Mat3> retraction_;
-  double force_square_ = 0, moment_square_ = 0;
+  std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
+  std::vector<double> squares_;       // of the last residual(), by line: forces and moments in turn
   double round_off_ = 0, longest_element_ = 0;
 };
 

@@ -56,6 +56,8 @@ class VolumeContact final : public ForceTerm {
 
   std::string_view name() const override { return "volume contact"; }
   void prepare(const Kinematics& committed, double h) override;
+  // So that no node gets deeper past a surface in a step than half its radius at its present speed.
+  double longest_step(const Kinematics& committed) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
