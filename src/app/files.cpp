@@ -91,7 +91,7 @@ void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh
     } catch (const InputError& wrong) {
       throw refuse(wrong.what());
     } catch (const std::exception&) {
-      throw refuse("it is no results file of hawser");
+      throw refuse("it is no results file of hawser, or damaged");
     }
   });
 }

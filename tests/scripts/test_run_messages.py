@@ -1,0 +1,147 @@
+"""What the program says, and ends with, when it is asked for the impossible or when the solver gives up."""
+import os
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+from support import ROOT, run, write
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+CASE = """\
+hawser: 1
+title: a cantilever
+line_types:
+  rod: {outer_diameter: 0.1, mass_per_length: 20, EA: 2.0e7, EI: 3.0e4, GJ: 3.0e4}
+lines:
+  rod:
+    sections: [{type: rod, length: 12, elements: 8}]
+    end_a: {anchor: [0, 0, 0], direction: [1, 0, 0], clamped: true}
+    end_b: free
+    start: straight
+dynamics: {duration: 0.2, step: 0.05}
+output: {every: 0.1}
+"""
+# What the solver cannot do: pieces of the case and what stands in their place, the code, parts of the sentence.
+HOPELESS = [
+    ("elements: 8}]", "elements: 8}]\n    loads: [{per_length: [0, 0, 1.0e9]}]", "statics: {max_iterations: 3}",
+     ["statics", "line rod, arc length", "out of balance by"]),
+    ("elements: 8}]", "elements: 8}]\n    loads: [{at: 6, force: [0, 1.0e12, 0], ramp: 0.1}]", "",
+     ["no convergence at t = ", "with the shortest step", "line rod, arc length"]),
+]
+
+
+class Messages(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        write(self.folder, "rod.yaml", CASE)
+
+    def hawser(self, *arguments, ranks=0):
+        launch = ["mpirun", "-n", ranks, HAWSER] if ranks else [HAWSER]
+        return run(*launch, *arguments, cwd=self.folder, timeout=60, env={**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0"})
+
+    def refused(self, arguments, *parts, ranks=0, code=2):
+        """One sentence on stderr with these parts, the exit code, and no new file."""
+        before = sorted(self.folder.rglob("*"))
+        result = self.hawser(*arguments, ranks=ranks)
+        said = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
+        with self.subTest(arguments=arguments, ranks=ranks):
+            self.assertEqual(result.returncode, code, result.stderr)
+            self.assertEqual(len(said), 1, result.stderr)
+            for part in parts:
+                self.assertIn(part, said[0])
+            if not ranks:  # mpirun has its own words on a job that ended with an error
+                self.assertEqual(result.stderr, said[0] + "\n")
+            self.assertNotRegex(result.stderr, "PETSC|MPI_ABORT|HDF5-DIAG|terminate called|internal error")
+            if code == 2:
+                self.assertEqual(sorted(self.folder.rglob("*")), before, "something was written")
+        return result
+
+    def test_help(self):
+        for arguments, words in [(["--help"], ["run", "check", "schema", "Exit codes", "mpirun"]),
+                                 (["run", "--help"], ["--restart", "--output", "--stop-at", "PETSc options", "--quiet"]),
+                                 (["check", "--help"], ["--ranks"]),
+                                 (["schema", "--help"], ["--json", "--markdown"])]:
+            result = self.hawser(*arguments)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            for word in words:
+                self.assertIn(word, result.stdout)
+        version = self.hawser("--version", ranks=2)
+        self.assertEqual(version.returncode, 0)
+        self.assertRegex(version.stdout, r"\Ahawser \d+\.\d+\.\d+\n\Z")
+
+    def test_schema(self):
+        self.assertEqual(self.hawser("schema", "--json").stdout, (ROOT / "docs/case.schema.json").read_text("utf-8"))
+        self.assertEqual(self.hawser("schema").stdout, (ROOT / "docs/user-guide/case-keys.md").read_text("utf-8"))
+
+    def test_command_line(self):
+        self.refused([], "it needs a command")
+        self.refused(["walk", "rod.yaml"], "there is no command 'walk'")
+        self.refused(["run"], "case is required")
+        self.refused(["run", "rod.yaml", "--fast"], "--fast")
+        self.refused(["run", "rod.yaml", "--stop-at", "-1"], "--stop-at: '-1' is no time above 0")
+        self.refused(["run", "rod.yaml", "--stop-at", "soon"], "--stop-at")
+        self.refused(["check", "rod.yaml", "-n", "0"], "--ranks")
+        self.refused(["walk"], "there is no command 'walk'", ranks=2)
+
+    def test_files_that_are_not_there(self):
+        self.refused(["run", "none.yaml"], "none.yaml: there is no such case file")
+        self.refused(["check", "none.yaml"], "none.yaml: there is no such case file")
+        self.refused(["run", "none.yaml"], "none.yaml: there is no such case file", ranks=2)
+
+    def test_places_that_cannot_be_written(self):
+        for output, why in [("no/x.h5", "there is no folder"), ("x.txt", "must end in .h5"),
+                            ("rod.yaml/x.h5", "rod.yaml is not a folder")]:
+            self.refused(["run", "rod.yaml", "-o", output], "cannot write the results to", why)
+        (self.folder / "d.h5").mkdir()
+        self.refused(["run", "rod.yaml", "-o", "d.h5"], "that is a folder")
+        self.refused(["run", "rod.yaml", "-o", "no/x.h5"], "there is no folder", ranks=2)
+
+    def test_restarts_that_do_not_fit(self):
+        def restart(file, *parts, case="rod.yaml", ranks=0):
+            self.refused(["run", case, "-o", "new.h5", "--restart", file], f"cannot go on from {file}: ", *parts,
+                         ranks=ranks)
+
+        restart("none.h5", "there is no such file")
+        restart("rod.yaml", "it is no HDF5 file")
+        restart("none.h5", "there is no such file", ranks=2)
+        self.assertEqual(self.hawser("run", "rod.yaml", "-q").returncode, 0)
+        for name, old, new, why in [("finer", "elements: 8", "elements: 9", "line rod has 9 nodes there, 10 here"),
+                                    ("longer", "length: 12", "length: 13", "a node of line rod is at"),
+                                    ("other", "  rod:\n    sections", "  mast:\n    sections", "its line 1 is rod, not mast"),
+                                    ("cable", ", EI: 3.0e4, GJ: 3.0e4", ", bending: false", "other nodes are of beams")]:
+            text = CASE.replace(old, new)
+            self.assertNotEqual(text, CASE)
+            if name == "cable":
+                text = text.replace(", clamped: true", "")
+            write(self.folder, f"{name}.yaml", text)
+            restart("rod.h5", "it holds another case", why, case=f"{name}.yaml")
+        write(self.folder, "rest.yaml", CASE.replace("dynamics: {duration: 0.2, step: 0.05}", ""))
+        self.refused(["run", "rest.yaml", "--restart", "rod.h5"], "only a run in time can go on from a checkpoint")
+        self.assertEqual(self.hawser("run", "rest.yaml", "-q").returncode, 0)
+        self.refused(["run", "rod.yaml", "--restart", "rest.h5"], "rest.h5 holds no complete checkpoint")
+        (self.folder / "cut.h5").write_bytes((self.folder / "rod.h5").read_bytes()[:3000])
+        restart("cut.h5", "it is no results file of hawser, or damaged")
+
+    def test_solver_gives_up(self):
+        for number, (old, new, more, parts) in enumerate(HOPELESS):
+            write(self.folder, f"{number}.yaml", CASE.replace(old, new) + more)
+            for ranks in (0, 2):
+                self.refused(["run", f"{number}.yaml", "-q"], *parts, code=3, ranks=ranks)
+        # What was reached is there: dynamics failed, so at least the start was written.
+        self.assertTrue((self.folder / "1.h5").exists())
+        self.assertFalse((self.folder / "0.h5").exists())
+
+    def test_check_writes_nothing(self):
+        before = sorted(self.folder.rglob("*"))
+        result = self.hawser("check", "rod.yaml", "-n", "3")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for part in ["a cantilever", "rod: 12 m, 8 elements, 9 nodes, 54 unknowns", "partition: 3 ranks, 3 + 3 + 3 nodes",
+                     "2 cut elements", "expected cost", "the case is good"]:
+            self.assertIn(part, result.stdout)
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,95 @@
+"""How a run tells how far it is: one line that is rewritten on a terminal, plain lines elsewhere."""
+import fcntl
+import os
+import pty
+import re
+import shutil
+import signal
+import struct
+import subprocess
+import tempfile
+import termios
+import time
+import unittest
+from pathlib import Path
+
+from support import ROOT, run, write
+from test_run_messages import CASE, HAWSER
+
+LINE = r"t = \d+\.\d{3} of 20 s \([ \d]{3} %\), step \S+ s, \d+ iterations, \d+:\d\d left"
+
+
+def on_terminal(*command, columns=100, **options):
+    """What a command writes to a terminal of that width."""
+    reader, writer = pty.openpty()
+    fcntl.ioctl(writer, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+    process = subprocess.Popen([*map(str, command)], stdin=subprocess.DEVNULL, stdout=writer, stderr=writer, **options)
+    os.close(writer)
+    text = b""
+    while True:
+        try:
+            piece = os.read(reader, 65536)
+        except OSError:  # the other side is closed
+            piece = b""
+        if not piece:
+            break
+        text += piece
+    os.close(reader)
+    return process.wait(), text.decode()
+
+
+class Progress(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        write(self.folder, "rod.yaml", CASE.replace("duration: 0.2, step: 0.05", "duration: 20, step: 0.002"))
+
+    def test_plain_lines(self):
+        for launch in ([HAWSER], ["mpirun", "-n", 1, HAWSER]):
+            result = run(*launch, "run", "rod.yaml", cwd=self.folder, timeout=100)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertNotIn("\r", result.stdout)
+            self.assertNotIn("\033", result.stdout)
+            lines = re.findall(f"^{LINE}$", result.stdout, re.M)
+            self.assertEqual([line[line.index("(") + 1:].split()[0] for line in lines],
+                             [str(10 * k) for k in range(1, 11)])
+            for part in ["max effective tension", "energy: brought in", "results: ", "look at them: paraview "]:
+                self.assertIn(part, result.stdout)
+        self.assertEqual(run(HAWSER, "run", "rod.yaml", "-q", cwd=self.folder).stdout, "")
+
+    def test_terminal(self):
+        code, text = on_terminal(HAWSER, "run", "rod.yaml", cwd=self.folder)
+        self.assertEqual(code, 0, text)
+        rewritten = text[text.index("\r\033[K"):text.index("100 %")]
+        self.assertNotIn("\n", rewritten)
+        self.assertRegex(text, f"\r\033\\[K{LINE}\r\n")
+        self.assertIn("results: ", text)
+
+    def test_narrow_terminal(self):
+        _, text = on_terminal(HAWSER, "run", "rod.yaml", columns=40, cwd=self.folder)
+        for line in text.split("\r\033[K")[1:]:
+            self.assertLess(len(line.splitlines()[0]), 40)
+
+    def test_stopped_by_the_user(self):
+        # Ctrl-C and a polite kill: the run ends at the next output, everything on disk, to be continued.
+        for sign in (signal.SIGINT, signal.SIGTERM):
+            process = subprocess.Popen([HAWSER, "run", "rod.yaml"], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+            for line in process.stdout:
+                if line.startswith("t = "):
+                    break
+            process.send_signal(sign)
+            rest = process.stdout.read()
+            process.stdout.close()
+            self.assertEqual(process.wait(), 130)
+            self.assertIn("results: ", rest)
+            self.assertNotIn("(100 %)", rest)
+            time.sleep(0.01)
+            result = run(HAWSER, "run", "rod.yaml", "--restart", "rod.h5", cwd=self.folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertRegex(result.stdout, r"going on from t = \d")
+            self.assertNotIn("( 10 %)", result.stdout)
+            self.assertIn("(100 %)", result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
