@@ -152,7 +152,7 @@ struct Model {
   Model() {
     mesh.nodes = {{0, 0, 0.5, false}, {0, 1, 0.5, false}};
     mesh.elements = {{0, 0, 1, 0, 1, false}};
-    mesh.lines = {{0, 2, 0, 1, 1}};
+    mesh.lines = {{0, 2, 0, 1, 1, "line"}};
     local.mesh = &mesh;
     local.owned = 2;
     local.global = {0, 1};
