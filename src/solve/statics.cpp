@@ -81,7 +81,6 @@ class Search {
     double energy = 0, shift = 1e-3;
     for (int it = 0;; ++it, ++report.iterations) {
       report.norms = norms;
-      system_.expect(state_.view(0), 0);
       system_.prepare(state_.view(0), 0);  // contact candidates move with the line
       energy = potential(state_);          // and so does what moments are measured from
       if (norms.small(tolerance)) return;

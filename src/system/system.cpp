@@ -237,6 +237,7 @@ double System::longest_step(const Kinematics& committed) const {
 
 void System::prepare(const Kinematics& committed, double h) {
   for (auto& t : terms_) t->prepare(committed, h);
+  expect(committed, h);
 }
 
 void System::expect(const Kinematics& committed, double h) {

@@ -1,5 +1,7 @@
 // A run that was stopped and goes on from its checkpoint is the run that was not: bit for bit on the same
 // number of ranks, to rounding on another.
+#include <set>
+
 #include "regression/runs.hpp"
 
 namespace hawser::runs {
@@ -36,21 +38,26 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   EXPECT_LE(largest_difference(whole.summary, rest.summary), tolerance * largest(whole.summary));
 }
 
-class Restart : public ::testing::Test {
+// For each method of contact: nodes, line.
+class Restart : public ::testing::TestWithParam<const char*> {
  protected:
-  // Once for all tests: the whole run, and its first half, on all ranks and on one.
-  static void SetUpTestSuite() {
-    path = folder("restart");
-    input = reel(path + "/reel.yaml");
+  // Once: the whole run, and its first half, on all ranks and on one.
+  void SetUp() override {
+    path = folder(std::string("restart_") + GetParam());
+    input = path + "/reel.yaml";
+    static std::set<std::string> made;
+    if (!made.insert(path).second) return;
+    reel(input, method());
     run_on_all({input, path + "/whole.h5", "", kEnd});
     run_on_all({input, path + "/half.h5", "", kHalf});
     run_on_one({input, path + "/half_one.h5", "", kHalf});
   }
+  static Edits method() { return {{"method: nodes", std::string("method: ") + GetParam()}}; }
   static bool first() { return rank_of(MPI_COMM_WORLD) == 0; }
-  static inline std::string path, input;
+  std::string path, input;
 };
 
-TEST_F(Restart, SameRanksBitForBit) {
+TEST_P(Restart, SameRanksBitForBit) {
   run_on_all({input, path + "/rest.h5", path + "/half.h5", kEnd});
   if (!first()) return;
   const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
@@ -59,7 +66,7 @@ TEST_F(Restart, SameRanksBitForBit) {
   expect_same(whole, rest, 0);
 }
 
-TEST_F(Restart, InTheSameFile) {
+TEST_P(Restart, InTheSameFile) {
   if (first())
     std::filesystem::copy_file(path + "/half.h5", path + "/on.h5",
                                std::filesystem::copy_options::overwrite_existing);
@@ -73,7 +80,7 @@ TEST_F(Restart, InTheSameFile) {
 }
 
 // A run that was killed after its last output has no summary yet; of one that ended nothing changes.
-TEST_F(Restart, FromTheEnd) {
+TEST_P(Restart, FromTheEnd) {
   run_on_all({input, path + "/whole.h5", path + "/whole.h5", kEnd});
   run_on_all({input, path + "/again.h5", path + "/whole.h5", kEnd});
   if (!first()) return;
@@ -86,7 +93,7 @@ TEST_F(Restart, FromTheEnd) {
   EXPECT_EQ(here, there);
 }
 
-TEST_F(Restart, OtherRanks) {
+TEST_P(Restart, OtherRanks) {
   run_on_one({input, path + "/fewer.h5", path + "/half.h5", kEnd});
   run_on_all({input, path + "/more.h5", path + "/half_one.h5", kEnd});
   if (!first()) return;
@@ -96,15 +103,19 @@ TEST_F(Restart, OtherRanks) {
 }
 
 // Without the friction history the rest would be another.
-TEST_F(Restart, FrictionHistoryMatters) {
+TEST_P(Restart, FrictionHistoryMatters) {
   const std::string smooth = path + "/smooth.yaml";
-  reel(smooth, {{"friction: 0.3", "friction: 0"}});
+  Edits edits = method();
+  edits.push_back({"friction: 0.3", "friction: 0"});
+  reel(smooth, edits);
   run_on_all({smooth, path + "/other.h5", path + "/half.h5", kEnd});
   if (!first()) return;
   const Results whole = read(path + "/whole.h5"), other = read(path + "/other.h5");
   const auto &a = whole.fields.at("position"), &b = other.fields.at("position");
   EXPECT_GT(largest_difference(tail(a, b), b), 1e-6);
 }
+
+INSTANTIATE_TEST_SUITE_P(Contact, Restart, ::testing::Values("nodes", "line"));
 
 }  // namespace
 }  // namespace hawser::runs

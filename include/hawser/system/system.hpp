@@ -70,7 +70,8 @@ class System {
   double longest_step(const Kinematics& committed) const;
 
   void prepare(const Kinematics& committed, double h);
-  // Says how long the coming try is: what is noise in the residual depends on it. Collective.
+  // Says that the coming try is shorter than what was prepared for: what is noise in the residual depends on
+  // it. Collective.
   void expect(const Kinematics& committed, double h);
   void commit(const Kinematics& accepted);
   // Summed over the terms, this rank's share.
