@@ -79,7 +79,8 @@ void compare(const std::string& which, const std::string& text, const Edits& edi
   for (const auto& [name, values] : one.fields) {
     const auto& there = all.fields.at(name);
     EXPECT_LE(largest_difference(values, there), 1e-9 * largest(values)) << name;
-    std::printf("%s %.1e  ", name.c_str(), largest_difference(values, there) / largest(values));
+    std::printf("%s %.1e  ", name.c_str(),
+                largest_difference(values, there) / std::max(largest(values), 1e-300));
   }
   std::printf("\n");
   for (const std::string point : {"hang-off", "pile"})
