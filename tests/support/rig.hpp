@@ -57,5 +57,4 @@ inline model::Case one_line(const model::LineType& type, double length, int elem
   return c;
 }
 
-
 }  // namespace hawser::test

@@ -42,7 +42,9 @@ TEST(Energy, FreeFlyingCable) {
   const Tumble t = tumble(false, 20, 200, 1, 50);
   show("free cable", 20, 200, 1, t);
   EXPECT_LT(t.linear, 1e-11);
-  EXPECT_LT(t.energy, 0.01);  // its elements go slack and snap taut
+  // Its elements go slack and snap taut: a chaotic motion, of which round-off makes 0.7 to 1.3 % in 50
+  // periods.
+  EXPECT_LT(t.energy, 0.02);
 }
 
 }  // namespace
