@@ -58,20 +58,20 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
   const std::string path = folder("kill"), file = path + "/killed.h5";
   const std::string input =
       reel(path + "/reel.yaml", {{"length: 250, elements: 250", "length: 60, elements: 60"},
-                                 {"duration: 325", "duration: 30"},
+                                 {"duration: 325", "duration: 20"},
                                  {"every: 1.0", "every: 0.1"}});
   const auto began = std::chrono::steady_clock::now();
   ASSERT_EQ(wait_for(start({"run", input, "-q", "-o", path + "/whole.h5"})), 0);
   const double duration =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();  // s, on the wall
   const Results whole = read(path + "/whole.h5");
-  ASSERT_EQ(whole.output_times.size(), 301u);
+  ASSERT_EQ(whole.output_times.size(), 201u);
 
   std::mt19937 random(20240102);
   std::uniform_real_distribution<double> moment(0.05 * duration, duration);
   std::remove(file.c_str());
   int kills = 0, restarts = 0, ends = 0;
-  for (int attempt = 0; attempt < 100 && (kills < 12 || ends < 3); ++attempt) {
+  for (int attempt = 0; attempt < 100 && (kills < 10 || ends < 2); ++attempt) {
     // A file of a run that was killed before its first checkpoint can only be made anew.
     std::vector<std::string> words{"run", input, "-q", "-o", file};
     const bool going_on = rows(file).first > 1;
@@ -109,9 +109,9 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
   }
   std::printf("%d kills, %d of them of runs that went on from a killed one, %d runs came to their end\n",
               kills, restarts, ends);
-  EXPECT_GE(kills, 12);
+  EXPECT_GE(kills, 10);
   EXPECT_GE(restarts, 3);
-  EXPECT_GE(ends, 3);
+  EXPECT_GE(ends, 2);
 }
 
 }  // namespace
