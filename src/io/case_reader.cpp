@@ -284,9 +284,8 @@ class Reader {
     o.file = v.has("file") ? source_.absolute(v["file"].text)
                            : (fs::path(c_.directory) / fs::path(c_.path).stem()).string() + ".h5";
     const std::string extension = fs::path(o.file).extension().string();
-    if (extension != ".h5" && extension != ".hdf5")  // nor can a case or a mesh be overwritten
-      source_.bad(v["file"], "output.file",
-                  "must end in .h5 or .hdf5, found " + model::quote(v["file"].text));
+    if (extension != ".h5")  // nor can a case or a mesh be overwritten
+      source_.bad(v["file"], "output.file", "must end in .h5, found " + model::quote(v["file"].text));
     o.every = number(v, "every");
     o.checkpoint_every = number(v, "checkpoint_every");
     const std::vector<Value>& formats = v["format"].items;

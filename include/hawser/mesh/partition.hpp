@@ -7,8 +7,9 @@
 
 namespace hawser {
 
-// Owner of every node: METIS k-way on the graph of elements, vertices weighed by the work of a node, edges
-// along a chain heavy so that lines are cut as seldom as balance allows. Same answer on every rank.
+// Owner of every node: METIS recursive bisection of the graph of elements, vertices weighed by the work of a
+// node, edges along a chain heavy so that lines are cut as seldom as balance allows. Same answer on every
+// rank.
 std::vector<int> partition(const Mesh& mesh, int ranks);
 
 // This rank's part. `owner` has one rank a node.
