@@ -146,6 +146,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     recorder.start(0, sim.dynamics().kinematics());
     recorder.step({}, sim.dynamics().kinematics(), 0);
     recorder.output(0, sim.dynamics().kinematics());
+    recorder.checkpoint(make_checkpoint(sim, recorder));  // so that a run killed at once can go on too
   } else {
     recorder.start(0, sim.state().view(0));
     recorder.step({}, sim.state().view(0), 0);
