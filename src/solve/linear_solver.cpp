@@ -5,8 +5,6 @@
 namespace hawser {
 namespace {
 
-using IsHandle = Handle<IS, ISDestroy>;
-
 // Unknowns that some rank sees as ghosts, counted once for each rank that does.
 long shared_unknowns(const System& system) {
   long n = 3L * (system.mesh().blocks() - system.mesh().owned_blocks);
@@ -51,7 +49,6 @@ int negative_eigenvalues(Mat J) {
   check(MatMumpsSetIcntl(factor.get(), 13, 1));
   MatFactorInfo info;
   check(MatFactorInfoInitialize(&info));
-  IsHandle rows, columns;
   if (MatCholeskyFactorSymbolic(factor.get(), a.get(), nullptr, &info)) return -1;
   if (MatCholeskyFactorNumeric(factor.get(), a.get(), &info)) return -1;
   PetscInt negative = 0, zero = 0, positive = 0;

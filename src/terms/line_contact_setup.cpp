@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "contact_settings.hpp"
 #include "hawser/terms/line_contact.hpp"
 
 namespace hawser {
@@ -34,23 +35,11 @@ ContactLaw LineContact::law(size_t element, const model::Volume& v) const {
   double share = 1;  // of a metre: what turns the basis into N/m²
   if (v.basis == model::StiffnessBasis::per_point) share = 1 / lengths_[element];
   if (v.basis == model::StiffnessBasis::per_area) share = diameter;
-  ContactLaw law;
-  law.normal.stiffness = v.normal_stiffness * share;
-  law.normal.smoothing = v.smoothing > 0 ? v.smoothing : 0.001 * diameter;  // as in the nodes method
-  law.normal.damping =
-      contact_damping(v.relative_damping, law.normal.stiffness, elements_[element].mass_per_length);
-  law.friction.axial = v.friction.axial;
-  law.friction.lateral = v.friction.lateral;
-  law.friction.stiffness = v.friction.shear_stiffness * share;
-  const double length = v.friction.mobilisation_length > 0 ? v.friction.mobilisation_length : 0.01 * diameter;
-  law.friction.axial_length = law.friction.lateral_length = length;
-  return law;
+  return contact_law(v, share, diameter, elements_[element].mass_per_length);
 }
 
 void LineContact::pose_bodies(double time, std::vector<RigidPose>& poses) const {
-  const int n = bodies_->size();
-  poses.resize(static_cast<size_t>(n) + 1);
-  for (int b = 0; b < n; ++b) poses[static_cast<size_t>(b) + 1] = bodies_->pose(b, time);
+  poses_at(*bodies_, time, poses);
 }
 
 AxisEnds LineContact::ends(const Kinematics& at, int element) const {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "contact_settings.hpp"
 #include "hawser/terms/volume_contact.hpp"
 
 namespace hawser {
@@ -51,23 +52,11 @@ ContactLaw VolumeContact::law(int node, int volume) const {
   double share = 1;  // of the node: what turns the basis into N/m
   if (v.basis == model::StiffnessBasis::per_length) share = tributary_[n];
   if (v.basis == model::StiffnessBasis::per_area) share = tributary_[n] * diameter;
-  ContactLaw law;
-  law.normal.stiffness = v.normal_stiffness * share;
-  // A fifth of the penetration the automatic stiffness allows: the ramp stays small beside it.
-  law.normal.smoothing = v.smoothing > 0 ? v.smoothing : 0.001 * diameter;
-  law.normal.damping = contact_damping(v.relative_damping, law.normal.stiffness, nodes_[n].mass);
-  law.friction.axial = v.friction.axial;
-  law.friction.lateral = v.friction.lateral;
-  law.friction.stiffness = v.friction.shear_stiffness * share;
-  const double length = v.friction.mobilisation_length > 0 ? v.friction.mobilisation_length : 0.01 * diameter;
-  law.friction.axial_length = law.friction.lateral_length = length;
-  return law;
+  return contact_law(v, share, diameter, nodes_[n].mass);
 }
 
 void VolumeContact::pose_bodies(double time, std::vector<RigidPose>& poses) const {
-  const int n = bodies_->size();
-  poses.resize(static_cast<size_t>(n) + 1);
-  for (int b = 0; b < n; ++b) poses[static_cast<size_t>(b) + 1] = bodies_->pose(b, time);
+  poses_at(*bodies_, time, poses);
 }
 
 Vec3 VolumeContact::line_tangent(const Kinematics& at, int node) const {
