@@ -6,8 +6,10 @@
 
 #include "hawser/mesh/partition.hpp"
 #include "hawser/solve/start_shape.hpp"
+#include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
+#include "hawser/terms/volume_contact.hpp"
 
 namespace hawser::app {
 namespace {
@@ -103,7 +105,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (!volumes.empty() && c.contact.method == model::ContactMethod::line) {
     auto contact =
         std::make_unique<LineContact>(local, bodies_, std::move(volumes), contact_elements(c, local));
-    line_contact_ = contact.get();
+    contact_ = contact.get();
     system_->add(std::move(contact));
   } else if (!volumes.empty()) {
     std::vector<ContactNode> nodes = contact_nodes(c, local);
@@ -122,13 +124,12 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 StaticsReport Simulation::solve_statics() {
   const auto enable_friction = [this](bool on) {
     if (contact_) contact_->enable_friction(on);
-    if (line_contact_) line_contact_->enable_friction(on);
   };
   enable_friction(false);
   StaticsSettings settings{case_.statics.tolerance, case_.statics.max_iterations};
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   enable_friction(true);
-  if (contact_ || line_contact_) system_->commit(state_.view(0));
+  if (contact_) system_->commit(state_.view(0));
   return report;
 }
 

@@ -388,8 +388,8 @@ const Key& case_schema() {
            {all_or_names("lines", "lines", "lines that take part in contact"),
             all_or_names("volumes", "volumes", "volumes that take part in contact"),
             word("method", {"nodes", "line"},
-                 "where a line touches: at its nodes, or (`line`) anywhere along its elements")
-                .or_else("nodes")},
+                 "where a line touches: anywhere along its elements (`line`) or at its nodes alone")
+                .or_else("line")},
            "Contact of lines with volumes.")
            .or_else("{}"),
        one_of("statics",

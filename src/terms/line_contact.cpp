@@ -51,7 +51,7 @@ void LineContact::prepare(const Kinematics& committed, double h) {
         ++known;
       const bool kept = known < old.size() && old[known].element == e && old[known].volume == k;
       const RigidPose& pose = start_poses_[body(k)];
-      const ContactLaw laws = law(static_cast<size_t>(e), volumes_[static_cast<size_t>(k)].settings);
+      const ContactLaw laws = element_law(static_cast<size_t>(e), volumes_[static_cast<size_t>(k)].settings);
       const double touch = element.radius + laws.normal.smoothing;
       const double speed =
           std::max((at.v1 - pose.velocity_at(at.x1)).norm(), (at.v2 - pose.velocity_at(at.x2)).norm());
@@ -167,7 +167,7 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
                         bool moves, const Sink& sink, AxisShape::Generalised& g) const {
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
   const double L = length(pair.element), span = s.to - s.from;
-  const ContactLaw laws = applied(pair);
+  const ContactLaw laws = applied(pair.law);
   const size_t n = static_cast<size_t>(shape.count());
   const Mat3 R = pose.rotation.toRotationMatrix();
   // Relative velocity in the body frame: u = R'(v - V) - omega x y.

@@ -24,7 +24,7 @@ std::vector<HistoryRecord> LineContact::save() const {
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const Account& a = accounts_[i];
     const LocalElement& e = mesh_.elements[i];
-    if (!e.counted || !(a.depth > 0 || a.friction != 0 || a.damping != 0 || a.work != 0)) continue;
+    if (!e.counted || a.empty()) continue;
     records.push_back({mesh_.global[static_cast<size_t>(e.first)],
                        kAccount,
                        {a.friction, a.damping, a.work, a.depth, a.time, static_cast<double>(a.volume),

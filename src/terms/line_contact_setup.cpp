@@ -4,42 +4,26 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "contact_settings.hpp"
 #include "hawser/terms/line_contact.hpp"
 
 namespace hawser {
 
 LineContact::LineContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                          std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements)
-    : mesh_(mesh), bodies_(std::move(bodies)), volumes_(std::move(volumes)), elements_(std::move(elements)) {
-  if (!bodies_) bodies_ = std::make_shared<const Bodies>();
+    : Contact(std::move(bodies), std::move(volumes)), mesh_(mesh), elements_(std::move(elements)) {
   if (elements_.size() != mesh_.elements.size())
     throw std::invalid_argument("contact along lines needs one LineContactElement for each local element");
-  for (const ContactVolume& v : volumes_) {
-    if (!v.surface) throw std::invalid_argument("volume " + v.settings.name + " has no surface");
-    if (v.body >= bodies_->size())
-      throw std::invalid_argument("volume " + v.settings.name + " has no such body");
-    if (v.settings.basis == model::StiffnessBasis::automatic || !(v.settings.normal_stiffness > 0))
-      throw std::invalid_argument("volume " + v.settings.name + " has no contact stiffness");
-    boxes_.push_back(v.surface->bounds());
-  }
   for (const LocalElement& e : mesh_.elements)
     lengths_.push_back(mesh_.mesh->elements[static_cast<size_t>(e.global)].length);
   accounts_.resize(elements_.size());
-  pose_bodies(0, poses_);
-  start_poses_ = poses_;
 }
 
-ContactLaw LineContact::law(size_t element, const model::Volume& v) const {
+ContactLaw LineContact::element_law(size_t element, const model::Volume& v) const {
   const double diameter = 2 * elements_[element].radius;
   double share = 1;  // of a metre: what turns the basis into N/m²
   if (v.basis == model::StiffnessBasis::per_point) share = 1 / lengths_[element];
   if (v.basis == model::StiffnessBasis::per_area) share = diameter;
-  return contact_law(v, share, diameter, elements_[element].mass_per_length);
-}
-
-void LineContact::pose_bodies(double time, std::vector<RigidPose>& poses) const {
-  poses_at(*bodies_, time, poses);
+  return law(v, share, diameter, elements_[element].mass_per_length);
 }
 
 AxisEnds LineContact::ends(const Kinematics& at, int element) const {
@@ -61,29 +45,22 @@ void LineContact::commit(const Kinematics& accepted) {
   for (Pair& pair : pairs_) {
     const AxisShape shape(ends(accepted, pair.element));
     const RigidPose& pose = poses_[body(pair.volume)];
-    const ContactLaw laws = applied(pair);
+    const ContactLaw laws = applied(pair.law);
     std::vector<Point> next;
     Account& sum = accounts_[static_cast<size_t>(pair.element)];
     for (const ContactStretch& s : locate(pair, shape, pose))
       for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-        Point p;
-        p.xi = s.from + (s.to - s.from) * ContactRule::place()[q];
-        p.from = s.from, p.to = s.to;
-        p.weight = length(pair.element) * (s.to - s.from) * ContactRule::weight()[q];
+        const double xi = s.from + (s.to - s.from) * ContactRule::place()[q];
         ContactTrial at;
-        if (!sample(pair, shape, pose, p.xi, accepted.step > 0, at)) continue;
+        if (!sample(pair, shape, pose, xi, accepted.step > 0, at)) continue;
         ContactStart begin;
-        if (laws.friction.active()) begin = start(pair, origin(pair, p.xi), p.xi);
+        if (laws.friction.active()) begin = start(pair, origin(pair, xi), xi);
         const PointContact c = volume_contact(laws, begin, at, false);
         if (!(c.normal.elastic > 0)) continue;
-        p.slip = c.slip, p.normal = at.normal;
-        p.force = c.force, p.friction = c.friction;
-        p.normal_force = c.normal.force, p.damping_force = c.normal.force - c.normal.elastic;
-        p.potential = c.normal.potential, p.gap = at.gap;
-        if (-p.gap > sum.depth) {
-          sum.depth = -p.gap, sum.time = accepted.time;
-          sum.volume = pair.volume, sum.end = p.xi < 0.5 ? 0 : 1;
-        }
+        Point p(c, at.normal);
+        p.xi = xi, p.from = s.from, p.to = s.to, p.gap = at.gap;
+        p.weight = length(pair.element) * (s.to - s.from) * ContactRule::weight()[q];
+        sum.reaches(-p.gap, accepted.time, pair.volume, xi < 0.5 ? 0 : 1);
         next.push_back(p);
       }
     if (accepted.step > 0 && !(next.empty() && pair.history.empty())) account(pair, shape, next);
@@ -95,27 +72,19 @@ void LineContact::commit(const Kinematics& accepted) {
 // with those at its end where they are. Of a step in which a point met or left only the part in touch counts.
 void LineContact::account(Pair& pair, const AxisShape& shape, const std::vector<Point>& next) {
   const RigidPose &before = start_poses_[body(pair.volume)], &after = poses_[body(pair.volume)];
-  const Mat3 R0 = before.rotation.toRotationMatrix(), R1 = after.rotation.toRotationMatrix();
+  const StepOfBody step(before, after);
   const double smoothing = pair.law.normal.smoothing;
   Account& sum = accounts_[static_cast<size_t>(pair.element)];
-  const auto add = [&](const Point& p, const Mat3& R, const Vec3& y0, const Vec3& y1, double part) {
-    const Vec3 relative = 0.5 * (R0 + R1) * (y1 - y0);
-    const Vec3 carried = after.position - before.position + 0.5 * (R1 - R0) * (y0 + y1);
-    const double w = 0.5 * part * p.weight;
-    sum.friction -= w * (R * p.friction).dot(relative);
-    sum.damping -= w * p.damping_force * (R * p.normal).dot(relative);
-    sum.work += w * (R * p.force).dot(carried);
-  };
   for (const Point& p : pair.history) {
     const Vec3 y0 = before.to_body(pair.start.point(p.xi)), y1 = after.to_body(shape.point(p.xi));
     const double away = p.normal.dot(y1 - y0), deep = std::max(smoothing - p.gap, 0.0);
-    add(p, R0, y0, y1, away > deep ? deep / away : 1);
+    add_work(sum, step, p, step.R0, y0, y1, p.weight * (away > deep ? deep / away : 1));
   }
   for (const Point& p : next) {
     const Vec3 y0 = before.to_body(pair.start.point(p.xi)), y1 = after.to_body(shape.point(p.xi));
     const Origin o = origin(pair, p.xi);
     const double moved = o.touched ? 0 : std::max(o.gap - smoothing, 0.0), deep = smoothing - p.gap;
-    add(p, R1, y0, y1, moved > 0 ? deep / (moved + deep) : 1);
+    add_work(sum, step, p, step.R1, y0, y1, p.weight * (moved > 0 ? deep / (moved + deep) : 1));
   }
 }
 
@@ -160,7 +129,7 @@ void LineContact::fields(FieldRegistry& registry) const {
       }
     }
   };
-  const auto vector = [this, shared](Vec3 Point::*value) {
+  const auto vector = [this, shared](Vec3 ContactHistory::*value) {
     return [this, shared, value](const Kinematics& at, std::span<double> out) {
       std::fill(out.begin(), out.end(), 0.0);
       std::vector<RigidPose> poses;
@@ -171,14 +140,14 @@ void LineContact::fields(FieldRegistry& registry) const {
       });
     };
   };
-  registry.add({"contact_force", "N", 3, vector(&Point::force)});
+  registry.add({"contact_force", "N", 3, vector(&ContactHistory::force)});
   registry.add({"contact_normal_force", "N", 1, [shared](const Kinematics&, std::span<double> out) {
                   std::fill(out.begin(), out.end(), 0.0);
                   shared([&](int node, const Pair&, const Point& q, double share) {
                     out[static_cast<size_t>(node)] += share * q.weight * q.normal_force;
                   });
                 }});
-  registry.add({"friction_force", "N", 3, vector(&Point::friction)});
+  registry.add({"friction_force", "N", 3, vector(&ContactHistory::friction)});
   registry.add({"penetration", "m", 1, [shared](const Kinematics&, std::span<double> out) {
                   std::fill(out.begin(), out.end(), 0.0);
                   shared([&](int node, const Pair&, const Point& q, double share) {

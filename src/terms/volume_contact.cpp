@@ -25,7 +25,7 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
       const bool kept = known < old.size() && old[known].node == i && old[known].volume == k;
       const RigidPose& pose = start_poses_[body(k)];
       const Vec3 &x = committed.x[n], y = pose.to_body(x);
-      const ContactLaw laws = law(i, k);
+      const ContactLaw laws = node_law(i, k);
       const double touch = nodes_[n].radius + laws.normal.smoothing;
       const double motion = 2 * h * (committed.v[n] - pose.velocity_at(x)).norm();
       const double margin = std::max(motion, 0.5 * element_[n]);
@@ -98,8 +98,7 @@ PointContact VolumeContact::contact(Pair& pair, const Kinematics& at, bool deriv
   if (!locate(pair, trial.point, 0.5 * element_[n], trial)) return {};
   if (at.step > 0) trial.velocity = pose.rotation.conjugate() * (at.v[n] - pose.velocity_at(x));
   if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
-  const ContactLaw law{pair.law.normal, friction_on_ ? pair.law.friction : FrictionLaw{}};
-  return volume_contact(law, pair.start, trial, derivatives);
+  return volume_contact(applied(pair.law), pair.start, trial, derivatives);
 }
 
 VolumeContact::Force VolumeContact::force(const Kinematics& trial, int pair, bool tangent, bool convex) {
@@ -149,35 +148,21 @@ void VolumeContact::commit(const Kinematics& accepted) {
     const PointContact c = contact(pair, accepted, false, false, at);
     History next;
     if (c.normal.elastic > 0) {
+      next = History(c, at.normal);
       next.touches = true;
-      next.slip = c.slip;
-      next.normal = at.normal;
-      next.force = c.force;
-      next.friction = c.friction;
-      next.normal_force = c.normal.force;
-      next.damping_force = c.normal.force - c.normal.elastic;
-      next.potential = c.normal.potential;
       next.depth = std::max(0.0, -at.gap);
       next.hint = pair.hint;
     }
-    Account& sum = accounts_[static_cast<size_t>(pair.node)];
-    if (next.depth > sum.depth) {
-      sum.depth = next.depth;
-      sum.time = accepted.time;
-      sum.volume = pair.volume;
-    }
+    accounts_[static_cast<size_t>(pair.node)].reaches(next.depth, accepted.time, pair.volume);
     if (accepted.step > 0 && (next.touches || pair.history.touches)) account(pair, next, at.point);
     pair.history = next;
   }
 }
 
-// Trapezoid over the step. The motion of the node splits exactly into that of the body's material and that
-// relative to it: x1 - x0 = [p1 - p0 + (R1 - R0)(y0 + y1)/2] + (R0 + R1)/2 (y1 - y0). Of a step in which the
-// pair met or parted only the part in touch counts.
+// Trapezoid over the step, of which only the part in touch counts when the pair met or parted in it.
 void VolumeContact::account(const Pair& pair, const History& next, const Vec3& y) {
-  const RigidPose &before = start_poses_[body(pair.volume)], &after = poses_[body(pair.volume)];
+  const StepOfBody step(start_poses_[body(pair.volume)], poses_[body(pair.volume)]);
   const History& last = pair.history;
-  const Mat3 R0 = before.rotation.toRotationMatrix(), R1 = after.rotation.toRotationMatrix();
   const Vec3& y0 = pair.start.point;
   double part = 1;
   const double smoothing = pair.law.normal.smoothing;
@@ -188,13 +173,9 @@ void VolumeContact::account(const Pair& pair, const History& next, const Vec3& y
     const double away = last.normal.dot(y - y0), deep = std::max(smoothing - pair.start.gap, 0.0);
     part = away > deep ? deep / away : 1;
   }
-  const Vec3 relative = 0.5 * part * (R0 + R1) * (y - y0);
-  const Vec3 carried = part * (after.position - before.position + 0.5 * (R1 - R0) * (y0 + y));
   Account& sum = accounts_[static_cast<size_t>(pair.node)];
-  sum.friction -= 0.5 * (R0 * last.friction + R1 * next.friction).dot(relative);
-  sum.damping -=
-      0.5 * (last.damping_force * (R0 * last.normal) + next.damping_force * (R1 * next.normal)).dot(relative);
-  sum.work += 0.5 * (R0 * last.force + R1 * next.force).dot(carried);
+  add_work(sum, step, last, step.R0, y0, y, part);
+  add_work(sum, step, next, step.R1, y0, y, part);
 }
 
 }  // namespace hawser

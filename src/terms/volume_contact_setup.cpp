@@ -1,30 +1,19 @@
 // What VolumeContact is made from, and what it shows and keeps.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <unordered_map>
 
-#include "contact_settings.hpp"
 #include "hawser/terms/volume_contact.hpp"
 
 namespace hawser {
 
 VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                              std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes)
-    : bodies_(std::move(bodies)), volumes_(std::move(volumes)), nodes_(std::move(nodes)) {
-  if (!bodies_) bodies_ = std::make_shared<const Bodies>();
+    : Contact(std::move(bodies), std::move(volumes)), nodes_(std::move(nodes)) {
   const size_t owned = static_cast<size_t>(mesh.owned);
   if (nodes_.size() != owned)
     throw std::invalid_argument("contact needs one ContactNode for each owned node");
-  for (const ContactVolume& v : volumes_) {
-    if (!v.surface) throw std::invalid_argument("volume " + v.settings.name + " has no surface");
-    if (v.body >= bodies_->size())
-      throw std::invalid_argument("volume " + v.settings.name + " has no such body");
-    if (v.settings.basis == model::StiffnessBasis::automatic || !(v.settings.normal_stiffness > 0))
-      throw std::invalid_argument("volume " + v.settings.name + " has no contact stiffness");
-    boxes_.push_back(v.surface->bounds());
-  }
   accounts_.resize(owned);
   before_.resize(owned);
   after_.resize(owned);
@@ -41,22 +30,16 @@ VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies
     if (first < owned) after_[first] = e.second, element_[first] = std::max(element_[first], length);
     if (second < owned) before_[second] = e.first, element_[second] = std::max(element_[second], length);
   }
-  pose_bodies(0, poses_);
-  start_poses_ = poses_;
 }
 
-ContactLaw VolumeContact::law(int node, int volume) const {
+ContactLaw VolumeContact::node_law(int node, int volume) const {
   const size_t n = static_cast<size_t>(node);
   const model::Volume& v = volumes_[static_cast<size_t>(volume)].settings;
   const double diameter = 2 * nodes_[n].radius;
   double share = 1;  // of the node: what turns the basis into N/m
   if (v.basis == model::StiffnessBasis::per_length) share = tributary_[n];
   if (v.basis == model::StiffnessBasis::per_area) share = tributary_[n] * diameter;
-  return contact_law(v, share, diameter, nodes_[n].mass);
-}
-
-void VolumeContact::pose_bodies(double time, std::vector<RigidPose>& poses) const {
-  poses_at(*bodies_, time, poses);
+  return law(v, share, diameter, nodes_[n].mass);
 }
 
 Vec3 VolumeContact::line_tangent(const Kinematics& at, int node) const {
@@ -123,7 +106,7 @@ std::vector<HistoryRecord> VolumeContact::save() const {
   std::vector<HistoryRecord> records;
   for (size_t n = 0; n < accounts_.size(); ++n) {
     const Account& a = accounts_[n];
-    if (a.depth > 0 || a.friction != 0 || a.damping != 0 || a.work != 0)
+    if (!a.empty())
       records.push_back({global_[n],
                          kAccount,
                          {a.friction, a.damping, a.work, a.depth, a.time, static_cast<double>(a.volume)}});
@@ -183,22 +166,6 @@ Penetration VolumeContact::largest_penetration() const {
 int VolumeContact::touching() const {
   return static_cast<int>(
       std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.history.touches; }));
-}
-
-AutomaticStiffness automatic_contact_stiffness(double radius, double weight, double length, double EA) {
-  const double tension = std::max(weight * length, 1e-4 * EA), bend = std::max(radius, 1.0);
-  const double pressure = tension / bend, allowed = 0.005 * radius;
-  const auto number = [](double v) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", v);
-    return std::string(text);
-  };
-  return {pressure / allowed,
-          "contact stiffness " + number(pressure / allowed) + " N/m per metre of line: a tension of " +
-              number(tension) + " N (" +
-              (weight * length >= 1e-4 * EA ? "the line's weight" : "1e-4 of its EA, more than its weight") +
-              ") bent to a radius of " + number(bend) + " m presses in by 0.5 % of the line's radius, " +
-              number(allowed) + " m"};
 }
 
 }  // namespace hawser

@@ -52,7 +52,7 @@ class Restart : public ::testing::TestWithParam<const char*> {
     run_on_all({input, path + "/half.h5", "", kHalf});
     run_on_one({input, path + "/half_one.h5", "", kHalf});
   }
-  static Edits method() { return {{"method: nodes", std::string("method: ") + GetParam()}}; }
+  static Edits method() { return {{"method: line", std::string("method: ") + GetParam()}}; }
   static bool first() { return rank_of(MPI_COMM_WORLD) == 0; }
   std::string path, input;
 };

@@ -79,7 +79,7 @@ TEST(CaseReader, Reel) {
   ASSERT_EQ(l.loads.size(), 1U);
   EXPECT_EQ(l.loads[0].per_length, Vec3(0, 93.8, 0));
   EXPECT_LT(l.loads[0].to, 0);
-  EXPECT_EQ(c.contact.method, model::ContactMethod::nodes);
+  EXPECT_EQ(c.contact.method, model::ContactMethod::line);
   EXPECT_TRUE(c.contact.all_lines && c.contact.all_volumes);
   EXPECT_TRUE(c.statics.enabled && c.dynamics.enabled);
   EXPECT_EQ(c.dynamics.duration, 325);

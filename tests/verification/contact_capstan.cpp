@@ -59,6 +59,7 @@ Pulled run(const Pull& p) {
   volume.relative_damping = 0.1;
   volume.friction.axial = volume.friction.lateral = p.mu;
   c.volumes.push_back(volume);
+  c.contact.method = model::ContactMethod::nodes;
   c.dynamics.enabled = true;
   c.dynamics.step = p.step, c.dynamics.max_step = p.longest;
   c.dynamics.duration = p.duration;

@@ -30,6 +30,7 @@ Rebound run(const Impact& in) {
   floor.relative_damping = in.zeta;
   floor.smoothing = 1e-6;
   c.volumes.push_back(floor);
+  c.contact.method = model::ContactMethod::nodes;
   c.dynamics.step = in.step, c.dynamics.rho_infinity = in.rho_infinity;
   Simulation s(PETSC_COMM_WORLD, c, {std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ())});
   for (Vec3& v : s.state().v) v = Vec3(0, 0, -in.speed);
@@ -155,6 +156,7 @@ TEST_P(Bar, AgainstWall) {
   wall.normal_stiffness = kp;
   wall.smoothing = 1e-8;
   c.volumes.push_back(wall);
+  c.contact.method = model::ContactMethod::nodes;
   c.dynamics.step = 0.5 * kLength / n / kWave;
   Simulation s(PETSC_COMM_WORLD, c, {std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitX())});
   for (Vec3& v : s.state().v) v = Vec3(-1, 0, 0);

@@ -46,6 +46,7 @@ Found solve(const Row& row, int facets, double phase) {
   drum.normal_stiffness = row.pressure / (1e-6 * row.rho);
   drum.smoothing = 1e-7 * row.rho;
   c.volumes.push_back(drum);
+  c.contact.method = model::ContactMethod::nodes;
   Simulation s(PETSC_COMM_WORLD, c,
                {facets ? faceted_drum(facets, row.rho - r, 8, 3, phase) : round_drum(row.rho - r, 8)});
   const StaticsReport report = s.solve_statics();

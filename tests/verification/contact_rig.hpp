@@ -2,6 +2,7 @@
 // drawn from runs.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <memory>
@@ -61,6 +62,30 @@ struct Samples {
   }
   double mean() const { return sum / weight; }
   double rms() const { return std::sqrt(std::max(0.0, square / weight - mean() * mean())); }
+};
+
+// What a run shows at its accepted steps.
+struct Series {
+  std::vector<double> time, step, value;
+  void add(const StepInfo& i, double v) { time.push_back(i.time), step.push_back(i.h), value.push_back(v); }
+  // Root mean square over (from, to) [s] about a straight line fitted to the 10 s around each instant.
+  double noise(double from, double to) const {
+    double sum = 0, weight = 0;
+    size_t low = 0, high = 0;
+    for (size_t i = 0; i < time.size(); ++i) {
+      while (time[low] < time[i] - 5) ++low;
+      while (high < time.size() && time[high] <= time[i] + 5) ++high;
+      if (time[i] < from || time[i] > to) continue;
+      double s0 = 0, s1 = 0, s2 = 0, y0 = 0, y1 = 0;
+      for (size_t k = low; k < high; ++k) {
+        const double x = time[k] - time[i], w = step[k];
+        s0 += w, s1 += w * x, s2 += w * x * x, y0 += w * value[k], y1 += w * x * value[k];
+      }
+      const double off = value[i] - (s2 * y0 - s1 * y1) / (s0 * s2 - s1 * s1);
+      sum += step[i] * off * off, weight += step[i];
+    }
+    return std::sqrt(sum / weight);
+  }
 };
 
 // A field of the results at this rank's nodes, by name.

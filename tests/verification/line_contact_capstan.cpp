@@ -82,8 +82,8 @@ Pulled run(const Pull& p) {
   const Energy e = s.system().energy(d.kinematics());
   const double brought = e.work + d.support_work() - (e.potential - e0.potential);
   out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;
-  out.elements_on_drum = s.line_contact()->touching();
-  out.penetration = s.line_contact()->largest_penetration().depth;
+  out.elements_on_drum = s.contact()->touching();
+  out.penetration = s.contact()->largest_penetration().depth;
   return out;
 }
 

@@ -30,7 +30,7 @@ Drawn draw(model::ContactMethod method, int elements, double duration) {
   const double h = kLength / elements;
   NodeField tension(s, "effective_tension");
   const Energy e0 = s.system().energy(d.kinematics());
-  std::vector<double> time, step, value;
+  Series tension_below;
   Drawn out;
   const double before = cpu_seconds();
   d.run(
@@ -43,28 +43,15 @@ Drawn draw(model::ContactMethod method, int elements, double duration) {
         const double part = (k.x[n].z() + 6) / (k.x[n].z() - k.x[n + 1].z());
         const std::vector<double>& T = tension.at(k);
         const double arc = h * (static_cast<double>(n) + part);
-        time.push_back(i.time), step.push_back(i.h);
-        value.push_back((1 - part) * T[n] + part * T[n + 1] - load * (kLength - arc));
+        tension_below.add(i, (1 - part) * T[n] + part * T[n + 1] - load * (kLength - arc));
         return true;
       });
   out.cpu = (cpu_seconds() - before) / duration;
-  out.penetration =
-      s.contact() ? s.contact()->largest_penetration().depth : s.line_contact()->largest_penetration().depth;
+  out.penetration = s.contact()->largest_penetration().depth;
   const Energy e = s.system().energy(d.kinematics());
   const double brought = e.work + d.support_work() - (e.potential - e0.potential);
   out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / brought - 1;
-  double sum = 0, weight = 0;
-  for (size_t i = 0; i < time.size(); ++i) {
-    if (time[i] < 15 || time[i] > duration - 5) continue;
-    double s0 = 0, s1 = 0, s2 = 0, y0 = 0, y1 = 0;
-    for (size_t k = 0; k < time.size(); ++k) {
-      const double x = time[k] - time[i], w = std::abs(x) <= 5 ? step[k] : 0;
-      s0 += w, s1 += w * x, s2 += w * x * x, y0 += w * value[k], y1 += w * x * value[k];
-    }
-    const double off = value[i] - (s2 * y0 - s1 * y1) / (s0 * s2 - s1 * s1);
-    sum += step[i] * off * off, weight += step[i];
-  }
-  out.noise = std::sqrt(sum / weight);
+  out.noise = tension_below.noise(15, duration - 5);
   return out;
 }
 

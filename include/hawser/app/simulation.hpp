@@ -13,9 +13,8 @@
 #include "hawser/solve/statics.hpp"
 #include "hawser/system/system.hpp"
 #include "hawser/terms/bodies.hpp"
-#include "hawser/terms/line_contact.hpp"
+#include "hawser/terms/contact.hpp"
 #include "hawser/terms/structure.hpp"
-#include "hawser/terms/volume_contact.hpp"
 
 namespace hawser::app {
 
@@ -30,8 +29,7 @@ class Simulation {
   const Bodies& bodies() const { return *bodies_; }
   System& system() { return *system_; }
   StructureTerm& structure() { return *structure_; }
-  VolumeContact* contact() { return contact_; }          // null: nothing to touch, or another method
-  LineContact* line_contact() { return line_contact_; }  // likewise
+  Contact* contact() { return contact_; }  // with volumes; null: there are none
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
@@ -47,12 +45,11 @@ class Simulation {
   std::shared_ptr<const Bodies> bodies_;
   std::unique_ptr<System> system_;
   StructureTerm* structure_ = nullptr;
-  VolumeContact* contact_ = nullptr;
+  Contact* contact_ = nullptr;
   State state_;
   std::unique_ptr<Dynamics> dynamics_;
   std::vector<std::string> notes_;
   int cut_ = 0;
-  LineContact* line_contact_ = nullptr;
 };
 
 }  // namespace hawser::app

@@ -139,7 +139,7 @@ struct Line {
 enum class ContactMethod { nodes, line };
 
 struct Contact {
-  ContactMethod method = ContactMethod::nodes;
+  ContactMethod method = ContactMethod::line;
   bool all_lines = true, all_volumes = true;
   std::vector<std::string> lines, volumes;  // when not all
 };

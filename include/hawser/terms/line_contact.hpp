@@ -8,7 +8,7 @@
 
 #include "hawser/kernels/axis_shape.hpp"
 #include "hawser/kernels/line_contact.hpp"
-#include "hawser/terms/volume_contact.hpp"
+#include "hawser/terms/contact.hpp"
 
 namespace hawser {
 
@@ -19,15 +19,12 @@ struct LineContactElement {
   Vec3 tangent = Vec3::UnitX();  // of a beam's axis, in the material axes of its nodes
 };
 
-class LineContact final : public ForceTerm {
+class LineContact final : public Contact {
  public:
   // elements: one for each of mesh.elements. Indices are checked, std::invalid_argument otherwise. A
   // stiffness per point counts once an element.
   LineContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes,
               std::vector<LineContactElement> elements);
-
-  // Off in the first stage of statics. While off no slip is kept.
-  void enable_friction(bool on) { friction_on_ = on; }
 
   std::string_view name() const override { return "line contact"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -39,21 +36,18 @@ class LineContact final : public ForceTerm {
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
-  // Largest penetration of the elements this rank counts, over the run; `node` is the nearer end.
-  Penetration largest_penetration() const;
-  int candidates() const { return static_cast<int>(pairs_.size()); }
-  // Pairs of an element and a volume that touch, of those this rank counts.
-  int touching() const;
+  // `node` is the nearer end of the element.
+  Penetration largest_penetration() const override;
+  int candidates() const override { return static_cast<int>(pairs_.size()); }
+  // Pairs of an element and a volume that touch.
+  int touching() const override;
 
  private:
-  // What an accepted step leaves at a Gauss point, body frame, forces per length. Kept while it touches.
-  struct Point {
-    double xi = 0, from = 0, to = 0;                     // place; its panel: all of it touches
-    double weight = 0;                                   // m
-    Vec3 slip = Vec3::Zero(), normal = Vec3::UnitZ();    // m, -
-    Vec3 force = Vec3::Zero(), friction = Vec3::Zero();  // N/m
-    double normal_force = 0, damping_force = 0;          // N/m, of which damping
-    double potential = 0, gap = 0;                       // J/m, m
+  // A Gauss point, forces per length. Kept while it touches.
+  struct Point : ContactHistory {
+    using ContactHistory::ContactHistory;
+    double xi = 0, from = 0, to = 0;  // place; its panel: all of it touches
+    double weight = 0, gap = 0;       // m
   };
   struct Pair {
     int element = 0, volume = 0;
@@ -67,12 +61,6 @@ class LineContact final : public ForceTerm {
     Vec3 centre = Vec3::Zero();
     double clear = -1;
     int hint = -1;
-  };
-  // Sums of an element over the accepted steps.
-  struct Account {
-    double friction = 0, damping = 0, work = 0;  // J
-    double depth = 0, time = 0;                  // m, s: largest penetration
-    int volume = -1, end = 0;
   };
   // Of a point that touches in the trial, at the start of the step: from the history, or where it came from.
   struct Origin {
@@ -90,16 +78,9 @@ class LineContact final : public ForceTerm {
   ContactStart start(const Pair& pair, const Origin& from, double xi) const;
   void panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, const ContactStretch& s, bool moves,
              const Sink& sink, AxisShape::Generalised& g) const;
-  ContactLaw applied(const Pair& pair) const {
-    return {pair.law.normal, friction_on_ ? pair.law.friction : FrictionLaw{}};
-  }
-  ContactLaw law(size_t element, const model::Volume& v) const;
+  ContactLaw element_law(size_t element, const model::Volume& v) const;
   void account(Pair& pair, const AxisShape& shape, const std::vector<Point>& next);
   AxisEnds ends(const Kinematics& at, int element) const;
-  void pose_bodies(double time, std::vector<RigidPose>& poses) const;
-  size_t body(int volume) const {
-    return static_cast<size_t>(volumes_[static_cast<size_t>(volume)].body + 1);
-  }
   double length(int element) const { return lengths_[static_cast<size_t>(element)]; }
 
   static AxisShape nowhere() {
@@ -110,15 +91,10 @@ class LineContact final : public ForceTerm {
   }
 
   const LocalMesh& mesh_;
-  std::shared_ptr<const Bodies> bodies_;
-  std::vector<ContactVolume> volumes_;
   std::vector<LineContactElement> elements_;
-  std::vector<double> lengths_;  // m, of the elements, unstretched
-  std::vector<Box> boxes_;       // of the volumes
-  std::vector<Pair> pairs_;      // sorted by element and volume
-  std::vector<Account> accounts_;
-  std::vector<RigidPose> poses_, start_poses_;  // of space and of the bodies, at the trial and at the start
-  bool friction_on_ = true;
+  std::vector<double> lengths_;    // m, of the elements, unstretched
+  std::vector<Pair> pairs_;        // sorted by element and volume
+  std::vector<Account> accounts_;  // of the elements
 };
 
 }  // namespace hawser

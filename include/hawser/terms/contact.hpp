@@ -1,0 +1,117 @@
+// What contact of lines with volumes has in common, wherever along the line it is looked for: the volumes and
+// their laws, where the bodies are, what a place of contact remembers and the account of energies. The ways
+// of looking are VolumeContact (at nodes) and LineContact (along elements). See docs/theory/contact.md.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/geometry/surface.hpp"
+#include "hawser/kernels/volume_contact.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/bodies.hpp"
+
+namespace hawser {
+
+struct ContactVolume {
+  std::shared_ptr<const Surface> surface;  // in the body's frame
+  int body = -1;                           // index into Bodies; -1: fixed in space
+  model::Volume settings;  // basis, stiffness, smoothing, damping, friction; basis not automatic
+};
+
+struct Penetration {
+  double depth = 0;  // m
+  int node = -1;     // mesh node, -1: none yet
+  int volume = -1;
+  double time = 0;  // s
+};
+
+// A stiffness per length [N/m²] when none is given, and why it is what it is.
+struct AutomaticStiffness {
+  double per_length = 0;
+  std::string reason;
+};
+// radius [m], weight per length [N/m], length [m] and EA [N] of the heaviest line that can meet the volume.
+AutomaticStiffness automatic_contact_stiffness(double radius, double weight, double length, double EA);
+
+// What an accepted step leaves at a place of contact, body frame. Forces are N at a node, N/m along a line.
+struct ContactHistory {
+  Vec3 slip = Vec3::Zero(), normal = Vec3::UnitZ();    // m, -
+  Vec3 force = Vec3::Zero(), friction = Vec3::Zero();  // N or N/m
+  double normal_force = 0, damping_force = 0;          // N or N/m, of which damping
+  double potential = 0;                                // J or J/m
+
+  ContactHistory() = default;
+  ContactHistory(const PointContact& c, const Vec3& n)
+      : slip(c.slip),
+        normal(n),
+        force(c.force),
+        friction(c.friction),
+        normal_force(c.normal.force),
+        damping_force(c.normal.force - c.normal.elastic),
+        potential(c.normal.potential) {}
+};
+
+class Contact : public ForceTerm {
+ public:
+  // Off in the first stage of statics. While off no slip is kept.
+  void enable_friction(bool on) { friction_on_ = on; }
+
+  // Of what this rank counts: the largest penetration over the run; how much touches now; how much may in
+  // the step that is tried.
+  virtual Penetration largest_penetration() const = 0;
+  virtual int touching() const = 0;
+  virtual int candidates() const = 0;
+
+ protected:
+  // std::invalid_argument when a volume has no surface, no such body or no stiffness.
+  Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes);
+
+  // share: what turns the stiffness basis of the volume into the method's own (N/m a node, N/m² a length);
+  // diameter [m] of the line there; mass: effective, of the damping, in the same sense.
+  static ContactLaw law(const model::Volume& v, double share, double diameter, double mass);
+  // With friction or not.
+  ContactLaw applied(const ContactLaw& l) const {
+    return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
+  }
+
+  // Space first, then the bodies in their order.
+  void pose_bodies(double time, std::vector<RigidPose>& poses) const;
+  size_t body(int volume) const {
+    return static_cast<size_t>(volumes_[static_cast<size_t>(volume)].body + 1);
+  }
+
+  // Sums of a node or an element over the accepted steps.
+  struct Account {
+    double friction = 0, damping = 0, work = 0;  // J
+    double depth = 0, time = 0;                  // m, s: largest penetration
+    int volume = -1, end = 0;                    // of an element: which end is nearer
+
+    bool empty() const { return !(depth > 0 || friction != 0 || damping != 0 || work != 0); }
+    void reaches(double deep, double at, int into, int near = 0) {
+      if (deep > depth) depth = deep, time = at, volume = into, end = near;
+    }
+  };
+  // One end of a step of the trapezoid: forces of the history p, which act with the body turned by R, on the
+  // way y0 -> y1 (body frame); share: of it and of the place. The motion splits exactly into that of the
+  // body's material and that relative to it:
+  // x1 - x0 = [p1 - p0 + (R1 - R0)(y0 + y1)/2] + (R0 + R1)/2 (y1 - y0).
+  struct StepOfBody {
+    Mat3 R0, R1;
+    Vec3 shift;
+    StepOfBody(const RigidPose& before, const RigidPose& after);
+  };
+  static void add_work(Account& sum, const StepOfBody& b, const ContactHistory& p, const Mat3& R,
+                       const Vec3& y0, const Vec3& y1, double share);
+
+  std::shared_ptr<const Bodies> bodies_;
+  std::vector<ContactVolume> volumes_;
+  std::vector<Box> boxes_;                      // of the volumes
+  std::vector<RigidPose> poses_, start_poses_;  // of space and of the bodies, at the trial and at the start
+  bool friction_on_ = true;
+};
+
+}  // namespace hawser
