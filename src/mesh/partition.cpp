@@ -83,6 +83,9 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
     for (int k = 0; k < width(n); ++k) l.global_block.push_back(first_block[n] + k);
     if (i + 1 == l.owned) l.owned_blocks = l.blocks();
   }
+  l.chain = l.nodes();
+  l.owner = owner;
+  l.first_block = std::move(first_block);
   for (size_t i = 0; i < mesh.elements.size(); ++i) {
     const Element& e = mesh.elements[i];
     const bool a = owner[static_cast<size_t>(e.first)] == rank,
@@ -90,6 +93,22 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
     if (a || b) l.elements.push_back({local.at(e.first), local.at(e.second), static_cast<int>(i), a});
   }
   return l;
+}
+
+void set_coupling_ghosts(LocalMesh& l, std::span<const int> nodes) {
+  const size_t chain = static_cast<size_t>(l.chain);
+  if (chain < l.global.size()) l.global_block.resize(static_cast<size_t>(l.block[chain]));
+  l.global.resize(chain), l.block.resize(chain);
+  std::vector<int> more;
+  for (int n : nodes)
+    if (l.find(n) < 0) more.push_back(n);
+  for (int n : more) {
+    l.global.push_back(n);
+    l.block.push_back(l.blocks());
+    const int first = l.first_block[static_cast<size_t>(n)];
+    l.global_block.push_back(first);
+    if (l.mesh->nodes[static_cast<size_t>(n)].rotates) l.global_block.push_back(first + 1);
+  }
 }
 
 int cut_elements(const Mesh& mesh, const std::vector<int>& owner) {

@@ -1,6 +1,7 @@
 #include "hawser/solve/dynamics.hpp"
 
 #include <fmt/format.h>
+#include <petscdm.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +22,6 @@ constexpr double kCounted = 1e-5;
 
 Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
     : system_(system), settings_(settings), alpha_(settings.rho_infinity), control_(settings.step) {
-  u_ = system_.create_vector();
-  check(VecDuplicate(u_.get(), r_.out()));
-  check(VecDuplicate(u_.get(), solution_.out()));
-  J_ = system_.create_matrix();
   register_lie_alpha();
   check(TSCreate(system_.comm(), ts_.out()));
   check(TSSetOptionsPrefix(ts_.get(), "dynamics_"));
@@ -37,16 +34,41 @@ Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
   SNESLineSearch search = nullptr;
   check(SNESGetLineSearch(snes_, &search));
   check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
-  check(SNESSetFunction(snes_, r_.get(), residual, this));
-  check(SNESSetJacobian(snes_, J_.get(), J_.get(), jacobian, this));
   check(SNESSetTolerances(snes_, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, settings_.max_iterations + 1,
                           PETSC_DEFAULT));
   check(SNESSetConvergenceTest(snes_, converged, this, nullptr));
-  KSP ksp = nullptr;
-  check(SNESGetKSP(snes_, &ksp));
-  configure_linear_solver(ksp, system_, "dynamics_");
-  check(TSSetSolution(ts_.get(), solution_.get()));
+  build();
   check(TSSetFromOptions(ts_.get()));
+}
+
+// What depends on ghosts and on the matrix's pattern.
+void Dynamics::build() {
+  u_ = system_.create_vector();
+  check(VecDuplicate(u_.get(), r_.out()));
+  check(VecDuplicate(u_.get(), solution_.out()));
+  J_ = system_.create_matrix();
+  // PETSc makes its work vectors like the solution of the TS, and keeps them.
+  DM dm = nullptr;
+  check(TSGetDM(ts_.get(), &dm));
+  check(DMClearGlobalVectors(dm));
+  check(TSSetSolution(ts_.get(), solution_.get()));
+  check(SNESReset(snes_));
+  check(SNESSetFunction(snes_, r_.get(), residual, this));
+  check(SNESSetJacobian(snes_, J_.get(), J_.get(), jacobian, this));
+  KspHandle ksp;
+  check(KSPCreate(system_.comm(), ksp.out()));
+  check(SNESSetKSP(snes_, ksp.get()));
+  configure_linear_solver(ksp.get(), system_, "dynamics_");
+}
+
+void Dynamics::prepare(double h) {
+  if (system_.couple(committed_.s.view(last_step_), h) == Coupled::anew) {
+    build();
+    system_.spread(committed_.s);
+    system_.spread(committed_.ax), system_.spread(committed_.aw);
+    reactions_.resize(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
+  }
+  system_.prepare(committed_.s.view(last_step_), h);
 }
 
 void Dynamics::load(Vec u) {
@@ -138,6 +160,7 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   total_iterations_ += its;
   if (a.converged) {
     load(u_.get());
+    a.converged = system_.covers(trial_.s.view(h));
     a.error = alpha_error(system_.mesh(), alpha_, h, committed_, trial_);
     MPI_Allreduce(MPI_IN_PLACE, &a.error, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
   }
@@ -171,7 +194,8 @@ void Dynamics::start(const State& state) {
   State& s = committed_.s;
   s.a.assign(n, Vec3::Zero()), s.alpha.assign(n, Vec3::Zero());
   system_.supports().rates(s.time, s);
-  system_.prepare(s.view(0), control_.wish());
+  last_step_ = 0;
+  prepare(control_.wish());
   system_.residual(s.view(0), r_.get());
   std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   Weights mass;
@@ -188,7 +212,7 @@ void Dynamics::start(const State& state) {
   if (reason < 0 || !std::isfinite(size))
     throw SolveError("dynamics cannot start: some part of a line has no mass (is a rotary_inertia zero?)");
   system_.gather(u_.get(), local_u_);
-  for (size_t i = 0; i < n; ++i) {
+  for (size_t i = 0; i < s.x.size(); ++i) {
     const double* p = local_u_.data() + 3 * system_.mesh().block[i];
     s.a[i] -= Eigen::Map<const Vec3>(p);
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
@@ -204,6 +228,7 @@ void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, co
   control_.restore(carried.step_wish, carried.step_wait);
   last_step_ = carried.last_step;
   support_work_ = carried.support_work;
+  prepare(control_.wish());
 }
 
 void Dynamics::run(double until, const std::function<double(double)>& next_stop, const Observer& observer) {

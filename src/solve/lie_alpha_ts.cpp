@@ -45,7 +45,7 @@ PetscErrorCode Dynamics::ts_step(TS ts) {
   try {
     const double t = committed_.s.time;
     const double until = ts->max_time;
-    system_.prepare(committed_.s.view(last_step_), control_.wish());  // tries can only be shorter
+    prepare(control_.wish());  // tries can only be shorter
     const double cap = control_.automatic() ? system_.longest_step(committed_.s.view(last_step_)) : 0;
     for (;;) {
       const double h = control_.next(t, std::min(next_stop_(t), until), cap);

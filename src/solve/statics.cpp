@@ -21,13 +21,9 @@ class Search {
  public:
   Search(System& system, const StaticsSettings& settings, State& state)
       : system_(system), settings_(settings), state_(state), trial_(state) {
-    u_ = system.create_vector();
-    check(VecDuplicate(u_.get(), r_.out()));
-    J_ = system.create_matrix();
-    check(KSPCreate(system.comm(), ksp_.out()));
-    configure_linear_solver(ksp_.get(), system, "statics_");
     for (const Element& e : system.mesh().mesh->elements) length_ = std::max(length_, e.length);
-    zero_.assign(3 * static_cast<size_t>(system.mesh().blocks()), 0);
+    build();
+    prepare();
   }
 
   StaticsReport run() {
@@ -46,6 +42,26 @@ class Search {
   }
 
  private:
+  // What depends on ghosts and on the matrix's pattern.
+  void build() {
+    u_ = system_.create_vector();
+    check(VecDuplicate(u_.get(), r_.out()));
+    J_ = system_.create_matrix();
+    check(KSPCreate(system_.comm(), ksp_.out()));
+    configure_linear_solver(ksp_.get(), system_, "statics_");
+    zero_.assign(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
+  }
+  // True: other pairs of lines may touch, so forces are not what they were.
+  bool prepare() {
+    const Coupled c = system_.couple(state_.view(0), 0);
+    if (c == Coupled::anew) {
+      build();
+      system_.spread(state_);
+      trial_ = state_;
+    }
+    system_.prepare(state_.view(0), 0);
+    return c != Coupled::as_before;
+  }
   double sum(double x) const {
     MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, system_.comm());
     return x;
@@ -80,9 +96,12 @@ class Search {
     ResidualNorms norms = system_.norms(r_.get());
     double energy = 0, shift = 1e-3;
     for (int it = 0;; ++it, ++report.iterations) {
+      if (prepare()) {  // contact candidates move with the line
+        system_.residual(state_.view(0), r_.get());
+        norms = system_.norms(r_.get());
+      }
       report.norms = norms;
-      system_.prepare(state_.view(0), 0);  // contact candidates move with the line
-      energy = potential(state_);          // and so does what moments are measured from
+      energy = potential(state_);  // and so does what moments are measured from
       if (norms.small(tolerance)) return;
       if (it >= settings_.max_iterations) throw SolveError(failure(norms, "too many iterations"));
       const bool close = near(norms);
@@ -218,7 +237,6 @@ class Search {
 StaticsReport solve_statics(System& system, const StaticsSettings& settings, State& state) {
   const size_t n = state.x.size();
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
-  system.prepare(state.view(0), 0);
   const StaticsReport report = Search(system, settings, state).run();
   system.commit(state.view(0));
   return report;

@@ -5,28 +5,34 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
 
 System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mesh)) {
-  is_rotation_.assign(static_cast<size_t>(mesh_.blocks()), 0);
-  square_of_block_.resize(is_rotation_.size());
+  if (mesh_.chain == 0) mesh_.chain = mesh_.nodes();
+  size_arrays();
+  int lines = 1;
+  for (const Node& n : mesh_.mesh->nodes) lines = std::max(lines, n.line + 1);
+  squares_.assign(2 * static_cast<size_t>(lines), 0);
+  supports_ = Supports(mesh_, {}, {});
+  for (const Element& e : mesh_.mesh->elements) longest_element_ = std::max(longest_element_, e.length);
+}
+
+// What is kept by local block.
+void System::size_arrays() {
+  const size_t blocks = static_cast<size_t>(mesh_.blocks());
+  is_rotation_.assign(blocks, 0);
+  square_of_block_.resize(blocks);
   for (int n = 0; n < mesh_.nodes(); ++n) {
     const size_t b = static_cast<size_t>(mesh_.block[static_cast<size_t>(n)]);
     const int line = mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[static_cast<size_t>(n)])].line;
     square_of_block_[b] = 2 * line;
     if (mesh_.rotates(n)) is_rotation_[b + 1] = 1, square_of_block_[b + 1] = 2 * line + 1;
   }
-  int lines = 1;
-  for (const Node& n : mesh_.mesh->nodes) lines = std::max(lines, n.line + 1);
-  squares_.assign(2 * static_cast<size_t>(lines), 0);
-  force_.assign(3 * static_cast<size_t>(mesh_.blocks()), 0);
-  retraction_.assign(static_cast<size_t>(mesh_.blocks()), Mat3::Identity());
-  supports_ = Supports(mesh_, {}, {});
-  for (const Element& e : mesh_.mesh->elements) longest_element_ = std::max(longest_element_, e.length);
+  force_.resize(3 * blocks, 0);
+  retraction_.assign(blocks, Mat3::Identity());
 }
 
 void System::add(std::unique_ptr<ForceTerm> term) {
@@ -48,42 +54,6 @@ void System::support(std::vector<Support> supports, BodyMotion motion) {
   supports_ = Supports(mesh_, std::move(supports), std::move(motion));
 }
 
-VecHandle System::create_vector() const {
-  std::vector<PetscInt> ghosts(mesh_.global_block.begin() + mesh_.owned_blocks, mesh_.global_block.end());
-  VecHandle v;
-  check(VecCreateGhostBlock(comm_, 3, 3 * mesh_.owned_blocks, PETSC_DETERMINE,
-                            static_cast<PetscInt>(ghosts.size()), ghosts.data(), v.out()));
-  return v;
-}
-
-MatHandle System::create_matrix() const {
-  // Block columns of every owned row: the node itself and its chain neighbours.
-  std::vector<std::set<int>> near(static_cast<size_t>(mesh_.owned_blocks));
-  auto couple = [&](int a, int b) {
-    for (int i = 0; i <= mesh_.rotates(a); ++i)
-      for (int j = 0; j <= mesh_.rotates(b); ++j) {
-        const int row = mesh_.block[static_cast<size_t>(a)] + i;
-        if (row < mesh_.owned_blocks)
-          near[static_cast<size_t>(row)].insert(mesh_.block[static_cast<size_t>(b)] + j);
-      }
-  };
-  for (int n = 0; n < mesh_.owned; ++n) couple(n, n);
-  for (const LocalElement& e : mesh_.elements) couple(e.first, e.second), couple(e.second, e.first);
-  std::vector<PetscInt> own(near.size()), other(near.size());
-  for (size_t r = 0; r < near.size(); ++r)
-    for (int c : near[r]) ++(c < mesh_.owned_blocks ? own : other)[r];
-
-  MatHandle A;
-  check(MatCreate(comm_, A.out()));
-  const PetscInt n = 3 * mesh_.owned_blocks;
-  check(MatSetSizes(A.get(), n, n, PETSC_DETERMINE, PETSC_DETERMINE));
-  check(MatSetType(A.get(), MATBAIJ));
-  check(MatSetBlockSize(A.get(), 3));
-  check(MatXAIJSetPreallocation(A.get(), 3, own.data(), other.data(), nullptr, nullptr));
-  check(MatSetOption(A.get(), MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
-  return A;
-}
-
 void System::gather(Vec u, std::vector<double>& out) const {
   out.resize(3 * static_cast<size_t>(mesh_.blocks()));
   int size = 1;
@@ -94,6 +64,9 @@ void System::gather(Vec u, std::vector<double>& out) const {
   }
   Vec local = nullptr;
   check(VecGhostGetLocalForm(u, &local));
+  PetscInt length = 0;
+  check(VecGetSize(local, &length));
+  if (static_cast<size_t>(length) != out.size()) throw PetscFailure("a vector of other ghosts");
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(local, &p));
   std::copy(p, p + out.size(), out.begin());

@@ -1,6 +1,9 @@
-// One rank's part of the mesh: owned nodes first, then the ghosts its elements touch.
+// One rank's part of the mesh: owned nodes first, then the ghosts its elements touch, then those that lines
+// which may touch its own need.
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 #include "hawser/mesh/mesh.hpp"
@@ -16,17 +19,34 @@ struct LocalElement {
 struct LocalMesh {
   const Mesh* mesh = nullptr;
   int owned = 0;                       // owned nodes; local nodes [0, owned) in file order
+  int chain = 0;                       // [owned, chain): ghosts of elements; [chain, nodes()): of couplings
   std::vector<int> global;             // local node -> node
   std::vector<int> block;              // local node -> its first local 3-block (position; +1: rotation)
   int owned_blocks = 0;                // local blocks [0, owned_blocks) are rows of this rank
   std::vector<int> global_block;       // local block -> block of the parallel numbering
   std::vector<LocalElement> elements;  // every element that touches an owned node
+  std::vector<int> owner;              // of every node of the mesh
+  std::vector<int> first_block;        // of every node of the mesh, in the parallel numbering
 
   int nodes() const { return static_cast<int>(global.size()); }
   int blocks() const { return static_cast<int>(global_block.size()); }
   bool rotates(int local) const {
     return mesh->nodes[static_cast<size_t>(global[static_cast<size_t>(local)])].rotates;
   }
+  // Local node of a node of the mesh, -1 where it is not on this rank. Each of the three ranges is sorted.
+  int find(int node) const {
+    const auto begin = global.begin();
+    const int ends[] = {0, owned, chain, nodes()};
+    for (int r = 0; r < 3; ++r) {
+      const auto last = begin + ends[r + 1], at = std::lower_bound(begin + ends[r], last, node);
+      if (at != last && *at == node) return static_cast<int>(at - begin);
+    }
+    return -1;
+  }
 };
+
+// Makes the coupling ghosts those of `nodes` (of the mesh, sorted) that are no local nodes already. Local
+// nodes and blocks before them keep their numbers.
+void set_coupling_ghosts(LocalMesh& mesh, std::span<const int> nodes);
 
 }  // namespace hawser

@@ -71,8 +71,12 @@ class Dynamics {
   Attempt attempt(double h);
   void accept(double h);
   PetscErrorCode ts_step(TS ts);
+  // Before a step of h: terms say who sees whom, and where that is new vectors, matrix, solver and ghosts of
+  // the committed state are made anew; then the terms are prepared. Collective.
+  void prepare(double h);
 
  private:
+  void build();
   static PetscErrorCode residual(SNES, Vec u, Vec r, void* self);
   static PetscErrorCode jacobian(SNES, Vec u, Mat, Mat P, void* self);
   static PetscErrorCode converged(SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason*,

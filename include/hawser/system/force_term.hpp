@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/state/kinematics.hpp"
+#include "hawser/system/couplings.hpp"
 #include "hawser/system/field_registry.hpp"
 #include "hawser/system/history_record.hpp"
 #include "hawser/system/sink.hpp"
@@ -31,6 +32,18 @@ class ForceTerm {
  public:
   virtual ~ForceTerm() = default;
   virtual std::string_view name() const = 0;
+
+  // A term that lets nodes see each other which no element joins (contact of lines with lines) says so before
+  // a step of length h [s] (0: statics), before prepare(). Collective; local nodes of the time before count.
+  // True: couple() or what was kept by local node is no longer what it was; reghost() follows.
+  virtual bool recouple(const Kinematics& committed, double h) { return (void)committed, (void)h, false; }
+  // Adds which nodes see each other, of those groups of which this rank owns a node.
+  virtual void couple(Couplings& to) const { (void)to; }
+  // Those nodes are local ones now; local nodes from LocalMesh::chain on are no longer what they were.
+  virtual void reghost() {}
+  // Of a converged step, before it is accepted, on this rank: whether everything that acts in it was
+  // foreseen. False: it is taken again, shorter.
+  virtual bool covers(const Kinematics& trial) const { return (void)trial, true; }
 
   // Once before a step of length h [s] is tried, from the last accepted state. May communicate.
   virtual void prepare(const Kinematics& committed, double h) { (void)committed, (void)h; }

@@ -30,6 +30,7 @@ class Supports {
   // Held components by local block, one bit a component.
   const std::vector<unsigned char>& held() const { return held_; }
   const std::vector<Support>& list() const { return supports_; }
+  const BodyMotion& motion() const { return motion_; }
 
   // Writes the prescribed entries of the local increment u that take `from` to time t.
   void increments(const State& from, double t, double* u) const;

@@ -10,6 +10,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/system/ghost_exchange.hpp"
 #include "hawser/system/supports.hpp"
 
 namespace hawser {
@@ -33,6 +34,9 @@ struct ResidualNorms {
   double relative() const;
 };
 
+// What System::couple() found: nothing new; other couplings, for which there is room; another layout.
+enum class Coupled { as_before, otherwise, anew };
+
 class System {
  public:
   System(MPI_Comm comm, LocalMesh mesh);
@@ -45,7 +49,19 @@ class System {
   void add(std::unique_ptr<ForceTerm> term);
   void support(std::vector<Support> supports, BodyMotion motion);
 
-  // A ghosted increment vector (blocks of 3) and the tangent with the pattern of the chains.
+  // Asks the terms who sees whom in a coming step of h [s]; where ghosts or matrix do not hold it, makes
+  // room: then vectors, matrices and solvers are to be made anew, and states spread. Before prepare().
+  // Collective.
+  Coupled couple(const Kinematics& committed, double h);
+  // Resizes to the local nodes and fills the ghosts from their owners. Collective.
+  void spread(State& state) const;
+  void spread(std::vector<Vec3>& values) const { exchange_.spread(values); }
+  // Whether any nodes see each other beyond the elements, on any rank.
+  bool coupled() const { return coupled_; }
+  // See ForceTerm::covers; over all ranks. Collective.
+  bool covers(const Kinematics& trial) const;
+
+  // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;
   MatHandle create_matrix() const;
   // Local values of a ghosted vector after refreshing its ghosts, copied to `out` (3 * local blocks).
@@ -79,8 +95,14 @@ class System {
   FieldRegistry fields() const;
 
  private:
+  void size_arrays();
+  void reghost_supports();
+
   MPI_Comm comm_;
   LocalMesh mesh_;
+  Couplings couplings_;  // what the matrix holds beyond the chains
+  bool coupled_ = false;
+  GhostExchange exchange_;
   Supports supports_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   std::vector<PetscLogEvent> residual_event_, tangent_event_;  // -log_view names time by term

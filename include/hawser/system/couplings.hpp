@@ -1,0 +1,38 @@
+// Which nodes see each other beyond the elements: what terms tell before a step, so that ghosts and matrix
+// hold it.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace hawser {
+
+struct Couplings {
+  // Mesh nodes. Sorted and unique after sort(); `pairs` have first < second.
+  std::vector<int> nodes;
+  std::vector<std::pair<int, int>> pairs;
+
+  // The nodes of one segment and those of another see each other. This rank must own one of the four.
+  void add(const std::array<int, 2>& a, const std::array<int, 2>& b) {
+    nodes.insert(nodes.end(), {a[0], a[1], b[0], b[1]});
+    for (int i : a)
+      for (int j : b) pairs.emplace_back(std::min(i, j), std::max(i, j));
+  }
+  void sort() {
+    const auto tidy = [](auto& v) {
+      std::sort(v.begin(), v.end());
+      v.erase(std::unique(v.begin(), v.end()), v.end());
+    };
+    tidy(nodes), tidy(pairs);
+  }
+  // Both sorted.
+  bool within(const Couplings& o) const {
+    return std::includes(o.nodes.begin(), o.nodes.end(), nodes.begin(), nodes.end()) &&
+           std::includes(o.pairs.begin(), o.pairs.end(), pairs.begin(), pairs.end());
+  }
+};
+
+}  // namespace hawser

@@ -1,0 +1,36 @@
+// Values of the owned nodes sent to the ranks that have them as ghosts, point to point.
+#pragma once
+
+#include <mpi.h>
+
+#include <span>
+#include <vector>
+
+#include "hawser/math/types.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+
+namespace hawser {
+
+class GhostExchange {
+ public:
+  GhostExchange() = default;
+  // Collective: finds out who needs which nodes. The mesh's ghosts must not change afterwards.
+  GhostExchange(MPI_Comm comm, const LocalMesh& mesh);
+
+  // values[node * width + c] of the owned nodes to those of the ghosts. Collective.
+  void spread(std::span<double> values, int width) const;
+  // The same, after resizing to the local nodes.
+  void spread(std::vector<Vec3>& values) const;
+  void spread(std::vector<Quat>& values) const;
+
+ private:
+  struct Neighbour {
+    int rank = 0;
+    std::vector<int> send, receive;  // local nodes
+  };
+  MPI_Comm comm_ = MPI_COMM_NULL;
+  size_t nodes_ = 0;
+  std::vector<Neighbour> neighbours_;
+};
+
+}  // namespace hawser

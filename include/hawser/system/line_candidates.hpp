@@ -1,0 +1,109 @@
+// Which pairs of elements may touch before the list is made again: a Verlet list over all ranks.
+//
+// An element is the convex hull of the Bézier points of its axis, now and where its rates take it within a
+// few steps. A pair is in the list when the hulls, swept along that straight path, come nearer than both
+// radii and both skins. The list holds as long as no axis leaves its path by more than its skin, whatever the
+// elements' shape. See docs/theory/line-line.md.
+//
+// How a term uses it:
+//   bool recouple(k, h) { return candidates.update(k, h); }       // collective; the pairs are not the old
+//   ones void couple(Couplings& c) const { candidates.couple(c); }      // then ghosts and matrix are made
+//   void reghost() { candidates.locate(); }                        // now segments() know their local nodes
+//   bool covers(k) const { return candidates.covers(k); }          // no pair was missed by the accepted step
+// History is to be kept by ContactSegment::global: indices of segments change with the list.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "hawser/geometry/box.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/state/kinematics.hpp"
+#include "hawser/system/couplings.hpp"
+
+namespace hawser {
+
+// An element that can touch others.
+struct ContactSegment {
+  int first = 0, second = 0;  // local nodes, owned or ghosts
+  int global = 0;             // index into Mesh::elements
+  double radius = 0;          // m
+};
+
+// Indices into segments(); the element of a comes before that of b.
+struct CandidatePair {
+  int a = 0, b = 0;
+  bool counted = false;  // this rank counts it in sums: it owns the first node of a
+};
+
+struct CandidateSettings {
+  // Of one line, what is nearer along it than this many diameters (mean of the two) is no contact, nor are
+  // elements that share a node.
+  double exclusion_diameters = 2;
+  // How far an axis may leave the path foreseen before the list is made again: the larger of this many of its
+  // diameters and this part of its length.
+  double skin_diameters = 0.25, skin_lengths = 0.05;
+  double steps = 4;  // how many steps the path is foreseen for
+  // Pairs of lines (indices, any order; a line with itself too) that do not see each other.
+  std::vector<std::pair<int, int>> excluded;
+  // Mesh nodes of different lines that are one point (ends at one fairlead): arc lengths go on through it.
+  std::vector<std::pair<int, int>> joined;
+};
+
+// An element's axis as four Bézier points, now and at the end of the path foreseen.
+struct SweptAxis {
+  int element = 0;    // index into Mesh::elements
+  double radius = 0;  // m
+  std::array<Vec3, 4> from, to;
+};
+// Holds the line along it anywhere on its path and as far as `skin` off it.
+Box swept_box(const SweptAxis& s, double skin);
+
+class LineCandidates {
+ public:
+  // radius: one for each of Mesh::elements, m; 0: takes no part.
+  LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
+                 CandidateSettings settings = {});
+
+  // Collective. From the committed motion and a coming step h [s] (0: no motion foreseen): makes the list
+  // anew where it does not hold for that step. True when the pairs of this rank changed: locate() is due.
+  bool update(const Kinematics& committed, double h);
+  void couple(Couplings& to) const;
+  // Local nodes of the segments. std::logic_error where one is not on this rank.
+  void locate();
+  // Local: whether the list holds for this motion of this rank's elements, so that no pair is missed in it.
+  bool covers(const Kinematics& trial) const;
+
+  // The elements of this rank with a radius, in the order of LocalMesh::elements, then those of other ranks
+  // that pairs need.
+  const std::vector<ContactSegment>& segments() const { return segments_; }
+  // Pairs of which this rank owns a node, sorted by (global element of a, of b); the same set on any number
+  // of ranks.
+  const std::vector<CandidatePair>& pairs() const { return pairs_; }
+  // How often the list was made.
+  long builds() const { return builds_; }
+
+ private:
+  std::array<Vec3, 4> axis(const LocalElement& e, const Kinematics& at, double h) const;
+  bool holds(const Kinematics& at, double h) const;
+  double skin(const SweptAxis& a) const;
+  bool excluded(int a, int b) const;
+  std::vector<SweptAxis> from_others(const std::vector<SweptAxis>& own) const;
+  std::vector<std::pair<int, int>> search(const std::vector<SweptAxis>& all, size_t own) const;
+
+  MPI_Comm comm_;
+  const LocalMesh& mesh_;
+  std::vector<double> radius_;
+  CandidateSettings settings_;
+  std::vector<LocalElement> local_;        // elements of this rank with a radius
+  std::vector<SweptAxis> built_;           // of local_, when the list was made
+  std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
+  std::vector<ContactSegment> segments_;
+  std::vector<CandidatePair> pairs_;
+  long builds_ = 0;
+};
+
+}  // namespace hawser

@@ -1,0 +1,142 @@
+// The part of System that grows: ghosts, vectors and matrices for whoever sees whom.
+#include <petscvec.h>
+
+#include <algorithm>
+
+#include "hawser/system/system.hpp"
+
+namespace hawser {
+namespace {
+
+bool all(MPI_Comm comm, bool here) {
+  int yes = here;
+  MPI_Allreduce(MPI_IN_PLACE, &yes, 1, MPI_INT, MPI_MIN, comm);
+  return yes;
+}
+
+std::vector<double> of_all_ranks(MPI_Comm comm, const std::vector<double>& mine) {
+  int size = 1;
+  MPI_Comm_size(comm, &size);
+  std::vector<int> counts(static_cast<size_t>(size)), starts(static_cast<size_t>(size), 0);
+  const int n = static_cast<int>(mine.size());
+  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
+  for (size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
+  std::vector<double> out(static_cast<size_t>(starts.back() + counts.back()));
+  MPI_Allgatherv(mine.data(), n, MPI_DOUBLE, out.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
+  return out;
+}
+
+}  // namespace
+
+Coupled System::couple(const Kinematics& committed, double h) {
+  bool same = true;
+  for (auto& t : terms_) same &= !t->recouple(committed, h);
+  if (all(comm_, same)) return Coupled::as_before;
+  Couplings wanted;
+  for (const auto& t : terms_) t->couple(wanted);
+  wanted.sort();
+  const bool fits = all(comm_, wanted.within(couplings_));
+  if (!fits) {
+    couplings_ = std::move(wanted);
+    coupled_ = !all(comm_, couplings_.pairs.empty());
+    set_coupling_ghosts(mesh_, couplings_.nodes);
+    exchange_ = GhostExchange(comm_, mesh_);
+    size_arrays();
+    reghost_supports();
+  }
+  for (auto& t : terms_) t->reghost();
+  return fits ? Coupled::otherwise : Coupled::anew;
+}
+
+bool System::covers(const Kinematics& trial) const {
+  return all(comm_,
+             std::all_of(terms_.begin(), terms_.end(), [&](const auto& t) { return t->covers(trial); }));
+}
+
+void System::spread(State& s) const {
+  for (auto* values : {&s.x, &s.v, &s.a, &s.w, &s.alpha}) exchange_.spread(*values);
+  exchange_.spread(s.q);
+}
+
+// Held nodes of other ranks move as their supports say here too, and their columns of the tangent are zero.
+void System::reghost_supports() {
+  constexpr size_t kWidth = 11;
+  std::vector<Support> kept;
+  std::vector<double> mine;
+  for (const Support& s : supports_.list()) {
+    if (s.node >= mesh_.chain) continue;
+    kept.push_back(s);
+    if (s.node >= mesh_.owned) continue;
+    const double node = mesh_.global[static_cast<size_t>(s.node)];
+    mine.insert(mine.end(), {node, static_cast<double>(s.body), s.at.x(), s.at.y(), s.at.z(), s.rotation.w(),
+                             s.rotation.x(), s.rotation.y(), s.rotation.z(),
+                             static_cast<double>(s.position_mask), static_cast<double>(s.rotation_mask)});
+  }
+  const std::vector<double> everyone = of_all_ranks(comm_, mine);
+  for (size_t i = 0; i < everyone.size(); i += kWidth) {
+    const double* d = everyone.data() + i;
+    const int local = mesh_.find(static_cast<int>(d[0]));
+    if (local < mesh_.chain) continue;
+    Support s;
+    s.node = local, s.body = static_cast<int>(d[1]);
+    s.at = Vec3(d[2], d[3], d[4]), s.rotation = Quat(d[5], d[6], d[7], d[8]);
+    s.position_mask = static_cast<unsigned char>(d[9]), s.rotation_mask = static_cast<unsigned char>(d[10]);
+    kept.push_back(s);
+  }
+  supports_ = Supports(mesh_, std::move(kept), BodyMotion(supports_.motion()));
+}
+
+VecHandle System::create_vector() const {
+  std::vector<PetscInt> ghosts(mesh_.global_block.begin() + mesh_.owned_blocks, mesh_.global_block.end());
+  VecHandle v;
+  check(VecCreateGhostBlock(comm_, 3, 3 * mesh_.owned_blocks, PETSC_DETERMINE,
+                            static_cast<PetscInt>(ghosts.size()), ghosts.data(), v.out()));
+  return v;
+}
+
+MatHandle System::create_matrix() const {
+  // Block columns of every owned row: the node itself, its chain neighbours, and what it is coupled with.
+  std::vector<std::pair<int, int>> entries;  // row, local block of the column
+  auto couple = [&](int a, int b) {
+    for (int i = 0; i <= mesh_.rotates(a); ++i)
+      for (int j = 0; j <= mesh_.rotates(b); ++j) {
+        const int row = mesh_.block[static_cast<size_t>(a)] + i;
+        if (row < mesh_.owned_blocks) entries.emplace_back(row, mesh_.block[static_cast<size_t>(b)] + j);
+      }
+  };
+  for (int n = 0; n < mesh_.owned; ++n) couple(n, n);
+  for (const LocalElement& e : mesh_.elements) couple(e.first, e.second), couple(e.second, e.first);
+  for (const auto& [m, n] : couplings_.pairs) {
+    const int a = mesh_.find(m), b = mesh_.find(n);
+    couple(a, b), couple(b, a);
+  }
+  std::sort(entries.begin(), entries.end());
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  const size_t rows = static_cast<size_t>(mesh_.owned_blocks);
+  std::vector<PetscInt> own(rows, 0), other(rows, 0);
+  for (const auto& [row, column] : entries)
+    ++(column < mesh_.owned_blocks ? own : other)[static_cast<size_t>(row)];
+
+  MatHandle A;
+  check(MatCreate(comm_, A.out()));
+  const PetscInt n = 3 * mesh_.owned_blocks;
+  check(MatSetSizes(A.get(), n, n, PETSC_DETERMINE, PETSC_DETERMINE));
+  check(MatSetType(A.get(), MATBAIJ));
+  check(MatSetBlockSize(A.get(), 3));
+  check(MatXAIJSetPreallocation(A.get(), 3, own.data(), other.data(), nullptr, nullptr));
+  check(MatSetOption(A.get(), MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
+  if (coupled_) {
+    // What is not written at the first assembly is lost, and candidates may touch later.
+    const double zero[9] = {};
+    for (const auto& [row, column] : entries) {
+      const PetscInt r = mesh_.global_block[static_cast<size_t>(row)],
+                     c = mesh_.global_block[static_cast<size_t>(column)];
+      check(MatSetValuesBlocked(A.get(), 1, &r, 1, &c, zero, INSERT_VALUES));
+    }
+    check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));
+    check(MatAssemblyEnd(A.get(), MAT_FINAL_ASSEMBLY));
+  }
+  return A;
+}
+
+}  // namespace hawser

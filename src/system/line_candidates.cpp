@@ -1,0 +1,215 @@
+#include "hawser/system/line_candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/geometry/box_pairs.hpp"
+#include "hawser/geometry/segment_distance.hpp"
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+// What the narrow test needs of an axis half way along its path.
+struct Middle {
+  Vec3 a, b;             // chord
+  Vec3 shift;            // mean displacement from the middle to the end of the path
+  double around = 0;     // m, of the axis about its chord's middle: half the chord and the bulge
+  double bulge = 0;      // m, of the axis off its chord
+  double spread = 0;     // m, of the points' displacements about their mean
+  double thickness = 0;  // m, radius and skin
+};
+
+Middle middle(const SweptAxis& s, double skin) {
+  std::array<Vec3, 4> p, d;
+  Middle m;
+  m.shift = Vec3::Zero();
+  for (size_t i = 0; i < 4; ++i) {
+    p[i] = 0.5 * (s.from[i] + s.to[i]), d[i] = 0.5 * (s.to[i] - s.from[i]);
+    m.shift += 0.25 * d[i];
+  }
+  for (const Vec3& x : d) m.spread = std::max(m.spread, (x - m.shift).norm());
+  m.a = p[0], m.b = p[3];
+  // The two inner Bernstein polynomials never sum to more than 3/4.
+  m.bulge = 0.75 * std::max((p[1] - (2 * m.a + m.b) / 3).norm(), (p[2] - (m.a + 2 * m.b) / 3).norm());
+  m.around = 0.5 * (m.b - m.a).norm() + m.bulge;
+  m.thickness = s.radius + skin;
+  return m;
+}
+
+// Whether two axes, anywhere on their paths, may come nearer than both thicknesses.
+bool near(const Middle& p, const Middle& q) {
+  const double reach = p.thickness + q.thickness + p.spread + q.spread + (p.shift - q.shift).norm();
+  const double around = reach + p.around + q.around;
+  if ((0.5 * (p.a + p.b) - 0.5 * (q.a + q.b)).squaredNorm() > around * around) return false;
+  return closest_points_of_segments(p.a, p.b, q.a, q.b).distance <= reach + p.bulge + q.bulge;
+}
+
+}  // namespace
+
+Box swept_box(const SweptAxis& s, double skin) {
+  Box b;
+  for (const auto* end : {&s.from, &s.to})
+    for (const Vec3& p : *end) b.add(p);
+  return b.grown(s.radius + skin);
+}
+
+LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
+                               CandidateSettings settings)
+    : comm_(comm), mesh_(mesh), radius_(std::move(radius)), settings_(std::move(settings)) {
+  if (radius_.size() != mesh.mesh->elements.size())
+    throw std::invalid_argument("contact of lines needs a radius for every element");
+  for (auto& p : settings_.excluded) p = std::minmax(p.first, p.second);
+  std::sort(settings_.excluded.begin(), settings_.excluded.end());
+  for (const LocalElement& e : mesh.elements)
+    if (radius_[static_cast<size_t>(e.global)] > 0) local_.push_back(e);
+  locate();
+}
+
+// Of Hermite's cubic (kernels/axis_shape.hpp) after a time h at the present rates.
+std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics& at, double h) const {
+  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  const Element& element = mesh_.mesh->elements[static_cast<size_t>(e.global)];
+  const bool moves = h > 0;
+  const auto place = [&](size_t n) -> Vec3 {
+    return moves ? Vec3(at.x[n] + h * at.v[n] + (0.5 * h * h) * at.a[n]) : at.x[n];
+  };
+  const Vec3 a = place(i), b = place(j);
+  if (!element.beam) return {a, (2 * a + b) / 3, (a + 2 * b) / 3, b};
+  const auto tangent = [&](size_t n) -> Vec3 {
+    if (!moves) return at.q[n] * Vec3::UnitX();
+    return at.q[n] * (exp_so3(h * at.w[n] + (0.5 * h * h) * at.alpha[n]) * Vec3::UnitX());
+  };
+  return {a, a + element.length / 3 * tangent(i), b - element.length / 3 * tangent(j), b};
+}
+
+double LineCandidates::skin(const SweptAxis& a) const {
+  return std::max(settings_.skin_diameters * 2 * a.radius,
+                  settings_.skin_lengths * mesh_.mesh->elements[static_cast<size_t>(a.element)].length);
+}
+
+// Every axis within its skin of some place on its path: as the difference of two cubics is one with the
+// differences of the Bézier points, which bound it.
+bool LineCandidates::holds(const Kinematics& at, double h) const {
+  if (built_.size() != local_.size()) return false;
+  for (size_t i = 0; i < local_.size(); ++i) {
+    const SweptAxis& s = built_[i];
+    const std::array<Vec3, 4> p = axis(local_[i], at, h);
+    double along = 0, length = 0;
+    for (size_t k = 0; k < 4; ++k) {
+      const Vec3 d = s.to[k] - s.from[k];
+      along += d.dot(p[k] - s.from[k]), length += d.squaredNorm();
+    }
+    const double tau = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
+    const double limit = skin(s) * skin(s);
+    for (size_t k = 0; k < 4; ++k)
+      if (!((p[k] - s.from[k] - tau * (s.to[k] - s.from[k])).squaredNorm() <= limit)) return false;
+  }
+  return true;
+}
+
+bool LineCandidates::covers(const Kinematics& trial) const { return holds(trial, 0); }
+
+bool LineCandidates::update(const Kinematics& committed, double h) {
+  int good = builds_ > 0 && holds(committed, 0) && (h <= 0 || holds(committed, h));
+  MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, comm_);
+  if (good) return false;
+  ++builds_;
+  built_.clear();
+  for (const LocalElement& e : local_)
+    built_.push_back({e.global, radius_[static_cast<size_t>(e.global)], axis(e, committed, 0),
+                      axis(e, committed, settings_.steps * h)});
+  std::vector<SweptAxis> all = from_others(built_);
+  all.insert(all.begin(), built_.begin(), built_.end());
+  std::vector<std::pair<int, int>> found = search(all, built_.size());
+  if (found == list_) return false;
+  list_ = std::move(found);
+  return true;
+}
+
+std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptAxis>& all, size_t own) const {
+  std::vector<Box> boxes;
+  std::vector<Middle> middles;
+  boxes.reserve(all.size()), middles.reserve(all.size());
+  for (const SweptAxis& s : all)
+    boxes.push_back(swept_box(s, skin(s))), middles.push_back(middle(s, skin(s)));
+  std::vector<std::pair<int, int>> out;
+  for (const auto& [i, j] : overlapping_pairs(boxes)) {
+    const size_t p = static_cast<size_t>(i), q = static_cast<size_t>(j);
+    if (p >= own && q >= own) continue;
+    const auto [a, b] = std::minmax(all[p].element, all[q].element);
+    // The same order on every rank: the same answer to the last bit.
+    if (excluded(a, b) || !near(middles[all[p].element == a ? p : q], middles[all[p].element == a ? q : p]))
+      continue;
+    out.emplace_back(a, b);
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+bool LineCandidates::excluded(int a, int b) const {
+  const Element &p = mesh_.mesh->elements[static_cast<size_t>(a)],
+                &q = mesh_.mesh->elements[static_cast<size_t>(b)];
+  if (!settings_.excluded.empty() && std::binary_search(settings_.excluded.begin(), settings_.excluded.end(),
+                                                        std::pair<int, int>(std::minmax(p.line, q.line))))
+    return true;
+  const auto& nodes = mesh_.mesh->nodes;
+  const auto arc = [&](int n) { return nodes[static_cast<size_t>(n)].arc; };
+  const double apart =
+      settings_.exclusion_diameters * (radius_[static_cast<size_t>(a)] + radius_[static_cast<size_t>(b)]);
+  if (p.line == q.line)
+    return p.second == q.first || q.second == p.first ||
+           std::max(arc(q.first) - arc(p.second), arc(p.first) - arc(q.second)) < apart;
+  const auto from = [&](const Element& e, int node) {
+    return std::min(std::abs(arc(e.first) - arc(node)), std::abs(arc(e.second) - arc(node)));
+  };
+  for (const auto& [m, n] : settings_.joined) {
+    const int line = nodes[static_cast<size_t>(m)].line, other = nodes[static_cast<size_t>(n)].line;
+    if (line == p.line && other == q.line && from(p, m) + from(q, n) < apart) return true;
+    if (line == q.line && other == p.line && from(q, m) + from(p, n) < apart) return true;
+  }
+  return false;
+}
+
+void LineCandidates::couple(Couplings& to) const {
+  for (const auto& [a, b] : list_) {
+    const Element &p = mesh_.mesh->elements[static_cast<size_t>(a)],
+                  &q = mesh_.mesh->elements[static_cast<size_t>(b)];
+    to.add({p.first, p.second}, {q.first, q.second});
+  }
+}
+
+void LineCandidates::locate() {
+  segments_.clear(), pairs_.clear();
+  std::vector<std::pair<int, int>> number;  // element, segment; sorted by element
+  for (const LocalElement& e : local_) {
+    number.emplace_back(e.global, static_cast<int>(segments_.size()));
+    segments_.push_back({e.first, e.second, e.global, radius_[static_cast<size_t>(e.global)]});
+  }
+  const auto find = [&](int element) {
+    const auto at = std::lower_bound(number.begin(), number.end(), std::pair(element, 0));
+    return at != number.end() && at->first == element ? at->second : -1;
+  };
+  std::vector<int> others;
+  for (const auto& [a, b] : list_)
+    for (int e : {a, b})
+      if (find(e) < 0) others.push_back(e);
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  for (int e : others) {
+    const Element& element = mesh_.mesh->elements[static_cast<size_t>(e)];
+    ContactSegment s{mesh_.find(element.first), mesh_.find(element.second), e,
+                     radius_[static_cast<size_t>(e)]};
+    if (s.first < 0 || s.second < 0) throw std::logic_error("a candidate's nodes are not on this rank");
+    number.emplace_back(e, static_cast<int>(segments_.size()));
+    segments_.push_back(s);
+  }
+  std::sort(number.begin(), number.end());
+  for (const auto& [a, b] : list_) {
+    const int i = find(a);
+    pairs_.push_back({i, find(b), segments_[static_cast<size_t>(i)].first < mesh_.owned});
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,109 @@
+// Elements of other ranks that may touch those of this one: boxes of chunks go to everybody, elements only
+// between ranks whose chunks overlap.
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "hawser/geometry/box_pairs.hpp"
+#include "hawser/system/line_candidates.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr size_t kChunk = 64, kBox = 7, kAxis = 25;  // elements; doubles of a box and of an axis
+constexpr int kTag = 73;
+
+std::vector<double> pack(const std::vector<SweptAxis>& own, const std::set<size_t>& chunks) {
+  std::vector<double> out;
+  for (size_t c : chunks)
+    for (size_t i = kChunk * c; i < std::min(kChunk * (c + 1), own.size()); ++i) {
+      out.push_back(own[i].element);
+      for (const auto* end : {&own[i].from, &own[i].to})
+        for (const Vec3& p : *end) out.insert(out.end(), p.begin(), p.end());
+    }
+  return out;
+}
+
+}  // namespace
+
+std::vector<SweptAxis> LineCandidates::from_others(const std::vector<SweptAxis>& own) const {
+  int size = 1, rank = 0;
+  MPI_Comm_size(comm_, &size);
+  MPI_Comm_rank(comm_, &rank);
+  if (size == 1) return {};
+  std::vector<double> mine;
+  for (size_t first = 0; first < own.size(); first += kChunk) {
+    const size_t last = std::min(first + kChunk, own.size());
+    Box b;
+    for (size_t i = first; i < last; ++i) b.add(swept_box(own[i], skin(own[i])));
+    mine.insert(mine.end(), b.lo.begin(), b.lo.end());
+    mine.insert(mine.end(), b.hi.begin(), b.hi.end());
+    mine.push_back(static_cast<double>(last - first));
+  }
+  const size_t ranks = static_cast<size_t>(size), me = static_cast<size_t>(rank);
+  std::vector<int> counts(ranks), starts(ranks + 1, 0);
+  const int n = static_cast<int>(mine.size());
+  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
+  for (size_t r = 0; r < ranks; ++r) starts[r + 1] = starts[r] + counts[r];
+  std::vector<double> all(static_cast<size_t>(starts.back()));
+  MPI_Allgatherv(mine.data(), n, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm_);
+
+  std::vector<Box> boxes(all.size() / kBox);
+  std::vector<size_t> of_rank(boxes.size());
+  for (size_t i = 0, r = 0; i < boxes.size(); ++i) {
+    while (kBox * i >= static_cast<size_t>(starts[r + 1])) ++r;
+    const double* d = all.data() + kBox * i;
+    boxes[i] = {Vec3(d[0], d[1], d[2]), Vec3(d[3], d[4], d[5])};
+    of_rank[i] = r;
+  }
+  // By the other rank: which chunks go there, how many elements come from there.
+  struct Trade {
+    std::set<size_t> give, take;
+    std::vector<double> out, in;
+  };
+  std::map<size_t, Trade> trades;
+  const size_t first = static_cast<size_t>(starts[me]) / kBox;
+  for (const auto& [i, j] : overlapping_pairs(boxes)) {
+    const size_t a = static_cast<size_t>(i), b = static_cast<size_t>(j);
+    if (of_rank[a] == of_rank[b]) continue;
+    if (of_rank[a] == me) trades[of_rank[b]].give.insert(a - first), trades[of_rank[b]].take.insert(b);
+    if (of_rank[b] == me) trades[of_rank[a]].give.insert(b - first), trades[of_rank[a]].take.insert(a);
+  }
+  std::vector<MPI_Request> requests;
+  for (auto& [r, t] : trades) {
+    size_t elements = 0;
+    for (size_t c : t.take) elements += static_cast<size_t>(all[kBox * c + kBox - 1]);
+    t.in.resize(kAxis * elements);
+    t.out = pack(own, t.give);
+    const int other = static_cast<int>(r);
+    MPI_Irecv(t.in.data(), static_cast<int>(t.in.size()), MPI_DOUBLE, other, kTag, comm_,
+              &requests.emplace_back());
+    MPI_Isend(t.out.data(), static_cast<int>(t.out.size()), MPI_DOUBLE, other, kTag, comm_,
+              &requests.emplace_back());
+  }
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+
+  std::vector<SweptAxis> out;
+  for (const auto& [r, t] : trades)
+    for (size_t i = 0; i < t.in.size(); i += kAxis) {
+      const double* d = t.in.data() + i;
+      SweptAxis& s = out.emplace_back();
+      s.element = static_cast<int>(d[0]);
+      s.radius = radius_[static_cast<size_t>(s.element)];
+      for (size_t k = 0; k < 4; ++k) {
+        s.from[k] = Eigen::Map<const Vec3>(d + 1 + 3 * k);
+        s.to[k] = Eigen::Map<const Vec3>(d + 13 + 3 * k);
+      }
+    }
+  // An element cut between ranks is known to both.
+  const auto before = [](const SweptAxis& a, const SweptAxis& b) { return a.element < b.element; };
+  const auto same = [](const SweptAxis& a, const SweptAxis& b) { return a.element == b.element; };
+  std::sort(out.begin(), out.end(), before);
+  out.erase(std::unique(out.begin(), out.end(), same), out.end());
+  std::erase_if(out,
+                [&](const SweptAxis& s) { return std::binary_search(own.begin(), own.end(), s, before); });
+  return out;
+}
+
+}  // namespace hawser
