@@ -60,7 +60,8 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
     : comm_(comm), mesh_(mesh), radius_(std::move(radius)), settings_(std::move(settings)) {
   if (radius_.size() != mesh.mesh->elements.size())
     throw std::invalid_argument("contact of lines needs a radius for every element");
-  for (auto& p : settings_.excluded) p = std::minmax(p.first, p.second);
+  for (auto& p : settings_.excluded)
+    if (p.first > p.second) std::swap(p.first, p.second);
   std::sort(settings_.excluded.begin(), settings_.excluded.end());
   for (const LocalElement& e : mesh.elements)
     if (radius_[static_cast<size_t>(e.global)] > 0) local_.push_back(e);

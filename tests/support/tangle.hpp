@@ -1,0 +1,108 @@
+// Lines that run through each other, and a force term that acts between whichever of their elements are near:
+// what candidates, ghosts and patterns are tested with.
+#pragma once
+
+#include <random>
+
+#include "hawser/system/line_candidates.hpp"
+#include "support/rig.hpp"
+
+namespace hawser::test {
+
+// Linear springs that push the middles of elements apart which are nearer than both radii.
+class MiddleSprings final : public ForceTerm {
+ public:
+  MiddleSprings(MPI_Comm comm, const LocalMesh& mesh, double radius, double stiffness,
+                CandidateSettings settings = {})
+      : list(comm, mesh, std::vector<double>(mesh.mesh->elements.size(), radius), std::move(settings)),
+        mesh_(mesh),
+        k_(stiffness) {}
+
+  LineCandidates list;
+  // Steps longer than this [s] are refused in this interval of time.
+  double refuse = 1e30, refuse_from = 0, refuse_to = 0;
+  int located = 0;
+
+  std::string_view name() const override { return "middle springs"; }
+  bool recouple(const Kinematics& committed, double h) override { return list.update(committed, h); }
+  void couple(Couplings& to) const override { list.couple(to); }
+  void reghost() override { list.locate(), ++located; }
+  bool covers(const Kinematics& t) const override {
+    return list.covers(t) && !(t.step > refuse && t.time > refuse_from && t.time < refuse_to);
+  }
+  void evaluate(const Kinematics& at, Sink& sink) override {
+    for (const CandidatePair& p : list.pairs()) {
+      const Spring s = spring(at, p);
+      if (!(s.shorter > 0)) continue;
+      double f[12], K[144];
+      const Mat3 nn = s.normal * s.normal.transpose();
+      const Mat3 k = 0.25 * k_ * (nn - s.shorter / s.distance * (Mat3::Identity() - nn));
+      for (int i = 0; i < 4; ++i) {
+        const double sign = i < 2 ? 1 : -1;
+        for (int r = 0; r < 3; ++r) {
+          f[3 * i + r] = -0.5 * sign * k_ * s.shorter * s.normal[r];
+          for (int j = 0; j < 4; ++j)
+            for (int c = 0; c < 3; ++c) K[(3 * i + r) * 12 + 3 * j + c] = sign * (j < 2 ? 1 : -1) * k(r, c);
+        }
+      }
+      sink.add(s.blocks, f, K, nullptr, nullptr);
+    }
+  }
+  Energy energy(const Kinematics& at) const override {
+    Energy e;
+    for (const CandidatePair& p : list.pairs())
+      if (p.counted) {
+        const double x = std::max(spring(at, p).shorter, 0.0);
+        e.strain += 0.5 * k_ * x * x;
+      }
+    return e;
+  }
+
+ private:
+  struct Spring {
+    int blocks[4];
+    Vec3 normal;
+    double distance, shorter;
+  };
+  Spring spring(const Kinematics& at, const CandidatePair& p) const {
+    const ContactSegment &a = list.segments()[static_cast<size_t>(p.a)],
+                         &b = list.segments()[static_cast<size_t>(p.b)];
+    const auto x = [&](int n) { return at.x[static_cast<size_t>(n)]; };
+    const auto block = [&](int n) { return mesh_.block[static_cast<size_t>(n)]; };
+    Spring s{{block(a.first), block(a.second), block(b.first), block(b.second)}, {}, 0, 0};
+    const Vec3 d = 0.5 * (x(a.first) + x(a.second)) - 0.5 * (x(b.first) + x(b.second));
+    s.distance = d.norm();
+    s.normal = d / s.distance;
+    s.shorter = a.radius + b.radius - s.distance;
+    return s;
+  }
+  const LocalMesh& mesh_;
+  double k_;
+};
+
+// Random walks of beams and cables in turn, in a room of 12 m.
+inline model::Case tangle(int lines, int elements, double length = 1) {
+  model::Case c;
+  c.environment.gravity = 0;
+  c.line_types = {beam_type(1e6, 1e3, 1e3), cable_type(1e6, 1)};
+  std::mt19937_64 rng(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int i = 0; i < lines; ++i) {
+    model::Line l;
+    l.name = "line" + std::to_string(i);
+    l.sections.push_back({c.line_types[static_cast<size_t>(i % 2)].name, length * elements, elements, 1});
+    l.start = model::Start::points;
+    Vec3 at = 6 * Vec3(unit(rng), unit(rng), unit(rng)), way = Vec3(unit(rng), unit(rng), unit(rng));
+    l.end_a = anchor(at);
+    for (int k = 0; k <= elements; ++k) {
+      l.points.push_back(at);
+      way = (way + 0.5 * Vec3(unit(rng), unit(rng), unit(rng)) - 0.05 * at).normalized();
+      at += length * way;
+    }
+    c.lines.push_back(l);
+  }
+  c.dynamics.duration = 1;
+  return c;
+}
+
+}  // namespace hawser::test

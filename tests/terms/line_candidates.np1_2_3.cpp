@@ -1,0 +1,286 @@
+// Pairs of elements that may touch: none is missed, the same on any number of ranks, and what acts between
+// them too, at rest and in motion.
+#include <algorithm>
+
+#include "support/tangle.hpp"
+#include "support/taylor.hpp"
+
+namespace hawser::test {
+namespace {
+
+struct Model {
+  Model(MPI_Comm comm, const model::Case& c, double radius, double stiffness, CandidateSettings settings = {})
+      : sim(comm, c) {
+    auto term = std::make_unique<MiddleSprings>(comm, sim.local(), radius, stiffness, std::move(settings));
+    springs = term.get();
+    sim.system().add(std::move(term));
+  }
+  // Pairs of mesh elements in the list of this rank.
+  std::vector<std::pair<int, int>> pairs(bool counted = false) const {
+    std::vector<std::pair<int, int>> out;
+    for (const CandidatePair& p : springs->list.pairs())
+      if (p.counted || !counted)
+        out.emplace_back(springs->list.segments()[static_cast<size_t>(p.a)].global,
+                         springs->list.segments()[static_cast<size_t>(p.b)].global);
+    return out;
+  }
+  app::Simulation sim;
+  MiddleSprings* springs = nullptr;
+};
+
+long sum(long x) {
+  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_LONG, MPI_SUM, PETSC_COMM_WORLD);
+  return x;
+}
+
+// Points of an element's axis, Hermite's cubic where it bends.
+std::vector<Vec3> points(const Mesh& mesh, const State& s, int element) {
+  const Element& e = mesh.elements[static_cast<size_t>(element)];
+  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  std::vector<Vec3> out;
+  constexpr int kPoints = 12;
+  for (int k = 0; k <= kPoints; ++k) {
+    const double z = 1.0 * k / kPoints, z2 = z * z, z3 = z2 * z;
+    if (!e.beam) {
+      out.push_back((1 - z) * s.x[i] + z * s.x[j]);
+      continue;
+    }
+    out.push_back((1 - 3 * z2 + 2 * z3) * s.x[i] + (3 * z2 - 2 * z3) * s.x[j] +
+                  e.length *
+                      ((z - 2 * z2 + z3) * (s.q[i] * Vec3::UnitX()) + (z3 - z2) * (s.q[j] * Vec3::UnitX())));
+  }
+  return out;
+}
+
+double nearest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double best = 1e30;
+  for (const Vec3& p : a)
+    for (const Vec3& q : b) best = std::min(best, (p - q).norm());
+  return best;
+}
+
+// A step of a random motion, the same on every rank, that keeps to what the rates foretell only roughly.
+void move(const LocalMesh& l, State& s, int step, double h) {
+  for (int n = 0; n < l.nodes(); ++n) {
+    const size_t i = static_cast<size_t>(n);
+    const int g = l.global[i];
+    const Vec3 v = noise3(g, 3 * (step / 5)) + Vec3(3, 0, 0);
+    s.x[i] += h * s.v[i] + 0.02 * h * noise3(g, 1000 + step);
+    s.q[i] = (s.q[i] * exp_so3(h * s.w[i])).normalized();
+    s.v[i] = v;
+    if (l.rotates(n)) s.w[i] = noise3(g, 2000 + step / 5);
+  }
+  s.time += h;
+}
+
+TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
+  const model::Case c = tangle(9, 14);
+  const double radius = 0.25, h = 0.05;
+  CandidateSettings settings;
+  settings.exclusion_diameters = 3;
+  settings.excluded = {{4, 1}, {2, 2}};
+  settings.joined = {{0, 15}};  // the ends A of lines 0 and 1, far apart as they are
+  Model all(PETSC_COMM_WORLD, c, radius, 1, settings), one(PETSC_COMM_SELF, c, radius, 1, settings);
+  State &a = all.sim.state(), &b = one.sim.state();
+  const Mesh& mesh = one.sim.mesh();
+  const LocalMesh& l = all.sim.local();
+  long touching = 0, anew = 0, listed = 0, kept = 0;
+  for (int step = 0; step < 60; ++step) {
+    const Coupled r = all.sim.system().couple(a.view(h), h);
+    one.sim.system().couple(b.view(h), h);
+    if (r == Coupled::anew) all.sim.system().spread(a), ++anew;
+    ASSERT_EQ(a.x.size(), static_cast<size_t>(l.nodes()));
+    for (size_t n = 0; n < a.x.size(); ++n) {
+      const size_t g = static_cast<size_t>(l.global[n]);
+      ASSERT_LT((a.x[n] - b.x[g]).norm() + (a.v[n] - b.v[g]).norm() + (a.w[n] - b.w[g]).norm(), 1e-13);
+      ASSERT_LT((a.q[n].coeffs() - b.q[g].coeffs()).norm(), 1e-13);
+    }
+    // The pairs of this rank are those of the whole of which it owns a node.
+    auto list = one.pairs();
+    const auto have = all.pairs();
+    std::vector<std::pair<int, int>> expected;
+    for (const auto& p : list) {
+      bool mine = false;
+      for (int e : {p.first, p.second}) {
+        const Element& g = mesh.elements[static_cast<size_t>(e)];
+        for (int n : {g.first, g.second}) mine |= l.find(n) >= 0 && l.find(n) < l.owned;
+      }
+      if (mine) expected.push_back(p);
+    }
+    ASSERT_EQ(have, expected) << "step " << step;
+    EXPECT_EQ(sum(static_cast<long>(all.pairs(true).size())), static_cast<long>(list.size()));
+    listed = std::max(listed, static_cast<long>(list.size()));
+
+    // The next step's end is covered, and whatever touches there is in the list.
+    move(l, a, step, h), move(one.sim.local(), b, step, h);
+    const bool covered = all.sim.system().covers(a.view(h));
+    kept += covered;
+    if (!covered) continue;
+    std::vector<std::vector<Vec3>> axes;
+    for (size_t e = 0; e < mesh.elements.size(); ++e) axes.push_back(points(mesh, b, static_cast<int>(e)));
+    for (int e = 0; e < static_cast<int>(axes.size()); ++e)
+      for (int o = e + 1; o < static_cast<int>(axes.size()); ++o) {
+        const Element &p = mesh.elements[static_cast<size_t>(e)], &q = mesh.elements[static_cast<size_t>(o)];
+        const bool never = (p.line == 1 && q.line == 4) || (p.line == 2 && q.line == 2) ||
+                           (p.line == q.line && o - e - 1 < 1.5) ||
+                           (p.line == 0 && q.line == 1 && e + (o - 14) < 1.5);
+        const bool in = std::binary_search(list.begin(), list.end(), std::pair(e, o));
+        if (never) {
+          EXPECT_FALSE(in) << e << " and " << o;
+        } else if (nearest(axes[static_cast<size_t>(e)], axes[static_cast<size_t>(o)]) <= 2 * radius) {
+          ++touching;
+          EXPECT_TRUE(in) << e << " and " << o << ", step " << step;
+        }
+      }
+  }
+  EXPECT_GT(touching, 500);
+  EXPECT_GT(kept, 50);
+  EXPECT_GT(anew, 2);
+  EXPECT_LT(listed * 2, static_cast<long>(mesh.elements.size() * mesh.elements.size() / 4));
+  const long builds = all.springs->list.builds();
+  EXPECT_EQ(builds, one.springs->list.builds());
+  EXPECT_GT(builds, 3);
+  EXPECT_LT(builds, 40);  // a list serves several steps
+}
+
+TEST(LineCandidates, NothingToDoForOneStraightLine) {
+  model::Case c = one_line(cable_type(1e6, 1), 100, 50, anchor({0, 0, 0}), anchor({100, 0, 0}));
+  Model m(PETSC_COMM_WORLD, c, 0.3, 1);
+  State& s = m.sim.state();
+  EXPECT_NE(m.sim.system().couple(s.view(0), 0.1), Coupled::anew);
+  EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
+  EXPECT_FALSE(m.sim.system().coupled());
+}
+
+// Forces and the tangent's product with a vector.
+TEST(LineCandidates, ResidualAndTangent) {
+  const model::Case c = tangle(6, 12);
+  Model all(PETSC_COMM_WORLD, c, 0.6, 100), one(PETSC_COMM_SELF, c, 0.6, 100);
+  std::vector<std::vector<double>> r(2), y(2);
+  double energy[2];
+  for (int i = 0; i < 2; ++i) {
+    Model& m = i == 0 ? all : one;
+    System& system = m.sim.system();
+    State& s = m.sim.state();
+    const LocalMesh& l = m.sim.local();
+    for (int step = 0; step < 8; ++step) {
+      if (system.couple(s.view(0.1), 0.1) == Coupled::anew) system.spread(s);
+      system.prepare(s.view(0.1), 0.1);
+      if (step < 7) move(l, s, step, 0.1);
+    }
+    energy[i] = m.springs->energy(s.view(0.1)).strain;
+    VecHandle f = system.create_vector(), w = system.create_vector(), Jw = system.create_vector();
+    MatHandle J = system.create_matrix();
+    system.residual(s.view(0.1), f.get());
+    const std::vector<double> zero(3 * static_cast<size_t>(l.blocks()), 0);
+    system.tangent(s.view(0.1), {1, 0, 2, 0, 0}, zero, false, J.get());
+    PetscScalar* p = nullptr;
+    check(VecGetArray(w.get(), &p));
+    for (int n = 0; n < l.owned; ++n)
+      for (int b = 0; b <= l.rotates(n); ++b)
+        Eigen::Map<Vec3>(p + 3 * (l.block[static_cast<size_t>(n)] + b)) =
+            noise3(l.global[static_cast<size_t>(n)], 50 + b);
+    check(VecRestoreArray(w.get(), &p));
+    check(MatMult(J.get(), w.get(), Jw.get()));
+    for (auto [from, to] :
+         {std::pair(f.get(), &r[static_cast<size_t>(i)]), {Jw.get(), &y[static_cast<size_t>(i)]}}) {
+      const PetscScalar* q = nullptr;
+      check(VecGetArrayRead(from, &q));
+      to->assign(q, q + 3 * l.owned_blocks);
+      check(VecRestoreArrayRead(from, &q));
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, energy, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  EXPECT_GT(energy[1], 1);
+  EXPECT_NEAR(energy[0], energy[1], 1e-12 * energy[1]);
+  const LocalMesh &l = all.sim.local(), &g = one.sim.local();
+  const double sizes[2] = {Eigen::Map<Eigen::VectorXd>(r[1].data(), static_cast<long>(r[1].size())).norm(),
+                           Eigen::Map<Eigen::VectorXd>(y[1].data(), static_cast<long>(y[1].size())).norm()};
+  for (int n = 0; n < l.owned; ++n)
+    for (int k = 0; k < 3 * (1 + l.rotates(n)); ++k) {
+      const size_t i = static_cast<size_t>(3 * l.block[static_cast<size_t>(n)] + k),
+                   j = static_cast<size_t>(
+                       3 * g.block[static_cast<size_t>(l.global[static_cast<size_t>(n)])] + k);
+      EXPECT_NEAR(r[0][i], r[1][j], 1e-13 * sizes[0]);
+      EXPECT_NEAR(y[0][i], y[1][j], 1e-13 * sizes[1]);
+    }
+}
+
+// Where the nodes are, against one rank.
+void expect_same(Model& all, const State& a, const State& b, double tolerance) {
+  const LocalMesh& l = all.sim.local();
+  double worst = 0;
+  for (size_t n = 0; n < a.x.size(); ++n)
+    worst = std::max(worst, (a.x[n] - b.x[static_cast<size_t>(l.global[n])]).norm());
+  EXPECT_LT(worst, tolerance);
+}
+
+// A bundle of lines thrown across another: pairs come and go, and some steps are refused.
+model::Case two_bundles() {
+  model::Case c = tangle(0, 0);
+  for (int i = 0; i < 6; ++i) {
+    model::Line l;
+    l.name = "line" + std::to_string(i);
+    const bool across = i >= 3;
+    l.sections.push_back({c.line_types[static_cast<size_t>(i % 2)].name, 10, 20, 1});
+    const double at = i % 3 - 1;
+    l.end_a = anchor(across ? Vec3(at, -5, 0.8) : Vec3(-5, at, 0));
+    l.end_b = anchor(across ? Vec3(at, 5, 0.8) : Vec3(5, at, 0));
+    l.start = model::Start::straight;
+    c.lines.push_back(l);
+  }
+  c.dynamics.step = 0.01;
+  return c;
+}
+
+TEST(LineCandidates, DynamicsWithARefusedStep) {
+  const model::Case c = two_bundles();
+  Model all(PETSC_COMM_WORLD, c, 0.2, 2e3), one(PETSC_COMM_SELF, c, 0.2, 2e3);
+  long layouts = 0;
+  int rejected = 0;
+  for (Model* m : {&all, &one}) {
+    m->springs->refuse = 0.008, m->springs->refuse_from = 0.1, m->springs->refuse_to = 0.12;
+    const LocalMesh& l = m->sim.local();
+    State& s = m->sim.state();
+    for (int n = 0; n < l.nodes(); ++n) {
+      const Node& node = l.mesh->nodes[static_cast<size_t>(l.global[static_cast<size_t>(n)])];
+      if (node.line >= 3) s.v[static_cast<size_t>(n)].z() = -4 * std::sin(M_PI * node.arc / 10);
+    }
+    Dynamics& d = m->sim.dynamics();
+    d.start(s);
+    int blocks = l.blocks();
+    rejected = 0;
+    d.run(
+        1, [](double) { return 2.0; },
+        [&](const StepInfo& info) {
+          rejected += info.rejected;
+          layouts += l.blocks() != blocks;
+          blocks = l.blocks();
+          return true;
+        });
+  }
+  EXPECT_GT(rejected, 0);
+  int size = 1;
+  MPI_Comm_size(PETSC_COMM_WORLD, &size);
+  if (size > 1) {
+    EXPECT_GT(sum(layouts), 1);
+  }
+  EXPECT_GT(one.springs->located, 3);
+  expect_same(all, all.sim.dynamics().committed().s, one.sim.dynamics().committed().s, 1e-9);
+}
+
+// The upper bundle sags onto the lower, and both hang.
+TEST(LineCandidates, Statics) {
+  model::Case c = two_bundles();
+  c.environment.gravity = 9.81;
+  for (auto& t : c.line_types) t.mass_per_length = 50, t.EA = 2e4;
+  for (auto& l : c.lines)
+    l.start = model::Start::catenary, l.sections[0].length = l.name > "line2" ? 10.3 : 10.1;
+  Model all(PETSC_COMM_WORLD, c, 0.45, 1e4), one(PETSC_COMM_SELF, c, 0.45, 1e4);
+  for (Model* m : {&all, &one}) EXPECT_LE(m->sim.solve_statics().negative_eigenvalues, 0);
+  EXPECT_GT(one.springs->energy(one.sim.state().view(0)).strain, 0.1);
+  expect_same(all, all.sim.state(), one.sim.state(), 1e-8);
+}
+
+}  // namespace
+}  // namespace hawser::test
