@@ -6,6 +6,7 @@
 
 #include "hawser/mesh/partition.hpp"
 #include "hawser/solve/start_shape.hpp"
+#include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
@@ -52,17 +53,35 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
   return out;
 }
 
-// The heaviest line decides an automatic stiffness.
-AutomaticStiffness automatic(const model::Case& c, const Mesh& mesh) {
+// The line that needs most decides an automatic stiffness. The note says why, and when the steps are too long
+// to follow a bounce on it.
+void choose_stiffness(const model::Case& c, const Mesh& mesh, model::Volume& v,
+                      std::vector<std::string>& notes) {
   AutomaticStiffness best;
+  double mass = 0;
   for (const Element& e : mesh.elements) {
     const auto& t = c.line_types[static_cast<size_t>(e.type)];
-    const auto s =
-        automatic_contact_stiffness(0.5 * t.contact_diameter, t.mass_per_length * c.environment.gravity,
-                                    mesh.lines[static_cast<size_t>(e.line)].length, t.EA);
-    if (s.per_length > best.per_length) best = s;
+    StiffnessDemand d;
+    d.radius = 0.5 * t.contact_diameter;
+    d.weight = t.mass_per_length * c.environment.gravity;
+    d.length = mesh.lines[static_cast<size_t>(e.line)].length;
+    d.EA = t.EA;
+    d.bend = bending_radius(v, d.radius);
+    d.allowed_penetration = v.allowed_penetration;
+    const AutomaticStiffness s = automatic_contact_stiffness(d);
+    if (s.per_length > best.per_length) best = s, mass = t.mass_per_length;
   }
-  return best;
+  v.basis = model::StiffnessBasis::per_length;
+  v.normal_stiffness = best.per_length;
+  std::string note =
+      fmt::format("volume {}: normal stiffness {:.3g} N/m per m: {}", v.name, best.per_length, best.reason);
+  const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
+  if (c.dynamics.enabled && step > 0 && bounce < 1.5 * step)
+    note += fmt::format(
+        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show "
+        "its force",
+        bounce, step);
+  notes.push_back(note);
 }
 
 }  // namespace
@@ -93,13 +112,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
     model::Volume settings = c.volumes[v];
     if (!chosen(c.contact.all_volumes, c.contact.volumes, settings.name)) continue;
-    if (settings.basis == model::StiffnessBasis::automatic) {
-      const AutomaticStiffness s = automatic(c, *mesh_);
-      settings.basis = model::StiffnessBasis::per_length;
-      settings.normal_stiffness = s.per_length;
-      notes_.push_back(fmt::format("volume {}: normal stiffness {:.3g} N/m per m: {}", settings.name,
-                                   s.per_length, s.reason));
-    }
+    if (settings.basis == model::StiffnessBasis::automatic) choose_stiffness(c, *mesh_, settings, notes_);
     volumes.push_back({surfaces[v], c.body_index(settings.body), settings});
   }
   if (!volumes.empty() && c.contact.method == model::ContactMethod::line) {

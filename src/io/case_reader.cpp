@@ -147,14 +147,22 @@ class Reader {
     basis("per_point", model::StiffnessBasis::per_point);
     basis("per_length", model::StiffnessBasis::per_length);
     basis("per_area", model::StiffnessBasis::per_area);
-    o.smoothing = number(v, "smoothing");
+    const std::string key = "volumes." + name;
+    o.allowed_penetration = number(k, "allowed_penetration");
+    if (k.has("table")) {
+      o.force_table = read_force_table(k["table"], key + ".normal_stiffness.table", source_);
+      o.normal_stiffness = o.force_table->largest_slope();
+      o.basis = k["per"].is("point")    ? model::StiffnessBasis::per_point
+                : k["per"].is("length") ? model::StiffnessBasis::per_length
+                                        : model::StiffnessBasis::per_area;
+      if (v.has("smoothing"))
+        source_.bad(v["smoothing"], key + ".smoothing", "a table of forces brings its own smooth start");
+    }
+    o.smoothing = number(v, "smoothing", -1);
     o.relative_damping = v["relative_damping"].number;
     const Value& f = v["friction"];
     if (f.kind == Kind::map) {
-      o.friction.axial = f["axial"].number;
-      o.friction.lateral = number(f, "lateral", o.friction.axial);
-      o.friction.mobilisation_length = number(f, "mobilisation_length");
-      o.friction.shear_stiffness = number(f, "shear_stiffness");
+      o.friction = read_friction(f, key + ".friction", source_);
     } else {
       o.friction.axial = o.friction.lateral = f.number;
     }

@@ -115,6 +115,41 @@ model::TableMotion read_motion_table(const Value& table, const std::string& key,
   return m;
 }
 
+std::shared_ptr<const ForceTable> read_force_table(const Value& table, const std::string& key,
+                                                   const CaseSource& source) {
+  std::vector<ForceTable::Row> rows;
+  for (const Value& r : table.items) rows.emplace_back(r.items[0].number, r.items[1].number);
+  try {
+    return std::make_shared<const ForceTable>(rows);
+  } catch (const std::invalid_argument& e) {
+    source.bad(table, key, e.what());
+  }
+}
+
+model::Friction read_friction(const Value& f, const std::string& key, const CaseSource& source) {
+  const auto pair = [](const Value& v, double& axial, double& lateral) {
+    const bool both = v.kind == model::Value::Kind::map;
+    axial = both ? v["axial"].number : v.number;
+    lateral = both && v.has("lateral") ? v["lateral"].number : axial;
+  };
+  model::Friction o;
+  pair(f, o.axial, o.lateral);
+  if (const Value* k = f.find("kinetic")) pair(*k, o.axial_kinetic, o.lateral_kinetic);
+  if (f.has("kinetic") != f.has("blend_speed"))
+    source.bad(f, key,
+               f.has("kinetic") ? "'kinetic' needs 'blend_speed' beside it"
+                                : "'blend_speed' needs 'kinetic' beside it");
+  if (f.has("blend_speed")) o.blend_speed = f["blend_speed"].number;
+  if (const Value* d = f.find("mobilisation_length"))
+    pair(*d, o.mobilisation_length, o.lateral_mobilisation_length);
+  if (f.has("shear_stiffness")) o.shear_stiffness = f["shear_stiffness"].number;
+  if (f["return"].is("associated")) o.back = FrictionReturn::associated;
+  if (f["stick"].is("michalopoulos")) o.spring = FrictionSpring::michalopoulos;
+  if (o.spring == FrictionSpring::michalopoulos && o.shear_stiffness > 0)
+    source.bad(f, key, "'stick: michalopoulos' goes by 'mobilisation_length', not 'shear_stiffness'");
+  return o;
+}
+
 void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
   constexpr double kHuge = 5000;  // m; no body at sea is as large, a mesh in mm taken for m is
   constexpr double kThin = 1e5;   // a volume this much larger than the thinnest line

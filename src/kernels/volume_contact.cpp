@@ -5,18 +5,20 @@
 namespace hawser {
 namespace {
 
-// Derivatives by the three coordinates of the point and by the rate of the gap.
+// Derivatives by the three coordinates of the point and by the rate of the gap; where friction depends on the
+// speed, by point and velocity.
 using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
+using Dual6 = Eigen::AutoDiffScalar<Eigen::Matrix<double, 6, 1>>;
 
 // Gap, normal and normal force as the scalar S sees them.
 template <class S>
 struct Local {
   S gap, force;
-  Vector3<S> point, normal;
+  Vector3<S> point, normal, velocity;  // velocity: only where friction depends on it
 };
 
 Local<double> plain(const ContactTrial& t, const NormalForce& n) {
-  return {t.gap, n.force, t.point, t.normal};
+  return {t.gap, n.force, t.point, t.normal, t.velocity};
 }
 
 Local<Dual> dual(const ContactTrial& t, const NormalForce& n) {
@@ -33,15 +35,52 @@ Local<Dual> dual(const ContactTrial& t, const NormalForce& n) {
   return l;
 }
 
+Local<Dual6> dual6(const ContactTrial& t, const NormalForce& n) {
+  const auto made = [](double value, const Vec3& by_point, const Vec3& by_velocity) {
+    Eigen::Matrix<double, 6, 1> d;
+    d << by_point, by_velocity;
+    return Dual6(value, d);
+  };
+  const Vec3 none = Vec3::Zero();
+  Local<Dual6> l;
+  l.gap = made(t.gap, t.normal, none);
+  l.force = made(n.force, n.by_gap * t.normal + n.by_rate * (t.curvature * t.velocity), n.by_rate * t.normal);
+  for (int c = 0; c < 3; ++c) {
+    l.point[c] = made(t.point[c], Vec3::Unit(c), none);
+    l.normal[c] = made(t.normal[c], t.curvature.col(c), none);
+    l.velocity[c] = made(t.velocity[c], none, Vec3::Unit(c));
+  }
+  return l;
+}
+
 template <class S>
-Friction<S> tangential(const ContactLaw& law, const ContactStart& start, const Local<S>& t) {
+Vector3<S> trial_slip(const ContactLaw& law, const ContactStart& start, const Local<S>& t) {
   Vector3<S> moved = t.point - start.point.cast<S>();
   moved -= t.normal * S(t.normal.dot(moved));
   const double touch = law.normal.smoothing;
   if (start.gap > touch) moved *= S((S(touch) - t.gap) / (S(start.gap) - t.gap));
   Vector3<S> slip = moved;
   if (!start.slip.isZero(0)) slip += transport_slip<S>(start.slip, start.normal, t.normal);
-  return friction<S>(law.friction, t.force, slip, t.normal, start.tangent);
+  return slip;
+}
+
+template <class S>
+Friction<S> tangential(const ContactLaw& law, const ContactStart& start, const Local<S>& t) {
+  return friction<S>(law.friction, t.force, trial_slip(law, start, t), t.normal, start.tangent);
+}
+
+// With coefficients that depend on the speed along the surface.
+template <class S>
+Friction<S> blended(const ContactLaw& law, const ContactStart& start, const Local<S>& t) {
+  const Vector3<S> along = t.velocity - t.normal * S(t.normal.dot(t.velocity));
+  const Coulomb<S> mu = coulomb_at<S>(law.friction, along.squaredNorm());
+  return friction<S, S>(law.friction, mu, t.force, trial_slip(law, start, t), t.normal, start.tangent);
+}
+
+template <class S>
+void put(const Friction<S>& f, PointContact& r) {
+  for (int c = 0; c < 3; ++c) r.friction[c] = f.force[c].value(), r.slip[c] = f.slip[c].value();
+  r.slides = f.slides;
 }
 
 }  // namespace
@@ -58,21 +97,28 @@ PointContact volume_contact(const ContactLaw& law, const ContactStart& start, co
     r.by_point = n * (r.normal.by_gap * n + r.normal.by_rate * rate_by_point).transpose() +
                  r.normal.force * trial.curvature;
     r.by_velocity = r.normal.by_rate * n * n.transpose();
-    if (law.friction.active()) {
+    if (law.friction.active() && law.friction.blends()) {
+      const Friction<Dual6> f = blended<Dual6>(law, start, dual6(trial, r.normal));
+      put(f, r);
+      for (int c = 0; c < 3; ++c) {
+        r.by_point.row(c) += f.force[c].derivatives().head<3>().transpose();
+        r.by_velocity.row(c) += f.force[c].derivatives().tail<3>().transpose();
+      }
+    } else if (law.friction.active()) {
       const Friction<Dual> f = tangential<Dual>(law, start, dual(trial, r.normal));
+      put(f, r);
       Vec3 by_rate;
       for (int c = 0; c < 3; ++c) {
-        r.friction[c] = f.force[c].value();
-        r.slip[c] = f.slip[c].value();
         r.by_point.row(c) += f.force[c].derivatives().head<3>().transpose();
         by_rate[c] = f.force[c].derivatives()[3];
       }
       r.by_point += by_rate * rate_by_point.transpose();
       r.by_velocity += by_rate * n.transpose();
-      r.slides = f.slides;
     }
   } else if (law.friction.active()) {
-    const Friction<double> f = tangential<double>(law, start, plain(trial, r.normal));
+    const Local<double> local = plain(trial, r.normal);
+    const Friction<double> f =
+        law.friction.blends() ? blended<double>(law, start, local) : tangential<double>(law, start, local);
     r.friction = f.force;
     r.slip = f.slip;
     r.slides = f.slides;

@@ -172,27 +172,57 @@ Key bodies() {
 }
 
 Key friction() {
-  return one_of("friction",
-                {number("", none).at_least(0).at_most(10),
-                 map("",
-                     {number("axial", none, "Coulomb coefficient along the line")
-                          .at_least(0)
-                          .at_most(10)
-                          .is_required(),
-                      number("lateral", none, "Coulomb coefficient across the line")
-                          .at_least(0)
-                          .at_most(10)
-                          .or_else_note("`axial`"),
-                      number("mobilisation_length", length, "slip at which friction is fully there")
-                          .above(0)
-                          .or_else_note("1 % of the contact diameter"),
-                      number("shear_stiffness", none,
-                             "stiffness of the stick spring, in the unit of `normal_stiffness`")
-                          .above(0)
-                          .or_else_note("from `mobilisation_length`")},
-                     "")
-                     .either({{{"mobilisation_length"}, {}}, {{"shear_stiffness"}, {}}}, false)},
-                "one coefficient for all directions, or more")
+  return one_of(
+             "friction",
+             {number("", none).at_least(0).at_most(10),
+              map("",
+                  {number("axial", none, "Coulomb coefficient along the line")
+                       .at_least(0)
+                       .at_most(10)
+                       .is_required(),
+                   number("lateral", none, "Coulomb coefficient across the line")
+                       .at_least(0)
+                       .at_most(10)
+                       .or_else_note("`axial`"),
+                   one_of("kinetic",
+                          {number("", none).at_least(0).at_most(10),
+                           map("",
+                               {number("axial", none, "along the line").at_least(0).at_most(10).is_required(),
+                                number("lateral", none, "across the line")
+                                    .at_least(0)
+                                    .at_most(10)
+                                    .or_else_note("`axial`")},
+                               "")},
+                          "coefficients of fast sliding, those above being of rest; needs `blend_speed`")
+                       .or_else_note("as at rest"),
+                   number("blend_speed", velocity,
+                          "speed v0 at which 1/e of the difference between rest and `kinetic` is left; it "
+                          "goes with exp(-(v/v0)²)")
+                       .above(0),
+                   one_of("mobilisation_length",
+                          {number("", length).above(0),
+                           map("",
+                               {number("axial", length, "along the line").above(0).is_required(),
+                                number("lateral", length, "across the line").above(0).is_required()},
+                               "")},
+                          "slip at which friction is fully there")
+                       .or_else_note("1 % of the contact diameter"),
+                   number("shear_stiffness", none,
+                          "stiffness of the stick spring, in the unit of `normal_stiffness`")
+                       .above(0)
+                       .or_else_note("from `mobilisation_length`"),
+                   word("return", {"radial", "associated"},
+                        "where a slip beyond the slip ellipse comes back to: in its own direction, or to the "
+                        "nearest point in the energy of the stick springs")
+                       .or_else("radial"),
+                   word(
+                       "stick", {"elliptic", "michalopoulos"},
+                       "with mobilisation lengths: a spring each way, whose closed paths take no work, or "
+                       "the law of OMAE2006-92155 (Michalopoulos 1986), which is that only for equal lengths")
+                       .or_else("elliptic")},
+                  "")
+                  .either({{{"mobilisation_length"}, {}}, {{"shear_stiffness"}, {}}}, false)},
+             "one coefficient for all directions, or more")
       .or_else("0");
 }
 
@@ -232,16 +262,32 @@ Key shape() {
 
 Key volumes() {
   Key stiffness =
-      one_of("normal_stiffness",
-             {word("", {"auto"}),
-              map("",
-                  {number("per_point", point_stiffness, "of each node in contact").above(0),
-                   number("per_length", line_stiffness, "per length of line in contact").above(0),
-                   number("per_area", area_stiffness, "per projected area (length times contact diameter)")
-                       .above(0)},
-                  "")
-                  .either({{{"per_point"}, {}}, {{"per_length"}, {}}, {{"per_area"}, {}}}, true)},
-             "penalty against penetration")
+      one_of(
+          "normal_stiffness",
+          {word("", {"auto"}),
+           map("",
+               {number("per_point", point_stiffness, "of each node in contact").above(0),
+                number("per_length", line_stiffness, "per length of line in contact").above(0),
+                number("per_area", area_stiffness, "per projected area (length times contact diameter)")
+                    .above(0),
+                number("allowed_penetration", length,
+                       "as `auto`, for this penetration instead of 0.5 % of the line's radius")
+                    .above(0),
+                list("table", list("", number("", none), "").items(2, 2),
+                     "force against penetration, `[[penetration, force], ...]`: a monotone cubic from no force "
+                     "at no penetration through the rows, straight beyond the last")
+                    .items(1),
+                word(
+                    "per", {"point", "length", "area"},
+                    "what the forces of the table are of: N of a node, N/m of line, N/m² of projected area")},
+               "")
+               .either({{{"per_point"}, {}},
+                        {{"per_length"}, {}},
+                        {{"per_area"}, {}},
+                        {{"allowed_penetration"}, {}},
+                        {{"table", "per"}, {"table", "per"}}},
+                       true)},
+          "penalty against penetration")
           .or_else("auto");
   Key active = one_of("active",
                       {text("", ""), map("",
@@ -267,8 +313,9 @@ Key volumes() {
                   reference("body", "bodies", "body it is fixed to; mesh and shape are in the body's frame")
                       .or_else_note("none: fixed in space"),
                   std::move(active), std::move(stiffness),
-                  number("smoothing", length, "half width of the smooth start of the contact force")
-                      .above(0)
+                  number("smoothing", length,
+                         "half width of the smooth start of the contact force; 0: linear from the touch on")
+                      .at_least(0)
                       .or_else_note("chosen by the program"),
                   number("relative_damping", none, "damping of the contact spring over its critical damping")
                       .at_least(0)

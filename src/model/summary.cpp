@@ -77,9 +77,14 @@ struct ShapeText {
 };
 
 std::string stiffness_text(const Volume& v) {
+  if (v.force_table)
+    return fmt::format("force by a table of {} rows up to {:g} m", v.force_table->rows().size() - 1,
+                       v.force_table->rows().back().first);
   switch (v.basis) {
     case StiffnessBasis::automatic:
-      return "stiffness automatic";
+      return v.allowed_penetration > 0
+                 ? fmt::format("stiffness automatic for {:g} m of penetration", v.allowed_penetration)
+                 : "stiffness automatic";
     case StiffnessBasis::per_point:
       return fmt::format("stiffness {:g} N/m a point", v.normal_stiffness);
     case StiffnessBasis::per_length:
@@ -96,8 +101,13 @@ std::string form_text(const Volume& v) {
 
 std::string friction_text(const Friction& f) {
   if (f.axial == 0 && f.lateral == 0) return "no friction";
-  if (f.axial == f.lateral) return fmt::format("friction {:g}", f.axial);
-  return fmt::format("friction {:g} along, {:g} across", f.axial, f.lateral);
+  std::string s = f.axial == f.lateral ? fmt::format("friction {:g}", f.axial)
+                                       : fmt::format("friction {:g} along, {:g} across", f.axial, f.lateral);
+  if (f.blend_speed > 0)
+    s += f.axial_kinetic == f.lateral_kinetic
+             ? fmt::format(" at rest, {:g} sliding", f.axial_kinetic)
+             : fmt::format(" at rest, {:g} and {:g} sliding", f.axial_kinetic, f.lateral_kinetic);
+  return s;
 }
 
 std::string step_text(const Dynamics& d) {

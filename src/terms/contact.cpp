@@ -1,7 +1,5 @@
 #include "hawser/terms/contact.hpp"
 
-#include <algorithm>
-#include <cstdio>
 #include <stdexcept>
 
 namespace hawser {
@@ -25,13 +23,22 @@ ContactLaw Contact::law(const model::Volume& v, double share, double diameter, d
   ContactLaw law;
   law.normal.stiffness = v.normal_stiffness * share;
   // A fifth of the penetration the automatic stiffness allows: the ramp stays small beside it.
-  law.normal.smoothing = v.smoothing > 0 ? v.smoothing : 0.001 * diameter;
+  law.normal.smoothing = v.force_table ? 0 : v.smoothing >= 0 ? v.smoothing : 0.001 * diameter;
+  law.normal.table = v.force_table.get();
+  law.normal.table_factor = share;
   law.normal.damping = contact_damping(v.relative_damping, law.normal.stiffness, mass);
   law.friction.axial = v.friction.axial;
   law.friction.lateral = v.friction.lateral;
   law.friction.stiffness = v.friction.shear_stiffness * share;
   const double length = v.friction.mobilisation_length > 0 ? v.friction.mobilisation_length : 0.01 * diameter;
-  law.friction.axial_length = law.friction.lateral_length = length;
+  const double lateral = v.friction.lateral_mobilisation_length;
+  law.friction.axial_length = length;
+  law.friction.lateral_length = lateral > 0 ? lateral : length;
+  law.friction.back = v.friction.back;
+  law.friction.spring = v.friction.spring;
+  law.friction.axial_kinetic = v.friction.axial_kinetic;
+  law.friction.lateral_kinetic = v.friction.lateral_kinetic;
+  law.friction.blend_speed = v.friction.blend_speed;
   return law;
 }
 
@@ -54,22 +61,6 @@ void Contact::add_work(Account& sum, const StepOfBody& b, const ContactHistory& 
   sum.friction -= w * (R * p.friction).dot(relative);
   sum.damping -= w * p.damping_force * (R * p.normal).dot(relative);
   sum.work += w * (R * p.force).dot(carried);
-}
-
-AutomaticStiffness automatic_contact_stiffness(double radius, double weight, double length, double EA) {
-  const double tension = std::max(weight * length, 1e-4 * EA), bend = std::max(radius, 1.0);
-  const double pressure = tension / bend, allowed = 0.005 * radius;
-  const auto number = [](double v) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", v);
-    return std::string(text);
-  };
-  return {pressure / allowed,
-          "contact stiffness " + number(pressure / allowed) + " N/m per metre of line: a tension of " +
-              number(tension) + " N (" +
-              (weight * length >= 1e-4 * EA ? "the line's weight" : "1e-4 of its EA, more than its weight") +
-              ") bent to a radius of " + number(bend) + " m presses in by 0.5 % of the line's radius, " +
-              number(allowed) + " m"};
 }
 
 }  // namespace hawser

@@ -11,6 +11,7 @@
 #include "hawser/math/so3.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/system.hpp"
+#include "hawser/terms/contact_stiffness.hpp"
 
 namespace hawser {
 namespace {
@@ -57,12 +58,29 @@ std::vector<Situation> situations() {
 }
 
 std::vector<ContactLaw> laws() {
-  const NormalLaw normal{1e6, 1e-3, 2e3};
-  return {{normal, {}},
-          {normal, {0.4, 0.4, 3e5, 0, 0}},
-          {normal, {0.3, 0.8, 3e5, 0, 0}},
-          {normal, {0.4, 0.4, 0, 0.006, 0.006}},
-          {normal, {0.3, 0.8, 0, 0.005, 0.009}}};
+  static const std::vector<ForceTable::Row> rows{{0.003, 1000}, {0.006, 3500}, {0.02, 30000}};
+  static const ForceTable table(rows);
+  const NormalLaw normal{1e6, 1e-3, 2e3}, by_table{table.largest_slope(), 0, 2e3, &table};
+  std::vector<ContactLaw> out;
+  for (const NormalLaw& n : {normal, by_table}) {
+    out.push_back({n, {}});
+    for (const FrictionReturn back : {FrictionReturn::radial, FrictionReturn::associated})
+      for (const double speed : {0.0, 0.3}) {
+        std::vector<FrictionLaw> f{{0.4, 0.4, 3e5, 0, 0},
+                                   {0.3, 0.8, 3e5, 0, 0},
+                                   {0.4, 0.4, 0, 0.006, 0.006},
+                                   {0.3, 0.8, 0, 0.005, 0.009},
+                                   {0.3, 0.8, 0, 0.005, 0.009}};
+        f.back().spring = FrictionSpring::michalopoulos;
+        for (FrictionLaw& law : f) {
+          law.back = back;
+          law.blend_speed = speed;
+          law.axial_kinetic = 0.6 * law.axial, law.lateral_kinetic = 0.6 * law.lateral;
+          out.push_back({n, law});
+        }
+      }
+  }
+  return out;
 }
 
 // Taylor test: |F(y + h d) - F(y) - h K d| falls as h², and the fourth-order difference agrees with K d.
@@ -85,6 +103,7 @@ TEST(VolumeContactKernel, TangentIsExact) {
   for (const ContactLaw& law : laws())
     for (const Situation& s : situations()) {
       const PointContact c = volume_contact(law, s.start, s.field(s.point, u), true);
+      if (law.normal.table && s.field(s.point, u).gap >= 0) continue;  // no ramp before a table
       ASSERT_GT(c.normal.force, 0) << s.name;
       // The mobilisation laws cut at a length, the spring laws at a force; the situations suit both.
       if (law.friction.active() && std::string(s.name).find("slip") != std::string::npos) {
@@ -113,9 +132,9 @@ TEST(VolumeContactKernel, TurnsWithTheBody) {
       const PointContact turned = volume_contact(
           law, turned_start,
           {R * t.point, R * t.velocity, t.gap, R * t.normal, R * t.curvature * R.transpose()}, true);
-      EXPECT_LT((turned.force - R * plain.force).norm(), 1e-12 * plain.force.norm()) << s.name;
+      EXPECT_LE((turned.force - R * plain.force).norm(), 1e-12 * plain.force.norm()) << s.name;
       EXPECT_LT((turned.slip - R * plain.slip).norm(), 1e-15) << s.name;
-      EXPECT_LT((turned.by_point - R * plain.by_point * R.transpose()).norm(), 1e-11 * plain.by_point.norm())
+      EXPECT_LE((turned.by_point - R * plain.by_point * R.transpose()).norm(), 1e-11 * plain.by_point.norm())
           << s.name;
     }
 }
@@ -463,9 +482,26 @@ TEST(VolumeContact, StiffnessByBasis) {
   v.body = 0;
   EXPECT_THROW(VolumeContact(m.local, nullptr, {v}, {kNode, kNode}), std::invalid_argument);
   // A hose of 250 m, 273.4 kg/m, 0.85 m: its hanging tension bent to 1 m presses in by 0.5 % of its radius.
-  const AutomaticStiffness a = automatic_contact_stiffness(0.425, 273.4 * 9.80665, 250, 9.505e8);
-  EXPECT_NEAR(a.per_length * 0.005 * 0.425, 273.4 * 9.80665 * 250, 1e-6);
+  const double weight = 273.4 * 9.80665;
+  StiffnessDemand d{0.425, weight, 250, 9.505e8, 0, 0};
+  const AutomaticStiffness a = automatic_contact_stiffness(d);
+  EXPECT_NEAR(a.per_length * 0.005 * 0.425, weight * 251, 1e-6);
   EXPECT_NE(a.reason.find("weight"), std::string::npos);
+  // Round the drum of a reel, 1 cm allowed.
+  model::Volume drum;
+  drum.shape = CylinderShape{Vec3::Zero(), Vec3::UnitY(), 3.6};
+  d.bend = bending_radius(drum, d.radius), d.allowed_penetration = 0.01;
+  EXPECT_EQ(d.bend, 4.025);
+  const AutomaticStiffness b = automatic_contact_stiffness(d);
+  EXPECT_NEAR(b.per_length * 0.01, weight * (1 + 250 / 4.025), 1e-6);
+  EXPECT_NE(b.reason.find("that of the shape"), std::string::npos);
+  EXPECT_NE(b.reason.find("allowed 0.01 m"), std::string::npos);
+  drum.shape = PlaneShape{};
+  EXPECT_EQ(bending_radius(drum, d.radius), 10);
+  drum.shape = BoxShape{};
+  EXPECT_EQ(bending_radius(drum, d.radius), 0);
+  // 273.4 kg on 1e6 N/m.
+  EXPECT_NEAR(contact_period(1e6, 273.4), 0.10389, 1e-5);
 }
 
 }  // namespace

@@ -285,6 +285,43 @@ TEST(CaseSummary, CountsUnknownsOfMixedLines) {
   EXPECT_EQ(z.length, 40);
 }
 
+TEST(CaseReader, ContactLaws) {
+  const Case c = read(std::string(kTypes) + R"(volumes:
+  deck: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}},
+         normal_stiffness: {table: [[0.001, 100], [0.02, 5e3]], per: area},
+         friction: {axial: 0.5, lateral: 0.7, kinetic: {axial: 0.3, lateral: 0.4}, blend_speed: 10 mm/s,
+                    mobilisation_length: {axial: 5 mm, lateral: 0.02}, return: associated, stick: michalopoulos}}
+  wall: {shape: {plane: {point: [0, 0, 0], normal: [1, 0, 0]}}, smoothing: 0,
+         normal_stiffness: {allowed_penetration: 4 mm}, friction: {axial: 0.5, kinetic: 0.3, blend_speed: 1}}
+lines:
+  a: {sections: [{type: hose, length: 10, elements: 2}], end_a: {anchor: [0, 0, 0]}, end_b: free}
+)");
+  const model::Volume &deck = c.volumes[0], &wall = c.volumes[1];
+  EXPECT_EQ(deck.basis, model::StiffnessBasis::per_area);
+  ASSERT_TRUE(deck.force_table);
+  EXPECT_NEAR(deck.force_table->at(0.001).force, 100, 1e-9);
+  EXPECT_EQ(deck.normal_stiffness, deck.force_table->largest_slope());
+  const model::Friction& f = deck.friction;
+  EXPECT_EQ(f.axial, 0.5);
+  EXPECT_EQ(f.lateral, 0.7);
+  EXPECT_EQ(f.axial_kinetic, 0.3);
+  EXPECT_EQ(f.lateral_kinetic, 0.4);
+  EXPECT_EQ(f.blend_speed, 0.01);
+  EXPECT_EQ(f.mobilisation_length, 0.005);
+  EXPECT_EQ(f.lateral_mobilisation_length, 0.02);
+  EXPECT_EQ(f.back, FrictionReturn::associated);
+  EXPECT_EQ(f.spring, FrictionSpring::michalopoulos);
+  EXPECT_EQ(wall.basis, model::StiffnessBasis::automatic);
+  EXPECT_EQ(wall.allowed_penetration, 0.004);
+  EXPECT_EQ(wall.smoothing, 0);
+  EXPECT_EQ(wall.friction.lateral, 0.5);
+  EXPECT_EQ(wall.friction.lateral_kinetic, 0.3);
+  EXPECT_EQ(wall.friction.back, FrictionReturn::radial);
+  const std::string s = model::summary(c);
+  EXPECT_NE(s.find("force by a table of 2 rows up to 0.02 m"), std::string::npos) << s;
+  EXPECT_NE(s.find("friction 0.5 along, 0.7 across at rest, 0.3 and 0.4 sliding"), std::string::npos) << s;
+}
+
 TEST(CaseSummary, OfTheReel) {
   const std::string s = model::summary(io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml"));
   for (const char* part : {"Marlim Sul", "hose: 250 m, 250 elements, 251 nodes, 1506 unknowns",

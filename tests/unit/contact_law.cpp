@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
 
 namespace hawser {
 namespace {
@@ -48,6 +51,60 @@ TEST(ContactLaw, NeverPulls) {
         EXPECT_EQ(f.by_rate, 0);
       }
     }
+}
+
+// Through (0, 0) flat, then the rows, then straight on; compared with its own differences and integral.
+TEST(ContactLaw, Table) {
+  const std::vector<ForceTable::Row> rows{{0.01, 500}, {0.02, 500}, {0.03, 4000}, {0.05, 5000}};
+  const ForceTable table(rows);
+  double last = 0, integral = 0;
+  const double h = 1e-6;
+  for (double p = 0; p < 0.08; p += h) {
+    const ForceTable::Value v = table.at(p), w = table.at(p + h);
+    ASSERT_GE(w.force, v.force - 1e-9);
+    // Half a step past a row the second derivative is the next piece's.
+    ASSERT_NEAR((w.force - v.force) / h, 0.5 * (v.slope + w.slope), 20 + 1e-3 * v.slope);
+    ASSERT_LE(v.slope, table.largest_slope() * (1 + 1e-12));
+    integral += 0.5 * h * (v.force + w.force);
+    last = w.force;
+    if (std::abs(p - 0.07) < h / 2) {
+      EXPECT_NEAR(w.potential, integral, 1e-6 * integral);
+    }
+  }
+  EXPECT_GT(last, 5000);
+  EXPECT_EQ(table.at(-1e-9).force, 0);
+  EXPECT_EQ(table.at(0).slope, 0);
+  for (const auto& [p, f] : rows) EXPECT_NEAR(table.at(p).force, f, 1e-9);
+  double steepest = 0;
+  for (double p = 0; p < 0.05; p += 1e-6) steepest = std::max(steepest, table.at(p).slope);
+  EXPECT_NEAR(steepest, table.largest_slope(), 1e-3 * steepest);
+
+  const NormalLaw law{2 * table.largest_slope(), 0, 700, &table, 2};
+  for (const double g : {-0.004, -0.025, -0.045, -0.06})
+    for (const double v : {-0.3, 0.2}) {
+      const double e = 1e-7;
+      const NormalForce f = normal_force(law, g, v);
+      ASSERT_GT(f.force, 0);
+      EXPECT_NEAR(f.by_gap, (normal_force(law, g + e, v).force - normal_force(law, g - e, v).force) / (2 * e),
+                  1e-5 * law.stiffness);
+      EXPECT_NEAR(f.by_rate,
+                  (normal_force(law, g, v + e).force - normal_force(law, g, v - e).force) / (2 * e),
+                  1e-5 * 700);
+      EXPECT_NEAR(f.elastic, 2 * table.at(-g).force, 1e-9);
+    }
+  EXPECT_EQ(normal_force(law, 1e-9, -3).force, 0);
+}
+
+TEST(ContactLaw, TableFaults) {
+  const auto make = [](std::vector<ForceTable::Row> rows) { return ForceTable(rows); };
+  EXPECT_NO_THROW(make({{0, 0}, {1, 1}}));
+  EXPECT_THROW(make({}), std::invalid_argument);
+  EXPECT_THROW(make({{0, 1}, {1, 2}}), std::invalid_argument);
+  EXPECT_THROW(make({{1, 1}, {1, 2}}), std::invalid_argument);
+  EXPECT_THROW(make({{1, 2}, {2, 1}}), std::invalid_argument);
+  EXPECT_THROW(make({{1, 0}, {2, 0}}), std::invalid_argument);
+  EXPECT_THROW(make({{1, -1}}), std::invalid_argument);
+  EXPECT_THROW(make({{1, NAN}}), std::invalid_argument);
 }
 
 struct Bounce {

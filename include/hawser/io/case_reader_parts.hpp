@@ -1,6 +1,7 @@
 // Parts of the case reader: shapes, and what looks at other files (motion tables, meshes).
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "hawser/model/case.hpp"
@@ -32,5 +33,10 @@ model::TableMotion read_motion_table(const model::Value& table, const std::strin
 
 // Read every mesh, refuse what is no closed volume or has the wrong scale; repairs go to Case::notes.
 void check_meshes(const model::Value& root, const CaseSource& source, model::Case& c);
+
+// Rows of force over penetration, and friction given as a map.
+std::shared_ptr<const ForceTable> read_force_table(const model::Value& table, const std::string& key,
+                                                   const CaseSource& source);
+model::Friction read_friction(const model::Value& f, const std::string& key, const CaseSource& source);
 
 }  // namespace hawser::io

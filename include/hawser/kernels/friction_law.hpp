@@ -6,21 +6,40 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "hawser/kernels/friction_return.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
 
+// Of friction by mobilisation lengths, while it sticks. elliptic: f_i = -mu_i N s_i/d_i, a spring each way:
+// a closed path takes no work. michalopoulos: f_i = -mu_i N R s_i/|s|, R² = (s_a/d_a)² + (s_l/d_l)²
+// (Michalopoulos 1986; OMAE2006-92155, eqs 6-10); has no potential unless the lengths are equal.
+enum class FrictionSpring { elliptic, michalopoulos };
+
 struct FrictionLaw {
-  double axial = 0, lateral = 0;                // Coulomb coefficients along and across the line
+  double axial = 0, lateral = 0;                // Coulomb coefficients along and across the line, at rest
   double stiffness = 0;                         // N/m: > 0: linear springs; 0: mobilisation lengths
   double axial_length = 0, lateral_length = 0;  // m, mobilisation lengths, used when stiffness is 0
+  FrictionReturn back = FrictionReturn::radial;
+  FrictionSpring spring = FrictionSpring::elliptic;
+  double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients far above the blend speed
+  double blend_speed = 0;                         // m/s; 0: the coefficients at rest always
 
   bool active() const { return axial > 0 || lateral > 0; }
-  bool isotropic() const { return axial == lateral && (stiffness > 0 || axial_length == lateral_length); }
+  bool blends() const { return blend_speed > 0; }
+  bool isotropic() const {
+    return axial == lateral && (stiffness > 0 || axial_length == lateral_length) &&
+           (!blends() || axial_kinetic == lateral_kinetic);
+  }
 };
 
 template <class S>
 using Vector3 = Eigen::Matrix<S, 3, 1>;
+
+template <class S>
+struct Coulomb {
+  S axial, lateral;
+};
 
 template <class S>
 struct Friction {
@@ -40,23 +59,33 @@ Vector3<S> transport_slip(const Vec3& slip, const Vec3& from, const Vector3<S>& 
   return s - sum * scale;
 }
 
-// Force and remaining slip for a trial slip in the tangent plane of `normal`; N [N] >= 0; `tangent` is a
-// direction of the line (unit, need not lie in the plane).
-//
-// stiffness k: f = -k s, cut to the slip surface (f_a/mu_a)² + (f_l/mu_l)² <= N².
-// mobilisation lengths (OMAE2006-92155, eqs 6-10): R² = (s_a/d_a)² + (s_l/d_l)², f_i = -mu_i N min(R, 1)
-// s_i/|s|; with equal lengths f_i = -mu_i N s_i/d. Both return radially: the slip shrinks in its own
-// direction. (An associated return would go here.)
+// Coefficients at the square of the tangential speed [m²/s²]: from those at rest to the kinetic ones by
+// exp(-(v/v0)²) (Armstrong-Hélouvry, Dupont, Canudas de Wit 1994,
+// Automatica 30, with exponent 2).
 template <class S>
-Friction<S> friction(const FrictionLaw& law, const S& N, const Vector3<S>& slip, const Vector3<S>& normal,
-                     const Vec3& tangent) {
+Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
+  using std::exp;
+  const S rest = exp(S(speed2 * (-1 / (law.blend_speed * law.blend_speed))));
+  return {S(rest * (law.axial - law.axial_kinetic) + law.axial_kinetic),
+          S(rest * (law.lateral - law.lateral_kinetic) + law.lateral_kinetic)};
+}
+
+// Force and remaining slip for a trial slip in the tangent plane of `normal`; N [N] >= 0; `tangent` is a
+// direction of the line (unit, need not lie in the plane); mu: coefficients in force.
+//
+// stiffness k: f = -k s, cut to the slip surface (f_a/mu_a)² + (f_l/mu_l)² <= N². Mobilisation lengths:
+// FrictionSpring, cut to (s_a/d_a)² + (s_l/d_l)² <= 1, which is the same surface. What is beyond comes back
+// as FrictionReturn says. A direction without friction holds nothing.
+template <class S, class M>
+Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const Vector3<S>& slip,
+                     const Vector3<S>& normal, const Vec3& tangent) {
   Friction<S> r;
   if (!(N > 0.0)) return r;
   using std::sqrt;
   if (law.isotropic()) {
     const S s2 = slip.squaredNorm();
-    const S limit = law.stiffness > 0 ? S(N * (law.axial / law.stiffness)) : S(law.axial_length);
-    const S stiffness = law.stiffness > 0 ? S(law.stiffness) : S(N * (law.axial / law.axial_length));
+    const S limit = law.stiffness > 0 ? S(N * M(mu.axial / law.stiffness)) : S(law.axial_length);
+    const S stiffness = law.stiffness > 0 ? S(law.stiffness) : S(N * M(mu.axial / law.axial_length));
     r.slip = slip;
     if (s2 > S(limit * limit)) {
       const S shrink = limit / sqrt(s2);
@@ -74,35 +103,42 @@ Friction<S> friction(const FrictionLaw& law, const S& N, const Vector3<S>& slip,
   }
   a /= S(sqrt(S(a.squaredNorm())));
   const Vector3<S> l = normal.cross(a);
-  S sa = slip.dot(a), sl = slip.dot(l);
-  if (law.stiffness > 0) {
-    const double k = law.stiffness;
-    if (law.axial == 0) sa = S(0);  // no friction that way: nothing is held
-    if (law.lateral == 0) sl = S(0);
-    const S ra = law.axial > 0 ? S(sa * (k / law.axial)) : S(0);
-    const S rl = law.lateral > 0 ? S(sl * (k / law.lateral)) : S(0);
-    const S r2 = (ra * ra + rl * rl) / (N * N);
-    if (r2 > 1.0) {
-      const S shrink = S(1) / sqrt(r2);
-      sa *= shrink, sl *= shrink;
-      r.slides = true;
+  const bool holds_a = mu.axial > 0.0, holds_l = mu.lateral > 0.0;
+  SlipEllipse<S> e;
+  e.slip[0] = holds_a ? S(slip.dot(a)) : S(0);
+  e.slip[1] = holds_l ? S(slip.dot(l)) : S(0);
+  const double k = law.stiffness;
+  if (k > 0) {
+    e.axis[0] = holds_a ? S(N * M(mu.axial / k)) : S(1);
+    e.axis[1] = holds_l ? S(N * M(mu.lateral / k)) : S(1);
+  } else {
+    e.axis[0] = S(law.axial_length), e.axis[1] = S(law.lateral_length);
+    if (law.spring == FrictionSpring::elliptic && law.back == FrictionReturn::associated) {
+      if (holds_a) e.stiffness[0] = S(mu.axial / law.axial_length);
+      if (holds_l) e.stiffness[1] = S(mu.lateral / law.lateral_length);
     }
-    r.slip = a * sa + l * sl;
+  }
+  r.slides = e.come_back(law.back);
+  r.slip = a * e.slip[0] + l * e.slip[1];
+  if (k > 0) {
     r.force = r.slip * S(-k);
-    return r;
+  } else if (law.spring == FrictionSpring::elliptic) {
+    const S ka = N * M(mu.axial / law.axial_length), kl = N * M(mu.lateral / law.lateral_length);
+    r.force = a * S(-(ka * e.slip[0])) + l * S(-(kl * e.slip[1]));
+  } else {
+    const S s2 = e.slip[0] * e.slip[0] + e.slip[1] * e.slip[1];
+    // R/|s| has no limit at zero slip: that of an axial one is as good as any.
+    const S spring = s2 > 0.0 ? S(N * sqrt(S(e.square() / s2))) : S(N * (1 / law.axial_length));
+    r.force = a * S(-(spring * mu.axial * e.slip[0])) + l * S(-(spring * mu.lateral * e.slip[1]));
   }
-  const S ra = sa / law.axial_length, rl = sl / law.lateral_length;
-  const S r2 = ra * ra + rl * rl, s2 = sa * sa + sl * sl;
-  if (!(s2 > 0.0)) {
-    r.force = (a * S(sa * law.axial) + l * S(sl * law.lateral)) * S(N * (-1 / law.axial_length));
-    return r;
-  }
-  r.slides = r2 > 1.0;
-  const S spring = r.slides ? S(N / sqrt(s2)) : S(N * sqrt(S(r2 / s2)));
-  r.force = a * S(sa * spring * (-law.axial)) + l * S(sl * spring * (-law.lateral));
-  const S shrink = r.slides ? S(S(1) / sqrt(r2)) : S(1);
-  r.slip = a * S(sa * shrink) + l * S(sl * shrink);
   return r;
+}
+
+// With the coefficients at rest.
+template <class S>
+Friction<S> friction(const FrictionLaw& law, const S& N, const Vector3<S>& slip, const Vector3<S>& normal,
+                     const Vec3& tangent) {
+  return friction<S, double>(law, {law.axial, law.lateral}, N, slip, normal, tangent);
 }
 
 }  // namespace hawser

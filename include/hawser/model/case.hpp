@@ -3,12 +3,15 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "hawser/geometry/primitive_shape.hpp"
+#include "hawser/kernels/force_table.hpp"
+#include "hawser/kernels/friction_law.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser::model {
@@ -64,9 +67,14 @@ struct Body {
 enum class StiffnessBasis { automatic, per_point, per_length, per_area };
 
 struct Friction {
-  double axial = 0, lateral = 0;   // Coulomb coefficients
-  double mobilisation_length = 0;  // m; 0: default of 1 % of the contact diameter
-  double shear_stiffness = 0;      // same basis as the normal stiffness; 0: use mobilisation_length
+  double axial = 0, lateral = 0;           // Coulomb coefficients, at rest
+  double mobilisation_length = 0;          // m, axial; 0: default of 1 % of the contact diameter
+  double shear_stiffness = 0;              // same basis as the normal stiffness; 0: use mobilisation_length
+  double lateral_mobilisation_length = 0;  // m; 0: as the axial one
+  double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients of fast sliding
+  double blend_speed = 0;                         // m/s; 0: always those at rest
+  FrictionReturn back = FrictionReturn::radial;
+  FrictionSpring spring = FrictionSpring::elliptic;
 };
 
 struct Box {
@@ -82,9 +90,11 @@ struct Volume {
   std::optional<Box> active_box;   // only triangles with all corners inside take part
   std::string active_part;         // name of a mesh part (OBJ group, STL solid); empty: all
   StiffnessBasis basis = StiffnessBasis::automatic;
-  double normal_stiffness = 0;  // N/m, N/m² or N/m³ by basis
-  double smoothing = 0;         // m, half width of the C1 ramp; 0: default
-  double relative_damping = 0;  // zeta of the contact spring
+  double normal_stiffness = 0;  // N/m, N/m² or N/m³ by basis; of a table its largest slope
+  std::shared_ptr<const ForceTable> force_table;  // N, N/m or N/m² by basis; null: by stiffness
+  double allowed_penetration = 0;                 // m, of an automatic stiffness; 0: default
+  double smoothing = -1;                          // m, half width of the C1 ramp; 0: linear law; < 0: default
+  double relative_damping = 0;                    // zeta of the contact spring
   Friction friction;
 };
 

@@ -29,14 +29,6 @@ struct Penetration {
   double time = 0;  // s
 };
 
-// A stiffness per length [N/m²] when none is given, and why it is what it is.
-struct AutomaticStiffness {
-  double per_length = 0;
-  std::string reason;
-};
-// radius [m], weight per length [N/m], length [m] and EA [N] of the heaviest line that can meet the volume.
-AutomaticStiffness automatic_contact_stiffness(double radius, double weight, double length, double EA);
-
 // What an accepted step leaves at a place of contact, body frame. Forces are N at a node, N/m along a line.
 struct ContactHistory {
   Vec3 slip = Vec3::Zero(), normal = Vec3::UnitZ();    // m, -

@@ -1,0 +1,35 @@
+// A contact stiffness when the case gives none, and the words that say why.
+#pragma once
+
+#include <string>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser {
+
+struct StiffnessDemand {
+  double radius = 0;               // m, half the contact diameter
+  double weight = 0;               // N/m, of the line
+  double length = 0;               // m, of the line
+  double EA = 0;                   // N
+  double bend = 0;                 // m, smallest radius the axis is bent to; 0: not known
+  double allowed_penetration = 0;  // m; 0: 0.5 % of the radius
+};
+
+struct AutomaticStiffness {
+  double per_length = 0;  // N/m²
+  std::string reason;     // for the user, no full stop
+};
+
+// Lets the line's own weight and its hanging tension, bent to the radius, press in by what is allowed. Where
+// that radius is not known it is taken as the larger of 1 m and the line's; very light lines use 1e-4 EA.
+AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d);
+
+// m, radius to which a shape bends the axis of a line of this radius that lies on it, at most 10 m (no line
+// is free of bends, on a plane neither); 0 for a mesh or a box: not known.
+double bending_radius(const model::Volume& v, double line_radius);
+
+// s, of a line that bounces on a spring of stiffness k [N/m²] with its mass per length [kg/m].
+double contact_period(double stiffness, double mass_per_length);
+
+}  // namespace hawser

@@ -1,0 +1,61 @@
+#include "hawser/terms/contact_stiffness.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <type_traits>
+#include <variant>
+
+namespace hawser {
+namespace {
+
+constexpr double kLeast = 1, kMost = 10;  // m, of the radius of bending
+
+std::string number(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", v);
+  return text;
+}
+
+}  // namespace
+
+AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
+  const double hanging = d.weight * d.length, tension = std::max(hanging, 1e-4 * d.EA);
+  const double bend = d.bend > 0 ? d.bend : std::max(d.radius, kLeast);
+  const double allowed = d.allowed_penetration > 0 ? d.allowed_penetration : 0.005 * d.radius;
+  const double pressure = d.weight + tension / bend;
+  return {pressure / allowed,
+          "a tension of " + number(tension) + " N (" +
+              (hanging >= 1e-4 * d.EA ? "the line's weight" : "1e-4 of its EA, more than its weight") +
+              ") bent to a radius of " + number(bend) + " m (" +
+              (d.bend >= kMost ? "no larger one is trusted"
+               : d.bend > 0    ? "that of the shape"
+                               : "as that of the volume is not known") +
+              ") and the line's weight of " + number(d.weight) + " N/m press in by " +
+              (d.allowed_penetration > 0 ? "the allowed " : "0.5 % of the line's radius, ") +
+              number(allowed) + " m"};
+}
+
+double bending_radius(const model::Volume& v, double line_radius) {
+  if (!v.shape) return 0;
+  const double radius = std::visit(
+      [](const auto& s) {
+        using Shape = std::decay_t<decltype(s)>;
+        if constexpr (std::is_same_v<Shape, PlaneShape>)
+          return kMost;
+        else if constexpr (std::is_same_v<Shape, BoxShape>)
+          return 0.0;
+        else if constexpr (std::is_same_v<Shape, TorusShape>)
+          return s.tube_radius;
+        else
+          return s.radius;
+      },
+      *v.shape);
+  return radius > 0 ? std::min(radius + line_radius, kMost) : 0;
+}
+
+double contact_period(double stiffness, double mass_per_length) {
+  return 2 * M_PI * std::sqrt(mass_per_length / stiffness);
+}
+
+}  // namespace hawser
