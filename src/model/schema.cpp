@@ -274,7 +274,8 @@ Key volumes() {
                        "as `auto`, for this penetration instead of 0.5 % of the line's radius")
                     .above(0),
                 list("table", list("", number("", none), "").items(2, 2),
-                     "force against penetration, `[[penetration, force], ...]`: a monotone cubic from no force "
+                     "force against penetration, `[[penetration, force], ...]`: a monotone cubic from no "
+                     "force "
                      "at no penetration through the rows, straight beyond the last")
                     .items(1),
                 word(

@@ -289,7 +289,7 @@ TEST(CaseReader, ContactLaws) {
   const Case c = read(std::string(kTypes) + R"(volumes:
   deck: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}},
          normal_stiffness: {table: [[0.001, 100], [0.02, 5e3]], per: area},
-         friction: {axial: 0.5, lateral: 0.7, kinetic: {axial: 0.3, lateral: 0.4}, blend_speed: 10 mm/s,
+         friction: {axial: 0.5, lateral: 0.7, kinetic: {axial: 0.3, lateral: 0.4}, blend_speed: 0.01,
                     mobilisation_length: {axial: 5 mm, lateral: 0.02}, return: associated, stick: michalopoulos}}
   wall: {shape: {plane: {point: [0, 0, 0], normal: [1, 0, 0]}}, smoothing: 0,
          normal_stiffness: {allowed_penetration: 4 mm}, friction: {axial: 0.5, kinetic: 0.3, blend_speed: 1}}
