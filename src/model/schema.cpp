@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "schema_build.hpp"
+
 namespace hawser::model {
 
 Key&& Key::is_required() && { return required = true, std::move(*this); }
@@ -20,68 +22,9 @@ Key&& Key::either(std::vector<Group> g, bool needed) && {
   return std::move(*this);
 }
 
+using namespace schema_build;
+
 namespace {
-
-using Type = Key::Type;
-using enum Dimension;
-
-Key make(Type type, std::string name, std::string about) {
-  Key k;
-  k.type = type;
-  k.name = std::move(name);
-  k.about = std::move(about);
-  return k;
-}
-
-Key number(std::string name, Dimension unit, std::string about = "") {
-  Key k = make(Type::number, std::move(name), std::move(about));
-  k.unit = unit;
-  return k;
-}
-Key vec3(std::string name, Dimension unit, std::string about = "") {
-  Key k = make(Type::vec3, std::move(name), std::move(about));
-  k.unit = unit;
-  return k;
-}
-Key integer(std::string name, std::string about) {
-  return make(Type::integer, std::move(name), std::move(about));
-}
-Key boolean(std::string name, std::string about = "") {
-  return make(Type::boolean, std::move(name), std::move(about));
-}
-Key text(std::string name, std::string about) { return make(Type::text, std::move(name), std::move(about)); }
-Key word(std::string name, std::vector<std::string> words, std::string about = "") {
-  Key k = make(Type::word, std::move(name), std::move(about));
-  k.words = std::move(words);
-  return k;
-}
-Key reference(std::string name, std::string to, std::string about = "") {
-  Key k = make(Type::reference, std::move(name), std::move(about));
-  k.refers = std::move(to);
-  return k;
-}
-Key list(std::string name, Key item, std::string about) {
-  Key k = make(Type::list, std::move(name), std::move(about));
-  k.keys.push_back(std::move(item));
-  return k;
-}
-Key map(std::string name, std::vector<Key> keys, std::string about) {
-  Key k = make(Type::map, std::move(name), std::move(about));
-  k.keys = std::move(keys);
-  return k;
-}
-Key names(std::string name, Key item, std::string about) {
-  Key k = make(Type::names, std::move(name), std::move(about));
-  k.keys.push_back(std::move(item));
-  return k;
-}
-Key one_of(std::string name, std::vector<Key> alternatives, std::string about) {
-  Key k = make(Type::one_of, std::move(name), std::move(about));
-  k.keys = std::move(alternatives);
-  return k;
-}
-
-constexpr const char* kZero = "[0, 0, 0]";
 
 Key line_types() {
   return names("line_types",
@@ -168,164 +111,6 @@ Key bodies() {
                     vec3("rotation_deg", angle, "rotation vector at t = 0").or_else(kZero), motion()},
                    ""),
                "Rigid bodies that carry volumes and line ends, by name.")
-      .or_else("{}");
-}
-
-Key friction() {
-  return one_of(
-             "friction",
-             {number("", none).at_least(0).at_most(10),
-              map("",
-                  {number("axial", none, "Coulomb coefficient along the line")
-                       .at_least(0)
-                       .at_most(10)
-                       .is_required(),
-                   number("lateral", none, "Coulomb coefficient across the line")
-                       .at_least(0)
-                       .at_most(10)
-                       .or_else_note("`axial`"),
-                   one_of("kinetic",
-                          {number("", none).at_least(0).at_most(10),
-                           map("",
-                               {number("axial", none, "along the line").at_least(0).at_most(10).is_required(),
-                                number("lateral", none, "across the line")
-                                    .at_least(0)
-                                    .at_most(10)
-                                    .or_else_note("`axial`")},
-                               "")},
-                          "coefficients of fast sliding, those above being of rest; needs `blend_speed`")
-                       .or_else_note("as at rest"),
-                   number("blend_speed", velocity,
-                          "speed v0 at which 1/e of the difference between rest and `kinetic` is left; it "
-                          "goes with exp(-(v/v0)²)")
-                       .above(0),
-                   one_of("mobilisation_length",
-                          {number("", length).above(0),
-                           map("",
-                               {number("axial", length, "along the line").above(0).is_required(),
-                                number("lateral", length, "across the line").above(0).is_required()},
-                               "")},
-                          "slip at which friction is fully there")
-                       .or_else_note("1 % of the contact diameter"),
-                   number("shear_stiffness", none,
-                          "stiffness of the stick spring, in the unit of `normal_stiffness`")
-                       .above(0)
-                       .or_else_note("from `mobilisation_length`"),
-                   word("return", {"radial", "associated"},
-                        "where a slip beyond the slip ellipse comes back to: in its own direction, or to the "
-                        "nearest point in the energy of the stick springs")
-                       .or_else("radial"),
-                   word(
-                       "stick", {"elliptic", "michalopoulos"},
-                       "with mobilisation lengths: a spring each way, whose closed paths take no work, or "
-                       "the law of OMAE2006-92155 (Michalopoulos 1986), which is that only for equal lengths")
-                       .or_else("elliptic")},
-                  "")
-                  .either({{{"mobilisation_length"}, {}}, {{"shear_stiffness"}, {}}}, false)},
-             "one coefficient for all directions, or more")
-      .or_else("0");
-}
-
-Key shape() {
-  const auto radius = [](std::string about) {
-    return number("radius", length, std::move(about)).above(0).is_required();
-  };
-  const auto point = [](std::string name, std::string about) {
-    return vec3(std::move(name), length, std::move(about)).is_required();
-  };
-  std::vector<Key> kinds = {
-      map("plane",
-          {point("point", "any point of it"),
-           vec3("normal", none, "out of the solid; its length does not matter").is_required()},
-          "everything below a plane"),
-      map("box",
-          {point("centre", "centre"), vec3("size", length, "whole sides").above(0).is_required(),
-           vec3("rotation_deg", angle, "rotation vector of its sides").or_else(kZero)},
-          "sides along the axes of the body, unless turned"),
-      map("sphere", {point("centre", "centre"), radius("radius")}, "sphere"),
-      map("cylinder",
-          {point("from", "centre of one end"), point("to", "centre of the other"), radius("radius")},
-          "closed by flat ends"),
-      map("capsule",
-          {point("from", "one end of the axis"), point("to", "the other"), radius("radius, of the ends too")},
-          "cylinder with round ends"),
-      map("torus",
-          {point("centre", "centre"), vec3("axis", none, "direction of the axis").is_required(),
-           radius("of the circle in the middle of the tube"),
-           number("tube_radius", length, "of the tube, below `radius`").above(0).is_required()},
-          "ring")};
-  std::vector<Group> groups;
-  for (const Key& k : kinds) groups.push_back({{k.name}, {k.name}});
-  return map("shape", std::move(kinds), "instead of a mesh: an exact smooth shape, in the body's frame")
-      .either(std::move(groups), true);
-}
-
-Key volumes() {
-  Key stiffness =
-      one_of(
-          "normal_stiffness",
-          {word("", {"auto"}),
-           map("",
-               {number("per_point", point_stiffness, "of each node in contact").above(0),
-                number("per_length", line_stiffness, "per length of line in contact").above(0),
-                number("per_area", area_stiffness, "per projected area (length times contact diameter)")
-                    .above(0),
-                number("allowed_penetration", length,
-                       "as `auto`, for this penetration instead of 0.5 % of the line's radius")
-                    .above(0),
-                list("table", list("", number("", none), "").items(2, 2),
-                     "force against penetration, `[[penetration, force], ...]`: a monotone cubic from no "
-                     "force "
-                     "at no penetration through the rows, straight beyond the last")
-                    .items(1),
-                word(
-                    "per", {"point", "length", "area"},
-                    "what the forces of the table are of: N of a node, N/m of line, N/m² of projected area")},
-               "")
-               .either({{{"per_point"}, {}},
-                        {{"per_length"}, {}},
-                        {{"per_area"}, {}},
-                        {{"allowed_penetration"}, {}},
-                        {{"table", "per"}, {"table", "per"}}},
-                       true)},
-          "penalty against penetration")
-          .or_else("auto");
-  Key active = one_of("active",
-                      {text("", ""), map("",
-                                         {list("box", vec3("", length),
-                                               "`[[x, y, z], [x, y, z]]`: lower and upper corner, in "
-                                               "the body's frame")
-                                              .items(2, 2)
-                                              .is_required()},
-                                         "")},
-                      "the part of the mesh that takes part in contact: name of a part (OBJ group, STL "
-                      "solid), or the triangles "
-                      "with all corners in a box")
-                   .or_else_note("all");
-  return names(
-             "volumes",
-             map("<volume>",
-                 {text(
-                      "mesh",
-                      "closed triangle mesh (STL, OBJ or PLY), relative to the case file; this or `shape` is "
-                      "needed"),
-                  shape(),
-                  number("scale", none, "mesh units to m: 0.001 for a mesh in mm").above(0).or_else("1"),
-                  reference("body", "bodies", "body it is fixed to; mesh and shape are in the body's frame")
-                      .or_else_note("none: fixed in space"),
-                  std::move(active), std::move(stiffness),
-                  number("smoothing", length,
-                         "half width of the smooth start of the contact force; 0: linear from the touch on")
-                      .at_least(0)
-                      .or_else_note("chosen by the program"),
-                  number("relative_damping", none, "damping of the contact spring over its critical damping")
-                      .at_least(0)
-                      .at_most(2)
-                      .or_else("0"),
-                  friction()},
-                 "")
-                 .either({{{"mesh", "scale", "active"}, {"mesh"}}, {{"shape"}, {"shape"}}}, true),
-             "Volumes that lines must not enter, by name.")
       .or_else("{}");
 }
 

@@ -11,7 +11,6 @@
 #include "hawser/math/so3.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/system.hpp"
-#include "hawser/terms/contact_stiffness.hpp"
 
 namespace hawser {
 namespace {
@@ -481,27 +480,6 @@ TEST(VolumeContact, StiffnessByBasis) {
   EXPECT_THROW(VolumeContact(m.local, nullptr, {v}, {kNode}), std::invalid_argument);
   v.body = 0;
   EXPECT_THROW(VolumeContact(m.local, nullptr, {v}, {kNode, kNode}), std::invalid_argument);
-  // A hose of 250 m, 273.4 kg/m, 0.85 m: its hanging tension bent to 1 m presses in by 0.5 % of its radius.
-  const double weight = 273.4 * 9.80665;
-  StiffnessDemand d{0.425, weight, 250, 9.505e8, 0, 0};
-  const AutomaticStiffness a = automatic_contact_stiffness(d);
-  EXPECT_NEAR(a.per_length * 0.005 * 0.425, weight * 251, 1e-6);
-  EXPECT_NE(a.reason.find("weight"), std::string::npos);
-  // Round the drum of a reel, 1 cm allowed.
-  model::Volume drum;
-  drum.shape = CylinderShape{Vec3::Zero(), Vec3::UnitY(), 3.6};
-  d.bend = bending_radius(drum, d.radius), d.allowed_penetration = 0.01;
-  EXPECT_EQ(d.bend, 4.025);
-  const AutomaticStiffness b = automatic_contact_stiffness(d);
-  EXPECT_NEAR(b.per_length * 0.01, weight * (1 + 250 / 4.025), 1e-6);
-  EXPECT_NE(b.reason.find("that of the shape"), std::string::npos);
-  EXPECT_NE(b.reason.find("allowed 0.01 m"), std::string::npos);
-  drum.shape = PlaneShape{};
-  EXPECT_EQ(bending_radius(drum, d.radius), 10);
-  drum.shape = BoxShape{};
-  EXPECT_EQ(bending_radius(drum, d.radius), 0);
-  // 273.4 kg on 1e6 N/m.
-  EXPECT_NEAR(contact_period(1e6, 273.4), 0.10389, 1e-5);
 }
 
 }  // namespace

@@ -1,0 +1,77 @@
+// What the keys of a case file are put together from.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hawser/model/schema.hpp"
+
+namespace hawser::model::schema_build {
+
+using Type = Key::Type;
+using enum Dimension;
+
+inline Key make(Type type, std::string name, std::string about) {
+  Key k;
+  k.type = type;
+  k.name = std::move(name);
+  k.about = std::move(about);
+  return k;
+}
+
+inline Key number(std::string name, Dimension unit, std::string about = "") {
+  Key k = make(Type::number, std::move(name), std::move(about));
+  k.unit = unit;
+  return k;
+}
+inline Key vec3(std::string name, Dimension unit, std::string about = "") {
+  Key k = make(Type::vec3, std::move(name), std::move(about));
+  k.unit = unit;
+  return k;
+}
+inline Key integer(std::string name, std::string about) {
+  return make(Type::integer, std::move(name), std::move(about));
+}
+inline Key boolean(std::string name, std::string about = "") {
+  return make(Type::boolean, std::move(name), std::move(about));
+}
+inline Key text(std::string name, std::string about) {
+  return make(Type::text, std::move(name), std::move(about));
+}
+inline Key word(std::string name, std::vector<std::string> words, std::string about = "") {
+  Key k = make(Type::word, std::move(name), std::move(about));
+  k.words = std::move(words);
+  return k;
+}
+inline Key reference(std::string name, std::string to, std::string about = "") {
+  Key k = make(Type::reference, std::move(name), std::move(about));
+  k.refers = std::move(to);
+  return k;
+}
+inline Key list(std::string name, Key item, std::string about) {
+  Key k = make(Type::list, std::move(name), std::move(about));
+  k.keys.push_back(std::move(item));
+  return k;
+}
+inline Key map(std::string name, std::vector<Key> keys, std::string about) {
+  Key k = make(Type::map, std::move(name), std::move(about));
+  k.keys = std::move(keys);
+  return k;
+}
+inline Key names(std::string name, Key item, std::string about) {
+  Key k = make(Type::names, std::move(name), std::move(about));
+  k.keys.push_back(std::move(item));
+  return k;
+}
+inline Key one_of(std::string name, std::vector<Key> alternatives, std::string about) {
+  Key k = make(Type::one_of, std::move(name), std::move(about));
+  k.keys = std::move(alternatives);
+  return k;
+}
+
+inline constexpr const char* kZero = "[0, 0, 0]";
+
+Key volumes();  // with their shapes, contact laws and friction
+
+}  // namespace hawser::model::schema_build
