@@ -41,6 +41,11 @@ AxisShape::Weights AxisShape::derivatives(double z) const {
   return {-6 * z + 6 * z2, 1 - 4 * z + 3 * z2, 6 * z - 6 * z2, 3 * z2 - 2 * z};
 }
 
+AxisShape::Weights AxisShape::second_derivatives(double z) const {
+  if (count_ == 2) return {0, 0, 0, 0};
+  return {-6 + 12 * z, -4 + 6 * z, 6 - 12 * z, 6 * z - 2};
+}
+
 Vec3 AxisShape::combine(const Weights& w, const std::array<Vec3, kMost>& v) const {
   Vec3 s = w[0] * v[0] + w[1] * v[1];
   if (count_ == 4) s += w[2] * v[2] + w[3] * v[3];

@@ -1,5 +1,8 @@
 #include "hawser/terms/contact.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace hawser {
@@ -40,6 +43,18 @@ ContactLaw Contact::law(const model::Volume& v, double share, double diameter, d
   law.friction.lateral_kinetic = v.friction.lateral_kinetic;
   law.friction.blend_speed = v.friction.blend_speed;
   return law;
+}
+
+double Contact::trusted_step(const NormalLaw& law, double mass, double radius, double gap, double closing) {
+  double h = std::numeric_limits<double>::infinity();
+  const double away = std::max(gap, 0.0);
+  if (closing > 0) h = (away + 0.5 * radius) / closing;
+  const double slowness = std::sqrt(mass / law.stiffness);  // s, 1/omega
+  // The default ramp is as wide; a linear spring has none.
+  if (std::abs(closing) * slowness <= std::max(law.smoothing, 0.002 * radius)) return h;
+  const double sixth = 2 * M_PI / 6 * slowness;
+  if (gap < 0) return std::min(h, sixth);
+  return closing > 0 ? std::min(h, away / closing + sixth) : h;
 }
 
 void Contact::pose_bodies(double time, std::vector<RigidPose>& poses) const {

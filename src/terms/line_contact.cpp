@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hawser/math/so3.hpp"
 
@@ -74,6 +75,30 @@ void LineContact::prepare(const Kinematics& committed, double h) {
   }
 }
 
+double LineContact::longest_step(const Kinematics&) const {
+  double h = std::numeric_limits<double>::infinity();
+  for (const Pair& pair : pairs_) {
+    const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
+    const RigidPose& pose = start_poses_[body(pair.volume)];
+    const Quat back = pose.rotation.conjugate();
+    const auto velocity = [&](double xi) -> Vec3 {
+      return back * (pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi)));
+    };
+    const auto cap = [&](double gap, double closing) {
+      h = std::min(h, trusted_step(pair.law.normal, element.mass_per_length, element.radius, gap, closing));
+    };
+    for (const Point& p : pair.history) cap(p.gap - pair.law.normal.smoothing, -p.normal.dot(velocity(p.xi)));
+    for (const double xi : {0.0, 0.5, 1.0}) {
+      const Vec3 v = velocity(xi);
+      // Look ahead as far as it gets in half a second.
+      const auto p = volumes_[static_cast<size_t>(pair.volume)].surface->query(
+          pose.to_body(pair.start.point(xi)), pair.touch + 0.5 * (pair.start.reach() + v.norm()), pair.hint);
+      if (p) cap(p->distance - pair.touch, -p->normal.dot(v));
+    }
+  }
+  return h;
+}
+
 std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& shape,
                                                 const RigidPose& pose) const {
   const double reach = shape.reach();
@@ -126,13 +151,21 @@ LineContact::Origin LineContact::origin(Pair& pair, double xi) const {
 }
 
 // Slip is interpolated between the Gauss points of one stretch. Material that did not touch has none.
-ContactStart LineContact::start(const Pair& pair, const Origin& from, double xi) const {
+ContactStart LineContact::start(const Pair& pair, const Origin& from, ContactRates* rates) const {
   const RigidPose& pose = start_poses_[body(pair.volume)];
+  const Quat back = pose.rotation.conjugate();
   ContactStart s;
-  s.point = pose.to_body(pair.start.point(xi));
-  s.tangent = (pose.rotation.conjugate() * pair.start.slope(xi)).normalized();
+  s.point = pose.to_body(pair.start.point(from.xi));
+  const Vec3 slope = back * pair.start.slope(from.xi);
+  s.tangent = slope.normalized();
+  if (rates) {
+    rates->start_point = slope;
+    const Vec3 bend = back * pair.start.bend(from.xi);
+    rates->start_tangent = (bend - s.tangent * s.tangent.dot(bend)) / slope.norm();
+  }
   if (!from.touched) {
-    s.gap = from.gap + from.gradient.dot(s.point - pose.to_body(pair.start.point(from.xi)));
+    s.gap = from.gap;
+    if (rates) rates->start_gap = from.gradient.dot(slope);
     return s;
   }
   const auto after =
@@ -145,10 +178,10 @@ ContactStart LineContact::start(const Pair& pair, const Origin& from, double xi)
     s.slip = p.slip, s.normal = p.normal;
     return s;
   }
-  const double t = (xi - a->xi) / (b->xi - a->xi);
-  s.normal = ((1 - t) * a->normal + t * b->normal).normalized();
-  s.slip = (1 - t) * transport_slip<double>(a->slip, a->normal, s.normal) +
-           t * transport_slip<double>(b->slip, b->normal, s.normal);
+  const double gap = b->xi - a->xi, t = (from.xi - a->xi) / gap;
+  const SlipBetween between = slip_between(a->slip, a->normal, b->slip, b->normal, t, rates != nullptr);
+  s.slip = between.slip, s.normal = between.normal;
+  if (rates) rates->start_slip = between.slip_by_t / gap, rates->start_normal = between.normal_by_t / gap;
   return s;
 }
 
@@ -161,8 +194,7 @@ struct LineContact::Moving {
   std::array<Vec3, AxisShape::kMost> force{};  // dF_j / ds
 };
 
-// Adds the forces of one panel. The tangent is exact, moving ends included: of the Gauss points' places the
-// force is differenced along the axis, where all it depends on is known.
+// Adds the forces of one panel. The tangent is exact, moving ends included.
 void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, const ContactStretch& s,
                         bool moves, const Sink& sink, AxisShape::Generalised& g) const {
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
@@ -170,6 +202,7 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
   const ContactLaw laws = applied(pair.law);
   const size_t n = static_cast<size_t>(shape.count());
   const Mat3 R = pose.rotation.toRotationMatrix();
+  const Quat back = pose.rotation.conjugate();
   // Relative velocity in the body frame: u = R'(v - V) - omega x y.
   const Mat3 spin = hat(pose.rotation.conjugate() * pose.angular_velocity);
   Moving ends[2];
@@ -194,7 +227,11 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
     if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
     Origin from;
     ContactStart begin;
-    if (laws.friction.active()) from = origin(pair, xi), begin = start(pair, from, xi);
+    ContactRates rates;
+    if (laws.friction.active()) {
+      from = origin(pair, xi);
+      begin = start(pair, from, ends[0].on || ends[1].on ? &rates : nullptr);
+    }
     const PointContact c = volume_contact(laws, begin, trial, tangent);
     if (!(c.normal.force > 0)) continue;
     const AxisShape::Weights H = shape.functions(xi);
@@ -210,20 +247,10 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
       }
     if (!ends[0].on && !ends[1].on) continue;
 
-    const auto along = [&](double e) {
-      ContactTrial t = trial;
-      const Vec3 x = shape.point(xi + e);
-      t.point = pose.to_body(x);
-      const Vec3 d = t.point - trial.point, turn = trial.curvature * d;
-      t.gap += trial.normal.dot(d) + 0.5 * d.dot(turn);
-      t.normal = (trial.normal + turn).normalized();
-      if (moves) t.velocity = pose.rotation.conjugate() * (shape.velocity(xi + e) - pose.velocity_at(x));
-      ContactStart b;
-      if (laws.friction.active()) b = start(pair, from, xi + e);
-      return Vec3(R * volume_contact(laws, b, t, false).force);
-    };
-    constexpr double e = 1e-5;
-    const Vec3 slope = -(along(e) - along(-e)) / (2 * e);
+    rates.point = back * shape.slope(xi);
+    if (moves)
+      rates.velocity = back * (shape.velocity_slope(xi) - pose.angular_velocity.cross(shape.slope(xi)));
+    const Vec3 slope = -(R * contact_force_along(laws, begin, trial, rates));
     const AxisShape::Weights dH = shape.derivatives(xi);
     for (size_t i = 0; i < 2; ++i) {
       if (!ends[i].on) continue;

@@ -54,7 +54,7 @@ void LineContact::commit(const Kinematics& accepted) {
         ContactTrial at;
         if (!sample(pair, shape, pose, xi, accepted.step > 0, at)) continue;
         ContactStart begin;
-        if (laws.friction.active()) begin = start(pair, origin(pair, xi), xi);
+        if (laws.friction.active()) begin = start(pair, origin(pair, xi));
         const PointContact c = volume_contact(laws, begin, at, false);
         if (!(c.normal.elastic > 0)) continue;
         Point p(c, at.normal);

@@ -62,10 +62,9 @@ double VolumeContact::longest_step(const Kinematics& committed) const {
     // Look ahead as far as the node gets in half a second.
     const auto p = volumes_[k].surface->query(pose.to_body(committed.x[n]),
                                               pair.touch + 0.5 * (element_[n] + speed), pair.hint);
-    const double closing = p ? -p->normal.dot(v) : 0;
-    if (closing <= 0) continue;
-    const double radius = nodes_[n].radius;
-    h = std::min(h, (std::max(p->distance - radius, 0.0) + 0.5 * radius) / closing);
+    if (!p) continue;
+    h = std::min(h, trusted_step(pair.law.normal, nodes_[n].mass, nodes_[n].radius, p->distance - pair.touch,
+                                 -p->normal.dot(v)));
   }
   return h;
 }

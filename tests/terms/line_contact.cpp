@@ -174,6 +174,39 @@ TEST(LineContact, OneElementOnARisingPlane) {
   }
 }
 
+// Steps end where something would be met too deep, follow an impact and leave what is laid down slowly alone.
+TEST(LineContact, StepsFollowImpacts) {
+  Mesh mesh;
+  mesh.nodes = {{0, 0, 1, false}, {0, 2, 1, false}};
+  mesh.elements = {{0, 0, 1, 0, 2, false}};
+  mesh.lines = {{0, 2, 0, 1, 2, "line"}};
+  const LocalMesh l = local_mesh(mesh, {0, 0}, 0, 1);
+  ContactVolume v;
+  v.surface = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ());
+  v.settings.basis = model::StiffnessBasis::per_length;
+  v.settings.normal_stiffness = 1e5;
+  v.settings.smoothing = 1e-3;
+  const double sixth = 2 * M_PI / 6 * std::sqrt(50 / 1e5), infinite = std::numeric_limits<double>::infinity();
+  const auto longest = [&](double gap, double down, double tilt = 0) {
+    LineContact term(l, nullptr, {v}, {{0.1, 50}});
+    State s(2);
+    s.x = {Vec3(0, 0, 0.101 + gap), Vec3(2, 0, 0.101 + gap + tilt)};
+    s.v = {Vec3(3, 0, -down), Vec3(3, 0, -down)};
+    term.prepare(s.view(0.1), 0.1);
+    if (gap < 0) term.commit(s.view(0.1)), term.prepare(s.view(0.1), 0.1);
+    return term.longest_step(s.view(0.1));
+  };
+  EXPECT_EQ(longest(0.2, 0), infinite);
+  EXPECT_EQ(longest(0.2, -1), infinite);
+  EXPECT_NEAR(longest(0.2, 0.5, 0.1), 0.2 / 0.5 + sixth, 1e-12);
+  EXPECT_NEAR(longest(0.2, 10), 0.2 / 10 + 0.05 / 10, 1e-12);
+  EXPECT_NEAR(longest(-0.01, 0.5), sixth, 1e-12);
+  EXPECT_NEAR(longest(-0.01, -0.5), sixth, 1e-12);  // on its way out
+  // 0.04 m/s goes 0.9 mm deep, less than the ramp.
+  EXPECT_NEAR(longest(0.2, 0.04), (0.2 + 0.05) / 0.04, 1e-12);
+  EXPECT_NEAR(longest(-0.01, 0.04), 0.05 / 0.04, 1e-12);
+}
+
 TEST(LineContact, RefusesWhatItCannotUse) {
   SuiteModel m;
   const LocalMesh& l = m.system->mesh();

@@ -70,6 +70,12 @@ class Contact : public ForceTerm {
     return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
   }
 
+  // Longest step, s, that can be trusted with a place of a line which is `gap` [m] from where forces begin
+  // (negative: beyond) and closes at `closing` [m/s]; m: its mass in the sense of law(). It may not get
+  // deeper than half its radius [m], and an impact is followed: where its inertia takes it deeper than the
+  // ramp of the law, a period 2 pi sqrt(m/k) of the contact has six steps.
+  static double trusted_step(const NormalLaw& law, double mass, double radius, double gap, double closing);
+
   // Space first, then the bodies in their order.
   void pose_bodies(double time, std::vector<RigidPose>& poses) const;
   size_t body(int volume) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hawser/kernels/axis_shape.hpp"
+#include "hawser/kernels/contact_along.hpp"
 #include "hawser/kernels/line_contact.hpp"
 #include "hawser/terms/contact.hpp"
 
@@ -28,6 +29,8 @@ class LineContact final : public Contact {
 
   std::string_view name() const override { return "line contact"; }
   void prepare(const Kinematics& committed, double h) override;
+  // As trusted_step says of the ends and the middle of each element and of what touches.
+  double longest_step(const Kinematics& committed) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
@@ -75,7 +78,8 @@ class LineContact final : public Contact {
   bool sample(Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi, bool moves,
               ContactTrial& trial, double within = 0) const;
   Origin origin(Pair& pair, double xi) const;
-  ContactStart start(const Pair& pair, const Origin& from, double xi) const;
+  // rates: of it along the axis, on request.
+  ContactStart start(const Pair& pair, const Origin& from, ContactRates* rates = nullptr) const;
   void panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, const ContactStretch& s, bool moves,
              const Sink& sink, AxisShape::Generalised& g) const;
   ContactLaw element_law(size_t element, const model::Volume& v) const;
