@@ -70,6 +70,7 @@ void LineContact::prepare(const Kinematics& committed, double h) {
       if (kept) {
         pair.history = std::move(old[known].history);
         pair.hint = old[known].hint;
+        pair.found = std::move(old[known].found);
       }
     }
   }
@@ -119,19 +120,41 @@ std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& sha
   return cut_stretches(contact_stretches(gap, reach, pair.levels), pair.levels);
 }
 
-bool LineContact::sample(Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi, bool moves,
-                         ContactTrial& trial, double within) const {
-  const size_t k = static_cast<size_t>(pair.volume);
+SurfacePoint LineContact::nothing() {
+  SurfacePoint p;
+  p.distance = std::numeric_limits<double>::max();
+  return p;
+}
+
+const LineContact::Found& LineContact::find(Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
+  Found& f = pair.found;
+  if (f.known && f.shape.same_axis(shape) && f.position == pose.position &&
+      f.rotation.coeffs() == pose.rotation.coeffs())
+    return f;
+  f.known = true, f.shape = shape, f.position = pose.position, f.rotation = pose.rotation;
+  f.panels = locate(pair, shape, pose);
+  f.points.clear();
+  const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
+  for (const ContactStretch& s : f.panels)
+    for (const double place : ContactRule::place()) {
+      const auto p =
+          surface.query(pose.to_body(shape.point(s.from + (s.to - s.from) * place)), pair.touch, pair.hint);
+      if (p) pair.hint = p->triangle;
+      f.points.push_back(p ? *p : nothing());
+    }
+  return f;
+}
+
+ContactTrial LineContact::trial(const Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi,
+                                bool moves, const SurfacePoint& p) const {
   const Vec3 x = shape.point(xi);
+  ContactTrial trial;
   trial.point = pose.to_body(x);
-  const auto p = volumes_[k].surface->query(trial.point, pair.touch + within, pair.hint);
-  if (!p) return false;
-  pair.hint = p->triangle;
-  trial.gap = p->distance - elements_[static_cast<size_t>(pair.element)].radius;
-  trial.normal = p->normal;
-  trial.curvature = p->curvature;
+  trial.gap = p.distance - elements_[static_cast<size_t>(pair.element)].radius;
+  trial.normal = p.normal;
+  trial.curvature = p.curvature;
   if (moves) trial.velocity = pose.rotation.conjugate() * (shape.velocity(xi) - pose.velocity_at(x));
-  return true;
+  return trial;
 }
 
 LineContact::Origin LineContact::origin(Pair& pair, double xi) const {
@@ -195,8 +218,10 @@ struct LineContact::Moving {
 };
 
 // Adds the forces of one panel. The tangent is exact, moving ends included.
-void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, const ContactStretch& s,
-                        bool moves, const Sink& sink, AxisShape::Generalised& g) const {
+void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, size_t panel, bool moves,
+                        const Sink& sink, AxisShape::Generalised& g) const {
+  const ContactStretch& s = pair.found.panels[panel];
+  const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
   const double L = length(pair.element), span = s.to - s.from;
   const ContactLaw laws = applied(pair.law);
@@ -209,9 +234,9 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
   for (size_t i = 0; i < 2 && tangent && !convex; ++i) {
     if (!(i ? s.to_moves : s.from_moves)) continue;
     const double xi = i ? s.to : s.from;
-    ContactTrial at;
-    if (!sample(pair, shape, pose, xi, false, at, 1e-9)) continue;
-    const Vec3 normal = R * at.normal;
+    const auto p = surface.query(pose.to_body(shape.point(xi)), pair.touch + 1e-9, pair.hint);
+    if (!p) continue;
+    const Vec3 normal = R * p->normal;
     const double slope = normal.dot(shape.slope(xi));
     if (std::abs(slope) < 1e-9 * shape.reach()) continue;
     ends[i].on = true;
@@ -222,8 +247,9 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
   for (size_t q = 0; q < ContactRule::kPoints; ++q) {
     const double place = ContactRule::place()[q], weight = ContactRule::weight()[q];
     const double xi = s.from + span * place, w = L * span * weight;
-    ContactTrial trial;
-    if (!sample(pair, shape, pose, xi, moves, trial)) continue;
+    const SurfacePoint& seen_there = pair.found.points[ContactRule::kPoints * panel + q];
+    if (!seen(pair, seen_there)) continue;
+    ContactTrial trial = this->trial(pair, shape, pose, xi, moves, seen_there);
     if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
     Origin from;
     ContactStart begin;
@@ -271,10 +297,10 @@ void LineContact::evaluate(const Kinematics& trial, Sink& sink) {
   for (Pair& pair : pairs_) {
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = poses_[body(pair.volume)];
-    const std::vector<ContactStretch> panels = locate(pair, shape, pose);
-    if (panels.empty()) continue;
+    const size_t panels = find(pair, shape, pose).panels.size();
+    if (!panels) continue;
     AxisShape::Generalised g;
-    for (const ContactStretch& s : panels) panel(pair, shape, pose, s, trial.step > 0, sink, g);
+    for (size_t i = 0; i < panels; ++i) panel(pair, shape, pose, i, trial.step > 0, sink, g);
     std::fill(std::begin(f), std::end(f), 0.0);
     std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
     shape.to_nodes(g, f, nullptr, nullptr);

@@ -48,11 +48,14 @@ void LineContact::commit(const Kinematics& accepted) {
     const ContactLaw laws = applied(pair.law);
     std::vector<Point> next;
     Account& sum = accounts_[static_cast<size_t>(pair.element)];
-    for (const ContactStretch& s : locate(pair, shape, pose))
+    const Found& found = find(pair, shape, pose);
+    for (size_t i = 0; i < found.panels.size(); ++i)
       for (size_t q = 0; q < ContactRule::kPoints; ++q) {
+        const ContactStretch& s = found.panels[i];
         const double xi = s.from + (s.to - s.from) * ContactRule::place()[q];
-        ContactTrial at;
-        if (!sample(pair, shape, pose, xi, accepted.step > 0, at)) continue;
+        const SurfacePoint& there = found.points[ContactRule::kPoints * i + q];
+        if (!seen(pair, there)) continue;
+        const ContactTrial at = trial(pair, shape, pose, xi, accepted.step > 0, there);
         ContactStart begin;
         if (laws.friction.active()) begin = start(pair, origin(pair, xi));
         const PointContact c = volume_contact(laws, begin, at, false);
@@ -100,13 +103,15 @@ Energy LineContact::energy(const Kinematics& at) const {
     Pair pair = p;
     const AxisShape shape(ends(at, p.element));
     const RigidPose pose = bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time);
-    for (const ContactStretch& s : locate(pair, shape, pose))
+    const Found& found = find(pair, shape, pose);
+    const double radius = elements_[static_cast<size_t>(p.element)].radius;
+    for (size_t i = 0; i < found.panels.size(); ++i)
       for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-        ContactTrial trial;
-        if (!sample(pair, shape, pose, s.from + (s.to - s.from) * ContactRule::place()[q], false, trial))
-          continue;
+        const SurfacePoint& there = found.points[ContactRule::kPoints * i + q];
+        if (!seen(p, there)) continue;
+        const ContactStretch& s = found.panels[i];
         e.strain += length(p.element) * (s.to - s.from) * ContactRule::weight()[q] *
-                    normal_force(p.law.normal, trial.gap, 0).potential;
+                    normal_force(p.law.normal, there.distance - radius, 0).potential;
       }
   }
   for (size_t i = 0; i < accounts_.size(); ++i) {

@@ -37,6 +37,8 @@ class AxisShape {
   Vec3 bend(double xi) const { return combine(second_derivatives(xi), X_); }  // d²x/dxi², m
   Vec3 velocity(double xi) const { return combine(functions(xi), V_); }
   Vec3 velocity_slope(double xi) const { return combine(derivatives(xi), V_); }  // dv/dxi, m/s
+  // The same axis to the last bit, whatever its velocities.
+  bool same_axis(const AxisShape& o) const { return count_ == o.count_ && X_ == o.X_; }
   // A bound of |dx/dxi| over the element, m.
   double reach() const { return reach_; }
 

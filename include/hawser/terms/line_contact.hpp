@@ -52,6 +52,16 @@ class LineContact final : public Contact {
     double xi = 0, from = 0, to = 0;  // place; its panel: all of it touches
     double weight = 0, gap = 0;       // m
   };
+  // Where an axis touches: its panels, and the surface at their Gauss points (max() away: out of touch).
+  // Kept, since residual, tangent and commit ask for the same trial one after the other.
+  struct Found {
+    bool known = false;
+    AxisShape shape = nowhere();
+    Vec3 position;  // of the body
+    Quat rotation;
+    std::vector<ContactStretch> panels;
+    std::vector<SurfacePoint> points;
+  };
   struct Pair {
     int element = 0, volume = 0;
     double touch = 0;  // m, distance below which there is a force: radius + smoothing
@@ -64,6 +74,7 @@ class LineContact final : public Contact {
     Vec3 centre = Vec3::Zero();
     double clear = -1;
     int hint = -1;
+    Found found;
   };
   // Of a point that touches in the trial, at the start of the step: from the history, or where it came from.
   struct Origin {
@@ -75,12 +86,16 @@ class LineContact final : public Contact {
   class Gap;
 
   std::vector<ContactStretch> locate(Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  bool sample(Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi, bool moves,
-              ContactTrial& trial, double within = 0) const;
+  const Found& find(Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  static SurfacePoint nothing();
+  bool seen(const Pair& pair, const SurfacePoint& p) const { return p.distance <= pair.touch; }
+  // What contact asks of a point of the axis that sees p.
+  ContactTrial trial(const Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi, bool moves,
+                     const SurfacePoint& p) const;
   Origin origin(Pair& pair, double xi) const;
   // rates: of it along the axis, on request.
   ContactStart start(const Pair& pair, const Origin& from, ContactRates* rates = nullptr) const;
-  void panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, const ContactStretch& s, bool moves,
+  void panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, size_t panel, bool moves,
              const Sink& sink, AxisShape::Generalised& g) const;
   ContactLaw element_law(size_t element, const model::Volume& v) const;
   void account(Pair& pair, const AxisShape& shape, const std::vector<Point>& next);
