@@ -52,9 +52,20 @@ Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const
     slip += transport(start.slip, by.start_slip, start.normal, by.start_normal, normal);
   // The law turns with its arguments: seen from axes that turn with the line its tangent stands still.
   const Vec3 turn = start.tangent.cross(by.start_tangent), s = value(slip);
-  const Friction<Dual> f =
-      friction<Dual>(law.friction, dual(N.force, N_rate), dual(s, Vec3(rate(slip) - turn.cross(s))),
-                     dual(n, Vec3(n_rate - turn.cross(n))), start.tangent);
+  const auto seen = [&turn](const Vec3& v, const Vec3& v_rate) {
+    return dual(v, Vec3(v_rate - turn.cross(v)));
+  };
+  const Vector3<Dual> slip_there = seen(s, rate(slip)), normal_there = seen(n, n_rate);
+  const Dual force_there = dual(N.force, N_rate);
+  Friction<Dual> f;
+  if (law.friction.blends()) {
+    const Vector3<Dual> v = seen(trial.velocity, by.velocity);
+    const Vector3<Dual> along = v - normal_there * Dual(normal_there.dot(v));
+    const Coulomb<Dual> mu = coulomb_at<Dual>(law.friction, along.squaredNorm());
+    f = friction<Dual, Dual>(law.friction, mu, force_there, slip_there, normal_there, start.tangent);
+  } else {
+    f = friction<Dual>(law.friction, force_there, slip_there, normal_there, start.tangent);
+  }
   Vec3 force, by_xi;
   for (int c = 0; c < 3; ++c) force[c] = f.force[c].value(), by_xi[c] = f.force[c].derivatives()[0];
   return normal_part + by_xi + turn.cross(force);

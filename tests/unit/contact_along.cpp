@@ -18,6 +18,7 @@ struct Place {
 struct Situation {
   std::string name;
   double axial = 0.3, lateral = 0.3, stiffness = 0, slip = 1e-4, before = -1e-3;
+  double blend = 0;  // m/s
 };
 
 Place at(const Situation& s, double xi) {
@@ -53,12 +54,16 @@ TEST(ContactAlong, DerivativeOfTheForce) {
                            {"slides, anisotropic", 0.3, 0.6, 0, 0.05},
                            {"spring sticks", 0.3, 0.3, 2e4},
                            {"spring slides, anisotropic", 0.3, 0.6, 2e4, 0.2},
+                           {"slides at a speed", 0.3, 0.3, 0, 0.05, -1e-3, 0.4},
+                           {"slides at a speed, anisotropic", 0.3, 0.6, 2e4, 0.2, -1e-3, 0.4},
                            {"met in the step, sticks", 0.3, 0.3, 0, 1e-4, 0.02},
                            {"met in the step, slides, anisotropic", 0.3, 0.6, 0, 0.1, 0.02}};
   for (const Situation& s : all) {
     ContactLaw law;
     law.normal = {1e5, 1e-3, 300};
     law.friction.axial = s.axial, law.friction.lateral = s.lateral, law.friction.stiffness = s.stiffness;
+    law.friction.blend_speed = s.blend;
+    law.friction.axial_kinetic = 0.5 * s.axial, law.friction.lateral_kinetic = 0.6 * s.lateral;
     law.friction.axial_length = law.friction.lateral_length = 2e-3;
     for (const double xi : {0.3, 0.55}) {
       const auto rate = [xi](auto value) {

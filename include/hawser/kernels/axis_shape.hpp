@@ -33,7 +33,7 @@ class AxisShape {
   Weights derivatives(double xi) const;
   Weights second_derivatives(double xi) const;
   Vec3 point(double xi) const { return combine(functions(xi), X_); }
-  Vec3 slope(double xi) const { return combine(derivatives(xi), X_); }  // dx/dxi, m
+  Vec3 slope(double xi) const { return combine(derivatives(xi), X_); }        // dx/dxi, m
   Vec3 bend(double xi) const { return combine(second_derivatives(xi), X_); }  // d²x/dxi², m
   Vec3 velocity(double xi) const { return combine(functions(xi), V_); }
   Vec3 velocity_slope(double xi) const { return combine(derivatives(xi), V_); }  // dv/dxi, m/s

@@ -73,7 +73,7 @@ class Contact : public ForceTerm {
   // Longest step, s, that can be trusted with a place of a line which is `gap` [m] from where forces begin
   // (negative: beyond) and closes at `closing` [m/s]; m: its mass in the sense of law(). It may not get
   // deeper than half its radius [m], and an impact is followed: where its inertia takes it deeper than the
-  // ramp of the law, a period 2 pi sqrt(m/k) of the contact has six steps.
+  // ramp of the law and 0.2 % of the radius, a period 2 pi sqrt(m/k) of the contact has six steps.
   static double trusted_step(const NormalLaw& law, double mass, double radius, double gap, double closing);
 
   // Space first, then the bodies in their order.
