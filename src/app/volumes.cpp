@@ -18,7 +18,16 @@ LoadedVolume load_mesh(const model::Volume& v) {
   l.active = io::active_triangles(loaded.mesh, v);
   l.report = summary(loaded.report);
   l.notes = loaded.notes;
-  const auto surface = std::make_shared<MeshSurface>(std::move(loaded.mesh), l.active);
+  const auto surface = std::make_shared<MeshSurface>(std::move(loaded.mesh), l.active,
+                                                     MeshSurfaceOptions{v.smooth, v.crease_angle});
+  if (!v.smooth) {
+    l.report += " Facets are flat.";
+  } else if (surface->curved() == 0) {
+    l.report += " No facet is part of a curved surface.";
+  } else {
+    l.report += fmt::format(" {} facets are curved, by up to {:.3g} m; {} edges are sharp.",
+                            surface->curved(), surface->bulge(), surface->sharp_edges());
+  }
   l.surface = surface;
   l.facets = {surface, &surface->mesh()};
   return l;

@@ -8,58 +8,60 @@
 
 #include "coarse_distance.hpp"
 #include "hawser/geometry/point_in_polyhedron.hpp"
-#include "hawser/geometry/spatial_hash.hpp"
 #include "pseudonormals.hpp"
 
 namespace hawser {
 
+using detail::Facets;
+using detail::FacetSearch;
+
 struct MeshSurface::Data {
-  TriangleMesh mesh;
+  Facets facets;
   detail::Pseudonormals normals;
-  SpatialHash active, whole;  // whole is empty when all are active
+  FacetSearch active, whole;  // whole is empty when all are active
   bool partial = false;
   std::vector<bool> is_active;      // when partial
   std::vector<bool> border_vertex;  // when partial: touches active and inactive triangles
   detail::CoarseDistance coarse;
   Box bounds;
   double small = 0;  // m, lengths below are rounding or need a bound
+  int curved = 0, sharp = 0;
+  double bulge = 0;
 
-  const Vec3& corner(int t, int i) const {
-    return mesh.vertices[static_cast<std::size_t>(
-        mesh.triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)])];
-  }
-  ClosestPoint closest(int t, const Vec3& y) const {
-    ClosestPoint best = closest_point_on_triangle(y, corner(t, 0), corner(t, 1), corner(t, 2));
-    if (best.feature != Feature::face || !normals.face(t).isZero(0)) return best;
+  const TriangleMesh& mesh() const { return facets.mesh(); }
+  FacetSearch::Foot nearest(const FacetSearch& among, const Vec3& y, double max_distance, int hint) const {
+    FacetSearch::Foot best = among.nearest(facets, y, max_distance, hint);
+    const int t = best.triangle;
+    if (t < 0 || best.feature != Feature::face || !normals.face(t).isZero(0)) return best;
     // No area, so no face: the nearest of its edges.
     for (int i = 0; i < 3; ++i) {
-      ClosestPoint c = closest_point_on_segment(y, corner(t, i), corner(t, (i + 1) % 3));
+      ClosestPoint c = closest_point_on_segment(y, facets.corner(t, i), facets.corner(t, (i + 1) % 3));
       if (i > 0 && !(c.squared_distance < best.squared_distance)) continue;
       c.feature =
           c.feature == Feature::edge0 ? edge_feature(i) : vertex_feature((i + feature_index(c.feature)) % 3);
-      best = c;
+      static_cast<ClosestPoint&>(best) = c;
     }
     return best;
   }
   // Whether y is behind the surface at its closest point c.
-  bool behind(int t, const ClosestPoint& c, const Vec3& y, const Vec3& pseudonormal) const {
-    if (c.feature == Feature::face) return normals.face(t).dot(y - corner(t, 0)) < 0;
-    if (pseudonormal.isZero(0)) return winding_number(mesh, y) > 0.5;
+  bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
+    if (c.feature == Feature::face && !facets.curved(c.triangle))
+      return normals.face(c.triangle).dot(y - facets.corner(c.triangle, 0)) < 0;
+    if (pseudonormal.isZero(0)) return winding_number(mesh(), y) > 0.5;
     return pseudonormal.dot(y - c.point) < 0;
   }
   bool inside_whole(const Vec3& y, double bound, int hint) const {
-    const int t = whole.nearest(y, bound, hint).triangle;
-    if (t < 0) return winding_number(mesh, y) > 0.5;  // cannot be: `hint` is within the bound
-    const ClosestPoint c = closest(t, y);
-    return behind(t, c, y, normals.at(t, c.feature));
+    const FacetSearch::Foot c = nearest(whole, y, bound, hint);
+    if (c.triangle < 0) return winding_number(mesh(), y) > 0.5;  // cannot be: `hint` is within the bound
+    return behind(c, y, normals.at(facets, c.triangle, c));
   }
   // Of a point behind the border of the active part: does it lie under an active face, to 45 degrees?
-  bool under_active(int t, const ClosestPoint& c, const Vec3& y) const;
+  bool under_active(const FacetSearch::Foot& c, const Vec3& y) const;
 };
 
-bool MeshSurface::Data::under_active(int t, const ClosestPoint& c, const Vec3& y) const {
-  const int i = feature_index(c.feature);
-  const auto& tri = mesh.triangles[static_cast<std::size_t>(t)];
+bool MeshSurface::Data::under_active(const FacetSearch::Foot& c, const Vec3& y) const {
+  const int t = c.triangle, i = feature_index(c.feature);
+  const auto& tri = mesh().triangles[static_cast<std::size_t>(t)];
   bool border = false;
   if (is_vertex(c.feature)) {
     border = border_vertex[static_cast<std::size_t>(tri[static_cast<std::size_t>(i)])];
@@ -72,7 +74,7 @@ bool MeshSurface::Data::under_active(int t, const ClosestPoint& c, const Vec3& y
   return -normals.face(t).dot(r) >= std::sqrt(0.5) * r.norm();
 }
 
-MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active) {
+MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfaceOptions options) {
   const Topology topo = topology(mesh);
   const auto refuse = [](const std::string& why) {
     throw std::invalid_argument("the mesh has no inside: " + why);
@@ -90,31 +92,31 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active) {
 
   auto data = std::make_unique<Data>();
   Data& d = *data;
-  d.mesh = std::move(mesh);
-  d.normals = detail::Pseudonormals(d.mesh, topo);
-  d.active = SpatialHash(d.mesh.vertices, d.mesh.triangles, active);
+  MeshBends bends;
+  if (options.smooth) bends = mesh_bends(mesh, topo, options.crease_angle);
+  d.curved = bends.curved, d.sharp = bends.sharp, d.bulge = bends.bulge;
+  d.facets = Facets(std::move(mesh), std::move(bends.of));
+  d.normals = detail::Pseudonormals(d.facets, topo);
+  d.active = FacetSearch(d.facets, active);
   d.partial = !active.empty();
   if (d.partial) {
-    d.whole = SpatialHash(d.mesh.vertices, d.mesh.triangles);
-    d.border_vertex.assign(d.mesh.vertices.size(), false);
-    std::vector<int> touched(d.mesh.vertices.size(), 0);
+    d.whole = FacetSearch(d.facets, {});
+    d.border_vertex.assign(d.mesh().vertices.size(), false);
+    std::vector<int> touched(d.mesh().vertices.size(), 0);
     for (std::size_t t = 0; t < active.size(); ++t)
-      for (const int v : d.mesh.triangles[t]) touched[static_cast<std::size_t>(v)] |= active[t] ? 1 : 2;
+      for (const int v : d.mesh().triangles[t]) touched[static_cast<std::size_t>(v)] |= active[t] ? 1 : 2;
     for (std::size_t v = 0; v < touched.size(); ++v) d.border_vertex[v] = touched[v] == 3;
   }
   d.is_active = std::move(active);
   d.bounds = d.partial ? d.whole.box() : d.active.box();
   d.small = 1e-6 * d.bounds.extent().maxCoeff();
-  d.coarse = detail::CoarseDistance(d.bounds, d.mesh.triangles.size(), [&d](const Vec3& y, int hint) {
-    const auto near = d.active.nearest(y, std::numeric_limits<double>::infinity(), hint);
-    const auto all =
-        d.partial ? d.whole.nearest(y, std::sqrt(near.squared_distance) * (1 + 1e-6) + d.small, near.triangle)
-                  : near;
-    const ClosestPoint c = d.closest(all.triangle, y);
-    const double whole = std::sqrt(c.squared_distance);
+  d.coarse = detail::CoarseDistance(d.bounds, d.mesh().triangles.size(), [&d](const Vec3& y, int hint) {
+    const auto near = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
+    const double away = std::sqrt(near.squared_distance);
+    const auto all = d.partial ? d.nearest(d.whole, y, away * (1 + 1e-6) + d.small, near.triangle) : near;
+    const double whole = std::sqrt(all.squared_distance);
     return detail::CoarseDistance::Sample{
-        near.triangle, std::sqrt(near.squared_distance),
-        d.behind(all.triangle, c, y, d.normals.at(all.triangle, c.feature)) ? -whole : whole};
+        near.triangle, away, d.behind(all, y, d.normals.at(d.facets, all.triangle, all)) ? -whole : whole};
   });
   data_ = std::move(data);
 }
@@ -129,18 +131,18 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   const auto about = d.coarse.about(y);
   if (about.outside && about.at_least > max_distance) return std::nullopt;
   const double reach = about.outside ? std::min(max_distance, about.at_most) : about.at_most;
-  const int t = d.active.nearest(y, reach, hint).triangle;
+  const FacetSearch::Foot c = d.nearest(d.active, y, reach, hint);
+  const int t = c.triangle;
   if (t < 0) return std::nullopt;
 
-  const ClosestPoint c = d.closest(t, y);
-  const Vec3 pseudonormal = d.normals.at(t, c.feature);
-  const bool behind = d.behind(t, c, y, pseudonormal);
+  const bool curved = d.facets.curved(t);
+  const Vec3 pseudonormal = d.normals.at(d.facets, t, c);
+  const bool behind = d.behind(c, y, pseudonormal);
   const Vec3 r = y - c.point;
   const double length = std::sqrt(c.squared_distance);
   if (!behind && length > max_distance) return std::nullopt;
   if (behind && d.partial &&
-      (about.outside || !d.inside_whole(y, length * (1 + 1e-6) + 1e-3 * d.small, t) ||
-       !d.under_active(t, c, y)))
+      (about.outside || !d.inside_whole(y, length * (1 + 1e-6) + 1e-3 * d.small, t) || !d.under_active(c, y)))
     return std::nullopt;
 
   SurfacePoint s;
@@ -148,8 +150,9 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   s.triangle = t;
   s.feature = c.feature;
   if (c.feature == Feature::face) {
-    s.normal = d.normals.face(t);
-    s.distance = s.normal.dot(y - d.corner(t, 0));
+    s.normal = pseudonormal;
+    s.distance = s.normal.dot(y - (curved ? c.point : d.facets.corner(t, 0)));
+    if (curved) s.curvature = curvature_over_patch(d.facets.patch(t), c.u, c.v, s.normal, s.distance);
     return s;
   }
   s.distance = behind ? -length : length;
@@ -158,25 +161,28 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
     s.normal = (behind ? -1 : 1) * r.normalized();
   else
     s.normal = pseudonormal.isZero(0) ? d.normals.face(t) : pseudonormal.normalized();
-  const double divisor = std::copysign(std::max(length, d.small), s.distance);
-  Mat3 across = Mat3::Identity() - s.normal * s.normal.transpose();
   if (is_edge(c.feature)) {
     const int i = feature_index(c.feature);
-    const Vec3 e = (d.corner(t, (i + 1) % 3) - d.corner(t, i)).normalized();
-    across -= e * e.transpose();
+    const double at = i == 0 ? c.u : i == 1 ? c.v : 1 - c.v;
+    s.curvature = curvature_over_edge(d.facets.patch(t), i, at, s.normal, s.distance, d.small);
+  } else {
+    const double divisor = std::copysign(std::max(length, d.small), s.distance);
+    s.curvature = (Mat3::Identity() - s.normal * s.normal.transpose()) / divisor;
   }
-  s.curvature = across / divisor;
   return s;
 }
 
 Box MeshSurface::bounds() const { return data_->bounds; }
-const TriangleMesh& MeshSurface::mesh() const { return data_->mesh; }
+const TriangleMesh& MeshSurface::mesh() const { return data_->mesh(); }
+SmoothPatch MeshSurface::patch(int triangle) const { return data_->facets.patch(triangle); }
+int MeshSurface::curved() const { return data_->curved; }
+int MeshSurface::sharp_edges() const { return data_->sharp; }
+double MeshSurface::bulge() const { return data_->bulge; }
 
 std::size_t MeshSurface::memory() const {
   const Data& d = *data_;
-  return sizeof(Data) + d.mesh.vertices.capacity() * sizeof(Vec3) +
-         d.mesh.triangles.capacity() * sizeof(d.mesh.triangles[0]) + d.normals.memory() + d.active.memory() +
-         d.whole.memory() + d.coarse.memory();
+  return sizeof(Data) + d.facets.memory() + d.normals.memory() + d.active.memory() + d.whole.memory() +
+         d.coarse.memory();
 }
 
 std::vector<bool> active_by_part(const TriangleMesh& mesh, const std::vector<std::string>& names) {

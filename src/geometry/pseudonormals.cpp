@@ -44,43 +44,66 @@ std::vector<bool> pinched(const TriangleMesh& mesh, const Topology& topo) {
 
 }  // namespace
 
-Pseudonormals::Pseudonormals(const TriangleMesh& mesh, const Topology& topo)
-    : vertex_(mesh.vertices.size(), Vec3::Zero()), triangles_(mesh.triangles), neighbours_(topo.neighbours) {
+Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo)
+    : vertex_(facets.mesh().vertices.size(), Vec3::Zero()), neighbours_(topo.neighbours) {
+  const TriangleMesh& mesh = facets.mesh();
   std::vector<bool> undefined = pinched(mesh, topo);
-  face_.reserve(triangles_.size());
-  for (const auto& tri : triangles_) {
-    Vec3 v[3];
-    for (std::size_t i = 0; i < 3; ++i) v[i] = mesh.vertices[static_cast<std::size_t>(tri[i])];
-    const Vec3 n = triangle_normal(v[0], v[1], v[2]);
-    face_.push_back(n);
-    for (int i = 0; i < 3; ++i) {
-      const auto w = static_cast<std::size_t>(tri[static_cast<std::size_t>(i)]);
+  face_.reserve(mesh.triangles.size());
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    face_.push_back(triangle_normal(facets.corner(t, 0), facets.corner(t, 1), facets.corner(t, 2)));
+    const Vec3& n = face_.back();
+    const SmoothPatch q = facets.patch(t);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto w = static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][i]);
       if (n.isZero(0)) {
         undefined[w] = true;
         continue;
       }
-      const Vec3 e = v[(i + 1) % 3] - v[i], f = v[(i + 2) % 3] - v[i];
-      vertex_[w] += std::atan2(e.cross(f).norm(), e.dot(f)) * n;
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const Vec3 e = q.p[j] - q.p[i] + q.c[i], f = q.p[k] - q.p[i] + q.c[k], m = e.cross(f);
+      vertex_[w] += std::atan2(m.norm(), e.dot(f)) * (q.flat() ? n : Vec3(m.normalized()));
     }
   }
   for (std::size_t v = 0; v < vertex_.size(); ++v)
     if (undefined[v] || vertex_[v].norm() < 1e-6) vertex_[v].setZero();
 }
 
-Vec3 Pseudonormals::at(int t, Feature feature) const {
-  const auto i = static_cast<std::size_t>(feature_index(feature));
-  if (feature == Feature::face) return face(t);
-  if (is_vertex(feature))
-    return vertex_[static_cast<std::size_t>(triangles_[static_cast<std::size_t>(t)][i])];
+Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {
+  const auto i = static_cast<std::size_t>(feature_index(p.feature));
+  if (is_vertex(p.feature))
+    return vertex_[static_cast<std::size_t>(facets.mesh().triangles[static_cast<std::size_t>(t)][i])];
+  const bool curved = facets.curved(t);
+  if (p.feature == Feature::face) return curved ? facets.patch(t).normal(p.u, p.v).normalized() : face(t);
   const int other = neighbours_[static_cast<std::size_t>(t)][i];
   if (other < 0 || face(t).isZero(0) || face(other).isZero(0)) return Vec3::Zero();
-  const Vec3 n = face(t) + face(other);
+  Vec3 own = face(t), across = face(other);
+  if (curved) own = facets.patch(t).normal(p.u, p.v).normalized();
+  if (facets.curved(other)) {
+    const int a = facets.mesh().triangles[static_cast<std::size_t>(t)][i];
+    double s = i == 0 ? p.u : p.v;
+    if (i == 2) s = 1 - s;
+    if (!curved) {
+      const Vec3 &from = facets.corner(t, static_cast<int>(i)),
+                 &to = facets.corner(t, static_cast<int>(i + 1) % 3);
+      s = (p.point - from).dot(to - from) / (to - from).squaredNorm();
+    }
+    int k = 0;
+    while (k < 2 &&
+           (facets.mesh().triangles[static_cast<std::size_t>(other)][static_cast<std::size_t>((k + 1) % 3)] !=
+                a ||
+            facets.mesh().triangles[static_cast<std::size_t>(other)][static_cast<std::size_t>(k)] !=
+                facets.mesh().triangles[static_cast<std::size_t>(t)][(i + 1) % 3]))
+      ++k;
+    const auto uv = on_edge(k, 1 - s);
+    across = facets.patch(other).normal(uv[0], uv[1]).normalized();
+  }
+  const Vec3 n = own + across;
   return n.norm() < 1e-6 ? Vec3(Vec3::Zero()) : n;
 }
 
 std::size_t Pseudonormals::memory() const {
   return (face_.capacity() + vertex_.capacity()) * sizeof(Vec3) +
-         (triangles_.capacity() + neighbours_.capacity()) * sizeof(triangles_[0]);
+         neighbours_.capacity() * sizeof(neighbours_[0]);
 }
 
 }  // namespace hawser::detail

@@ -130,6 +130,8 @@ class Reader {
     } else {
       o.mesh = source_.absolute(v["mesh"].text);
       o.scale = v["scale"].number;
+      o.smooth = v["smooth"].number != 0;
+      o.crease_angle = v["crease_angle_deg"].number;
     }
     if (v.has("body")) o.body = v["body"].text;
     if (const Value* a = v.find("active")) {

@@ -146,6 +146,15 @@ Key volumes() {
                       "needed"),
                   shape(),
                   number("scale", none, "mesh units to m: 0.001 for a mesh in mm").above(0).or_else("1"),
+                  boolean(
+                      "smooth",
+                      "curve the facets of a mesh where they stand for a curved surface; with `false` they "
+                      "are flat")
+                      .or_else("true"),
+                  number("crease_angle_deg", angle, "edges whose facets meet at more than this stay sharp")
+                      .above(0)
+                      .at_most(180)
+                      .or_else("40"),
                   reference("body", "bodies", "body it is fixed to; mesh and shape are in the body's frame")
                       .or_else_note("none: fixed in space"),
                   std::move(active), std::move(stiffness),
@@ -159,7 +168,9 @@ Key volumes() {
                       .or_else("0"),
                   friction()},
                  "")
-                 .either({{{"mesh", "scale", "active"}, {"mesh"}}, {{"shape"}, {"shape"}}}, true),
+                 .either({{{"mesh", "scale", "smooth", "crease_angle_deg", "active"}, {"mesh"}},
+                          {{"shape"}, {"shape"}}},
+                         true),
              "Volumes that lines must not enter, by name.")
       .or_else("{}");
 }

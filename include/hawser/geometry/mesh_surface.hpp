@@ -1,28 +1,40 @@
-// Signed distance to a closed triangle mesh.
+// Signed distance to a closed triangle mesh, its facets flat or curved.
 //
-// The nearest triangle comes from a SpatialHash, the sign from the angle-weighted pseudonormal at the
-// nearest feature: Bærentzen & Aanæs (2005), "Signed distance computation using the angle weighted
-// pseudonormal", IEEE TVCG 11(3). Where that is not defined (a vertex or edge where the surface touches
-// itself, a triangle of no area) the solid angle decides.
+// With `smooth` the facets of curved surfaces are quadratic patches (mesh_bends.hpp, smooth_patch.hpp), and
+// distance, normal and curvature are those of the patches. Neighbours share the curve of their edge, so the
+// distance is continuous; where it has a kink (at creases, and barely where patches meet) the point may be
+// nearest to an edge, with its curvature, as on flat facets.
+//
+// The nearest flat facet comes from a SpatialHash, the nearest patch from a tree of boxes; the sign from the
+// angle-weighted pseudonormal at the nearest feature: Bærentzen & Aanæs (2005), "Signed distance computation
+// using the angle weighted pseudonormal", IEEE TVCG 11(3). Where that is not defined (a vertex or edge where
+// the surface touches itself, a triangle of no area) the solid angle decides.
 //
 // Only `active` triangles are met. The sign is that of the whole mesh, so the inactive rest closes the
 // body. A point inside whose nearest active point is on the border of the active part, and which does
 // not lie under an active face, is not in contact.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
+#include "hawser/geometry/smooth_patch.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
 
 namespace hawser {
 
+struct MeshSurfaceOptions {
+  bool smooth = false;                    // curve the facets
+  double crease_angle = 40 * M_PI / 180;  // rad; edges sharper stay
+};
+
 class MeshSurface final : public Surface {
  public:
   // The mesh must be welded, closed and oriented (MeshReport::valid); throws std::invalid_argument with
   // a sentence otherwise. `active`: one flag per triangle, empty means all.
-  explicit MeshSurface(TriangleMesh mesh, std::vector<bool> active = {});
+  explicit MeshSurface(TriangleMesh mesh, std::vector<bool> active = {}, MeshSurfaceOptions options = {});
   ~MeshSurface() override;
   MeshSurface(MeshSurface&&) noexcept;
   MeshSurface& operator=(MeshSurface&&) noexcept;
@@ -31,7 +43,11 @@ class MeshSurface final : public Surface {
   Box bounds() const override;  // of the active part and all inside the mesh
 
   const TriangleMesh& mesh() const;
-  std::size_t memory() const;  // bytes
+  SmoothPatch patch(int triangle) const;  // without bends if flat
+  int curved() const;                     // number of curved facets
+  int sharp_edges() const;                // 0 without `smooth`
+  double bulge() const;                   // m, the farthest the surface lies from the facets, at most
+  std::size_t memory() const;             // bytes
 
  private:
   struct Data;

@@ -2,6 +2,7 @@
 // Built by io::read_case, checked by model::check; nothing here knows PETSc, MPI or YAML.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -83,12 +84,14 @@ struct Box {
 
 struct Volume {
   std::string name;
-  std::optional<Primitive> shape;  // exact shape, body frame; or else a mesh:
-  std::string mesh;                // absolute path of an STL, OBJ or PLY file
-  double scale = 1;                // mesh units to m
-  std::string body;                // empty: fixed in space
-  std::optional<Box> active_box;   // only triangles with all corners inside take part
-  std::string active_part;         // name of a mesh part (OBJ group, STL solid); empty: all
+  std::optional<Primitive> shape;         // exact shape, body frame; or else a mesh:
+  std::string mesh;                       // absolute path of an STL, OBJ or PLY file
+  double scale = 1;                       // mesh units to m
+  bool smooth = true;                     // facets of curved surfaces are curved
+  double crease_angle = 40 * M_PI / 180;  // rad, edges sharper than this stay
+  std::string body;                       // empty: fixed in space
+  std::optional<Box> active_box;          // only triangles with all corners inside take part
+  std::string active_part;                // name of a mesh part (OBJ group, STL solid); empty: all
   StiffnessBasis basis = StiffnessBasis::automatic;
   double normal_stiffness = 0;  // N/m, N/m² or N/m³ by basis; of a table its largest slope
   std::shared_ptr<const ForceTable> force_table;  // N, N/m or N/m² by basis; null: by stiffness

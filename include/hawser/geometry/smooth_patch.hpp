@@ -1,0 +1,54 @@
+// A curved triangle: a quadratic patch over the corners of a facet of a mesh, and its nearest point.
+//
+//   q(u, v) = b0 p0 + b1 p1 + b2 p2 + b0 b1 c0 + b1 b2 c1 + b2 b0 c2,  b1 = u, b2 = v, b0 = 1 - u - v
+//
+// The bend c_i [m] of edge i (from p_i to p_(i+1)) is known to both its triangles, so that they share its
+// curve, a parabola whose middle lies c_i / 4 off the chord. This is the Phong tessellation of Boubekeur &
+// Alexa (2008), "Phong tessellation", ACM Trans. Graph. 27(5), with shape factor 1/2 written by its edges;
+// which bends a mesh gets is in mesh_bends.hpp.
+#pragma once
+
+#include <array>
+
+#include "hawser/geometry/closest_point.hpp"
+
+namespace hawser {
+
+struct SmoothPatch {
+  std::array<Vec3, 3> p, c;  // m, corners and bends
+
+  bool flat() const { return c[0].isZero(0) && c[1].isZero(0) && c[2].isZero(0); }
+  Vec3 point(double u, double v) const {
+    const double w = 1 - u - v;
+    return p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]) + w * u * c[0] + u * v * c[1] + w * v * c[2];
+  }
+  Vec3 by_u(double u, double v) const { return p[1] - p[0] + (1 - 2 * u - v) * c[0] + v * (c[1] - c[2]); }
+  Vec3 by_v(double u, double v) const { return p[2] - p[0] + u * (c[1] - c[0]) + (1 - u - 2 * v) * c[2]; }
+  // Outward, not unit.
+  Vec3 normal(double u, double v) const { return by_u(u, v).cross(by_v(u, v)); }
+  // No point of the patch is farther from the flat triangle [m].
+  double bulge() const;
+};
+
+// (u, v) of the point at s in [0, 1] on edge i.
+std::array<double, 2> on_edge(int i, double s);
+
+struct PatchPoint : ClosestPoint {
+  double u = 0, v = 0;
+};
+
+// Nearest point of a patch that is not flat, by Newton's method from the foot on the flat triangle; on the
+// edges, where it runs out of the patch, by a bracketed Newton's method. The nearest of all while y is not
+// beyond the centres of curvature, else a nearest one of its surroundings.
+PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& patch);
+
+// Hessian of the signed distance [1/m] where the nearest point is (u, v) inside the patch, with unit normal
+// n and signed distance d: A I^-1 II (I + d II)^-1 A', with A = [q_u q_v], I = A'A and II_ab = -n . q_ab
+// (the surface's curvatures k carried to the distance d: k / (1 + d k)). Zero factors 1 + d k are bounded.
+Mat3 curvature_over_patch(const SmoothPatch& patch, double u, double v, const Vec3& n, double d);
+
+// The same where the nearest point is on edge i, at s: 1/d across the edge, with |d| at least `small` [m],
+// and along it the curvature of the edge's curve in the direction of n.
+Mat3 curvature_over_edge(const SmoothPatch& patch, int i, double s, const Vec3& n, double d, double small);
+
+}  // namespace hawser

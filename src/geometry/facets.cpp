@@ -1,0 +1,67 @@
+#include "facets.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace hawser::detail {
+
+Facets::Facets(TriangleMesh mesh, std::vector<std::array<Eigen::Vector3f, 3>> bends)
+    : mesh_(std::move(mesh)), bends_(std::move(bends)) {}
+
+PatchPoint Facets::closest(int t, const Vec3& y) const {
+  if (!bends_.empty()) {
+    const SmoothPatch q = patch(t);
+    if (!q.flat()) return closest_point_on_patch(y, q);
+  }
+  PatchPoint best;
+  static_cast<ClosestPoint&>(best) = closest_point_on_triangle(y, corner(t, 0), corner(t, 1), corner(t, 2));
+  return best;
+}
+
+std::size_t Facets::memory() const {
+  return mesh_.vertices.capacity() * sizeof(Vec3) + mesh_.triangles.capacity() * sizeof(mesh_.triangles[0]) +
+         mesh_.part.capacity() * sizeof(int) + bends_.capacity() * sizeof(bends_[0]);
+}
+
+FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) : chosen_(chosen) {
+  const TriangleMesh& mesh = facets.mesh();
+  if (!facets.any_curved()) {
+    hash_ = SpatialHash(mesh.vertices, mesh.triangles, chosen);
+    return;
+  }
+  std::vector<PatchTree::Item> items;
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+    if (chosen.empty() || chosen[static_cast<std::size_t>(t)]) items.push_back({t, facets.patch(t)});
+  tree_ = PatchTree(items);
+}
+
+FacetSearch::Foot FacetSearch::nearest(const Facets& facets, const Vec3& y, double max_distance,
+                                       int hint) const {
+  Foot best;
+  if (tree_.empty()) {
+    const int t = hash_.nearest(y, max_distance, hint).triangle;
+    if (t < 0) return best;
+    static_cast<PatchPoint&>(best) = facets.closest(t, y);
+    best.triangle = t;
+    return best;
+  }
+  if (!y.allFinite() || !(max_distance >= 0)) return best;
+  double limit = max_distance * max_distance;
+  const auto visit = [&](int t, double& squared) {
+    if (t == best.triangle) return;
+    const PatchPoint p = facets.closest(t, y);
+    if (p.squared_distance > squared) return;
+    if (p.squared_distance == squared && best.triangle >= 0 && t > best.triangle) return;
+    static_cast<PatchPoint&>(best) = p;
+    best.triangle = t;
+    squared = p.squared_distance;
+  };
+  if (hint >= 0 && static_cast<std::size_t>(hint) < facets.mesh().triangles.size() &&
+      (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)]))
+    visit(hint, limit);
+  tree_.nearest(y, limit, visit);
+  return best;
+}
+
+}  // namespace hawser::detail

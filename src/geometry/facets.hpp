@@ -1,0 +1,65 @@
+// The facets of a mesh, flat or curved, and the nearest of a chosen part of them to a point.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hawser/geometry/mesh_bends.hpp"
+#include "hawser/geometry/smooth_patch.hpp"
+#include "hawser/geometry/spatial_hash.hpp"
+#include "hawser/geometry/triangle_mesh.hpp"
+#include "patch_tree.hpp"
+
+namespace hawser::detail {
+
+class Facets {
+ public:
+  Facets() = default;
+  Facets(TriangleMesh mesh, std::vector<std::array<Eigen::Vector3f, 3>> bends);
+
+  const TriangleMesh& mesh() const { return mesh_; }
+  bool curved(int t) const { return !bends_.empty() && !patch(t).flat(); }
+  bool any_curved() const { return !bends_.empty(); }
+  const Vec3& corner(int t, int i) const {
+    return mesh_.vertices[static_cast<std::size_t>(
+        mesh_.triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)])];
+  }
+  SmoothPatch patch(int t) const {
+    SmoothPatch q;
+    for (std::size_t i = 0; i < 3; ++i) {
+      q.p[i] = corner(t, static_cast<int>(i));
+      q.c[i] =
+          bends_.empty() ? Vec3(Vec3::Zero()) : Vec3(bends_[static_cast<std::size_t>(t)][i].cast<double>());
+    }
+    return q;
+  }
+  PatchPoint closest(int t, const Vec3& y) const;
+  std::size_t memory() const;
+
+ private:
+  TriangleMesh mesh_;
+  std::vector<std::array<Eigen::Vector3f, 3>> bends_;  // empty: all flat
+};
+
+// Search among the facets with their flag set (empty: all). Flat facets are found by the spatial hash, curved
+// ones by a tree of boxes, which know how far each bulges.
+class FacetSearch {
+ public:
+  struct Foot : PatchPoint {
+    int triangle = -1;
+  };
+  FacetSearch() = default;
+  FacetSearch(const Facets& facets, const std::vector<bool>& chosen);
+
+  // triangle is -1 when none is within max_distance [m]. Of facets at equal distance always the same.
+  Foot nearest(const Facets& facets, const Vec3& y, double max_distance, int hint) const;
+  const Box& box() const { return tree_.empty() ? hash_.box() : tree_.box(); }
+  std::size_t memory() const { return hash_.memory() + tree_.memory(); }
+
+ private:
+  SpatialHash hash_;
+  PatchTree tree_;
+  std::vector<bool> chosen_;
+};
+
+}  // namespace hawser::detail

@@ -1,0 +1,65 @@
+#include "planar_regions.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser::detail {
+namespace {
+
+// Normals of a region lie within this of its first triangle's.
+constexpr double kFlat = 2e-3;  // rad
+
+double least_extent(const TriangleMesh& mesh, const std::vector<int>& region, const Vec3& normal) {
+  Vec3 mean = Vec3::Zero();
+  for (const int t : region)
+    for (const int v : mesh.triangles[static_cast<std::size_t>(t)])
+      mean += mesh.vertices[static_cast<std::size_t>(v)];
+  mean /= 3.0 * static_cast<double>(region.size());
+  const Vec3 a = normal.unitOrthogonal(), b = normal.cross(a);
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  const auto each = [&](auto&& f) {
+    for (const int t : region)
+      for (const int v : mesh.triangles[static_cast<std::size_t>(t)]) {
+        const Vec3 r = mesh.vertices[static_cast<std::size_t>(v)] - mean;
+        f(Eigen::Vector2d(r.dot(a), r.dot(b)));
+      }
+  };
+  each([&](const Eigen::Vector2d& x) { spread += x * x.transpose(); });
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  Eigen::Vector2d lo = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
+  each([&](const Eigen::Vector2d& x) {
+    const Eigen::Vector2d y = axes.eigenvectors().transpose() * x;
+    lo = lo.cwiseMin(y), hi = hi.cwiseMax(y);
+  });
+  return (hi - lo).minCoeff();
+}
+
+}  // namespace
+
+std::vector<double> planar_widths(const TriangleMesh& mesh, const Topology& topo,
+                                  const std::vector<Vec3>& normals) {
+  std::vector<double> width(mesh.triangles.size(), 0);
+  std::vector<bool> seen(mesh.triangles.size(), false);
+  std::vector<int> region;
+  const double cosine = std::cos(kFlat);
+  for (std::size_t first = 0; first < seen.size(); ++first) {
+    const Vec3& n = normals[first];
+    if (seen[first] || n.isZero(0)) continue;
+    seen[first] = true;
+    region.assign(1, static_cast<int>(first));
+    for (std::size_t i = 0; i < region.size(); ++i)
+      for (const int u : topo.neighbours[static_cast<std::size_t>(region[i])]) {
+        if (u < 0 || seen[static_cast<std::size_t>(u)]) continue;
+        if (!(normals[static_cast<std::size_t>(u)].dot(n) > cosine)) continue;
+        seen[static_cast<std::size_t>(u)] = true;
+        region.push_back(u);
+      }
+    const double w = least_extent(mesh, region, n);
+    for (const int t : region) width[static_cast<std::size_t>(t)] = w;
+  }
+  return width;
+}
+
+}  // namespace hawser::detail

@@ -1,0 +1,174 @@
+#include "hawser/geometry/smooth_patch.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser {
+namespace {
+
+// Barycentric coordinates (u, v) of the foot of x on the plane of the flat triangle, brought into it.
+std::array<double, 2> flat_coordinates(const SmoothPatch& q, const Vec3& x) {
+  const Vec3 e = q.p[1] - q.p[0], f = q.p[2] - q.p[0], r = x - q.p[0];
+  const double ee = e.dot(e), ef = e.dot(f), ff = f.dot(f), er = e.dot(r), fr = f.dot(r);
+  const double det = ee * ff - ef * ef;
+  if (!(det > 1e-24 * ee * ff)) return {1.0 / 3, 1.0 / 3};
+  const double u = std::clamp((ff * er - ef * fr) / det, 0.0, 1.0);
+  return {u, std::clamp((ee * fr - ef * er) / det, 0.0, 1 - u)};
+}
+
+struct OnCurve {
+  Vec3 point;
+  double s, squared;
+};
+
+// Nearest point of p + s e + s (1 - s) c, 0 <= s <= 1: half the derivative of the squared distance is a
+// cubic; its root is bracketed from the best of a few places, which finds the nearer of two minima.
+OnCurve nearest_on_curve(const Vec3& y, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 e = b - a;
+  const auto at = [&](double s) {
+    return s < 0.5 ? Vec3(a + s * e + s * (1 - s) * c) : Vec3(b - (1 - s) * e + s * (1 - s) * c);
+  };
+  const double length2 = e.squaredNorm();
+  double s = length2 > 0 ? std::clamp((y - a).dot(e) / length2, 0.0, 1.0) : 0;
+  double best = (y - at(s)).squaredNorm();
+  for (const double other : {0.0, 0.5, 1.0}) {
+    const double squared = (y - at(other)).squaredNorm();
+    if (squared < best) best = squared, s = other;
+  }
+  double lo = 0, hi = 1;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 r = y - at(s), tangent = e + (1 - 2 * s) * c;
+    const double slope = -r.dot(tangent), bend = tangent.squaredNorm() + 2 * r.dot(c);
+    (slope > 0 ? hi : lo) = s;
+    double next = bend > 0 ? s - slope / bend : 0.5 * (lo + hi);
+    if (!(next >= lo && next <= hi))
+      next = slope > 0 ? (lo == 0 && next < 0 ? 0 : 0.5 * (lo + hi))
+                       : (hi == 1 && next > 1 ? 1 : 0.5 * (lo + hi));
+    const double step = std::abs(next - s);
+    s = next;
+    if (step < 1e-15) break;
+  }
+  OnCurve out{at(s), s, 0};
+  out.squared = (y - out.point).squaredNorm();
+  for (const double end : {0.0, 1.0}) {
+    const Vec3 x = end == 0 ? a : b;
+    const double squared = (y - x).squaredNorm();
+    if (squared <= out.squared) out = {x, end, squared};
+  }
+  return out;
+}
+
+}  // namespace
+
+double SmoothPatch::bulge() const {
+  // b0 b1 c0 + b1 b2 c1 + b2 b0 c2: at most the largest bend times 1/3; on an edge only its own over 4.
+  const double largest = std::max({c[0].norm(), c[1].norm(), c[2].norm()});
+  const double sum = c[0].norm() + c[1].norm() + c[2].norm();
+  return std::min(largest / 3, sum / 4);
+}
+
+std::array<double, 2> on_edge(int i, double s) {
+  if (i == 0) return {s, 0};
+  if (i == 1) return {1 - s, s};
+  return {0, 1 - s};
+}
+
+PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
+  PatchPoint out;
+  auto [u, v] = flat_coordinates(q, y);
+  const Vec3 uu = -2 * q.c[0], vv = -2 * q.c[2], uv = q.c[1] - q.c[0] - q.c[2];
+  bool converged = false;
+  double squared = std::numeric_limits<double>::infinity(), du = 0, dv = 0;
+  for (int i = 0; i < 30 && !converged; ++i) {
+    const Vec3 r = y - q.point(u, v);
+    const double now = r.squaredNorm();
+    if (now > squared * (1 + 1e-12)) {  // too far: half the step
+      du *= 0.5, dv *= 0.5;
+      u -= du, v -= dv;
+      converged = std::max(std::abs(du), std::abs(dv)) < 1e-9;
+      continue;
+    }
+    squared = now;
+    const Vec3 a = q.by_u(u, v), b = q.by_v(u, v);
+    const double gu = r.dot(a), gv = r.dot(b);
+    double muu = a.dot(a), muv = a.dot(b), mvv = b.dot(b);
+    const double iuu = muu, iuv = muv, ivv = mvv;
+    muu -= r.dot(uu), muv -= r.dot(uv), mvv -= r.dot(vv);
+    double det = muu * mvv - muv * muv;
+    // Beyond a centre of curvature the second derivative is not positive: Gauss and Newton's instead.
+    if (!(muu > 0 && det > 1e-6 * (iuu * ivv - iuv * iuv))) {
+      muu = iuu, muv = iuv, mvv = ivv;
+      det = muu * mvv - muv * muv;
+    }
+    if (!(det > 0)) break;
+    du = (mvv * gu - muv * gv) / det, dv = (muu * gv - muv * gu) / det;
+    u += du, v += dv;
+    converged = std::max(std::abs(du), std::abs(dv)) < 1e-9;  // quadratic: the next would be rounding
+    if (std::min({u, v, 1 - u - v}) < -0.5) break;
+  }
+  const bool inside = u >= 0 && v >= 0 && u + v <= 1;
+  if (inside) {
+    out.point = q.point(u, v);
+    out.squared_distance = (y - out.point).squaredNorm();
+    out.u = u, out.v = v;
+    if (converged) return out;
+  }
+  const double found = inside ? out.squared_distance : std::numeric_limits<double>::infinity();
+  const double b[3] = {1 - u - v, u, v};
+  const bool lost = !converged || std::min({b[0], b[1], b[2]}) < -0.25;
+  out.squared_distance = found;
+  for (int i = 0; i < 3; ++i) {
+    // Edge i lies where the coordinate of the opposite corner is zero; only edges in sight can be nearest.
+    if (!lost && b[(i + 2) % 3] > 1e-3) continue;
+    const std::size_t j = static_cast<std::size_t>(i), k = static_cast<std::size_t>((i + 1) % 3);
+    const OnCurve c = nearest_on_curve(y, q.p[j], q.p[k], q.c[j]);
+    if (!(c.squared < out.squared_distance)) continue;
+    out.point = c.point;
+    out.squared_distance = c.squared;
+    out.feature = c.s == 0 ? vertex_feature(i) : c.s == 1 ? vertex_feature((i + 1) % 3) : edge_feature(i);
+    const auto at = on_edge(i, c.s);
+    out.u = at[0], out.v = at[1];
+  }
+  return out;
+}
+
+Mat3 curvature_over_patch(const SmoothPatch& q, double u, double v, const Vec3& n, double d) {
+  Eigen::Matrix<double, 3, 2> A;
+  A << q.by_u(u, v), q.by_v(u, v);
+  const Eigen::Matrix2d first = A.transpose() * A;
+  Eigen::Matrix2d second;
+  const double cross = n.dot(q.c[0] + q.c[2] - q.c[1]);
+  second << 2 * n.dot(q.c[0]), cross, cross, 2 * n.dot(q.c[2]);
+  const double area2 = first.determinant();
+  if (!(area2 > 0)) return Mat3::Zero();
+  // In an orthonormal basis of the tangent plane the curvatures are a symmetric 2 x 2 matrix.
+  const Eigen::Matrix2d root = first.llt().matrixL();
+  const Eigen::Matrix2d inverse = root.inverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> own(inverse * second * inverse.transpose());
+  const Eigen::Matrix<double, 3, 2> axes = A * inverse.transpose() * own.eigenvectors();
+  Mat3 H = Mat3::Zero();
+  for (int i = 0; i < 2; ++i) {
+    const double k = own.eigenvalues()[i];
+    const double stretch = 1 + d * k;
+    H +=
+        k / std::copysign(std::max(std::abs(stretch), 1e-3), stretch) * axes.col(i) * axes.col(i).transpose();
+  }
+  return H;
+}
+
+Mat3 curvature_over_edge(const SmoothPatch& q, int i, double s, const Vec3& n, double d, double small) {
+  const std::size_t j = static_cast<std::size_t>(i), k = static_cast<std::size_t>((i + 1) % 3);
+  const Vec3 tangent = q.p[k] - q.p[j] + (1 - 2 * s) * q.c[j];
+  const double length2 = tangent.squaredNorm();
+  const double divisor = std::copysign(std::max(std::abs(d), small), d);
+  if (!(length2 > 0)) return (Mat3::Identity() - n * n.transpose()) / divisor;
+  const Vec3 e = tangent / std::sqrt(length2);
+  const double bend = 2 * n.dot(q.c[j]) / length2, stretch = 1 + d * bend;
+  return (Mat3::Identity() - n * n.transpose() - e * e.transpose()) / divisor +
+         bend / std::copysign(std::max(std::abs(stretch), 1e-3), stretch) * e * e.transpose();
+}
+
+}  // namespace hawser
