@@ -78,16 +78,30 @@ void LineContact::account(Pair& pair, const AxisShape& shape, const std::vector<
   const StepOfBody step(before, after);
   const double smoothing = pair.law.normal.smoothing;
   Account& sum = accounts_[static_cast<size_t>(pair.element)];
+  // The way of a place, and how far it came off the surface otherwise than by sliding along its own line: a
+  // pipe that is drawn over a roller comes and goes all the time, yet as much of it touches as before.
+  struct Way {
+    Vec3 y0, y1, lifted;
+  };
+  const auto way = [&](double xi) {
+    Way w;
+    w.y0 = before.to_body(pair.start.point(xi)), w.y1 = after.to_body(shape.point(xi));
+    const Vec3 along = ((before.rotation.conjugate() * pair.start.slope(xi)).normalized() +
+                        (after.rotation.conjugate() * shape.slope(xi)).normalized())
+                           .normalized();
+    const Vec3 moved = w.y1 - w.y0;
+    w.lifted = moved - along * along.dot(moved);
+    return w;
+  };
   for (const Point& p : pair.history) {
-    const Vec3 y0 = before.to_body(pair.start.point(p.xi)), y1 = after.to_body(shape.point(p.xi));
-    const double away = p.normal.dot(y1 - y0), deep = std::max(smoothing - p.gap, 0.0);
-    add_work(sum, step, p, step.R0, y0, y1, p.weight * (away > deep ? deep / away : 1));
+    const Way w = way(p.xi);
+    const double away = p.normal.dot(w.lifted), deep = std::max(smoothing - p.gap, 0.0);
+    add_work(sum, step, p, step.R0, w.y0, w.y1, p.weight * (away > deep ? deep / away : 1));
   }
   for (const Point& p : next) {
-    const Vec3 y0 = before.to_body(pair.start.point(p.xi)), y1 = after.to_body(shape.point(p.xi));
-    const Origin o = origin(pair, p.xi);
-    const double moved = o.touched ? 0 : std::max(o.gap - smoothing, 0.0), deep = smoothing - p.gap;
-    add_work(sum, step, p, step.R1, y0, y1, p.weight * (moved > 0 ? deep / (moved + deep) : 1));
+    const Way w = way(p.xi);
+    const double came = -p.normal.dot(w.lifted), deep = smoothing - p.gap;
+    add_work(sum, step, p, step.R1, w.y0, w.y1, p.weight * (came > deep ? deep / came : 1));
   }
 }
 
