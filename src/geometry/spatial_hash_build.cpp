@@ -19,7 +19,7 @@ using detail::scramble;
 constexpr double kFineness = 0.75;
 
 // Cells with this many triangles or fewer are not divided.
-constexpr std::size_t kRun = 12;
+constexpr std::size_t kRun = 15;
 
 constexpr int kMaxLevels = detail::kMaxLevels;
 
@@ -151,9 +151,9 @@ SpatialHash::Made SpatialHash::bundle(Made* first, Made* last) {
         extent > 0 ? std::clamp(static_cast<int>(std::ceil(std::log2(extent / 254))), -110, 120) : -110;
     c.exponent[a] = static_cast<std::uint8_t>(e + 127);
     for (std::ptrdiff_t k = 0; k < last - first; ++k) {
-      c.lo[a][k] = static_cast<std::uint8_t>(
+      c.box[a][k] = static_cast<std::uint8_t>(
           std::floor(std::ldexp(static_cast<double>(first[k].lo[a]) - out.lo[a], -e)));
-      c.hi[a][k] = static_cast<std::uint8_t>(
+      c.box[a][k + 8] = static_cast<std::uint8_t>(
           std::ceil(std::ldexp(static_cast<double>(first[k].hi[a]) - out.lo[a], -e)));
     }
   }
@@ -171,8 +171,9 @@ void SpatialHash::round_corners(const Children& frame, const Entry& run) {
     for (std::size_t k = 0; k < 9; ++k) {
       const auto a = static_cast<int>(k % 3);
       const double x = corners_[run.first() + i].v[k] - centre_[a] - frame.origin[a];
-      const double steps = std::round(std::ldexp(x, 127 - frame.exponent[a] + 8));
-      rounded_[9 * run.first() + k * n + i] = static_cast<std::uint16_t>(std::clamp(steps, 0.0, 65535.0));
+      const double steps = std::round(std::ldexp(x, 127 - frame.exponent[a] + 2));
+      rounded_[3 * run.first() + k / 3 * n + i] |= static_cast<std::uint32_t>(std::clamp(steps, 0.0, 1023.0))
+                                                   << 10 * a;
     }
 }
 
@@ -228,7 +229,7 @@ void SpatialHash::add_table(const Made* first, const Made* last) {
 }
 
 void SpatialHash::build_cells(const std::vector<std::uint64_t>& keys, const std::vector<int>& levels) {
-  rounded_.assign(9 * keys.size() + 16, 0);  // eight are read at a time, also at the end
+  rounded_.assign(3 * keys.size() + 16, 0);  // sixteen are read at a time, also at the end
   // Runs of triangles of one cell, no longer than an entry can hold, by level in the order of their keys.
   std::vector<std::vector<Made>> own(static_cast<std::size_t>(top_) + 1);
   for (std::size_t s = 0; s < keys.size(); ++s) {

@@ -1,6 +1,9 @@
 // Time of a nearest-triangle query near the surface, 0 to 0.3 m off it, within 0.5 m. Even meshes of 10^4 to
-// 10^6 triangles (target: the time of `step` grows at most 1.5 times), and a hull with small rollers
+// 10^6 triangles (target: the time of `together/step` grows at most 1.5 times), and a hull with small rollers
 // (argument 0), where cells of one size fail.
+//   nearest/   one point a call
+//   together/  all points of the row in one call
+//   embree/    the same question to Embree 3, one point a call, where it is installed (libembree-dev)
 //   line    250 nodes of a line 0.5 m apart over the surface, asked again and again, as time steps do
 //   warm    the same, moved 2 cm, with the last answer as a hint
 //   lines   2000 nodes of such lines: more than the second-level cache holds on the finest mesh
@@ -13,7 +16,11 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <random>
+#ifdef HAWSER_EMBREE
+#include <embree3/rtcore.h>
+#endif
 
 namespace {
 
@@ -141,6 +148,143 @@ void nearest(benchmark::State& state, Way way) {
   state.counters["MB"] = static_cast<double>(q.hash.memory()) / 1e6;
 }
 
+// All points of a row in one call.
+void together(benchmark::State& state, Way way) {
+  const Queries& q = queries(static_cast<int>(state.range(0)));
+  const bool hinted = way == warm || way == step;
+  const auto& points = hinted ? q.moved : q.along;
+  std::vector<SpatialHash::Question> ask;
+  for (std::size_t i = 0; i < (way == warm ? 250 : points.size()); ++i)
+    ask.push_back({points[i], 0.5, hinted ? q.answer[i] : -1});
+  std::vector<SpatialHash::Nearest> answers(ask.size());
+  while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(ask.size()))) {
+    q.hash.nearest(ask, answers);
+    benchmark::DoNotOptimize(answers.data());
+  }
+  SpatialHash::Counters c;
+  q.hash.nearest(ask, answers, &c);
+  const auto per = [&](long total) { return static_cast<double>(total) / static_cast<double>(c.queries); };
+  state.counters["triangles"] = static_cast<double>(q.mesh.triangles.size());
+  state.counters["lookups/q"] = per(c.lookups);
+  state.counters["cells/q"] = per(c.cells);
+  state.counters["bounds/q"] = per(c.triangles);
+  state.counters["tests/q"] = per(c.exact);
+}
+
+#ifdef HAWSER_EMBREE
+// The closest-point query of a bounding volume hierarchy. Its boxes are in single precision; the triangles
+// are tested in double, as the hash does, so that both give the same answer.
+class Tree {
+ public:
+  explicit Tree(const Mesh& m) : mesh_(m), device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+    RTCGeometry g = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                          3 * sizeof(float), m.vertices.size()));
+    auto* t = static_cast<unsigned*>(rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                             3 * sizeof(unsigned), m.triangles.size()));
+    for (const Vec3& x : m.vertices)
+      for (int a = 0; a < 3; ++a) *v++ = static_cast<float>(x[a]);
+    for (const auto& tri : m.triangles)
+      for (const int i : tri) *t++ = static_cast<unsigned>(i);
+    rtcSetGeometryPointQueryFunction(g, test);
+    rtcCommitGeometry(g);
+    rtcAttachGeometry(scene_, g);
+    rtcReleaseGeometry(g);
+    rtcCommitScene(scene_);
+  }
+  ~Tree() {
+    rtcReleaseScene(scene_);
+    rtcReleaseDevice(device_);
+  }
+  Tree(const Tree&) = delete;
+  Tree& operator=(const Tree&) = delete;
+
+  SpatialHash::Nearest nearest(const Vec3& p, double max_distance, int hint) const {
+    Asked a{&mesh_, p, {-1, max_distance * max_distance}};
+    if (hint >= 0) a.offer(static_cast<unsigned>(hint));
+    RTCPointQuery query;
+    query.x = static_cast<float>(p.x());
+    query.y = static_cast<float>(p.y());
+    query.z = static_cast<float>(p.z());
+    query.radius = a.radius();
+    query.time = 0;
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(scene_, &query, &context, nullptr, &a);
+    return a.best;
+  }
+
+ private:
+  struct Asked {
+    const Mesh* mesh;
+    Vec3 p;
+    SpatialHash::Nearest best;
+    float radius() const { return static_cast<float>(std::sqrt(best.squared_distance) * (1 + 1e-6)) + 1e-4f; }
+    bool offer(unsigned triangle) {
+      const auto& t = mesh->triangles[triangle];
+      const auto v = [&](std::size_t i) { return mesh->vertices[static_cast<std::size_t>(t[i])]; };
+      const double d = squared_distance_to(v(0) - p, v(1) - p, v(2) - p);
+      if (!(d < best.squared_distance)) return false;
+      best = {static_cast<int>(triangle), d};
+      return true;
+    }
+  };
+  // Ericson (2005), 5.1.5, corners seen from the point, as in the hash.
+  static double squared_distance_to(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a, ac = c - a;
+    const double d1 = -ab.dot(a), d2 = -ac.dot(a);
+    if (d1 <= 0 && d2 <= 0) return a.squaredNorm();
+    const double d3 = -ab.dot(b), d4 = -ac.dot(b);
+    if (d3 >= 0 && d4 <= d3) return b.squaredNorm();
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return (a + d1 / (d1 - d3) * ab).squaredNorm();
+    const double d5 = -ab.dot(c), d6 = -ac.dot(c);
+    if (d6 >= 0 && d5 <= d6) return c.squaredNorm();
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return (a + d2 / (d2 - d6) * ac).squaredNorm();
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+      return (b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).squaredNorm();
+    const double f = 1 / (va + vb + vc);
+    return (a + vb * f * ab + vc * f * ac).squaredNorm();
+  }
+  static bool test(RTCPointQueryFunctionArguments* args) {
+    Asked& a = *static_cast<Asked*>(args->userPtr);
+    if (!a.offer(args->primID)) return false;
+    args->query->radius = a.radius();
+    return true;
+  }
+
+  const Mesh& mesh_;
+  RTCDevice device_;
+  RTCScene scene_;
+};
+
+void embree(benchmark::State& state, Way way) {
+  const Queries& q = queries(static_cast<int>(state.range(0)));
+  static std::map<int, std::unique_ptr<Tree>> trees;
+  auto& tree = trees[static_cast<int>(state.range(0))];
+  if (!tree) tree = std::make_unique<Tree>(q.mesh);
+  const bool hinted = way == warm || way == step;
+  const auto& points = hinted ? q.moved : q.along;
+  const std::size_t n = way == line || way == warm ? 250 : points.size();
+  std::size_t i = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(tree->nearest(points[i], 0.5, hinted ? q.answer[i] : -1));
+    if (++i == n) i = 0;
+  }
+  double worst = 0;
+  for (std::size_t k = 0; k < n; k += 7) {
+    const auto other = tree->nearest(points[k], 0.5, -1), own = q.hash.nearest(points[k], 0.5);
+    if (own.triangle < 0 && other.triangle < 0) continue;
+    worst = std::max(worst, std::abs(std::sqrt(other.squared_distance) - std::sqrt(own.squared_distance)));
+  }
+  state.counters["differs_m"] = worst;
+}
+#endif
+
 void build(benchmark::State& state) {
   const Mesh& m = queries(static_cast<int>(state.range(0))).mesh;
   for (auto _ : state) benchmark::DoNotOptimize(SpatialHash(m.vertices, m.triangles));
@@ -155,6 +299,14 @@ BENCHMARK_CAPTURE(nearest, lines, lines) EACH_MESH;
 BENCHMARK_CAPTURE(nearest, first, first) EACH_MESH;
 BENCHMARK_CAPTURE(nearest, step, step) EACH_MESH;
 BENCHMARK_CAPTURE(nearest, random, scattered) EACH_MESH;
+BENCHMARK_CAPTURE(together, warm, warm) EACH_MESH;
+BENCHMARK_CAPTURE(together, first, first) EACH_MESH;
+BENCHMARK_CAPTURE(together, step, step) EACH_MESH;
+#ifdef HAWSER_EMBREE
+BENCHMARK_CAPTURE(embree, line, line) EACH_MESH;
+BENCHMARK_CAPTURE(embree, first, first) EACH_MESH;
+BENCHMARK_CAPTURE(embree, step, step) EACH_MESH;
+#endif
 BENCHMARK(build)->Arg(10000)->Arg(1000000)->Arg(0)->Unit(benchmark::kMillisecond);
 
 }  // namespace

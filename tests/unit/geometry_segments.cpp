@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/geometry/wide.hpp"
@@ -164,6 +165,40 @@ TEST(GeometrySegments, KnownAnswers) {
   p = closest_points_of_segments({1, 5, 0}, {1, 5, 0}, {0, 0, 0}, {4, 0, 0});
   EXPECT_EQ(p.t, 0.25);
   EXPECT_EQ(p.distance, 5);
+}
+
+// Distances by exact rational arithmetic on the coordinates as they are stored. The first two are examples of
+// Eberly, "Robust computation of distance between line segments" (Geometric Tools), where the usual formula
+// is wrong in the seventh digit; his values agree. The others are degenerate.
+TEST(GeometrySegments, ExactRationals) {
+  struct Case {
+    Vec3 a0, a1, b0, b1;
+    double distance;
+  };
+  const std::vector<Case> cases = {
+      {{-1.0896217473782599, 9.7236145595088601e-007, 0},
+       {0.91220578597858548, -9.4369829432107506e-007, 0},
+       {-0.90010447502136237, 9.0671446351334441e-007, 0},
+       {1.0730877178721130, -9.8185787633992740e-007, 0},
+       1.157504613857410516892517e-7},
+      {{0.77998990099877119, 0.61192502360790968, -0.22703111823648214},
+       {0.53215344529598951, 0.85724585503339767, -0.10102437809109688},
+       {-0.21277333982288837, 0.35091548087075233, -0.49557160679250956},
+       {0.11881479667499661, 0.022494725417345293, -0.66426620958372623},
+       0.9829239711648878897479886},
+      {{0, 0, 0}, {1, 2, 2}, {3, 1, -1}, {3, 1, -1}, 3.162277660168379331998894},  // a point
+      {{0, 0, 0}, {1, 0, 0}, {2, 3, 6}, {2, 3, 6}, 6.782329983125268139064556},    // a point
+      {{0, 0, 0}, {4, 2, 0}, {2, 1, 3}, {10, 5, 3}, 3},                            // parallel, overlapping
+      {{1, 1, 1}, {3, 3, 3}, {5, 5, 5}, {9, 9, 9}, 3.464101615137754587054893},    // on one line, apart
+      {{0, 0, 0}, {3, 0, 0}, {1, -2, 1}, {2, 5, 1}, 1},                            // crossing
+      {{0, 0, 0}, {1, 2, 3}, {7, 5, 1}, {2, 2, 2}, 1.309307341415954287596585},    // end to inside
+      {{0, 0, 0}, {10, 0, 0}, {2, 3, 0}, {5, 1, 4}, 2.683281572999747635691008},   // inside to inside
+      {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.7}, {0.2, 0.4, 0.6}, {0.5, 0.7, 1.0}, 0.1014599312391784832318718},
+  };
+  for (const Case& c : cases) {
+    EXPECT_LE(check(c.a0, c.a1, c.b0, c.b1), kTolerance);
+    EXPECT_NEAR(closest_points_of_segments(c.a0, c.a1, c.b0, c.b1).distance, c.distance, 1e-14);
+  }
 }
 
 // Where lines cross at an angle, the parameters are right too.

@@ -41,6 +41,8 @@ void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
   std::uniform_real_distribution<double> u(-1, 1);
   std::uniform_int_distribution<std::size_t> any(0, m.vertices.size() - 1);
   const double size = hash.box().diagonal();
+  std::vector<SpatialHash::Question> questions;
+  std::vector<SpatialHash::Nearest> expected;
   for (int i = 0; i < n; ++i) {
     const Vec3 shift(u(gen), u(gen), u(gen));
     const Vec3 y = m.vertices[any(gen)] + size * std::pow(finest, std::abs(u(gen))) * shift;
@@ -60,10 +62,25 @@ void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
       ASSERT_EQ(near.squared_distance, all.squared_distance) << y.transpose() << " x " << factor;
       ASSERT_EQ(near.triangle, all.triangle) << y.transpose() << " x " << factor;
     }
+    for (const int any_hint : {-1, hint, all.triangle}) {
+      questions.push_back({y, std::sqrt(exact) * (i % 2 ? 1.5 : 1e3) + 1e-13 * size, any_hint});
+      expected.push_back(all);
+    }
     const double less = (1 - 1e-9) * std::sqrt(exact) - 1e-13 * size;
     if (less > 0) {
       ASSERT_EQ(hash.nearest(y, less).triangle, -1);
+      questions.push_back({y, less, hint});
+      expected.push_back({});
     }
+  }
+  // All together: the same as one by one, to the last bit.
+  std::vector<SpatialHash::Nearest> answers(questions.size());
+  SpatialHash::Counters c;
+  hash.nearest(questions, answers, &c);
+  EXPECT_EQ(c.queries, static_cast<long>(questions.size()));
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    ASSERT_EQ(answers[i].triangle, expected[i].triangle) << i << ": " << questions[i].point.transpose();
+    ASSERT_EQ(answers[i].squared_distance, expected[i].squared_distance) << i;
   }
 }
 
@@ -120,24 +137,57 @@ TEST(GeometrySpatialHash, EmptyAndStrangePoints) {
   EXPECT_EQ(hash.nearest(Vec3::Constant(std::nan(""))).triangle, -1);
   EXPECT_GE(hash.nearest(Vec3::Constant(1e12)).triangle, 0);
   EXPECT_EQ(hash.nearest(Vec3::Constant(1e12), 5).triangle, -1);
+
+  const std::vector<SpatialHash::Question> strange = {{{0, 0, 0}, -1, 3},
+                                                      {Vec3::Constant(std::nan("")), 1, 3},
+                                                      {Vec3::Constant(1e12), 5, 3},
+                                                      {Vec3(0, 0, 1.01), 1, 1 << 30},
+                                                      {Vec3(0, 0, 1.01), std::nan(""), 0}};
+  std::vector<SpatialHash::Nearest> answers(strange.size());
+  hash.nearest(strange, answers);
+  for (const std::size_t i : {0, 1, 2, 4}) EXPECT_EQ(answers[i].triangle, -1) << i;
+  EXPECT_EQ(answers[3].triangle, hash.nearest(Vec3(0, 0, 1.01)).triangle);
+  SpatialHash().nearest(strange, answers);
+  for (const auto& a : answers) EXPECT_EQ(a.triangle, -1);
+  hash.nearest(std::span<const SpatialHash::Question>(), std::span<SpatialHash::Nearest>());
+  answers.pop_back();
+  EXPECT_THROW(hash.nearest(strange, answers), std::invalid_argument);
+}
+
+// Sizes of meshes and numbers for which single precision must not leave its range.
+TEST(GeometrySpatialHash, VerySmallAndVeryLarge) {
+  for (const double scale : {1e-12, 1e-6, 1e6, 1e12}) {
+    TriangleMesh m = graded();
+    for (Vec3& v : m.vertices) v *= scale;
+    campaign(m, 300);
+  }
 }
 
 TEST(GeometrySpatialHash, WorkDoesNotGrowWithTheMesh) {
-  // Tests per query a fixed fraction of a triangle above the surface.
-  const auto work = [](int levels) {
+  // Tests per query a fixed fraction of a triangle above the surface; all together, with hints from nearby.
+  const auto work = [](int levels, bool together) {
     const TriangleMesh m = sphere_mesh(levels, 10);
     const SpatialHash hash(m.vertices, m.triangles);
     std::mt19937 gen(4);
     std::normal_distribution<double> g;
     SpatialHash::Counters c;
     const double d = 3.0 * std::ldexp(1.0, -levels);
-    for (int i = 0; i < 2000; ++i)
-      hash.nearest((10 + d) * Vec3(g(gen), g(gen), g(gen)).normalized(), 2 * d, -1, &c);
+    std::vector<SpatialHash::Question> questions;
+    for (int i = 0; i < 2000; ++i) {
+      const Vec3 y = (10 + d) * Vec3(g(gen), g(gen), g(gen)).normalized();
+      const Vec3 before = y + 0.1 * d * Vec3(g(gen), g(gen), g(gen)).normalized();
+      questions.push_back({y, 2 * d, hash.nearest(before).triangle});
+      if (!together) hash.nearest(y, 2 * d, -1, &c);
+    }
+    std::vector<SpatialHash::Nearest> answers(questions.size());
+    if (together) hash.nearest(questions, answers, &c);
     return static_cast<double>(c.triangles + c.cells + c.lookups) / static_cast<double>(c.queries);
   };
-  const double small = work(4), large = work(7);  // 2048 and 131072 triangles
-  EXPECT_LT(large, 1.3 * small);
-  EXPECT_LT(large, 60);
+  for (const bool together : {false, true}) {
+    const double small = work(4, together), large = work(7, together);  // 2048 and 131072 triangles
+    EXPECT_LT(large, 1.3 * small) << together;
+    EXPECT_LT(large, 60) << together;
+  }
 }
 
 }  // namespace

@@ -9,15 +9,16 @@
 // down from there, nearest first, leaving out what is farther than the best found.
 //
 // What a query reads on its way is small, so that it comes from cache also for a million triangles: runs
-// are kept in 18 bytes a triangle, corners rounded to a grid, and bound the distances of eight triangles at
-// a time in single precision. Only those that could be the nearest are then tested in double precision.
+// are kept in 12 bytes a triangle, corners rounded to a grid, and bound the distances of a whole run at a
+// time in single precision. Only those that could be the nearest are then tested in double precision.
 //
-// Memory: about 110 bytes a triangle, 80 of them its corners in double and its index.
+// Memory: about 100 bytes a triangle, 80 of them its corners in double and its index.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "hawser/geometry/box.hpp"
@@ -35,6 +36,17 @@ class SpatialHash {
   struct Counters {
     long queries = 0, lookups = 0, cells = 0;
     long triangles = 0, exact = 0;  // bounded in single precision, tested in double
+    Counters& operator+=(const Counters& o) {
+      queries += o.queries, lookups += o.lookups, cells += o.cells;
+      triangles += o.triangles, exact += o.exact;
+      return *this;
+    }
+  };
+  // As of nearest().
+  struct Question {
+    Vec3 point;
+    double max_distance = std::numeric_limits<double>::infinity();  // m
+    int hint = -1;
   };
 
   SpatialHash() = default;
@@ -46,6 +58,10 @@ class SpatialHash {
   // near. Among triangles at exactly equal distance always the same is chosen, whatever the hint.
   Nearest nearest(const Vec3& p, double max_distance = std::numeric_limits<double>::infinity(), int hint = -1,
                   Counters* counters = nullptr) const;
+
+  // The same for many points, best in the order of a walk and with hints: half the time of one by one.
+  void nearest(std::span<const Question> questions, std::span<Nearest> answers,
+               Counters* counters = nullptr) const;
 
   const Box& box() const { return box_; }  // of the active triangles
   std::size_t size() const { return corners_.size(); }
@@ -70,12 +86,12 @@ class SpatialHash {
   };
   // Up to eight children side by side, so that their distances are found together, in two cache lines:
   // boxes on a grid of 255 steps of a power of two over the box of all. The corners of their triangles
-  // are on a grid 256 times finer.
+  // are on a grid 4 times finer.
   struct alignas(64) Children {
     float origin[3];           // m, from centre_
     std::uint8_t exponent[3];  // of the step, biased by 127
     std::uint8_t count;
-    std::uint8_t lo[3][8], hi[3][8];
+    std::uint8_t box[3][16];  // eight lower faces, eight upper ones
     Entry entry[8];
   };
   struct Slot {
@@ -87,7 +103,12 @@ class SpatialHash {
     std::size_t first, mask;
   };
   struct Made;
+  struct Ball;       // the rest, in src: what a search knows,
+  struct Item;       // a cell to be looked at,
+  struct Candidate;  // a triangle that could be the nearest,
+  struct Start;      // the cells a search starts from
   struct Search;
+  struct Group;
 
   void sort_triangles(const std::vector<Vec3>& vertices, const std::vector<std::array<int, 3>>& triangles,
                       const std::vector<int>& which, std::vector<std::uint64_t>& keys,
@@ -96,12 +117,18 @@ class SpatialHash {
   Made bundle(Made* first, Made* last);  // up to eight
   Made join(std::vector<Made>& parts, bool below_hash);
   void add_table(const Made* first, const Made* last);
-  const Entry* find(int level, std::uint64_t key) const;
   void round_corners(const Children& frame, const Entry& run);
-  double test(std::uint32_t slot, const Vec3& p) const;
-  void bound(Search& search, const Children& frame, const Entry& run) const;
+  bool begin(Ball& ball, const Vec3& p, double max_distance) const;
+  int slot_of(int triangle) const;
+  const Entry* find(int level, std::uint64_t key) const;
+  Start start(const Ball& ball) const;
+  void fetch(const Entry& entry) const;
+  unsigned expand(const Ball& ball, std::uint32_t block, float* squared) const;
+  int bound(Ball& ball, Entry run, std::uint32_t block, Candidate* candidates) const;
+  void test(Ball& ball, std::uint32_t slot) const;
+  Nearest answer(const Ball& ball) const;
+  Nearest search(const Question& question, Counters& count) const;
   void settle(Search& search) const;
-  void descend(Search& search) const;
 
   Box box_;
   Vec3 origin_ = Vec3::Zero(), centre_ = Vec3::Zero();
@@ -110,7 +137,7 @@ class SpatialHash {
   int start_ = 0;                       // finest level in hash_, above that of the largest triangles
   std::vector<double> margin_;          // per level: how far triangles of it or below reach out of their cell
   std::vector<Corners> corners_;        // sorted
-  std::vector<std::uint16_t> rounded_;  // of each run: first x of all its triangles, first y, ... third z
+  std::vector<std::uint32_t> rounded_;  // of each run: first corners, second, third, 3 x 10 bits each
   std::vector<std::int32_t> slot_;      // of each mesh triangle in corners_, -1 if not active
   std::vector<Children> children_;
   Entry root_;

@@ -1,0 +1,10 @@
+// The random campaign against geometry, short; geometry_fuzz_long.full.cpp is the long one.
+#include "support/geometry_fuzz.hpp"
+
+namespace {
+using hawser::testing::GeometryFuzz;
+
+TEST(GeometryFuzz, TriangleAndPoint) { GeometryFuzz(1).triangles(50000); }
+TEST(GeometryFuzz, TwoSegments) { GeometryFuzz(2).segments(50000); }
+TEST(GeometryFuzz, Sign) { GeometryFuzz(3).signs(40, 500); }
+}  // namespace
