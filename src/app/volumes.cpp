@@ -13,13 +13,17 @@ namespace hawser::app {
 namespace {
 
 LoadedVolume load_mesh(const model::Volume& v) {
-  io::LoadedMesh loaded = io::read_mesh(v.mesh, v.scale);
+  io::LoadedMesh loaded = io::read_mesh(v.mesh, v.scale, v.closed);
   LoadedVolume l;
   l.active = io::active_triangles(loaded.mesh, v);
   l.report = summary(loaded.report);
   l.notes = loaded.notes;
-  const auto surface = std::make_shared<MeshSurface>(std::move(loaded.mesh), l.active,
-                                                     MeshSurfaceOptions{v.smooth, v.crease_angle});
+  const auto surface = std::make_shared<MeshSurface>(
+      std::move(loaded.mesh), l.active, MeshSurfaceOptions{v.smooth, v.crease_angle, loaded.open});
+  if (surface->internal_facets() > 0)
+    l.notes.push_back(
+        fmt::format("{}: {} triangles have the inside on both sides and are left out of contact", v.mesh,
+                    surface->internal_facets()));
   if (!v.smooth) {
     l.report += " Facets are flat.";
   } else if (surface->curved() == 0) {

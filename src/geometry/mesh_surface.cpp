@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "coarse_distance.hpp"
-#include "hawser/geometry/point_in_polyhedron.hpp"
+#include "defects.hpp"
+#include "hawser/geometry/winding_tree.hpp"
 #include "pseudonormals.hpp"
 
 namespace hawser {
@@ -24,8 +25,10 @@ struct MeshSurface::Data {
   std::vector<bool> border_vertex;  // when partial: touches active and inactive triangles
   detail::CoarseDistance coarse;
   Box bounds;
-  double small = 0;  // m, lengths below are rounding or need a bound
-  int curved = 0, sharp = 0;
+  double small = 0;          // m, lengths below are rounding or need a bound
+  WindingTree winding;       // where defects or features without a pseudonormal need it, else empty
+  std::vector<bool> unsure;  // facets near which the winding number decides; empty: none
+  int curved = 0, sharp = 0, internal = 0;
   double bulge = 0;
 
   const TriangleMesh& mesh() const { return facets.mesh(); }
@@ -45,14 +48,15 @@ struct MeshSurface::Data {
   }
   // Whether y is behind the surface at its closest point c.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
+    if (!unsure.empty() && unsure[static_cast<std::size_t>(c.triangle)]) return winding.inside(mesh(), y);
     if (c.feature == Feature::face && !facets.curved(c.triangle))
       return normals.face(c.triangle).dot(y - facets.corner(c.triangle, 0)) < 0;
-    if (pseudonormal.isZero(0)) return winding_number(mesh(), y) > 0.5;
+    if (pseudonormal.isZero(0)) return winding.inside(mesh(), y);
     return pseudonormal.dot(y - c.point) < 0;
   }
   bool inside_whole(const Vec3& y, double bound, int hint) const {
     const FacetSearch::Foot c = nearest(whole, y, bound, hint);
-    if (c.triangle < 0) return winding_number(mesh(), y) > 0.5;  // cannot be: `hint` is within the bound
+    if (c.triangle < 0) return false;  // cannot be: `hint` is within the bound
     return behind(c, y, normals.at(facets, c.triangle, c));
   }
   // Of a point behind the border of the active part: does it lie under an active face, to 45 degrees?
@@ -80,8 +84,9 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
     throw std::invalid_argument("the mesh has no inside: " + why);
   };
   if (mesh.triangles.empty()) refuse("it is empty");
-  if (topo.odd_edges > 0) refuse(std::to_string(topo.odd_edges) + " edges are open");
-  if (topo.flipped_edges > 0)
+  const bool open = topo.odd_edges > 0 || topo.flipped_edges > 0;
+  if (!options.open && topo.odd_edges > 0) refuse(std::to_string(topo.odd_edges) + " edges are open");
+  if (!options.open && topo.flipped_edges > 0)
     refuse(std::to_string(topo.flipped_edges) + " edges lie between triangles turned opposite ways");
   if (!active.empty() && active.size() != mesh.triangles.size())
     throw std::invalid_argument("the active part has " + std::to_string(active.size()) + " flags for " +
@@ -92,15 +97,33 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
 
   auto data = std::make_unique<Data>();
   Data& d = *data;
+  detail::Defects defects;
+  if (open || topo.components > 1) {
+    d.winding = WindingTree(mesh);
+    defects = detail::find_defects(mesh, topo, d.winding);
+    d.internal = defects.internal_facets;
+  }
   MeshBends bends;
-  if (options.smooth) bends = mesh_bends(mesh, topo, options.crease_angle);
+  if (options.smooth) bends = mesh_bends(mesh, topo, options.crease_angle, defects.unsure);
   d.curved = bends.curved, d.sharp = bends.sharp, d.bulge = bends.bulge;
   d.facets = Facets(std::move(mesh), std::move(bends.of));
   d.normals = detail::Pseudonormals(d.facets, topo);
-  d.active = FacetSearch(d.facets, active);
+  if (d.winding.empty() && !d.normals.complete()) d.winding = WindingTree(d.mesh());
+  d.unsure = std::move(defects.unsure);
+  // Internal facets are no part of the surface; `met` are the active ones that are.
+  std::vector<bool> outer, met = active;
+  if (d.internal > 0) {
+    outer = std::move(defects.internal);
+    outer.flip();
+    if (met.empty()) met.assign(outer.size(), true);
+    for (std::size_t t = 0; t < met.size(); ++t) met[t] = met[t] && outer[t];
+    if (std::find(met.begin(), met.end(), true) == met.end())
+      throw std::invalid_argument("the active part of the mesh lies all within the body");
+  }
+  d.active = FacetSearch(d.facets, met);
   d.partial = !active.empty();
   if (d.partial) {
-    d.whole = FacetSearch(d.facets, {});
+    d.whole = FacetSearch(d.facets, outer);
     d.border_vertex.assign(d.mesh().vertices.size(), false);
     std::vector<int> touched(d.mesh().vertices.size(), 0);
     for (std::size_t t = 0; t < active.size(); ++t)
@@ -110,11 +133,13 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   d.is_active = std::move(active);
   d.bounds = d.partial ? d.whole.box() : d.active.box();
   d.small = 1e-6 * d.bounds.extent().maxCoeff();
-  d.coarse = detail::CoarseDistance(d.bounds, d.mesh().triangles.size(), [&d](const Vec3& y, int hint) {
+  d.coarse = detail::CoarseDistance(d.bounds, d.mesh().triangles.size(), [&](const Vec3& y, int hint) {
     const auto near = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
     const double away = std::sqrt(near.squared_distance);
     const auto all = d.partial ? d.nearest(d.whole, y, away * (1 + 1e-6) + d.small, near.triangle) : near;
-    const double whole = std::sqrt(all.squared_distance);
+    double whole = std::sqrt(all.squared_distance);
+    // The sign may change where no facet is: in the holes.
+    for (const auto& hole : defects.holes) whole = std::min(whole, hole.distance(y));
     return detail::CoarseDistance::Sample{
         near.triangle, away, d.behind(all, y, d.normals.at(d.facets, all.triangle, all)) ? -whole : whole};
   });
@@ -152,6 +177,10 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   if (c.feature == Feature::face) {
     s.normal = pseudonormal;
     s.distance = s.normal.dot(y - (curved ? c.point : d.facets.corner(t, 0)));
+    if ((s.distance < 0) != behind && s.distance != 0) {  // a facet that faces the inside, of no clean mesh
+      s.normal = -s.normal;
+      s.distance = -s.distance;
+    }
     if (curved) s.curvature = curvature_over_patch(d.facets.patch(t), c.u, c.v, s.normal, s.distance);
     return s;
   }
@@ -178,11 +207,18 @@ SmoothPatch MeshSurface::patch(int triangle) const { return data_->facets.patch(
 int MeshSurface::curved() const { return data_->curved; }
 int MeshSurface::sharp_edges() const { return data_->sharp; }
 double MeshSurface::bulge() const { return data_->bulge; }
+int MeshSurface::internal_facets() const { return data_->internal; }
+double MeshSurface::unsure() const {
+  const auto& u = data_->unsure;
+  return u.empty()
+             ? 0
+             : static_cast<double>(std::count(u.begin(), u.end(), true)) / static_cast<double>(u.size());
+}
 
 std::size_t MeshSurface::memory() const {
   const Data& d = *data_;
   return sizeof(Data) + d.facets.memory() + d.normals.memory() + d.active.memory() + d.whole.memory() +
-         d.coarse.memory();
+         d.coarse.memory() + d.winding.memory();
 }
 
 std::vector<bool> active_by_part(const TriangleMesh& mesh, const std::vector<std::string>& names) {

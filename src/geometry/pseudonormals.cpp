@@ -65,7 +65,10 @@ Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo)
     }
   }
   for (std::size_t v = 0; v < vertex_.size(); ++v)
-    if (undefined[v] || vertex_[v].norm() < 1e-6) vertex_[v].setZero();
+    if (undefined[v] || vertex_[v].norm() < 1e-6) vertex_[v].setZero(), complete_ = false;
+  for (std::size_t t = 0; t < face_.size() && complete_; ++t)
+    for (const int u : neighbours_[t])
+      complete_ = complete_ && u >= 0 && (face_[t] + face_[static_cast<std::size_t>(u)]).norm() > 1e-3;
 }
 
 Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {

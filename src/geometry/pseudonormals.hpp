@@ -20,11 +20,14 @@ class Pseudonormals {
   // At p on facet t. Not unit; zero where it would not give the sign: non-manifold edges and vertices, beside
   // triangles of no area, and where two faces are folded onto each other.
   Vec3 at(const Facets& facets, int t, const PatchPoint& p) const;
+  // Whether all are defined at the vertices and edges of facets with area.
+  bool complete() const { return complete_; }
   std::size_t memory() const;
 
  private:
   std::vector<Vec3> face_, vertex_;
   std::vector<std::array<int, 3>> neighbours_;
+  bool complete_ = true;
 };
 
 }  // namespace hawser::detail

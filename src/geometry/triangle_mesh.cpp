@@ -207,7 +207,7 @@ std::string summary(const MeshReport& r) {
   if (r.closed && r.consistently_oriented && !r.outward) faults.push_back("normals point into the solid");
   if (r.degenerate > 0) faults.push_back(many(r.degenerate, "triangle has", "triangles have") + " no area");
   for (std::size_t i = 0; i < faults.size(); ++i)
-    s << (i == 0 ? (r.valid() ? " Note: " : " Not fit for contact: ") : "; ") << faults[i];
+    s << (i == 0 ? (r.valid() ? " Note: " : " Not clean: ") : "; ") << faults[i];
   if (!faults.empty()) s << ".";
   return s.str();
 }

@@ -130,6 +130,7 @@ class Reader {
     } else {
       o.mesh = source_.absolute(v["mesh"].text);
       o.scale = v["scale"].number;
+      o.closed = v["closed"].text == "required";
       o.smooth = v["smooth"].number != 0;
       o.crease_angle = v["crease_angle_deg"].number;
     }

@@ -166,7 +166,7 @@ void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
     const std::string key = "volumes." + v.name;
     LoadedMesh loaded;
     try {
-      loaded = read_mesh(v.mesh, v.scale);
+      loaded = read_mesh(v.mesh, v.scale, v.closed);
     } catch (const InputError& e) {
       source.bad(given["mesh"], key + ".mesh", e.what());
     }

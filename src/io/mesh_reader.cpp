@@ -8,10 +8,14 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <sstream>
 
 #include "hawser/base/error.hpp"
+#include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/model/nearest.hpp"
 
@@ -61,6 +65,28 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, 
   for (unsigned i = 0; i < node.mNumChildren; ++i) append(scene, *node.mChildren[i], to_root, scale, mesh);
 }
 
+// Assimp's reader never comes back from a header that does not end, nor from numbers of elements beyond the
+// file.
+void check_ply_header(const std::string& path, std::uintmax_t bytes) {
+  std::ifstream in(path, std::ios::binary);
+  std::string line;
+  for (int i = 0; i < 1000 && std::getline(in, line); ++i) {
+    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) line.pop_back();
+    if (line == "end_header") return;
+    std::istringstream words(line);
+    std::string word, name, number;
+    if (!(words >> word) || word != "element") continue;
+    words >> name >> number;
+    const bool digits =
+        !number.empty() && number.size() < 12 &&
+        std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (!digits || std::stoull(number) > bytes)
+      bad(path,
+          fmt::format("the PLY header announces '{}' of '{}', more than the file can hold", number, name));
+  }
+  bad(path, "the PLY header has no line 'end_header'");
+}
+
 TriangleMesh import(const std::string& path, double scale) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -73,6 +99,7 @@ TriangleMesh import(const std::string& path, double scale) {
     bad(path, "meshes are read from STL, OBJ and PLY files (.stl, .obj, .ply), not from '" + extension + "'");
   if (fs::file_size(path, error) == 0 || error) bad(path, "the mesh file is empty or cannot be read");
 
+  if (extension == ".ply") check_ply_header(path, fs::file_size(path));
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_SortByPType);
   if (!scene || !scene->mRootNode)
@@ -87,7 +114,44 @@ TriangleMesh import(const std::string& path, double scale) {
 
 }  // namespace
 
-LoadedMesh read_mesh(const std::string& path, double scale) {
+namespace {
+
+std::string many(int n, const char* one, const char* more) {
+  return fmt::format("{} {}", n, n == 1 ? one : more);
+}
+
+// An open or inconsistent mesh: mend what can be, say what is wrong and what is assumed.
+void mend(const std::string& path, LoadedMesh& loaded) {
+  const MeshReport found = loaded.report;
+  const RepairResult repaired = repair(loaded.mesh);
+  if (loaded.mesh.triangles.empty()) bad(path, "holds only triangles that lie back to back");
+  loaded.report = inspect(loaded.mesh);
+  loaded.open = !loaded.report.valid();
+  std::vector<std::string> faults;
+  if (found.open_edges > 0) faults.push_back(many(found.open_edges, "open edge", "open edges"));
+  if (found.non_manifold_edges > 0)
+    faults.push_back(many(found.non_manifold_edges, "edge", "edges") + " of more than two triangles");
+  if (found.flipped_edges > 0)
+    faults.push_back(many(found.flipped_edges, "edge", "edges") + " between triangles turned opposite ways");
+  if (found.degenerate > 0) faults.push_back(many(found.degenerate, "triangle", "triangles") + " of no area");
+  if (repaired.enclosing < 0.5)
+    bad(path,
+        fmt::format("the mesh encloses nothing: it has {} among {} triangles, and only {:.0f} % of its area "
+                    "has an inside; a sheet needs a thickness, or use a `shape`",
+                    fmt::join(faults, ", "), found.triangles, 100 * repaired.enclosing));
+  loaded.notes.push_back(
+      fmt::format("{}: the mesh is not clean: {}; {}", path, fmt::join(faults, ", "), repaired.sentence));
+  if (loaded.open)
+    loaded.notes.push_back(
+        fmt::format("{}: holes are not filled: inside is where the winding number is above 1/2, as it is "
+                    "behind {:.4g} % of the "
+                    "surface",
+                    path, 100 * repaired.enclosing));
+}
+
+}  // namespace
+
+LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
   LoadedMesh loaded;
   loaded.mesh = import(path, scale);
   TriangleMesh& mesh = loaded.mesh;
@@ -101,17 +165,21 @@ LoadedMesh read_mesh(const std::string& path, double scale) {
 
   MeshReport& report = loaded.report;
   report = inspect(mesh);
-  if (!report.closed)
+  if (closed && !report.closed)
     bad(path,
         fmt::format("the mesh is not closed: {} open edges and {} edges of more than two triangles in {} "
-                    "triangles; a volume must be watertight",
+                    "triangles; the volume says `closed: required`",
                     report.open_edges, report.non_manifold_edges, report.triangles));
   if (!report.valid()) {
     const OrientationResult turned = orient(mesh);
-    report = inspect(mesh);
-    if (!report.valid()) bad(path, "the triangles cannot be turned outward: " + turned.sentence);
-    loaded.notes.push_back(path + ": " + turned.sentence);
+    if (turned.done) {
+      report = inspect(mesh);
+      loaded.notes.push_back(path + ": " + turned.sentence);
+    } else if (closed) {
+      bad(path, "the triangles cannot be turned outward: " + turned.sentence);
+    }
   }
+  if (!report.valid()) mend(path, loaded);
   report.welded = welded.welded;
   report.removed = welded.removed;
   return loaded;

@@ -140,12 +140,16 @@ Key volumes() {
   return names(
              "volumes",
              map("<volume>",
-                 {text(
-                      "mesh",
-                      "closed triangle mesh (STL, OBJ or PLY), relative to the case file; this or `shape` is "
-                      "needed"),
+                 {text("mesh",
+                       "triangle mesh (STL, OBJ or PLY), relative to the case file; this or `shape` is "
+                       "needed"),
                   shape(),
                   number("scale", none, "mesh units to m: 0.001 for a mesh in mm").above(0).or_else("1"),
+                  word("closed", {"required", "repair"},
+                       "what to do with a mesh that is open or inconsistent: refuse it, or mend what can be "
+                       "and "
+                       "take for inside where the winding number is above 1/2")
+                      .or_else("repair"),
                   boolean(
                       "smooth",
                       "curve the facets of a mesh where they stand for a curved surface; with `false` they "
@@ -168,7 +172,7 @@ Key volumes() {
                       .or_else("0"),
                   friction()},
                  "")
-                 .either({{{"mesh", "scale", "smooth", "crease_angle_deg", "active"}, {"mesh"}},
+                 .either({{{"mesh", "scale", "closed", "smooth", "crease_angle_deg", "active"}, {"mesh"}},
                           {{"shape"}, {"shape"}}},
                          true),
              "Volumes that lines must not enter, by name.")

@@ -98,7 +98,7 @@ TEST(CaseMeshReader, CornersThatDifferByRoundingAreWelded) {
   EXPECT_TRUE(io::read_mesh(temporary("rounded.stl", text)).report.valid());
   std::string apart = tetrahedron("t", "1000 0 0", "1001 0 0", "1000 1 0", "1000 0 1", true);
   apart.replace(apart.find("1001 0 0"), 8, "1001.01 0 0");
-  EXPECT_THROW(io::read_mesh(temporary("apart.stl", apart)), InputError);
+  EXPECT_THROW(io::read_mesh(temporary("apart.stl", apart), 1, true), InputError);
 }
 
 TEST(CaseMeshReader, PlyWithQuadrilaterals) {
@@ -113,9 +113,9 @@ TEST(CaseMeshReader, PlyWithQuadrilaterals) {
   EXPECT_NEAR(m.report.volume, 27, 1e-12);
 }
 
-TEST(CaseMeshReader, OpenMeshIsRefused) {
+TEST(CaseMeshReader, OpenMeshIsRefusedWhereClosedIsRequired) {
   try {
-    io::read_mesh(HAWSER_SOURCE_DIR "/tests/data/bad/open_box.obj");
+    io::read_mesh(HAWSER_SOURCE_DIR "/tests/data/bad/open_box.obj", 1, true);
     FAIL() << "was accepted";
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("3 open edges"), std::string::npos) << e.what();

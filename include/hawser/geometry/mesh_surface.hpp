@@ -1,4 +1,4 @@
-// Signed distance to a closed triangle mesh, its facets flat or curved.
+// Signed distance to a triangle mesh, its facets flat or curved.
 //
 // With `smooth` the facets of curved surfaces are quadratic patches (mesh_bends.hpp, smooth_patch.hpp), and
 // distance, normal and curvature are those of the patches. Neighbours share the curve of their edge, so the
@@ -8,7 +8,11 @@
 // The nearest flat facet comes from a SpatialHash, the nearest patch from a tree of boxes; the sign from the
 // angle-weighted pseudonormal at the nearest feature: Bærentzen & Aanæs (2005), "Signed distance computation
 // using the angle weighted pseudonormal", IEEE TVCG 11(3). Where that is not defined (a vertex or edge where
-// the surface touches itself, a triangle of no area) the solid angle decides.
+// the surface touches itself, a triangle of no area) the winding number decides (winding_tree.hpp).
+//
+// Of an open mesh the inside is where the winding number is above 1/2. It is asked near holes, and near
+// facets about which it does not pass 1/2; elsewhere the pseudonormal gives the same sign at once. Facets
+// with the inside on both sides (walls within the body, pieces that overlap) are left out.
 //
 // Only `active` triangles are met. The sign is that of the whole mesh, so the inactive rest closes the
 // body. A point inside whose nearest active point is on the border of the active part, and which does
@@ -28,12 +32,14 @@ namespace hawser {
 struct MeshSurfaceOptions {
   bool smooth = false;                    // curve the facets
   double crease_angle = 40 * M_PI / 180;  // rad; edges sharper stay
+  bool open = false;                      // allow open edges and triangles turned opposite ways
 };
 
 class MeshSurface final : public Surface {
  public:
-  // The mesh must be welded, closed and oriented (MeshReport::valid); throws std::invalid_argument with
-  // a sentence otherwise. `active`: one flag per triangle, empty means all.
+  // The mesh must be welded, and unless `open` closed and oriented (MeshReport::valid; an open one should
+  // have been through repair()); throws std::invalid_argument with a sentence otherwise. `active`: one flag
+  // per triangle, empty means all.
   explicit MeshSurface(TriangleMesh mesh, std::vector<bool> active = {}, MeshSurfaceOptions options = {});
   ~MeshSurface() override;
   MeshSurface(MeshSurface&&) noexcept;
@@ -47,6 +53,8 @@ class MeshSurface final : public Surface {
   int curved() const;                     // number of curved facets
   int sharp_edges() const;                // 0 without `smooth`
   double bulge() const;                   // m, the farthest the surface lies from the facets, at most
+  int internal_facets() const;            // left out, as the body is on both sides of them
+  double unsure() const;                  // share of the facets near which the winding number decides
   std::size_t memory() const;             // bytes
 
  private:

