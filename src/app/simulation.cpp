@@ -49,6 +49,7 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
     if (chosen(c.contact.all_lines, c.contact.lines, c.lines[static_cast<size_t>(g.line)].name))
       element.radius = 0.5 * type.contact_diameter;
     element.mass_per_length = type.mass_per_length;
+    element.rolling = c.contact.rolling;
   }
   return out;
 }

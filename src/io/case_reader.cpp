@@ -259,6 +259,9 @@ class Reader {
 
   void contact(const Value& v) {
     c_.contact.method = v["method"].is("line") ? model::ContactMethod::line : model::ContactMethod::nodes;
+    c_.contact.rolling = v["rolling"].number != 0;
+    if (c_.contact.rolling && c_.contact.method == model::ContactMethod::nodes)
+      source_.bad(v["rolling"], "contact.rolling", "needs 'method: line'; nodes touch without turning");
     const auto chosen = [&](const char* key, bool& all, std::vector<std::string>& names) {
       all = v[key].kind != Kind::list;
       for (const Value& n : v[key].items)

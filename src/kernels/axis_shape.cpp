@@ -17,6 +17,7 @@ AxisShape::AxisShape(const AxisEnds& e) : count_(e.beam ? 4 : 2), length_(e.leng
     reach_ = (e.x2 - e.x1).norm();
     return;
   }
+  q_ = {e.q1, e.q2};
   R_ = {e.q1.toRotationMatrix(), e.q2.toRotationMatrix()};
   w_ = {e.w1, e.w2};
   X_ = {e.x1, length_ * (R_[0] * c_), e.x2, length_ * (R_[1] * c_)};
@@ -95,6 +96,49 @@ void AxisShape::to_nodes(const Generalised& g, double* f, double* K, double* C) 
       if (turn && i == j) k += length_ * ch * hat(R_[node].transpose() * g.F[a]);
       block(K, i, j, k), block(C, i, j, c);
     }
+  }
+}
+
+AxisShape::Rolling::Rolling() {
+  for (auto* rows : {&by_X, &by_V})
+    for (auto& row : *rows) row.fill(Vec3::Zero());
+  for (auto& row : force_by_roll) row.fill(Vec3::Zero());
+}
+
+void AxisShape::to_nodes(const Rolling& g, const std::array<AxisRoll, 2>& ends, bool stiffening, double* f,
+                         double* K, double* C) const {
+  auto add = [](double* to, size_t i, size_t j, const Mat3& b) {
+    for (size_t r = 0; r < 3; ++r)
+      for (size_t c = 0; c < 3; ++c)
+        to[(3 * i + r) * 12 + 3 * j + c] += b(static_cast<int>(r), static_cast<int>(c));
+  };
+  for (size_t i = 0; i < 2; ++i) {
+    const Vec3& axis = ends[i].by_turn;
+    for (size_t r = 0; r < 3; ++r) f[3 * (2 * i + 1) + r] += g.T[i] * axis[static_cast<int>(r)];
+  }
+  if (!K) return;
+  std::array<Mat3, 2> E, D;  // as above
+  for (size_t k = 0; k < 2; ++k) {
+    E[k] = -length_ * R_[k] * hat(c_);
+    D[k] = -length_ * R_[k] * hat(w_[k].cross(c_));
+  }
+  for (size_t i = 0; i < 2; ++i) {
+    const Vec3& axis = ends[i].by_turn;
+    const size_t row = 2 * i + 1;
+    for (size_t j = 0; j < 4; ++j) {
+      Vec3 k = g.by_X[i][j], c = g.by_V[i][j];
+      if (j % 2) {
+        k = E[j / 2].transpose() * k + D[j / 2].transpose() * c;
+        c = E[j / 2].transpose() * c;
+      }
+      add(K, row, j, axis * k.transpose());
+      add(C, row, j, axis * c.transpose());
+      const Vec3 force = j % 2 ? Vec3(E[j / 2].transpose() * g.force_by_roll[j][i]) : g.force_by_roll[j][i];
+      add(K, j, row, force * axis.transpose());
+    }
+    for (size_t j = 0; j < 2; ++j)
+      add(K, row, 2 * j + 1, g.by_roll[i][j] * axis * ends[j].by_turn.transpose());
+    if (stiffening) add(K, row, row, g.T[i] * ends[i].by_turn_turn);
   }
 }
 

@@ -43,6 +43,9 @@ Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const
   const Vector3<Dual> normal = dual(n, n_rate);
   Vector3<Dual> slip = dual(trial.point - start.point, by.point - by.start_point);
   slip -= normal * Dual(normal.dot(slip));
+  if (trial.lever > 0)
+    slip -= dual(start.tangent, by.start_tangent).cross(normal) *
+            Dual(dual(trial.roll * trial.lever, by.roll * trial.lever));
   const double touch = law.normal.smoothing;
   if (start.gap > touch) {
     const Dual gap = dual(trial.gap, gap_rate), before = dual(start.gap, by.start_gap);

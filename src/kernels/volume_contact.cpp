@@ -8,17 +8,20 @@ namespace {
 // Derivatives by the three coordinates of the point and by the rate of the gap; where friction depends on the
 // speed, by point and velocity.
 using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
+using Dual1 = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
 using Dual6 = Eigen::AutoDiffScalar<Eigen::Matrix<double, 6, 1>>;
 
 // Gap, normal and normal force as the scalar S sees them.
 template <class S>
 struct Local {
   S gap, force;
+  S roll = S(0);
+  double lever = 0;
   Vector3<S> point, normal, velocity;  // velocity: only where friction depends on it
 };
 
 Local<double> plain(const ContactTrial& t, const NormalForce& n) {
-  return {t.gap, n.force, t.point, t.normal, t.velocity};
+  return {t.gap, n.force, t.roll, t.lever, t.point, t.normal, t.velocity};
 }
 
 Local<Dual> dual(const ContactTrial& t, const NormalForce& n) {
@@ -32,6 +35,7 @@ Local<Dual> dual(const ContactTrial& t, const NormalForce& n) {
     l.point[c] = made(t.point[c], Vec3::Unit(c), 0);
     l.normal[c] = made(t.normal[c], t.curvature.col(c), 0);
   }
+  l.roll = made(t.roll, Vec3::Zero(), 0), l.lever = t.lever;
   return l;
 }
 
@@ -50,6 +54,16 @@ Local<Dual6> dual6(const ContactTrial& t, const NormalForce& n) {
     l.normal[c] = made(t.normal[c], t.curvature.col(c), none);
     l.velocity[c] = made(t.velocity[c], none, Vec3::Unit(c));
   }
+  l.roll = made(t.roll, none, none), l.lever = t.lever;
+  return l;
+}
+
+// Only the roll changes.
+Local<Dual1> rolling(const ContactTrial& t, const NormalForce& n) {
+  Local<Dual1> l;
+  l.gap = Dual1(t.gap), l.force = Dual1(n.force);
+  l.roll = Dual1(t.roll, Eigen::Matrix<double, 1, 1>(1.0)), l.lever = t.lever;
+  l.point = t.point.cast<Dual1>(), l.normal = t.normal.cast<Dual1>(), l.velocity = t.velocity.cast<Dual1>();
   return l;
 }
 
@@ -57,6 +71,7 @@ template <class S>
 Vector3<S> trial_slip(const ContactLaw& law, const ContactStart& start, const Local<S>& t) {
   Vector3<S> moved = t.point - start.point.cast<S>();
   moved -= t.normal * S(t.normal.dot(moved));
+  if (t.lever > 0) moved -= start.tangent.cast<S>().cross(t.normal) * S(t.roll * t.lever);
   const double touch = law.normal.smoothing;
   if (start.gap > touch) moved *= S((S(touch) - t.gap) / (S(start.gap) - t.gap));
   Vector3<S> slip = moved;
@@ -114,6 +129,12 @@ PointContact volume_contact(const ContactLaw& law, const ContactStart& start, co
       }
       r.by_point += by_rate * rate_by_point.transpose();
       r.by_velocity += by_rate * n.transpose();
+    }
+    if (law.friction.active() && trial.lever > 0) {
+      const Local<Dual1> l = rolling(trial, r.normal);
+      const Friction<Dual1> f =
+          law.friction.blends() ? blended<Dual1>(law, start, l) : tangential<Dual1>(law, start, l);
+      for (int c = 0; c < 3; ++c) r.by_roll[c] = f.force[c].derivatives()[0];
     }
   } else if (law.friction.active()) {
     const Local<double> local = plain(trial, r.normal);

@@ -222,7 +222,11 @@ const Key& case_schema() {
             all_or_names("volumes", "volumes", "volumes that take part in contact"),
             word("method", {"nodes", "line"},
                  "where a line touches: anywhere along its elements (`line`) or at its nodes alone")
-                .or_else("line")},
+                .or_else("line"),
+            boolean("rolling",
+                    "friction acts at the lines' surface: it turns them about their axes, and a line that "
+                    "rolls does not slide (beams, method `line`)")
+                .or_else("false")},
            "Contact of lines with volumes.")
            .or_else("{}"),
        one_of("statics",

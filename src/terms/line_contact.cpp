@@ -208,6 +208,19 @@ ContactStart LineContact::start(const Pair& pair, const Origin& from, ContactRat
   return s;
 }
 
+LineContact::Rolled LineContact::rolled(const Pair& pair, const AxisShape& shape) const {
+  Rolled r;
+  r.on = elements_[static_cast<size_t>(pair.element)].rolling && shape.count() == AxisShape::kMost &&
+         friction_on_ && pair.law.friction.active();
+  if (!r.on) return r;
+  const Quat before = start_poses_[body(pair.volume)].rotation.conjugate(),
+             after = poses_[body(pair.volume)].rotation.conjugate();
+  for (size_t i = 0; i < 2; ++i)
+    r.ends[i] = axis_roll(before * pair.start.turn(i), after * shape.turn(i),
+                          elements_[static_cast<size_t>(pair.element)].tangent);
+  return r;
+}
+
 // Ends that move with the unknowns: s is where gap(s, X) = smoothing, so ds = -n . dx(s) / (n . x'(s)), and
 // the places and weights of the Gauss points follow it.
 struct LineContact::Moving {
@@ -215,11 +228,12 @@ struct LineContact::Moving {
   AxisShape::Weights H{};
   Vec3 by_axis = Vec3::Zero();                 // ds / dx(s), 1/m
   std::array<Vec3, AxisShape::kMost> force{};  // dF_j / ds
+  std::array<double, 2> torque{};              // dT_i / ds
 };
 
 // Adds the forces of one panel. The tangent is exact, moving ends included.
 void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, size_t panel, bool moves,
-                        const Sink& sink, AxisShape::Generalised& g) const {
+                        const Sink& sink, AxisShape::Generalised& g, Rolled& rolled) const {
   const ContactStretch& s = pair.found.panels[panel];
   const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
@@ -258,11 +272,18 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
       from = origin(pair, xi);
       begin = start(pair, from, ends[0].on || ends[1].on ? &rates : nullptr);
     }
+    if (rolled.on)
+      trial.roll = rolled.angle(xi), trial.lever = elements_[static_cast<size_t>(pair.element)].radius;
     const PointContact c = volume_contact(laws, begin, trial, tangent);
     if (!(c.normal.force > 0)) continue;
     const AxisShape::Weights H = shape.functions(xi);
     const Vec3 f = -(R * c.force);
     for (size_t j = 0; j < n; ++j) g.F[j] += w * H[j] * f;
+    // A roll by da moves the line's surface by arm da: its work is the torque's.
+    const Vec3 arm = -trial.lever * begin.tangent.cross(trial.normal);
+    const std::array<double, 2> N{1 - xi, xi};
+    const double torque = -arm.dot(c.force);
+    for (size_t i = 0; i < 2; ++i) rolled.forces.T[i] += w * N[i] * torque;
     if (!tangent) continue;
     const Mat3 K = -w * R * (c.by_point - (moves ? 1.0 : 0.0) * c.by_velocity * spin) * R.transpose();
     const Mat3 C = moves ? Mat3(-w * R * c.by_velocity * R.transpose()) : Mat3(Mat3::Zero());
@@ -271,20 +292,45 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
         g.K[j][k] += H[j] * H[k] * K;
         if (moves) g.C[j][k] += H[j] * H[k] * C;
       }
+    if (rolled.on) {
+      AxisShape::Rolling& r = rolled.forces;
+      const Mat3 by_point = c.by_point - (moves ? 1.0 : 0.0) * c.by_velocity * spin;
+      const Vec3 by_x = -w * (R * (by_point.transpose() * arm +
+                                   trial.lever * trial.curvature * begin.tangent.cross(c.force))),
+                 by_v = moves ? Vec3(-w * (R * (c.by_velocity.transpose() * arm))) : Vec3(Vec3::Zero()),
+                 by_roll = -w * (R * c.by_roll);
+      for (size_t i = 0; i < 2; ++i) {
+        for (size_t k = 0; k < n; ++k) {
+          r.by_X[i][k] += N[i] * H[k] * by_x, r.by_V[i][k] += N[i] * H[k] * by_v;
+          r.force_by_roll[k][i] += N[i] * H[k] * by_roll;
+        }
+        for (size_t k = 0; k < 2; ++k) r.by_roll[i][k] -= w * N[i] * N[k] * arm.dot(c.by_roll);
+      }
+    }
     if (!ends[0].on && !ends[1].on) continue;
 
     rates.point = back * shape.slope(xi);
     if (moves)
       rates.velocity = back * (shape.velocity_slope(xi) - pose.angular_velocity.cross(shape.slope(xi)));
-    const Vec3 slope = -(R * contact_force_along(laws, begin, trial, rates));
+    rates.roll = rolled.ends[1].angle - rolled.ends[0].angle;
+    const Vec3 along = contact_force_along(laws, begin, trial, rates), slope = -(R * along);
+    const Vec3 arm_along = -trial.lever * (rates.start_tangent.cross(trial.normal) +
+                                           begin.tangent.cross(trial.curvature * rates.point));
+    const double torque_along = -(arm_along.dot(c.force) + arm.dot(along));
     const AxisShape::Weights dH = shape.derivatives(xi);
     for (size_t i = 0; i < 2; ++i) {
       if (!ends[i].on) continue;
       const double stretch = i ? weight : -weight, shift = span * weight * (i ? place : 1 - place);
       for (size_t j = 0; j < n; ++j)
         ends[i].force[j] += L * ((stretch * H[j] + shift * dH[j]) * f + shift * H[j] * slope);
+      for (size_t j = 0; j < 2 && rolled.on; ++j)
+        ends[i].torque[j] +=
+            L * ((stretch * N[j] + (j ? shift : -shift)) * torque + shift * N[j] * torque_along);
     }
   }
+  for (const Moving& m : ends)
+    for (size_t j = 0; j < 2 && m.on && rolled.on; ++j)
+      for (size_t k = 0; k < n; ++k) rolled.forces.by_X[j][k] += m.H[k] * m.torque[j] * m.by_axis;
   for (const Moving& m : ends)
     for (size_t j = 0; j < n && m.on; ++j)
       for (size_t k = 0; k < n; ++k) g.K[j][k] += m.H[k] * m.force[j] * m.by_axis.transpose();
@@ -300,10 +346,12 @@ void LineContact::evaluate(const Kinematics& trial, Sink& sink) {
     const size_t panels = find(pair, shape, pose).panels.size();
     if (!panels) continue;
     AxisShape::Generalised g;
-    for (size_t i = 0; i < panels; ++i) panel(pair, shape, pose, i, trial.step > 0, sink, g);
+    Rolled roll = rolled(pair, shape);
+    for (size_t i = 0; i < panels; ++i) panel(pair, shape, pose, i, trial.step > 0, sink, g, roll);
     std::fill(std::begin(f), std::end(f), 0.0);
     std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
     shape.to_nodes(g, f, nullptr, nullptr);
+    if (roll.on) shape.to_nodes(roll.forces, roll.ends, !sink.convex(), f, tangent ? K : nullptr, C);
     if (tangent) {
       // The moment arms' turning is negative stiffness as well.
       if (sink.convex()) g.F.fill(Vec3::Zero());

@@ -49,15 +49,17 @@ void LineContact::commit(const Kinematics& accepted) {
     std::vector<Point> next;
     Account& sum = accounts_[static_cast<size_t>(pair.element)];
     const Found& found = find(pair, shape, pose);
+    const Rolled roll = rolled(pair, shape);
     for (size_t i = 0; i < found.panels.size(); ++i)
       for (size_t q = 0; q < ContactRule::kPoints; ++q) {
         const ContactStretch& s = found.panels[i];
         const double xi = s.from + (s.to - s.from) * ContactRule::place()[q];
         const SurfacePoint& there = found.points[ContactRule::kPoints * i + q];
         if (!seen(pair, there)) continue;
-        const ContactTrial at = trial(pair, shape, pose, xi, accepted.step > 0, there);
+        ContactTrial at = trial(pair, shape, pose, xi, accepted.step > 0, there);
         ContactStart begin;
         if (laws.friction.active()) begin = start(pair, origin(pair, xi));
+        if (roll.on) at.roll = roll.angle(xi), at.lever = elements_[static_cast<size_t>(pair.element)].radius;
         const PointContact c = volume_contact(laws, begin, at, false);
         if (!(c.normal.elastic > 0)) continue;
         Point p(c, at.normal);
@@ -81,27 +83,37 @@ void LineContact::account(Pair& pair, const AxisShape& shape, const std::vector<
   // The way of a place, and how far it came off the surface otherwise than by sliding along its own line: a
   // pipe that is drawn over a roller comes and goes all the time, yet as much of it touches as before.
   struct Way {
-    Vec3 y0, y1, lifted;
+    Vec3 y0, y1, lifted, along;
+  };
+  const Rolled roll = rolled(pair, shape);
+  const double radius = elements_[static_cast<size_t>(pair.element)].radius;
+  // What the line's surface moves by because the line rolls; friction's work on it goes with that on the
+  // axis.
+  const auto add = [&](const Point& p, const Mat3& R, const Way& w, double share) {
+    add_work(sum, step, p, R, w.y0, w.y1, share);
+    if (!roll.on) return;
+    const Vec3 surface = -radius * roll.angle(p.xi) * w.along.cross(p.normal);
+    sum.friction -= 0.25 * share * (R * p.friction).dot((step.R0 + step.R1) * surface);
   };
   const auto way = [&](double xi) {
     Way w;
     w.y0 = before.to_body(pair.start.point(xi)), w.y1 = after.to_body(shape.point(xi));
-    const Vec3 along = ((before.rotation.conjugate() * pair.start.slope(xi)).normalized() +
-                        (after.rotation.conjugate() * shape.slope(xi)).normalized())
-                           .normalized();
+    w.along = ((before.rotation.conjugate() * pair.start.slope(xi)).normalized() +
+               (after.rotation.conjugate() * shape.slope(xi)).normalized())
+                  .normalized();
     const Vec3 moved = w.y1 - w.y0;
-    w.lifted = moved - along * along.dot(moved);
+    w.lifted = moved - w.along * w.along.dot(moved);
     return w;
   };
   for (const Point& p : pair.history) {
     const Way w = way(p.xi);
     const double away = p.normal.dot(w.lifted), deep = std::max(smoothing - p.gap, 0.0);
-    add_work(sum, step, p, step.R0, w.y0, w.y1, p.weight * (away > deep ? deep / away : 1));
+    add(p, step.R0, w, p.weight * (away > deep ? deep / away : 1));
   }
   for (const Point& p : next) {
     const Way w = way(p.xi);
     const double came = -p.normal.dot(w.lifted), deep = smoothing - p.gap;
-    add_work(sum, step, p, step.R1, w.y0, w.y1, p.weight * (came > deep ? deep / came : 1));
+    add(p, step.R1, w, p.weight * (came > deep ? deep / came : 1));
   }
 }
 

@@ -21,6 +21,7 @@ struct LineCase {
   Under on;
   double axial = 0, lateral = 0;
   bool far = false;  // slides in the step instead of sticking
+  bool rolling = false;
 };
 
 inline std::vector<LineCase> line_cases() {
@@ -34,6 +35,8 @@ inline std::vector<LineCase> line_cases() {
       out.push_back({std::string(name) + (far ? ", slides" : ", sticks"), on, 0.3, 0.3, far});
       out.push_back(
           {std::string(name) + (far ? ", slides" : ", sticks") + ", anisotropic", on, 0.2, 0.5, far});
+      out.push_back(
+          {std::string(name) + (far ? ", slides" : ", sticks") + ", rolls", on, 0.3, 0.3, far, true});
     }
   }
   return out;
@@ -107,7 +110,8 @@ struct LineModel : SuiteModel {
     v.settings.friction = {what.axial, what.lateral, 0, what.axial == what.lateral ? 4e4 : 0.0};
     if (what.axial != what.lateral) v.settings.friction.mobilisation_length = 2e-3;
     auto term = std::make_unique<LineContact>(
-        l, bodies, std::vector{v}, std::vector<LineContactElement>(l.elements.size(), {kLineRadius, 50}));
+        l, bodies, std::vector{v},
+        std::vector<LineContactElement>(l.elements.size(), {kLineRadius, 50, what.rolling}));
     contact = term.get();
     system->add(std::move(term));
 

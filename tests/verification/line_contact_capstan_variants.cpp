@@ -23,7 +23,8 @@ struct Drawn {
   double audit = 0;
 };
 
-Drawn draw(const Rope& r) {
+Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr) {
+  if (!drum_surface) drum_surface = round_drum(kRho - kLine, 4);
   std::vector<Vec3> path = capstan_path(kRho, r.wrap, r.leg, r.leg);
   const double turned = static_cast<double>(path.size() - 3);
   for (size_t i = 1; i < path.size(); ++i)
@@ -65,7 +66,7 @@ Drawn draw(const Rope& r) {
   c.dynamics.duration = r.way / r.speed + 0.5;
   c.dynamics.step = c.dynamics.duration / 600;
 
-  Simulation s(PETSC_COMM_WORLD, c, {round_drum(kRho - kLine, 4)});
+  Simulation s(PETSC_COMM_WORLD, c, {drum_surface});
   s.solve_statics();
   Dynamics& d = s.dynamics();
   d.start(s.state());
@@ -132,6 +133,26 @@ TEST(LineCapstanVariants, TwoTurnsSideBySide) {
     const double exact = std::exp(mu * r.wrap / std::hypot(1, r.pitch / (2 * M_PI * kRho)));
     expect_ratio("two turns, mu", mu, draw(r), exact, 0.005);
   }
+}
+
+// A mesh of 24 facets that are curved again, on the vertices' radius; flat, they scatter.
+TEST(LineCapstanVariants, TwentyFourFacets) {
+  for (const bool smooth : {true, false})
+    for (const double mu : {0.1, 0.3, 0.5}) {
+      TriangleMesh mesh = testing::drum_mesh(24, kRho - kLine, 4, 4);
+      for (Vec3& v : mesh.vertices) v = Vec3(v.y(), v.z(), v.x());
+      const auto drum = std::make_shared<MeshSurface>(std::move(mesh), std::vector<bool>(),
+                                                      MeshSurfaceOptions{smooth, 40 * M_PI / 180});
+      Rope r;
+      r.mu = mu;
+      const Drawn d = draw(r, drum);
+      const double exact = std::exp(mu * r.wrap);
+      if (smooth)
+        expect_ratio("24 facets smoothed, mu", mu, d, exact, 0.005);
+      else
+        std::printf("capstan along the line, 24 flat facets, mu %g: T2/T1 %+.3f %%, rms %.3f %%\n", mu,
+                    100 * (d.ratio.mean() / exact - 1), 100 * d.ratio.rms() / exact);
+    }
 }
 
 // C02: dT/ds = mu T/R min(u/d, 1), du/ds = (T - T1)/EA, u the slip. As published with EA = 1e5 N and d = 2

@@ -7,6 +7,7 @@
 
 #include <array>
 
+#include "hawser/kernels/axis_roll.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -51,6 +52,19 @@ class AxisShape {
   };
   void to_nodes(const Generalised& g, double* f, double* K, double* C) const;
 
+  // Of a beam whose ends roll by angles a_i (axis_roll): T_i conjugate to a_i, N m, and how they and the F_j
+  // change with X, V and a. Adds as to_nodes does. stiffening: with the turn of the axes that T_i act about.
+  struct Rolling {
+    std::array<double, 2> T{};
+    std::array<std::array<Vec3, kMost>, 2> by_X, by_V;
+    std::array<std::array<Vec3, 2>, kMost> force_by_roll;
+    std::array<std::array<double, 2>, 2> by_roll{};
+    Rolling();
+  };
+  void to_nodes(const Rolling& g, const std::array<AxisRoll, 2>& ends, bool stiffening, double* f, double* K,
+                double* C) const;
+  const Quat& turn(size_t end) const { return q_[end]; }
+
  private:
   Vec3 combine(const Weights& w, const std::array<Vec3, kMost>& v) const;
 
@@ -58,6 +72,7 @@ class AxisShape {
   double length_, reach_;
   Vec3 c_;
   std::array<Vec3, kMost> X_, V_;
+  std::array<Quat, 2> q_;
   std::array<Mat3, 2> R_;
   std::array<Vec3, 2> w_;
 };

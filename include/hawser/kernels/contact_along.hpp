@@ -11,7 +11,7 @@ struct ContactRates {
   Vec3 point = Vec3::Zero(), velocity = Vec3::Zero();  // m, m/s a unit of xi; the trial's
   Vec3 start_point = Vec3::Zero(), start_tangent = Vec3::Zero();
   Vec3 start_slip = Vec3::Zero(), start_normal = Vec3::Zero();
-  double start_gap = 0;
+  double start_gap = 0, roll = 0;
 };
 
 // d force / d xi [N or N/m]. Gap and normal of the trial follow its point by normal and curvature. Zero where

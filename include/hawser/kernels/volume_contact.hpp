@@ -29,6 +29,9 @@ struct ContactTrial {
   double gap = 0;                 // m
   Vec3 normal = Vec3::UnitZ();    // unit gradient of the gap
   Mat3 curvature = Mat3::Zero();  // 1/m, its Hessian
+  // Friction at the line's surface: how far the line has rolled about its axis relative to the body since the
+  // start of the step, rad, and its radius, m; 0: friction acts at the axis.
+  double roll = 0, lever = 0;
 };
 
 struct PointContact {
@@ -39,6 +42,7 @@ struct PointContact {
   bool slides = false;
   Mat3 by_point = Mat3::Zero();     // N/m, d force / d point at fixed velocity; filled on request
   Mat3 by_velocity = Mat3::Zero();  // N s/m
+  Vec3 by_roll = Vec3::Zero();      // N, d force / d roll
 };
 
 // Trial slip: the old slip turned with the normal, plus the tangential part of the point's motion since it

@@ -154,6 +154,7 @@ enum class ContactMethod { nodes, line };
 
 struct Contact {
   ContactMethod method = ContactMethod::line;
+  bool rolling = false;  // friction acts at the lines' surface and turns them about their axes
   bool all_lines = true, all_volumes = true;
   std::vector<std::string> lines, volumes;  // when not all
 };

@@ -17,6 +17,7 @@ namespace hawser {
 struct LineContactElement {
   double radius = 0;             // m, half the contact diameter; 0: the element takes no part
   double mass_per_length = 0;    // kg/m: the effective mass of relative_damping
+  bool rolling = false;          // of a beam: friction acts at the line's surface and turns it about its axis
   Vec3 tangent = Vec3::UnitX();  // of a beam's axis, in the material axes of its nodes
 };
 
@@ -95,8 +96,16 @@ class LineContact final : public Contact {
   Origin origin(Pair& pair, double xi) const;
   // rates: of it along the axis, on request.
   ContactStart start(const Pair& pair, const Origin& from, ContactRates* rates = nullptr) const;
+  // What friction at the surface needs of an element, and what it gives.
+  struct Rolled {
+    bool on = false;
+    std::array<AxisRoll, 2> ends;  // since the start of the step, relative to the body
+    AxisShape::Rolling forces;
+    double angle(double xi) const { return (1 - xi) * ends[0].angle + xi * ends[1].angle; }
+  };
+  Rolled rolled(const Pair& pair, const AxisShape& shape) const;
   void panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, size_t panel, bool moves,
-             const Sink& sink, AxisShape::Generalised& g) const;
+             const Sink& sink, AxisShape::Generalised& g, Rolled& rolled) const;
   ContactLaw element_law(size_t element, const model::Volume& v) const;
   void account(Pair& pair, const AxisShape& shape, const std::vector<Point>& next);
   AxisEnds ends(const Kinematics& at, int element) const;
