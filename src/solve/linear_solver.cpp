@@ -1,5 +1,6 @@
 #include "hawser/solve/linear_solver.hpp"
 
+#include "hawser/solve/elimination_order.hpp"
 #include "hawser/solve/substructure.hpp"
 
 namespace hawser {
@@ -20,16 +21,17 @@ void configure_linear_solver(KSP ksp, const System& system, const char* prefix) 
   check(KSPSetOptionsPrefix(ksp, prefix));
   PC pc = nullptr;
   check(KSPGetPC(ksp, &pc));
+  const MatOrderingType order = system.coupled() ? cheapest_ordering() : MATORDERINGNATURAL;
   if (size == 1) {
     check(KSPSetType(ksp, KSPPREONLY));
     check(PCSetType(pc, PCLU));
-    check(PCFactorSetMatOrderingType(pc, MATORDERINGNATURAL));
+    check(PCFactorSetMatOrderingType(pc, order));
     check(KSPSetFromOptions(ksp));
     return;
   }
   check(KSPSetType(ksp, KSPPREONLY));
   if (shared_unknowns(system) <= kMaxShared) {
-    use_substructuring(pc);
+    use_substructuring(pc, order);
   } else {
     check(PCSetType(pc, PCLU));
     check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));

@@ -21,6 +21,7 @@ struct Substructure {
   std::vector<int> ghosts;           // positions in G of this rank's ghosts, in the order of Ao's columns
   Eigen::MatrixXd Z;                 // Ad^-1 Ao
   Eigen::PartialPivLU<Eigen::MatrixXd> small;
+  MatOrderingType order = MATORDERINGNATURAL;
   bool ready = false;
 };
 
@@ -82,7 +83,7 @@ PetscErrorCode setup(PC pc) {
     PC lu = nullptr;
     PetscCall(KSPGetPC(s->chains.get(), &lu));
     PetscCall(PCSetType(lu, PCLU));
-    PetscCall(PCFactorSetMatOrderingType(lu, MATORDERINGNATURAL));
+    PetscCall(PCFactorSetMatOrderingType(lu, s->order));
   }
   PetscCall(KSPSetOperators(s->chains.get(), Ad, Ad));
   PetscCall(KSPSetUp(s->chains.get()));
@@ -148,10 +149,12 @@ PetscErrorCode destroy(PC pc) {
 
 }  // namespace
 
-void use_substructuring(PC pc) {
+void use_substructuring(PC pc, MatOrderingType order) {
   check(PCSetType(pc, PCSHELL));
   check(PCShellSetName(pc, "chains cut between ranks"));
-  check(PCShellSetContext(pc, new Substructure));
+  auto* s = new Substructure;
+  s->order = order;
+  check(PCShellSetContext(pc, s));
   check(PCShellSetSetUp(pc, setup));
   check(PCShellSetApply(pc, apply));
   check(PCShellSetDestroy(pc, destroy));

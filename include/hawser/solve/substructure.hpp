@@ -12,8 +12,9 @@
 
 namespace hawser {
 
-// Makes `pc` (on more than one rank, for MPIBAIJ matrices) the substructuring solver. Collective.
-void use_substructuring(PC pc);
+// Makes `pc` (on more than one rank, for MPIBAIJ matrices) the substructuring solver, with this order (a name
+// that lives on) for a rank's own LU. Collective.
+void use_substructuring(PC pc, MatOrderingType order);
 
 // Largest number of shared unknowns for which the dense small system is a good idea.
 inline constexpr int kMaxShared = 1200;

@@ -45,7 +45,7 @@ struct CandidateSettings {
   double exclusion_diameters = 2;
   // How far an axis may leave the path foreseen before the list is made again: the larger of this many of its
   // diameters and this part of its length.
-  double skin_diameters = 0.25, skin_lengths = 0.05;
+  double skin_diameters = 0.1, skin_lengths = 0.05;
   double steps = 4;  // how many steps the path is foreseen for
   // Pairs of lines (indices, any order; a line with itself too) that do not see each other.
   std::vector<std::pair<int, int>> excluded;
