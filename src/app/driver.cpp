@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "hawser/app/files.hpp"
+#include "hawser/app/near_elements.hpp"
 #include "hawser/app/progress.hpp"
 #include "hawser/app/recorder.hpp"
 #include "hawser/app/restart.hpp"
@@ -230,7 +231,9 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
     for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
   }
   const Mesh mesh = build_mesh(c);
-  const std::vector<int> owner = partition(mesh, ranks);
+  std::vector<std::pair<int, int>> near;
+  if (ranks > 1) near = near_elements(c, mesh, Bodies(c.bodies));
+  const std::vector<int> owner = partition(mesh, ranks, near);
   std::vector<int> share(static_cast<size_t>(ranks), 0);
   long beams = 0;
   for (size_t n = 0; n < owner.size(); ++n)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "hawser/app/near_elements.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
@@ -93,7 +94,9 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &size);
-  const std::vector<int> owner = partition(*mesh_, size);
+  std::vector<std::pair<int, int>> near;
+  if (size > 1) near = near_elements(c, *mesh_, *bodies_);
+  const std::vector<int> owner = partition(*mesh_, size, near);
   cut_ = hawser::cut_elements(*mesh_, owner);
   system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
   const LocalMesh& local = system_->mesh();

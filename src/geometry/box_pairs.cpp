@@ -1,3 +1,5 @@
+// Cells are sorted by their coordinates, and neighbours are found by walking along the sorted lists together:
+// memory is read in order, so that a box costs hardly more among many than among few.
 #include "hawser/geometry/box_pairs.hpp"
 
 #include <algorithm>
@@ -9,46 +11,65 @@
 namespace hawser {
 namespace {
 
-constexpr int kLevels = 16, kBits = 20;  // of a cell's key: level and three coordinates
-constexpr int kLast = (1 << kBits) - 1;
+constexpr int kLevels = 24, kBits = 20;           // most of a coordinate
+constexpr std::int64_t kLast = (1 << kBits) - 4;  // cells of the finest level across everything
 
-struct Cell {
-  std::array<int, 3> at;
-  int level;
-  std::uint64_t key() const {
-    std::uint64_t k = static_cast<std::uint64_t>(level);
-    for (int c : at) k = k << kBits | static_cast<std::uint64_t>(c);
-    return k;
+using Key = std::uint64_t;
+
+// Coordinates of a level's cells as one number, sorted by x, then y, then z.
+struct Keys {
+  int bits;  // of a coordinate, so that sorting takes no more rounds than needed
+  Key operator()(std::int64_t x, std::int64_t y, std::int64_t z) const {
+    // One more: neighbours of the first cell have keys too.
+    return static_cast<Key>(((x + 1) << 2 * bits) + ((y + 1) << bits) + z + 1);
+  }
+  Key shift(int dx, int dy) const {
+    return static_cast<Key>((static_cast<std::int64_t>(dx) << 2 * bits) +
+                            (static_cast<std::int64_t>(dy) << bits));
   }
 };
 
-// Keys to cells, open addressing.
-class Table {
- public:
-  explicit Table(size_t n)
-      : shift_(64 - static_cast<int>(std::bit_width(2 * n + 1))),
-        slots_(size_t{1} << (64 - shift_), Slot{0, -1}) {}
-  // The number of the cell, `fresh` when it is new.
-  int insert(std::uint64_t key, int fresh) {
-    size_t i = start(key);
-    while (slots_[i].cell >= 0 && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
-    if (slots_[i].cell < 0) slots_[i] = {key, fresh};
-    return slots_[i].cell;
-  }
-  int find(std::uint64_t key) const {
-    size_t i = start(key);
-    while (slots_[i].cell >= 0 && slots_[i].key != key) i = (i + 1) & (slots_.size() - 1);
-    return slots_[i].cell;
-  }
+struct Entry {
+  Key key;
+  int number;
+};
 
- private:
-  struct Slot {
-    std::uint64_t key;
-    int cell;
-  };
-  size_t start(std::uint64_t key) const { return static_cast<size_t>(key * 0x9E3779B97F4A7C15u >> shift_); }
-  int shift_;
-  std::vector<Slot> slots_;
+// By key, stable: least significant digits first.
+void sort_by_key(std::vector<Entry>& entries, std::vector<Entry>& scratch, int bits) {
+  constexpr int kDigit = 8;
+  scratch.resize(entries.size());
+  for (int shift = 0; shift < bits; shift += kDigit) {
+    std::array<size_t, (1 << kDigit) + 1> start{};
+    const auto digit = [&](const Entry& e) { return e.key >> shift & ((1 << kDigit) - 1); };
+    for (const Entry& e : entries) ++start[digit(e) + 1];
+    for (size_t d = 1; d < start.size(); ++d) start[d] += start[d - 1];
+    for (const Entry& e : entries) scratch[start[digit(e)]++] = e;
+    entries.swap(scratch);
+  }
+}
+
+struct Placed {
+  Box box;
+  Key key;
+  int number;
+};
+
+using Pairs = std::vector<std::pair<int, int>>;
+
+void test(const Placed& p, const Placed& q, Pairs& out) {
+  if (p.box.overlaps(q.box)) out.emplace_back(std::min(p.number, q.number), std::max(p.number, q.number));
+}
+
+// A column of cells beside that of a box, from one below to one above, as the boxes are gone through in
+// order.
+struct Column {
+  Key shift;
+  size_t first = 0;
+  void test_with(const Placed& a, const std::vector<Placed>& q, Pairs& out) {
+    const Key low = a.key + shift - 1, high = a.key + shift + 1;
+    while (first < q.size() && q[first].key < low) ++first;
+    for (size_t i = first; i < q.size() && q[i].key <= high; ++i) test(a, q[i], out);
+  }
 };
 
 bool usable(const Box& b) { return b.lo.allFinite() && b.hi.allFinite() && !b.empty(); }
@@ -56,7 +77,7 @@ bool usable(const Box& b) { return b.lo.allFinite() && b.hi.allFinite() && !b.em
 }  // namespace
 
 std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes) {
-  std::vector<std::pair<int, int>> out;
+  Pairs out;
   Box all;
   double largest = 0;
   for (const Box& b : boxes) {
@@ -68,66 +89,57 @@ std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes) {
 
   // Cells of level l are coarsest / 2^l; a box is at the finest level whose cells are not smaller than it.
   const double across = std::max(all.extent().maxCoeff(), 1e-300);
-  const double coarsest = std::max(largest, across / kLast);
+  const double coarsest = std::max(largest, across / static_cast<double>(kLast));
+  const auto cell = [&](int level) { return std::ldexp(coarsest, -level); };
   int finest = 0;
-  while (finest + 1 < kLevels && across / std::ldexp(coarsest, -(finest + 1)) < kLast) ++finest;
-
-  Table table(boxes.size());
-  std::vector<Cell> cells;
-  std::vector<int> cell_of(boxes.size(), -1), start;
+  while (finest + 1 < kLevels && across / cell(finest + 1) < static_cast<double>(kLast)) ++finest;
+  std::vector<std::vector<int>> members(static_cast<size_t>(finest) + 1);
   for (size_t i = 0; i < boxes.size(); ++i) {
     if (!usable(boxes[i])) continue;
     const double size = boxes[i].extent().maxCoeff();
     int level = 0;
-    while (level < finest && std::ldexp(coarsest, -(level + 1)) >= size) ++level;
-    const Vec3 p = (boxes[i].centre() - all.lo) / coarsest;
-    Cell c{{}, level};
-    // Nested cells: those of a coarser level are found by halving.
-    for (int k = 0; k < 3; ++k)
-      c.at[static_cast<size_t>(k)] = std::clamp(static_cast<int>(std::ldexp(p[k], level)), 0, kLast);
-    cell_of[i] = table.insert(c.key(), static_cast<int>(cells.size()));
-    if (cell_of[i] == static_cast<int>(cells.size())) cells.push_back(c);
+    while (level < finest && cell(level + 1) >= size) ++level;
+    members[static_cast<size_t>(level)].push_back(static_cast<int>(i));
   }
-  // Boxes by cell.
-  start.assign(cells.size() + 1, 0);
-  for (int c : cell_of)
-    if (c >= 0) ++start[static_cast<size_t>(c) + 1];
-  for (size_t c = 0; c < cells.size(); ++c) start[c + 1] += start[c];
-  struct Entry {
-    Box box;
-    int number;
-  };
-  std::vector<Entry> entries(static_cast<size_t>(start.back()));
-  std::vector<int> next(start.begin(), start.end() - 1);
-  unsigned occupied = 0;
-  for (size_t i = 0; i < boxes.size(); ++i)
-    if (const int c = cell_of[i]; c >= 0)
-      entries[static_cast<size_t>(next[static_cast<size_t>(c)]++)] = {boxes[i], static_cast<int>(i)};
-  for (const Cell& c : cells) occupied |= 1u << c.level;
 
-  const auto between = [&](size_t a, size_t b) {
-    for (int i = start[a]; i < start[a + 1]; ++i)
-      for (int j = a == b ? i + 1 : start[b]; j < start[b + 1]; ++j) {
-        const Entry &p = entries[static_cast<size_t>(i)], &q = entries[static_cast<size_t>(j)];
-        if (p.box.overlaps(q.box)) out.emplace_back(std::minmax(p.number, q.number));
-      }
+  std::vector<Entry> entries, scratch;
+  const auto place = [&](const std::vector<int>& numbers, int level, const Keys& keys) {
+    entries.clear();
+    const double scale = 1 / cell(level);
+    for (int i : numbers) {
+      const Vec3 p = scale * (boxes[static_cast<size_t>(i)].centre() - all.lo);
+      std::array<std::int64_t, 3> c;
+      for (size_t k = 0; k < 3; ++k)
+        c[k] = std::clamp(static_cast<std::int64_t>(p[static_cast<Eigen::Index>(k)]), std::int64_t{0}, kLast);
+      entries.push_back({keys(c[0], c[1], c[2]), i});
+    }
+    sort_by_key(entries, scratch, 3 * keys.bits);
+    std::vector<Placed> placed;
+    placed.reserve(entries.size());
+    for (const Entry& e : entries) placed.push_back({boxes[static_cast<size_t>(e.number)], e.key, e.number});
+    return placed;
   };
-  for (size_t a = 0; a < cells.size(); ++a) {
-    between(a, a);
-    for (int level = cells[a].level; level >= 0; --level) {
-      if (!(occupied >> level & 1)) continue;
-      const int up = cells[a].level - level;
-      for (int n = 0; n < 27; ++n) {
-        if (up == 0 && n <= 13) continue;  // each two cells of a level once
-        Cell c{{}, level};
-        bool inside = true;
-        for (size_t k = 0, m = static_cast<size_t>(n); k < 3; ++k, m /= 3) {
-          c.at[k] = (cells[a].at[k] >> up) + static_cast<int>(m % 3) - 1;
-          inside &= c.at[k] >= 0 && c.at[k] <= kLast;
-        }
-        if (!inside) continue;
-        if (const int b = table.find(c.key()); b >= 0) between(a, static_cast<size_t>(b));
-      }
+  // Boxes of a finer level are looked for from the cells of the coarser that hold their centres.
+  for (int level = 0; level <= finest; ++level) {
+    const auto& here = members[static_cast<size_t>(level)];
+    if (here.empty()) continue;
+    const Keys keys{static_cast<int>(std::bit_width(static_cast<Key>(across / cell(level)) + 3))};
+    const std::vector<Placed> own = place(here, level, keys);
+    // Each two cells of a level once.
+    std::array<Column, 4> beside{
+        {{keys.shift(0, 1)}, {keys.shift(1, -1)}, {keys.shift(1, 0)}, {keys.shift(1, 1)}}};
+    for (size_t i = 0; i < own.size(); ++i) {
+      for (size_t j = i + 1; j < own.size() && own[j].key <= own[i].key + 1; ++j) test(own[i], own[j], out);
+      for (Column& c : beside) c.test_with(own[i], own, out);
+    }
+    for (int finer = level + 1; finer <= finest; ++finer) {
+      const auto& others = members[static_cast<size_t>(finer)];
+      if (others.empty()) continue;
+      std::vector<Column> around;
+      for (int dx = -1; dx <= 1; ++dx)
+        for (int dy = -1; dy <= 1; ++dy) around.push_back({keys.shift(dx, dy)});
+      for (const Placed& a : place(others, level, keys))
+        for (Column& c : around) c.test_with(a, own, out);
     }
   }
   return out;

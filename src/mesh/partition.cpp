@@ -11,28 +11,52 @@ namespace {
 
 // Relative cost of a node in an implicit step (docs/performance.md): kernels, assembly and factorisation.
 constexpr idx_t kBeamWork = 5, kCableWork = 1;
-constexpr idx_t kChainEdge = 100;
+// What is cut with an edge: a chain, or one of the four edges of two elements that are near, of which a node
+// has several.
+constexpr idx_t kChainEdge = 100, kNearEdge = 10;
+
+struct Edge {
+  int from, to;
+  idx_t weight;
+};
+
+// Both ways, sorted, edges between the same nodes as one.
+std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> near) {
+  std::vector<Edge> all;
+  const auto add = [&](int a, int b, idx_t w) {
+    if (a != b) all.push_back({a, b, w}), all.push_back({b, a, w});
+  };
+  for (const Element& e : mesh.elements) add(e.first, e.second, kChainEdge);
+  for (const auto& [a, b] : near) {
+    const Element &p = mesh.elements[static_cast<size_t>(a)], &q = mesh.elements[static_cast<size_t>(b)];
+    for (int m : {p.first, p.second})
+      for (int n : {q.first, q.second}) add(m, n, kNearEdge);
+  }
+  std::sort(all.begin(), all.end(),
+            [](const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
+  size_t kept = 0;
+  for (const Edge& e : all)
+    if (kept > 0 && all[kept - 1].from == e.from && all[kept - 1].to == e.to)
+      all[kept - 1].weight += e.weight;
+    else
+      all[kept++] = e;
+  all.resize(kept);
+  return all;
+}
 
 }  // namespace
 
-std::vector<int> partition(const Mesh& mesh, int ranks) {
+std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> near) {
   const size_t n = mesh.nodes.size();
   std::vector<int> owner(n, 0);
   if (ranks == 1) return owner;
-  std::vector<idx_t> degree(n, 0), weight(n);
-  for (const Element& e : mesh.elements)
-    ++degree[static_cast<size_t>(e.first)], ++degree[static_cast<size_t>(e.second)];
-  std::vector<idx_t> start(n + 1, 0), next, edge;
-  for (size_t i = 0; i < n; ++i) {
-    start[i + 1] = start[i] + degree[i];
-    weight[i] = mesh.nodes[i].rotates ? kBeamWork : kCableWork;
+  std::vector<idx_t> start(n + 1, 0), next, edge, weight(n);
+  for (size_t i = 0; i < n; ++i) weight[i] = mesh.nodes[i].rotates ? kBeamWork : kCableWork;
+  for (const Edge& e : edges(mesh, near)) {
+    ++start[static_cast<size_t>(e.from) + 1];
+    next.push_back(e.to), edge.push_back(e.weight);
   }
-  next.resize(static_cast<size_t>(start[n])), edge.assign(next.size(), kChainEdge);
-  std::vector<idx_t> fill(start.begin(), start.end() - 1);
-  for (const Element& e : mesh.elements) {
-    next[static_cast<size_t>(fill[static_cast<size_t>(e.first)]++)] = e.second;
-    next[static_cast<size_t>(fill[static_cast<size_t>(e.second)]++)] = e.first;
-  }
+  for (size_t i = 0; i < n; ++i) start[i + 1] += start[i];
   idx_t vertices = static_cast<idx_t>(n), constraints = 1, parts = ranks, cut = 0;
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);

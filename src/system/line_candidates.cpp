@@ -121,29 +121,29 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
   for (const LocalElement& e : local_)
     built_.push_back({e.global, radius_[static_cast<size_t>(e.global)], axis(e, committed, 0),
                       axis(e, committed, settings_.steps * h)});
-  std::vector<SweptAxis> all = from_others(built_);
-  all.insert(all.begin(), built_.begin(), built_.end());
-  std::vector<std::pair<int, int>> found = search(all, built_.size());
+  std::vector<std::pair<int, int>> found = search(from_others(built_));
   if (found == list_) return false;
   list_ = std::move(found);
   return true;
 }
 
-std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptAxis>& all, size_t own) const {
+std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptAxis>& others) const {
+  const auto axis_of = [&](int i) -> const SweptAxis& {
+    const size_t k = static_cast<size_t>(i);
+    return k < built_.size() ? built_[k] : others[k - built_.size()];
+  };
   std::vector<Box> boxes;
-  std::vector<Middle> middles;
-  boxes.reserve(all.size()), middles.reserve(all.size());
-  for (const SweptAxis& s : all)
-    boxes.push_back(swept_box(s, skin(s))), middles.push_back(middle(s, skin(s)));
+  boxes.reserve(built_.size() + others.size());
+  for (const auto* from : {&built_, &others})
+    for (const SweptAxis& s : *from) boxes.push_back(swept_box(s, skin(s)));
+  const int own = static_cast<int>(built_.size());
   std::vector<std::pair<int, int>> out;
   for (const auto& [i, j] : overlapping_pairs(boxes)) {
-    const size_t p = static_cast<size_t>(i), q = static_cast<size_t>(j);
-    if (p >= own && q >= own) continue;
-    const auto [a, b] = std::minmax(all[p].element, all[q].element);
-    // The same order on every rank: the same answer to the last bit.
-    if (excluded(a, b) || !near(middles[all[p].element == a ? p : q], middles[all[p].element == a ? q : p]))
-      continue;
-    out.emplace_back(a, b);
+    if (i >= own) continue;  // and so is j
+    const SweptAxis *p = &axis_of(i), *q = &axis_of(j);
+    if (p->element > q->element) std::swap(p, q);  // on every rank the same answer to the last bit
+    if (excluded(p->element, q->element) || !near(middle(*p, skin(*p)), middle(*q, skin(*q)))) continue;
+    out.emplace_back(p->element, q->element);
   }
   std::sort(out.begin(), out.end());
   return out;

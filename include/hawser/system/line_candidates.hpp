@@ -83,6 +83,8 @@ class LineCandidates {
   // Pairs of which this rank owns a node, sorted by (global element of a, of b); the same set on any number
   // of ranks.
   const std::vector<CandidatePair>& pairs() const { return pairs_; }
+  // The same as pairs of Mesh::elements, known before locate().
+  const std::vector<std::pair<int, int>>& elements() const { return list_; }
   // How often the list was made.
   long builds() const { return builds_; }
 
@@ -92,7 +94,7 @@ class LineCandidates {
   double skin(const SweptAxis& a) const;
   bool excluded(int a, int b) const;
   std::vector<SweptAxis> from_others(const std::vector<SweptAxis>& own) const;
-  std::vector<std::pair<int, int>> search(const std::vector<SweptAxis>& all, size_t own) const;
+  std::vector<std::pair<int, int>> search(const std::vector<SweptAxis>& others) const;
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;

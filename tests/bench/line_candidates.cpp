@@ -1,0 +1,87 @@
+// Candidates of lines: making the list and finding that it still holds, from 10^3 to 10^5 segments of a
+// tangle of the same density, and the list of a bundle.
+#include "hawser/system/line_candidates.hpp"
+
+#include <benchmark/benchmark.h>
+#include <mpi.h>
+
+#include <cmath>
+#include <random>
+
+#include "hawser/mesh/partition.hpp"
+#include "hawser/state/state.hpp"
+
+namespace {
+
+using namespace hawser;
+
+// Lines of 100 beams of 1 m, random walks held in a box of `room` m³ a segment.
+struct Tangle {
+  Mesh mesh;
+  LocalMesh local;
+  State state;
+  explicit Tangle(int segments, double room = 8) : state(0) {
+    std::mt19937_64 rng(1);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const double half = 0.5 * std::cbrt(room * segments);
+    std::vector<Vec3> x, t;
+    for (int line = 0; line < segments / 100; ++line) {
+      const int first = static_cast<int>(mesh.nodes.size());
+      Vec3 at = half * Vec3(unit(rng), unit(rng), unit(rng));
+      Vec3 way = Vec3(unit(rng), unit(rng), unit(rng)).normalized();
+      for (int i = 0; i <= 100; ++i) {
+        mesh.nodes.push_back({line, static_cast<double>(i), 1, true});
+        x.push_back(at), t.push_back(way);
+        if (i < 100) mesh.elements.push_back({line, first + i, first + i + 1, 0, 1, true});
+        way = (way + 0.2 * Vec3(unit(rng), unit(rng), unit(rng))).normalized();
+        for (int c = 0; c < 3; ++c)
+          if (std::abs(at[c] + way[c]) > half) way[c] = -std::copysign(std::abs(way[c]), at[c]);
+        at += way;
+      }
+    }
+    local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+    state.resize(local.nodes());
+    for (size_t n = 0; n < x.size(); ++n) {
+      state.x[n] = x[n];
+      state.q[n] = Quat::FromTwoVectors(Vec3::UnitX(), t[n]);
+      state.v[n] = 0.1 * Vec3(unit(rng), unit(rng), unit(rng));
+    }
+  }
+};
+
+void Build(benchmark::State& b) {
+  const int n = static_cast<int>(b.range(0));
+  Tangle t(n);
+  LineCandidates list(MPI_COMM_SELF, t.local, std::vector<double>(t.mesh.elements.size(), 0.1));
+  double side = 1;  // every update finds the lines elsewhere
+  for (auto _ : b) {
+    for (Vec3& x : t.state.x) x.x() += side;
+    side = -side;
+    list.update(t.state.view(0.1), 0.1);
+  }
+  const size_t pairs = list.elements().size();
+  b.counters["pairs a segment"] = static_cast<double>(pairs) / n;
+  b.counters["ns a segment"] = benchmark::Counter(
+      n * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(Build)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+void Hold(benchmark::State& b) {
+  const int n = static_cast<int>(b.range(0));
+  const Tangle t(n);
+  LineCandidates list(MPI_COMM_SELF, t.local, std::vector<double>(t.mesh.elements.size(), 0.1));
+  list.update(t.state.view(0.1), 0.1);
+  for (auto _ : b) benchmark::DoNotOptimize(list.update(t.state.view(0.1), 0.1));
+  b.counters["ns a segment"] = benchmark::Counter(
+      n * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(Hold)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+  MPI_Finalize();
+}
