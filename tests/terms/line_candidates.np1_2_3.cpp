@@ -84,7 +84,16 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   State &a = all.sim.state(), &b = one.sim.state();
   const Mesh& mesh = one.sim.mesh();
   const LocalMesh& l = all.sim.local();
-  long touching = 0, anew = 0, listed = 0, kept = 0;
+  // Beams bent out of their chords.
+  for (auto [mesh_of, s] : {std::pair(&l, &a), std::pair(&one.sim.local(), &b)})
+    for (int n = 0; n < mesh_of->nodes(); ++n)
+      if (mesh_of->rotates(n))
+        s->q[static_cast<size_t>(n)] *= exp_so3(1.2 * noise3(mesh_of->global[static_cast<size_t>(n)], 99));
+  const auto held = [](Model& m, int n) {
+    const LocalMesh& mesh_of = m.sim.local();
+    return m.sim.system().supports().held()[static_cast<size_t>(mesh_of.block[static_cast<size_t>(n)])];
+  };
+  long touching = 0, anew = 0, listed = 0, kept = 0, held_ghosts = 0;
   for (int step = 0; step < 60; ++step) {
     const Coupled r = all.sim.system().couple(a.view(h), h);
     one.sim.system().couple(b.view(h), h);
@@ -94,6 +103,8 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
       const size_t g = static_cast<size_t>(l.global[n]);
       ASSERT_LT((a.x[n] - b.x[g]).norm() + (a.v[n] - b.v[g]).norm() + (a.w[n] - b.w[g]).norm(), 1e-13);
       ASSERT_LT((a.q[n].coeffs() - b.q[g].coeffs()).norm(), 1e-13);
+      ASSERT_EQ(held(all, static_cast<int>(n)), held(one, static_cast<int>(g)));
+      held_ghosts += static_cast<int>(n) >= l.chain && held(one, static_cast<int>(g)) != 0;
     }
     // The pairs of this rank are those of the whole of which it owns a node.
     auto list = one.pairs();
@@ -133,6 +144,11 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
         }
       }
   }
+  int size = 1;
+  MPI_Comm_size(PETSC_COMM_WORLD, &size);
+  if (size > 1) {
+    EXPECT_GT(sum(held_ghosts), 0);
+  }
   EXPECT_GT(touching, 500);
   EXPECT_GT(kept, 50);
   EXPECT_GT(anew, 2);
@@ -141,6 +157,56 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   EXPECT_EQ(builds, one.springs->list.builds());
   EXPECT_GT(builds, 3);
   EXPECT_LT(builds, 40);  // a list serves several steps
+}
+
+// Without skins and motion the list is as tight as it gets: bent axes are still all found.
+TEST(LineCandidates, BentAxes) {
+  const model::Case c = tangle(10, 14);
+  CandidateSettings settings;
+  settings.skin_diameters = settings.skin_lengths = 0;
+  Model m(PETSC_COMM_SELF, c, 0.1, 1, settings);
+  State& s = m.sim.state();
+  const Mesh& mesh = m.sim.mesh();
+  int touching = 0;
+  for (int trial = 0; trial < 10; ++trial) {
+    for (size_t n = 0; n < s.q.size(); ++n) {
+      s.x[n] += 0.3 * noise3(static_cast<int>(n), 200 + trial);
+      if (mesh.nodes[n].rotates) s.q[n] *= exp_so3(1.5 * noise3(static_cast<int>(n), 100 + trial));
+    }
+    m.sim.system().couple(s.view(0), 0);
+    const auto list = m.pairs();
+    std::vector<std::vector<Vec3>> axes;
+    for (size_t e = 0; e < mesh.elements.size(); ++e) axes.push_back(points(mesh, s, static_cast<int>(e)));
+    for (int e = 0; e < static_cast<int>(axes.size()); ++e)
+      for (int o = e + 1; o < static_cast<int>(axes.size()); ++o) {
+        if (mesh.elements[static_cast<size_t>(e)].line == mesh.elements[static_cast<size_t>(o)].line)
+          continue;
+        if (nearest(axes[static_cast<size_t>(e)], axes[static_cast<size_t>(o)]) > 0.2) continue;
+        ++touching;
+        EXPECT_TRUE(std::binary_search(list.begin(), list.end(), std::pair(e, o))) << e << " and " << o;
+      }
+    EXPECT_LT(list.size(), 300u);
+  }
+  EXPECT_GT(touching, 100);
+}
+
+// Two lines from one anchor: near it they are one line.
+TEST(LineCandidates, JoinedEnds) {
+  model::Case c = one_line(cable_type(1e6, 1), 10, 20, anchor({0, 0, 0}), anchor({10, 0, 0}));
+  c.lines.push_back(c.lines[0]);
+  c.lines[1].name = "other", c.lines[1].end_b = anchor({9.9, 1, 0});
+  CandidateSettings settings;
+  Model apart(PETSC_COMM_SELF, c, 0.2, 1, settings);
+  settings.joined = {{0, 21}};
+  Model joined(PETSC_COMM_SELF, c, 0.2, 1, settings);
+  for (Model* m : {&apart, &joined}) m->sim.system().couple(m->sim.state().view(0), 0);
+  const auto has = [](const Model& m, int a, int b) {
+    const auto p = m.pairs();
+    return std::binary_search(p.begin(), p.end(), std::pair(a, b));
+  };
+  EXPECT_TRUE(has(apart, 0, 20));
+  EXPECT_FALSE(has(joined, 0, 20));
+  EXPECT_TRUE(has(joined, 1, 21));  // 1 m apart by way of the anchor, more than two diameters
 }
 
 TEST(LineCandidates, NothingToDoForOneStraightLine) {

@@ -3,7 +3,7 @@
 // An element is the convex hull of the Bézier points of its axis, now and where its rates take it within a
 // few steps. A pair is in the list when the hulls, swept along that straight path, come nearer than both
 // radii and both skins. The list holds as long as no axis leaves its path by more than its skin, whatever the
-// elements' shape. See docs/theory/line-line.md.
+// elements' shape. See docs/theory/line-candidates.md.
 //
 // How a term uses it:
 //   bool recouple(k, h) { return candidates.update(k, h); }       // collective; the pairs are not the old
