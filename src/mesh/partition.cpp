@@ -13,7 +13,7 @@ namespace {
 constexpr idx_t kBeamWork = 5, kCableWork = 1;
 // What is cut with an edge: a chain, or one of the four edges of two elements that are near, of which a node
 // has several.
-constexpr idx_t kChainEdge = 100, kNearEdge = 10;
+constexpr idx_t kChainEdge = 100, kNearEdge = 1;
 
 struct Edge {
   int from, to;
