@@ -13,7 +13,7 @@ namespace {
 constexpr idx_t kBeamWork = 5, kCableWork = 1;
 // What is cut with an edge: a chain, or one of the four edges of two elements that are near, of which a node
 // has several.
-constexpr idx_t kChainEdge = 100, kNearEdge = 1;
+constexpr idx_t kChainEdge = 100, kNearEdge = 10;
 
 struct Edge {
   int from, to;
@@ -46,13 +46,14 @@ std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> n
 
 }  // namespace
 
-std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> near) {
+namespace {
+
+std::vector<int> cut_graph(const Mesh& mesh, int ranks, const std::vector<Edge>& all) {
   const size_t n = mesh.nodes.size();
   std::vector<int> owner(n, 0);
-  if (ranks == 1) return owner;
   std::vector<idx_t> start(n + 1, 0), next, edge, weight(n);
   for (size_t i = 0; i < n; ++i) weight[i] = mesh.nodes[i].rotates ? kBeamWork : kCableWork;
-  for (const Edge& e : edges(mesh, near)) {
+  for (const Edge& e : all) {
     ++start[static_cast<size_t>(e.from) + 1];
     next.push_back(e.to), edge.push_back(e.weight);
   }
@@ -68,6 +69,28 @@ std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pai
   if (status != METIS_OK) throw std::runtime_error("METIS could not cut the lines into parts");
   for (size_t i = 0; i < n; ++i) owner[i] = static_cast<int>(part[i]);
   return owner;
+}
+
+// Nodes that other ranks see, once for each rank that does.
+size_t shared_nodes(const std::vector<Edge>& all, const std::vector<int>& owner) {
+  std::vector<std::pair<int, int>> seen;
+  for (const Edge& e : all)
+    if (const int rank = owner[static_cast<size_t>(e.to)]; rank != owner[static_cast<size_t>(e.from)])
+      seen.emplace_back(e.from, rank);
+  std::sort(seen.begin(), seen.end());
+  return static_cast<size_t>(std::unique(seen.begin(), seen.end()) - seen.begin());
+}
+
+}  // namespace
+
+std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> near) {
+  if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
+  std::vector<int> plain = cut_graph(mesh, ranks, edges(mesh, {}));
+  if (near.empty()) return plain;
+  // METIS looks for few cut edges; what costs is the nodes at them. A coil is better cut across its line.
+  const std::vector<Edge> all = edges(mesh, near);
+  std::vector<int> weighed = cut_graph(mesh, ranks, all);
+  return shared_nodes(all, weighed) < shared_nodes(all, plain) ? weighed : plain;
 }
 
 LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks) {

@@ -2,6 +2,8 @@
 // them too, at rest and in motion.
 #include <algorithm>
 
+#include "hawser/app/near_elements.hpp"
+#include "hawser/mesh/partition.hpp"
 #include "support/tangle.hpp"
 #include "support/taylor.hpp"
 
@@ -188,6 +190,26 @@ TEST(LineCandidates, BentAxes) {
     EXPECT_LT(list.size(), 300u);
   }
   EXPECT_GT(touching, 100);
+}
+
+// Four lines in two bundles, listed in turn: without the pairs any two may go together.
+TEST(LineCandidates, BundlesStayOnOneRank) {
+  model::Case c = one_line(cable_type(1e6, 1), 10, 40, anchor({0, 0, 0}), anchor({10, 0, 0}));
+  c.lines.resize(4, c.lines[0]);
+  for (int i = 0; i < 4; ++i) {
+    model::Line& l = c.lines[static_cast<size_t>(i)];
+    l.name += std::to_string(i);
+    const double y = i % 2 * 50 + i / 2 * 0.12;
+    l.end_a.at.y() = l.end_b.at.y() = y;
+  }
+  const app::Simulation one(PETSC_COMM_SELF, c);
+  const Mesh& mesh = one.mesh();
+  const auto near = app::near_elements(c, mesh, one.bodies());
+  EXPECT_GT(near.size(), 80u);
+  const std::vector<int> owner = partition(mesh, 2, near);
+  EXPECT_EQ(cut_elements(mesh, owner), 0);
+  for (size_t n = 0; n < 82; ++n) EXPECT_EQ(owner[n], owner[n + 82]) << n;
+  EXPECT_NE(owner[0], owner[41]);
 }
 
 // Two lines from one anchor: near it they are one line.
