@@ -49,26 +49,25 @@ std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> n
 namespace {
 
 std::vector<int> cut_graph(const Mesh& mesh, int ranks, const std::vector<Edge>& all) {
-  const size_t n = mesh.nodes.size();
-  std::vector<int> owner(n, 0);
-  std::vector<idx_t> start(n + 1, 0), next, edge, weight(n);
-  for (size_t i = 0; i < n; ++i) weight[i] = mesh.nodes[i].rotates ? kBeamWork : kCableWork;
+  std::vector<idx_t> start, next, edge, weight;
+  for (const Node& n : mesh.nodes) weight.push_back(n.rotates ? kBeamWork : kCableWork);
+  start.assign(weight.size(), 0);
+  start.push_back(0);
   for (const Edge& e : all) {
     ++start[static_cast<size_t>(e.from) + 1];
     next.push_back(e.to), edge.push_back(e.weight);
   }
-  for (size_t i = 0; i < n; ++i) start[i + 1] += start[i];
-  idx_t vertices = static_cast<idx_t>(n), constraints = 1, parts = ranks, cut = 0;
+  for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+  idx_t vertices = static_cast<idx_t>(weight.size()), constraints = 1, parts = ranks, cut = 0;
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 1;  // every rank computes the same cut
-  std::vector<idx_t> part(n);
+  std::vector<idx_t> part = weight;
   const int status =
       METIS_PartGraphRecursive(&vertices, &constraints, start.data(), next.data(), weight.data(), nullptr,
                                edge.data(), &parts, nullptr, nullptr, options, &cut, part.data());
   if (status != METIS_OK) throw std::runtime_error("METIS could not cut the lines into parts");
-  for (size_t i = 0; i < n; ++i) owner[i] = static_cast<int>(part[i]);
-  return owner;
+  return {part.begin(), part.end()};
 }
 
 // Nodes that other ranks see, once for each rank that does.
