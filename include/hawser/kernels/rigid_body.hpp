@@ -1,0 +1,46 @@
+// A rigid body with mass that springs and dampers hold at a place: its residual and exact derivatives.
+//
+// Unknowns: position x of the centre of mass (space axes) and material rotation increments. The residual is
+// inertia + holding force - applied; its moments are in the body's axes.
+//   f = m (a + g) + k (x - x0) + c (v - v0)
+//   t = J alpha + w x J w + T(phi)^-T kr phi + cr (w - R^T W0),  phi = log(R0^T R)
+// T is the right Jacobian of the exponential, so the moment is the gradient of phi . kr phi / 2.
+#pragma once
+
+#include "hawser/kernels/motion.hpp"
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct RigidBodyData {
+  double mass = 0;                                        // kg
+  Mat3 inertia = Mat3::Zero();                            // kg m², about the centre of mass, body axes
+  Vec3 weight = Vec3::Zero();                             // N, force of gravity that nothing else carries
+  Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m, space axes
+  Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
+};
+
+struct RigidBodyState {
+  Vec3 x = Vec3::Zero();  // m, centre of mass
+  Quat q = Quat::Identity();
+  Vec3 v = Vec3::Zero(), a = Vec3::Zero();      // m/s, m/s², space axes
+  Vec3 w = Vec3::Zero(), alpha = Vec3::Zero();  // rad/s, rad/s², body axes
+};
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
+struct RigidBodyResidual {
+  Vec6 f = Vec6::Zero();
+  Mat6 K = Mat6::Zero(), C = Mat6::Zero(), M = Mat6::Zero();
+};
+
+// `rest`: where the springs pull the centre of mass to, with its velocities. Rotations of half a turn from
+// there are a kink of the energy: phi is the shortest rotation.
+RigidBodyResidual rigid_body(const RigidBodyData& body, const RigidBodyState& s, const RigidPose& rest);
+
+// J: kinetic, and stored by the springs.
+double rigid_body_kinetic(const RigidBodyData& body, const RigidBodyState& s);
+double rigid_body_strain(const RigidBodyData& body, const RigidBodyState& s, const RigidPose& rest);
+
+}  // namespace hawser

@@ -1,0 +1,51 @@
+#include "hawser/kernels/rigid_body.hpp"
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+// d (T(phi)^-T p) / d phi at fixed p: T^-T p = p - phi x p / 2 + eta phi x (phi x p).
+Mat3 moment_slope(const Vec3& phi, const Vec3& p) {
+  double eta, eta1;
+  inverse_jacobian_coefficient(phi.squaredNorm(), eta, eta1);
+  const Vec3 c = phi.cross(p);
+  return 0.5 * hat(p) - eta * (hat(c) + hat(phi) * hat(p)) + eta1 * phi.cross(c) * phi.transpose();
+}
+
+Vec3 turned(const RigidBodyState& s, const RigidPose& rest) {
+  return log_so3(rest.rotation.conjugate() * s.q);
+}
+
+}  // namespace
+
+RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, const RigidPose& rest) {
+  RigidBodyResidual r;
+  const Vec3 phi = turned(s, rest), p = b.turning_stiffness.cwiseProduct(phi);
+  const Vec3 W0 = s.q.conjugate() * rest.angular_velocity, Jw = b.inertia * s.w;
+  const Mat3 T = inverse_right_jacobian(phi);
+  r.f.head<3>() = b.mass * s.a - b.weight + b.stiffness.cwiseProduct(s.x - rest.position) +
+                  b.damping.cwiseProduct(s.v - rest.velocity);
+  r.f.tail<3>() =
+      b.inertia * s.alpha + s.w.cross(Jw) + T.transpose() * p + b.turning_damping.cwiseProduct(s.w - W0);
+  r.K.topLeftCorner<3, 3>() = b.stiffness.asDiagonal();
+  r.K.bottomRightCorner<3, 3>() =
+      (moment_slope(phi, p) + T.transpose() * Mat3(b.turning_stiffness.asDiagonal())) * T -
+      Mat3(b.turning_damping.asDiagonal()) * hat(W0);
+  r.C.topLeftCorner<3, 3>() = b.damping.asDiagonal();
+  r.C.bottomRightCorner<3, 3>() = hat(s.w) * b.inertia - hat(Jw) + Mat3(b.turning_damping.asDiagonal());
+  r.M.topLeftCorner<3, 3>() = b.mass * Mat3::Identity();
+  r.M.bottomRightCorner<3, 3>() = b.inertia;
+  return r;
+}
+
+double rigid_body_kinetic(const RigidBodyData& b, const RigidBodyState& s) {
+  return 0.5 * b.mass * s.v.squaredNorm() + 0.5 * s.w.dot(b.inertia * s.w);
+}
+
+double rigid_body_strain(const RigidBodyData& b, const RigidBodyState& s, const RigidPose& rest) {
+  const Vec3 d = s.x - rest.position, phi = turned(s, rest);
+  return 0.5 * d.dot(b.stiffness.cwiseProduct(d)) + 0.5 * phi.dot(b.turning_stiffness.cwiseProduct(phi));
+}
+
+}  // namespace hawser
