@@ -107,7 +107,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
   std::vector<LoadedVolume> volumes = load_volumes(c);
-  Simulation sim(comm, c, surfaces(volumes));
+  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
   io::Checkpoint checkpoint;

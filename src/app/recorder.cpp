@@ -7,6 +7,9 @@
 #include <functional>
 #include <utility>
 
+#include "hawser/math/so3.hpp"
+#include "hawser/terms/body_contact.hpp"
+
 namespace hawser::app {
 namespace {
 
@@ -77,7 +80,19 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     contents.lines.push_back(std::move(line));
   }
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
+  contents.free_bodies = static_cast<int>(mesh.nodes.size()) - mesh.line_nodes();
   for (const auto& h : c.output.histories) {
+    if (!h.body.empty()) {
+      points_.push_back({-1, c.body_index(h.body)});
+      contents.series.push_back({h.name,
+                                 {{"position", "m", 3},
+                                  {"rotation_vector", "rad", 3},
+                                  {"velocity", "m/s", 3},
+                                  {"angular_velocity", "rad/s", 3},
+                                  {"contact_force", "N", 3},
+                                  {"contact_moment", "N m", 3}}});
+      continue;
+    }
     const int node = mesh.nearest_node(c.line_index(h.line), h.at);
     Point p;
     for (int n = 0; n < local.owned; ++n)
@@ -153,6 +168,21 @@ void Recorder::start(double, const Kinematics& at) {
   filled_ = -1;
 }
 
+// Empty on ranks that do not own the body.
+std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
+  const auto p = sim_.body_pose(body, at);
+  int rank = 0;
+  MPI_Comm_rank(comm_, &rank);
+  if (!p || (!sim_.model().floats(body) && rank != 0)) return {};
+  std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
+  if (sim_.body_contact() && sim_.model().floats(body)) force = sim_.body_contact()->force_on(body, at);
+  std::vector<double> row;
+  for (const Vec3& x :
+       {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, force[0], force[1]})
+    row.insert(row.end(), x.begin(), x.end());
+  return row;
+}
+
 void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work) {
   fill(at);
   Energy share = sim_.system().energy(at);
@@ -166,6 +196,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   std::vector<std::vector<double>> rows;
   for (const Point& p : points_) {
     std::vector<double> row;
+    if (p.body >= 0) row = body_row(p.body, at);
     if (p.owned >= 0) {
       const size_t n = static_cast<size_t>(p.owned);
       for (int f : {0, 1})
@@ -196,20 +227,43 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
     const auto& v = values_[static_cast<size_t>(field)];
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
       const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
+      if (node.body >= 0) break;
       Extreme& x = extremes_[static_cast<size_t>(node.line)][w.quantity];
       if (!x.set || (w.largest ? v[n] > x.value : v[n] < x.value)) x = {v[n], info.time, node.arc, true};
     }
   }
 }
 
+// Of floating bodies the rank that owns them tells the others.
+std::vector<io::BodyPose> Recorder::poses(const Kinematics& at) const {
+  const int bodies = sim_.bodies().size();
+  std::vector<double> told;
+  for (int b = 0; b < bodies; ++b) {
+    if (!sim_.model().floats(b)) continue;
+    const auto p = sim_.body_pose(b, at);
+    const Quat q = p ? p->rotation : Quat(0, 0, 0, 0);
+    const Vec3 x = p ? p->position : Vec3(Vec3::Zero());
+    told.insert(told.end(), {x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z()});
+  }
+  if (!told.empty())
+    MPI_Allreduce(MPI_IN_PLACE, told.data(), static_cast<int>(told.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  std::vector<io::BodyPose> out;
+  const double* t = told.data();
+  for (int b = 0; b < bodies; ++b) {
+    if (sim_.model().floats(b)) {
+      out.push_back({{t[0], t[1], t[2]}, {t[3], t[4], t[5], t[6]}});
+      t += 7;
+    } else {
+      const RigidPose p = sim_.bodies().pose(b, at.time);
+      out.push_back({p.position, p.rotation});
+    }
+  }
+  return out;
+}
+
 void Recorder::output(double time, const Kinematics& at) {
   fill(at);
-  std::vector<io::BodyPose> poses;
-  for (int b = 0; b < sim_.bodies().size(); ++b) {
-    const RigidPose p = sim_.bodies().pose(b, time);
-    poses.push_back({p.position, p.rotation});
-  }
-  file_->write_output(time, values_, poses);
+  file_->write_output(time, values_, poses(at));
 }
 
 std::vector<io::SummaryRow> Recorder::summary() const {

@@ -6,11 +6,14 @@
 
 #include "hawser/app/near_elements.hpp"
 #include "hawser/mesh/partition.hpp"
+#include "hawser/model/body_pairs.hpp"
 #include "hawser/solve/start_shape.hpp"
+#include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
 #include "hawser/terms/volume_contact.hpp"
 
 namespace hawser::app {
@@ -89,7 +92,8 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, model::Volume& v,
 }  // namespace
 
 Simulation::Simulation(MPI_Comm comm, const model::Case& c,
-                       std::vector<std::shared_ptr<const Surface>> surfaces)
+                       std::vector<std::shared_ptr<const Surface>> surfaces,
+                       std::vector<BodySkeleton> skeletons)
     : case_(c), mesh_(std::make_unique<Mesh>(build_mesh(c))), bodies_(std::make_shared<Bodies>(c.bodies)) {
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank);
@@ -115,7 +119,12 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   std::vector<ContactVolume> volumes;
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
     model::Volume settings = c.volumes[v];
-    if (!chosen(c.contact.all_volumes, c.contact.volumes, settings.name)) continue;
+    if (!chosen(c.contact.all_volumes, c.contact.volumes, settings.name) || c.lines.empty()) continue;
+    if (c.floats(c.body_index(settings.body))) {
+      notes_.push_back(
+          fmt::format("volume {}: body {} floats; lines do not feel it", settings.name, settings.body));
+      continue;
+    }
     if (settings.basis == model::StiffnessBasis::automatic) choose_stiffness(c, *mesh_, settings, notes_);
     volumes.push_back({surfaces[v], c.body_index(settings.body), settings});
   }
@@ -134,8 +143,28 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     system_->add(std::move(contact));
   }
 
+  if (mesh_->line_nodes() < static_cast<int>(mesh_->nodes.size())) {
+    auto floating = std::make_unique<RigidBodies>(c, local, bodies_);
+    floating_ = floating.get();
+    system_->add(std::move(floating));
+  }
+  if (!model::body_pairs(c).empty() && skeletons.size() == c.volumes.size()) {
+    std::vector<TouchingVolume> touching;
+    for (size_t v = 0; v < c.volumes.size(); ++v) touching.push_back({surfaces[v], std::move(skeletons[v])});
+    auto contact = std::make_unique<BodyContactTerm>(c, local, bodies_, std::move(touching));
+    body_contact_ = contact.get();
+    system_->add(std::move(contact));
+  }
+
   state_ = std::move(start.state);
   system_->support(std::move(start.supports), [b = bodies_](int body, double t) { return b->pose(body, t); });
+}
+
+std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) const {
+  if (!case_.floats(body)) return bodies_->pose(body, at.time);
+  const int n = local().find(mesh_->body_node(body));
+  if (n < 0 || n >= local().owned) return std::nullopt;
+  return floating_pose(floating_state(at, n), case_.bodies[static_cast<size_t>(body)].mass->centre);
 }
 
 StaticsReport Simulation::solve_statics() {
@@ -143,9 +172,12 @@ StaticsReport Simulation::solve_statics() {
     if (contact_) contact_->enable_friction(on);
   };
   enable_friction(false);
+  const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
+  if (floating_) floating_->hold(true);
   StaticsSettings settings{case_.statics.tolerance, case_.statics.max_iterations};
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   enable_friction(true);
+  if (floating_) floating_->hold(false), state_.v = v, state_.w = w;
   if (contact_) system_->commit(state_.view(0));
   return report;
 }

@@ -7,6 +7,7 @@
 #include "hawser/geometry/primitives.hpp"
 #include "hawser/io/mesh_reader.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/body_pairs.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::app {
@@ -88,6 +89,14 @@ std::vector<LoadedVolume> load_volumes(const model::Case& c) {
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes) {
   std::vector<std::shared_ptr<const Surface>> out;
   for (const auto& v : volumes) out.push_back(v.surface);
+  return out;
+}
+
+std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<LoadedVolume>& volumes) {
+  std::vector<BodySkeleton> out(volumes.size());
+  for (const model::BodyPair& p : model::body_pairs(c))
+    if (out[p.a].points.empty() && out[p.a].edges.empty())
+      out[p.a] = body_skeleton(c.volumes[p.a], *volumes[p.a].facets, volumes[p.a].active);
   return out;
 }
 

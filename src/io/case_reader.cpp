@@ -100,6 +100,15 @@ class Reader {
     b.name = name;
     b.position = vec(v, "position");
     b.rotation = vec(v, "rotation_deg");
+    if (const Value* f = v.find("floating")) {
+      model::BodyMass& o = b.mass.emplace();
+      o.mass = (*f)["mass"].number, o.weight = (*f)["weight"].number != 0;
+      o.inertia = vec(*f, "inertia"), o.products = vec(*f, "products_of_inertia");
+      o.centre = vec(*f, "centre_of_mass");
+      o.velocity = vec(*f, "velocity"), o.angular_velocity = vec(*f, "angular_velocity");
+      o.stiffness = vec(*f, "stiffness"), o.damping = vec(*f, "damping");
+      o.turning_stiffness = vec(*f, "turning_stiffness"), o.turning_damping = vec(*f, "turning_damping");
+    }
     const Value* m = v.find("motion");
     if (!m) return b;
     const std::string path = "bodies." + name + ".motion";
@@ -312,6 +321,12 @@ class Reader {
                   "xdmf only describes the numbers of an hdf5 file; list hdf5 as well");
     for (const Value& h : v["histories"].items) {
       model::HistoryPoint p;
+      if (h.has("body")) {
+        p.body = h["body"].text;
+        p.name = h.has("name") ? h["name"].text : p.body;
+        o.histories.push_back(p);
+        continue;
+      }
       p.line = h["line"].text;
       p.at =
           arc(h.find("at"), 0, model::length_of(c_.lines[static_cast<std::size_t>(c_.line_index(p.line))]));

@@ -193,7 +193,10 @@ void check_contents(const ResultContents& c) {
 }  // namespace
 
 ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents what, std::vector<int> nodes)
-    : file(comm, path), contents(std::move(what)), owned(std::move(nodes)), runs(runs_of(owned)) {
+    : file(comm, path),
+      contents(std::move(what)),
+      owned(std::move(nodes)),
+      runs(runs_of({owned.begin(), std::lower_bound(owned.begin(), owned.end(), contents.nodes_total())})) {
   check_contents(contents);
   const size_t slash = path.rfind('/'), name = slash == std::string::npos ? 0 : slash + 1;
   const size_t dot = path.rfind('.');
@@ -311,7 +314,8 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
 
 void ResultsFile::write_checkpoint(const Checkpoint& checkpoint) {
   auto& m = *impl_;
-  const PackedCheckpoint p = pack_checkpoint(m.file.comm(), checkpoint, m.contents.nodes_total(), m.owned);
+  const PackedCheckpoint p =
+      pack_checkpoint(m.file.comm(), checkpoint, m.contents.nodes_total() + m.contents.free_bodies, m.owned);
   const auto text = static_cast<long long>(p.index.size());
   m.ensure_room(0, 0, p.size, text);
   // The slot that does not hold the newest one; its header, written last, makes it the newest.

@@ -55,7 +55,19 @@ Mesh build_mesh(const model::Case& c) {
     span.name = line.name;
     m.lines.push_back(span);
   }
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    m.bodies.push_back(c.bodies[b].name);
+    if (!c.bodies[b].mass) continue;
+    const int group = static_cast<int>(m.lines.size() + m.nodes.size()) - m.line_nodes();
+    m.nodes.push_back({group, 0, 0, true, static_cast<int>(b)});
+  }
   return m;
+}
+
+int Mesh::body_node(int body) const {
+  for (int n = line_nodes(); n < static_cast<int>(nodes.size()); ++n)
+    if (nodes[static_cast<size_t>(n)].body == body) return n;
+  return -1;
 }
 
 int Mesh::nearest_node(int line, double s) const {
@@ -69,6 +81,7 @@ int Mesh::nearest_node(int line, double s) const {
 
 std::string Mesh::place(int node) const {
   const Node& n = nodes[static_cast<size_t>(node)];
+  if (n.body >= 0) return "body " + bodies[static_cast<size_t>(n.body)];
   return fmt::format("line {}, arc length {:.6g} m", lines[static_cast<size_t>(n.line)].name, n.arc);
 }
 

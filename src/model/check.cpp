@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <set>
 #include <stdexcept>
 
 #include "hawser/math/so3.hpp"
+#include "hawser/model/body_pairs.hpp"
 
 namespace hawser::model {
 namespace {
@@ -40,6 +42,9 @@ class LineCheck {
   bool held(const End& e) const { return e.kind != EndKind::free; }
 
   void check_end(const End& e, const Section& section, const std::string& key) {
+    if (e.kind == EndKind::body && c_.floats(c_.body_index(e.body)))
+      issue(key + ".body", "body '{}' floats; a line can be tied to a body with prescribed motion only",
+            e.body);
     if (!held(e) || !e.clamped) return;
     if (c_.line_type(section.type).kind == LineKind::cable)
       issue(key + ".clamped", "a line of type '{}' has no bending stiffness here and cannot be clamped",
@@ -200,6 +205,11 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < c.output.histories.size(); ++i) {
     const HistoryPoint& h = c.output.histories[i];
+    const std::string name = fmt::format("output.histories[{}]", i);
+    if (!names.insert(h.name).second)
+      issues.push_back(
+          {name, fmt::format("there is another history called '{}'; give this one a 'name'", h.name)});
+    if (!h.body.empty()) continue;
     const double length = length_of(c.lines[static_cast<std::size_t>(c.line_index(h.line))]);
     const std::string key = fmt::format("output.histories[{}]", i);
     if (h.at > length * (1 + kArcTolerance))
@@ -207,14 +217,38 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
           {key + ".at", fmt::format("arc length {:.6g} m is beyond the end of line '{}', which is {:.6g} "
                                     "m long",
                                     h.at, h.line, length)});
-    if (!names.insert(h.name).second)
-      issues.push_back(
-          {key, fmt::format("there is another history called '{}'; give this one a 'name'", h.name)});
   }
   for (const Volume& v : c.volumes)
     if (v.active_box && (v.active_box->lower.array() >= v.active_box->upper.array()).any())
       issues.push_back(
           {"volumes." + v.name + ".active.box", "the first corner must be below the second in x, y and z"});
+}
+
+void check_floating(const Case& c, std::vector<Issue>& issues) {
+  bool any = false;
+  for (const Body& b : c.bodies) {
+    if (!b.mass) continue;
+    any = true;
+    Mat3 J = b.mass->inertia.asDiagonal();
+    const Vec3& p = b.mass->products;
+    J(0, 1) = J(1, 0) = p.x(), J(1, 2) = J(2, 1) = p.y(), J(0, 2) = J(2, 0) = p.z();
+    const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(J).eigenvalues();  // ascending
+    if (!(moments[0] > 0) || moments[2] > (1 + 1e-9) * (moments[0] + moments[1]))
+      issues.push_back(
+          {"bodies." + b.name + ".floating.inertia",
+           fmt::format("no body has the principal moments {:.6g}, {:.6g}, {:.6g} kg m²: each must be "
+                       "above 0 and at most the sum of the other two",
+                       moments[0], moments[1], moments[2])});
+  }
+  if (c.lines.empty() && !any)
+    issues.push_back({"lines", "required key is missing: there is no line, and no floating body either"});
+  for (const BodyPair& p : body_pairs(c))
+    if (!(p.stiffness > 0))
+      issues.push_back(
+          {"volumes." + c.volumes[p.a].name + ".normal_stiffness",
+           fmt::format("contact of bodies needs a stiffness of '{}' or '{}': per_point (its corners "
+                       "and balls touch), per_length (its edges) or per_area (its faces)",
+                       c.volumes[p.a].name, c.volumes[p.b].name)});
 }
 
 // What the numbers of a shape cannot say one by one.
@@ -254,6 +288,7 @@ std::vector<Issue> check(const Case& c) {
   for (const Volume& v : c.volumes)
     if (v.shape) check_shape(v, issues);
   check_whole(c, issues);
+  check_floating(c, issues);
   return issues;
 }
 

@@ -62,8 +62,7 @@ Key line_types() {
                         .or_else("0")},
                    ""),
                "What lines are made of, by name.")
-      .is_required()
-      .items(1);
+      .or_else("{}");
 }
 
 Key motion() {
@@ -104,11 +103,38 @@ Key motion() {
       .either({{{"velocity", "rotation"}, {}}, {{"harmonic"}, {"harmonic"}}, {{"table"}, {"table"}}}, false);
 }
 
+Key floating() {
+  return map(
+      "floating",
+      {number("mass", mass, "mass").above(0).is_required(),
+       vec3("inertia", inertia, "moments of inertia about the centre of mass, along the body's axes")
+           .above(0)
+           .is_required(),
+       vec3("products_of_inertia", inertia, "Ixy, Iyz, Ixz: off the diagonal of the inertia").or_else(kZero),
+       vec3("centre_of_mass", length, "in the body's frame").or_else(kZero),
+       boolean("weight", "gravity acts on it; `false`: buoyancy that is not modelled carries its weight")
+           .or_else("false"),
+       vec3("velocity", velocity, "of the centre of mass at t = 0, axes of space").or_else(kZero),
+       vec3("angular_velocity", angular_velocity, "at t = 0, axes of the body").or_else(kZero),
+       vec3("stiffness", point_stiffness,
+            "springs in x, y, z that pull it to where `motion` (or `position`) wants it")
+           .at_least(0)
+           .or_else(kZero),
+       vec3("damping", point_damping, "dampers in x, y, z beside them").at_least(0).or_else(kZero),
+       vec3("turning_stiffness", turning_stiffness, "springs against turning, axes of the body")
+           .at_least(0)
+           .or_else(kZero),
+       vec3("turning_damping", turning_damping, "dampers beside them").at_least(0).or_else(kZero)},
+      "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
+      "prescribed");
+}
+
 Key bodies() {
   return names("bodies",
                map("<body>",
                    {vec3("position", length, "of the body's origin at t = 0").or_else(kZero),
-                    vec3("rotation_deg", angle, "rotation vector at t = 0").or_else(kZero), motion()},
+                    vec3("rotation_deg", angle, "rotation vector at t = 0").or_else(kZero), motion(),
+                    floating()},
                    ""),
                "Rigid bodies that carry volumes and line ends, by name.")
       .or_else("{}");
@@ -196,8 +222,7 @@ Key lines() {
                     std::move(loads)},
                    ""),
                "Lines, by name. Arc lengths are unstretched and count from end A.")
-      .is_required()
-      .items(1);
+      .or_else("{}");
 }
 
 Key all_or_names(std::string name, std::string to, std::string about) {
@@ -278,10 +303,12 @@ const Key& case_schema() {
                 .items(1, 2),
             list("histories",
                  map("",
-                     {reference("line", "lines", "line").is_required(),
-                      arc("at", "arc length from end A").is_required(),
-                      make(Type::name, "name", "name in the results").or_else_note("`<line>@<at>`")},
-                     ""),
+                     {reference("line", "lines", "line"), arc("at", "arc length from end A"),
+                      reference("body", "bodies", "instead of a point of a line: a floating body"),
+                      make(Type::name, "name", "name in the results")
+                          .or_else_note("`<line>@<at>` or `<body>`")},
+                     "")
+                     .either({{{"line", "at"}, {"line", "at"}}, {{"body"}, {"body"}}}, true),
                  "points whose motion, tension and contact are kept at every step")
                 .or_else("[]")},
            "Results.")

@@ -32,13 +32,19 @@ constexpr Unit kAcceleration[] = {{"m/s^2"}};
 constexpr Unit kAngle[] = {{"deg", kPi, 180}, {"rad"}};
 constexpr Unit kAngularVelocity[] = {{"rad/s"}, {"deg/s", kPi, 180}, {"rpm", kPi, 30}};
 constexpr Unit kInertia[] = {{"kgm"}, {"tm", 1000, 1}, {"kgm^2/m"}, {"tm^2/m", 1000, 1}};
+constexpr Unit kMomentOfInertia[] = {{"kgm^2"}, {"tm^2", 1000, 1}};
+constexpr Unit kPointDamping[] = {{"Ns/m"}, {"kNs/m", 1e3, 1}, {"MNs/m", 1e6, 1}};
+constexpr Unit kTurningStiffness[] = {
+    {"Nm/rad"},           {"kNm/rad", 1e3, 1},     {"MNm/rad", 1e6, 1},    {"Nm", 1, 1},
+    {"Nm/deg", 180, kPi}, {"kNm/deg", 180e3, kPi}, {"MNm/deg", 180e6, kPi}};
+constexpr Unit kTurningDamping[] = {{"Nms/rad"}, {"kNms/rad", 1e3, 1}, {"MNms/rad", 1e6, 1}, {"Nms"}};
 
 struct Entry {
   std::string_view name, base;
   std::span<const Unit> units;
 };
 // In the order of Dimension.
-const std::array<Entry, 17> kTable = {{{"dimensionless number", "-", kNone},
+const std::array<Entry, 21> kTable = {{{"dimensionless number", "-", kNone},
                                        {"length", "m", kLength},
                                        {"time", "s", kTime},
                                        {"mass", "kg", kMass},
@@ -54,7 +60,11 @@ const std::array<Entry, 17> kTable = {{{"dimensionless number", "-", kNone},
                                        {"acceleration", "m/s²", kAcceleration},
                                        {"angle", "deg", kAngle},
                                        {"angular velocity", "rad/s", kAngularVelocity},
-                                       {"rotary inertia per length", "kg m", kInertia}}};
+                                       {"rotary inertia per length", "kg m", kInertia},
+                                       {"moment of inertia", "kg m²", kMomentOfInertia},
+                                       {"damping of a point", "N s/m", kPointDamping},
+                                       {"stiffness against turning", "N m/rad", kTurningStiffness},
+                                       {"damping of turning", "N m s/rad", kTurningDamping}}};
 
 const Entry& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
 

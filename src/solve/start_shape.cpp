@@ -8,6 +8,8 @@
 #include "hawser/kernels/catenary.hpp"
 #include "hawser/math/so3.hpp"
 
+#include "hawser/terms/rigid_bodies.hpp"
+
 namespace hawser {
 namespace {
 
@@ -177,6 +179,13 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
         out.supports.push_back(s);
       }
     }
+  }
+  for (int n = 0; n < mesh.nodes(); ++n) {
+    const int body = g.nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])].body;
+    if (body < 0) continue;
+    const RigidBodyState s = floating_start(*c.bodies[static_cast<size_t>(body)].mass, bodies.pose(body, 0));
+    const size_t i = static_cast<size_t>(n);
+    out.state.x[i] = s.x, out.state.q[i] = s.q, out.state.v[i] = s.v, out.state.w[i] = s.w;
   }
   return out;
 }

@@ -201,6 +201,7 @@ class Search {
     for (int n = 0; n < m.nodes(); ++n) {
       const size_t i = static_cast<size_t>(n);
       const Node& node = m.mesh->nodes[static_cast<size_t>(m.global[i])];
+      if (node.body >= 0) continue;
       const double L = m.mesh->lines[static_cast<size_t>(node.line)].length, z = node.arc / L;
       const double bump = 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
       Vec3 d = bump * Vec3(0.31, 0.52, -0.79);

@@ -54,6 +54,8 @@ class Recorder {
   void fill(const Kinematics& at);
   void correct_ends(const Kinematics& at);
   std::vector<io::SummaryRow> summary() const;
+  std::vector<io::BodyPose> poses(const Kinematics& at) const;
+  std::vector<double> body_row(int body, const Kinematics& at) const;
 
   MPI_Comm comm_;
   Simulation& sim_;
@@ -63,6 +65,7 @@ class Recorder {
   int tension_ = -1, moment_ = -1, curvature_ = -1, penetration_ = -1, contact_ = -1;  // among values_
   struct Point {
     int owned = -1;  // local node when this rank has it
+    int body = -1;   // of the case, when it is one
   };
   std::vector<Point> points_;
   std::vector<std::map<std::string, Extreme>> extremes_;  // by line, of this rank's nodes

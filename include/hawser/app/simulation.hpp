@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,15 +14,23 @@
 #include "hawser/solve/statics.hpp"
 #include "hawser/system/system.hpp"
 #include "hawser/terms/bodies.hpp"
+#include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/contact.hpp"
 #include "hawser/terms/structure.hpp"
+
+namespace hawser {
+class BodyContactTerm;
+class RigidBodies;
+}  // namespace hawser
 
 namespace hawser::app {
 
 class Simulation {
  public:
-  // surfaces: one for each volume of the case, in its order. Collective.
-  Simulation(MPI_Comm comm, const model::Case& c, std::vector<std::shared_ptr<const Surface>> surfaces = {});
+  // surfaces: one for each volume of the case, in its order; skeletons: likewise, for contact of bodies with
+  // bodies. Collective.
+  Simulation(MPI_Comm comm, const model::Case& c, std::vector<std::shared_ptr<const Surface>> surfaces = {},
+             std::vector<BodySkeleton> skeletons = {});
 
   const model::Case& model() const { return case_; }
   const Mesh& mesh() const { return *mesh_; }
@@ -30,6 +39,9 @@ class Simulation {
   System& system() { return *system_; }
   StructureTerm& structure() { return *structure_; }
   Contact* contact() { return contact_; }  // with volumes; null: there are none
+  const BodyContactTerm* body_contact() const { return body_contact_; }  // null: no bodies touch
+  // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
+  std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
@@ -50,6 +62,8 @@ class Simulation {
   std::unique_ptr<Dynamics> dynamics_;
   std::vector<std::string> notes_;
   int cut_ = 0;
+  RigidBodies* floating_ = nullptr;
+  BodyContactTerm* body_contact_ = nullptr;
 };
 
 }  // namespace hawser::app

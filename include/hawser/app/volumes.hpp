@@ -9,6 +9,7 @@
 #include "hawser/geometry/triangle_mesh.hpp"
 #include "hawser/io/results.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/terms/body_skeleton.hpp"
 
 namespace hawser::app {
 
@@ -25,6 +26,8 @@ struct LoadedVolume {
 std::vector<LoadedVolume> load_volumes(const model::Case& c);
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes);
+// What stands out of the volumes that touch other bodies with it.
+std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 
 }  // namespace hawser::app

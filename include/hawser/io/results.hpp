@@ -66,7 +66,9 @@ struct ResultContents {
   int expected_steps = 1000;     // likewise, rows of the series
   int moving_vertices = 100000;  // a moving mesh with more is drawn as its box
 
-  int nodes_total() const;
+  int free_bodies = 0;  // bodies that have a node in checkpoints, after those of the lines
+
+  int nodes_total() const;  // of the lines
 };
 
 // One line of the table of extremes.
@@ -100,7 +102,8 @@ class ResultsFile {
   // them (one rank must), else empty. Kept in memory until the next output; no communication.
   void append_series(double time, const std::vector<std::vector<double>>& values);
 
-  // Node fields at `time` [s], owned nodes x components, in the order of contents.fields (position
+  // Node fields at `time` [s], owned nodes x components (those of bodies are left out), in the order of
+  // contents.fields (position
   // first), with one pose a body (same on all ranks). When it returns, the output and the series rows
   // so far survive the death of the program.
   void write_output(double time, const std::vector<std::vector<double>>& fields,

@@ -1,4 +1,5 @@
-// Nodes and elements of all lines, the same on every rank, in file order: line by line, end A to end B.
+// Nodes and elements of all lines, the same on every rank, in file order: line by line, end A to end B; then
+// a node for every body with mass.
 #pragma once
 
 #include <string>
@@ -13,10 +14,11 @@ struct Case;
 }
 
 struct Node {
-  int line = 0;
+  int line = 0;          // of a body: counted on from the last line
   double arc = 0;        // m, unstretched arc length from end A
   double tributary = 0;  // m, half the lengths of the elements at this node
-  bool rotates = false;  // beam node: two 3-blocks; cable node: one
+  bool rotates = false;  // beam node and body: two 3-blocks; cable node: one
+  int body = -1;         // of the case, when it is the centre of mass of one
 };
 
 struct Element {
@@ -37,10 +39,15 @@ struct Mesh {
   std::vector<Node> nodes;
   std::vector<Element> elements;
   std::vector<LineSpan> lines;
+  std::vector<std::string> bodies;  // names of the bodies of the case, for messages
 
+  // Nodes of lines: [0, line_nodes()); those of bodies follow.
+  int line_nodes() const { return lines.empty() ? 0 : lines.back().first_node + lines.back().nodes; }
+  // Node of a body of the case; -1: it has no mass.
+  int body_node(int body) const;
   // Node of `line` nearest to arc length s [m from end A].
   int nearest_node(int line, double s) const;
-  // "line hose, arc length 12.5 m": where a node is, in words.
+  // "line hose, arc length 12.5 m", "body barge": where a node is, in words.
   std::string place(int node) const;
 };
 

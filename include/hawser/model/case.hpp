@@ -57,12 +57,26 @@ struct TableMotion {           // cubic spline through the rows
 };
 using Motion = std::variant<std::monostate, ConstantMotion, HarmonicMotion, TableMotion>;
 
+// A body that moves by its own equations.
+struct BodyMass {
+  double mass = 0;                       // kg
+  Vec3 inertia = Vec3::Zero();           // kg m², about the centre of mass, along the body's axes
+  Vec3 products = Vec3::Zero();          // kg m², Ixy, Iyz, Ixz: off the diagonal
+  Vec3 centre = Vec3::Zero();            // m, centre of mass, body frame
+  bool weight = false;                   // gravity acts; else something not modelled carries it
+  Vec3 velocity = Vec3::Zero();          // m/s, of the centre of mass at t = 0, space axes
+  Vec3 angular_velocity = Vec3::Zero();  // rad/s, at t = 0, body axes
+  Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards where `motion` wants it
+  Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
+};
+
 struct Body {
   std::string name;
   Vec3 position = Vec3::Zero();  // m, of the body's origin at t = 0
   Vec3 rotation = Vec3::Zero();  // rad, rotation vector at t = 0
   Motion motion;
-  double ramp = 0;  // s, smooth start of the motion (quintic), 0: none
+  double ramp = 0;               // s, smooth start of the motion (quintic), 0: none
+  std::optional<BodyMass> mass;  // without it the motion is prescribed
 };
 
 enum class StiffnessBasis { automatic, per_point, per_length, per_area };
@@ -176,7 +190,8 @@ struct Dynamics {
 };
 
 struct HistoryPoint {
-  std::string line;
+  std::string line;  // or a body with mass:
+  std::string body;
   double at = 0;     // m, arc length from end A
   std::string name;  // default "<line>@<at>"
 };
@@ -206,6 +221,7 @@ struct Case {
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
   int body_index(const std::string& name) const;             // -1: none (fixed in space)
   int line_index(const std::string& name) const;             // throws std::out_of_range
+  bool floats(int body) const { return body >= 0 && bodies[static_cast<std::size_t>(body)].mass.has_value(); }
 };
 
 }  // namespace hawser::model

@@ -25,6 +25,10 @@ enum class Dimension {
   angle,  // base unit deg, SI value rad
   angular_velocity,
   inertia_per_length,  // kg m
+  inertia,             // kg m²
+  point_damping,       // N s/m
+  turning_stiffness,   // N m/rad
+  turning_damping,     // N m s/rad
 };
 
 struct Unit {

@@ -1,0 +1,25 @@
+// Which volumes of a case touch as bodies do, and with what stiffness.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser::model {
+
+// Volume `a` leads: what stands out of it, by the basis of its stiffness, meets the surface of volume `b`.
+struct BodyPair {
+  std::size_t a = 0, b = 0;
+  double stiffness = 0;  // N/m, N/m² or N/m³ by the basis of a
+  double share = 1;      // of the force: 1/2 where b leads as well with its faces
+};
+
+// Pairs of volumes that take part in contact, on different bodies one of which has mass at least. Round
+// volumes (sphere, capsule, torus) lead, then those with a stiffness per point, per length, per area; of
+// equals both lead, but round ones, where either would say the same. The softer of two of one basis counts.
+// A pair without any stiffness has stiffness 0.
+std::vector<BodyPair> body_pairs(const Case& c);
+
+}  // namespace hawser::model

@@ -1,0 +1,41 @@
+// What stands out of a volume: the points, balls and edges with which it can touch the surface of another.
+#pragma once
+
+#include <vector>
+
+#include "hawser/geometry/box.hpp"
+#include "hawser/geometry/triangle_mesh.hpp"
+#include "hawser/model/case.hpp"
+
+namespace hawser {
+
+struct SkeletonPoint {
+  Vec3 at = Vec3::Zero();  // m, frame of the shape
+  double radius = 0;       // m, of a ball
+  double weight = 1;       // 1, or m² where it stands for a piece of a face
+};
+struct SkeletonEdge {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+  double radius = 0;  // m, of a round bar
+};
+
+// In bundles of neighbours, so that most of it is left out at once.
+struct BodySkeleton {
+  struct Bundle {
+    Vec3 centre = Vec3::Zero();
+    double radius = 0;  // m, of a ball around all of it
+    int first = 0, count = 0;
+  };
+  std::vector<SkeletonPoint> points;
+  std::vector<SkeletonEdge> edges;
+  std::vector<Bundle> point_bundles, edge_bundles;
+};
+
+// By the basis of the stiffness: per_point: the corners of a mesh or box, balls (sphere); per_length: edges
+// that are no smooth or flat joints, bars (capsule, ring of a torus); per_area: faces, in pieces no larger
+// than `piece` [m], 0: a hundredth of the largest side of the box around. `mesh`: triangles of the mesh or of
+// an exact shape; `active`: one flag a triangle, empty for all. A plane has none.
+BodySkeleton body_skeleton(const model::Volume& volume, const TriangleMesh& mesh,
+                           const std::vector<bool>& active, double piece = 0);
+
+}  // namespace hawser

@@ -1,0 +1,56 @@
+// Floating bodies: rigid, with mass, held by springs where their motion wants them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hawser/kernels/rigid_body.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/bodies.hpp"
+
+namespace hawser {
+
+class RigidBodies final : public ForceTerm {
+ public:
+  // For the bodies with mass of the case that this rank owns. gravity [m/s²] along -z.
+  RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies);
+
+  // Statics holds what no spring holds: as if by one that would swing it once in 2 pi s, without weight.
+  void hold(bool on) { hold_ = on; }
+
+  std::string_view name() const override { return "floating bodies"; }
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  double dead_load() const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
+
+ private:
+  struct Floating {
+    RigidBodyData data;
+    Vec3 centre;                               // m, body frame
+    int body = 0, node = 0;                    // of the case; local
+    int block = 0, global = 0;                 // local block of the position; mesh node
+    double damping = 0, work = 0;              // J, over the accepted steps
+    double damping_power = 0, work_power = 0;  // W, at the start of the step
+  };
+  RigidPose rest(const Floating& f, double time) const;
+  void powers(const Floating& f, const Kinematics& at, double& damping, double& work) const;
+
+  std::shared_ptr<const Bodies> bodies_;
+  RigidBodyData data(const Floating& f) const;
+
+  std::vector<Floating> list_;
+  bool hold_ = false;
+};
+
+// Where the centre of mass of a floating body starts, and its velocities (w in body axes).
+RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest);
+// The pose of a body's frame from the state of its centre of mass.
+RigidPose floating_pose(const RigidBodyState& s, const Vec3& centre);
+RigidBodyState floating_state(const Kinematics& at, int node);
+
+}  // namespace hawser

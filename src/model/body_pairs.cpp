@@ -1,0 +1,52 @@
+#include "hawser/model/body_pairs.hpp"
+
+#include <algorithm>
+
+namespace hawser::model {
+namespace {
+
+// Who leads: the lower. A plane has nothing that stands out, nor has what has no stiffness of its own.
+constexpr int kNever = 9;
+int rank(const Volume& v) {
+  if (v.basis == StiffnessBasis::automatic) return kNever;
+  const bool bar = v.shape && (std::holds_alternative<CapsuleShape>(*v.shape) ||
+                               std::holds_alternative<TorusShape>(*v.shape));
+  const bool ball = v.shape && std::holds_alternative<SphereShape>(*v.shape);
+  if (v.shape && std::holds_alternative<PlaneShape>(*v.shape)) return kNever;
+  if (ball) return v.basis == StiffnessBasis::per_point ? 0 : kNever;
+  if (bar && v.basis != StiffnessBasis::per_area) return 0;
+  return v.basis == StiffnessBasis::per_point ? 1 : v.basis == StiffnessBasis::per_length ? 2 : 3;
+}
+
+}  // namespace
+
+std::vector<BodyPair> body_pairs(const Case& c) {
+  const auto takes_part = [&](const Volume& v) {
+    const auto& names = c.contact.volumes;
+    return c.contact.all_volumes || std::find(names.begin(), names.end(), v.name) != names.end();
+  };
+  const auto floats = [&](const Volume& v) { return c.floats(c.body_index(v.body)); };
+  std::vector<BodyPair> pairs;
+  for (std::size_t i = 0; i < c.volumes.size(); ++i)
+    for (std::size_t j = i + 1; j < c.volumes.size(); ++j) {
+      const Volume &a = c.volumes[i], &b = c.volumes[j];
+      if (a.body == b.body || !takes_part(a) || !takes_part(b) || (!floats(a) && !floats(b))) continue;
+      const int ra = rank(a), rb = rank(b);
+      const double k = a.basis == b.basis ? std::min(a.normal_stiffness, b.normal_stiffness) : 0;
+      const auto stiffness = [&](const Volume& v) { return k > 0 ? k : v.normal_stiffness; };
+      if (ra == kNever && rb == kNever) {
+        pairs.push_back({i, j, 0, 1});
+      } else if (ra < rb || (ra == rb && ra == 0)) {
+        pairs.push_back({i, j, stiffness(a), 1});
+      } else if (rb < ra) {
+        pairs.push_back({j, i, stiffness(b), 1});
+      } else {
+        const double share = ra == 3 ? 0.5 : 1;
+        pairs.push_back({i, j, stiffness(a), share});
+        pairs.push_back({j, i, stiffness(b), share});
+      }
+    }
+  return pairs;
+}
+
+}  // namespace hawser::model

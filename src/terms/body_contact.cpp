@@ -1,0 +1,315 @@
+#include "hawser/terms/body_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/kernels/line_contact.hpp"
+#include "hawser/model/body_pairs.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double kSmoothing = 1e-3;      // of the size of what leads, m/m
+constexpr double kMostSmoothing = 0.01;  // m
+constexpr int kEdgeLevels = 5;           // an edge is looked at in pieces of 1/32
+constexpr double kStepsAPeriod = 20;
+
+}  // namespace
+
+// What a pair does in a state.
+struct BodyContactTerm::Sum {
+  BodyContact contact;
+  double potential = 0, damping_power = 0;  // J, W
+  double stiffness = 0, depth = 0;          // N/m of all that touches; m, largest penetration
+
+  void add(const BodyContactPoint& p, double weight) {
+    potential += weight * p.law.potential;
+    damping_power += weight * (p.law.elastic - p.law.force) * p.rate;
+    stiffness -= weight * p.law.by_gap;
+    depth = std::max(depth, -p.gap);
+  }
+};
+
+namespace {
+
+// The gap along an edge of A to the surface of B.
+class EdgeGap final : public AxisGapFunction {
+ public:
+  EdgeGap(const BodyFrame& A, const BodyFrame& B, const SkeletonEdge& e, const Surface& surface, double touch)
+      : A_(A), B_(B), e_(e), surface_(surface), touch_(touch) {}
+  AxisGap at(double xi, double within) override {
+    const Vec3 y = e_.from + xi * (e_.to - e_.from);
+    const auto s = surface_.query(B_.to_body(A_.to_space(y)), touch_ + within);
+    if (!s) return {within, 0};
+    return {s->distance - touch_, (B_.R * s->normal).dot(A_.R * (e_.to - e_.from))};
+  }
+
+ private:
+  const BodyFrame &A_, &B_;
+  const SkeletonEdge& e_;
+  const Surface& surface_;
+  double touch_;
+};
+
+}  // namespace
+
+BodyContactTerm::BodyContactTerm(const model::Case& c, const LocalMesh& mesh,
+                                 std::shared_ptr<const Bodies> bodies, std::vector<TouchingVolume> volumes)
+    : mesh_(mesh), bodies_(std::move(bodies)), volumes_(std::move(volumes)) {
+  if (volumes_.size() != c.volumes.size()) throw std::invalid_argument("body contact needs all volumes");
+  const auto mass = [&](const Side& s) {
+    return s.global < 0 ? HUGE_VAL : c.bodies[static_cast<size_t>(s.body)].mass->mass;
+  };
+  for (const model::Volume& v : c.volumes) {
+    Side s;
+    s.body = c.body_index(v.body);
+    if (s.body >= 0 && c.bodies[static_cast<size_t>(s.body)].mass) {
+      s.centre = c.bodies[static_cast<size_t>(s.body)].mass->centre;
+      s.global = mesh.mesh->body_node(s.body);
+    }
+    sides_.push_back(s);
+  }
+  for (const TouchingVolume& v : volumes_) boxes_.push_back(v.surface->bounds());
+  for (const model::BodyPair& p : model::body_pairs(c)) {
+    const model::Volume& v = c.volumes[p.a];
+    Pair pair;
+    pair.a = p.a, pair.b = p.b, pair.share = p.share;
+    const double ma = mass(sides_[p.a]), mb = mass(sides_[p.b]);
+    pair.mass = 1 / (1 / ma + 1 / mb);
+    for (const auto* list : {&volumes_[p.a].skeleton.point_bundles, &volumes_[p.a].skeleton.edge_bundles})
+      for (const auto& b : *list) pair.size = std::max(pair.size, 2 * b.radius);
+    const Vec3 extent = boxes_[p.a].extent();
+    if (extent.allFinite()) pair.size = extent.maxCoeff();
+    pair.law.stiffness = p.stiffness;
+    pair.law.smoothing = v.smoothing > 0 ? v.smoothing : std::min(kSmoothing * pair.size, kMostSmoothing);
+    // The mass that belongs to a unit of length or area is that over the whole of it.
+    const double units = v.basis == model::StiffnessBasis::per_point    ? 1
+                         : v.basis == model::StiffnessBasis::per_length ? pair.size
+                                                                        : pair.size * pair.size;
+    pair.law.damping = contact_damping(v.relative_damping, p.stiffness, pair.mass / units);
+    pairs_.push_back(pair);
+  }
+  reghost();
+}
+
+bool BodyContactTerm::recouple(const Kinematics&, double) {
+  const bool first = !told_;
+  told_ = true;
+  return first;
+}
+
+void BodyContactTerm::couple(Couplings& to) const {
+  for (const Pair& p : pairs_) {
+    const int a = sides_[p.a].global, b = sides_[p.b].global;
+    const auto here = [&](int n) {
+      const int local = n < 0 ? -1 : mesh_.find(n);
+      return local >= 0 && local < mesh_.owned;
+    };
+    if (a >= 0 && b >= 0 && (here(a) || here(b))) to.add({a, a}, {b, b});
+  }
+}
+
+void BodyContactTerm::reghost() {
+  for (Side& s : sides_) {
+    s.node = s.global < 0 ? -1 : mesh_.find(s.global);
+    s.block = s.node < 0 ? -1 : mesh_.block[static_cast<size_t>(s.node)];
+  }
+  for (Pair& p : pairs_) {
+    const Side &a = sides_[p.a], &b = sides_[p.b];
+    const auto owned = [&](const Side& s) { return s.node >= 0 && s.node < mesh_.owned; };
+    p.here = owned(a) || owned(b);
+    p.counted = a.global >= 0 ? owned(a) : owned(b);
+  }
+}
+
+BodyFrame BodyContactTerm::frame(const Side& s, const Kinematics& at) const {
+  BodyFrame f;
+  if (s.global < 0) {
+    const RigidPose p = bodies_->pose(s.body, at.time);
+    f.x = p.position, f.R = p.rotation.toRotationMatrix(), f.v = p.velocity;
+    f.w = f.R.transpose() * p.angular_velocity;
+    return f;
+  }
+  const size_t n = static_cast<size_t>(s.node);
+  f.x = at.x[n], f.R = at.q[n].toRotationMatrix(), f.v = at.v[n], f.w = at.w[n];
+  return f;
+}
+
+BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Kinematics& at, bool tangent) const {
+  Sum sum;
+  const Side &sa = sides_[pair.a], &sb = sides_[pair.b];
+  const BodyFrame A = frame(sa, at), B = frame(sb, at);
+  // Shapes are given in the frame of the body; unknowns belong to its centre of mass.
+  const Vec3 ca = sa.global < 0 ? Vec3(Vec3::Zero()) : sa.centre;
+  const Vec3 cb = sb.global < 0 ? Vec3(Vec3::Zero()) : sb.centre;
+  BodyFrame Bs = B;  // the frame of B's surface
+  Bs.x = B.to_space(-cb);
+  const Surface& surface = *volumes_[pair.b].surface;
+  const Box& box = boxes_[pair.b];
+  const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
+  const double d = pair.law.smoothing;
+  const auto near = [&](const BodySkeleton::Bundle& b) {
+    const Vec3 z = Bs.to_body(A.to_space(b.centre - ca));
+    const double reach = b.radius + d;
+    return squared_distance(box, z) <= reach * reach && surface.query(z, reach);
+  };
+  const auto meet = [&](const Vec3& y, double radius, double weight) {
+    auto s = surface.query(Bs.to_body(A.to_space(y)), radius + d);
+    if (!s) return;
+    // The kernel's z counts from B's centre of mass; distance and derivatives are the same.
+    sum.add(body_contact(A, y, radius, B, *s, pair.law, weight, tangent, sum.contact), weight);
+  };
+  for (const auto& b : skeleton.point_bundles)
+    if (near(b))
+      for (int i = b.first; i < b.first + b.count; ++i) {
+        const SkeletonPoint& p = skeleton.points[static_cast<size_t>(i)];
+        meet(p.at - ca, p.radius, pair.share * p.weight);
+      }
+  for (const auto& b : skeleton.edge_bundles)
+    if (near(b))
+      for (int i = b.first; i < b.first + b.count; ++i) {
+        SkeletonEdge e = skeleton.edges[static_cast<size_t>(i)];
+        e.from -= ca, e.to -= ca;
+        const double length = (e.to - e.from).norm();
+        EdgeGap gap(A, Bs, e, surface, e.radius + d);
+        const auto panels = cut_stretches(contact_stretches(gap, length, kEdgeLevels), kEdgeLevels);
+        for (const ContactStretch& s : panels)
+          for (size_t k = 0; k < ContactRule::kPoints; ++k) {
+            const double xi = s.from + (s.to - s.from) * ContactRule::place()[k];
+            meet(e.from + xi * (e.to - e.from), e.radius,
+                 pair.share * length * (s.to - s.from) * ContactRule::weight()[k]);
+          }
+      }
+  return sum;
+}
+
+void BodyContactTerm::evaluate(const Kinematics& trial, Sink& sink) {
+  for (const Pair& p : pairs_) {
+    if (!p.here) continue;
+    const Side &a = sides_[p.a], &b = sides_[p.b];
+    const Sum s = touch(p, trial, sink.wants_tangent());
+    if (s.stiffness == 0 && s.contact.f.isZero(0)) continue;
+    std::array<int, 4> blocks{};
+    std::array<int, 12> row{};  // of the twelve
+    int n = 0;
+    for (const auto& [side, first] : {std::pair(&a, 0), std::pair(&b, 6)}) {
+      if (side->global < 0) continue;
+      for (int k = 0; k < 2; ++k) {
+        for (int i = 0; i < 3; ++i) row[static_cast<size_t>(3 * n + i)] = first + 3 * k + i;
+        blocks[static_cast<size_t>(n++)] = side->block + k;
+      }
+    }
+    const size_t m = 3 * static_cast<size_t>(n);
+    std::array<double, 12> f{};
+    std::array<double, 144> K{}, C{};
+    for (size_t i = 0; i < m; ++i) {
+      f[i] = s.contact.f[row[i]];
+      for (size_t j = 0; j < m; ++j) {
+        K[m * i + j] = s.contact.K(row[i], row[j]);
+        C[m * i + j] = s.contact.C(row[i], row[j]);
+      }
+    }
+    sink.add({blocks.data(), static_cast<size_t>(n)}, f.data(), K.data(), C.data(), nullptr);
+  }
+}
+
+// Brought in by bodies with prescribed motion: the force they exert times their velocity.
+void BodyContactTerm::powers(Pair& p, const Sum& s, const Kinematics& at, double& damping,
+                             double& work) const {
+  damping = s.damping_power, work = 0;
+  for (const auto& [side, first] : {std::pair(&sides_[p.a], 0), std::pair(&sides_[p.b], 6)}) {
+    if (side->global >= 0) continue;
+    const BodyFrame f = frame(*side, at);
+    work += s.contact.f.segment<3>(first).dot(f.v) + s.contact.f.segment<3>(first + 3).dot(f.w);
+  }
+}
+
+void BodyContactTerm::prepare(const Kinematics& committed, double) {
+  for (Pair& p : pairs_)
+    if (p.counted) powers(p, touch(p, committed, false), committed, p.damping_power, p.work_power);
+}
+
+void BodyContactTerm::commit(const Kinematics& accepted) {
+  for (Pair& p : pairs_) {
+    if (!p.counted) continue;
+    const Sum s = touch(p, accepted, false);
+    p.depth = std::max(p.depth, s.depth);
+    if (!(accepted.step > 0)) continue;
+    double damping = 0, work = 0;
+    powers(p, s, accepted, damping, work);
+    p.damping += 0.5 * accepted.step * (damping + p.damping_power);
+    p.work += 0.5 * accepted.step * (work + p.work_power);
+  }
+}
+
+// A twentieth of the period of the contact spring under the bodies' mass, as soon as they touch or may touch
+// in a step of that length.
+double BodyContactTerm::longest_step(const Kinematics& committed) const {
+  double h = std::numeric_limits<double>::infinity();
+  for (const Pair& p : pairs_) {
+    if (!p.here) continue;
+    const BodyFrame A = frame(sides_[p.a], committed), B = frame(sides_[p.b], committed);
+    const Sum s = touch(p, committed, true);
+    const double speed =
+        (A.v - B.v).norm() + A.w.norm() * p.size + B.w.norm() * (p.size + (A.x - B.x).norm());
+    if (s.stiffness > 0)
+      h = std::min(h, 2 * M_PI * std::sqrt(p.mass / s.stiffness) / kStepsAPeriod);
+    else if (speed > 0)  // it must not go deeper at once than a first touch would
+      h = std::min(h, std::max(0.05 * p.size / speed, 1e-6));
+  }
+  return h;
+}
+
+Energy BodyContactTerm::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Pair& p : pairs_) {
+    if (!p.counted) continue;
+    e.strain += touch(p, at, false).potential;
+    e.damping += p.damping, e.work += p.work;
+  }
+  return e;
+}
+
+std::array<Vec3, 2> BodyContactTerm::force_on(int body, const Kinematics& at) const {
+  std::array<Vec3, 2> out{Vec3::Zero(), Vec3::Zero()};
+  for (const Pair& p : pairs_) {
+    if (!p.here) continue;
+    Sum s;
+    bool known = false;
+    for (const auto& [side, first] : {std::pair(&sides_[p.a], 0), std::pair(&sides_[p.b], 6)}) {
+      if (side->global < 0 || side->body != body) continue;
+      if (!known) s = touch(p, at, false), known = true;
+      out[0] -= s.contact.f.segment<3>(first);
+      out[1] -= frame(*side, at).R * s.contact.f.segment<3>(first + 3);
+    }
+  }
+  return out;
+}
+
+double BodyContactTerm::largest_penetration() const {
+  double depth = 0;
+  for (const Pair& p : pairs_) depth = std::max(depth, p.depth);
+  return depth;
+}
+
+// Kept with the node of the first floating body of a pair.
+std::vector<HistoryRecord> BodyContactTerm::save() const {
+  std::vector<HistoryRecord> out;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    const Pair& p = pairs_[i];
+    const int node = sides_[p.a].global >= 0 ? sides_[p.a].global : sides_[p.b].global;
+    if (p.counted) out.push_back({node, static_cast<int>(i), {p.damping, p.work, p.depth}});
+  }
+  return out;
+}
+
+void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
+  for (const HistoryRecord& r : records) {
+    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size() || r.values.size() != 3) continue;
+    Pair& p = pairs_[static_cast<size_t>(r.key)];
+    if (p.counted) p.damping = r.values[0], p.work = r.values[1], p.depth = r.values[2];
+  }
+}
+
+}  // namespace hawser

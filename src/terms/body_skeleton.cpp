@@ -1,0 +1,151 @@
+#include "hawser/terms/body_skeleton.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace hawser {
+namespace {
+
+constexpr double kFlat = 0.9848;  // cos 10 deg: less of an angle is no edge
+constexpr int kBundle = 32;
+constexpr int kMostPieces = 400;  // along a side of a triangle
+constexpr int kRing = 64;
+
+using Triangle = std::array<Vec3, 3>;
+
+Triangle corners(const TriangleMesh& m, size_t t) {
+  const auto& i = m.triangles[t];
+  const auto v = [&](size_t k) { return m.vertices[static_cast<size_t>(i[k])]; };
+  return {v(0), v(1), v(2)};
+}
+Vec3 normal(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
+
+// Edges of the active part that are sharp or have one triangle only, and their ends.
+void sharp(const TriangleMesh& m, const std::vector<bool>& active, std::vector<SkeletonEdge>& edges,
+           std::vector<SkeletonPoint>& points) {
+  struct Sides {
+    std::vector<size_t> triangles;
+  };
+  std::map<std::pair<int, int>, Sides> all;
+  for (size_t t = 0; t < m.triangles.size(); ++t) {
+    if (!active.empty() && !active[t]) continue;
+    for (size_t k = 0; k < 3; ++k) {
+      const int a = m.triangles[t][k], b = m.triangles[t][(k + 1) % 3];
+      all[{std::min(a, b), std::max(a, b)}].triangles.push_back(t);
+    }
+  }
+  std::vector<char> corner(m.vertices.size(), 0);
+  for (const auto& [ends, sides] : all) {
+    if (sides.triangles.size() == 2 &&
+        normal(corners(m, sides.triangles[0])).dot(normal(corners(m, sides.triangles[1]))) > kFlat)
+      continue;
+    edges.push_back(
+        {m.vertices[static_cast<size_t>(ends.first)], m.vertices[static_cast<size_t>(ends.second)], 0});
+    corner[static_cast<size_t>(ends.first)] = corner[static_cast<size_t>(ends.second)] = 1;
+  }
+  for (size_t v = 0; v < corner.size(); ++v)
+    if (corner[v]) points.push_back({m.vertices[v], 0, 1});
+}
+
+// The middles of the pieces of a triangle cut into n² equal ones.
+void faces(const Triangle& t, double piece, std::vector<SkeletonPoint>& points) {
+  const double area = 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
+  const double side = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+  if (!(area > 0)) return;
+  const int n = std::clamp(static_cast<int>(std::ceil(side / piece)), 1, kMostPieces);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; i + j < n; ++j)
+      for (int up = 0; up < (i + j + 1 < n ? 2 : 1); ++up) {
+        const double a = (i + (up ? 2.0 : 1.0) / 3) / n, b = (j + (up ? 2.0 : 1.0) / 3) / n;
+        points.push_back({t[0] + a * (t[1] - t[0]) + b * (t[2] - t[0]), 0, area / (n * n)});
+      }
+}
+
+void ring(const TorusShape& s, std::vector<SkeletonEdge>& edges) {
+  const Vec3 axis = s.axis.normalized(), u = axis.unitOrthogonal(), v = axis.cross(u);
+  const auto at = [&](int i) {
+    const double a = 2 * M_PI * (i % kRing) / kRing;
+    return Vec3(s.centre + s.radius * (std::cos(a) * u + std::sin(a) * v));
+  };
+  for (int i = 0; i < kRing; ++i) edges.push_back({at(i), at(i + 1), s.tube_radius});
+}
+
+// Neighbours beside each other: by halves along the longest side of their box.
+template <class T, class Place>
+void bundle(std::vector<T>& items, size_t first, size_t last, const Place& place,
+            std::vector<BodySkeleton::Bundle>& out) {
+  Box box;
+  for (size_t i = first; i < last; ++i) box.add(place(items[i]));
+  if (last - first <= kBundle) {
+    BodySkeleton::Bundle b{box.centre(), 0, static_cast<int>(first), static_cast<int>(last - first)};
+    out.push_back(b);
+    return;
+  }
+  Eigen::Index k = 0;
+  (box.hi - box.lo).maxCoeff(&k);
+  const size_t middle = first + (last - first) / 2;
+  const auto at = [&](size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(at(first), at(middle), at(last),
+                   [&](const T& a, const T& b) { return place(a)[k] < place(b)[k]; });
+  bundle(items, first, middle, place, out);
+  bundle(items, middle, last, place, out);
+}
+
+}  // namespace
+
+BodySkeleton body_skeleton(const model::Volume& v, const TriangleMesh& mesh, const std::vector<bool>& active,
+                           double piece) {
+  BodySkeleton s;
+  const auto* sphere = v.shape ? std::get_if<SphereShape>(&*v.shape) : nullptr;
+  const auto* capsule = v.shape ? std::get_if<CapsuleShape>(&*v.shape) : nullptr;
+  const auto* torus = v.shape ? std::get_if<TorusShape>(&*v.shape) : nullptr;
+  if (v.shape && std::holds_alternative<PlaneShape>(*v.shape)) return s;
+  if (v.basis == model::StiffnessBasis::per_area) {
+    Box box;
+    for (const Vec3& x : mesh.vertices) box.add(x);
+    const double size = piece > 0 ? piece : 0.01 * (box.hi - box.lo).maxCoeff();
+    for (size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (active.empty() || active[t]) faces(corners(mesh, t), size, s.points);
+  } else {
+    const bool edges = v.basis == model::StiffnessBasis::per_length;
+    if (sphere) {
+      if (!edges) s.points.push_back({sphere->centre, sphere->radius, 1});
+    } else if (capsule) {
+      if (edges)
+        s.edges.push_back({capsule->from, capsule->to, capsule->radius});
+      else
+        s.points = {{capsule->from, capsule->radius, 1}, {capsule->to, capsule->radius, 1}};
+    } else if (torus) {
+      ring(*torus, s.edges);
+      if (!edges)
+        for (const SkeletonEdge& e : s.edges) s.points.push_back({e.from, e.radius, 1});
+    } else {
+      sharp(mesh, active, s.edges, s.points);
+    }
+    edges ? s.points.clear() : s.edges.clear();
+  }
+  if (!s.points.empty())
+    bundle(
+        s.points, 0, s.points.size(), [](const SkeletonPoint& p) { return p.at; }, s.point_bundles);
+  if (!s.edges.empty())
+    bundle(
+        s.edges, 0, s.edges.size(), [](const SkeletonEdge& e) { return Vec3(0.5 * (e.from + e.to)); },
+        s.edge_bundles);
+  for (auto& b : s.point_bundles)
+    for (int i = b.first; i < b.first + b.count; ++i) {
+      const SkeletonPoint& p = s.points[static_cast<size_t>(i)];
+      b.radius = std::max(b.radius, (p.at - b.centre).norm() + p.radius);
+    }
+  for (auto& b : s.edge_bundles)
+    for (int i = b.first; i < b.first + b.count; ++i) {
+      const SkeletonEdge& e = s.edges[static_cast<size_t>(i)];
+      b.radius =
+          std::max({b.radius, (e.from - b.centre).norm() + e.radius, (e.to - b.centre).norm() + e.radius});
+    }
+  return s;
+}
+
+}  // namespace hawser

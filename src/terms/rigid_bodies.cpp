@@ -1,0 +1,138 @@
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser {
+
+RigidBodyData RigidBodies::data(const Floating& f) const {
+  RigidBodyData d = f.data;
+  for (int i = 0; i < 3 && hold_; ++i) {
+    if (!(d.stiffness[i] > 0)) d.stiffness[i] = d.mass, d.weight[i] = 0;
+    if (!(d.turning_stiffness[i] > 0)) d.turning_stiffness[i] = d.inertia(i, i);
+  }
+  return d;
+}
+
+RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest) {
+  RigidBodyState s;
+  s.x = rest.to_space(mass.centre);
+  s.q = rest.rotation;
+  s.v = mass.velocity;
+  s.w = mass.angular_velocity;
+  return s;
+}
+
+RigidPose floating_pose(const RigidBodyState& s, const Vec3& centre) {
+  RigidPose p;
+  p.rotation = s.q;
+  p.position = s.x - s.q * centre;
+  p.angular_velocity = s.q * s.w;
+  p.angular_acceleration = s.q * s.alpha;
+  p.velocity = s.v + p.angular_velocity.cross(p.position - s.x);
+  p.acceleration = s.a + p.angular_acceleration.cross(p.position - s.x) +
+                   p.angular_velocity.cross(p.angular_velocity.cross(p.position - s.x));
+  return p;
+}
+
+RigidBodyState floating_state(const Kinematics& at, int node) {
+  const size_t n = static_cast<size_t>(node);
+  return {at.x[n], at.q[n], at.v[n], at.a[n], at.w[n], at.alpha[n]};
+}
+
+RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
+    : bodies_(std::move(bodies)) {
+  for (int n = 0; n < mesh.owned; ++n) {
+    const int global = mesh.global[static_cast<size_t>(n)];
+    const int body = mesh.mesh->nodes[static_cast<size_t>(global)].body;
+    if (body < 0) continue;
+    const model::BodyMass& m = *c.bodies[static_cast<size_t>(body)].mass;
+    Floating f;
+    f.data.mass = m.mass;
+    f.data.inertia = m.inertia.asDiagonal();
+    const Vec3& p = m.products;
+    f.data.inertia(0, 1) = f.data.inertia(1, 0) = p.x();
+    f.data.inertia(1, 2) = f.data.inertia(2, 1) = p.y();
+    f.data.inertia(0, 2) = f.data.inertia(2, 0) = p.z();
+    if (m.weight) f.data.weight = -m.mass * c.environment.gravity * Vec3::UnitZ();
+    f.data.stiffness = m.stiffness, f.data.damping = m.damping;
+    f.data.turning_stiffness = m.turning_stiffness, f.data.turning_damping = m.turning_damping;
+    f.centre = m.centre, f.body = body, f.node = n, f.global = global;
+    f.block = mesh.block[static_cast<size_t>(n)];
+    list_.push_back(f);
+  }
+}
+
+// Of the centre of mass of a body that goes where its motion wants it.
+RigidPose RigidBodies::rest(const Floating& f, double time) const {
+  RigidPose p = bodies_->pose(f.body, time);
+  const Vec3 x = p.to_space(f.centre);
+  p.velocity = p.velocity_at(x);
+  p.position = x;
+  return p;
+}
+
+void RigidBodies::powers(const Floating& f, const Kinematics& at, double& damping, double& work) const {
+  const RigidBodyState s = floating_state(at, f.node);
+  const RigidPose r = rest(f, at.time);
+  const Vec3 dv = s.v - r.velocity, dw = s.w - s.q.conjugate() * r.angular_velocity;
+  damping = dv.dot(f.data.damping.cwiseProduct(dv)) + dw.dot(f.data.turning_damping.cwiseProduct(dw));
+  // What holds it brings in: its force on the springs and dampers at their far end.
+  RigidBodyData springs = f.data;
+  springs.mass = 0, springs.inertia.setZero(), springs.weight.setZero();
+  const Vec6 force = rigid_body(springs, s, r).f;
+  work = -force.head<3>().dot(r.velocity) - (s.q * force.tail<3>()).dot(r.angular_velocity);
+}
+
+void RigidBodies::prepare(const Kinematics& committed, double) {
+  for (Floating& f : list_) powers(f, committed, f.damping_power, f.work_power);
+}
+
+void RigidBodies::evaluate(const Kinematics& trial, Sink& sink) {
+  for (const Floating& f : list_) {
+    const RigidBodyResidual r = rigid_body(data(f), floating_state(trial, f.node), rest(f, trial.time));
+    const int blocks[2] = {f.block, f.block + 1};
+    sink.add(blocks, r.f.data(), r.K.data(), r.C.data(), r.M.data());
+  }
+}
+
+void RigidBodies::commit(const Kinematics& accepted) {
+  if (!(accepted.step > 0)) return;
+  for (Floating& f : list_) {
+    double damping = 0, work = 0;
+    powers(f, accepted, damping, work);
+    f.damping += 0.5 * accepted.step * (damping + f.damping_power);
+    f.work += 0.5 * accepted.step * (work + f.work_power);
+  }
+}
+
+Energy RigidBodies::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Floating& f : list_) {
+    const RigidBodyState s = floating_state(at, f.node);
+    e.kinetic += rigid_body_kinetic(f.data, s);
+    const RigidBodyData d = data(f);
+    e.strain += rigid_body_strain(d, s, rest(f, at.time));
+    e.potential -= d.weight.dot(s.x);
+    e.damping += f.damping;
+    e.work += f.work;
+  }
+  return e;
+}
+
+double RigidBodies::dead_load() const {
+  double sum = 0;
+  for (const Floating& f : list_) sum += f.data.weight.norm();
+  return sum;
+}
+
+std::vector<HistoryRecord> RigidBodies::save() const {
+  std::vector<HistoryRecord> out;
+  for (const Floating& f : list_) out.push_back({f.global, 0, {f.damping, f.work}});
+  return out;
+}
+
+void RigidBodies::restore(const std::vector<HistoryRecord>& records) {
+  for (Floating& f : list_)
+    for (const HistoryRecord& r : records)
+      if (r.node == f.global && r.values.size() == 2) f.damping = r.values[0], f.work = r.values[1];
+}
+
+}  // namespace hawser

@@ -1,0 +1,172 @@
+// Bodies with mass against each other.
+#include "hawser/terms/body_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hawser/app/volumes.hpp"
+#include "hawser/math/so3.hpp"
+#include "verification/dynamics_rig.hpp"
+
+namespace hawser::test {
+namespace {
+
+model::Body floater(const char* name, double mass, const Vec3& at, const Vec3& velocity) {
+  model::Body b;
+  b.name = name, b.position = at;
+  b.mass.emplace();
+  b.mass->mass = mass, b.mass->inertia = Vec3(40, 50, 60) * mass, b.mass->velocity = velocity;
+  return b;
+}
+
+model::Volume volume(const char* name, const char* body, Primitive shape, model::StiffnessBasis basis,
+                     double stiffness) {
+  model::Volume v;
+  v.name = name, v.body = body, v.shape = std::move(shape), v.basis = basis, v.normal_stiffness = stiffness;
+  return v;
+}
+
+struct Run {
+  explicit Run(const model::Case& c)
+      : volumes(app::load_volumes(c)),
+        sim(PETSC_COMM_SELF, c, app::surfaces(volumes), app::skeletons(c, volumes)) {
+    sim.dynamics().start(sim.state());
+  }
+  size_t node(int body) { return static_cast<size_t>(sim.local().find(sim.mesh().body_node(body))); }
+  std::vector<app::LoadedVolume> volumes;
+  app::Simulation sim;
+};
+
+// Two floaters head on: m1 = 1e7 kg at 0.5 m/s, m2 = 2.5e7 kg at -0.1 m/s, fender 5e6 N/m. Closed form of the
+// linear spring and of the Kelvin-Voigt one that does not pull.
+model::Case floaters(double zeta) {
+  model::Case c;
+  c.statics.enabled = false;
+  c.bodies = {floater("north", 1e7, {-31, 0, 0}, {0.5, 0, 0}),
+              floater("south", 2.5e7, {31, 0, 0}, {-0.1, 0, 0})};
+  c.volumes = {
+      volume("fender", "north", SphereShape{{29.95, 0, 0}, 1}, model::StiffnessBasis::per_point, 5e6),
+      volume("hull", "south", BoxShape{{0, 0, 0}, {60, 40, 20}}, model::StiffnessBasis::per_length, 1e9)};
+  c.volumes[0].relative_damping = zeta;
+  c.dynamics.enabled = true, c.dynamics.duration = 8, c.dynamics.rho_infinity = 1;
+  c.dynamics.step = 0.005;
+  return c;
+}
+
+struct Bump {
+  double depth = 0, force = 0, duration = 0, v1 = 0, v2 = 0, momentum = 0, audit = 0;
+};
+Bump bump(double zeta) {
+  const model::Case c = floaters(zeta);
+  Run run(c);
+  Dynamics& d = run.sim.dynamics();
+  const size_t a = run.node(0), b = run.node(1);
+  Bump out;
+  const double p0 = 1e7 * 0.5 - 2.5e7 * 0.1, e0 = total(run.sim.system().energy(d.kinematics()));
+  integrate(d, 8, 8, [&](const StepInfo& i) {
+    const Kinematics k = d.kinematics();
+    const double F = run.sim.body_contact()->force_on(1, k)[0].x();
+    out.force = std::max(out.force, F);
+    out.duration += F > 0 ? i.h : 0;
+    out.momentum =
+        std::max(out.momentum, std::abs(1e7 * k.v[a].x() + 2.5e7 * k.v[b].x() - p0) / std::abs(p0));
+    const Energy e = run.sim.system().energy(k);
+    out.audit = std::max(out.audit, std::abs(total(e) + e.damping - e0) / e0);
+    out.v1 = k.v[a].x(), out.v2 = k.v[b].x();
+  });
+  out.depth = run.sim.body_contact()->largest_penetration();
+  printf("zeta %g: penetration %.6f m, force %.4e N, %.4f s, v %.6f %.6f m/s; momentum %.1e, energy %.1e\n",
+         zeta, out.depth, out.force, out.duration, out.v1, out.v2, out.momentum, out.audit);
+  return out;
+}
+
+TEST(BodyContact, FloatersWithAFender) {
+  const Bump r = bump(0);
+  EXPECT_NEAR(r.depth, 0.7171371656, 0.002 * 0.7171371656);
+  EXPECT_NEAR(r.force, 3585685.828, 0.002 * 3585685.828);
+  EXPECT_NEAR(r.duration, 3.754921418, 0.01);
+  EXPECT_NEAR(r.v1, -0.3571428571, 0.002 * 0.357);
+  EXPECT_NEAR(r.v2, 0.2428571429, 0.002 * 0.243);
+  EXPECT_LT(r.momentum, 1e-9);
+  EXPECT_LT(r.audit, 1e-3);
+}
+
+TEST(BodyContact, FloatersWithADampedFender) {
+  const Bump r = bump(0.03346640106);  // c = 4e5 N s/m
+  EXPECT_NEAR(r.depth, 0.6811548054, 0.002 * 0.6811548054);
+  EXPECT_NEAR(r.duration, 3.676966155, 0.01);
+  EXPECT_NEAR(r.v1, -0.3152146527, 0.002 * 0.3152);
+  EXPECT_NEAR(r.v2, 0.2260858611, 0.002 * 0.2261);
+  EXPECT_LT(r.momentum, 1e-9);
+  EXPECT_LT(r.audit, 2e-3);
+}
+
+// Springs that hold a body swing it with 2 pi sqrt(m / k), 2 pi sqrt(J / kr).
+TEST(BodyContact, ABodyOnSpringsSwings) {
+  model::Case c;
+  c.statics.enabled = false;
+  c.bodies = {floater("buoy", 200, {1, 2, 3}, {0.3, 0, 0})};
+  c.bodies[0].mass->stiffness = Vec3(800, 500, 900);
+  c.bodies[0].mass->turning_stiffness = Vec3(0, 0, 3000);
+  c.bodies[0].mass->angular_velocity = Vec3(0, 0, 0.1);
+  c.dynamics.enabled = true, c.dynamics.duration = 40, c.dynamics.rho_infinity = 1;
+  c.dynamics.step = 0.01;
+  Run run(c);
+  Dynamics& d = run.sim.dynamics();
+  const double w = std::sqrt(800.0 / 200), turn = std::sqrt(3000 / (60.0 * 200));
+  double off = 0, angle = 0;
+  integrate(d, 40, 40, [&](const StepInfo& i) {
+    const Kinematics k = d.kinematics();
+    off = std::max(off, std::abs(k.x[0].x() - 1 - 0.3 / w * std::sin(w * i.time)));
+    angle = std::max(angle, std::abs(log_so3(k.q[0]).z() - 0.1 / turn * std::sin(turn * i.time)));
+  });
+  EXPECT_LT(off, 1e-3 * 0.15 * 5);  // period error h² w² / 12 of 40 s
+  EXPECT_LT(angle, 1e-3 * 0.2);
+}
+
+// Two boxes meet at an angle, edge on edge, tumbling: momentum and angular momentum stay, energy comes back.
+TEST(BodyContact, TumblingBoxesKeepMomentum) {
+  model::Case c;
+  c.statics.enabled = false;
+  c.bodies = {floater("a", 3, {-1.6, 0.1, 0.2}, {1, 0.1, 0}),
+              floater("b", 5, {1.5, 0, -0.1}, {-0.6, 0, 0.1})};
+  for (auto& b : c.bodies) b.mass->inertia = b.mass->mass * Vec3(0.4, 0.5, 0.6);
+  c.bodies[0].rotation = Vec3(0.5, 0.9, -0.3), c.bodies[1].rotation = Vec3(-0.4, 0.3, 0.8);
+  c.bodies[0].mass->angular_velocity = Vec3(0.4, -0.3, 0.5);
+  c.bodies[1].mass->centre = Vec3(0.1, -0.05, 0.1);
+  c.volumes = {volume("A", "a", BoxShape{{0, 0, 0}, {1.4, 1, 0.8}}, model::StiffnessBasis::per_length, 4000),
+               volume("B", "b", BoxShape{{0, 0, 0}, {1, 1.2, 0.9}}, model::StiffnessBasis::per_length, 4000)};
+  c.dynamics.enabled = true, c.dynamics.duration = 3, c.dynamics.rho_infinity = 1;
+  c.dynamics.step = 0.002;
+  Run run(c);
+  Dynamics& d = run.sim.dynamics();
+  const size_t a = run.node(0), b = run.node(1);
+  const auto angular = [&](const Kinematics& k) {
+    Vec3 L = Vec3::Zero();
+    for (const auto& [n, body] : {std::pair(a, 0), std::pair(b, 1)}) {
+      const model::BodyMass& m = *c.bodies[static_cast<size_t>(body)].mass;
+      L += m.mass * k.x[n].cross(k.v[n]) + k.q[n] * Vec3(m.inertia.cwiseProduct(k.w[n]));
+    }
+    return L;
+  };
+  const Kinematics k0 = d.kinematics();
+  const Vec3 p0 = 3 * k0.v[a] + 5 * k0.v[b], L0 = angular(k0);
+  const double e0 = total(run.sim.system().energy(k0));
+  double strain = 0, momentum = 0, turning = 0, energy = 0;
+  integrate(d, 3, 3, [&](const StepInfo&) {
+    const Kinematics k = d.kinematics();
+    const Energy e = run.sim.system().energy(k);
+    strain = std::max(strain, e.strain / e0);
+    energy = std::max(energy, std::abs(total(e) / e0 - 1));
+    momentum = std::max(momentum, (3 * k.v[a] + 5 * k.v[b] - p0).norm() / 3);
+    turning = std::max(turning, (angular(k) - L0).norm() / L0.norm());
+  });
+  printf("boxes: strain energy up to %.2f of all; momentum %.1e, angular momentum %.1e, energy %.1e\n",
+         strain, momentum, turning, energy);
+  EXPECT_GT(strain, 0.1);
+  EXPECT_LT(momentum, 1e-9);
+  EXPECT_LT(turning, 1e-4);
+  EXPECT_LT(energy, 2e-3);
+}
+
+}  // namespace
+}  // namespace hawser::test
