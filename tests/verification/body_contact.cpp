@@ -25,8 +25,8 @@ model::Volume volume(const char* name, const char* body, Primitive shape, model:
   return v;
 }
 
-struct Run {
-  explicit Run(const model::Case& c)
+struct Collision {
+  explicit Collision(const model::Case& c)
       : volumes(app::load_volumes(c)),
         sim(PETSC_COMM_SELF, c, app::surfaces(volumes), app::skeletons(c, volumes)) {
     sim.dynamics().start(sim.state());
@@ -57,7 +57,7 @@ struct Bump {
 };
 Bump bump(double zeta) {
   const model::Case c = floaters(zeta);
-  Run run(c);
+  Collision run(c);
   Dynamics& d = run.sim.dynamics();
   const size_t a = run.node(0), b = run.node(1);
   Bump out;
@@ -110,7 +110,7 @@ TEST(BodyContact, ABodyOnSpringsSwings) {
   c.bodies[0].mass->angular_velocity = Vec3(0, 0, 0.1);
   c.dynamics.enabled = true, c.dynamics.duration = 40, c.dynamics.rho_infinity = 1;
   c.dynamics.step = 0.01;
-  Run run(c);
+  Collision run(c);
   Dynamics& d = run.sim.dynamics();
   const double w = std::sqrt(800.0 / 200), turn = std::sqrt(3000 / (60.0 * 200));
   double off = 0, angle = 0;
@@ -137,7 +137,7 @@ TEST(BodyContact, TumblingBoxesKeepMomentum) {
                volume("B", "b", BoxShape{{0, 0, 0}, {1, 1.2, 0.9}}, model::StiffnessBasis::per_length, 4000)};
   c.dynamics.enabled = true, c.dynamics.duration = 3, c.dynamics.rho_infinity = 1;
   c.dynamics.step = 0.002;
-  Run run(c);
+  Collision run(c);
   Dynamics& d = run.sim.dynamics();
   const size_t a = run.node(0), b = run.node(1);
   const auto angular = [&](const Kinematics& k) {
