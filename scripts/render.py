@@ -212,6 +212,25 @@ def join(files, columns, target):
     writer.Write()
 
 
+def colour_lines(view, tubes, options, limits, unit):
+    hose = pv.Show(tubes, view)
+    hose.Ambient, hose.Diffuse = 0.3, 0.75
+    pv.ColorBy(hose, ("POINTS", "shown"))
+    colours = pv.GetColorTransferFunction("shown")
+    colours.ApplyPreset("Viridis (matplotlib)", True)
+    colours.RescaleTransferFunction(*limits)
+    bar = pv.GetScalarBar(colours, view)
+    bar.Title = options.field.replace("_", " ") + (f" [{unit}]" if unit else "")
+    bar.ComponentTitle = ""
+    bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    bar.TitleFontSize, bar.LabelFontSize = 18, 16
+    bar.ScalarBarLength = 0.4
+    bar.AutomaticLabelFormat = 0
+    bar.LabelFormat = bar.RangeLabelFormat = "%.4g"
+    bar.WindowLocation = "Lower Right Corner"
+    hose.SetScalarBarVisibility(view, True)
+
+
 def render(options):
     os.makedirs(options.out, exist_ok=True)
     pv._DisableFirstRenderCameraReset()
@@ -222,7 +241,7 @@ def render(options):
     written = source.TimestepValues  # a number, not a list, when there is one time only
     times = chosen_times((list(written) if hasattr(written, "__iter__") else [written]) or [0.0], options)
     source.UpdatePipeline(times[-1])
-    if not has_field(source, options.field):
+    if not has_field(source, options.field) and options.field != "effective_tension":
         print(f"render: no node field '{options.field}' in {options.results}; the lines stay in one colour")
 
     factor, unit = UNITS.get(options.field, (1, ""))
@@ -245,23 +264,9 @@ def render(options):
     if options.edges:
         surface.Representation = "Surface With Edges"
         surface.EdgeColor = [0.6, 0.62, 0.66]
-    hose = pv.Show(tubes, view)
-    hose.Ambient = surface.Ambient = 0.3
-    hose.Diffuse = surface.Diffuse = 0.75
-    pv.ColorBy(hose, ("POINTS", "shown"))
-    colours = pv.GetColorTransferFunction("shown")
-    colours.ApplyPreset("Viridis (matplotlib)", True)
-    colours.RescaleTransferFunction(*(options.range or value_range(lines, times)))
-    bar = pv.GetScalarBar(colours, view)
-    bar.Title = options.field.replace("_", " ") + (f" [{unit}]" if unit else "")
-    bar.ComponentTitle = ""
-    bar.TitleColor = bar.LabelColor = [0, 0, 0]
-    bar.TitleFontSize, bar.LabelFontSize = 18, 16
-    bar.ScalarBarLength = 0.4
-    bar.AutomaticLabelFormat = 0
-    bar.LabelFormat = bar.RangeLabelFormat = "%.4g"
-    bar.WindowLocation = "Lower Right Corner"
-    hose.SetScalarBarVisibility(view, True)
+    surface.Ambient, surface.Diffuse = 0.3, 0.75
+    if has_field(lines, "shown"):
+        colour_lines(view, tubes, options, options.range or value_range(lines, times), unit)
     clock = pv.Text(registrationName="clock")
     label = pv.Show(clock, view)
     label.Color = [0, 0, 0]

@@ -177,7 +177,11 @@ StaticsReport Simulation::solve_statics() {
   StaticsSettings settings{case_.statics.tolerance, case_.statics.max_iterations};
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   enable_friction(true);
-  if (floating_) floating_->hold(false), state_.v = v, state_.w = w;
+  if (floating_) {
+    floating_->hold(false);
+    for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) state_.v[n] = v[n], state_.w[n] = w[n];
+    system_->spread(state_);
+  }
   if (contact_) system_->commit(state_.view(0));
   return report;
 }

@@ -51,11 +51,19 @@ void SharedFile::agree() {
   throw std::runtime_error(std::exchange(trouble_, ""));
 }
 
+namespace {
+// A run without bodies, or without lines, has rows of nothing, which have no place in the file to write to.
+bool empty(const h5::Shape& shape) {
+  return std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end();
+}
+}  // namespace
+
 void SharedFile::write_runs(const std::string& name, hid_t type, long long row,
                             const std::vector<RowRun>& runs, const void* data) {
   attempt([&] {
     const hid_t set = open_.at(name);
     const h5::Shape shape = h5::shape_of(set);
+    if (empty(shape)) return;
     const size_t axis = row >= 0 ? 1 : 0;
     h5::Shape start(shape.size(), 0), block(shape);
     hsize_t total = 0, inner = 1;
@@ -78,8 +86,7 @@ void SharedFile::write_rows(const std::string& name, hid_t type, long long first
   attempt([&] {
     const hid_t set = open_.at(name);
     h5::Shape count = h5::shape_of(set), start(count.size(), 0);
-    // A run without bodies has rows of nothing, which have no place in the file to write to.
-    if (std::find(count.begin(), count.end(), hsize_t{0}) != count.end()) return;
+    if (empty(count)) return;
     start[0] = static_cast<hsize_t>(first), count[0] = static_cast<hsize_t>(rows);
     hsize_t total = here ? 1 : 0;
     for (const hsize_t n : count) total *= n;

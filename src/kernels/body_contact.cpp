@@ -10,9 +10,11 @@ BodyContactPoint body_contact(const BodyFrame& A, const Vec3& y, double radius, 
   const Vec3& nB = s.normal;
   const Vec3 z = B.to_body(A.to_space(y)), n = B.R * nB, nA = A.R.transpose() * n;
   Vec12 G;  // dg/dq
-  G << n, y.cross(nA), -n, nB.cross(z);
+  G.segment<3>(0) = n, G.segment<3>(3) = y.cross(nA);
+  G.segment<3>(6) = -n, G.segment<3>(9) = nB.cross(z);
   Vec12 rates;
-  rates << A.v, A.w, B.v, B.w;
+  rates.segment<3>(0) = A.v, rates.segment<3>(3) = A.w;
+  rates.segment<3>(6) = B.v, rates.segment<3>(9) = B.w;
   BodyContactPoint out;
   out.gap = s.distance - radius;
   out.rate = G.dot(rates);
@@ -26,7 +28,10 @@ BodyContactPoint body_contact(const BodyFrame& A, const Vec3& y, double radius, 
 
   // dz = dz_q dq, and from it the turning normal.
   Eigen::Matrix<double, 3, 12> dz, dnB, dn, dnA;
-  dz << B.R.transpose(), -B.R.transpose() * A.R * hat(y), -B.R.transpose(), hat(z);
+  dz.middleCols<3>(0) = B.R.transpose();
+  dz.middleCols<3>(3) = -B.R.transpose() * A.R * hat(y);
+  dz.middleCols<3>(6) = -B.R.transpose();
+  dz.middleCols<3>(9) = hat(z);
   dnB = s.curvature * dz;
   dn = B.R * dnB;
   dn.rightCols<3>() -= B.R * hat(nB);

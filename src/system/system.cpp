@@ -18,6 +18,9 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
   squares_.assign(2 * static_cast<size_t>(lines), 0);
   supports_ = Supports(mesh_, {}, {});
   for (const Element& e : mesh_.mesh->elements) longest_element_ = std::max(longest_element_, e.length);
+  // A moment of a floating body is judged as a force over a metre.
+  if (mesh_.mesh->line_nodes() < static_cast<int>(mesh_.mesh->nodes.size()))
+    longest_element_ = std::max(longest_element_, 1.0);
 }
 
 // What is kept by local block.

@@ -1,5 +1,8 @@
 #include "hawser/terms/rigid_bodies.hpp"
 
+#include <cmath>
+#include <limits>
+
 namespace hawser {
 
 RigidBodyData RigidBodies::data(const Floating& f) const {
@@ -120,6 +123,21 @@ Energy RigidBodies::energy(const Kinematics& at) const {
 double RigidBodies::dead_load() const {
   double sum = 0;
   for (const Floating& f : list_) sum += f.data.weight.norm();
+  return sum;
+}
+
+// As of lines: accelerations are made of what is left of v h; springs see a difference of positions.
+double RigidBodies::round_off(const Kinematics& at, double h) const {
+  const double eps = std::numeric_limits<double>::epsilon();
+  double sum = 0;
+  for (const Floating& f : list_) {
+    const size_t n = static_cast<size_t>(f.node);
+    sum += std::pow(4 * eps * f.data.stiffness.maxCoeff() * at.x[n].norm(), 2);
+    sum += std::pow(4 * eps * f.data.turning_stiffness.maxCoeff(), 2);
+    if (!(h > 0)) continue;
+    sum += std::pow(4 * eps * f.data.mass * at.v[n].norm() / h, 2);
+    sum += std::pow(4 * eps * f.data.inertia.diagonal().maxCoeff() * at.w[n].norm() / h, 2);
+  }
   return sum;
 }
 

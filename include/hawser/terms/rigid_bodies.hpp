@@ -25,6 +25,7 @@ class RigidBodies final : public ForceTerm {
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
+  double round_off(const Kinematics& at, double h) const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
