@@ -18,6 +18,9 @@ const char* const kVectors[] = {"position",
                                 "algorithmic_acceleration",
                                 "algorithmic_angular_acceleration"};
 
+const char* const kDirectors = "director_acceleration";
+const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
+
 std::vector<Vec3>& vectors(AlphaState& s, size_t i) {
   std::vector<Vec3>* all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
   return *all[i];
@@ -63,6 +66,12 @@ io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder)
     f.components = 3;
     for (size_t n = 0; n < owned; ++n)
       for (int k = 0; k < 3; ++k) f.values.push_back(vectors(s, i)[n][k]);
+  }
+  for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
+    io::CheckpointField& f = c.nodes[name];
+    f.components = 9;
+    for (size_t n = 0; n < owned; ++n)
+      f.values.insert(f.values.end(), (*values)[n].data(), (*values)[n].data() + 9);
   }
   io::CheckpointField& q = c.nodes["rotation"];
   q.components = 4;
@@ -114,7 +123,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   AlphaState s;
   s.s.resize(m.nodes());
   s.s.time = c.time;
-  s.ax.assign(static_cast<size_t>(m.nodes()), Vec3::Zero()), s.aw = s.ax;
+  alpha_start(s);
   const size_t owned = static_cast<size_t>(m.owned);
   for (size_t i = 0; i < std::size(kVectors); ++i) {
     const auto& f = c.nodes.at(kVectors[i]);
@@ -127,6 +136,17 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     vec[n] = Eigen::Map<const Vec3>(q.data() + 4 * n + 1), w[n].x() = q[4 * n];
   spread(system, vec), spread(system, w);
   for (size_t n = 0; n < vec.size(); ++n) s.s.q[n] = Quat(w[n].x(), vec[n].x(), vec[n].y(), vec[n].z());
+
+  for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
+    const auto& f = c.nodes.at(name).values;
+    for (int column = 0; column < 3; ++column) {
+      std::fill(vec.begin(), vec.end(), Vec3::Zero());
+      for (size_t n = 0; n < owned; ++n)
+        vec[n] = Eigen::Map<const Vec3>(f.data() + 9 * n + 3 * static_cast<size_t>(column));
+      spread(system, vec);
+      for (size_t n = 0; n < vec.size(); ++n) (*values)[n].col(column) = vec[n];
+    }
+  }
 
   std::vector<double> reactions(3 * static_cast<size_t>(m.blocks()), 0);
   const auto& r = c.nodes.at("reaction").values;

@@ -19,7 +19,7 @@ constexpr double kLoad[4] = {0.5, 1. / 12, 0.5, -1. / 12};
 struct Local {
   Mat R[2];
   Row c;                        // tangent in node axes
-  Row g[2];                     // t'' in node axes: alpha x c + w x (w x c)
+  Row g[2];                     // t'' in node axes: alpha x c + w x (w x c); unused when it is given
   Row A[4];                     // accelerations of (x1, L t1, x2, L t2)
   Row F[4];                     // forces conjugate to them
   Row back[2];                  // Q' F of the tangents
@@ -40,9 +40,16 @@ inline void kinematics(const MassSection& s, const MassEnds& e, const Vec3& dead
   o.c = load(Vec3(s.axes.col(0)));
   o.w[0] = load(e.w1), o.w[1] = load(e.w2);
   o.alpha[0] = load(e.alpha1), o.alpha[1] = load(e.alpha2);
+  const Mat3* given[2] = {e.directors1, e.directors2};
   for (int i = 0; i < 2; ++i) {
-    o.g[i] = cross(o.alpha[i], o.c) + cross(o.w[i], cross(o.w[i], o.c));
-    o.A[2 * i + 1] = L * times(o.R[i], o.g[i]);
+    if (given[i]) {
+      const Mat3& D = *given[i];
+      o.A[2 * i + 1] = (L * o.c[0]) * load(Vec3(D.col(0))) + (L * o.c[1]) * load(Vec3(D.col(1))) +
+                       (L * o.c[2]) * load(Vec3(D.col(2)));
+    } else {
+      o.g[i] = cross(o.alpha[i], o.c) + cross(o.w[i], cross(o.w[i], o.c));
+      o.A[2 * i + 1] = L * times(o.R[i], o.g[i]);
+    }
     o.spin[i] = times(J, o.w[i]);
   }
   o.A[0] = load(e.a1), o.A[2] = load(e.a2);
@@ -78,12 +85,15 @@ void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load
   force(s, o, J, f);
   const double L = s.length, mL = s.mass_per_length * L;
   const Mat zero{};
-  // Columns of the tangent's acceleration: L Q (-hat(g), G, -hat(c)) by theta, w, alpha.
+  const bool given = e.directors1;
+  // Columns of the tangent's acceleration: L Q (-hat(g), G, -hat(c)) by theta, w, alpha; when it is given
+  // L Q (-mu hat(w x c), 0, -hat(c)).
   Mat T[2], W[2], A[2];
   for (int i = 0; i < 2; ++i) {
     const Mat R = L * o.R[i];
-    T[i] = times_hat(R, -o.g[i]);
-    W[i] = times_hat(R, -cross(o.w[i], o.c)) - times_hat(times_hat(R, o.w[i]), o.c);
+    const Row rate = cross(o.w[i], o.c);
+    T[i] = times_hat(R, given ? -e.director_weight * rate : -o.g[i]);
+    W[i] = given ? zero : times_hat(R, -rate) - times_hat(times_hat(R, o.w[i]), o.c);
     A[i] = times_hat(R, -o.c);
   }
   const auto put = [](double* to, int i, int j, const Mat& m) { store(m, to + 36 * i + 3 * j, 12); };
@@ -93,7 +103,7 @@ void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load
       const double xx = mL * kMass[2 * i][2 * j], xt = mL * kMass[2 * i][2 * j + 1],
                    tx = mL * kMass[2 * i + 1][2 * j], tt = mL * kMass[2 * i + 1][2 * j + 1];
       const Mat moment = tt * row;
-      Mat k = moment * T[j], c = moment * W[j], m = moment * A[j];
+      Mat k = moment * T[j], c = given ? zero : moment * W[j], m = moment * A[j];
       if (i == j) {
         k += L * hat_times(o.c, hat(o.back[i]));
         c += hat_times(o.w[i], J) - hat(o.spin[i]);

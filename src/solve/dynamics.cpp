@@ -190,9 +190,9 @@ void Dynamics::accept(double h) {
 void Dynamics::start(const State& state) {
   committed_.s = state;
   const size_t n = state.x.size();
-  committed_.ax.assign(n, Vec3::Zero()), committed_.aw.assign(n, Vec3::Zero());
   State& s = committed_.s;
   s.a.assign(n, Vec3::Zero()), s.alpha.assign(n, Vec3::Zero());
+  s.directors.clear(), s.director_weight = 0;
   system_.supports().rates(s.time, s);
   last_step_ = 0;
   prepare(control_.wish());
@@ -217,7 +217,7 @@ void Dynamics::start(const State& state) {
     s.a[i] -= Eigen::Map<const Vec3>(p);
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
-  committed_.ax = s.a, committed_.aw = s.alpha;
+  alpha_start(committed_);
   system_.residual(s.view(0), r_.get());
   reactions_ = system_.reactions();
 }

@@ -11,6 +11,14 @@ AlphaCoefficients::AlphaCoefficients(double rho)
       gamma(0.5 + af - am),
       beta(0.25 * (gamma + 0.5) * (gamma + 0.5)) {}
 
+void alpha_start(AlphaState& state) {
+  State& s = state.s;
+  state.ax = s.a, state.aw = s.alpha;
+  s.directors.resize(s.x.size());
+  for (size_t n = 0; n < s.x.size(); ++n) s.directors[n] = director_acceleration(s.q[n], s.w[n], s.alpha[n]);
+  state.ad = s.directors;
+}
+
 void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoefficients& c, double h,
                  const AlphaState& from, const std::vector<double>& u, AlphaState& trial) {
   State& s = trial.s;
@@ -34,8 +42,18 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
   }
   // What is prescribed moves exactly, not as the scheme would have it (no ringing at rho = 1).
   supports.rates(s.time, s);
+  s.director_weight = m1 / k2;
+  for (size_t n = 0; n < s.x.size(); ++n) {
+    if (!mesh.rotates(static_cast<int>(n))) continue;
+    const Mat3 rate0 = from.s.q[n].toRotationMatrix() * hat(from.s.w[n]),
+               rate1 = s.q[n].toRotationMatrix() * hat(s.w[n]);
+    trial.ad[n] = (rate1 - rate0 - k1 * from.ad[n]) / k2;
+    s.directors[n] = m1 * trial.ad[n] + m0 * from.ad[n] - d0 * from.s.directors[n];
+  }
   for (const Support& p : supports.list()) {
     const size_t n = static_cast<size_t>(p.node);
+    if (p.rotation_mask == 7)
+      trial.ad[n] = s.directors[n] = director_acceleration(s.q[n], s.w[n], s.alpha[n]);
     for (int i = 0; i < 3; ++i) {
       if (p.position_mask >> i & 1) trial.ax[n][i] = s.a[n][i];
       if (p.rotation_mask >> i & 1) trial.aw[n][i] = s.alpha[n][i];

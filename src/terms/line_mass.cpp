@@ -12,7 +12,20 @@ namespace {
 
 MassEnds ends(const LineMassTerm::Piece& p, const Kinematics& k) {
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
-  return {k.a[i], k.a[j], k.v[i], k.v[j], k.q[i], k.q[j], k.w[i], k.w[j], k.alpha[i], k.alpha[j]};
+  const bool given = !k.directors.empty();
+  return {k.a[i],
+          k.a[j],
+          k.v[i],
+          k.v[j],
+          k.q[i],
+          k.q[j],
+          k.w[i],
+          k.w[j],
+          k.alpha[i],
+          k.alpha[j],
+          given ? &k.directors[i] : nullptr,
+          given ? &k.directors[j] : nullptr,
+          k.director_weight};
 }
 
 double load_work(const LineMassTerm::Piece& p, const Kinematics& k, const Vec3& load) {

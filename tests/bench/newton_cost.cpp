@@ -47,7 +47,7 @@ void newton(benchmark::State& state) {
   System& system = sim.system();
   AlphaState from, trial;
   from.s = sim.state();
-  from.ax.assign(from.s.x.size(), Vec3::Zero()), from.aw = from.ax;
+  alpha_start(from);
   trial = from;
   const AlphaCoefficients alpha(0.8);
   const double h = 0.05;

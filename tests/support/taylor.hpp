@@ -33,7 +33,7 @@ inline Vec3 noise3(int node, int purpose) {
 
 // A trial state: increments u (3 * local blocks) from a committed state, and rates.
 struct Trial {
-  State from, rates;  // rates: only v, w, a, alpha are used
+  State from, rates;  // rates: only v, w, a, alpha and the directors are used
   std::vector<double> u;
   double h = 0;
   double length = 0.1, angle = 0.1;  // m, rad: size of the directions that are tried
@@ -57,6 +57,16 @@ inline State state_of(const LocalMesh& mesh, const Trial& t, double step = 0,
     }
   }
   retract(mesh, t.from, u.data(), s);
+  if (s.directors.empty() || !direction) return s;
+  // What the integrator's weights leave of the directors' acceleration when they are taken one by one: with
+  // the weight of M director_weight times that of C it is that of a step.
+  State before = s;
+  retract(mesh, t.from, t.u.data(), before);
+  for (size_t i = 0; i < s.q.size(); ++i) {
+    const Mat3 now = s.q[i].toRotationMatrix(), then = before.q[i].toRotationMatrix();
+    s.directors[i] +=
+        t.rates.director_weight * (now - then) * hat(t.rates.w[i]) + now * hat(s.alpha[i] - t.rates.alpha[i]);
+  }
   return s;
 }
 

@@ -82,6 +82,20 @@ inline void add_mass(SuiteModel& m, const Placement& at, bool turned) {
       std::vector<LineMassTerm::Load>{{at.rotation * Vec3(3, 0, 1), 2}, {at.rotation * Vec3(0, 5, 1), 0.5}}));
 }
 
+// The directors' accelerations as a step has them: near those of w and alpha, but not the same.
+inline void add_directors(SuiteModel& m, const Placement& at) {
+  const LocalMesh& l = m.system->mesh();
+  State& r = m.trial.rates;
+  r.director_weight = 23;
+  r.directors.assign(r.x.size(), Mat3::Zero());
+  const State s = state_of(l, m.trial);
+  for (size_t i = 0; i < r.x.size(); ++i) {
+    const int g = l.global[i];
+    r.directors[i] = director_acceleration(s.q[i], r.w[i], r.alpha[i]);
+    for (int c = 0; c < 3; ++c) r.directors[i].col(c) += at.rotation * (0.4 * noise3(g, 20 + c));
+  }
+}
+
 inline void add_loads(SuiteModel& m, const Placement& at, bool gravity) {
   const LocalMesh& l = m.system->mesh();
   std::vector<NodeLoad> loads;
@@ -207,12 +221,15 @@ inline std::vector<SuiteCase> structure_cases() {
 inline std::vector<SuiteCase> mass_and_load_cases() {
   std::vector<SuiteCase> out;
   for (const bool turned : {false, true})
-    out.push_back({turned ? "mass, turned axes" : "mass", [=](MPI_Comm comm, const Placement& at) {
-                     auto m = held_model(comm, at);
-                     add_mass(*m, at, turned);
-                     m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
-                     return m;
-                   }});
+    for (const bool step : {false, true})
+      out.push_back({std::string("mass") + (turned ? ", turned axes" : "") + (step ? ", in a step" : ""),
+                     [=](MPI_Comm comm, const Placement& at) {
+                       auto m = held_model(comm, at);
+                       add_mass(*m, at, turned);
+                       if (step) add_directors(*m, at);
+                       m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+                       return m;
+                     }});
   out.push_back({"point loads and masses", [](MPI_Comm comm, const Placement& at) {
                    auto m = held_model(comm, at);
                    // Weight does not turn with the model.
@@ -251,6 +268,7 @@ inline std::vector<SuiteCase> all_cases() {
                    add_mass(*m, at, true);
                    add_loads(*m, at, at.rotation.isApprox(Quat::Identity()));
                    add_contact(*m, at, ContactOn::cylinder, 0.3, 0.3);
+                   add_directors(*m, at);
                    return m;
                  }});
   return out;

@@ -14,6 +14,9 @@ struct Tumble {
   double linear = 0;   // largest change of momentum over its size
   double angular = 0;  // the same
   double strain = 0;   // largest strain energy over total
+  // Acceleration of the directors against that of w and alpha, largest difference over largest size: in the
+  // first and in the last tenth of the run.
+  double apart[2] = {};
   long steps = 0;
 };
 
@@ -46,12 +49,11 @@ inline void throw_line(State& s, bool bend) {
   }
 }
 
-// `periods` first bending periods in steps of a period / `per_period`.
-inline Tumble tumble(bool beam, int elements, int per_period, double rho, int periods,
+// `periods` first bending periods of the thrown line in steps of a period / `per_period`; 0: automatic steps.
+inline Tumble tumble(model::Case c, bool beam, int per_period, double rho, int periods,
                      double tolerance = 1e-13) {
-  model::Case c = free_line(beam, elements);
   const double until = periods * first_period();
-  c.dynamics.duration = until, c.dynamics.step = first_period() / per_period;
+  c.dynamics.duration = until, c.dynamics.step = per_period ? first_period() / per_period : 0;
   c.dynamics.rho_infinity = rho, c.dynamics.tolerance = tolerance;
   Simulation s(PETSC_COMM_SELF, c);
   throw_line(s.state(), beam);
@@ -60,24 +62,42 @@ inline Tumble tumble(bool beam, int elements, int per_period, double rho, int pe
   const double e0 = total(s.system().energy(d.kinematics()));
   const Momentum p0 = momentum(s.system(), d.kinematics());
   Tumble out;
-  const long every = std::max(1, periods * per_period / 500), tenth = periods * per_period / 10;
-  long step = 0;
-  double first = 0, last = 0;
+  const long every = std::max(1, periods * per_period / 500);
+  long step = 0, samples[2] = {};
+  double mean[2] = {}, apart[2] = {}, size = 0;
   integrate(d, until, until, [&](const StepInfo&) {
     const Kinematics k = d.kinematics();
     const Energy e = s.system().energy(k);
     out.energy = std::max(out.energy, std::abs(total(e) / e0 - 1));
     out.strain = std::max(out.strain, e.strain / e0);
-    if (step < tenth) first += total(e) / e0;
-    if (step >= 9 * tenth) last += total(e) / e0;
+    const bool late = k.time > 0.9 * until;
+    if (late || k.time < 0.1 * until) mean[late] += total(e) / e0, ++samples[late];
+    if (beam && (late || k.time < 0.1 * until))
+      for (size_t i = 0; i < k.q.size(); ++i) {
+        const Mat3 follows = director_acceleration(k.q[i], k.w[i], k.alpha[i]);
+        double& most = apart[late];
+        most = std::max(most, (k.directors[i] - follows).norm()), size = std::max(size, follows.norm());
+      }
     if (++step % every) return;
     const Momentum p = momentum(s.system(), k);
     out.linear = std::max(out.linear, (p.linear - p0.linear).norm() / p0.linear.norm());
     out.angular = std::max(out.angular, (p.angular - p0.angular).norm() / p0.angular.norm());
   });
-  out.drift = (last - first) / static_cast<double>(tenth);
+  out.drift = mean[1] / static_cast<double>(samples[1]) - mean[0] / static_cast<double>(samples[0]);
   out.steps = step;
+  for (int i = 0; beam && i < 2; ++i) out.apart[i] = apart[i] / size;
   return out;
+}
+inline Tumble tumble(bool beam, int elements, int per_period, double rho, int periods,
+                     double tolerance = 1e-13) {
+  return tumble(free_line(beam, elements), beam, per_period, rho, periods, tolerance);
+}
+
+inline void show(const char* what, double rho, const Tumble& t) {
+  printf(
+      "%s, rho = %.1f, %ld steps: relative change of energy %.1e (drift %+.1e), momentum "
+      "%.1e, angular momentum %.1e; strain energy up to %.2f of all; directors apart by %.1e, %.1e\n",
+      what, rho, t.steps, t.energy, t.drift, t.linear, t.angular, t.strain, t.apart[0], t.apart[1]);
 }
 
 }  // namespace hawser::test

@@ -1,18 +1,16 @@
-// How fine the step must be for the momentum of a free beam to be kept to 1e-9.
+// A thousand periods of the free beam without any damping, 100 000 steps: momentum is still what it was, and
+// what the scheme carries beside the state stays near it.
 #include "verification/energy_free_beam.hpp"
 
 namespace hawser::test {
 namespace {
 
-TEST(Energy, MomentumOfAFreeBeamToNineDigits) {
-  const Tumble t = tumble(true, 40, 2400, 1, 50);
-  printf(
-      "free beam, 40 elements, 2400 steps a period, rho = 1, %ld steps: relative change of momentum %.1e, "
-      "angular momentum %.1e, energy %.1e\n",
-      t.steps, t.linear, t.angular, t.energy);
-  EXPECT_LT(t.linear, 1e-9);
-  EXPECT_LT(t.angular, 1e-6);
-  EXPECT_LT(t.energy, 1e-5);
+TEST(Energy, MomentumOfAFreeBeamForAThousandPeriods) {
+  const Tumble t = tumble(true, 20, 100, 1, 1000);
+  show("free beam, 100 steps a period", 1, t);
+  EXPECT_LT(t.linear, 1e-10);
+  EXPECT_LT(t.energy, 2e-3);
+  EXPECT_LT(t.apart[1], 3 * t.apart[0]);
 }
 
 }  // namespace

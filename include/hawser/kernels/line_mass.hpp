@@ -24,13 +24,20 @@ struct MassEnds {
   Quat q1 = Quat::Identity(), q2 = Quat::Identity();
   Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();          // rad/s, material
   Vec3 alpha1 = Vec3::Zero(), alpha2 = Vec3::Zero();  // rad/s², material
+  // Accelerations of the columns of the rotation matrices, 1/s², and their change per change of the columns'
+  // rates, 1/s. Null: those of w and alpha.
+  const Mat3 *directors1 = nullptr, *directors2 = nullptr;
+  double director_weight = 0;
 };
 
 // f[12] = M a + gyroscopic terms - load, (x1, theta1, x2, theta2), moments in material axes.
 // load: dead force per unstretched length, weight included, N/m.
 void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, double* f);
 
-// Force and 12x12 row-major tangents by configuration, velocity and acceleration.
+// Force and 12x12 row-major tangents by configuration, velocity and acceleration. With directors given, they
+// are taken to move by director_weight d(R hat(w)) with the configuration and by R hat(d alpha) with the
+// acceleration; what they get from the velocity is in the latter (its weight in a step is director_weight
+// times that of the velocity).
 void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, double* f, double* K,
                        double* C, double* M);
 

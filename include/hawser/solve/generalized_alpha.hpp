@@ -21,10 +21,15 @@ struct AlphaCoefficients {
 struct AlphaState {
   State s;
   std::vector<Vec3> ax, aw;  // algorithmic accelerations, m/s² and rad/s² (material)
+  std::vector<Mat3> ad;      // and of the directors, 1/s²
 };
 
+// Gives a state whose accelerations are right those that the scheme carries.
+void alpha_start(AlphaState& state);
+
 // The scheme's velocity and acceleration of a trial increment u (3 * local blocks, ghosts included) over a
-// step h from `from`; configuration by retraction; prescribed components from the supports.
+// step h from `from`; configuration by retraction; prescribed components from the supports. The directors'
+// accelerations are those from which the same formulas make their rates: R hat(w), exactly.
 void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoefficients& c, double h,
                  const AlphaState& from, const std::vector<double>& u, AlphaState& trial);
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "hawser/math/types.hpp"
+#include "hawser/math/so3.hpp"
 
 namespace hawser {
 
@@ -14,6 +14,18 @@ struct Kinematics {
   std::span<const Vec3> x, v, a;   // m, m/s, m/s², space axes
   std::span<const Quat> q;         // rotation: node (material) axes to space axes
   std::span<const Vec3> w, alpha;  // rad/s, rad/s², material axes
+
+  // Accelerations of the columns of the rotation matrix R, 1/s², as the time integration makes them of their
+  // rates R hat(w), so that what they carry of momentum is kept (docs/theory/time-integration.md). Empty:
+  // those that belong to w and alpha, R (hat(alpha) + hat(w)²).
+  std::span<const Mat3> directors = {};
+  double director_weight = 0;  // 1/s, their change in the trial per change of the rates
 };
+
+// What the directors' acceleration is of a rotation that follows w and alpha.
+inline Mat3 director_acceleration(const Quat& q, const Vec3& w, const Vec3& alpha) {
+  const Mat3 W = hat(w);
+  return q.toRotationMatrix() * (hat(alpha) + W * W);
+}
 
 }  // namespace hawser

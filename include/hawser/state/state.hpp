@@ -13,14 +13,19 @@ struct State {
   std::vector<Vec3> x, v, a;
   std::vector<Quat> q;
   std::vector<Vec3> w, alpha;
+  std::vector<Mat3> directors;  // accelerations; empty outside time integration (kinematics.hpp)
+  double director_weight = 0;
 
   explicit State(int nodes = 0) { resize(nodes); }
   void resize(int nodes) {
     const size_t n = static_cast<size_t>(nodes);
     for (auto* s : {&x, &v, &a, &w, &alpha}) s->assign(n, Vec3::Zero());
     q.assign(n, Quat::Identity());
+    directors.clear();
   }
-  Kinematics view(double step) const { return {time, step, x, v, a, q, w, alpha}; }
+  Kinematics view(double step) const {
+    return {time, step, x, v, a, q, w, alpha, directors, director_weight};
+  }
 };
 
 // Configuration x + u_x, R exp(u_theta) from a local block vector u[3 * blocks] (ghosts included).
