@@ -65,7 +65,7 @@ void Dynamics::prepare(double h) {
   if (system_.couple(committed_.s.view(last_step_), h) == Coupled::anew) {
     build();
     system_.spread(committed_.s);
-    system_.spread(committed_.ax), system_.spread(committed_.aw);
+    system_.spread(committed_.ax), system_.spread(committed_.aw), system_.spread(committed_.ad);
     reactions_.resize(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   }
   system_.prepare(committed_.s.view(last_step_), h);

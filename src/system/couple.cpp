@@ -56,6 +56,7 @@ bool System::covers(const Kinematics& trial) const {
 void System::spread(State& s) const {
   for (auto* values : {&s.x, &s.v, &s.a, &s.w, &s.alpha}) exchange_.spread(*values);
   exchange_.spread(s.q);
+  if (!s.directors.empty()) exchange_.spread(s.directors);
 }
 
 // Held nodes of other ranks move as their supports say here too, and their columns of the tangent are zero.

@@ -75,6 +75,12 @@ void GhostExchange::spread(std::vector<Vec3>& values) const {
   if (!values.empty()) spread(std::span(values.front().data(), 3 * nodes_), 3);
 }
 
+void GhostExchange::spread(std::vector<Mat3>& values) const {
+  static_assert(sizeof(Mat3) == 9 * sizeof(double));
+  values.resize(nodes_, Mat3::Zero());
+  if (!values.empty()) spread(std::span(values.front().data(), 9 * nodes_), 9);
+}
+
 void GhostExchange::spread(std::vector<Quat>& values) const {
   static_assert(sizeof(Quat) == 4 * sizeof(double));
   values.resize(nodes_, Quat::Identity());

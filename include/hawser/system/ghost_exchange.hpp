@@ -22,6 +22,7 @@ class GhostExchange {
   // The same, after resizing to the local nodes.
   void spread(std::vector<Vec3>& values) const;
   void spread(std::vector<Quat>& values) const;
+  void spread(std::vector<Mat3>& values) const;
 
  private:
   struct Neighbour {

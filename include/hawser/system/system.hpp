@@ -56,6 +56,7 @@ class System {
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
   void spread(State& state) const;
   void spread(std::vector<Vec3>& values) const { exchange_.spread(values); }
+  void spread(std::vector<Mat3>& values) const { exchange_.spread(values); }
   // Whether any nodes see each other beyond the elements, on any rank.
   bool coupled() const { return coupled_; }
   // See ForceTerm::covers; over all ranks. Collective.
