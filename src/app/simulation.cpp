@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "hawser/app/line_pairs.hpp"
 #include "hawser/app/near_elements.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/body_pairs.hpp"
@@ -155,6 +156,10 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     body_contact_ = contact.get();
     system_->add(std::move(contact));
   }
+  if (auto between = make_line_pairs(comm, c, local, notes_)) {
+    line_pairs_ = between.get();
+    system_->add(std::move(between));
+  }
 
   state_ = std::move(start.state);
   system_->support(std::move(start.supports), [b = bodies_](int body, double t) { return b->pose(body, t); });
@@ -170,6 +175,7 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) c
 StaticsReport Simulation::solve_statics() {
   const auto enable_friction = [this](bool on) {
     if (contact_) contact_->enable_friction(on);
+    if (line_pairs_) line_pairs_->enable_friction(on);
   };
   enable_friction(false);
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
@@ -182,7 +188,7 @@ StaticsReport Simulation::solve_statics() {
     for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) state_.v[n] = v[n], state_.w[n] = w[n];
     system_->spread(state_);
   }
-  if (contact_) system_->commit(state_.view(0));
+  if (contact_ || line_pairs_) system_->commit(state_.view(0));
   return report;
 }
 

@@ -278,6 +278,7 @@ class Reader {
     };
     chosen("lines", c_.contact.all_lines, c_.contact.lines);
     chosen("volumes", c_.contact.all_volumes, c_.contact.volumes);
+    c_.contact.between_lines = read_between_lines(v["between_lines"], source_);
   }
 
   void statics(const Value& v) {

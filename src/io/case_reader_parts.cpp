@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numbers>
+#include <set>
 #include <sstream>
 
 #include "hawser/base/error.hpp"
@@ -61,6 +62,40 @@ Vec3 read_direction(const Value& v, const char* key, const std::string& path, co
   const double n = x.stableNorm();
   if (!(n > 0)) source.bad(v[key], path + "." + key, "[0, 0, 0] is no direction");
   return x / n;
+}
+
+model::BetweenLines read_between_lines(const Value& v, const CaseSource& source) {
+  model::BetweenLines b;
+  if (v.kind != Value::Kind::map) {
+    b.enabled = v.number != 0;
+    return b;
+  }
+  const auto settings = [](const Value& s) {
+    model::LinePairSettings o;
+    const Value& k = s["normal_stiffness"];
+    if (const Value* x = k.find("per_length"))
+      o.basis = model::StiffnessBasis::per_length, o.normal_stiffness = x->number;
+    if (const Value* x = k.find("per_area"))
+      o.basis = model::StiffnessBasis::per_area, o.normal_stiffness = x->number;
+    o.friction = s["friction"].number;
+    o.relative_damping = s["relative_damping"].number;
+    if (const Value* x = s.find("mobilisation_length")) o.mobilisation_length = x->number;
+    if (const Value* x = s.find("smoothing")) o.smoothing = x->number;
+    return o;
+  };
+  b.self = v["self"].number != 0;
+  b.general = settings(v);
+  for (const Value& e : v["exclude"].items) b.exclude.emplace_back(e.items[0].text, e.items[1].text);
+  std::set<std::pair<std::string, std::string>> seen;
+  for (std::size_t i = 0; i < v["pairs"].items.size(); ++i) {
+    const Value& p = v["pairs"].items[i];
+    const std::string &x = p["lines"].items[0].text, &y = p["lines"].items[1].text;
+    if (!seen.insert(std::minmax(x, y)).second)
+      source.bad(p, fmt::format("contact.between_lines.pairs[{}].lines", i),
+                 fmt::format("lines {} and {} have settings already", model::quote(x), model::quote(y)));
+    b.pairs.push_back({x, y, settings(p)});
+  }
+  return b;
 }
 
 Primitive read_shape(const Value& shape, const std::string& key, const CaseSource& source) {

@@ -47,6 +47,13 @@ AxisShape::Weights AxisShape::second_derivatives(double z) const {
   return {-6 + 12 * z, -4 + 6 * z, 6 - 12 * z, 6 * z - 2};
 }
 
+// x - chord = H2 (X1 - chord) + H4 (X3 - chord), and |H2|, |H4| <= 4/27.
+double AxisShape::sagitta() const {
+  if (count_ == 2) return 0;
+  const Vec3 chord = X_[2] - X_[0];
+  return 4.0 / 27 * ((X_[1] - chord).norm() + (X_[3] - chord).norm());
+}
+
 Vec3 AxisShape::combine(const Weights& w, const std::array<Vec3, kMost>& v) const {
   Vec3 s = w[0] * v[0] + w[1] * v[1];
   if (count_ == 4) s += w[2] * v[2] + w[3] * v[3];

@@ -251,8 +251,9 @@ const Key& case_schema() {
             boolean("rolling",
                     "friction acts at the lines' surface: it turns them about their axes, and a line that "
                     "rolls does not slide (beams, method `line`)")
-                .or_else("false")},
-           "Contact of lines with volumes.")
+                .or_else("false"),
+            between_lines()},
+           "Contact of lines with volumes and with lines.")
            .or_else("{}"),
        one_of("statics",
               {boolean(""), map("",

@@ -72,6 +72,7 @@ inline Key one_of(std::string name, std::vector<Key> alternatives, std::string a
 
 inline constexpr const char* kZero = "[0, 0, 0]";
 
-Key volumes();  // with their shapes, contact laws and friction
+Key volumes();        // with their shapes, contact laws and friction
+Key between_lines();  // of contact
 
 }  // namespace hawser::model::schema_build

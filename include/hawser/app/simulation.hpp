@@ -16,6 +16,7 @@
 #include "hawser/terms/bodies.hpp"
 #include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/contact.hpp"
+#include "hawser/terms/line_pairs.hpp"
 #include "hawser/terms/structure.hpp"
 
 namespace hawser {
@@ -42,6 +43,7 @@ class Simulation {
   const BodyContactTerm* body_contact() const { return body_contact_; }  // null: no bodies touch
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
+  LinePairs* line_pairs() { return line_pairs_; }  // null: lines do not touch lines
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
@@ -64,6 +66,7 @@ class Simulation {
   int cut_ = 0;
   RigidBodies* floating_ = nullptr;
   BodyContactTerm* body_contact_ = nullptr;
+  LinePairs* line_pairs_ = nullptr;
 };
 
 }  // namespace hawser::app

@@ -31,6 +31,9 @@ Primitive read_shape(const model::Value& shape, const std::string& key, const Ca
 model::TableMotion read_motion_table(const model::Value& table, const std::string& key,
                                      const CaseSource& source);
 
+// `contact.between_lines`. Two different sets of settings for one pair are refused.
+model::BetweenLines read_between_lines(const model::Value& v, const CaseSource& source);
+
 // Read every mesh, refuse what is no closed volume or has the wrong scale; repairs go to Case::notes.
 void check_meshes(const model::Value& root, const CaseSource& source, model::Case& c);
 

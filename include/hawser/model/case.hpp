@@ -166,11 +166,34 @@ struct Line {
 
 enum class ContactMethod { nodes, line };
 
+// How lines touch lines.
+struct LinePairSettings {
+  StiffnessBasis basis = StiffnessBasis::automatic;  // per length, per area or automatic
+  double normal_stiffness = 0;                       // N/m² or N/m³ by basis
+  double smoothing = 0;                              // m, half width of the C1 ramp; 0: default
+  double relative_damping = 0;                       // zeta of the contact spring
+  double friction = 0;                               // Coulomb coefficient, the same in all directions
+  double mobilisation_length = 0;                    // m; 0: default of 1 % of the mean contact diameter
+  double shear_stiffness = 0;  // same basis as the normal stiffness; 0: use mobilisation_length
+};
+
+struct BetweenLines {
+  bool enabled = true, self = true;
+  LinePairSettings general;
+  struct Tuned {
+    std::string first, second;
+    LinePairSettings settings;
+  };
+  std::vector<Tuned> pairs;
+  std::vector<std::pair<std::string, std::string>> exclude;
+};
+
 struct Contact {
   ContactMethod method = ContactMethod::line;
   bool rolling = false;  // friction acts at the lines' surface and turns them about their axes
   bool all_lines = true, all_volumes = true;
   std::vector<std::string> lines, volumes;  // when not all
+  BetweenLines between_lines;
 };
 
 struct Statics {

@@ -1,0 +1,20 @@
+// Contact of lines with lines as a case asks for it.
+#pragma once
+
+#include <mpi.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/model/case.hpp"
+#include "hawser/terms/line_pairs.hpp"
+
+namespace hawser::app {
+
+// Null where no two lines, nor a line and itself, may touch. What was chosen goes to `notes`, a sentence
+// each.
+std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                                           std::vector<std::string>& notes);
+
+}  // namespace hawser::app

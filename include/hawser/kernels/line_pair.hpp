@@ -1,0 +1,102 @@
+// Contact of an element of one line with an element of another, along the stretches of the first that touch
+// the second. See docs/theory/line-line.md. Pure: (state and history at the start of the step, trial) ->
+// forces.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hawser/kernels/axis_foot.hpp"
+#include "hawser/kernels/line_contact.hpp"
+#include "hawser/kernels/line_pair_law.hpp"
+
+namespace hawser {
+
+// An element of a pair at the start of the step and in the trial.
+struct PairAxis {
+  PairAxis(const AxisEnds& now, const AxisEnds& start);
+
+  AxisShape now, start;
+  AxisEnds ends;                 // now
+  std::array<Mat3, 2> turn;      // of the sections at its nodes since the start; a cable's turn with its axis
+  std::array<Mat3, 2> to_space;  // of its nodes' material axes, now
+  bool beam() const { return now.count() == 4; }
+  Mat3 turn_at(double xi) const { return (1 - xi) * turn[0] + xi * turn[1]; }
+};
+
+// A Gauss point of the accepted state. Forces per length of the element, space axes.
+struct LinePairHistory {
+  double xi = 0, from = 0, to = 0;                     // place; its panel: all of it touches
+  bool opens = false, closes = false;                  // contact begins at `from`, ends at `to`
+  double weight = 0;                                   // m, with the share of the pair's side and the sign
+  double eta = 0;                                      // place on the other
+  double slip[2] = {0, 0};                             // m
+  Vec3 force = Vec3::Zero(), friction = Vec3::Zero();  // N/m, on this element
+  Vec3 normal = Vec3::UnitZ();
+  double normal_force = 0, damping_force = 0;  // N/m, of which damping
+  double potential = 0, gap = 0;               // J/m, m
+};
+
+// Forces conjugate to the pair's generalised positions: those of the slave, those of the master
+// (axis_shape.hpp), then rotations [rad, space axes] of the slave's two nodes and of the master's.
+struct LinePairForces {
+  static constexpr int kPositions = 8, kMost = 12;
+  int slave = 0, master = 0;  // generalised positions of each
+  bool rotates = false;       // friction's couple acts: indices from kPositions count
+  std::array<Vec3, kMost> F;
+  std::array<std::array<Mat3, kMost>, kMost> K;
+  std::array<std::array<Mat3, kPositions>, kMost> C;
+  LinePairForces(int slave_count, int master_count);
+};
+
+class LinePairSide {
+ public:
+  struct Settings {
+    LinePairLaw law;
+    double share = 0.5;       // of the force: either side of a pair carries a half
+    double slave_radius = 0;  // m
+    bool moves = true;        // in dynamics
+    bool convex = false;      // leave out negative stiffness
+  };
+
+  LinePairSide(const PairAxis& slave, const PairAxis& master, FootOf part, const Settings& settings,
+               const std::vector<LinePairHistory>& history);
+
+  // One rule's stretch of the slave. An end that moves does so with the gap or with the place where the
+  // master's nearest point reaches one of its ends.
+  enum class End { fixed, gap, first_joint, second_joint };
+  struct Panel {
+    double from = 0, to = 0;
+    End at_from = End::fixed, at_to = End::fixed;
+  };
+  std::vector<Panel> panels() const;
+
+  // Adds; K and C on request.
+  void add(const std::vector<Panel>& panels, bool derivatives, LinePairForces& out) const;
+  // What the state leaves behind when it is accepted.
+  void keep(const std::vector<Panel>& panels, std::vector<LinePairHistory>& out) const;
+  // J
+  double potential(const std::vector<Panel>& panels) const;
+
+ private:
+  struct Start;
+  struct Point;
+  class Gap;
+  Point point(double xi) const;
+  Start start(double xi) const;
+  void split(const Panel& panel, std::vector<Panel>& out) const;
+  LinePairPoint local(const Point& p, const Start& s) const;
+
+  const PairAxis &slave_, &master_;
+  FootOf part_;
+  Settings set_;
+  const std::vector<LinePairHistory>& history_;
+  double wa_, wb_;  // shares of the radii
+};
+
+// To the blocks of the nodes: slave first, then master; position and rotation of each node of a beam,
+// position of each of a cable. f: 3n; K and C: (3n)x(3n), row-major, or null together. Adds.
+void to_nodes(const LinePairForces& g, const PairAxis& slave, const PairAxis& master, double* f, double* K,
+              double* C);
+
+}  // namespace hawser

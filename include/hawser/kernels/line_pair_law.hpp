@@ -1,0 +1,47 @@
+// Contact of two lines at one pair of points: force, couple, what is left of the elastic slip, and exact
+// derivatives. Pure. Everything per length of the line that is integrated along.
+#pragma once
+
+#include "hawser/kernels/contact_law.hpp"
+#include "hawser/kernels/friction_law.hpp"
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct LinePairLaw {
+  double reach = 0;      // m, sum of the radii
+  NormalLaw normal;      // per length
+  FrictionLaw friction;  // isotropic
+};
+
+// x on the axis of one line, y its nearest point on the axis of the other.
+struct LinePairPoint {
+  Vec3 away = Vec3::UnitZ();   // m, D = x - y
+  Vec3 along = Vec3::UnitX();  // m, T: the other's tangent at y, any length
+  Vec3 moved = Vec3::Zero();   // m, M: motion of x's surface along y's in the step
+  double rate = 0;             // m/s, of the gap
+  bool touched = true;         // at the start of the step
+  double start_gap = 0;        // m, when it did not
+  double slip[2] = {0, 0};     // m, elastic slip at the start: along T and along n x T
+};
+
+struct LinePairForce {
+  // Columns of `by`: D, T, M, rate, start_gap, slip.
+  static constexpr int kAway = 0, kAlong = 3, kMoved = 6, kRate = 9, kStartGap = 10, kSlip = 11, kInputs = 13;
+
+  NormalForce normal;
+  double gap = 0;                // m
+  Vec3 force = Vec3::Zero();     // N/m, on x: normal and friction; its opposite acts on y
+  Vec3 friction = Vec3::Zero();  // N/m
+  Vec3 couple = Vec3::Zero();    // N, -D x friction: acts on the sections, shared out by the radii
+  double slip[2] = {0, 0};
+  bool slides = false;
+  Eigen::Matrix<double, 6, kInputs> by;  // of force and couple; filled on request
+};
+
+// Trial slip: what there was in the frame (T, n x T) of the other line, which both carry along, plus the part
+// of M in the tangent plane (of a step in which they met only the part after that). Friction acts at the
+// surfaces: forces t at x and -t at y and the couple -D x t have no moment together.
+LinePairForce line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives);
+
+}  // namespace hawser

@@ -1,0 +1,119 @@
+// Contact of lines with lines and of a line with itself: kernels/line_pair.hpp over all candidate pairs, from
+// both sides. See docs/theory/line-line.md.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "hawser/kernels/line_pair.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/system/line_candidates.hpp"
+#include "hawser/terms/line_contact.hpp"
+
+namespace hawser {
+
+struct LinePairOptions {
+  // Laws by pair of lines (indices, the smaller first); `general` for all others. Stiffness is N/m² or N/m³
+  // by its basis (per length, per area), not automatic.
+  model::LinePairSettings general;
+  std::map<std::pair<int, int>, model::LinePairSettings> tuned;
+  // Automatic stiffness of each element, N/m²: a pair with basis `automatic` takes the larger one.
+  std::vector<double> automatic;
+  CandidateSettings candidates;
+};
+
+class LinePairs final : public ForceTerm {
+ public:
+  // elements: one for each of Mesh::elements; radius 0 takes no part. std::invalid_argument for settings that
+  // make no sense. Collective.
+  LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
+            LinePairOptions options);
+
+  // Off in the first stage of statics. While off no slip is kept.
+  void enable_friction(bool on) { friction_on_ = on; }
+
+  std::string_view name() const override { return "line-line contact"; }
+  bool recouple(const Kinematics& committed, double h) override;
+  void couple(Couplings& to) const override { candidates_.couple(to); }
+  void reghost() override;
+  // Nothing was missed and no line went through another.
+  bool covers(const Kinematics& trial) const override;
+  void prepare(const Kinematics& committed, double h) override;
+  double longest_step(const Kinematics& committed) const override;
+  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  // line_contact_force, line_contact_normal_force, line_friction_force, line_penetration.
+  void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
+
+  // Of the pairs this rank counts, over the run; elements of the mesh, -1: never touched.
+  struct Deepest {
+    double depth = 0, time = 0;  // m, s
+    int first = -1, second = -1;
+  };
+  Deepest deepest() const { return deepest_; }
+  int candidates() const { return static_cast<int>(pairs_.size()); }
+  // Pairs that touch, of those this rank counts.
+  int touching() const;
+  // Sum of the normal forces of those pairs, N, and of the sizes of their friction forces.
+  double normal_force() const;
+  double friction_force() const;
+
+ private:
+  // Slave and part: first with second's element, its first end, its second end; then second with first's.
+  static constexpr size_t kParts = 6;
+  using History = std::array<std::vector<LinePairHistory>, kParts>;
+  using Key = std::pair<int, int>;  // of Mesh::elements
+  struct Pair {
+    int a = 0, b = 0;  // segments
+    Key key;
+    bool counted = false;
+    LinePairLaw law;
+    double clear = 0;                  // m, between the surfaces at the start of the step, at least
+    std::unique_ptr<History> history;  // null: did not touch
+  };
+  // A segment as a rod: chord and how far the axis is from it.
+  struct Rod {
+    Vec3 x1, x2;
+    double sagitta = 0;
+  };
+  struct Account {
+    double friction = 0, damping = 0;  // J
+  };
+
+  AxisEnds ends(const Kinematics& at, int segment) const;
+  Rod rod(const Kinematics& at, int segment) const;
+  LinePairLaw law(int a, int b) const;
+  // The sides of a pair with something to find; what(part, side).
+  template <class What>
+  void sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
+             const What& what) const;
+  bool joint(int element, int end) const;
+  std::vector<Rod> rods(const Kinematics& at) const;
+  bool met(const Pair& pair, const std::vector<Rod>& is) const;
+  bool near(const Pair& pair, const std::vector<Rod>& is) const;
+  bool passes(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
+  void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);
+  template <class What>
+  void shared(const What& what) const;
+
+  const LocalMesh& mesh_;
+  std::vector<LineContactElement> elements_;
+  LinePairOptions options_;
+  LineCandidates candidates_;
+  std::vector<Pair> pairs_;
+  std::map<Key, std::unique_ptr<History>> kept_;  // of pairs, while the list is made anew
+  bool listed_ = false;
+  std::vector<AxisEnds> start_;    // of the segments
+  std::vector<Rod> rods_;          // likewise
+  std::vector<Account> accounts_;  // by owned node
+  Deepest deepest_;
+  bool friction_on_ = true;
+};
+
+}  // namespace hawser

@@ -1,0 +1,92 @@
+#include "hawser/app/line_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "hawser/model/check.hpp"
+
+namespace hawser::app {
+namespace {
+
+// Ends of two lines at one place of one body, or of space: one point for what is near along the lines.
+std::vector<std::pair<int, int>> joined_ends(const model::Case& c, const Mesh& mesh) {
+  struct Place {
+    const model::End* end;
+    int node;
+    double diameter;
+  };
+  std::vector<Place> places;
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const model::Line& line = c.lines[l];
+    const LineSpan& s = mesh.lines[l];
+    places.push_back({&line.end_a, s.first_node, c.line_type(line.sections.front().type).contact_diameter});
+    places.push_back(
+        {&line.end_b, s.first_node + s.nodes - 1, c.line_type(line.sections.back().type).contact_diameter});
+  }
+  std::vector<std::pair<int, int>> out;
+  for (size_t i = 0; i < places.size(); ++i)
+    for (size_t j = i + 1; j < places.size(); ++j) {
+      const Place &p = places[i], &q = places[j];
+      if (p.end->kind == model::EndKind::free || p.end->kind != q.end->kind || p.end->body != q.end->body)
+        continue;
+      if ((p.end->at - q.end->at).norm() < 0.5 * (p.diameter + q.diameter)) out.emplace_back(p.node, q.node);
+    }
+  return out;
+}
+
+}  // namespace
+
+std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                                           std::vector<std::string>& notes) {
+  const model::BetweenLines& b = c.contact.between_lines;
+  if (!b.enabled) return nullptr;
+  const int lines = static_cast<int>(c.lines.size());
+  std::vector<bool> takes_part;
+  for (const model::Line& l : c.lines)
+    takes_part.push_back(c.contact.all_lines || std::find(c.contact.lines.begin(), c.contact.lines.end(),
+                                                          l.name) != c.contact.lines.end());
+  LinePairOptions options;
+  std::set<std::pair<int, int>> excluded;
+  for (const auto& [x, y] : b.exclude) excluded.insert(std::minmax(c.line_index(x), c.line_index(y)));
+  for (int l = 0; l < lines && !b.self; ++l) excluded.emplace(l, l);
+  options.candidates.excluded.assign(excluded.begin(), excluded.end());
+  size_t pairs = 0, wanted = 0;
+  for (int i = 0; i < lines; ++i)
+    for (int j = i; j < lines && takes_part[static_cast<size_t>(i)]; ++j)
+      if (takes_part[static_cast<size_t>(j)]) ++pairs, wanted += !excluded.count({i, j});
+  if (wanted == 0) return nullptr;
+  options.candidates.joined = joined_ends(c, *mesh.mesh);
+
+  options.general = b.general;
+  for (const auto& t : b.pairs)
+    options.tuned[std::minmax(c.line_index(t.first), c.line_index(t.second))] = t.settings;
+  std::vector<LineContactElement> elements;
+  double least = HUGE_VAL, most = 0;
+  for (const Element& e : mesh.mesh->elements) {
+    const model::LineType& t = c.line_types[static_cast<size_t>(e.type)];
+    LineContactElement& element = elements.emplace_back();
+    if (takes_part[static_cast<size_t>(e.line)]) element.radius = 0.5 * t.contact_diameter;
+    element.mass_per_length = t.mass_per_length;
+    const double k =
+        automatic_contact_stiffness(0.5 * t.contact_diameter, t.mass_per_length * c.environment.gravity,
+                                    mesh.mesh->lines[static_cast<size_t>(e.line)].length, t.EA)
+            .per_length;
+    options.automatic.push_back(k);
+    if (element.radius > 0) least = std::min(least, k), most = std::max(most, k);
+  }
+  const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
+                         std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
+                           return t.settings.basis == model::StiffnessBasis::automatic;
+                         });
+  if (automatic && lines > 1)
+    notes.push_back(
+        fmt::format("contact between lines: normal stiffness {:.3g} to {:.3g} N/m per m, the stiffer "
+                    "of two lines' own (as for volumes: presses in by 0.5 % of the radius)",
+                    least, most));
+  return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
+}
+
+}  // namespace hawser::app

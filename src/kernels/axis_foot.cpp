@@ -1,0 +1,61 @@
+#include "hawser/kernels/axis_foot.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+namespace {
+
+constexpr int kPlaces = 5, kMost = 60;
+constexpr double kRoot = 1e-15;
+
+}  // namespace
+
+AxisFoot foot_at(const AxisShape& axis, double eta, const Vec3& x) {
+  AxisFoot f;
+  f.eta = eta;
+  f.away = x - axis.point(eta);
+  f.distance = f.away.norm();
+  if (f.distance > 0)
+    f.normal = f.away / f.distance;
+  else  // on the axis: no direction is nearer than another
+    f.normal = axis.slope(eta).unitOrthogonal();
+  return f;
+}
+
+AxisFoot foot_on(const AxisShape& axis, const Vec3& x) {
+  if (axis.count() == 2) {
+    const Vec3 a = axis.point(0), u = axis.slope(0);
+    const double uu = u.squaredNorm(), t = uu > 0 ? (x - a).dot(u) / uu : 0.0;
+    AxisFoot f = foot_at(axis, std::clamp(t, 0.0, 1.0), x);
+    f.inside = t > 0 && t < 1;
+    return f;
+  }
+  int best = 0;
+  double least = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double d = (x - axis.point(i / (kPlaces - 1.0))).squaredNorm();
+    if (i == 0 || d < least) best = i, least = d;
+  }
+  double lo = std::max(best - 1, 0) / (kPlaces - 1.0), hi = std::min(best + 1, kPlaces - 1) / (kPlaces - 1.0);
+  double eta = best / (kPlaces - 1.0);
+  // h = half the derivative of the squared distance.
+  const auto h = [&](double e) { return (axis.point(e) - x).dot(axis.slope(e)); };
+  if (lo == 0 && h(0) >= 0) return foot_at(axis, 0, x);
+  if (hi == 1 && h(1) <= 0) return foot_at(axis, 1, x);
+  for (int i = 0; i < kMost; ++i) {
+    const Vec3 away = axis.point(eta) - x, y1 = axis.slope(eta);
+    const double v = away.dot(y1), slope = y1.squaredNorm() + away.dot(axis.bend(eta));
+    (v < 0 ? lo : hi) = eta;
+    double next = eta - v / slope;
+    if (!(slope > 0) || !(next > lo && next < hi)) next = 0.5 * (lo + hi);
+    const double moved = std::abs(next - eta);
+    eta = next;
+    if (moved <= kRoot || hi - lo <= kRoot) break;
+  }
+  AxisFoot f = foot_at(axis, eta, x);
+  f.inside = true;
+  return f;
+}
+
+}  // namespace hawser

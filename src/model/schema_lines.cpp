@@ -1,0 +1,57 @@
+// The keys of contact between lines.
+#include "schema_build.hpp"
+
+namespace hawser::model::schema_build {
+namespace {
+
+// How lines touch lines; `own`: keys of the pair it is about.
+std::vector<Key> line_pair_keys(std::vector<Key> own) {
+  own.push_back(
+      one_of(
+          "normal_stiffness",
+          {word("", {"auto"}),
+           map("",
+               {number("per_length", line_stiffness, "per length of line in contact").above(0),
+                number("per_area", area_stiffness, "per projected area (length times mean contact diameter)")
+                    .above(0)},
+               "")
+               .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true)},
+          "penalty against penetration")
+          .or_else("auto"));
+  own.push_back(number("friction", none, "Coulomb coefficient").at_least(0).at_most(10).or_else("0"));
+  own.push_back(number("mobilisation_length", length, "slip at which friction is fully there")
+                    .above(0)
+                    .or_else_note("1 % of the mean contact diameter"));
+  own.push_back(number("smoothing", length, "half width of the smooth start of the contact force")
+                    .above(0)
+                    .or_else_note("0.1 % of the mean contact diameter"));
+  own.push_back(number("relative_damping", none, "damping of the contact spring over its critical damping")
+                    .at_least(0)
+                    .at_most(2)
+                    .or_else("0"));
+  return own;
+}
+
+}  // namespace
+
+Key between_lines() {
+  const Key two = list("", reference("", "lines"), "two lines, or one twice for itself").items(2, 2);
+  Key pair = two;
+  pair.name = "lines";
+  return one_of("between_lines",
+                {boolean(""),
+                 map("",
+                     line_pair_keys(
+                         {boolean("self", "a line touches itself").or_else("true"),
+                          list("exclude", two, "pairs of lines that do not touch each other").or_else("[]"),
+                          list("pairs",
+                               map("", line_pair_keys({std::move(pair).is_required()}),
+                                   "settings of one pair of lines, in place of those for all"),
+                               "pairs of lines with settings of their own")
+                              .or_else("[]")}),
+                     "")},
+                "contact of the lines with each other and with themselves; `false`: none")
+      .or_else("true");
+}
+
+}  // namespace hawser::model::schema_build

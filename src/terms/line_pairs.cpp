@@ -1,0 +1,281 @@
+#include "hawser/terms/line_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/geometry/segment_ccd.hpp"
+#include "hawser/geometry/segment_distance.hpp"
+
+namespace hawser {
+namespace {
+
+// Lines must not come nearer than this part of the radii between two accepted states: their axes would cross.
+constexpr double kThrough = 0.25;
+// A step may take a line this part of the radii deeper than to the surface.
+constexpr double kDeep = 0.5;
+constexpr double kStepsAnImpact = 3;
+
+}  // namespace
+
+bool LinePairs::recouple(const Kinematics& committed, double h) {
+  if (!candidates_.update(committed, h) && listed_) return false;
+  // Histories go by element until the new list is there.
+  for (Pair& p : pairs_)
+    if (p.history) kept_[p.key] = std::move(p.history);
+  pairs_.clear();
+  listed_ = false;
+  return true;
+}
+
+void LinePairs::reghost() {
+  candidates_.locate();
+  for (Pair& p : pairs_)
+    if (p.history) kept_[p.key] = std::move(p.history);
+  pairs_.clear();
+  const auto& segments = candidates_.segments();
+  for (const CandidatePair& c : candidates_.pairs()) {
+    Pair& p = pairs_.emplace_back();
+    p.a = c.a, p.b = c.b, p.counted = c.counted;
+    p.key = {segments[static_cast<size_t>(c.a)].global, segments[static_cast<size_t>(c.b)].global};
+    p.law = law(p.key.first, p.key.second);
+    if (const auto k = kept_.find(p.key); k != kept_.end()) p.history = std::move(k->second);
+  }
+  kept_.clear();
+  listed_ = true;
+}
+
+void LinePairs::prepare(const Kinematics& committed, double) {
+  const size_t n = candidates_.segments().size();
+  start_.resize(n);
+  for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
+  rods_ = rods(committed);
+  for (Pair& p : pairs_) {
+    const Rod &a = rods_[static_cast<size_t>(p.a)], &b = rods_[static_cast<size_t>(p.b)];
+    p.clear = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta -
+              p.law.reach - p.law.normal.smoothing;
+  }
+}
+
+std::vector<LinePairs::Rod> LinePairs::rods(const Kinematics& at) const {
+  std::vector<Rod> out(start_.size());
+  for (size_t i = 0; i < out.size(); ++i) out[i] = rod(at, static_cast<int>(i));
+  return out;
+}
+
+// Whether the surfaces, which were `clear` apart, may have met since the start of the step.
+bool LinePairs::met(const Pair& p, const std::vector<Rod>& is) const {
+  const auto moved = [&](int segment) {
+    const size_t i = static_cast<size_t>(segment);
+    return std::max((is[i].x1 - rods_[i].x1).norm(), (is[i].x2 - rods_[i].x2).norm()) + is[i].sagitta;
+  };
+  return moved(p.a) + moved(p.b) >= p.clear;
+}
+
+bool LinePairs::near(const Pair& p, const std::vector<Rod>& is) const {
+  if (!met(p, is)) return false;
+  const Rod &a = is[static_cast<size_t>(p.a)], &b = is[static_cast<size_t>(p.b)];
+  return closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta <
+         p.law.reach + p.law.normal.smoothing;
+}
+
+template <class What>
+void LinePairs::sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
+                      const What& what) const {
+  static const std::vector<LinePairHistory> nothing;
+  LinePairSide::Settings s;
+  s.law = pair.law;
+  if (!friction_on_) s.law.friction = {};
+  s.moves = moves, s.convex = convex;
+  for (size_t k = 0; k < kParts; ++k) {
+    const bool swapped = k >= 3;
+    const FootOf part = static_cast<FootOf>(k % 3);
+    const int master = swapped ? pair.key.first : pair.key.second;
+    if (part != FootOf::element && !joint(master, part == FootOf::second_end)) continue;
+    const int slave = swapped ? pair.key.second : pair.key.first;
+    s.slave_radius = elements_[static_cast<size_t>(slave)].radius;
+    what(k, LinePairSide(swapped ? B : A, swapped ? A : B, part, s,
+                         pair.history ? (*pair.history)[k] : nothing));
+  }
+}
+
+void LinePairs::evaluate(const Kinematics& trial, Sink& sink) {
+  const bool tangent = sink.wants_tangent();
+  double f[24], K[576], C[576];
+  const std::vector<Rod> is = rods(trial);
+  for (Pair& pair : pairs_) {
+    if (!near(pair, is)) continue;
+    const size_t i = static_cast<size_t>(pair.a), j = static_cast<size_t>(pair.b);
+    const PairAxis A(ends(trial, pair.a), start_[i]), B(ends(trial, pair.b), start_[j]);
+    for (const bool swapped : {false, true}) {
+      const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
+      LinePairForces g(slave.now.count(), master.now.count());
+      bool any = false;
+      sides(pair, A, B, trial.step > 0, sink.convex(), [&](size_t part, const LinePairSide& side) {
+        if ((part >= 3) != swapped) return;
+        const auto panels = side.panels();
+        if (panels.empty()) return;
+        any = true;
+        side.add(panels, tangent, g);
+      });
+      if (!any) continue;
+      std::fill(std::begin(f), std::end(f), 0.0);
+      to_nodes(g, slave, master, f, nullptr, nullptr);
+      if (tangent) {
+        std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
+        // The moment arms' turning is negative stiffness as well.
+        if (sink.convex()) g.F.fill(Vec3::Zero());
+        double same[24] = {};
+        to_nodes(g, slave, master, same, K, C);
+      }
+      int blocks[8], n = 0;
+      for (const bool second : {false, true}) {
+        const ContactSegment& s =
+            candidates_.segments()[static_cast<size_t>(second != swapped ? pair.b : pair.a)];
+        for (const int node : {s.first, s.second}) {
+          const int b = mesh_.block[static_cast<size_t>(node)];
+          blocks[n++] = b;
+          if ((second ? master : slave).beam()) blocks[n++] = b + 1;
+        }
+      }
+      sink.add({blocks, static_cast<size_t>(n)}, f, tangent ? K : nullptr,
+               tangent && trial.step > 0 ? C : nullptr, nullptr);
+    }
+  }
+}
+
+bool LinePairs::covers(const Kinematics& trial) const {
+  if (!candidates_.covers(trial)) return false;
+  const std::vector<Rod> is = rods(trial);
+  return std::none_of(pairs_.begin(), pairs_.end(),
+                      [&](const Pair& p) { return met(p, is) && passes(p, trial, is); });
+}
+
+// Whether the axes cross, or nearly, on their straight way from the start of the step.
+bool LinePairs::passes(const Pair& p, const Kinematics& trial, const std::vector<Rod>& is) const {
+  const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
+  const AxisShape a0(start_[i]), b0(start_[j]), a1(ends(trial, p.a)), b1(ends(trial, p.b));
+  // Pieces whose chords are within a twentieth of the radii.
+  const double near_enough = 0.05 * p.law.reach;
+  const auto pieces = [&](double sagitta) {
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(sagitta / near_enough))), 1, 16);
+  };
+  const double bend_a = std::max(rods_[i].sagitta, is[i].sagitta),
+               bend_b = std::max(rods_[j].sagitta, is[j].sagitta);
+  const int m = pieces(bend_a), n = pieces(bend_b);
+  const auto piece = [](const AxisShape& s0, const AxisShape& s1, int k, int of) {
+    const double x = k / static_cast<double>(of), y = (k + 1) / static_cast<double>(of);
+    return MovingSegment{s0.point(x), s0.point(y), s1.point(x), s1.point(y)};
+  };
+  for (int k = 0; k < m; ++k) {
+    const MovingSegment A = piece(a0, a1, k, m);
+    for (int l = 0; l < n; ++l) {
+      const MovingSegment B = piece(b0, b1, l, n);
+      // Lines that lie deep in each other already may stay so.
+      const double was = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
+      const double least = std::min(kThrough * p.law.reach, 0.5 * was);
+      if (!(least > 0) || first_approach(A, B, least, 0.05 * least) <= 1) return true;
+    }
+  }
+  return false;
+}
+
+// A step may not carry a line deeper into another than half the radii at the speed it has, and an impact that
+// presses in beyond the ramp is met with at least three steps of the contact's period.
+double LinePairs::longest_step(const Kinematics& committed) const {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const Pair& p : pairs_) {
+    const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
+    const AxisEnds &a = start_[i], &b = start_[j];
+    const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
+    if (!(c.distance > 0)) continue;
+    const Vec3 v = (1 - c.s) * a.v1 + c.s * a.v2 - (1 - c.t) * b.v1 - c.t * b.v2;
+    const double speed = -v.dot(c.difference) / c.distance;
+    if (!(speed > 0)) continue;
+    (void)committed;
+    const double gap = std::max(c.distance - rods_[i].sagitta - rods_[j].sagitta - p.law.reach, 0.0);
+    longest = std::min(longest, (gap + kDeep * p.law.reach) / speed);
+    const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
+                 mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
+    const double slow = std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);  // s, period / 2 pi
+    const double period = 2 * M_PI * slow;
+    if (speed * slow > 2 * p.law.normal.smoothing)
+      longest = std::min(longest, std::max(gap / speed, period / kStepsAnImpact));
+  }
+  return longest;
+}
+
+void LinePairs::commit(const Kinematics& accepted) {
+  const std::vector<Rod> is = rods(accepted);
+  for (Pair& pair : pairs_) {
+    if (!near(pair, is) && !pair.history) continue;
+    const size_t i = static_cast<size_t>(pair.a), j = static_cast<size_t>(pair.b);
+    const PairAxis A(ends(accepted, pair.a), start_[i]), B(ends(accepted, pair.b), start_[j]);
+    auto next = std::make_unique<History>();
+    bool any = false;
+    sides(pair, A, B, accepted.step > 0, false, [&](size_t part, const LinePairSide& side) {
+      side.keep(side.panels(), (*next)[part]);
+      any |= !(*next)[part].empty();
+    });
+    if (pair.counted) {
+      for (const size_t part : {0, 3})
+        for (const LinePairHistory& h : (*next)[part])
+          if (-h.gap > deepest_.depth) deepest_ = {-h.gap, accepted.time, pair.key.first, pair.key.second};
+      if (accepted.step > 0) account(pair, A, B, *next);
+    }
+    pair.history = any ? std::move(next) : nullptr;
+  }
+}
+
+// Trapezoid over the step, as for contact with volumes: half with the forces at its start, half with those at
+// its end, each at their points. Of a step in which a point met or left only the part in touch counts.
+void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next) {
+  const double smoothing = pair.law.normal.smoothing, reach = pair.law.reach;
+  const ContactSegment& first = candidates_.segments()[static_cast<size_t>(pair.a)];
+  Account& sum = accounts_[static_cast<size_t>(first.first)];
+  for (size_t k = 0; k < kParts; ++k) {
+    const bool swapped = k >= 3;
+    const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
+    const double share =
+        elements_[static_cast<size_t>(swapped ? pair.key.second : pair.key.first)].radius / reach;
+    const auto add = [&](const LinePairHistory& h, bool at_end) {
+      const Vec3 was = slave.start.point(h.xi) - master.start.point(h.eta),
+                 is = slave.now.point(h.xi) - master.now.point(h.eta);
+      const Vec3 moved =
+          is - share * (slave.turn_at(h.xi) * was) - (1 - share) * (master.turn_at(h.eta) * was);
+      const double before = was.norm() - reach, after = is.norm() - reach;
+      double part = 1;  // of the step in which they touch
+      if (at_end && before > smoothing) part = (smoothing - h.gap) / (before - h.gap);
+      if (!at_end && after > smoothing) part = (smoothing - h.gap) / (after - h.gap);
+      const double w = 0.5 * std::clamp(part, 0.0, 1.0) * h.weight;
+      sum.friction -= w * h.friction.dot(moved);
+      sum.damping -= w * h.damping_force * (after - before);
+    };
+    if (pair.history)
+      for (const LinePairHistory& h : (*pair.history)[k]) add(h, false);
+    for (const LinePairHistory& h : next[k]) add(h, true);
+  }
+}
+
+// In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
+Energy LinePairs::energy(const Kinematics& at) const {
+  Energy e;
+  const std::vector<Rod> is = at.step > 0 ? std::vector<Rod>{} : rods(at);
+  for (const Pair& p : pairs_) {
+    if (!p.counted) continue;
+    if (at.step > 0) {
+      if (p.history)
+        for (const auto& part : *p.history)
+          for (const LinePairHistory& h : part) e.strain += h.weight * h.potential;
+      continue;
+    }
+    if (!near(p, is)) continue;
+    const PairAxis A(ends(at, p.a), start_[static_cast<size_t>(p.a)]),
+        B(ends(at, p.b), start_[static_cast<size_t>(p.b)]);
+    sides(p, A, B, false, false,
+          [&](size_t, const LinePairSide& side) { e.strain += side.potential(side.panels()); });
+  }
+  for (const Account& a : accounts_) e.friction += a.friction, e.damping += a.damping;
+  return e;
+}
+
+}  // namespace hawser

@@ -1,0 +1,260 @@
+// What LinePairs is made from, what it shows and keeps.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/terms/line_pairs.hpp"
+
+namespace hawser {
+namespace {
+
+// Keys of records: sums of a node; histories of pairs, at each of their nodes, numbered from 0.
+constexpr int kAccount = -1, kDeepest = -2;
+constexpr size_t kAccountSize = 2, kDeepestSize = 4, kPointSize = 22;
+
+std::vector<double> radii(const std::vector<LineContactElement>& elements) {
+  std::vector<double> r;
+  for (const LineContactElement& e : elements) r.push_back(e.radius);
+  return r;
+}
+
+}  // namespace
+
+LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
+                     LinePairOptions options)
+    : mesh_(mesh),
+      elements_(std::move(elements)),
+      options_(std::move(options)),
+      candidates_(comm, mesh, radii(elements_), options_.candidates),
+      accounts_(static_cast<size_t>(mesh.owned)) {
+  const size_t n = mesh_.mesh->elements.size();
+  if (elements_.size() != n || (!options_.automatic.empty() && options_.automatic.size() != n))
+    throw std::invalid_argument(
+        "contact of lines with lines needs a radius and a stiffness for each element");
+  const auto check = [&](const model::LinePairSettings& s) {
+    if (s.basis == model::StiffnessBasis::per_point)
+      throw std::invalid_argument("the contact stiffness of lines is per length or per area");
+    if (s.basis == model::StiffnessBasis::automatic ? options_.automatic.empty() : !(s.normal_stiffness > 0))
+      throw std::invalid_argument("contact of lines with lines has no stiffness");
+  };
+  check(options_.general);
+  for (const auto& [lines, s] : options_.tuned) check(s);
+}
+
+LinePairLaw LinePairs::law(int a, int b) const {
+  const Mesh& m = *mesh_.mesh;
+  const size_t i = static_cast<size_t>(a), j = static_cast<size_t>(b);
+  const auto tuned = options_.tuned.find(
+      {std::min(m.elements[i].line, m.elements[j].line), std::max(m.elements[i].line, m.elements[j].line)});
+  const model::LinePairSettings& s = tuned == options_.tuned.end() ? options_.general : tuned->second;
+  const LineContactElement &A = elements_[i], &B = elements_[j];
+  const double diameter = A.radius + B.radius;  // the mean of the two
+  LinePairLaw law;
+  law.reach = A.radius + B.radius;
+  double share = 1;
+  if (s.basis == model::StiffnessBasis::per_area) share = diameter;
+  law.normal.stiffness = s.basis == model::StiffnessBasis::automatic
+                             ? std::max(options_.automatic[i], options_.automatic[j])
+                             : s.normal_stiffness * share;
+  law.normal.smoothing = s.smoothing > 0 ? s.smoothing : 0.001 * diameter;
+  law.normal.damping = contact_damping(
+      s.relative_damping, law.normal.stiffness,
+      A.mass_per_length * B.mass_per_length / std::max(A.mass_per_length + B.mass_per_length, 1e-300));
+  law.friction.axial = law.friction.lateral = s.friction;
+  law.friction.stiffness = s.shear_stiffness * share;
+  law.friction.axial_length = law.friction.lateral_length =
+      s.mobilisation_length > 0 ? s.mobilisation_length : 0.01 * diameter;
+  return law;
+}
+
+AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
+  const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
+  const Element& e = mesh_.mesh->elements[static_cast<size_t>(s.global)];
+  const size_t i = static_cast<size_t>(s.first), j = static_cast<size_t>(s.second);
+  AxisEnds a;
+  a.beam = e.beam;
+  a.length = e.length;
+  a.x1 = at.x[i], a.x2 = at.x[j], a.v1 = at.v[i], a.v2 = at.v[j];
+  if (!a.beam) return a;
+  a.tangent = elements_[static_cast<size_t>(s.global)].tangent;
+  a.q1 = at.q[i], a.q2 = at.q[j], a.w1 = at.w[i], a.w2 = at.w[j];
+  return a;
+}
+
+LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
+  const AxisEnds e = ends(at, segment);
+  Rod r{e.x1, e.x2, 0};
+  if (!e.beam) return r;
+  // As AxisShape::sagitta, without making the shape.
+  const Vec3 chord = e.x2 - e.x1;
+  r.sagitta =
+      4.0 / 27 *
+      ((e.length * (e.q1 * e.tangent) - chord).norm() + (e.length * (e.q2 * e.tangent) - chord).norm());
+  return r;
+}
+
+bool LinePairs::joint(int element, int end) const {
+  const LineSpan& l =
+      mesh_.mesh->lines[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(element)].line)];
+  return end ? element + 1 < l.first_element + l.elements : element > l.first_element;
+}
+
+int LinePairs::touching() const {
+  return static_cast<int>(
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.counted && p.history; }));
+}
+
+double LinePairs::normal_force() const {
+  double sum = 0;
+  for (const Pair& p : pairs_)
+    if (p.counted && p.history)
+      for (const auto& part : *p.history)
+        for (const LinePairHistory& h : part) sum += h.weight * h.normal_force;
+  return sum;
+}
+
+double LinePairs::friction_force() const {
+  double sum = 0;
+  for (const Pair& p : pairs_)
+    if (p.counted && p.history)
+      for (const auto& part : *p.history)
+        for (const LinePairHistory& h : part) sum += h.weight * h.friction.norm();
+  return sum;
+}
+
+// The share of each Gauss point at the owned nodes: what(node, share, sign, point), sign -1 on the master.
+template <class What>
+void LinePairs::shared(const What& what) const {
+  const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairHistory& h) {
+    const bool beam = mesh_.mesh->elements[static_cast<size_t>(s.global)].beam;
+    const double second = beam ? xi * xi * (3 - 2 * xi) : xi;
+    if (s.first < mesh_.owned) what(s.first, 1 - second, sign, h);
+    if (s.second < mesh_.owned) what(s.second, second, sign, h);
+  };
+  for (const Pair& p : pairs_) {
+    if (!p.history) continue;
+    const ContactSegment &a = candidates_.segments()[static_cast<size_t>(p.a)],
+                         &b = candidates_.segments()[static_cast<size_t>(p.b)];
+    for (size_t k = 0; k < kParts; ++k)
+      for (const LinePairHistory& h : (*p.history)[k]) {
+        put(k < 3 ? a : b, h.xi, 1, h);
+        put(k < 3 ? b : a, h.eta, -1, h);
+      }
+  }
+}
+
+void LinePairs::fields(FieldRegistry& registry) const {
+  const auto vector = [this](Vec3 LinePairHistory::*value) {
+    return [this, value](const Kinematics&, std::span<double> out) {
+      std::fill(out.begin(), out.end(), 0.0);
+      shared([&](int node, double share, double sign, const LinePairHistory& h) {
+        for (int c = 0; c < 3; ++c)
+          out[static_cast<size_t>(3 * node + c)] += sign * share * h.weight * (h.*value)[c];
+      });
+    };
+  };
+  registry.add({"line_contact_force", "N", 3, vector(&LinePairHistory::force)});
+  registry.add({"line_contact_normal_force", "N", 1, [this](const Kinematics&, std::span<double> out) {
+                  std::fill(out.begin(), out.end(), 0.0);
+                  shared([&](int node, double share, double, const LinePairHistory& h) {
+                    out[static_cast<size_t>(node)] += share * h.weight * h.normal_force;
+                  });
+                }});
+  registry.add({"line_friction_force", "N", 3, vector(&LinePairHistory::friction)});
+  registry.add({"line_penetration", "m", 1, [this](const Kinematics&, std::span<double> out) {
+                  std::fill(out.begin(), out.end(), 0.0);
+                  shared([&](int node, double share, double, const LinePairHistory& h) {
+                    double& deepest = out[static_cast<size_t>(node)];
+                    if (share >= 0.5) deepest = std::max(deepest, -h.gap);
+                  });
+                }});
+}
+
+// Every rank that owns a node of a pair needs its history, and a rank gets the records of its own nodes only:
+// so it is kept at each node of the pair. Values: the two elements, then the points of each part after their
+// number.
+std::vector<HistoryRecord> LinePairs::save() const {
+  std::vector<HistoryRecord> records;
+  for (int n = 0; n < mesh_.owned; ++n) {
+    const Account& a = accounts_[static_cast<size_t>(n)];
+    if (a.friction != 0 || a.damping != 0)
+      records.push_back({mesh_.global[static_cast<size_t>(n)], kAccount, {a.friction, a.damping}});
+  }
+  if (deepest_.first >= 0)
+    records.push_back({mesh_.mesh->elements[static_cast<size_t>(deepest_.first)].first,
+                       kDeepest,
+                       {deepest_.depth, deepest_.time, static_cast<double>(deepest_.first),
+                        static_cast<double>(deepest_.second)}});
+  std::map<int, int> number;  // of records at a node
+  for (const Pair& p : pairs_) {
+    if (!p.history) continue;
+    HistoryRecord r;
+    r.values = {static_cast<double>(p.key.first), static_cast<double>(p.key.second)};
+    for (const auto& part : *p.history) {
+      r.values.push_back(static_cast<double>(part.size()));
+      for (const LinePairHistory& h : part) {
+        r.values.insert(r.values.end(), {h.xi, h.from, h.to, static_cast<double>(h.opens),
+                                         static_cast<double>(h.closes), h.weight, h.eta, h.slip[0], h.slip[1],
+                                         h.normal_force, h.damping_force, h.potential, h.gap});
+        for (const Vec3* v : {&h.force, &h.friction, &h.normal})
+          r.values.insert(r.values.end(), v->begin(), v->end());
+      }
+    }
+    for (const int segment : {p.a, p.b}) {
+      const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
+      for (const int node : {s.first, s.second}) {
+        if (node >= mesh_.owned) continue;
+        r.node = mesh_.global[static_cast<size_t>(node)];
+        r.key = number[r.node]++;
+        records.push_back(r);
+      }
+    }
+  }
+  return records;
+}
+
+void LinePairs::restore(const std::vector<HistoryRecord>& records) {
+  const auto wrong = [] {
+    throw std::invalid_argument("a record of line-line contact in the checkpoint does not fit");
+  };
+  pairs_.clear(), kept_.clear();
+  listed_ = false;
+  accounts_.assign(accounts_.size(), {});
+  deepest_ = {};
+  for (const HistoryRecord& r : records) {
+    const std::vector<double>& v = r.values;
+    if (r.key == kAccount) {
+      const int n = mesh_.find(r.node);
+      if (v.size() != kAccountSize || n < 0 || n >= mesh_.owned) wrong();
+      accounts_[static_cast<size_t>(n)] = {v[0], v[1]};
+      continue;
+    }
+    if (r.key == kDeepest) {
+      if (v.size() != kDeepestSize) wrong();
+      if (v[0] > deepest_.depth) deepest_ = {v[0], v[1], static_cast<int>(v[2]), static_cast<int>(v[3])};
+      continue;
+    }
+    if (v.size() < 2) wrong();
+    const Key key{static_cast<int>(v[0]), static_cast<int>(v[1])};
+    if (kept_.count(key)) continue;  // from another of its nodes
+    auto history = std::make_unique<History>();
+    size_t at = 2;
+    for (auto& part : *history) {
+      if (at >= v.size()) wrong();
+      const size_t count = static_cast<size_t>(v[at++]);
+      if (at + count * kPointSize > v.size()) wrong();
+      for (size_t i = 0; i < count; ++i, at += kPointSize) {
+        const double* p = v.data() + at;
+        LinePairHistory& h = part.emplace_back();
+        h.xi = p[0], h.from = p[1], h.to = p[2], h.opens = p[3] != 0, h.closes = p[4] != 0;
+        h.weight = p[5], h.eta = p[6], h.slip[0] = p[7], h.slip[1] = p[8];
+        h.normal_force = p[9], h.damping_force = p[10], h.potential = p[11], h.gap = p[12];
+        h.force = Eigen::Map<const Vec3>(p + 13), h.friction = Eigen::Map<const Vec3>(p + 16);
+        h.normal = Eigen::Map<const Vec3>(p + 19);
+      }
+    }
+    kept_[key] = std::move(history);
+  }
+}
+
+}  // namespace hawser
