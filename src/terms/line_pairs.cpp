@@ -15,6 +15,23 @@ constexpr double kThrough = 0.25;
 constexpr double kDeep = 0.5;
 constexpr double kStepsAnImpact = 3;
 
+// Largest penetration, m: of the parabola through the deepest Gauss point and two beside it.
+double deepest_of(const std::vector<LinePairHistory>& points) {
+  if (points.empty()) return 0;
+  size_t least = 0;
+  for (size_t i = 1; i < points.size(); ++i)
+    if (points[i].gap < points[least].gap) least = i;
+  if (points.size() < 3) return -points[least].gap;
+  const size_t first = std::min(least > 0 ? least - 1 : 0, points.size() - 3);
+  const LinePairHistory &a = points[first], &b = points[first + 1], &c = points[first + 2];
+  const double ab = (b.gap - a.gap) / (b.xi - a.xi), bc = (c.gap - b.gap) / (c.xi - b.xi);
+  const double curve = (bc - ab) / (c.xi - a.xi);
+  const bool joined = a.to >= b.from && b.to >= c.from;
+  if (!joined || !(curve > 0)) return -points[least].gap;
+  const double place = std::clamp(0.5 * (a.xi + b.xi - ab / curve), a.from, c.to);
+  return -(a.gap + (place - a.xi) * (ab + curve * (place - b.xi)));
+}
+
 }  // namespace
 
 bool LinePairs::recouple(const Kinematics& committed, double h) {
@@ -146,8 +163,9 @@ void LinePairs::evaluate(const Kinematics& trial, Sink& sink) {
 bool LinePairs::covers(const Kinematics& trial) const {
   if (!candidates_.covers(trial)) return false;
   const std::vector<Rod> is = rods(trial);
-  return std::none_of(pairs_.begin(), pairs_.end(),
-                      [&](const Pair& p) { return met(p, is) && passes(p, trial, is); });
+  return std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& p) {
+    return met(p, is) && (passes(p, trial, is) || !resolved(p, trial, is));
+  });
 }
 
 // Whether the axes cross, or nearly, on their straight way from the start of the step.
@@ -179,27 +197,44 @@ bool LinePairs::passes(const Pair& p, const Kinematics& trial, const std::vector
   return false;
 }
 
-// A step may not carry a line deeper into another than half the radii at the speed it has, and an impact that
-// presses in beyond the ramp is met with at least three steps of the contact's period.
-double LinePairs::longest_step(const Kinematics& committed) const {
+// Relative speed along the line between the nearest points of the chords, m/s (> 0: they part), and the gap,
+// m.
+LinePairs::Approach LinePairs::approach(const Pair& p, const AxisEnds& a, const AxisEnds& b) const {
+  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
+  if (!(c.distance > 0)) return {};
+  const Vec3 v = (1 - c.s) * a.v1 + c.s * a.v2 - (1 - c.t) * b.v1 - c.t * b.v2;
+  return {v.dot(c.difference) / c.distance, c.distance - p.law.reach};
+}
+
+// Longest step that resolves how the pair meets or parts at this speed: a third of the period of the contact,
+// where it presses in beyond the ramp.
+double LinePairs::resolving(const Pair& p, double speed) const {
+  const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
+               mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
+  const double slow = std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);  // s, period / 2 pi
+  if (!(std::abs(speed) * slow > 2 * p.law.normal.smoothing)) return std::numeric_limits<double>::infinity();
+  return 2 * M_PI * slow / kStepsAnImpact;
+}
+
+bool LinePairs::resolved(const Pair& p, const Kinematics& trial, const std::vector<Rod>& is) const {
+  const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
+  if (!p.history && !near(p, is)) return true;
+  const double v0 = approach(p, start_[i], start_[j]).speed,
+               v1 = approach(p, ends(trial, p.a), ends(trial, p.b)).speed;
+  return trial.step <= (1 + 1e-9) * resolving(p, std::max(std::abs(v0), std::abs(v1)));
+}
+
+// A step may not carry a line deeper into another than half the radii at the speed it has.
+double LinePairs::longest_step(const Kinematics&) const {
   double longest = std::numeric_limits<double>::infinity();
   for (const Pair& p : pairs_) {
     const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
-    const AxisEnds &a = start_[i], &b = start_[j];
-    const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
-    if (!(c.distance > 0)) continue;
-    const Vec3 v = (1 - c.s) * a.v1 + c.s * a.v2 - (1 - c.t) * b.v1 - c.t * b.v2;
-    const double speed = -v.dot(c.difference) / c.distance;
-    if (!(speed > 0)) continue;
-    (void)committed;
-    const double gap = std::max(c.distance - rods_[i].sagitta - rods_[j].sagitta - p.law.reach, 0.0);
-    longest = std::min(longest, (gap + kDeep * p.law.reach) / speed);
-    const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
-                 mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
-    const double slow = std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);  // s, period / 2 pi
-    const double period = 2 * M_PI * slow;
-    if (speed * slow > 2 * p.law.normal.smoothing)
-      longest = std::min(longest, std::max(gap / speed, period / kStepsAnImpact));
+    const Approach c = approach(p, start_[i], start_[j]);
+    const double gap = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0),
+                 resolves = resolving(p, c.speed);
+    if (p.history) longest = std::min(longest, resolves);
+    if (!(c.speed < 0)) continue;
+    longest = std::min({longest, (gap + kDeep * p.law.reach) / -c.speed, std::max(gap / -c.speed, resolves)});
   }
   return longest;
 }
@@ -217,9 +252,10 @@ void LinePairs::commit(const Kinematics& accepted) {
       any |= !(*next)[part].empty();
     });
     if (pair.counted) {
-      for (const size_t part : {0, 3})
-        for (const LinePairHistory& h : (*next)[part])
-          if (-h.gap > deepest_.depth) deepest_ = {-h.gap, accepted.time, pair.key.first, pair.key.second};
+      for (const size_t part : {0, 3}) {
+        const double depth = deepest_of((*next)[part]);
+        if (depth > deepest_.depth) deepest_ = {depth, accepted.time, pair.key.first, pair.key.second};
+      }
       if (accepted.step > 0) account(pair, A, B, *next);
     }
     pair.history = any ? std::move(next) : nullptr;

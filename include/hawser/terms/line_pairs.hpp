@@ -39,7 +39,7 @@ class LinePairs final : public ForceTerm {
   bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override { candidates_.couple(to); }
   void reghost() override;
-  // Nothing was missed and no line went through another.
+  // Nothing was missed, no line went through another, and the step resolves how lines meet and part.
   bool covers(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;
   double longest_step(const Kinematics& committed) const override;
@@ -97,6 +97,12 @@ class LinePairs final : public ForceTerm {
   std::vector<Rod> rods(const Kinematics& at) const;
   bool met(const Pair& pair, const std::vector<Rod>& is) const;
   bool near(const Pair& pair, const std::vector<Rod>& is) const;
+  struct Approach {
+    double speed = 0, gap = 0;
+  };
+  Approach approach(const Pair& pair, const AxisEnds& a, const AxisEnds& b) const;
+  double resolving(const Pair& pair, double speed) const;
+  bool resolved(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   bool passes(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);
   template <class What>

@@ -1,0 +1,52 @@
+// What the verification of contact between lines shares: cases of several straight lines.
+#pragma once
+
+#include <cmath>
+
+#include "support/rig.hpp"
+#include "verification/statics_newton.hpp"
+
+namespace hawser::test {
+
+// A straight line of one type from end A along `direction`, unstretched length as given.
+inline model::Line straight_line(const std::string& name, const std::string& type, double length,
+                                 int elements, const model::End& a, const model::End& b) {
+  model::Line l;
+  l.name = name;
+  l.sections.push_back({type, length, elements, 1});
+  l.end_a = a, l.end_b = b;
+  l.start = model::Start::straight;
+  return l;
+}
+
+// Stiffness per length of all contact of lines with lines.
+inline void touch(model::Case& c, double per_length, double smoothing, double friction = 0, double slip = 0) {
+  model::LinePairSettings& s = c.contact.between_lines.general;
+  s.basis = model::StiffnessBasis::per_length;
+  s.normal_stiffness = per_length;
+  s.smoothing = smoothing;
+  s.friction = friction;
+  s.mobilisation_length = slip;
+}
+
+// Force of two straight cylinders that cross at the angle theta, their axes `reach - p` apart, under k per
+// length of either (half from each side) without smoothing: the integral of the pressure's part along the
+// normal.
+inline double crossing_force(double k, double reach, double p, double theta) {
+  const double d = reach - p, most = std::sqrt(reach * reach - d * d);  // m, across the other axis
+  double sum = 0;
+  const int n = 2000;
+  for (int i = 0; i < n; ++i) {
+    const double q = most * (2 * (i + 0.5) / n - 1), r = std::hypot(d, q);
+    sum += k * (reach - r) * d / r * 2 * most / n;
+  }
+  return sum / std::sin(theta);
+}
+
+// Candidates for what is where it is, then Newton.
+inline int settle(Simulation& s, double tolerance = 1e-10) {
+  if (s.system().couple(s.state().view(0), 0) == Coupled::anew) s.system().spread(s.state());
+  return newton(s.system(), s.state(), tolerance);
+}
+
+}  // namespace hawser::test
