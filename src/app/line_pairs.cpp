@@ -7,6 +7,7 @@
 #include <set>
 
 #include "hawser/model/check.hpp"
+#include "hawser/terms/contact_stiffness.hpp"
 
 namespace hawser::app {
 namespace {
@@ -70,10 +71,12 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
     LineContactElement& element = elements.emplace_back();
     if (takes_part[static_cast<size_t>(e.line)]) element.radius = 0.5 * t.contact_diameter;
     element.mass_per_length = t.mass_per_length;
-    const double k =
-        automatic_contact_stiffness(0.5 * t.contact_diameter, t.mass_per_length * c.environment.gravity,
-                                    mesh.mesh->lines[static_cast<size_t>(e.line)].length, t.EA)
-            .per_length;
+    StiffnessDemand d;
+    d.radius = 0.5 * t.contact_diameter;
+    d.weight = t.mass_per_length * c.environment.gravity;
+    d.length = mesh.mesh->lines[static_cast<size_t>(e.line)].length;
+    d.EA = t.EA;
+    const double k = automatic_contact_stiffness(d).per_length;
     options.automatic.push_back(k);
     if (element.radius > 0) least = std::min(least, k), most = std::max(most, k);
   }

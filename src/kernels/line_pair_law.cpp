@@ -40,7 +40,8 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
     slip *= S((S(touch) - gap) / (v.start_gap - gap));
   }
   slip += b * v.slip[0] + l * v.slip[1];
-  const Friction<S> f = friction<S>(law.friction, v.force, slip, n, Vec3::UnitX());
+  const Friction<S> f = friction<S>(law.friction, Coulomb<double>{law.friction.axial, law.friction.lateral},
+                                    v.force, slip, n, Vec3::UnitX());
   Tangential<S> r;
   r.force = f.force;
   r.couple = f.force.cross(v.away);
