@@ -1,0 +1,106 @@
+// Contact of lines with lines: exact tangents in every situation, repeatable, turns with the model, no force
+// or moment on the whole, history through a checkpoint.
+#include "terms/line_pairs_cases.hpp"
+
+namespace hawser::test {
+namespace {
+
+TEST(LinePairs, Tangents) {
+  for (const PairCase& c : pair_cases()) {
+    PairModel m(c);
+    expect_tangent(*m.system, m.trial, "line on line, " + c.name);
+  }
+}
+
+TEST(LinePairs, TouchWhereTheCaseSaysSo) {
+  for (const PairCase& c : pair_cases()) {
+    PairModel m(c);
+    const State end = state_of(m.system->mesh(), m.trial);
+    m.system->commit(end.view(m.trial.h));
+    EXPECT_EQ(m.contact->touching() > 0, c.gap < 1e-3) << c.name;
+    if (c.gap < 0) EXPECT_GT(m.contact->normal_force(), 5) << c.name;
+    const double ratio = m.contact->friction_force() / std::max(m.contact->normal_force(), 1e-9);
+    if (c.friction > 0 && c.slip > 0.01) EXPECT_NEAR(ratio, 0.3, 1e-3) << c.name;
+    if (c.friction > 0 && c.slip < 1e-3 && c.gap < 0) EXPECT_LT(ratio, 0.2) << c.name;
+  }
+}
+
+TEST(LinePairs, EvaluatingLeavesNoTrace) {
+  for (const PairCase& c : pair_cases()) {
+    PairModel m(c);
+    const Trial& t = m.trial;
+    const LocalMesh& mesh = m.system->mesh();
+    const State here = state_of(mesh, t);
+    const auto f = residual(*m.system, here, t.h);
+    const auto d = direction(*m.system, t, 55);
+    for (const double far : {5.0, 500.0})
+      residual(*m.system, state_of(mesh, t, far, &d, {1, 1, 1, 0, 0}), t.h);
+    EXPECT_EQ(residual(*m.system, here, t.h), f) << c.name;
+  }
+}
+
+TEST(LinePairs, TurnsWithTheModel) {
+  const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
+  for (const PairCase& c : pair_cases()) {
+    PairModel m(c), turned(c, PETSC_COMM_SELF, at);
+    const LocalMesh& mesh = m.system->mesh();
+    const auto f = residual(*m.system, state_of(mesh, m.trial), m.trial.h);
+    const auto g = residual(*turned.system, state_of(mesh, turned.trial), m.trial.h);
+    double size = 0, off = 0;
+    for (int n = 0; n < mesh.owned; ++n)
+      for (int k = 0; k <= mesh.rotates(n); ++k) {
+        const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
+        const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
+        size = std::max(size, a.norm());
+        off = std::max(off, (k ? Vec3(b - a) : Vec3(b - at.rotation * a)).norm());
+      }
+    EXPECT_LE(off, 1e-9 * size) << c.name;
+  }
+}
+
+// Whatever they do to each other, lines do nothing to the whole. Cables have no sections that could carry the
+// moment of friction, so of that the whole of two beams is looked at in tests/unit/line_pair.cpp.
+TEST(LinePairs, ForcesBalance) {
+  for (const PairCase& c : pair_cases()) {
+    PairModel m(c);
+    const LocalMesh& mesh = m.system->mesh();
+    const State end = state_of(mesh, m.trial);
+    const auto f = residual(*m.system, end, m.trial.h);
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+    double size = 0;
+    for (int n = 0; n < mesh.owned; ++n) {
+      const size_t i = static_cast<size_t>(n), b = 3 * static_cast<size_t>(mesh.block[i]);
+      const Eigen::Map<const Vec3> a(f.data() + b);
+      force += a, moment += end.x[i].cross(a), size += a.norm();
+      if (mesh.rotates(n)) moment += end.q[i] * Eigen::Map<const Vec3>(f.data() + b + 3);
+    }
+    EXPECT_LE(force.norm(), 1e-12 * size) << c.name;
+    if (c.friction == 0) EXPECT_LE(moment.norm(), 1e-11 * size) << c.name;
+  }
+}
+
+TEST(LinePairs, HistoryGoesThroughACheckpoint) {
+  for (const PairCase& c : pair_cases()) {
+    PairModel m(c), copy(c);
+    const double h = m.trial.h;
+    const State end = state_of(m.system->mesh(), m.trial);
+    m.system->commit(end.view(h));
+    auto records = m.contact->save();
+    std::reverse(records.begin(), records.end());
+    copy.contact->restore(records);
+    for (PairModel* one : {&m, &copy}) {
+      one->trial.from = end;
+      for (double& u : one->trial.u) u *= 0.1;
+      one->system->couple(end.view(h), h);
+      one->system->prepare(end.view(h), h);
+    }
+    EXPECT_EQ(copy.contact->energy(end.view(h)).strain, m.contact->energy(end.view(h)).strain);
+    EXPECT_EQ(copy.contact->energy(end.view(h)).friction, m.contact->energy(end.view(h)).friction);
+    EXPECT_EQ(copy.contact->deepest().depth, m.contact->deepest().depth);
+    const State next = state_of(m.system->mesh(), m.trial);
+    EXPECT_EQ(residual(*m.system, next, h), residual(*copy.system, next, h)) << c.name;
+  }
+}
+
+}  // namespace
+}  // namespace hawser::test
