@@ -39,7 +39,7 @@ class Simulation {
   const Bodies& bodies() const { return *bodies_; }
   System& system() { return *system_; }
   StructureTerm& structure() { return *structure_; }
-  Contact* contact() { return contact_; }  // with volumes; null: there are none
+  Contact* contact() { return contact_; }                                // with volumes; null: there are none
   const BodyContactTerm* body_contact() const { return body_contact_; }  // null: no bodies touch
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
