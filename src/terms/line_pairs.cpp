@@ -13,7 +13,8 @@ namespace {
 constexpr double kThrough = 0.25;
 // A step may take a line this part of the radii deeper than to the surface.
 constexpr double kDeep = 0.5;
-constexpr double kStepsAnImpact = 3;
+// Steps in a period of the contact: least, and what automatic steps aim at.
+constexpr double kLeastSteps = 3, kSteps = 6;
 
 // Largest penetration, m: of the parabola through the deepest Gauss point and two beside it.
 double deepest_of(const std::vector<LinePairHistory>& points) {
@@ -206,14 +207,14 @@ LinePairs::Approach LinePairs::approach(const Pair& p, const AxisEnds& a, const 
   return {v.dot(c.difference) / c.distance, c.distance - p.law.reach};
 }
 
-// Longest step that resolves how the pair meets or parts at this speed: a third of the period of the contact,
-// where it presses in beyond the ramp.
-double LinePairs::resolving(const Pair& p, double speed) const {
+// Period of the contact, s, where the pair meets or parts fast enough to press in beyond the ramp; else
+// infinite.
+double LinePairs::period(const Pair& p, double speed) const {
   const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
                mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
   const double slow = std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);  // s, period / 2 pi
   if (!(std::abs(speed) * slow > 2 * p.law.normal.smoothing)) return std::numeric_limits<double>::infinity();
-  return 2 * M_PI * slow / kStepsAnImpact;
+  return 2 * M_PI * slow;
 }
 
 bool LinePairs::resolved(const Pair& p, const Kinematics& trial, const std::vector<Rod>& is) const {
@@ -221,7 +222,7 @@ bool LinePairs::resolved(const Pair& p, const Kinematics& trial, const std::vect
   if (!p.history && !near(p, is)) return true;
   const double v0 = approach(p, start_[i], start_[j]).speed,
                v1 = approach(p, ends(trial, p.a), ends(trial, p.b)).speed;
-  return trial.step <= (1 + 1e-9) * resolving(p, std::max(std::abs(v0), std::abs(v1)));
+  return trial.step <= (1 + 1e-9) / kLeastSteps * period(p, std::max(std::abs(v0), std::abs(v1)));
 }
 
 // A step may not carry a line deeper into another than half the radii at the speed it has.
@@ -231,7 +232,7 @@ double LinePairs::longest_step(const Kinematics&) const {
     const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
     const Approach c = approach(p, start_[i], start_[j]);
     const double gap = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0),
-                 resolves = resolving(p, c.speed);
+                 resolves = period(p, c.speed) / kSteps;
     if (p.history) longest = std::min(longest, resolves);
     if (!(c.speed < 0)) continue;
     longest = std::min({longest, (gap + kDeep * p.law.reach) / -c.speed, std::max(gap / -c.speed, resolves)});
