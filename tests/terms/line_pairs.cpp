@@ -18,10 +18,16 @@ TEST(LinePairs, TouchWhereTheCaseSaysSo) {
     const State end = state_of(m.system->mesh(), m.trial);
     m.system->commit(end.view(m.trial.h));
     EXPECT_EQ(m.contact->touching() > 0, c.gap < 1e-3) << c.name;
-    if (c.gap < 0) EXPECT_GT(m.contact->normal_force(), 5) << c.name;
+    if (c.gap < 0) {
+      EXPECT_GT(m.contact->normal_force(), 5) << c.name;
+    }
     const double ratio = m.contact->friction_force() / std::max(m.contact->normal_force(), 1e-9);
-    if (c.friction > 0 && c.slip > 0.01) EXPECT_NEAR(ratio, 0.3, 1e-3) << c.name;
-    if (c.friction > 0 && c.slip < 1e-3 && c.gap < 0) EXPECT_LT(ratio, 0.2) << c.name;
+    if (c.friction > 0 && c.slip > 0.01) {
+      EXPECT_NEAR(ratio, 0.3, 1e-3) << c.name;
+    }
+    if (c.friction > 0 && c.slip < 1e-3 && c.gap < 0) {
+      EXPECT_LT(ratio, 0.2) << c.name;
+    }
   }
 }
 
@@ -75,7 +81,9 @@ TEST(LinePairs, ForcesBalance) {
       if (mesh.rotates(n)) moment += end.q[i] * Eigen::Map<const Vec3>(f.data() + b + 3);
     }
     EXPECT_LE(force.norm(), 1e-12 * size) << c.name;
-    if (c.friction == 0) EXPECT_LE(moment.norm(), 1e-11 * size) << c.name;
+    if (c.friction == 0) {
+      EXPECT_LE(moment.norm(), 1e-11 * size) << c.name;
+    }
   }
 }
 

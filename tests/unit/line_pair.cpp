@@ -393,7 +393,9 @@ TEST(AxisFoot, NearestOfAll) {
     for (int i = 0; i <= 4000; ++i) least = std::min(least, (x - axis.point(i / 4000.0)).norm());
     EXPECT_LE(f.distance, least + 1e-12) << seed;
     EXPECT_NEAR(f.distance, least, 1e-4) << seed;
-    if (f.inside) EXPECT_NEAR(f.away.dot(axis.slope(f.eta)), 0, 1e-12) << seed;
+    if (f.inside) {
+      EXPECT_NEAR(f.away.dot(axis.slope(f.eta)), 0, 1e-12) << seed;
+    }
   }
 }
 

@@ -31,7 +31,9 @@ TEST(SegmentCcd, NeverMissesAndNeverCriesWolf) {
     };
     for (int k = 0; k <= 500; ++k) {
       const double t = k / 500.0;
-      if (t < found) EXPECT_GE(distance(t), least) << i << " at " << t;
+      if (t < found) {
+        EXPECT_GE(distance(t), least) << i << " at " << t;
+      }
     }
     if (found <= 1) {
       EXPECT_LE(distance(found), least + tolerance + 1e-12) << i;
