@@ -265,6 +265,7 @@ def render(options):
         surface.Representation = "Surface With Edges"
         surface.EdgeColor = [0.6, 0.62, 0.66]
     surface.Ambient, surface.Diffuse = 0.3, 0.75
+    lines.UpdatePipeline(times[-1])
     if has_field(lines, "shown"):
         colour_lines(view, tubes, options, options.range or value_range(lines, times), unit)
     clock = pv.Text(registrationName="clock")

@@ -161,6 +161,7 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   if (a.converged) {
     load(u_.get());
     a.converged = system_.covers(trial_.s.view(h));
+    a.missed = !a.converged;
     a.error = alpha_error(system_.mesh(), alpha_, h, committed_, trial_);
     MPI_Allreduce(MPI_IN_PLACE, &a.error, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
   }

@@ -47,7 +47,7 @@ PetscErrorCode Dynamics::ts_step(TS ts) {
     const double until = ts->max_time;
     prepare(control_.wish());  // tries can only be shorter
     const double cap = control_.automatic() ? system_.longest_step(committed_.s.view(last_step_)) : 0;
-    for (;;) {
+    for (bool again = false;;) {
       const double h = control_.next(t, std::min(next_stop_(t), until), cap);
       const Attempt a = attempt(h);
       if (a.converged && control_.accurate(h, a.error)) {
@@ -55,6 +55,12 @@ PetscErrorCode Dynamics::ts_step(TS ts) {
         control_.accepted(h, a.iterations, a.error);
         info.time = committed_.s.time, info.h = h, info.iterations = a.iterations, info.error = a.error;
         break;
+      }
+      // How old a list of candidates is must not show in the steps: a restart makes a new one.
+      if (a.missed && !again && system_.outdated()) {
+        again = true;
+        prepare(h);
+        continue;
       }
       ++info.rejected;
       if (!control_.rejected(h, !a.converged, a.error)) {

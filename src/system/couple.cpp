@@ -53,6 +53,10 @@ bool System::covers(const Kinematics& trial) const {
              std::all_of(terms_.begin(), terms_.end(), [&](const auto& t) { return t->covers(trial); }));
 }
 
+bool System::outdated() const {
+  return !all(comm_, std::none_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->outdated(); }));
+}
+
 void System::spread(State& s) const {
   for (auto* values : {&s.x, &s.v, &s.a, &s.w, &s.alpha}) exchange_.spread(*values);
   exchange_.spread(s.q);

@@ -110,13 +110,18 @@ bool LineCandidates::holds(const Kinematics& at, double h) const {
   return true;
 }
 
-bool LineCandidates::covers(const Kinematics& trial) const { return holds(trial, 0); }
+bool LineCandidates::covers(const Kinematics& trial) const {
+  const bool held = holds(trial, 0);
+  outdated_ |= !held;
+  return held;
+}
 
 bool LineCandidates::update(const Kinematics& committed, double h) {
-  int good = builds_ > 0 && holds(committed, 0) && (h <= 0 || holds(committed, h));
+  int good = builds_ > 0 && !outdated_ && holds(committed, 0) && (h <= 0 || holds(committed, h));
   MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, comm_);
   if (good) return false;
   ++builds_;
+  outdated_ = false;
   built_.clear();
   for (const LocalElement& e : local_)
     built_.push_back({e.global, radius_[static_cast<size_t>(e.global)], axis(e, committed, 0),

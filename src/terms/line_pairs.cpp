@@ -163,6 +163,7 @@ void LinePairs::evaluate(const Kinematics& trial, Sink& sink) {
 
 bool LinePairs::covers(const Kinematics& trial) const {
   if (!candidates_.covers(trial)) return false;
+  if (start_.size() != candidates_.segments().size()) return true;  // not prepared: nothing to compare with
   const std::vector<Rod> is = rods(trial);
   return std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& p) {
     return met(p, is) && (passes(p, trial, is) || !resolved(p, trial, is));

@@ -64,6 +64,7 @@ class Dynamics {
   // Used by the TS type.
   struct Attempt {
     bool converged = false;
+    bool missed = false;  // it did converge, but not all that acts was foreseen
     int iterations = 0;
     double error = 0;
   };

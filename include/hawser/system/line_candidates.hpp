@@ -76,6 +76,8 @@ class LineCandidates {
   void locate();
   // Local: whether the list holds for this motion of this rank's elements, so that no pair is missed in it.
   bool covers(const Kinematics& trial) const;
+  // Whether it did not since the list was made: update() will make it anew.
+  bool outdated() const { return outdated_; }
 
   // The elements of this rank with a radius, in the order of LocalMesh::elements, then those of other ranks
   // that pairs need.
@@ -106,6 +108,7 @@ class LineCandidates {
   std::vector<ContactSegment> segments_;
   std::vector<CandidatePair> pairs_;
   long builds_ = 0;
+  mutable bool outdated_ = false;  // a cache's flag: it changes the time and never the answer
 };
 
 }  // namespace hawser

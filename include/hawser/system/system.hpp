@@ -61,6 +61,7 @@ class System {
   bool coupled() const { return coupled_; }
   // See ForceTerm::covers; over all ranks. Collective.
   bool covers(const Kinematics& trial) const;
+  bool outdated() const;  // likewise
 
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;

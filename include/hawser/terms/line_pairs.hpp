@@ -41,6 +41,7 @@ class LinePairs final : public ForceTerm {
   void reghost() override;
   // Nothing was missed, no line went through another, and the step resolves how lines meet and part.
   bool covers(const Kinematics& trial) const override;
+  bool outdated() const override { return candidates_.outdated(); }
   void prepare(const Kinematics& committed, double h) override;
   double longest_step(const Kinematics& committed) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
