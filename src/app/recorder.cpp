@@ -302,7 +302,7 @@ std::string Recorder::finish() {
     const model::Case& c = sim_.model();
     for (const auto& s : c.lines[static_cast<size_t>(c.line_index(r.line))].sections)
       radius = std::max(radius, 0.5 * c.line_type(s.type).contact_diameter);
-    if (r.value > 0.1 * radius)
+    if (r.value > c.contact.warned_penetration * radius)
       warnings_.push_back(
           fmt::format("line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, "
                       "t = {:.6g} s: {}",

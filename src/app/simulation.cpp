@@ -9,6 +9,7 @@
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/solve/start_shape.hpp"
+#include "hawser/solve/unilateral.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/line_contact.hpp"
@@ -139,7 +140,11 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     // A held end touches nothing: its support carries whatever a surface would.
     for (const Support& held : start.supports)
       if (held.node < local.owned) nodes[static_cast<size_t>(held.node)].radius = 0;
-    auto contact = std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), std::move(nodes));
+    NodeContact model = c.contact.augmented ? NodeContact::augmented : NodeContact::elastic;
+    if (c.contact.method == model::ContactMethod::rigid) model = NodeContact::rigid;
+    if (c.contact.method == model::ContactMethod::gap) model = NodeContact::gap;
+    auto contact = std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), std::move(nodes),
+                                                   model, c.contact.allowed_penetration);
     contact_ = contact.get();
     system_->add(std::move(contact));
   }
@@ -180,8 +185,15 @@ StaticsReport Simulation::solve_statics() {
   enable_friction(false);
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
   if (floating_) floating_->hold(true);
-  StaticsSettings settings{case_.statics.tolerance, case_.statics.max_iterations};
+  StaticsSettings settings{case_.statics.tolerance, case_.statics.max_iterations, true};
+  settings.augment = !case_.statics.exact_contact;
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
+  if (case_.statics.exact_contact && contact_) {
+    const UnilateralReport exact = solve_unilateral(*system_, settings, state_);
+    report.iterations += exact.iterations, report.norms = exact.norms;
+    notes_.push_back(fmt::format("exact contact: {} of {} constraints press, {} iterations, {:.1e} m left",
+                                 exact.active, exact.constraints, exact.iterations, exact.deepest));
+  }
   enable_friction(true);
   if (floating_) {
     floating_->hold(false);

@@ -267,9 +267,18 @@ class Reader {
   }
 
   void contact(const Value& v) {
-    c_.contact.method = v["method"].is("line") ? model::ContactMethod::line : model::ContactMethod::nodes;
+    c_.contact.method = v["method"].is("line")    ? model::ContactMethod::line
+                        : v["method"].is("rigid") ? model::ContactMethod::rigid
+                        : v["method"].is("gap")   ? model::ContactMethod::gap
+                                                  : model::ContactMethod::nodes;
+    const Value& augmented = v["augmented"];
+    c_.contact.augmented = augmented.kind == Kind::map || augmented.number != 0;
+    c_.contact.allowed_penetration = number(augmented, "penetration");
+    c_.contact.warned_penetration = v["penetration_warning"].number;
+    if (c_.contact.augmented && c_.contact.method != model::ContactMethod::nodes)
+      source_.bad(augmented, "contact.augmented", "is for 'method: nodes' only");
     c_.contact.rolling = v["rolling"].number != 0;
-    if (c_.contact.rolling && c_.contact.method == model::ContactMethod::nodes)
+    if (c_.contact.rolling && c_.contact.method != model::ContactMethod::line)
       source_.bad(v["rolling"], "contact.rolling", "needs 'method: line'; nodes touch without turning");
     const auto chosen = [&](const char* key, bool& all, std::vector<std::string>& names) {
       all = v[key].kind != Kind::list;
@@ -289,6 +298,9 @@ class Reader {
     c_.statics.enabled = v["enabled"].number != 0;
     c_.statics.tolerance = v["tolerance"].number;
     c_.statics.max_iterations = static_cast<int>(v["max_iterations"].number);
+    c_.statics.exact_contact = v["exact_contact"].number != 0;
+    if (c_.statics.exact_contact && !c_.contact.augmented)
+      source_.bad(v["exact_contact"], "statics.exact_contact", "needs 'contact: {augmented: true}'");
   }
 
   void dynamics(const Value& v) {

@@ -245,29 +245,51 @@ const Key& case_schema() {
        map("contact",
            {all_or_names("lines", "lines", "lines that take part in contact"),
             all_or_names("volumes", "volumes", "volumes that take part in contact"),
-            word("method", {"nodes", "line"},
-                 "where a line touches: anywhere along its elements (`line`) or at its nodes alone")
+            word("method", {"line", "nodes", "rigid", "gap"},
+                 "where a line touches: anywhere along its elements (`line`) or at its nodes alone; to "
+                 "compare "
+                 "with, at the nodes: `rigid` puts them on the surface and holds them there until the "
+                 "reaction "
+                 "pulls, `gap` has a spring each, in the direction of the surface nearest at the start")
                 .or_else("line"),
             boolean("rolling",
                     "friction acts at the lines' surface: it turns them about their axes, and a line that "
                     "rolls does not slide (beams, method `line`)")
                 .or_else("false"),
+            one_of("augmented",
+                   {boolean(""), map("",
+                                     {number("penetration", length, "that is left")
+                                          .above(0)
+                                          .or_else_note("1e-4 of the radius")},
+                                     "")},
+                   "works off the penetration by multipliers (augmented Lagrangian), so that the stiffness "
+                   "does not matter; with `method: nodes`")
+                .or_else("false"),
+            number("penetration_warning", none,
+                   "share of a line's radius above which a penetration is warned of")
+                .above(0)
+                .or_else("0.1"),
             between_lines()},
            "Contact of lines with volumes and with lines.")
            .or_else("{}"),
-       one_of("statics",
-              {boolean(""), map("",
-                                {boolean("enabled", "find the equilibrium before dynamics").or_else("true"),
-                                 number("tolerance", none, "residual over the size of the internal forces")
-                                     .above(0)
-                                     .at_most(1e-2)
-                                     .or_else("1e-8"),
-                                 integer("max_iterations", "Newton iterations of a stage")
-                                     .at_least(1)
-                                     .at_most(1e6)
-                                     .or_else("500")},
-                                "")},
-              "Static equilibrium at t = 0; `false` starts dynamics from the start shape.")
+       one_of(
+           "statics",
+           {boolean(""), map("",
+                             {boolean("enabled", "find the equilibrium before dynamics").or_else("true"),
+                              number("tolerance", none, "residual over the size of the internal forces")
+                                  .above(0)
+                                  .at_most(1e-2)
+                                  .or_else("1e-8"),
+                              boolean("exact_contact",
+                                      "solve contact as an exact complementarity problem (PETSc's SNESVI) "
+                                      "instead of by updates of the multipliers; needs `contact.augmented`")
+                                  .or_else("false"),
+                              integer("max_iterations", "Newton iterations of a stage")
+                                  .at_least(1)
+                                  .at_most(1e6)
+                                  .or_else("500")},
+                             "")},
+           "Static equilibrium at t = 0; `false` starts dynamics from the start shape.")
            .or_else("true"),
        map("dynamics",
            {number("duration", time, "simulated time").above(0).is_required(),

@@ -17,6 +17,7 @@ namespace {
 // must not show it: what passed the tolerance is improved once more with the factors at hand, which costs
 // little, and steps are chosen by the iterations to this residual, far above rounding, and one that follows.
 constexpr double kCounted = 1e-5;
+constexpr int kMostAugmentations = 40;  // of one try of a step
 
 }  // namespace
 
@@ -134,6 +135,22 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
   PetscFunctionReturn(0);
 }
 
+// Newton from where u_ is. Iterations of all rounds of a try are counted by the worst of them.
+void Dynamics::solve_once(Attempt& a) {
+  polishing_ = false, counted_ = -1;
+  check(SNESSetLagJacobian(snes_, 1));
+  const PetscErrorCode code = SNESSolve(snes_, nullptr, u_.get());
+  if (error_) std::rethrow_exception(error_);
+  check(code);
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  PetscInt its = 0;
+  check(SNESGetConvergedReason(snes_, &reason));
+  check(SNESGetIterationNumber(snes_, &its));
+  a.converged = reason > 0;
+  a.iterations = std::max(a.iterations, counted_ < 0 ? static_cast<int>(its) : counted_ + 1);
+  total_iterations_ += its;
+}
+
 Dynamics::Attempt Dynamics::attempt(double h) {
   h_ = h;
   system_.expect(committed_.s.view(last_step_), h);
@@ -144,22 +161,18 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   std::copy(local_u_.begin(), local_u_.begin() + 3 * system_.mesh().owned_blocks, p);
   check(VecRestoreArray(u_.get(), &p));
   loaded_ = false;
-  polishing_ = false, counted_ = -1;
-  check(SNESSetLagJacobian(snes_, 1));
   error_ = nullptr;
-  const PetscErrorCode code = SNESSolve(snes_, nullptr, u_.get());
-  if (error_) std::rethrow_exception(error_);
-  check(code);
-  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
-  PetscInt its = 0;
-  check(SNESGetConvergedReason(snes_, &reason));
-  check(SNESGetIterationNumber(snes_, &its));
+  system_.reset_multipliers();
   Attempt a;
-  a.converged = reason > 0;
-  a.iterations = counted_ < 0 ? static_cast<int>(its) : counted_ + 1;
-  total_iterations_ += its;
-  if (a.converged) {
+  for (int round = 0;; ++round) {
+    solve_once(a);
+    if (!a.converged) break;
     load(u_.get());
+    if (!system_.augment(trial_.s.view(h_))) break;
+    a.converged = round < kMostAugmentations;
+    if (!a.converged) break;
+  }
+  if (a.converged) {
     a.converged = system_.covers(trial_.s.view(h));
     a.missed = !a.converged;
     a.error = alpha_error(system_.mesh(), alpha_, h, committed_, trial_);

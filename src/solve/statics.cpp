@@ -15,6 +15,7 @@ namespace {
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
 constexpr double kArmijo = 1e-4;
 constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at the start, and a stage on
+constexpr int kMostAugmentations = 100;
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
 
 class Search {
@@ -26,9 +27,10 @@ class Search {
     prepare();
   }
 
-  StaticsReport run() {
+  // again: from an equilibrium in which little has changed.
+  StaticsReport run(bool again = false) {
     StaticsReport report;
-    approach(report);
+    if (!again) approach(report);
     for (;;) {
       descend(report, settings_.tolerance);
       system_.tangent(state_.view(0), {}, zero_, false, J_.get());
@@ -238,7 +240,16 @@ class Search {
 StaticsReport solve_statics(System& system, const StaticsSettings& settings, State& state) {
   const size_t n = state.x.size();
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
-  const StaticsReport report = Search(system, settings, state).run();
+  StaticsReport report = Search(system, settings, state).run();
+  for (int round = 0; settings.augment && system.augment(state.view(0)); ++round) {
+    if (round == kMostAugmentations)
+      throw SolveError(
+          "statics: the multipliers of contact do not settle; is contact.augmented.penetration "
+          "within reach?");
+    const StaticsReport more = Search(system, settings, state).run(true);
+    report.iterations += more.iterations, report.escapes += more.escapes;
+    report.negative_eigenvalues = more.negative_eigenvalues, report.norms = more.norms;
+  }
   system.commit(state.view(0));
   return report;
 }

@@ -211,6 +211,21 @@ double System::longest_step(const Kinematics& committed) const {
   return h;
 }
 
+bool System::augment(const Kinematics& equilibrium) {
+  int again = 0, asked = 0;
+  for (auto& t : terms_) {
+    if (!t->augments()) continue;
+    asked = 1;
+    if (t->augment(equilibrium)) again = 1;
+  }
+  if (asked) MPI_Allreduce(MPI_IN_PLACE, &again, 1, MPI_INT, MPI_MAX, comm_);
+  return again != 0;
+}
+
+void System::reset_multipliers() {
+  for (auto& t : terms_) t->reset_multipliers();
+}
+
 void System::prepare(const Kinematics& committed, double h) {
   for (auto& t : terms_) t->prepare(committed, h);
   expect(committed, h);

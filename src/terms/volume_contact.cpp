@@ -30,14 +30,19 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
       const double motion = 2 * h * (committed.v[n] - pose.velocity_at(x)).norm();
       const double margin = std::max(motion, 0.5 * element_[n]);
       const double away = distance(boxes_[static_cast<size_t>(k)], y);
-      if (h > 0 && away > touch + margin) continue;
+      if (h > 0 && away > touch + margin && model_ != NodeContact::gap) continue;
 
       Pair& pair = pairs_.emplace_back();
       pair.node = i;
       pair.volume = k;
       pair.touch = touch;
       pair.law = laws;
-      if (kept) pair.history = old[known].history;
+      if (kept) {
+        pair.history = old[known].history;
+        pair.multiplier = old[known].multiplier, pair.held = old[known].held;
+        pair.released = old[known].released;
+      }
+      if (model_ == NodeContact::gap && !pair.history.paired) choose_gap(pair, y);
       pair.hint = pair.history.hint;
       ContactTrial at;
       at.gap = std::max(margin, away - touch) + laws.normal.smoothing;  // a bound, for those out of reach
@@ -70,6 +75,7 @@ double VolumeContact::longest_step(const Kinematics& committed) const {
 }
 
 bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {
+  if (model_ != NodeContact::elastic) return locate_held(pair, y, reach, trial);
   if (pair.clear > 0 && (y - pair.centre).squaredNorm() < pair.clear * pair.clear) return false;
   const size_t k = static_cast<size_t>(pair.volume);
   const auto p = volumes_[k].surface->query(y, pair.touch + reach, pair.hint);
@@ -97,7 +103,7 @@ PointContact VolumeContact::contact(Pair& pair, const Kinematics& at, bool deriv
   if (!locate(pair, trial.point, 0.5 * element_[n], trial)) return {};
   if (at.step > 0) trial.velocity = pose.rotation.conjugate() * (at.v[n] - pose.velocity_at(x));
   if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
-  return volume_contact(applied(pair.law), pair.start, trial, derivatives);
+  return volume_contact(in_force(pair, at.step), pair.start, trial, derivatives);
 }
 
 VolumeContact::Force VolumeContact::force(const Kinematics& trial, int pair, bool tangent, bool convex) {
@@ -109,7 +115,7 @@ VolumeContact::Force VolumeContact::resolve(Pair& p, const Kinematics& trial, bo
   ContactTrial at;
   const PointContact c = contact(p, trial, tangent, convex, at);
   Force f;
-  if (!(c.normal.force > 0)) return f;
+  if (c.normal.force == 0) return f;
   const RigidPose& pose = poses_[body(p.volume)];
   const Mat3 R = pose.rotation.toRotationMatrix();
   f.touches = true;
@@ -146,14 +152,18 @@ void VolumeContact::commit(const Kinematics& accepted) {
     ContactTrial at;
     const PointContact c = contact(pair, accepted, false, false, at);
     History next;
-    if (c.normal.elastic > 0) {
+    if (c.normal.elastic != 0) {
       next = History(c, at.normal);
       next.touches = true;
+      if (augments()) next.potential = 0;  // no spring is left pressed
       next.depth = std::max(0.0, -at.gap);
       next.hint = pair.hint;
     }
     accounts_[static_cast<size_t>(pair.node)].reaches(next.depth, accepted.time, pair.volume);
     if (accepted.step > 0 && (next.touches || pair.history.touches)) account(pair, next, at.point);
+    next.multiplier = pair.multiplier, next.held = pair.held;
+    next.paired = pair.history.paired, next.anchor = pair.history.anchor;
+    next.direction = pair.history.direction;
     pair.history = next;
   }
 }

@@ -9,8 +9,12 @@
 namespace hawser {
 
 VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
-                             std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes)
-    : Contact(std::move(bodies), std::move(volumes)), nodes_(std::move(nodes)) {
+                             std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes,
+                             NodeContact model, double allowed_penetration)
+    : Contact(std::move(bodies), std::move(volumes)),
+      model_(model),
+      allowed_(allowed_penetration),
+      nodes_(std::move(nodes)) {
   const size_t owned = static_cast<size_t>(mesh.owned);
   if (nodes_.size() != owned)
     throw std::invalid_argument("contact needs one ContactNode for each owned node");
@@ -39,7 +43,9 @@ ContactLaw VolumeContact::node_law(int node, int volume) const {
   double share = 1;  // of the node: what turns the basis into N/m
   if (v.basis == model::StiffnessBasis::per_length) share = tributary_[n];
   if (v.basis == model::StiffnessBasis::per_area) share = tributary_[n] * diameter;
-  return law(v, share, diameter, nodes_[n].mass);
+  ContactLaw l = law(v, share, diameter, nodes_[n].mass);
+  if (augments()) l.normal.smoothing = 0;  // a multiplier needs no ramp, and none would end at the surface
+  return l;
 }
 
 Vec3 VolumeContact::line_tangent(const Kinematics& at, int node) const {
@@ -62,7 +68,7 @@ Energy VolumeContact::energy(const Kinematics& at) const {
     ContactTrial trial;
     const Vec3 y = bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time).to_body(at.x[n]);
     if (locate(pair, y, 0.5 * element_[n], trial))
-      e.strain += normal_force(p.law.normal, trial.gap, 0).potential;
+      e.strain += normal_force(in_force(p, 0).normal, trial.gap, 0).potential;
   }
   for (const Account& a : accounts_) e.friction += a.friction, e.damping += a.damping, e.work += a.work;
   return e;
@@ -113,11 +119,16 @@ std::vector<HistoryRecord> VolumeContact::save() const {
   }
   for (const Pair& p : pairs_) {
     const History& h = p.history;
-    if (!h.touches) continue;
+    if (!h.touches && !h.paired && h.multiplier == 0) continue;
     HistoryRecord r{global_[static_cast<size_t>(p.node)], p.volume, {}};
     for (const Vec3* v : {&h.slip, &h.normal, &h.force, &h.friction}) put(r.values, *v);
     r.values.insert(r.values.end(),
                     {h.normal_force, h.damping_force, h.potential, h.depth, static_cast<double>(h.hint)});
+    if (model_ != NodeContact::elastic) {
+      r.values.insert(r.values.end(),
+                      {h.multiplier, h.held ? 1.0 : 0, h.touches ? 1.0 : 0, h.paired ? 1.0 : 0});
+      put(r.values, h.anchor), put(r.values, h.direction);
+    }
     records.push_back(std::move(r));
   }
   return records;
@@ -137,7 +148,8 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
       accounts_[static_cast<size_t>(found->second)] = {v[0], v[1], v[2], v[3], v[4], static_cast<int>(v[5])};
       continue;
     }
-    if (v.size() != 17 || r.key < 0 || r.key >= static_cast<int>(volumes_.size()))
+    const bool more = model_ != NodeContact::elastic;
+    if (v.size() != (more ? 27U : 17U) || r.key < 0 || r.key >= static_cast<int>(volumes_.size()))
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
     Pair& p = pairs_.emplace_back();
     p.node = found->second;
@@ -149,6 +161,11 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
     h.normal_force = v[12], h.damping_force = v[13], h.potential = v[14], h.depth = v[15];
     h.hint = static_cast<int>(v[16]);
     h.touches = true;
+    if (!more) continue;
+    h.multiplier = p.multiplier = v[17], h.held = p.held = v[18] != 0;
+    h.touches = v[19] != 0, h.paired = v[20] != 0;
+    for (int c = 0; c < 3; ++c)
+      h.anchor[c] = v[static_cast<size_t>(21 + c)], h.direction[c] = v[static_cast<size_t>(24 + c)];
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
     return std::pair(a.node, a.volume) < std::pair(b.node, b.volume);

@@ -164,7 +164,9 @@ struct Line {
   std::vector<Vec3> points;  // for Start::points: polyline the line is laid along
 };
 
-enum class ContactMethod { nodes, line };
+// rigid and gap are there to be compared with: at the nodes, held on the surface until the reaction pulls; at
+// the nodes, a spring along a direction that is chosen at the start.
+enum class ContactMethod { nodes, line, rigid, gap };
 
 // How lines touch lines.
 struct LinePairSettings {
@@ -190,7 +192,10 @@ struct BetweenLines {
 
 struct Contact {
   ContactMethod method = ContactMethod::line;
-  bool rolling = false;  // friction acts at the lines' surface and turns them about their axes
+  bool rolling = false;             // friction acts at the lines' surface and turns them about their axes
+  bool augmented = false;           // penetration is worked off by multipliers (Uzawa); nodes only
+  double allowed_penetration = 0;   // m, that is left of it; 0: 1e-4 of the radius
+  double warned_penetration = 0.1;  // share of the radius
   bool all_lines = true, all_volumes = true;
   std::vector<std::string> lines, volumes;  // when not all
   BetweenLines between_lines;
@@ -200,6 +205,7 @@ struct Statics {
   bool enabled = true;
   double tolerance = 1e-8;  // residual over the size of the internal forces
   int max_iterations = 500;
+  bool exact_contact = false;  // solved as a complementarity problem (SNESVI); needs contact.augmented
 };
 
 struct Dynamics {

@@ -83,6 +83,7 @@ class Dynamics {
   static PetscErrorCode converged(SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason*,
                                   void*);
   void load(Vec u);
+  void solve_once(Attempt& a);
   std::string failure(double h) const;
 
   System& system_;

@@ -62,6 +62,26 @@ class ForceTerm {
   // The state is accepted: history that belongs to it becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
+  // Multipliers of constraints that are met by solving again (Uzawa). augment(): from an equilibrium, moves
+  // them and says so, or finds that they are good; reset_multipliers(): back to those of the last accepted
+  // state, before a step is tried (again). evaluate() never changes them. augment() may communicate.
+  virtual bool augments() const { return false; }
+  virtual bool augment(const Kinematics& equilibrium) { return (void)equilibrium, false; }
+  virtual void reset_multipliers() {}
+
+  // Exact unilateral statics: gaps that must not be negative, and their multipliers. After set_multipliers()
+  // the term's force is that of the multipliers alone (a value for each constraint, in their order), until
+  // it is called with none.
+  struct Constraint {
+    int block = 0;               // local 3-block of the position
+    double gap = 0;              // m
+    Vec3 normal = Vec3::Zero();  // derivative of the gap by the position; zero: far away
+    double stiffness = 0;        // N/m, of the spring it replaces: a scale
+    double force = 0;            // N, of that spring in this state
+  };
+  virtual void constraints(const Kinematics& at, std::vector<Constraint>& out) { (void)at, (void)out; }
+  virtual void set_multipliers(std::span<const double> values) { (void)values; }
+
   // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics):
   // no residual can be smaller.
   virtual double round_off(const Kinematics& at, double h) const { return (void)at, (void)h, 0.0; }

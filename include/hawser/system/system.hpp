@@ -86,6 +86,8 @@ class System {
   double axial_stiffness() const;
   double dead_load() const;
   double longest_step(const Kinematics& committed) const;
+  bool augment(const Kinematics& equilibrium);  // true on all ranks: solve again
+  void reset_multipliers();
 
   void prepare(const Kinematics& committed, double h);
   // Says that the coming try is shorter than what was prepared for: what is noise in the residual depends on

@@ -15,11 +15,17 @@ struct ContactNode {
   double mass = 0;    // kg, nodal mass: the effective mass of relative_damping
 };
 
+// How a node is kept out: by springs; by springs whose penetration is worked off with multipliers; held on
+// the surface, once it got through it, until the reaction pulls; by a spring along the normal that was
+// nearest at the start, wherever the node goes. See docs/theory/contact-models.md.
+enum class NodeContact { elastic, augmented, rigid, gap };
+
 class VolumeContact final : public Contact {
  public:
   // nodes: one for each owned node. All lengths and indices are checked, std::invalid_argument otherwise.
   VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
-                std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes);
+                std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes,
+                NodeContact model = NodeContact::elastic, double allowed_penetration = 0);
 
   std::string_view name() const override { return "volume contact"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -27,6 +33,11 @@ class VolumeContact final : public Contact {
   double longest_step(const Kinematics& committed) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
+  bool augments() const override { return model_ == NodeContact::augmented || model_ == NodeContact::rigid; }
+  bool augment(const Kinematics& equilibrium) override;
+  void reset_multipliers() override;
+  void constraints(const Kinematics& at, std::vector<Constraint>& out) override;
+  void set_multipliers(std::span<const double> values) override;
   Energy energy(const Kinematics& at) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryRecord> save() const override;
@@ -52,6 +63,11 @@ class VolumeContact final : public Contact {
     double depth = 0;  // m
     int hint = -1;     // nearest triangle
     bool touches = false;
+    double multiplier = 0;  // N
+    bool held = false;
+    // Gap spring: where the surface was nearest at the start, and its normal.
+    bool paired = false;
+    Vec3 anchor = Vec3::Zero(), direction = Vec3::UnitZ();
   };
   struct Pair {
     int node = 0, volume = 0;
@@ -64,16 +80,27 @@ class VolumeContact final : public Contact {
     Vec3 centre = Vec3::Zero();
     double clear = -1;
     int hint = -1;
+    // Of the try: multiplier, whether it is held, whether it was and is not to be again.
+    double multiplier = 0;
+    bool held = false, released = false;
   };
 
   // The surface seen from y (body frame); false when it is out of touch. With the gap in `trial` when known.
   bool locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const;
+  bool locate_held(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const;  // other models
   Force resolve(Pair& pair, const Kinematics& trial, bool tangent, bool convex);
   PointContact contact(Pair& pair, const Kinematics& at, bool derivatives, bool convex, ContactTrial& trial);
   ContactLaw node_law(int node, int volume) const;
+  // The law in force: with the multiplier, holding or not. step [s]; 0: statics.
+  ContactLaw in_force(const Pair& pair, double step) const;
+  bool improve(Pair& pair, const ContactTrial& at, double step);
+  void choose_gap(Pair& pair, const Vec3& y) const;
   Vec3 line_tangent(const Kinematics& at, int node) const;
   void account(const Pair& pair, const History& next, const Vec3& y);
 
+  NodeContact model_;
+  bool exact_ = false;  // the multipliers are the force
+  double allowed_;      // m, penetration that multipliers leave; 0: a share of the radius
   std::vector<ContactNode> nodes_;
   std::vector<int> global_, block_;  // of owned nodes: mesh node, local 3-block
   std::vector<int> before_, after_;  // neighbours along the line (local nodes), itself at an end
