@@ -1,6 +1,6 @@
 """Peak reaction of the falling pipe against the step, elastic and rigid: a table, and a figure as SVG.
 
-    python3 cases/impact/figures.py build/hawser [docs/pictures/impact.svg]
+    python3 cases/impact/figures.py build/hawser [cases/impact/impact.svg]
 
 Runs cases/impact/impact.yaml with other steps and methods in a scratch folder; reads the results with h5dump.
 """
@@ -37,7 +37,7 @@ def peak(program, folder, method, step):
     with open(path, "w") as f:
         f.write(case)
     subprocess.run([program, "run", path], check=True, capture_output=True)
-    return max(column(os.path.join(folder, "impact.h5"), "/histories/middle", "contact_normal_force"))
+    return max(column(os.path.join(folder, "impact.h5"), "/series/middle", "contact_normal_force"))
 
 
 def svg(rows):

@@ -177,7 +177,7 @@ void VolumeContact::account(const Pair& pair, const History& next, const Vec3& y
   const double smoothing = pair.law.normal.smoothing;
   if (!last.touches) {
     const double moved = std::max(pair.start.gap - smoothing, 0.0), deep = smoothing + next.depth;
-    part = deep / (moved + deep);
+    part = moved > 0 ? deep / (moved + deep) : 1;
   } else if (!next.touches) {
     const double away = last.normal.dot(y - y0), deep = std::max(smoothing - pair.start.gap, 0.0);
     part = away > deep ? deep / away : 1;

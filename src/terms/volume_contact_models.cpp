@@ -10,7 +10,7 @@ namespace {
 constexpr double kLeft = 1e-4;    // of the radius: penetration that multipliers leave when nothing is said
 constexpr double kHeld = 1e-8;    // of the radius: as near to the surface is a held node
 constexpr double kNone = 1e-9;    // N/m: as good as no spring beside a multiplier
-constexpr double kHolding = 1e4;  // stiffness of the hold over m/h²: an update gains four digits
+constexpr double kHolding = 1e4;  // stiffness in motion over m/h²: an update gains four digits
 
 }  // namespace
 
@@ -26,12 +26,18 @@ ContactLaw VolumeContact::in_force(const Pair& pair, double step) const {
     return law;
   }
   if (model_ == NodeContact::elastic || model_ == NodeContact::gap) return law;
-  if (model_ == NodeContact::rigid && step > 0) {
-    law.normal.holds = pair.held;
+  law.normal.table = nullptr;
+  if (step > 0) {
     const double mass = nodes_[static_cast<size_t>(pair.node)].mass;
     law.normal.stiffness = std::max(law.normal.stiffness, kHolding * mass / (step * step));
-    law.normal.smoothing = law.normal.damping = 0;
-    law.normal.table = nullptr;
+  }
+  if (model_ == NodeContact::rigid && step > 0) {
+    if (!pair.held) {
+      law.normal = {};
+      return law;
+    }
+    law.normal.holds = true;
+    law.normal.damping = 0;
   }
   law.normal.ahead = pair.multiplier / law.normal.stiffness;
   return law;
@@ -57,7 +63,7 @@ bool VolumeContact::locate_held(Pair& pair, const Vec3& y, double reach, Contact
   trial.curvature = p->curvature;
   if (exact_) return pair.multiplier > 0;
   if (pair.held || pair.multiplier > 0) return true;
-  return model_ != NodeContact::rigid && trial.gap < pair.law.normal.smoothing;
+  return trial.gap < pair.law.normal.smoothing;
 }
 
 void VolumeContact::choose_gap(Pair& pair, const Vec3& y) const {

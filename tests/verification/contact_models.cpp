@@ -76,23 +76,26 @@ TEST(ContactModels, ElasticPeakDoesNotDependOnTheStep) {
     std::printf(
         "elastic, T/%2.0f: peak %.1f kN (%+.2f %% of T/200), impulse %.3f kN s, energy %+.2e of the fall\n",
         part, l.peak / 1e3, 100 * (l.peak / fine.peak - 1), l.impulse / 1e3, l.energy / fallen_energy());
-    EXPECT_NEAR(l.peak, fine.peak, 0.03 * fine.peak) << part;
+    EXPECT_NEAR(l.peak, fine.peak, (part > 3 ? 0.03 : 0.05) * fine.peak) << part;
     EXPECT_LT(l.energy, 2e-3 * fallen_energy());
   }
 }
 
 // The step decides the force: the speed of the node is taken out in one.
 TEST(ContactModels, RigidPeakGrowsAsTheStepFalls) {
-  double last = 0;
+  double first = 0, last = 0;
   for (const double step : {8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4}) {
     const Landing l = land(model::ContactMethod::rigid, step);
     std::printf("rigid, %.2f ms: peak %.1f kN, impulse %.3f kN s, %d releases, %.1e m under, energy %+.2e\n",
                 1e3 * step, l.peak / 1e3, l.impulse / 1e3, l.releases, l.depth, l.energy / fallen_energy());
-    if (last > 0) {
+    EXPECT_LT(l.depth, 1e-7 * kPipeRadius);
+    if (step < 3e-3) {
       EXPECT_GT(l.peak, 1.3 * last);
     }
+    if (first == 0) first = l.peak;
     last = l.peak;
   }
+  EXPECT_GT(last, 5 * first);
 }
 
 // A cable laid over a round bar from both sides, in statics: penetration by the spring, by multipliers, and

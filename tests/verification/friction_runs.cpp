@@ -167,10 +167,8 @@ TEST(FrictionRuns, EllipseIsTraced) {
       }
       std::printf("dragged, %s, %s: off the ellipse by %.1e, off the direction by %.1e rad\n",
                   method == model::ContactMethod::line ? "line" : "nodes", row.name, worst, worst_direction);
-      if (row.rule != 2) {
-        EXPECT_LT(worst, 1e-3) << row.name;
-      }
-      EXPECT_LT(worst_direction, 2e-3) << row.name;
+      EXPECT_LT(worst, 1e-9) << row.name;
+      EXPECT_LT(worst_direction, 1e-5) << row.name;
     }
 }
 
