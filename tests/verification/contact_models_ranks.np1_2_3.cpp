@@ -1,0 +1,72 @@
+// Multipliers, exact statics, rigid and gap contact on several ranks: the figures of one.
+#include "verification/contact_models.hpp"
+
+namespace hawser::test {
+namespace {
+
+double sum(double x) {
+  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  return x;
+}
+
+double contact_force(Simulation& s, const Kinematics& at) {
+  double f = 0;
+  for (const double x : NodeField(s, "contact_normal_force").at(at)) f += x;
+  return sum(f);
+}
+
+// As found on one rank, with multipliers and exactly (which agree).
+TEST(ContactModelsRanks, Statics) {
+  for (const bool exact : {false, true}) {
+    Simulation s(PETSC_COMM_WORLD, hung_cable(1e6, true, exact), {round_drum(3.6, 2)});
+    s.solve_statics();
+    EXPECT_NEAR(contact_force(s, s.state().view(0)), 39141.9, 0.2);
+  }
+}
+
+// First blow on the pipe, in steps of 2 ms.
+TEST(ContactModelsRanks, Motion) {
+  struct Row {
+    model::ContactMethod method;
+    bool augmented;
+  };
+  for (const Row& row : {Row{model::ContactMethod::rigid, false}, Row{model::ContactMethod::nodes, true},
+                         Row{model::ContactMethod::gap, false}}) {
+    model::Case c = pipe(row.method, 2e-3);
+    c.contact.augmented = row.augmented;
+    c.contact.allowed_penetration = 1e-7;
+    Simulation s(PETSC_COMM_WORLD, c, {point_support()});
+    Dynamics& d = s.dynamics();
+    d.start(s.state());
+    double impulse = 0;
+    d.run(
+        0.17, [](double t) { return t + 100; },
+        [&](const StepInfo& i) {
+          impulse += i.h * contact_force(s, d.kinematics());
+          return true;
+        });
+    int size = 1;
+    MPI_Comm_size(PETSC_COMM_WORLD, &size);
+    // The same run on one rank, by every rank for itself.
+    Simulation alone(PETSC_COMM_SELF, c, {point_support()});
+    Dynamics& a = alone.dynamics();
+    a.start(alone.state());
+    double expected = 0;
+    a.run(
+        0.17, [](double t) { return t + 100; },
+        [&](const StepInfo& i) {
+          double f = 0;
+          for (const double x : NodeField(alone, "contact_normal_force").at(a.kinematics())) f += x;
+          expected += i.h * f;
+          return true;
+        });
+    if (s.local().owned > 0 && s.local().global[0] == 0)
+      std::printf("%d ranks, method %d: impulse %.9g N s, alone %.9g\n", size, static_cast<int>(row.method),
+                  impulse, expected);
+    EXPECT_GT(impulse, 1e3);
+    EXPECT_NEAR(impulse, expected, 1e-6 * expected);
+  }
+}
+
+}  // namespace
+}  // namespace hawser::test
