@@ -11,7 +11,8 @@ double sum(double x) {
 
 double contact_force(Simulation& s, const Kinematics& at) {
   double f = 0;
-  for (const double x : NodeField(s, "contact_normal_force").at(at)) f += x;
+  NodeField field(s, "contact_normal_force");
+  for (const double x : field.at(at)) f += x;
   return sum(f);
 }
 
@@ -52,11 +53,12 @@ TEST(ContactModelsRanks, Motion) {
     Dynamics& a = alone.dynamics();
     a.start(alone.state());
     double expected = 0;
+    NodeField field(alone, "contact_normal_force");
     a.run(
         0.17, [](double t) { return t + 100; },
         [&](const StepInfo& i) {
           double f = 0;
-          for (const double x : NodeField(alone, "contact_normal_force").at(a.kinematics())) f += x;
+          for (const double x : field.at(a.kinematics())) f += x;
           expected += i.h * f;
           return true;
         });
