@@ -7,7 +7,6 @@
 #include "hawser/base/error.hpp"
 #include "hawser/kernels/catenary.hpp"
 #include "hawser/math/so3.hpp"
-
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {

@@ -44,7 +44,8 @@ class ForceTerm {
   // Of a converged step, before it is accepted, on this rank: whether everything that acts in it was
   // foreseen. False: it is taken again, shorter.
   virtual bool covers(const Kinematics& trial) const { return (void)trial, true; }
-  // Whether that is so only because what was foreseen is old: preparing anew is the remedy, not a shorter step.
+  // Whether that is so only because what was foreseen is old: preparing anew is the remedy, not a shorter
+  // step.
   virtual bool outdated() const { return false; }
 
   // Once before a step of length h [s] is tried, from the last accepted state. May communicate.
