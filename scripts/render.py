@@ -234,7 +234,7 @@ def colour_lines(view, tubes, options, limits, unit):
 def render(options):
     os.makedirs(options.out, exist_ok=True)
     pv._DisableFirstRenderCameraReset()
-    source = pv.OpenDataFile(options.results)
+    source = pv.OpenDataFile(os.path.abspath(options.results))  # the reader wants a folder before the name
     if source is None:
         raise SystemExit(f"render: ParaView cannot open {options.results}")
     source.UpdatePipelineInformation()

@@ -134,7 +134,7 @@ void expect_wound(const char* method, const Reeled& r) {
 
   Samples moment;
   int off = 0;
-  for (const double m : r.moment) moment.add(m), off += std::abs(m - 1) > 0.03;
+  for (const double m : r.moment) moment.add(m), off += std::abs(m - 1) > 0.02;
   std::printf(
       "reel, %s: moment on the drum %.4f EI/(R+r), rms %.4f, between %.4f and %.4f, %d of %zu nodes off by 3 "
       "%%\n",
