@@ -209,12 +209,13 @@ void Dynamics::start(const State& state) {
   s.directors.clear(), s.director_weight = 0;
   system_.supports().rates(s.time, s);
   last_step_ = 0;
-  prepare(control_.wish());
-  system_.residual(s.view(0), r_.get());
+  const double h = control_.wish();  // that it moves: dampers act from the start
+  prepare(h);
+  system_.residual(s.view(h), r_.get());
   std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   Weights mass;
   mass.K = 0, mass.M = 1;
-  system_.tangent(s.view(0), mass, zero, false, J_.get());
+  system_.tangent(s.view(h), mass, zero, false, J_.get());
   KSP ksp = nullptr;
   check(SNESGetKSP(snes_, &ksp));
   check(KSPSetOperators(ksp, J_.get(), J_.get()));
@@ -232,7 +233,7 @@ void Dynamics::start(const State& state) {
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
   alpha_start(committed_);
-  system_.residual(s.view(0), r_.get());
+  system_.residual(s.view(h), r_.get());
   reactions_ = system_.reactions();
 }
 
