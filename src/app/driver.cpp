@@ -126,7 +126,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
     if (checkpoint.time >= end * (1 - 1e-12)) progress.say("which is the end: nothing left to compute");
   } else if (c.statics.enabled) {
     const Stage stage("statics");
+    const size_t told = sim.notes().size();
     const StaticsReport s = sim.solve_statics();
+    for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
     progress.say(fmt::format("statics: {} iterations{}", s.iterations,
                              s.escapes > 0 ? fmt::format(", {} false equilibria left", s.escapes) : ""));
     if (s.negative_eigenvalues > 0)

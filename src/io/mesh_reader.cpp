@@ -12,12 +12,12 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "hawser/base/error.hpp"
 #include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/model/nearest.hpp"
+#include "ply_reader.hpp"
 
 namespace hawser::io {
 namespace {
@@ -65,28 +65,6 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, 
   for (unsigned i = 0; i < node.mNumChildren; ++i) append(scene, *node.mChildren[i], to_root, scale, mesh);
 }
 
-// Assimp's reader never comes back from a header that does not end, nor from numbers of elements beyond the
-// file.
-void check_ply_header(const std::string& path, std::uintmax_t bytes) {
-  std::ifstream in(path, std::ios::binary);
-  std::string line;
-  for (int i = 0; i < 1000 && std::getline(in, line); ++i) {
-    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) line.pop_back();
-    if (line == "end_header") return;
-    std::istringstream words(line);
-    std::string word, name, number;
-    if (!(words >> word) || word != "element") continue;
-    words >> name >> number;
-    const bool digits =
-        !number.empty() && number.size() < 12 &&
-        std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
-    if (!digits || std::stoull(number) > bytes)
-      bad(path,
-          fmt::format("the PLY header announces '{}' of '{}', more than the file can hold", number, name));
-  }
-  bad(path, "the PLY header has no line 'end_header'");
-}
-
 TriangleMesh import(const std::string& path, double scale) {
   namespace fs = std::filesystem;
   std::error_code error;
@@ -99,13 +77,17 @@ TriangleMesh import(const std::string& path, double scale) {
     bad(path, "meshes are read from STL, OBJ and PLY files (.stl, .obj, .ply), not from '" + extension + "'");
   if (fs::file_size(path, error) == 0 || error) bad(path, "the mesh file is empty or cannot be read");
 
-  if (extension == ".ply") check_ply_header(path, fs::file_size(path));
-  Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_SortByPType);
-  if (!scene || !scene->mRootNode)
-    bad(path, fmt::format("cannot be read as a mesh: {}", importer.GetErrorString()));
   TriangleMesh mesh;
-  append(*scene, *scene->mRootNode, aiMatrix4x4(), scale, mesh);
+  if (extension == ".ply") {
+    if (const std::string problem = read_ply(path, fs::file_size(path), scale, mesh); !problem.empty())
+      bad(path, problem);
+  } else {
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_SortByPType);
+    if (!scene || !scene->mRootNode)
+      bad(path, fmt::format("cannot be read as a mesh: {}", importer.GetErrorString()));
+    append(*scene, *scene->mRootNode, aiMatrix4x4(), scale, mesh);
+  }
   if (mesh.triangles.empty()) bad(path, "holds no triangles");
   for (const Vec3& v : mesh.vertices)
     if (!v.allFinite()) bad(path, "has a vertex that is no finite number");
