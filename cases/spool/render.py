@@ -11,4 +11,4 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from render import main  # noqa: E402
 
 main(diameter=0.85, direction=[-1.0, 0.3, -0.3], focus=[0.0, 0.0, -1.0], height=14.0, size=[600, 600],
-     at=[300, 400, 500])
+     at=[300, 400, 558])
