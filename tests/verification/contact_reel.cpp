@@ -33,7 +33,7 @@ using model::ContactMethod;
 
 Reeled run(ContactMethod method, int elements, double duration,
            std::shared_ptr<const Surface> instead = nullptr, bool flat = false) {
-  model::Case c = io::read_case(std::string(HAWSER_SOURCE_DIR) + "/cases/reel/reel.yaml");
+  model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
   EXPECT_EQ(c.contact.method, ContactMethod::line);  // that of the case
   c.contact.method = method;
   if (flat) c.volumes[0].smooth = false;
