@@ -55,7 +55,7 @@ inline void write_case(const std::string& path, std::string text, const Edits& e
 
 // The reel of cases/reel, changed here and there.
 inline std::string reel(const std::string& path, Edits edits = {}) {
-  const std::string folder = std::string(HAWSER_SOURCE_DIR) + "/cases/reel/";
+  const std::string folder = HAWSER_SOURCE_DIR "/cases/reel/";
   std::ostringstream text;
   text << std::ifstream(folder + "reel.yaml").rdbuf();
   edits.push_back({"mesh: drum.stl", "mesh: " + folder + "drum.stl"});

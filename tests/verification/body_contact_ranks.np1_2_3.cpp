@@ -27,7 +27,7 @@ std::vector<double> poses(MPI_Comm comm, const model::Case& c, const std::vector
 }
 
 TEST(BodyContact, RanksAgree) {
-  const model::Case c = io::read_case(std::string(HAWSER_SOURCE_DIR) + "/cases/fenders/fenders.yaml");
+  const model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/fenders/fenders.yaml");
   const auto volumes = app::load_volumes(c);
   const auto one = poses(PETSC_COMM_SELF, c, volumes), all = poses(PETSC_COMM_WORLD, c, volumes);
   ASSERT_EQ(one.size(), 75U);

@@ -17,7 +17,7 @@ struct Drawn {
 };
 
 Drawn draw(model::ContactMethod method, int elements, double duration) {
-  model::Case c = io::read_case(std::string(HAWSER_SOURCE_DIR) + "/cases/reel/reel.yaml");
+  model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
   c.contact.method = method;
   c.lines[0].sections[0].elements = elements;
   Simulation s(PETSC_COMM_WORLD, c, {round_drum(kBarrel, 5.5)});
