@@ -4,7 +4,7 @@ target_include_directories(hawser_options INTERFACE ${PROJECT_SOURCE_DIR}/includ
 target_compile_features(hawser_options INTERFACE cxx_std_20)
 # The -Wno- ones: gcc 12 sees ghosts in its own AVX-512 intrinsics (gcc bug 105593) and in std::string.
 target_compile_options(hawser_options INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-psabi
-  -Wno-maybe-uninitialized -Wno-uninitialized -Wno-stringop-overflow
+  -Wno-maybe-uninitialized -Wno-uninitialized -Wno-stringop-overflow -Wno-array-bounds
   -fno-math-errno -fno-trapping-math)
 if(HAWSER_WERROR)
   target_compile_options(hawser_options INTERFACE -Werror)
