@@ -1,7 +1,7 @@
 """Pictures of a run: lines as tubes coloured by a field, the volumes they touch as surfaces.
 
     scripts/render RESULTS.xdmf OUT_FOLDER [options]                            (starts the two programs below)
-    xvfb-run -a pvpython scripts/render.py RESULTS.xdmf OUT_FOLDER [options]
+    scripts/with-display pvpython scripts/render.py RESULTS.xdmf OUT_FOLDER [options]
 
 Writes OUT_FOLDER/NAME_0000.png and so on, one a time, and NAME.png with all of them side by side. What a cell is
 drawn as follows from its shape (polylines are lines, triangles are volumes), so any XDMF of that kind will do.

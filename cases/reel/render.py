@@ -1,7 +1,7 @@
 """Pictures of the reel: the drum and the hose on it, coloured by effective tension.
 
     scripts/render cases/reel/reel.xdmf out/
-    xvfb-run -a pvpython cases/reel/render.py cases/reel/reel.xdmf out/     (the same)
+    scripts/with-display pvpython cases/reel/render.py cases/reel/reel.xdmf out/     (the same)
 
 The options of scripts/render.py apply, for example --field penetration, or --at 30 200 for certain times.
 """

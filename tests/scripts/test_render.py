@@ -54,12 +54,12 @@ def coloured(rows):
             if max(row[x : x + 3]) - min(row[x : x + 3]) > 60]
 
 
-@unittest.skipUnless(shutil.which("pvpython") and shutil.which("xvfb-run"), "scripts/install-deps --view")
+@unittest.skipUnless(shutil.which("pvpython") and shutil.which("Xvfb"), "scripts/install-deps --view")
 class Render(unittest.TestCase):
     def render(self, folder, *options):
         write(folder, "small.xdmf", xdmf([0, 1, 2]))
-        result = run("xvfb-run", "-a", "pvpython", ROOT / "scripts" / "render.py", Path(folder) / "small.xdmf",
-                     Path(folder) / "out", "--size", "200", "160", "--direction=0,1,0", "--focus", "0.5,0,1",
+        result = run("scripts/with-display", "pvpython", ROOT / "scripts" / "render.py",
+                     Path(folder) / "small.xdmf", Path(folder) / "out", "--size", "200", "160", "--direction=0,1,0", "--focus", "0.5,0,1",
                      "--height", "4", "--diameter", "0.4", *options, timeout=100)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         return sorted(p.name for p in (Path(folder) / "out").iterdir())
