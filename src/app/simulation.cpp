@@ -12,6 +12,7 @@
 #include "hawser/solve/unilateral.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
+#include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
@@ -116,6 +117,8 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (loads) system_->add(std::make_unique<PointLoads>(local, point_loads(c, local)));
   if (masses)
     system_->add(std::make_unique<PointMasses>(local, point_masses(c, local), c.environment.gravity));
+
+  if (c.environment.water.present) system_->add(std::make_unique<Hydrodynamics>(local, c));
 
   StartShape start = start_shape(c, local, *bodies_);
   std::vector<ContactVolume> volumes;

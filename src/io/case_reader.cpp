@@ -31,7 +31,7 @@ class Reader {
 
   void read() {
     c_.title = root_["title"].text;
-    c_.environment.gravity = root_["environment"]["gravity"].number;
+    c_.environment = read_environment(root_["environment"], source_);
     each("line_types",
          [&](const std::string& name, const Value& v) { c_.line_types.push_back(line_type(name, v)); });
     each("bodies", [&](const std::string& name, const Value& v) { c_.bodies.push_back(body(name, v)); });
@@ -71,6 +71,7 @@ class Reader {
     t.contact_diameter = number(v, "contact_diameter", t.outer_diameter);
     t.mass_per_length = v["mass_per_length"].number;
     t.EA = v["EA"].number;
+    read_in_water(v, path, source_, t);
     t.stiffness_damping = v["stiffness_damping"].number;
     if (t.kind == model::LineKind::cable) {
       for (const char* key : {"EI", "GJ", "GA", "rotary_inertia"})
@@ -219,7 +220,8 @@ class Reader {
                                        : model::Start::automatic;
     }
     for (const Value& m : v["masses"].items)
-      l.masses.push_back({arc(m.find("at"), 0, length), m["mass"].number});
+      l.masses.push_back({arc(m.find("at"), 0, length), m["mass"].number, m["volume"].number,
+                          m["drag_area"].number, m["Ca"].number});
     for (std::size_t i = 0; i < v["loads"].items.size(); ++i)
       load(v["loads"].items[i], fmt::format("{}.loads[{}]", path, i), static_cast<int>(i), length, l);
     return l;

@@ -27,41 +27,37 @@ using namespace schema_build;
 namespace {
 
 Key line_types() {
-  return names("line_types",
-               map("<type>",
-                   {number("outer_diameter", length, "diameter of the outside").above(0).is_required(),
-                    number("contact_diameter", length, "diameter that touches volumes")
-                        .above(0)
-                        .or_else_note("`outer_diameter`"),
-                    number("mass_per_length", mass_per_length, "mass with contents, in air")
-                        .above(0)
-                        .is_required(),
-                    boolean("bending",
-                            "`false` makes a cable: axial stiffness only, may go slack; its nodes have no "
-                            "rotations")
-                        .or_else("true"),
-                    number("EA", force, "axial stiffness").above(0).is_required(),
-                    one_of("EI",
-                           {number("", bending_stiffness).above(0),
-                            list("", number("", bending_stiffness).above(0), "").items(2, 2)},
-                           "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
-                        .or_else_note("none: needed unless `bending: false`"),
-                    number("GJ", bending_stiffness, "torsion stiffness")
-                        .above(0)
-                        .or_else_note("none: needed unless `bending: false`"),
-                    number("GA", force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)")
-                        .at_least(0)
-                        .or_else("0"),
-                    vec3("rotary_inertia", inertia_per_length,
-                         "rotary inertia per length about axes 1 (along the line), 2 and 3")
-                        .at_least(0)
-                        .or_else_note("of a full round section: m d²/8, m d²/16, m d²/16"),
-                    number("stiffness_damping", time,
-                           "Rayleigh damping beta: damping = beta times the material stiffness")
-                        .at_least(0)
-                        .or_else("0")},
-                   ""),
-               "What lines are made of, by name.")
+  std::vector<Key> keys = {
+      number("outer_diameter", length, "diameter of the outside").above(0).is_required(),
+      number("contact_diameter", length, "diameter that touches volumes")
+          .above(0)
+          .or_else_note("`outer_diameter`"),
+      number("mass_per_length", mass_per_length, "mass in air, without `contents` and `marine_growth`")
+          .above(0)
+          .is_required(),
+      boolean("bending",
+              "`false` makes a cable: axial stiffness only, may go slack; its nodes have no "
+              "rotations")
+          .or_else("true"),
+      number("EA", force, "axial stiffness").above(0).is_required(),
+      one_of("EI",
+             {number("", bending_stiffness).above(0),
+              list("", number("", bending_stiffness).above(0), "").items(2, 2)},
+             "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
+          .or_else_note("none: needed unless `bending: false`"),
+      number("GJ", bending_stiffness, "torsion stiffness")
+          .above(0)
+          .or_else_note("none: needed unless `bending: false`"),
+      number("GA", force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)").at_least(0).or_else("0"),
+      vec3("rotary_inertia", inertia_per_length,
+           "rotary inertia per length about axes 1 (along the line), 2 and 3")
+          .at_least(0)
+          .or_else_note("of a full round section: m d²/8, m d²/16, m d²/16"),
+      number("stiffness_damping", time, "Rayleigh damping beta: damping = beta times the material stiffness")
+          .at_least(0)
+          .or_else("0")};
+  for (Key& k : in_water()) keys.push_back(std::move(k));
+  return names("line_types", map("<type>", std::move(keys), ""), "What lines are made of, by name.")
       .or_else("{}");
 }
 
@@ -196,32 +192,42 @@ Key lines() {
                       true),
           "loads besides weight")
           .or_else("[]");
-  return names("lines",
-               map("<line>",
-                   {std::move(sections), line_end("end_a", "how end A is held").is_required(),
-                    line_end("end_b", "how end B is held").is_required(),
-                    one_of("start",
-                           {word("", {"auto", "catenary", "hanging", "straight"}),
-                            map("",
-                                {list("points", vec3("", length),
-                                      "polyline from end A to end B that the line is laid "
-                                      "along")
-                                     .is_required()
-                                     .items(2)},
-                                "")},
-                           "shape from which statics starts; `auto`: catenary between two held ends, hanging "
-                           "from one")
-                        .or_else("auto"),
-                    list("masses",
-                         map("",
-                             {arc("at", "arc length from end A").is_required(),
-                              number("mass", mass, "point mass").above(0).is_required()},
-                             ""),
-                         "point masses")
-                        .or_else("[]"),
-                    std::move(loads)},
-                   ""),
-               "Lines, by name. Arc lengths are unstretched and count from end A.")
+  return names(
+             "lines",
+             map("<line>",
+                 {std::move(sections), line_end("end_a", "how end A is held").is_required(),
+                  line_end("end_b", "how end B is held").is_required(),
+                  one_of("start",
+                         {word("", {"auto", "catenary", "hanging", "straight"}),
+                          map("",
+                              {list("points", vec3("", length),
+                                    "polyline from end A to end B that the line is laid "
+                                    "along")
+                                   .is_required()
+                                   .items(2)},
+                              "")},
+                         "shape from which statics starts; `auto`: catenary between two held ends, hanging "
+                         "from one")
+                      .or_else("auto"),
+                  list("masses",
+                       map("",
+                           {arc("at", "arc length from end A").is_required(),
+                            number("mass", mass, "point mass").above(0).is_required(),
+                            number("volume", volume,
+                                   "displaced by it: a buoy or a clump weight, taken for a ball")
+                                .at_least(0)
+                                .or_else("0"),
+                            number("drag_area", area, "drag coefficient times area").at_least(0).or_else("0"),
+                            number("Ca", none, "added mass over the mass of the displaced water")
+                                .at_least(0)
+                                .at_most(100)
+                                .or_else("0")},
+                           ""),
+                       "point masses, clump weights and buoys")
+                      .or_else("[]"),
+                  std::move(loads)},
+                 ""),
+             "Lines, by name. Arc lengths are unstretched and count from end A.")
       .or_else("{}");
 }
 
@@ -237,11 +243,8 @@ const Key& case_schema() {
   static const Key schema = map(
       "case",
       {integer("hawser", "version of the case format; must be 1").at_least(1).at_most(1).is_required(),
-       text("title", "title, for pictures and reports").or_else(""),
-       map("environment", {number("gravity", acceleration, "acts along -z").at_least(0).or_else("9.80665")},
-           "Surroundings.")
-           .or_else("{}"),
-       line_types(), bodies(), volumes(), lines(),
+       text("title", "title, for pictures and reports").or_else(""), environment(), line_types(), bodies(),
+       volumes(), lines(),
        map("contact",
            {all_or_names("lines", "lines", "lines that take part in contact"),
             all_or_names("volumes", "volumes", "volumes that take part in contact"),

@@ -72,7 +72,9 @@ inline Key one_of(std::string name, std::vector<Key> alternatives, std::string a
 
 inline constexpr const char* kZero = "[0, 0, 0]";
 
-Key volumes();        // with their shapes, contact laws and friction
-Key between_lines();  // of contact
+Key volumes();                // with their shapes, contact laws and friction
+Key between_lines();          // of contact
+Key environment();            // the sea and its bed
+std::vector<Key> in_water();  // of line types
 
 }  // namespace hawser::model::schema_build

@@ -38,13 +38,19 @@ constexpr Unit kTurningStiffness[] = {
     {"Nm/rad"},           {"kNm/rad", 1e3, 1},     {"MNm/rad", 1e6, 1},    {"Nm", 1, 1},
     {"Nm/deg", 180, kPi}, {"kNm/deg", 180e3, kPi}, {"MNm/deg", 180e6, kPi}};
 constexpr Unit kTurningDamping[] = {{"Nms/rad"}, {"kNms/rad", 1e3, 1}, {"MNms/rad", 1e6, 1}, {"Nms"}};
+constexpr Unit kDensity[] = {{"kg/m^3"}, {"t/m^3", 1000, 1}};
+constexpr Unit kPressure[] = {{"Pa"}, {"kPa", 1e3, 1}, {"MPa", 1e6, 1}, {"bar", 1e5, 1}};
+constexpr Unit kVolume[] = {{"m^3"}};
+constexpr Unit kArea[] = {{"m^2"}};
+constexpr Unit kLineDamping[] = {{"Ns/m^2"}, {"kNs/m^2", 1e3, 1}};
+constexpr Unit kAreaDamping[] = {{"Ns/m^3"}, {"kNs/m^3", 1e3, 1}, {"Pas/m", 1, 1}};
 
 struct Entry {
   std::string_view name, base;
   std::span<const Unit> units;
 };
 // In the order of Dimension.
-const std::array<Entry, 21> kTable = {{{"dimensionless number", "-", kNone},
+const std::array<Entry, 27> kTable = {{{"dimensionless number", "-", kNone},
                                        {"length", "m", kLength},
                                        {"time", "s", kTime},
                                        {"mass", "kg", kMass},
@@ -64,7 +70,13 @@ const std::array<Entry, 21> kTable = {{{"dimensionless number", "-", kNone},
                                        {"moment of inertia", "kg m²", kMomentOfInertia},
                                        {"damping of a point", "N s/m", kPointDamping},
                                        {"stiffness against turning", "N m/rad", kTurningStiffness},
-                                       {"damping of turning", "N m s/rad", kTurningDamping}}};
+                                       {"damping of turning", "N m s/rad", kTurningDamping},
+                                       {"density", "kg/m³", kDensity},
+                                       {"pressure", "Pa", kPressure},
+                                       {"volume", "m³", kVolume},
+                                       {"area", "m²", kArea},
+                                       {"damping per length", "N s/m²", kLineDamping},
+                                       {"damping per area", "N s/m³", kAreaDamping}}};
 
 const Entry& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
 

@@ -20,7 +20,14 @@ RigidPose frame(const model::Case& c, const Bodies& bodies, const model::End& e)
   return e.kind == model::EndKind::body ? bodies.pose(c.body_index(e.body), 0) : RigidPose{};
 }
 
+// N/m of a line under water.
+double buoyancy(const model::Case& c, const model::LineType& t) {
+  const model::Water& w = c.environment.water;
+  return w.present ? w.density * c.environment.gravity * M_PI / 4 * t.displaced() * t.displaced() : 0;
+}
+
 std::vector<CatenarySection> catenary_sections(const model::Case& c, const model::Line& line) {
+  const model::Water& water = c.environment.water;
   double total = 0;
   for (const auto& s : line.sections) total += s.length;
   std::vector<CatenarySection> out;
@@ -30,7 +37,7 @@ std::vector<CatenarySection> catenary_sections(const model::Case& c, const model
     CatenarySection k;
     k.length = s.length;
     k.EA = t.EA;
-    k.load = Vec3(0, 0, -c.environment.gravity * t.mass_per_length);
+    k.load = Vec3(0, 0, buoyancy(c, t) - c.environment.gravity * t.mass_per_length);
     for (const auto& l : line.loads) {
       if (l.ramp > 0) continue;  // not there yet at t = 0
       const double end = l.to < 0 ? total : l.to;
@@ -41,7 +48,9 @@ std::vector<CatenarySection> catenary_sections(const model::Case& c, const model
     // Point masses and forces act at the end of the section they are in: a start shape need not be exact.
     const auto here = [&](double at) { return at > from - s.length && at <= from; };
     for (const auto& m : line.masses)
-      if (here(m.at)) k.end_load += Vec3(0, 0, -m.mass * c.environment.gravity);
+      if (here(m.at))
+        k.end_load +=
+            Vec3(0, 0, (water.present ? water.density * m.volume : 0) - m.mass) * c.environment.gravity;
     for (const auto& p : line.point_loads)
       if (here(p.at) && p.ramp == 0) k.end_load += p.force;
     out.push_back(k);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
 #include "hawser/terms/structure.hpp"
@@ -240,6 +241,48 @@ inline std::vector<SuiteCase> mass_and_load_cases() {
   return out;
 }
 
+// A sea with its surface where the lines are (or far above them), a current that turns with the depth, and a
+// buoy. The sea is level: `at` may turn it about z only. Sections so thick that none comes to the edges of
+// what is half wet, where the second derivative is infinite.
+inline void add_water(SuiteModel& m, const Placement& at, double surface, bool turned, double radius = 2) {
+  const LocalMesh& l = m.system->mesh();
+  std::vector<Hydrodynamics::Piece> pieces;
+  for (const LocalElement& e : l.elements) {
+    const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
+    Hydrodynamics::Piece p;
+    p.at = e, p.beam = g.beam;
+    p.section = {g.length, radius, 40, 4, 3, 1, 2, 0.7, suite_axes(turned).col(0)};
+    pieces.push_back(p);
+  }
+  std::vector<Hydrodynamics::Ball> balls;
+  for (int n = 0; n < l.owned; ++n)
+    if (const int g = l.global[static_cast<size_t>(n)]; g == 2 || g == 6)
+      balls.push_back({n, {20, 2, 1, 3, 0.6}});
+  Sea sea;
+  sea.surface = surface;
+  sea.current = CurrentProfile(
+      {{surface - 20, at.rotation * Vec3(0.5, 1, 0)}, {surface + 20, at.rotation * Vec3(-1.5, 3, 0)}});
+  sea.current_ramp = 1.5;
+  m.system->add(std::make_unique<Hydrodynamics>(l, sea, std::move(pieces), std::move(balls)));
+}
+
+inline std::vector<SuiteCase> water_cases() {
+  std::vector<SuiteCase> out;
+  for (const auto& [name, surface, turned, step] : {std::tuple{"water, deep", 10.0, false, false},
+                                                    {"water, at the surface", 0.1, false, true},
+                                                    {"water, turned axes", 0.3, true, true},
+                                                    {"water, turned axes, deep", 10.0, true, false}})
+    out.push_back(
+        {name, [surface = surface, turned = turned, step = step](MPI_Comm comm, const Placement& at) {
+           auto m = held_model(comm, at);
+           add_water(*m, at, surface, turned);
+           if (step) add_directors(*m, at);
+           m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+           return m;
+         }});
+  return out;
+}
+
 inline std::vector<SuiteCase> contact_cases() {
   std::vector<SuiteCase> out;
   constexpr std::pair<ContactOn, const char*> kinds[] = {{ContactOn::plane, "plane"},
@@ -261,7 +304,8 @@ inline std::vector<SuiteCase> contact_cases() {
 
 inline std::vector<SuiteCase> all_cases() {
   std::vector<SuiteCase> out = structure_cases();
-  for (auto list : {mass_and_load_cases(), contact_cases()}) out.insert(out.end(), list.begin(), list.end());
+  for (auto list : {mass_and_load_cases(), water_cases(), contact_cases()})
+    out.insert(out.end(), list.begin(), list.end());
   out.push_back({"everything", [](MPI_Comm comm, const Placement& at) {
                    auto m = held_model(comm, at);
                    add_structure(*m, 0.01, 200, true);

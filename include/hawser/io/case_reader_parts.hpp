@@ -34,6 +34,11 @@ model::TableMotion read_motion_table(const model::Value& table, const std::strin
 // `contact.between_lines`. Two different sets of settings for one pair are refused.
 model::BetweenLines read_between_lines(const model::Value& v, const CaseSource& source);
 
+// `environment`, and what a line type is in water (contents and marine growth are added to its mass).
+model::Environment read_environment(const model::Value& v, const CaseSource& source);
+void read_in_water(const model::Value& v, const std::string& key, const CaseSource& source,
+                   model::LineType& t);
+
 // Read every mesh, refuse what is no closed volume or has the wrong scale; repairs go to Case::notes.
 void check_meshes(const model::Value& root, const CaseSource& source, model::Case& c);
 

@@ -12,14 +12,11 @@
 
 #include "hawser/geometry/primitive_shape.hpp"
 #include "hawser/kernels/force_table.hpp"
-#include "hawser/kernels/friction_law.hpp"
 #include "hawser/math/types.hpp"
+#include "hawser/model/environment.hpp"
+#include "hawser/model/stiffness.hpp"
 
 namespace hawser::model {
-
-struct Environment {
-  double gravity = 9.80665;  // m/s², acts along -z
-};
 
 enum class LineKind { beam, cable };
 
@@ -28,13 +25,24 @@ struct LineType {
   LineKind kind = LineKind::beam;      // `bending: false` makes a cable: EA only, may go slack
   double outer_diameter = 0;           // m
   double contact_diameter = 0;         // m, default outer_diameter
-  double mass_per_length = 0;          // kg/m
+  double mass_per_length = 0;          // kg/m, in air, with contents and marine growth
   double EA = 0;                       // N
   double EI2 = 0, EI3 = 0;             // N m², about the section's axes 2 and 3
   double GJ = 0;                       // N m²
   double GA = 0;                       // N, shear stiffness; 0: rigid in shear (Euler-Bernoulli)
   Vec3 rotary_inertia = Vec3::Zero();  // kg m (per length), about axes 1 (along), 2, 3
   double stiffness_damping = 0;        // s, Rayleigh beta: damping = beta * material stiffness
+
+  // In water. The axial drag acts on the skin, pi times the drag diameter.
+  double displaced_diameter = 0;  // m, of the volume that water is driven out of; 0: outer_diameter
+  double drag_diameter = 0;       // m; 0: displaced_diameter
+  double Cd_normal = 1.2, Cd_axial = 0, Ca_normal = 1, Ca_axial = 0;
+  double inner_diameter = 0;     // m, of the bore; 0: none
+  double contents_density = 0;   // kg/m³
+  double contents_pressure = 0;  // Pa above the atmosphere, in the bore at the still water level
+
+  double displaced() const { return displaced_diameter > 0 ? displaced_diameter : outer_diameter; }
+  double dragged() const { return drag_diameter > 0 ? drag_diameter : displaced(); }
 };
 
 // u(t) for t >= 0, with u and its first two derivatives continuous.
@@ -77,19 +85,6 @@ struct Body {
   Motion motion;
   double ramp = 0;               // s, smooth start of the motion (quintic), 0: none
   std::optional<BodyMass> mass;  // without it the motion is prescribed
-};
-
-enum class StiffnessBasis { automatic, per_point, per_length, per_area };
-
-struct Friction {
-  double axial = 0, lateral = 0;           // Coulomb coefficients, at rest
-  double mobilisation_length = 0;          // m, axial; 0: default of 1 % of the contact diameter
-  double shear_stiffness = 0;              // same basis as the normal stiffness; 0: use mobilisation_length
-  double lateral_mobilisation_length = 0;  // m; 0: as the axial one
-  double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients of fast sliding
-  double blend_speed = 0;                         // m/s; 0: always those at rest
-  FrictionReturn back = FrictionReturn::radial;
-  FrictionSpring spring = FrictionSpring::elliptic;
 };
 
 struct Box {
@@ -136,6 +131,10 @@ struct End {
 struct PointMass {
   double at = 0;    // m, arc length from end A
   double mass = 0;  // kg
+  // In water: a clump weight or a buoy, round.
+  double volume = 0;     // m³, displaced
+  double drag_area = 0;  // m², drag coefficient times area
+  double Ca = 0;         // added mass over displaced mass
 };
 struct DistributedLoad {
   Vec3 per_length = Vec3::Zero();  // N/m, dead load per unstretched length

@@ -29,6 +29,12 @@ enum class Dimension {
   point_damping,       // N s/m
   turning_stiffness,   // N m/rad
   turning_damping,     // N m s/rad
+  density,             // kg/m³
+  pressure,            // Pa
+  volume,              // m³
+  area,                // m²
+  line_damping,        // N s/m², per length of a line
+  area_damping,        // N s/m³, per area of a line
 };
 
 struct Unit {

@@ -1,0 +1,72 @@
+// What water does to one element of a line: buoyancy with partial wetting, Morison drag and added mass,
+// Froude-Krylov force. See docs/theory/water.md.
+//
+// Along the element position, velocity and virtual displacement are those of its distributed loads: linear
+// for a cable (two Gauss points), Hermite's cubic for a beam (three). The direction that splits normal from
+// axial is the chord's. What the water does is given at the nodes and linear between. All per unstretched
+// length.
+#pragma once
+
+#include "hawser/kernels/line_mass.hpp"
+
+namespace hawser {
+
+struct WaterSection {
+  double length = 0;                         // m, unstretched
+  double radius = 0;                         // m, of the displaced volume
+  double buoyancy = 0;                       // N/m, rho g A
+  double displaced_mass = 0;                 // kg/m, rho A
+  double added_normal = 0, added_axial = 0;  // kg/m, rho Ca A
+  double drag_normal = 0, drag_axial = 0;    // kg/m², rho Cd D/2 and rho Cd pi D/2
+  Vec3 axis = Vec3::UnitX();                 // beam: along the element, in node axes
+};
+
+// The water at a node.
+struct Water {
+  Vec3 velocity = Vec3::Zero();      // m/s
+  Vec3 by_height = Vec3::Zero();     // 1/s, its derivative by z
+  Vec3 acceleration = Vec3::Zero();  // m/s²
+  double surface = 0;                // m, z of the free surface above it
+};
+
+// Position x, rates and the rest as in MassEnds.
+struct WaterEnds {
+  Vec3 x1, x2;
+  MassEnds motion;
+  Water water1, water2;
+};
+
+// Residual (minus the water's force on the line) f[6] or f[12] = (x1, theta1, x2, theta2), moments in
+// material axes; row-major tangents by configuration, velocity and acceleration (directors as in
+// beam_mass_tangent). convex: leave out what is not positive of the configuration's part.
+void cable_water_force(const WaterSection& s, const WaterEnds& e, double* f);
+void cable_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, double* f, double* K,
+                         double* C, double* M);
+void beam_water_force(const WaterSection& s, const WaterEnds& e, double* f);
+void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, double* f, double* K,
+                        double* C, double* M);
+
+// Of the potential of buoyancy, J (that of a fully wet line: buoyancy times depth); of the other forces what
+// they are, in the generalised coordinates (x1, L t1, x2, L t2) of a beam, (x1, x2) of a cable.
+double water_potential(const WaterSection& s, const WaterEnds& e, bool beam);
+struct WaterForce {
+  Vec3 force[4];  // N: drag, Froude-Krylov and added mass, on the line
+};
+WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam);
+
+// Share of the section under water at a height h [m] of the surface above the axis, for an element of this
+// length whose axis rises by `rise` over it: a circle's, widened for steep elements to what the Gauss points
+// can see, so that nothing jumps while an element goes through the surface.
+double wet_share(const WaterSection& s, double h, double rise, bool beam);
+
+// Forces on a round buoy or clump weight at a node.
+struct WaterBall {
+  double buoyancy = 0, displaced_mass = 0, added_mass = 0;  // N, kg, kg
+  double drag = 0;                                          // kg/m, rho Cd A/2
+  double radius = 0;                                        // m
+};
+void ball_water(const WaterBall& b, const Vec3& x, const Vec3& v, const Vec3& a, const Water& water, Vec3& f,
+                Mat3* K, Mat3* C, Mat3* M);
+double ball_potential(const WaterBall& b, const Vec3& x, const Water& water);
+
+}  // namespace hawser

@@ -1,0 +1,52 @@
+// The sea and its bed, as a case describes them. z up, origin at the still water level; directions are where
+// a flow goes to, anticlockwise from +x.
+#pragma once
+
+#include <vector>
+
+#include "hawser/model/stiffness.hpp"
+
+namespace hawser::model {
+
+struct CurrentRow {
+  double depth = 0;      // m below the surface, positive
+  double speed = 0;      // m/s
+  double direction = 0;  // rad
+};
+
+// Straight lines between the rows, constant above the first and below the last; or, with an exponent, a
+// single row and the power law speed (1 - depth/water depth)^exponent.
+struct Current {
+  std::vector<CurrentRow> profile;  // empty: no current
+  double exponent = 0;
+  double ramp = 0;  // s, smooth start in dynamics; 0: acts from statics on
+};
+
+struct Water {
+  bool present = false;
+  double density = 1025;  // kg/m³
+  double depth = 0;       // m; 0: not given
+  double surface = 0;     // m, z of the still water
+  Current current;
+};
+
+// A plane through (0, 0, -depth), going down at `slope` towards `direction`.
+struct Seabed {
+  bool present = false;
+  double depth = 0;                 // m
+  double slope = 0, direction = 0;  // rad
+  StiffnessBasis basis = StiffnessBasis::per_area;
+  double normal_stiffness = 0;  // N/m² or N/m³ by basis
+  double damping = 0;           // N s/m² or N s/m³ by basis
+  double smoothing = -1;        // m, half width of the C1 ramp; < 0: default
+  Friction friction;
+  bool as_laid = true;  // in statics friction acts against what pulled the line from where it was laid
+};
+
+struct Environment {
+  double gravity = 9.80665;  // m/s², acts along -z
+  Water water;
+  Seabed seabed;
+};
+
+}  // namespace hawser::model

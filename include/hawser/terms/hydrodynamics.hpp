@@ -1,0 +1,84 @@
+// What the sea does to the lines, and to buoys and clump weights on them: buoyancy, current drag, added mass.
+// See docs/theory/water.md.
+#pragma once
+
+#include <vector>
+
+#include "hawser/kernels/current.hpp"
+#include "hawser/kernels/line_water.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/state/state.hpp"
+#include "hawser/system/force_term.hpp"
+
+namespace hawser {
+
+namespace model {
+struct Case;
+}
+
+// The sea, wherever one looks.
+struct Sea {
+  double density = 1025, gravity = 9.80665;  // kg/m³, m/s²
+  double surface = 0;                        // m, z of the still water
+  CurrentProfile current;
+  double current_ramp = 0;  // s, smooth start; 0: always there
+};
+Sea sea_of(const model::Case& c);
+
+class Hydrodynamics final : public ForceTerm {
+ public:
+  struct Piece {
+    LocalElement at;
+    bool beam = true;
+    int blocks[4] = {};
+    WaterSection section;
+    // For the wall tension: areas of bore and outside, density and pressure of the contents.
+    double inside = 0, outside = 0;     // m²
+    double contents = 0, pressure = 0;  // kg/m³, Pa at the still water level
+  };
+  struct Ball {
+    int node = 0;  // local, owned
+    WaterBall ball;
+  };
+
+  Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces, std::vector<Ball> balls = {});
+  Hydrodynamics(const LocalMesh& mesh, const model::Case& c);
+
+  std::string_view name() const override { return "hydrodynamics"; }
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  double dead_load() const override;
+  double round_off(const Kinematics& at, double h) const override;
+  Vec3 node_force(const Kinematics& at, int node) const override;
+  void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
+
+ private:
+  // Forces of flow in generalised coordinates, and these coordinates, of a counted piece.
+  struct Flow {
+    WaterForce force;
+    Vec3 place[4];
+  };
+  Water water(const Vec3& x, double time) const;
+  void look(const Kinematics& at, std::vector<Water>& out) const;
+  WaterEnds ends(const Piece& p, const Kinematics& k, const std::vector<Water>& water) const;
+  void places(const Piece& p, const Kinematics& k, Vec3* out) const;
+  void flow(const Kinematics& at, std::vector<Flow>& out) const;
+  static double work(const std::vector<Flow>& from, const std::vector<Flow>& to);
+
+  const LocalMesh& mesh_;
+  Sea sea_;
+  std::vector<Piece> pieces_;
+  std::vector<Ball> balls_;
+  std::vector<Water> water_;  // of the trial, by local node
+  std::vector<Flow> flow_;    // of the last accepted state; in statics of the last iteration
+  double work_ = 0;           // J, done by drag and added mass on what this rank counts
+};
+
+// Properties in water of the case's line types.
+WaterSection water_section(const model::Case& c, int type, double length);
+
+}  // namespace hawser

@@ -1,0 +1,77 @@
+// The sea, its bed, and what lines are in it, from the checked tree.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "hawser/io/case_reader_parts.hpp"
+
+namespace hawser::io {
+namespace {
+
+using model::Value;
+
+double number(const Value& v, const char* key, double otherwise = 0) {
+  const Value* x = v.find(key);
+  return x ? x->number : otherwise;
+}
+
+model::Current read_current(const Value& v, double water_depth, const CaseSource& source) {
+  const std::string key = "environment.water.current";
+  model::Current c;
+  c.ramp = v["ramp"].number;
+  if (v.has("speed")) {
+    c.profile.push_back({0, v["speed"].number, v["direction_deg"].number});
+    c.exponent = number(v, "exponent");
+    if (c.exponent > 0 && !(water_depth > 0))
+      source.bad(v["exponent"], key + ".exponent", "a power law needs 'depth' of the water or of the seabed");
+    return c;
+  }
+  for (const Value& r : v["profile"].items) {
+    const model::CurrentRow row{r["depth"].number, r["speed"].number, r["direction_deg"].number};
+    if (!c.profile.empty() && !(row.depth > c.profile.back().depth))
+      source.bad(
+          r["depth"], fmt::format("{}.profile[{}].depth", key, c.profile.size()),
+          fmt::format("rows go downwards, but {:g} m comes after {:g} m", row.depth, c.profile.back().depth));
+    c.profile.push_back(row);
+  }
+  return c;
+}
+
+}  // namespace
+
+model::Environment read_environment(const Value& v, const CaseSource& source) {
+  model::Environment e;
+  e.gravity = v["gravity"].number;
+  if (const Value* w = v.find("water")) {
+    e.water.present = true;
+    e.water.density = (*w)["density"].number;
+    e.water.depth = number(*w, "depth");
+    e.water.surface = (*w)["surface"].number;
+    if (const Value* c = w->find("current")) e.water.current = read_current(*c, e.water.depth, source);
+  }
+  return e;
+}
+
+void read_in_water(const Value& v, const std::string& key, const CaseSource& source, model::LineType& t) {
+  t.displaced_diameter = number(v, "displaced_diameter", t.outer_diameter);
+  t.drag_diameter = number(v, "drag_diameter", t.displaced_diameter);
+  t.Cd_normal = v["Cd_normal"].number, t.Cd_axial = v["Cd_axial"].number;
+  t.Ca_normal = v["Ca_normal"].number, t.Ca_axial = v["Ca_axial"].number;
+  if (const Value* c = v.find("contents")) {
+    t.inner_diameter = (*c)["inner_diameter"].number;
+    t.contents_density = (*c)["density"].number, t.contents_pressure = (*c)["pressure"].number;
+    if (t.inner_diameter >= t.displaced_diameter)
+      source.bad(
+          (*c)["inner_diameter"], key + ".contents.inner_diameter",
+          fmt::format("{:g} m is not inside the outside of {:g} m", t.inner_diameter, t.displaced_diameter));
+    t.mass_per_length += t.contents_density * M_PI / 4 * t.inner_diameter * t.inner_diameter;
+  }
+  if (const Value* g = v.find("marine_growth")) {
+    const double d = t.displaced_diameter, D = d + 2 * (*g)["thickness"].number;
+    t.mass_per_length += (*g)["density"].number * M_PI / 4 * (D * D - d * d);
+    t.displaced_diameter = D;
+    t.drag_diameter += D - d;
+  }
+}
+
+}  // namespace hawser::io

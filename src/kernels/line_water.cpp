@@ -1,0 +1,206 @@
+#include "hawser/kernels/line_water.hpp"
+
+#include "water_points.hpp"
+
+namespace hawser {
+namespace {
+
+using namespace water_points;
+
+template <int n>
+void put_water(const WaterEnds& e, Motion<n>& m) {
+  const Water* w[2] = {&e.water1, &e.water2};
+  for (int i = 0; i < 2; ++i) {
+    m.u[i] = load(w[i]->velocity), m.by_height[i] = load(w[i]->by_height), m.a[i] = load(w[i]->acceleration);
+    m.surface[i] = w[i]->surface;
+  }
+}
+
+Motion<2> cable_motion(const WaterEnds& e) {
+  Motion<2> m;
+  const MassEnds& r = e.motion;
+  m.X[0] = load(e.x1), m.X[1] = load(e.x2), m.V[0] = load(r.v1), m.V[1] = load(r.v2);
+  m.A[0] = load(r.a1), m.A[1] = load(r.a2);
+  put_water(e, m);
+  return m;
+}
+
+// With the matrices that take rotations to the tangents' motion, as in beam_mass_tangent.
+struct BeamMotion {
+  Motion<4> m;
+  Mat Q[2];
+  Row c, w[2], rate[2];  // axis, angular velocity, w x c
+  Row g[2];              // acceleration of the tangent in node axes; unused when it is given
+  bool given;
+};
+
+void beam_motion(const WaterSection& s, const WaterEnds& e, BeamMotion& o) {
+  const MassEnds& r = e.motion;
+  const double L = s.length;
+  o.c = load(s.axis);
+  o.Q[0] = rotation(r.q1), o.Q[1] = rotation(r.q2);
+  o.w[0] = load(r.w1), o.w[1] = load(r.w2);
+  o.given = r.directors1 != nullptr;
+  const Row alpha[2] = {load(r.alpha1), load(r.alpha2)};
+  const Mat3* directors[2] = {r.directors1, r.directors2};
+  o.m.X[0] = load(e.x1), o.m.X[2] = load(e.x2), o.m.V[0] = load(r.v1), o.m.V[2] = load(r.v2);
+  o.m.A[0] = load(r.a1), o.m.A[2] = load(r.a2);
+  for (int i = 0; i < 2; ++i) {
+    o.rate[i] = cross(o.w[i], o.c);
+    o.m.X[2 * i + 1] = L * times(o.Q[i], o.c);
+    o.m.V[2 * i + 1] = L * times(o.Q[i], o.rate[i]);
+    if (o.given) {
+      const Vec3 a = *directors[i] * s.axis;
+      o.m.A[2 * i + 1] = L * load(a);
+    } else {
+      o.g[i] = cross(alpha[i], o.c) + cross(o.w[i], o.rate[i]);
+      o.m.A[2 * i + 1] = L * times(o.Q[i], o.g[i]);
+    }
+  }
+  put_water(e, o.m);
+}
+
+void put_beam_force(const WaterSection& s, const BeamMotion& o, const Row* F, double* f) {
+  for (int i = 0; i < 2; ++i) {
+    const Row m = s.length * cross(o.c, left(F[2 * i + 1], o.Q[i]));
+    for (int k = 0; k < 3; ++k) f[6 * i + k] = F[2 * i][k], f[6 * i + 3 + k] = m[k];
+  }
+}
+
+}  // namespace
+
+void cable_water_force(const WaterSection& s, const WaterEnds& e, double* f) {
+  Forces<2> o;
+  evaluate<false, false>(s, cable_motion(e), false, o);
+  for (int i = 0; i < 2; ++i)
+    for (int k = 0; k < 3; ++k) f[3 * i + k] = o.f[i][k];
+}
+
+void cable_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, double* f, double* K,
+                         double* C, double* M) {
+  Forces<2> o;
+  evaluate<false, true>(s, cable_motion(e), convex, o);
+  for (int i = 0; i < 2; ++i) {
+    for (int k = 0; k < 3; ++k) f[3 * i + k] = o.f[i][k];
+    for (int j = 0; j < 2; ++j) {
+      store(o.K[i][j], K + 18 * i + 3 * j, 6);
+      store(o.C[i][j], C + 18 * i + 3 * j, 6);
+      store(o.M[i][j], M + 18 * i + 3 * j, 6);
+    }
+  }
+}
+
+void beam_water_force(const WaterSection& s, const WaterEnds& e, double* f) {
+  BeamMotion b;
+  beam_motion(s, e, b);
+  Forces<4> o;
+  evaluate<true, false>(s, b.m, false, o);
+  put_beam_force(s, b, o.f, f);
+}
+
+void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, double* f, double* K,
+                        double* C, double* M) {
+  BeamMotion b;
+  beam_motion(s, e, b);
+  Forces<4> o;
+  evaluate<true, true>(s, b.m, convex, o);
+  put_beam_force(s, b, o.f, f);
+  // Columns: the tangents' position, velocity and acceleration by theta, w and alpha.
+  Mat A[2], TV[2], TA[2], W[2], row[2];
+  for (int i = 0; i < 2; ++i) {
+    const Mat Q = s.length * b.Q[i];
+    A[i] = times_hat(Q, -b.c);
+    TV[i] = times_hat(Q, -b.rate[i]);
+    TA[i] = times_hat(Q, b.given ? -e.motion.director_weight * b.rate[i] : -b.g[i]);
+    W[i] = b.given ? Mat{} : times_hat(Q, -b.rate[i]) - times_hat(times_hat(Q, b.w[i]), b.c);
+    row[i] = s.length * hat_times(b.c, transpose(b.Q[i]));
+  }
+  const auto put = [](double* to, int i, int j, const Mat& m) { store(m, to + 36 * i + 3 * j, 12); };
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 2; ++k) {
+      const int x = 2 * k, t = x + 1;
+      Mat Kx = o.K[i][x], Cx = o.C[i][x], Mx = o.M[i][x];
+      Mat Kt = o.K[i][t] * A[k] + o.C[i][t] * TV[k] + o.M[i][t] * TA[k];
+      Mat Ct = o.C[i][t] * A[k], Mt = o.M[i][t] * A[k];
+      if (!b.given) Ct += o.M[i][t] * W[k];
+      if (i % 2) {
+        const Mat& r = row[i / 2];
+        Kx = r * Kx, Cx = r * Cx, Mx = r * Mx, Kt = r * Kt, Ct = r * Ct, Mt = r * Mt;
+        if (i == t) Kt += s.length * hat_times(b.c, hat(left(o.f[i], b.Q[k])));
+      }
+      put(K, i, x, Kx), put(C, i, x, Cx), put(M, i, x, Mx);
+      put(K, i, t, Kt), put(C, i, t, Ct), put(M, i, t, Mt);
+    }
+}
+
+namespace {
+
+template <bool beam, int n>
+double potential(const WaterSection& s, const Motion<n>& m) {
+  using R = Rule<beam>;
+  const Band band(s.radius, R::band * s.length, s.length, m.X[n - (beam ? 2 : 1)][2] - m.X[0][2]);
+  double sum = 0;
+  for (int g = 0; g < R::points; ++g) {
+    const double z = R::at[g];
+    double N[n], h = (1 - z) * m.surface[0] + z * m.surface[1];
+    R::shape(z, N);
+    for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
+    sum += R::weight[g] * band.b * circle_wetting(h / band.b).integral;
+  }
+  return s.buoyancy * s.length * sum;
+}
+
+}  // namespace
+
+double water_potential(const WaterSection& s, const WaterEnds& e, bool beam) {
+  if (!beam) return potential<false>(s, cable_motion(e));
+  BeamMotion b;
+  beam_motion(s, e, b);
+  return potential<true>(s, b.m);
+}
+
+WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam) {
+  WaterForce out;
+  if (beam) {
+    BeamMotion b;
+    beam_motion(s, e, b);
+    Forces<4> o;
+    evaluate<true, false, Part::flow>(s, b.m, false, o);
+    for (int j = 0; j < 4; ++j) out.force[j] = -vec(o.f[j]);
+  } else {
+    Forces<2> o;
+    evaluate<false, false, Part::flow>(s, cable_motion(e), false, o);
+    out.force[0] = -vec(o.f[0]), out.force[1] = Vec3::Zero();
+    out.force[2] = -vec(o.f[1]), out.force[3] = Vec3::Zero();
+  }
+  return out;
+}
+
+double wet_share(const WaterSection& s, double h, double rise, bool beam) {
+  const double band = beam ? Rule<true>::band : Rule<false>::band;
+  return circle_wetting(h / Band(s.radius, band * s.length, s.length, rise).b).share;
+}
+
+void ball_water(const WaterBall& b, const Vec3& x, const Vec3& v, const Vec3& a, const Water& water, Vec3& f,
+                Mat3* K, Mat3* C, Mat3* M) {
+  const Wetting wet = ball_wetting((water.surface - x.z()) / b.radius);
+  const Vec3 u = water.velocity - v;
+  const double speed = u.norm();
+  const Vec3 rest =
+      b.added_mass * (a - water.acceleration) - b.displaced_mass * water.acceleration - b.drag * speed * u;
+  f = wet.share * (rest - b.buoyancy * Vec3::UnitZ());
+  if (!K) return;
+  Mat3 D = speed * Mat3::Identity();
+  if (speed > 0) D += u * u.transpose() / speed;
+  D *= wet.share * b.drag;
+  *K = -D * water.by_height * Vec3::UnitZ().transpose();
+  K->col(2) -= wet.slope / b.radius * (rest - b.buoyancy * Vec3::UnitZ());
+  *C = D;
+  *M = wet.share * b.added_mass * Mat3::Identity();
+}
+
+double ball_potential(const WaterBall& b, const Vec3& x, const Water& water) {
+  return b.buoyancy * b.radius * ball_wetting((water.surface - x.z()) / b.radius).integral;
+}
+
+}  // namespace hawser

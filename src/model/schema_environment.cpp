@@ -1,0 +1,81 @@
+// The keys of the sea, its bed and of what lines are in it.
+#include "schema_build.hpp"
+
+namespace hawser::model::schema_build {
+namespace {
+
+Key current() {
+  return map("current",
+             {number("speed", velocity, "the same at all depths, or at the surface of a power law")
+                  .at_least(0),
+              number("direction_deg", angle, "where it goes to, anticlockwise from +x").or_else("0"),
+              number("exponent", none, "of the power law speed (1 - depth/water depth)^exponent, say 1/7")
+                  .above(0)
+                  .at_most(10)
+                  .or_else_note("none: the same at all depths"),
+              list("profile",
+                   map("",
+                       {number("depth", length, "below the still water").at_least(0).is_required(),
+                        number("speed", velocity, "there").at_least(0).is_required(),
+                        number("direction_deg", angle, "where it goes to, anticlockwise from +x")
+                            .or_else("0")},
+                       ""),
+                   "instead: rows downwards, straight lines between them, constant beyond the ends")
+                  .items(1),
+              number("ramp", time, "starts smoothly over this time in dynamics; 0: acts in statics already")
+                  .at_least(0)
+                  .or_else("0")},
+             "current")
+      .either({{{"speed", "direction_deg", "exponent"}, {"speed"}}, {{"profile"}, {"profile"}}}, true);
+}
+
+Key water() {
+  return map("water",
+             {number("density", density, "density").above(0).or_else("1025"),
+              number("depth", length, "of the still water").above(0).or_else_note("that of `seabed`"),
+              number("surface", length, "z of the still water").or_else("0"), current()},
+             "the sea; without it lines hang in air");
+}
+
+}  // namespace
+
+Key environment() {
+  return map("environment",
+             {number("gravity", acceleration, "acts along -z").at_least(0).or_else("9.80665"), water()},
+             "Surroundings.")
+      .or_else("{}");
+}
+
+std::vector<Key> in_water() {
+  return {
+      number("displaced_diameter", length, "of the volume that displaces water")
+          .above(0)
+          .or_else_note("`outer_diameter`"),
+      number("drag_diameter", length, "that drag is reckoned with")
+          .above(0)
+          .or_else_note("`displaced_diameter`"),
+      number("Cd_normal", none, "drag coefficient across the line, on the drag diameter")
+          .at_least(0)
+          .at_most(100)
+          .or_else("1.2"),
+      number("Cd_axial", none, "drag coefficient along the line, on the skin: pi times the drag diameter")
+          .at_least(0)
+          .at_most(100)
+          .or_else("0"),
+      number("Ca_normal", none, "added mass coefficient across the line; the inertia coefficient is 1 + Ca")
+          .at_least(0)
+          .at_most(100)
+          .or_else("1"),
+      number("Ca_axial", none, "added mass coefficient along the line").at_least(0).at_most(100).or_else("0"),
+      map("contents",
+          {number("inner_diameter", length, "of the bore").above(0).is_required(),
+           number("density", density, "of what fills it").at_least(0).is_required(),
+           number("pressure", pressure, "above the atmosphere, at the still water level").or_else("0")},
+          "what is in the bore: its mass is added to `mass_per_length`"),
+      map("marine_growth",
+          {number("thickness", length, "all round").above(0).is_required(),
+           number("density", density, "of the growth, in air").above(0).or_else("1325")},
+          "adds to the mass, to the displaced diameter and to the drag diameter")};
+}
+
+}  // namespace hawser::model::schema_build

@@ -1,0 +1,225 @@
+#include "hawser/terms/hydrodynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hawser/kernels/motion.hpp"
+
+namespace hawser {
+
+Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces,
+                             std::vector<Ball> balls)
+    : mesh_(mesh), sea_(std::move(sea)), pieces_(std::move(pieces)), balls_(std::move(balls)) {
+  for (Piece& p : pieces_) {
+    const int a = mesh_.block[static_cast<size_t>(p.at.first)],
+              b = mesh_.block[static_cast<size_t>(p.at.second)];
+    if (p.beam)
+      p.blocks[0] = a, p.blocks[1] = a + 1, p.blocks[2] = b, p.blocks[3] = b + 1;
+    else
+      p.blocks[0] = a, p.blocks[1] = b;
+  }
+}
+
+Water Hydrodynamics::water(const Vec3& x, double time) const {
+  Water w;
+  w.surface = sea_.surface;
+  if (sea_.current.none()) return w;
+  sea_.current.at(sea_.surface - x.z(), w.velocity, w.by_height);
+  const double ramp = sea_.current_ramp > 0 ? quintic_ramp(time, sea_.current_ramp).value : 1;
+  w.velocity *= ramp, w.by_height *= -ramp;
+  return w;
+}
+
+void Hydrodynamics::look(const Kinematics& at, std::vector<Water>& out) const {
+  out.resize(at.x.size());
+  for (size_t n = 0; n < at.x.size(); ++n) out[n] = water(at.x[n], at.time);
+}
+
+WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const std::vector<Water>& water) const {
+  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  WaterEnds e;
+  e.x1 = k.x[i], e.x2 = k.x[j];
+  e.water1 = water[i], e.water2 = water[j];
+  MassEnds& m = e.motion;
+  m.a1 = k.a[i], m.a2 = k.a[j], m.v1 = k.v[i], m.v2 = k.v[j];
+  if (!p.beam) return e;
+  m.q1 = k.q[i], m.q2 = k.q[j], m.w1 = k.w[i], m.w2 = k.w[j];
+  m.alpha1 = k.alpha[i], m.alpha2 = k.alpha[j];
+  if (!k.directors.empty()) m.directors1 = &k.directors[i], m.directors2 = &k.directors[j];
+  m.director_weight = k.director_weight;
+  return e;
+}
+
+void Hydrodynamics::evaluate(const Kinematics& trial, Sink& sink) {
+  look(trial, water_);
+  double f[12], K[144], C[144], M[144];
+  const bool tangent = sink.wants_tangent(), convex = sink.convex();
+  for (const Piece& p : pieces_) {
+    const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
+    const WaterEnds e = ends(p, trial, water_);
+    if (tangent) {
+      (p.beam ? beam_water_tangent : cable_water_tangent)(p.section, e, convex, f, K, C, M);
+      sink.add(blocks, f, K, C, M);
+    } else {
+      (p.beam ? beam_water_force : cable_water_force)(p.section, e, f);
+      sink.add(blocks, f, nullptr, nullptr, nullptr);
+    }
+  }
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  for (const Ball& b : balls_) {
+    const size_t n = static_cast<size_t>(b.node);
+    Vec3 r;
+    Mat3 k, c, m;
+    ball_water(b.ball, trial.x[n], trial.v[n], trial.a[n], water_[n], r, tangent ? &k : nullptr, &c, &m);
+    const int block = mesh_.block[n];
+    if (!tangent) {
+      sink.add({&block, 1}, r.data(), nullptr, nullptr, nullptr);
+      continue;
+    }
+    const RowMajor rk = k, rc = c, rm = m;
+    sink.add({&block, 1}, r.data(), rk.data(), rc.data(), rm.data());
+  }
+}
+
+void Hydrodynamics::places(const Piece& p, const Kinematics& k, Vec3* out) const {
+  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const double L = p.section.length;
+  out[0] = k.x[i], out[2] = k.x[j];
+  out[1] = p.beam ? Vec3(L * (k.q[i] * p.section.axis)) : Vec3::Zero();
+  out[3] = p.beam ? Vec3(L * (k.q[j] * p.section.axis)) : Vec3::Zero();
+}
+
+// Balls after the pieces: a force at one place.
+void Hydrodynamics::flow(const Kinematics& at, std::vector<Flow>& out) const {
+  std::vector<Water> water;
+  look(at, water);
+  out.clear();
+  for (const Piece& p : pieces_) {
+    if (!p.at.counted) continue;
+    Flow& o = out.emplace_back();
+    o.force = water_force(p.section, ends(p, at, water), p.beam);
+    places(p, at, o.place);
+  }
+  for (const Ball& b : balls_) {
+    const size_t n = static_cast<size_t>(b.node);
+    WaterBall still = b.ball;
+    still.buoyancy = 0;
+    Vec3 f;
+    ball_water(still, at.x[n], at.v[n], at.a[n], water[n], f, nullptr, nullptr, nullptr);
+    Flow& o = out.emplace_back();
+    for (int j = 0; j < 4; ++j) o.force.force[j].setZero(), o.place[j].setZero();
+    o.force.force[0] = -f, o.place[0] = at.x[n];
+  }
+}
+
+// In statics before every iteration: what the line search needs of forces without a potential.
+void Hydrodynamics::prepare(const Kinematics& committed, double h) {
+  if (h <= 0 || flow_.empty()) flow(committed, flow_);
+}
+
+void Hydrodynamics::commit(const Kinematics& accepted) {
+  std::vector<Flow> now;
+  flow(accepted, now);
+  if (accepted.step > 0 && flow_.size() == now.size()) work_ += work(flow_, now);
+  flow_.swap(now);
+}
+
+// In statics forces without a potential are given the work they do on the way from the last iteration.
+Energy Hydrodynamics::energy(const Kinematics& at) const {
+  Energy e;
+  std::vector<Water> water;
+  look(at, water);
+  for (const Piece& p : pieces_)
+    if (p.at.counted) e.potential += water_potential(p.section, ends(p, at, water), p.beam);
+  for (const Ball& b : balls_) {
+    const size_t n = static_cast<size_t>(b.node);
+    e.potential += ball_potential(b.ball, at.x[n], water[n]);
+  }
+  if (!(at.step > 0) && !flow_.empty()) {
+    std::vector<Flow> now;
+    flow(at, now);
+    e.potential -= work(flow_, now);
+  }
+  e.work = work_;
+  return e;
+}
+
+double Hydrodynamics::work(const std::vector<Flow>& from, const std::vector<Flow>& to) {
+  double sum = 0;
+  for (size_t i = 0; i < to.size(); ++i)
+    for (int j = 0; j < 4; ++j)
+      sum += 0.5 * (to[i].force.force[j] + from[i].force.force[j]).dot(to[i].place[j] - from[i].place[j]);
+  return sum;
+}
+
+double Hydrodynamics::dead_load() const {
+  double sum = 0;
+  for (const Piece& p : pieces_)
+    if (p.at.counted) sum += p.section.length * p.section.buoyancy;
+  for (const Ball& b : balls_) sum += b.ball.buoyancy;
+  return sum;
+}
+
+double Hydrodynamics::round_off(const Kinematics& at, double h) const {
+  if (h <= 0) return 0;
+  const double eps = std::numeric_limits<double>::epsilon();
+  double sum = 0;
+  for (const Piece& p : pieces_) {
+    if (!p.at.counted) continue;
+    const double v =
+        std::max(at.v[static_cast<size_t>(p.at.first)].norm(), at.v[static_cast<size_t>(p.at.second)].norm());
+    sum += std::pow(4 * eps * p.section.added_normal * p.section.length * v / h, 2);
+  }
+  return sum;
+}
+
+Vec3 Hydrodynamics::node_force(const Kinematics& at, int node) const {
+  Vec3 sum = Vec3::Zero();
+  const size_t n = static_cast<size_t>(node);
+  for (const Ball& b : balls_)
+    if (b.node == node) {
+      Vec3 f;
+      ball_water(b.ball, at.x[n], at.v[n], at.a[n], water(at.x[n], at.time), f, nullptr, nullptr, nullptr);
+      sum -= f;
+    }
+  return sum;
+}
+
+// Of the wall: effective tension, and the pressures on the ends that it stands for (Sparks 1984).
+void Hydrodynamics::fields(FieldRegistry& registry) const {
+  std::function<void(const Kinematics&, std::span<double>)> effective;
+  for (const FieldSource& f : registry.sources())
+    if (f.name == "effective_tension") effective = f.fill;
+  if (!effective) return;
+  registry.add({"wall_tension", "N", 1, [this, effective](const Kinematics& k, std::span<double> out) {
+                  effective(k, out);
+                  std::vector<double> weight(out.size(), 0), sum(out.size(), 0);
+                  for (const Piece& p : pieces_)
+                    for (const int node : {p.at.first, p.at.second}) {
+                      if (node >= mesh_.owned) continue;
+                      const size_t n = static_cast<size_t>(node);
+                      const double depth = sea_.surface - k.x[n].z();
+                      const double out_ = sea_.density * sea_.gravity * std::max(depth, 0.0);
+                      const double in = p.pressure + p.contents * sea_.gravity * depth;
+                      weight[n] += 1 / p.section.length;
+                      sum[n] += (p.inside * in - p.outside * out_) / p.section.length;
+                    }
+                  for (size_t n = 0; n < out.size(); ++n)
+                    if (weight[n] > 0) out[n] += sum[n] / weight[n];
+                }});
+}
+
+// One record a rank, at its first node: the sums over ranks are what counts.
+std::vector<HistoryRecord> Hydrodynamics::save() const {
+  if (mesh_.owned == 0) return {};
+  return {{mesh_.global[0], 0, {work_}}};
+}
+
+void Hydrodynamics::restore(const std::vector<HistoryRecord>& records) {
+  work_ = 0;
+  for (const HistoryRecord& r : records) work_ += r.values[0];
+  flow_.clear();
+}
+
+}  // namespace hawser

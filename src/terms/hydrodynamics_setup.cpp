@@ -1,0 +1,85 @@
+// The sea and the lines' properties in it, from a case.
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/case.hpp"
+#include "hawser/terms/hydrodynamics.hpp"
+
+namespace hawser {
+
+Sea sea_of(const model::Case& c) {
+  const model::Water& w = c.environment.water;
+  Sea sea;
+  sea.density = w.density, sea.gravity = c.environment.gravity, sea.surface = w.surface;
+  const auto vector = [](const model::CurrentRow& r) {
+    return Vec3(r.speed * std::cos(r.direction), r.speed * std::sin(r.direction), 0);
+  };
+  const model::Current& current = w.current;
+  if (current.exponent > 0) {
+    sea.current = CurrentProfile(vector(current.profile.front()), current.exponent, w.depth);
+  } else {
+    std::vector<CurrentProfile::Row> rows;
+    for (const model::CurrentRow& r : current.profile) rows.push_back({r.depth, vector(r)});
+    sea.current = CurrentProfile(std::move(rows));
+  }
+  sea.current_ramp = current.ramp;
+  return sea;
+}
+
+WaterSection water_section(const model::Case& c, int type, double length) {
+  const model::LineType& t = c.line_types[static_cast<size_t>(type)];
+  const double rho = c.environment.water.density, d = t.displaced(), A = M_PI / 4 * d * d;
+  WaterSection s;
+  s.length = length;
+  s.radius = d / 2;
+  s.buoyancy = rho * c.environment.gravity * A;
+  s.displaced_mass = rho * A;
+  s.added_normal = t.Ca_normal * rho * A, s.added_axial = t.Ca_axial * rho * A;
+  s.drag_normal = 0.5 * rho * t.Cd_normal * t.dragged();
+  s.drag_axial = 0.5 * rho * t.Cd_axial * M_PI * t.dragged();
+  return s;
+}
+
+namespace {
+
+std::vector<Hydrodynamics::Piece> pieces_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<Hydrodynamics::Piece> out;
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const model::LineType& t = c.line_types[static_cast<size_t>(g.type)];
+    Hydrodynamics::Piece& p = out.emplace_back();
+    p.at = e, p.beam = g.beam;
+    p.section = water_section(c, g.type, g.length);
+    p.outside = M_PI / 4 * t.displaced() * t.displaced();
+    p.inside = M_PI / 4 * t.inner_diameter * t.inner_diameter;
+    p.contents = t.contents_density, p.pressure = t.contents_pressure;
+  }
+  return out;
+}
+
+std::vector<Hydrodynamics::Ball> balls_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<Hydrodynamics::Ball> out;
+  const double rho = c.environment.water.density;
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    for (const model::PointMass& m : c.lines[l].masses) {
+      if (!(m.volume > 0 || m.drag_area > 0)) continue;
+      const int node = mesh.find(mesh.mesh->nearest_node(static_cast<int>(l), m.at));
+      if (node < 0 || node >= mesh.owned) continue;
+      WaterBall b;
+      b.buoyancy = rho * c.environment.gravity * m.volume;
+      b.displaced_mass = rho * m.volume;
+      b.added_mass = m.Ca * rho * m.volume;
+      b.drag = 0.5 * rho * m.drag_area;
+      // Without a volume the drag still has to begin somewhere.
+      b.radius = std::max(std::cbrt(3 * m.volume / (4 * M_PI)), 0.05);
+      out.push_back({node, b});
+    }
+  return out;
+}
+
+}  // namespace
+
+Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, const model::Case& c)
+    : Hydrodynamics(mesh, sea_of(c), pieces_of(mesh, c), balls_of(mesh, c)) {}
+
+}  // namespace hawser

@@ -1,0 +1,180 @@
+// Buoyancy, drag and added mass of an element, and the current.
+#include <gtest/gtest.h>
+
+#include "hawser/kernels/current.hpp"
+#include "hawser/kernels/line_water.hpp"
+#include "hawser/kernels/wetting.hpp"
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double kRho = 1025, kG = 9.80665;
+
+WaterSection section(double length, double d, double Cd = 1.2, double Cax = 0.1, double Ca = 1) {
+  const double A = M_PI / 4 * d * d;
+  WaterSection s;
+  s.length = length, s.radius = d / 2, s.buoyancy = kRho * kG * A, s.displaced_mass = kRho * A;
+  s.added_normal = Ca * kRho * A, s.drag_normal = 0.5 * kRho * Cd * d,
+  s.drag_axial = 0.5 * kRho * Cax * M_PI * d;
+  return s;
+}
+
+Vec3 at(const double* f, int i) { return {f[3 * i], f[3 * i + 1], f[3 * i + 2]}; }
+
+// Against quadrature of the chord of a circle, and the ball's of its sections.
+TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
+  double area = 0, cap = 0, area_sum = 0, cap_sum = 0;
+  const int n = 200000;
+  for (int i = 0; i < n; ++i) {
+    const double h = 2.0 / n, u = -1 + (i + 0.5) * h;
+    area += h * 2 * std::sqrt(1 - u * u) / M_PI;
+    cap += h * 0.75 * (1 - u * u);
+    area_sum += h * area, cap_sum += h * cap;
+    if (i % 9973) continue;
+    const double end = u + h / 2;
+    EXPECT_NEAR(circle_wetting(end).share, area, 1e-7);
+    EXPECT_NEAR(ball_wetting(end).share, cap, 1e-7);
+    EXPECT_NEAR(circle_wetting(end).integral, area_sum, 2e-5);
+    EXPECT_NEAR(ball_wetting(end).integral, cap_sum, 2e-5);
+  }
+  for (const auto law : {circle_wetting, ball_wetting}) {
+    EXPECT_EQ(law(1.5).share, 1);
+    EXPECT_EQ(law(1.5).integral, 1.5);
+    EXPECT_EQ(law(-1.2).share, 0);
+    EXPECT_NEAR(law(1 - 1e-9).integral, 1, 1e-8);
+  }
+}
+
+// Displacement of 0.6 of the section: draught over diameter of a floating hose of 0.12 t/m in air and 0.20
+// t/m displacement (OMAE2006-92155, Table 4; the circular segment's own solution).
+TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
+  const double d = std::sqrt(200 / 1025. * 4 / M_PI), weight = 120 * kG;
+  EXPECT_NEAR(d, 0.4984345337, 1e-9);
+  for (const bool beam : {false, true}) {
+    const WaterSection s = section(10, d);
+    double low = -d, high = d, f[12];
+    for (int i = 0; i < 60; ++i) {
+      const double z = 0.5 * (low + high);
+      WaterEnds e;
+      e.x1 = {0, 0, z}, e.x2 = {10, 0, z};
+      (beam ? beam_water_force : cable_water_force)(s, e, f);
+      (-f[2] > weight * 5 ? low : high) = z;
+    }
+    EXPECT_NEAR((d / 2 - low) / d, 0.5788680969, 1e-9);
+  }
+}
+
+// However steep it is and wherever it goes through the surface, what is displaced is near what is under
+// water, and it grows without jumps.
+TEST(WaterLoad, SteepElementsGetWetSmoothly) {
+  const WaterSection s = section(10, 0.3);
+  double last = 0, worst = 0, f[12];
+  for (int i = 0; i <= 2000; ++i) {
+    const double z = 6 - 0.006 * i;  // of the middle
+    WaterEnds e;
+    e.x1 = {0, 0, z - 5}, e.x2 = {0, 0, z + 5};
+    cable_water_force(s, e, f);
+    const double wet = -(f[2] + f[5]) / (10 * s.buoyancy);
+    const double exact = std::clamp((5 - z) / 10, 0.0, 1.0);
+    worst = std::max(worst, std::abs(wet - exact));
+    EXPECT_GE(wet, last - 1e-12);
+    EXPECT_LT(wet - last, 2.5 * 0.0006);
+    last = wet;
+  }
+  EXPECT_EQ(last, 1);
+  EXPECT_LT(worst, 0.08);  // of the element
+}
+
+TEST(WaterLoad, ForceIsTheDerivativeOfThePotential) {
+  const WaterSection s = section(4, 0.6, 0, 0, 0);
+  WaterEnds e;
+  e.x1 = {0, 0, -0.3}, e.x2 = {3.9, 0.2, 0.5};
+  e.water1.surface = 0.1, e.water2.surface = 0.2;
+  e.motion.q1 = exp_so3({0, -0.3, 0.1}), e.motion.q2 = exp_so3({0.2, -0.1, 0});
+  for (const bool beam : {false, true}) {
+    double f[12];
+    (beam ? beam_water_force : cable_water_force)(s, e, f);
+    for (int node = 0; node < 2; ++node)
+      for (int c = 0; c < (beam ? 6 : 3); ++c) {
+        const auto V = [&](double step) {
+          WaterEnds o = e;
+          const Vec3 d = step * Vec3::Unit(c % 3);
+          if (c < 3)
+            (node ? o.x2 : o.x1) += d;
+          else
+            (node ? o.motion.q2 : o.motion.q1) = (node ? e.motion.q2 : e.motion.q1) * exp_so3(d);
+          return water_potential(s, o, beam);
+        };
+        const double h = 1e-4, slope = (V(h) - V(-h)) / (2 * h);
+        EXPECT_NEAR(f[(beam ? 6 : 3) * node + c], slope, 2e-6 * s.buoyancy * 4) << beam << node << c;
+      }
+  }
+}
+
+// A slanting line in a uniform current: Morison by hand, and the same for cable and beam.
+TEST(WaterLoad, MorisonOfASlantingLine) {
+  const WaterSection s = section(5, 0.2, 1.1, 0.05, 0.9);
+  WaterEnds e;
+  const Vec3 t = Vec3(3, 0, 4) / 5;
+  e.x1 = {0, 0, -50}, e.x2 = e.x1 + 5 * t;
+  e.motion.q1 = e.motion.q2 = Quat::FromTwoVectors(Vec3::UnitX(), t);
+  e.water1.velocity = e.water2.velocity = Vec3(0.8, -0.5, 0);
+  const Vec3 v(-0.1, 0.2, 0.3), a(0.4, -0.2, 0.7);
+  e.motion.v1 = e.motion.v2 = v, e.motion.a1 = e.motion.a2 = a;
+  const Vec3 u = Vec3(0.8, -0.5, 0) - v, un = u - u.dot(t) * t, an = a - a.dot(t) * t;
+  const double A = M_PI / 4 * 0.04;
+  const Vec3 expected = 5 * (0.5 * kRho * 1.1 * 0.2 * un.norm() * un +
+                             0.5 * kRho * 0.05 * M_PI * 0.2 * std::abs(u.dot(t)) * u.dot(t) * t -
+                             0.9 * kRho * A * an + kRho * kG * A * Vec3::UnitZ());
+  double f[12];
+  cable_water_force(s, e, f);
+  EXPECT_LT((at(f, 0) + at(f, 1) + expected).norm(), 1e-12 * expected.norm());
+  beam_water_force(s, e, f);
+  EXPECT_LT((at(f, 0) + at(f, 2) + expected).norm(), 1e-12 * expected.norm());
+}
+
+// Water that accelerates: (1 + Ca) across, 1 + Ca_axial along.
+TEST(WaterLoad, FroudeKrylovAndAddedMass) {
+  WaterSection s = section(5, 0.2, 0, 0, 0.9);
+  s.added_axial = 0.1 * s.displaced_mass;
+  WaterEnds e;
+  e.x1 = {0, 0, -50}, e.x2 = {5, 0, -50};
+  e.water1.acceleration = e.water2.acceleration = Vec3(2, 3, 0);
+  double f[12];
+  for (const bool beam : {false, true}) {
+    (beam ? beam_water_force : cable_water_force)(s, e, f);
+    const Vec3 sum = at(f, 0) + at(f, beam ? 2 : 1);
+    EXPECT_NEAR(-sum.x(), 5 * s.displaced_mass * 1.1 * 2, 1e-9);
+    EXPECT_NEAR(-sum.y(), 5 * s.displaced_mass * 1.9 * 3, 1e-9);
+  }
+}
+
+TEST(Current, TableAndPowerLaw) {
+  Vec3 u, d;
+  const CurrentProfile table({{10, Vec3(1, 0, 0)}, {30, Vec3(0, 0.5, 0)}});
+  table.at(2, u, d);
+  EXPECT_EQ(u, Vec3(1, 0, 0));
+  EXPECT_EQ(d, Vec3(0, 0, 0));
+  table.at(15, u, d);
+  EXPECT_LT((u - Vec3(0.75, 0.125, 0)).norm(), 1e-15);
+  EXPECT_LT((d - Vec3(-0.05, 0.025, 0)).norm(), 1e-15);
+  table.at(300, u, d);
+  EXPECT_EQ(u, Vec3(0, 0.5, 0));
+  const CurrentProfile law(Vec3(2, 0, 0), 1. / 7, 100);
+  law.at(50, u, d);
+  EXPECT_NEAR(u.x(), 2 * std::pow(0.5, 1. / 7), 1e-14);
+  Vec3 a, b, x;
+  for (const double z : {1.0, 50.0, 99.0, 99.95}) {
+    law.at(z + 1e-5, a, x), law.at(z - 1e-5, b, x), law.at(z, u, d);
+    EXPECT_NEAR(d.x(), (a.x() - b.x()) / 2e-5, 1e-6 * std::abs(d.x())) << z;
+  }
+  law.at(120, u, d);
+  EXPECT_EQ(u.norm(), 0);
+  law.at(-3, u, d);
+  EXPECT_EQ(u.x(), 2);
+  EXPECT_THROW(CurrentProfile({{10, Vec3(1, 0, 0)}, {10, Vec3(1, 0, 0)}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hawser

@@ -1,0 +1,39 @@
+// Lines at rest in a current.
+#include "support/rig.hpp"
+
+namespace hawser::test {
+namespace {
+
+// Towed cable: straight at the critical angle, where drag across it balances the weight across it,
+// cos phi = -k + sqrt(1 + k²), k = w/(rho Cd D U²); what is left along it is the tension.
+TEST(WaterStatics, TowedCableStreamsAtItsCriticalAngle) {
+  struct Row {
+    double speed, degrees, tension;  // m/s, from the horizontal, N per m of cable
+  };
+  const double A = M_PI / 4 * 0.05 * 0.05;
+  for (const Row& r :
+       {Row{1, 81.35697421, 197.728762}, {2, 61.5896657, 175.9125543}, {4, 35.19505662, 115.2723624}})
+    for (const bool beam : {false, true}) {
+      const double mass = 200 / 9.80665 + 1025 * A;
+      model::LineType t = beam ? beam_type(1e8, 500, 500, mass) : cable_type(1e8, mass);
+      t.outer_diameter = t.contact_diameter = 0.05;
+      model::Case c = one_line(t, 100, 50, anchor({0, 0, -10}), {});
+      c.environment.gravity = 9.80665;
+      c.environment.water.present = true;
+      c.environment.water.current.profile = {{0, r.speed, 0.6}};
+      Simulation sim(PETSC_COMM_SELF, c);
+      SCOPED_TRACE(testing::Message() << r.speed << " " << beam);
+      const StaticsReport report = sim.solve_statics();
+      EXPECT_LT(report.iterations, 100);
+      const State& s = sim.state();
+      const Vec3 chord = s.x.back() - s.x.front();
+      EXPECT_NEAR(std::atan2(chord.y(), chord.x()), 0.6, 1e-6);
+      EXPECT_NEAR(std::atan2(-chord.z(), chord.head<2>().norm()) * 180 / M_PI, r.degrees, 0.02);
+      Vec3 pull = Vec3::Zero();
+      for (int i = 0; i < 3; ++i) pull[i] = sim.system().reactions()[static_cast<size_t>(i)];
+      EXPECT_NEAR(pull.norm(), 100 * r.tension, 1e-4 * 100 * r.tension);
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test
