@@ -11,10 +11,10 @@
 #include <filesystem>
 
 #include "hawser/app/files.hpp"
-#include "hawser/app/near_elements.hpp"
 #include "hawser/app/progress.hpp"
 #include "hawser/app/recorder.hpp"
 #include "hawser/app/restart.hpp"
+#include "hawser/app/share_nodes.hpp"
 #include "hawser/app/version.hpp"
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
@@ -233,9 +233,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
     for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
   }
   const Mesh mesh = build_mesh(c);
-  std::vector<std::pair<int, int>> near;
-  if (ranks > 1) near = near_elements(c, mesh, Bodies(c.bodies));
-  const std::vector<int> owner = partition(mesh, ranks, near);
+  const std::vector<int> owner = share_nodes(c, mesh, Bodies(c.bodies), ranks);
   std::vector<int> share(static_cast<size_t>(ranks), 0);
   long beams = 0;
   for (size_t n = 0; n < owner.size(); ++n)

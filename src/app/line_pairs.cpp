@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "hawser/model/check.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
@@ -27,18 +28,34 @@ std::vector<std::pair<int, int>> joined_ends(const model::Case& c, const Mesh& m
     places.push_back(
         {&line.end_b, s.first_node + s.nodes - 1, c.line_type(line.sections.back().type).contact_diameter});
   }
+  std::erase_if(places, [](const Place& p) { return p.end->kind == model::EndKind::free; });
+  double widest = 0;
+  for (const Place& p : places) widest = std::max(widest, p.diameter);
+  // Along x of one body, so that each looks at those beside it only.
+  const auto where = [](const Place& p) { return std::tie(p.end->kind, p.end->body, p.end->at.x(), p.node); };
+  std::sort(places.begin(), places.end(),
+            [&](const Place& p, const Place& q) { return where(p) < where(q); });
   std::vector<std::pair<int, int>> out;
   for (size_t i = 0; i < places.size(); ++i)
     for (size_t j = i + 1; j < places.size(); ++j) {
       const Place &p = places[i], &q = places[j];
-      if (p.end->kind == model::EndKind::free || p.end->kind != q.end->kind || p.end->body != q.end->body)
-        continue;
-      if ((p.end->at - q.end->at).norm() < 0.5 * (p.diameter + q.diameter)) out.emplace_back(p.node, q.node);
+      if (p.end->kind != q.end->kind || p.end->body != q.end->body || q.end->at.x() - p.end->at.x() > widest)
+        break;
+      if ((p.end->at - q.end->at).norm() < 0.5 * (p.diameter + q.diameter))
+        out.push_back(std::minmax(p.node, q.node));
     }
   return out;
 }
 
 }  // namespace
+
+std::vector<std::pair<int, int>> excluded_pairs(const model::Case& c) {
+  const model::BetweenLines& b = c.contact.between_lines;
+  std::set<std::pair<int, int>> out;
+  for (const auto& [x, y] : b.exclude) out.insert(std::minmax(c.line_index(x), c.line_index(y)));
+  for (int l = 0; l < static_cast<int>(c.lines.size()) && !b.self; ++l) out.emplace(l, l);
+  return {out.begin(), out.end()};
+}
 
 std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                            std::vector<std::string>& notes) {
@@ -46,18 +63,15 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   if (!b.enabled) return nullptr;
   const int lines = static_cast<int>(c.lines.size());
   std::vector<bool> takes_part;
-  for (const model::Line& l : c.lines)
-    takes_part.push_back(c.contact.all_lines || std::find(c.contact.lines.begin(), c.contact.lines.end(),
-                                                          l.name) != c.contact.lines.end());
+  for (const model::Line& l : c.lines) takes_part.push_back(c.contact.takes_part(l));
   LinePairOptions options;
-  std::set<std::pair<int, int>> excluded;
-  for (const auto& [x, y] : b.exclude) excluded.insert(std::minmax(c.line_index(x), c.line_index(y)));
-  for (int l = 0; l < lines && !b.self; ++l) excluded.emplace(l, l);
-  options.candidates.excluded.assign(excluded.begin(), excluded.end());
+  options.candidates.excluded = excluded_pairs(c);
+  const auto& excluded = options.candidates.excluded;
   size_t pairs = 0, wanted = 0;
   for (int i = 0; i < lines; ++i)
     for (int j = i; j < lines && takes_part[static_cast<size_t>(i)]; ++j)
-      if (takes_part[static_cast<size_t>(j)]) ++pairs, wanted += !excluded.count({i, j});
+      if (takes_part[static_cast<size_t>(j)])
+        ++pairs, wanted += !std::binary_search(excluded.begin(), excluded.end(), std::pair(i, j));
   if (wanted == 0) return nullptr;
   options.candidates.joined = joined_ends(c, *mesh.mesh);
 

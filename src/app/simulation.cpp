@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "hawser/app/line_pairs.hpp"
-#include "hawser/app/near_elements.hpp"
+#include "hawser/app/share_nodes.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/solve/start_shape.hpp"
@@ -22,18 +22,13 @@
 namespace hawser::app {
 namespace {
 
-bool chosen(bool all, const std::vector<std::string>& names, const std::string& name) {
-  return all || std::find(names.begin(), names.end(), name) != names.end();
-}
-
 // Radius and mass of the owned nodes, for contact.
 std::vector<ContactNode> contact_nodes(const model::Case& c, const LocalMesh& mesh) {
   std::vector<ContactNode> out(static_cast<size_t>(mesh.owned));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
     const auto& type = c.line_types[static_cast<size_t>(g.type)];
-    const bool takes_part =
-        chosen(c.contact.all_lines, c.contact.lines, c.lines[static_cast<size_t>(g.line)].name);
+    const bool takes_part = c.contact.takes_part(c.lines[static_cast<size_t>(g.line)]);
     for (int n : {e.first, e.second}) {
       if (n >= mesh.owned) continue;
       ContactNode& node = out[static_cast<size_t>(n)];
@@ -53,7 +48,7 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
     const auto& type = c.line_types[static_cast<size_t>(g.type)];
     LineContactElement& element = out.emplace_back();
-    if (chosen(c.contact.all_lines, c.contact.lines, c.lines[static_cast<size_t>(g.line)].name))
+    if (c.contact.takes_part(c.lines[static_cast<size_t>(g.line)]))
       element.radius = 0.5 * type.contact_diameter;
     element.mass_per_length = type.mass_per_length;
     element.rolling = c.contact.rolling;
@@ -101,9 +96,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &size);
-  std::vector<std::pair<int, int>> near;
-  if (size > 1) near = near_elements(c, *mesh_, *bodies_);
-  const std::vector<int> owner = partition(*mesh_, size, near);
+  const std::vector<int> owner = share_nodes(c, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
   system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
   const LocalMesh& local = system_->mesh();
@@ -124,7 +117,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   std::vector<ContactVolume> volumes;
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
     model::Volume settings = c.volumes[v];
-    if (!chosen(c.contact.all_volumes, c.contact.volumes, settings.name) || c.lines.empty()) continue;
+    if (!c.contact.takes_part(settings) || c.lines.empty()) continue;
     if (c.floats(c.body_index(settings.body))) {
       notes_.push_back(
           fmt::format("volume {}: body {} floats; lines do not feel it", settings.name, settings.body));

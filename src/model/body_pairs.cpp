@@ -21,16 +21,14 @@ int rank(const Volume& v) {
 }  // namespace
 
 std::vector<BodyPair> body_pairs(const Case& c) {
-  const auto takes_part = [&](const Volume& v) {
-    const auto& names = c.contact.volumes;
-    return c.contact.all_volumes || std::find(names.begin(), names.end(), v.name) != names.end();
-  };
   const auto floats = [&](const Volume& v) { return c.floats(c.body_index(v.body)); };
   std::vector<BodyPair> pairs;
   for (std::size_t i = 0; i < c.volumes.size(); ++i)
     for (std::size_t j = i + 1; j < c.volumes.size(); ++j) {
       const Volume &a = c.volumes[i], &b = c.volumes[j];
-      if (a.body == b.body || !takes_part(a) || !takes_part(b) || (!floats(a) && !floats(b))) continue;
+      if (a.body == b.body || !c.contact.takes_part(a) || !c.contact.takes_part(b) ||
+          (!floats(a) && !floats(b)))
+        continue;
       const int ra = rank(a), rb = rank(b);
       const double k = a.basis == b.basis ? std::min(a.normal_stiffness, b.normal_stiffness) : 0;
       const auto stiffness = [&](const Volume& v) { return k > 0 ? k : v.normal_stiffness; };

@@ -1,8 +1,28 @@
 #include "hawser/model/case.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace hawser::model {
+namespace {
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+Mat3 BodyMass::tensor() const {
+  Mat3 J = inertia.asDiagonal();
+  J(0, 1) = J(1, 0) = products.x();
+  J(1, 2) = J(2, 1) = products.y();
+  J(0, 2) = J(2, 0) = products.z();
+  return J;
+}
+
+bool Contact::takes_part(const Line& line) const { return all_lines || holds(lines, line.name); }
+
+bool Contact::takes_part(const Volume& volume) const { return all_volumes || holds(volumes, volume.name); }
 
 const LineType& Case::line_type(const std::string& name) const {
   for (const LineType& t : line_types)

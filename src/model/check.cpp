@@ -229,10 +229,7 @@ void check_floating(const Case& c, std::vector<Issue>& issues) {
   for (const Body& b : c.bodies) {
     if (!b.mass) continue;
     any = true;
-    Mat3 J = b.mass->inertia.asDiagonal();
-    const Vec3& p = b.mass->products;
-    J(0, 1) = J(1, 0) = p.x(), J(1, 2) = J(2, 1) = p.y(), J(0, 2) = J(2, 0) = p.z();
-    const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(J).eigenvalues();  // ascending
+    const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(b.mass->tensor()).eigenvalues();  // ascending
     if (!(moments[0] > 0) || moments[2] > (1 + 1e-9) * (moments[0] + moments[1]))
       issues.push_back(
           {"bodies." + b.name + ".floating.inertia",

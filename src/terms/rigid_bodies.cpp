@@ -49,11 +49,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     const model::BodyMass& m = *c.bodies[static_cast<size_t>(body)].mass;
     Floating f;
     f.data.mass = m.mass;
-    f.data.inertia = m.inertia.asDiagonal();
-    const Vec3& p = m.products;
-    f.data.inertia(0, 1) = f.data.inertia(1, 0) = p.x();
-    f.data.inertia(1, 2) = f.data.inertia(2, 1) = p.y();
-    f.data.inertia(0, 2) = f.data.inertia(2, 0) = p.z();
+    f.data.inertia = m.tensor();
     if (m.weight) f.data.weight = -m.mass * c.environment.gravity * Vec3::UnitZ();
     f.data.stiffness = m.stiffness, f.data.damping = m.damping;
     f.data.turning_stiffness = m.turning_stiffness, f.data.turning_damping = m.turning_damping;

@@ -2,7 +2,7 @@
 // them too, at rest and in motion.
 #include <algorithm>
 
-#include "hawser/app/near_elements.hpp"
+#include "hawser/app/share_nodes.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "support/tangle.hpp"
 #include "support/taylor.hpp"

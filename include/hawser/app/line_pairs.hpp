@@ -5,12 +5,16 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/model/case.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser::app {
+
+// Pairs of lines (indices, the smaller first) that never feel each other, sorted.
+std::vector<std::pair<int, int>> excluded_pairs(const model::Case& c);
 
 // Null where no two lines, nor a line and itself, may touch. What was chosen goes to `notes`, a sentence
 // each.

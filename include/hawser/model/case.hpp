@@ -76,6 +76,8 @@ struct BodyMass {
   Vec3 angular_velocity = Vec3::Zero();  // rad/s, at t = 0, body axes
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards where `motion` wants it
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
+
+  Mat3 tensor() const;  // kg m², of inertia and products
 };
 
 struct Body {
@@ -198,6 +200,9 @@ struct Contact {
   bool all_lines = true, all_volumes = true;
   std::vector<std::string> lines, volumes;  // when not all
   BetweenLines between_lines;
+
+  bool takes_part(const Line& line) const;
+  bool takes_part(const Volume& volume) const;
 };
 
 struct Statics {

@@ -1,0 +1,20 @@
+// How the nodes of a case are shared out to ranks.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "hawser/mesh/mesh.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/terms/bodies.hpp"
+
+namespace hawser::app {
+
+// Pairs of Mesh::elements that may touch in the start shape, of lines that feel each other. Local: every rank
+// makes the whole shape, the same on each.
+std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh& mesh, const Bodies& bodies);
+
+// Owner of every node, as partition() says; elements that may touch at the start rather land on one rank.
+std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
+
+}  // namespace hawser::app

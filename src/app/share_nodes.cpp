@@ -1,0 +1,31 @@
+#include "hawser/app/share_nodes.hpp"
+
+#include "hawser/app/line_pairs.hpp"
+#include "hawser/mesh/partition.hpp"
+#include "hawser/solve/start_shape.hpp"
+#include "hawser/system/line_candidates.hpp"
+
+namespace hawser::app {
+
+std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh& mesh, const Bodies& bodies) {
+  if (!c.contact.between_lines.enabled) return {};
+  std::vector<double> radius;
+  for (const Element& e : mesh.elements)
+    radius.push_back(c.contact.takes_part(c.lines[static_cast<size_t>(e.line)])
+                         ? 0.5 * c.line_types[static_cast<size_t>(e.type)].contact_diameter
+                         : 0.0);
+  const LocalMesh whole = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+  const StartShape shape = start_shape(c, whole, bodies);
+  CandidateSettings settings;
+  settings.excluded = excluded_pairs(c);
+  LineCandidates candidates(MPI_COMM_SELF, whole, std::move(radius), std::move(settings));
+  candidates.update(shape.state.view(0), 0);
+  return candidates.elements();
+}
+
+std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
+  if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
+  return partition(mesh, ranks, near_elements(c, mesh, bodies));
+}
+
+}  // namespace hawser::app
