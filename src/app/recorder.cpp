@@ -95,8 +95,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     }
     const int node = mesh.nearest_node(c.line_index(h.line), h.at);
     Point p;
-    for (int n = 0; n < local.owned; ++n)
-      if (local.global[static_cast<size_t>(n)] == node) p.owned = n;
+    if (const int n = local.find(node); n < local.owned) p.owned = n;
     points_.push_back(p);
     io::ResultSeries series{h.name, {{"position", "m", 3}, {"velocity", "m/s", 3}}};
     for (const std::string& name : kShown)

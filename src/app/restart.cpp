@@ -36,22 +36,6 @@ std::map<std::string, double> signature(const Simulation& simulation) {
   return out;
 }
 
-// Values of the ghosts: carried in the position blocks of a ghosted vector.
-void spread(const System& system, std::vector<Vec3>& values) {
-  const LocalMesh& m = system.mesh();
-  VecHandle v = system.create_vector();
-  PetscScalar* p = nullptr;
-  check(VecGetArray(v.get(), &p));
-  for (int n = 0; n < m.owned; ++n)
-    Eigen::Map<Vec3>(p + 3 * m.block[static_cast<size_t>(n)], 3) = values[static_cast<size_t>(n)];
-  check(VecRestoreArray(v.get(), &p));
-  std::vector<double> local;
-  system.gather(v.get(), local);
-  for (int n = m.owned; n < m.nodes(); ++n)
-    values[static_cast<size_t>(n)] =
-        Eigen::Map<const Vec3>(local.data() + 3 * m.block[static_cast<size_t>(n)]);
-}
-
 }  // namespace
 
 io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder) {
@@ -128,25 +112,15 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   for (size_t i = 0; i < std::size(kVectors); ++i) {
     const auto& f = c.nodes.at(kVectors[i]);
     for (size_t n = 0; n < owned; ++n) vectors(s, i)[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
-    spread(system, vectors(s, i));
   }
   const auto& q = c.nodes.at("rotation").values;
-  std::vector<Vec3> vec(static_cast<size_t>(m.nodes()), Vec3::Zero()), w = vec;
-  for (size_t n = 0; n < owned; ++n)
-    vec[n] = Eigen::Map<const Vec3>(q.data() + 4 * n + 1), w[n].x() = q[4 * n];
-  spread(system, vec), spread(system, w);
-  for (size_t n = 0; n < vec.size(); ++n) s.s.q[n] = Quat(w[n].x(), vec[n].x(), vec[n].y(), vec[n].z());
-
+  for (size_t n = 0; n < owned; ++n) s.s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
     const auto& f = c.nodes.at(name).values;
-    for (int column = 0; column < 3; ++column) {
-      std::fill(vec.begin(), vec.end(), Vec3::Zero());
-      for (size_t n = 0; n < owned; ++n)
-        vec[n] = Eigen::Map<const Vec3>(f.data() + 9 * n + 3 * static_cast<size_t>(column));
-      spread(system, vec);
-      for (size_t n = 0; n < vec.size(); ++n) (*values)[n].col(column) = vec[n];
-    }
+    for (size_t n = 0; n < owned; ++n) (*values)[n] = Eigen::Map<const Mat3>(f.data() + 9 * n);
   }
+  system.spread(s.s);
+  system.spread(s.ax), system.spread(s.aw), system.spread(s.ad);
 
   std::vector<double> reactions(3 * static_cast<size_t>(m.blocks()), 0);
   const auto& r = c.nodes.at("reaction").values;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "hawser/base/error.hpp"
 #include "hawser/kernels/catenary.hpp"
@@ -140,8 +139,6 @@ Quat axes_along(const Vec3& t) {
 StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies) {
   const Mesh& g = *mesh.mesh;
   StartShape out{State(mesh.nodes()), {}};
-  std::unordered_map<int, int> local;
-  for (int n = 0; n < mesh.nodes(); ++n) local[mesh.global[static_cast<size_t>(n)]] = n;
 
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
@@ -159,11 +156,11 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       q.push_back((minimal_rotation(shape.tangent[i - 1], shape.tangent[i]) * q.back()).normalized());
 
     for (int i = 0; i < span.nodes; ++i) {
-      const auto it = local.find(span.first_node + i);
-      if (it == local.end()) continue;
-      const size_t n = static_cast<size_t>(it->second), k = static_cast<size_t>(i);
+      const int here = mesh.find(span.first_node + i);
+      if (here < 0) continue;
+      const size_t n = static_cast<size_t>(here), k = static_cast<size_t>(i);
       out.state.x[n] = shape.x[k];
-      if (mesh.rotates(it->second)) out.state.q[n] = q[k];
+      if (mesh.rotates(here)) out.state.q[n] = q[k];
     }
     bool twist_held = line.end_a.clamped || line.end_b.clamped;
     for (int end = 0; end < 2; ++end) {
@@ -182,8 +179,8 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
           twist_held = true;
         }
       }
-      if (const auto it = local.find(node); it != local.end()) {
-        s.node = it->second;
+      if (const int here = mesh.find(node); here >= 0) {
+        s.node = here;
         out.supports.push_back(s);
       }
     }

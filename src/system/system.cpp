@@ -12,6 +12,7 @@ namespace hawser {
 
 System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mesh)) {
   if (mesh_.chain == 0) mesh_.chain = mesh_.nodes();
+  exchange_ = GhostExchange(comm_, mesh_);
   size_arrays();
   int lines = 1;
   for (const Node& n : mesh_.mesh->nodes) lines = std::max(lines, n.line + 1);

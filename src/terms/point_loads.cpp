@@ -16,12 +16,10 @@ double factor(const NodeLoad& load, double time) {
 // visit(case line, line index, local owned node of an arc length on it, or -1)
 template <class Visit>
 void for_lines(const model::Case& c, const LocalMesh& mesh, Visit visit) {
-  std::unordered_map<int, int> local;
-  for (int i = 0; i < mesh.owned; ++i) local[mesh.global[static_cast<size_t>(i)]] = i;
   for (size_t l = 0; l < c.lines.size(); ++l)
     visit(c.lines[l], [&, l](double at) {
-      const auto found = local.find(mesh.mesh->nearest_node(static_cast<int>(l), at));
-      return found == local.end() ? -1 : found->second;
+      const int n = mesh.find(mesh.mesh->nearest_node(static_cast<int>(l), at));
+      return n < mesh.owned ? n : -1;
     });
 }
 
