@@ -48,10 +48,10 @@ AxisShape::Weights AxisShape::second_derivatives(double z) const {
 }
 
 // x - chord = H2 (X1 - chord) + H4 (X3 - chord), and |H2|, |H4| <= 4/27.
-double AxisShape::sagitta() const {
-  if (count_ == 2) return 0;
-  const Vec3 chord = X_[2] - X_[0];
-  return 4.0 / 27 * ((X_[1] - chord).norm() + (X_[3] - chord).norm());
+double AxisEnds::sagitta() const {
+  if (!beam) return 0;
+  const Vec3 chord = x2 - x1;
+  return 4.0 / 27 * ((length * (q1 * tangent) - chord).norm() + (length * (q2 * tangent) - chord).norm());
 }
 
 Vec3 AxisShape::combine(const Weights& w, const std::array<Vec3, kMost>& v) const {

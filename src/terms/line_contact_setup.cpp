@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <unordered_map>
 
+#include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_contact.hpp"
 
 namespace hawser {
@@ -28,15 +28,8 @@ ContactLaw LineContact::element_law(size_t element, const model::Volume& v) cons
 
 AxisEnds LineContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[static_cast<size_t>(element)];
-  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
-  AxisEnds a;
-  a.beam = mesh_.mesh->elements[static_cast<size_t>(e.global)].beam;
-  a.length = length(element);
-  a.x1 = at.x[i], a.x2 = at.x[j], a.v1 = at.v[i], a.v2 = at.v[j];
-  if (!a.beam) return a;
-  a.tangent = elements_[static_cast<size_t>(element)].tangent;
-  a.q1 = at.q[i], a.q2 = at.q[j], a.w1 = at.w[i], a.w2 = at.w[j];
-  return a;
+  return element_axis(at, mesh_.mesh->elements[static_cast<size_t>(e.global)], e.first, e.second,
+                      elements_[static_cast<size_t>(element)].tangent);
 }
 
 // Evaluated again at the accepted state, so that what is kept belongs to it and to no other trial.
@@ -152,12 +145,9 @@ void LineContact::fields(FieldRegistry& registry) const {
   const auto shared = [this](const auto& put) {
     for (const Pair& p : pairs_) {
       const LocalElement& e = mesh_.elements[static_cast<size_t>(p.element)];
-      const bool beam = mesh_.mesh->elements[static_cast<size_t>(e.global)].beam;
-      for (const Point& q : p.history) {
-        const double second = beam ? q.xi * q.xi * (3 - 2 * q.xi) : q.xi;
-        if (e.first < mesh_.owned) put(e.first, p, q, 1 - second);
-        if (e.second < mesh_.owned) put(e.second, p, q, second);
-      }
+      for (const Point& q : p.history)
+        share_at_ends(mesh_.mesh->elements[static_cast<size_t>(e.global)], e.first, e.second, mesh_.owned,
+                      q.xi, [&](int node, double share) { put(node, p, q, share); });
     }
   };
   const auto vector = [this, shared](Vec3 ContactHistory::*value) {

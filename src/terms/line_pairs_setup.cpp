@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {
@@ -70,27 +71,12 @@ LinePairLaw LinePairs::law(int a, int b) const {
 AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
   const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
   const Element& e = mesh_.mesh->elements[static_cast<size_t>(s.global)];
-  const size_t i = static_cast<size_t>(s.first), j = static_cast<size_t>(s.second);
-  AxisEnds a;
-  a.beam = e.beam;
-  a.length = e.length;
-  a.x1 = at.x[i], a.x2 = at.x[j], a.v1 = at.v[i], a.v2 = at.v[j];
-  if (!a.beam) return a;
-  a.tangent = elements_[static_cast<size_t>(s.global)].tangent;
-  a.q1 = at.q[i], a.q2 = at.q[j], a.w1 = at.w[i], a.w2 = at.w[j];
-  return a;
+  return element_axis(at, e, s.first, s.second, elements_[static_cast<size_t>(s.global)].tangent);
 }
 
 LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
   const AxisEnds e = ends(at, segment);
-  Rod r{e.x1, e.x2, 0};
-  if (!e.beam) return r;
-  // As AxisShape::sagitta, without making the shape.
-  const Vec3 chord = e.x2 - e.x1;
-  r.sagitta =
-      4.0 / 27 *
-      ((e.length * (e.q1 * e.tangent) - chord).norm() + (e.length * (e.q2 * e.tangent) - chord).norm());
-  return r;
+  return {e.x1, e.x2, e.sagitta()};
 }
 
 bool LinePairs::joint(int element, int end) const {
@@ -126,10 +112,8 @@ double LinePairs::friction_force() const {
 template <class What>
 void LinePairs::shared(const What& what) const {
   const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairHistory& h) {
-    const bool beam = mesh_.mesh->elements[static_cast<size_t>(s.global)].beam;
-    const double second = beam ? xi * xi * (3 - 2 * xi) : xi;
-    if (s.first < mesh_.owned) what(s.first, 1 - second, sign, h);
-    if (s.second < mesh_.owned) what(s.second, second, sign, h);
+    share_at_ends(mesh_.mesh->elements[static_cast<size_t>(s.global)], s.first, s.second, mesh_.owned, xi,
+                  [&](int node, double share) { what(node, share, sign, h); });
   };
   for (const Pair& p : pairs_) {
     if (!p.history) continue;

@@ -20,6 +20,8 @@ struct AxisEnds {
   Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s
   Quat q1 = Quat::Identity(), q2 = Quat::Identity();
   Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();  // rad/s, material
+
+  double sagitta() const;  // a bound of how far the axis is from its chord, m
 };
 
 class AxisShape {
@@ -42,8 +44,6 @@ class AxisShape {
   bool same_axis(const AxisShape& o) const { return count_ == o.count_ && X_ == o.X_; }
   // A bound of |dx/dxi| over the element, m.
   double reach() const { return reach_; }
-  // A bound of how far the axis is from its chord, m.
-  double sagitta() const;
 
   // Forces F_j conjugate to X_j, with dF_j/dX_k and dF_j/dV_k, to the nodes' blocks (x1, theta1, x2, theta2)
   // or (x1, x2): f[3n], K and C (3n)x(3n) row-major, n = count(). Adds. K and C may be null together.

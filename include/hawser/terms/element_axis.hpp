@@ -1,0 +1,35 @@
+// The axis of an element in a state, as contact along lines asks for it, and how a force on it is shown at
+// nodes.
+#pragma once
+
+#include "hawser/kernels/axis_shape.hpp"
+#include "hawser/mesh/mesh.hpp"
+#include "hawser/state/kinematics.hpp"
+
+namespace hawser {
+
+// first, second: local nodes of the element's ends; tangent: of a beam's axis, in the material axes of its
+// nodes.
+inline AxisEnds element_axis(const Kinematics& at, const Element& e, int first, int second,
+                             const Vec3& tangent) {
+  const size_t i = static_cast<size_t>(first), j = static_cast<size_t>(second);
+  AxisEnds a;
+  a.beam = e.beam;
+  a.length = e.length;
+  a.x1 = at.x[i], a.x2 = at.x[j], a.v1 = at.v[i], a.v2 = at.v[j];
+  if (!a.beam) return a;
+  a.tangent = tangent;
+  a.q1 = at.q[i], a.q2 = at.q[j], a.w1 = at.w[i], a.w2 = at.w[j];
+  return a;
+}
+
+// What(node, share) for the ends that this rank owns: the share of a force at xi by the functions of
+// positions.
+template <class What>
+void share_at_ends(const Element& e, int first, int second, int owned, double xi, const What& what) {
+  const double at_second = e.beam ? xi * xi * (3 - 2 * xi) : xi;
+  if (first < owned) what(first, 1 - at_second);
+  if (second < owned) what(second, at_second);
+}
+
+}  // namespace hawser
