@@ -215,7 +215,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Sink& sink) {
 }
 
 // Brought in by bodies with prescribed motion: the force they exert times their velocity.
-void BodyContactTerm::powers(Pair& p, const Sum& s, const Kinematics& at, double& damping,
+void BodyContactTerm::powers(const Pair& p, const Sum& s, const Kinematics& at, double& damping,
                              double& work) const {
   damping = s.damping_power, work = 0;
   for (const auto& [side, first] : {std::pair(&sides_[p.a], 0), std::pair(&sides_[p.b], 6)}) {
@@ -226,15 +226,19 @@ void BodyContactTerm::powers(Pair& p, const Sum& s, const Kinematics& at, double
 }
 
 void BodyContactTerm::prepare(const Kinematics& committed, double) {
-  for (Pair& p : pairs_)
-    if (p.counted) powers(p, touch(p, committed, false), committed, p.damping_power, p.work_power);
+  for (Pair& p : pairs_) {
+    if (!p.here) continue;
+    const Sum s = touch(p, committed, false);
+    p.potential = s.potential, p.stiffness = s.stiffness;
+    if (p.counted) powers(p, s, committed, p.damping_power, p.work_power);
+  }
 }
 
 void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
     if (!p.counted) continue;
     const Sum s = touch(p, accepted, false);
-    p.depth = std::max(p.depth, s.depth);
+    p.depth = std::max(p.depth, s.depth), p.potential = s.potential;
     if (!(accepted.step > 0)) continue;
     double damping = 0, work = 0;
     powers(p, s, accepted, damping, work);
@@ -250,22 +254,22 @@ double BodyContactTerm::longest_step(const Kinematics& committed) const {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const BodyFrame A = frame(sides_[p.a], committed), B = frame(sides_[p.b], committed);
-    const Sum s = touch(p, committed, true);
     const double speed =
         (A.v - B.v).norm() + A.w.norm() * p.size + B.w.norm() * (p.size + (A.x - B.x).norm());
-    if (s.stiffness > 0)
-      h = std::min(h, 2 * M_PI * std::sqrt(p.mass / s.stiffness) / kStepsAPeriod);
+    if (p.stiffness > 0)
+      h = std::min(h, 2 * M_PI * std::sqrt(p.mass / p.stiffness) / kStepsAPeriod);
     else if (speed > 0)  // it must not go deeper at once than a first touch would
       h = std::min(h, std::max(0.05 * p.size / speed, 1e-6));
   }
   return h;
 }
 
+// In dynamics of the committed state, in statics of trials.
 Energy BodyContactTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += touch(p, at, false).potential;
+    e.strain += at.step > 0 ? p.potential : touch(p, at, false).potential;
     e.damping += p.damping, e.work += p.work;
   }
   return e;

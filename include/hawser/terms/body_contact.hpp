@@ -61,12 +61,13 @@ class BodyContactTerm final : public ForceTerm {
     bool here = false, counted = false;        // this rank owns a body of it; counts it
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
+    double potential = 0, stiffness = 0;       // J, N/m of all that touches, in the committed state
     double depth = 0;                          // m, largest
   };
   struct Sum;
   BodyFrame frame(const Side& side, const Kinematics& at) const;
   Sum touch(const Pair& pair, const Kinematics& at, bool tangent) const;
-  void powers(Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
+  void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
 
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
