@@ -17,6 +17,7 @@
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
+#include "hawser/terms/seabed.hpp"
 #include "hawser/terms/volume_contact.hpp"
 
 namespace hawser::app {
@@ -114,6 +115,13 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (c.environment.water.present) system_->add(std::make_unique<Hydrodynamics>(local, c));
 
   StartShape start = start_shape(c, local, *bodies_);
+  if (c.environment.seabed.present) {
+    std::vector<int> held;
+    for (const Support& s : start.supports) held.push_back(s.node);
+    auto seabed = std::make_unique<SeabedTerm>(local, c, held);
+    seabed_ = seabed.get();
+    system_->add(std::move(seabed));
+  }
   std::vector<ContactVolume> volumes;
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
     model::Volume settings = c.volumes[v];
@@ -173,10 +181,28 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) c
   return floating_pose(floating_state(at, n), case_.bodies[static_cast<size_t>(body)].mass->centre);
 }
 
+// Friction of the bed holds against the stretch that the equilibrium without it has brought.
+void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
+  if (!seabed_ || !seabed_->has_friction() || !case_.environment.seabed.as_laid) return;
+  std::vector<int> held;  // ends, of the mesh
+  for (size_t l = 0; l < case_.lines.size(); ++l) {
+    const LineSpan& span = mesh_->lines[l];
+    if (case_.lines[l].end_a.kind != model::EndKind::free) held.push_back(span.first_node);
+    if (case_.lines[l].end_b.kind != model::EndKind::free) held.push_back(span.first_node + span.nodes - 1);
+  }
+  seabed_->enable_friction(true);
+  seabed_->lay(system_->comm(), state_.view(0), held);
+  settings.near = true;
+  const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
+  report.iterations += more.iterations, report.escapes += more.escapes;
+  report.negative_eigenvalues = more.negative_eigenvalues, report.norms = more.norms;
+}
+
 StaticsReport Simulation::solve_statics() {
   const auto enable_friction = [this](bool on) {
     if (contact_) contact_->enable_friction(on);
     if (line_pairs_) line_pairs_->enable_friction(on);
+    if (seabed_) seabed_->enable_friction(on);
   };
   enable_friction(false);
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
@@ -190,6 +216,7 @@ StaticsReport Simulation::solve_statics() {
     notes_.push_back(fmt::format("exact contact: {} of {} constraints press, {} iterations, {:.1e} m left",
                                  exact.active, exact.constraints, exact.iterations, exact.deepest));
   }
+  lay_lines(settings, report);
   enable_friction(true);
   if (floating_) {
     floating_->hold(false);

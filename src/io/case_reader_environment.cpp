@@ -16,7 +16,7 @@ double number(const Value& v, const char* key, double otherwise = 0) {
 }
 
 model::Current read_current(const Value& v, double water_depth, const CaseSource& source) {
-  const std::string key = "environment.water.current";
+  const std::string key = "environment.current";
   model::Current c;
   c.ramp = v["ramp"].number;
   if (v.has("speed")) {
@@ -37,6 +37,30 @@ model::Current read_current(const Value& v, double water_depth, const CaseSource
   return c;
 }
 
+model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& source) {
+  const std::string key = "environment.seabed";
+  model::Seabed b;
+  b.present = true;
+  b.depth = number(v, "depth", water_depth);
+  if (!(b.depth > 0))
+    source.bad(v, key + ".depth", "required key is missing: the depth, here or of the water");
+  b.slope = v["slope_deg"].number, b.direction = v["slope_direction_deg"].number;
+  b.normal_stiffness = 1e5;
+  if (const Value* k = v.find("normal_stiffness")) {
+    b.basis = k->has("per_length") ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
+    b.normal_stiffness = (*k)[k->has("per_length") ? "per_length" : "per_area"].number;
+  }
+  b.damping = v["damping"].number;
+  b.smoothing = number(v, "smoothing", -1);
+  const Value& f = v["friction"];
+  if (f.kind == Value::Kind::map)
+    b.friction = read_friction(f, key + ".friction", source);
+  else
+    b.friction.axial = b.friction.lateral = f.number;
+  b.as_laid = v["friction_in_statics"].is("as_laid");
+  return b;
+}
+
 }  // namespace
 
 model::Environment read_environment(const Value& v, const CaseSource& source) {
@@ -47,7 +71,14 @@ model::Environment read_environment(const Value& v, const CaseSource& source) {
     e.water.density = (*w)["density"].number;
     e.water.depth = number(*w, "depth");
     e.water.surface = (*w)["surface"].number;
-    if (const Value* c = w->find("current")) e.water.current = read_current(*c, e.water.depth, source);
+  }
+  if (const Value* b = v.find("seabed")) {
+    e.seabed = read_seabed(*b, e.water.depth, source);
+    if (e.water.present && !(e.water.depth > 0)) e.water.depth = e.seabed.depth + e.water.surface;
+  }
+  if (const Value* c = v.find("current")) {
+    if (!e.water.present) source.bad(*c, "environment.current", "needs 'water' beside it");
+    e.water.current = read_current(*c, e.water.depth, source);
   }
   return e;
 }

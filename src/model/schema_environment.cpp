@@ -25,7 +25,7 @@ Key current() {
               number("ramp", time, "starts smoothly over this time in dynamics; 0: acts in statics already")
                   .at_least(0)
                   .or_else("0")},
-             "current")
+             "current; needs `water`")
       .either({{{"speed", "direction_deg", "exponent"}, {"speed"}}, {{"profile"}, {"profile"}}}, true);
 }
 
@@ -33,15 +33,44 @@ Key water() {
   return map("water",
              {number("density", density, "density").above(0).or_else("1025"),
               number("depth", length, "of the still water").above(0).or_else_note("that of `seabed`"),
-              number("surface", length, "z of the still water").or_else("0"), current()},
+              number("surface", length, "z of the still water").or_else("0")},
              "the sea; without it lines hang in air");
+}
+
+Key seabed() {
+  return map(
+      "seabed",
+      {number("depth", length, "of the bed below z = 0, at x = y = 0")
+           .above(0)
+           .or_else_note("that of `water`"),
+       number("slope_deg", angle, "how steep it is").at_least(0).at_most(60).or_else("0"),
+       number("slope_direction_deg", angle, "where it goes down to, anticlockwise from +x").or_else("0"),
+       map("normal_stiffness",
+           {number("per_length", line_stiffness, "per length of line").above(0),
+            number("per_area", area_stiffness, "per projected area (length times contact diameter)")
+                .above(0)},
+           "of the soil against penetration; without it 100 kN/m³")
+           .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true),
+       number("damping", none, "of the soil, in the unit of `normal_stiffness` times s")
+           .at_least(0)
+           .or_else("0"),
+       number("smoothing", length, "half width of the smooth start of the soil's force")
+           .at_least(0)
+           .or_else_note("a fifth of what the line at rest sinks in"),
+       friction(),
+       word("friction_in_statics", {"as_laid", "none"},
+            "what friction does before anything moves: it holds against the stretch of a line that was "
+            "laid without tension from its anchor on, or nothing")
+           .or_else("as_laid")},
+      "what lines lie on");
 }
 
 }  // namespace
 
 Key environment() {
   return map("environment",
-             {number("gravity", acceleration, "acts along -z").at_least(0).or_else("9.80665"), water()},
+             {number("gravity", acceleration, "acts along -z").at_least(0).or_else("9.80665"), water(),
+              current(), seabed()},
              "Surroundings.")
       .or_else("{}");
 }

@@ -2,8 +2,6 @@
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {
-namespace {
-
 Key friction() {
   return one_of(
              "friction",
@@ -58,6 +56,8 @@ Key friction() {
              "one coefficient for all directions, or more")
       .or_else("0");
 }
+
+namespace {
 
 Key shape() {
   const auto radius = [](std::string about) {

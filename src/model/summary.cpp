@@ -131,6 +131,27 @@ void describe_line(const Case& c, const Line& l, std::string& s) {
                      l.loads.size(), l.point_loads.size());
 }
 
+void describe_sea(const Case& c, std::string& s) {
+  const Water& w = c.environment.water;
+  if (w.present) {
+    s += fmt::format("water: {:g} kg/m³", w.density);
+    if (w.depth > 0) s += fmt::format(", {:g} m deep", w.depth);
+    if (!w.current.profile.empty())
+      s += fmt::format(", current {:g} m/s at the surface{}", w.current.profile.front().speed,
+                       w.current.exponent > 0         ? ", power law"
+                       : w.current.profile.size() > 1 ? fmt::format(", {} rows", w.current.profile.size())
+                                                      : "");
+    s += "\n";
+  }
+  const Seabed& b = c.environment.seabed;
+  if (!b.present) return;
+  s += fmt::format("seabed: at {:g} m", b.depth);
+  if (b.slope > 0)
+    s += fmt::format(", sloping {:g} deg towards {:g} deg", b.slope * 180 / M_PI, b.direction * 180 / M_PI);
+  s += fmt::format(", stiffness {:g} {}, {}\n", b.normal_stiffness,
+                   b.basis == StiffnessBasis::per_length ? "N/m²" : "N/m³", friction_text(b.friction));
+}
+
 }  // namespace
 
 LineSize size_of(const Case& c, const Line& line) {
@@ -177,6 +198,7 @@ std::string summary(const Case& c) {
                      v.active_box            ? ", active in a box"
                      : v.active_part.empty() ? std::string()
                                              : ", active: " + v.active_part);
+  describe_sea(c, s);
   s += fmt::format("gravity: {:g} m/s²\n", c.environment.gravity);
   s += fmt::format("run: {}", c.statics.enabled ? "statics" : "no statics");
   if (c.dynamics.enabled)

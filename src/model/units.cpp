@@ -42,15 +42,13 @@ constexpr Unit kDensity[] = {{"kg/m^3"}, {"t/m^3", 1000, 1}};
 constexpr Unit kPressure[] = {{"Pa"}, {"kPa", 1e3, 1}, {"MPa", 1e6, 1}, {"bar", 1e5, 1}};
 constexpr Unit kVolume[] = {{"m^3"}};
 constexpr Unit kArea[] = {{"m^2"}};
-constexpr Unit kLineDamping[] = {{"Ns/m^2"}, {"kNs/m^2", 1e3, 1}};
-constexpr Unit kAreaDamping[] = {{"Ns/m^3"}, {"kNs/m^3", 1e3, 1}, {"Pas/m", 1, 1}};
 
 struct Entry {
   std::string_view name, base;
   std::span<const Unit> units;
 };
 // In the order of Dimension.
-const std::array<Entry, 27> kTable = {{{"dimensionless number", "-", kNone},
+const std::array<Entry, 25> kTable = {{{"dimensionless number", "-", kNone},
                                        {"length", "m", kLength},
                                        {"time", "s", kTime},
                                        {"mass", "kg", kMass},
@@ -74,9 +72,7 @@ const std::array<Entry, 27> kTable = {{{"dimensionless number", "-", kNone},
                                        {"density", "kg/m³", kDensity},
                                        {"pressure", "Pa", kPressure},
                                        {"volume", "m³", kVolume},
-                                       {"area", "m²", kArea},
-                                       {"damping per length", "N s/m²", kLineDamping},
-                                       {"damping per area", "N s/m³", kAreaDamping}}};
+                                       {"area", "m²", kArea}}};
 
 const Entry& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hawser/base/error.hpp"
 #include "hawser/kernels/catenary.hpp"
+#include "hawser/kernels/catenary_on_bed.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
@@ -70,6 +72,37 @@ Shape from_catenary(const CatenaryShape& shape, const Mesh& mesh, const LineSpan
   return out;
 }
 
+// A line from an end on the bed to one above it: part of it may lie. Nothing when there is no such shape.
+std::optional<Shape> on_bed(const model::Case& c, const Vec3& xa, const Vec3& xb,
+                            std::vector<CatenarySection> sections, const Mesh& mesh, const LineSpan& span) {
+  const model::Seabed& bed = c.environment.seabed;
+  if (!bed.present) return {};
+  const Vec3 down(std::cos(bed.direction), std::sin(bed.direction), 0);
+  const auto height = [&](const Vec3& x) { return x.z() + bed.depth + std::tan(bed.slope) * down.dot(x); };
+  const double near = 1e-3 * bed.depth;
+  const bool a = std::abs(height(xa)) < near, b = std::abs(height(xb)) < near;
+  if (a == b) return {};
+  if (b) {  // from B to A; a load at a joint goes to the section that ends there now
+    std::reverse(sections.begin(), sections.end());
+    for (size_t i = 0; i + 1 < sections.size(); ++i) sections[i].end_load = sections[i + 1].end_load;
+    sections.back().end_load.setZero();
+  }
+  const auto found =
+      catenary_on_bed(a ? xa : xb, a ? xb : xa, sections, bed.as_laid ? bed.friction.axial : 0);
+  if (!found) return {};
+  Shape out;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
+    const double s = mesh.nodes[static_cast<size_t>(n)].arc, from = a ? s : span.length - s;
+    const double h = 1e-6 * span.length, low = std::max(0.0, from - h),
+                 high = std::min(span.length, from + h);
+    out.x.push_back(found->position(from));
+    // Of the shape, not of the tension: what lies without tension has a direction too.
+    const Vec3 t = found->position(high) - found->position(low);
+    out.tangent.push_back((a ? t : Vec3(-t)).normalized());
+  }
+  return out;
+}
+
 // Nodes at equal fractions of the polyline's length; a straight line is a polyline of two points.
 Shape along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpan& span) {
   std::vector<double> at{0};
@@ -115,6 +148,8 @@ Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies,
   });
   if ((a || b) && (line.start == Start::straight || !loaded)) return straight();
   try {
+    if (a && b)
+      if (auto shape = on_bed(c, xa, xb, sections, mesh, span)) return *std::move(shape);
     if (a && b) return from_catenary(catenary(xa, xb, sections), mesh, span);
     if (a) return from_catenary(catenary_free_b(xa, sections), mesh, span);
     if (b) return from_catenary(catenary_free_a(xb, sections), mesh, span);

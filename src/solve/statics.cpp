@@ -35,7 +35,8 @@ class Search {
       descend(report, settings_.tolerance);
       system_.tangent(state_.view(0), {}, zero_, false, J_.get());
       report.negative_eigenvalues = negative_eigenvalues(J_.get());
-      if (report.negative_eigenvalues <= 0 || report.escapes == kMaxEscapes) break;
+      // Friction's tangent is unsymmetric: the inertia of its symmetric part says nothing.
+      if (settings_.near || report.negative_eigenvalues <= 0 || report.escapes == kMaxEscapes) break;
       ++report.escapes;
       leave(report.escapes);
     }
@@ -240,7 +241,7 @@ class Search {
 StaticsReport solve_statics(System& system, const StaticsSettings& settings, State& state) {
   const size_t n = state.x.size();
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
-  StaticsReport report = Search(system, settings, state).run();
+  StaticsReport report = Search(system, settings, state).run(settings.near);
   for (int round = 0; settings.augment && system.augment(state.view(0)); ++round) {
     if (round == kMostAugmentations)
       throw SolveError(

@@ -10,6 +10,7 @@
 #include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
+#include "hawser/terms/seabed.hpp"
 #include "hawser/terms/structure.hpp"
 #include "hawser/terms/volume_contact.hpp"
 #include "support/shapes.hpp"
@@ -202,6 +203,54 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
   return contact;
 }
 
+// A sloping seabed under the nodes, each in its own situation (kStory).
+inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral) {
+  const LocalMesh& l = m.system->mesh();
+  const Quat slope = at.rotation * exp_so3({0.2, -0.1, 0.4});
+  const SeabedTerm::Plane plane{at.point({1, 2, 3}), slope * Vec3::UnitZ()};
+  SeabedTerm::NodeLaw law;
+  law.radius = kContactRadius;
+  law.law.normal.stiffness = kNormalStiffness, law.law.normal.smoothing = 1 * mm,
+  law.law.normal.damping = 500;
+  FrictionLaw& friction = law.law.friction;
+  friction.axial = axial, friction.lateral = lateral;
+  friction.axial_length = 2 * mm, friction.lateral_length = 3 * mm;
+  auto term = std::make_unique<SeabedTerm>(
+      l, plane, std::vector<SeabedTerm::NodeLaw>(static_cast<size_t>(l.owned), law));
+  SeabedTerm& seabed = *term;
+  m.system->add(std::move(term));
+  Trial& t = m.trial;
+  State before = t.from;
+  before.time = t.from.time - t.h;
+  for (int n = 0; n < l.nodes(); ++n) {
+    const int g = l.global[static_cast<size_t>(n)];
+    const NodeStory& s = kStory[g];
+    const auto where = [&](double gap, double slip) {
+      return Vec3(plane.point + slope * place(ContactOn::plane, g, gap, slip));
+    };
+    before.x[static_cast<size_t>(n)] = where(s.before, g == 1 ? -0.02 * mm : -0.5 * mm);
+    m.put(n, where(s.before, 0), where(s.gap, s.slip), s.speed * (at.rotation * noise3(g, 9)));
+  }
+  m.system->prepare(before.view(t.h), t.h);
+  m.system->commit(t.from.view(t.h));
+  m.system->prepare(t.from.view(t.h), t.h);
+  t.length = 0.2 * mm;
+  return seabed;
+}
+
+inline std::vector<SuiteCase> seabed_cases() {
+  std::vector<SuiteCase> out;
+  for (const auto& [axial, lateral, friction] :
+       {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
+    out.push_back({std::string("seabed, ") + friction,
+                   [axial = axial, lateral = lateral](MPI_Comm comm, const Placement& at) {
+                     auto m = std::make_unique<SuiteModel>(comm, at);
+                     add_seabed(*m, at, axial, lateral);
+                     return m;
+                   }});
+  return out;
+}
+
 inline std::vector<SuiteCase> structure_cases() {
   std::vector<SuiteCase> out;
   const auto structure = [&](const char* name, double beta, double GA, bool turned) {
@@ -304,7 +353,7 @@ inline std::vector<SuiteCase> contact_cases() {
 
 inline std::vector<SuiteCase> all_cases() {
   std::vector<SuiteCase> out = structure_cases();
-  for (auto list : {mass_and_load_cases(), water_cases(), contact_cases()})
+  for (auto list : {mass_and_load_cases(), water_cases(), seabed_cases(), contact_cases()})
     out.insert(out.end(), list.begin(), list.end());
   out.push_back({"everything", [](MPI_Comm comm, const Placement& at) {
                    auto m = held_model(comm, at);

@@ -22,6 +22,7 @@
 namespace hawser {
 class BodyContactTerm;
 class RigidBodies;
+class SeabedTerm;
 }  // namespace hawser
 
 namespace hawser::app {
@@ -43,7 +44,8 @@ class Simulation {
   const BodyContactTerm* body_contact() const { return body_contact_; }  // null: no bodies touch
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
-  LinePairs* line_pairs() { return line_pairs_; }  // null: lines do not touch lines
+  SeabedTerm* seabed() { return seabed_; }  // null: there is none
+  LinePairs* line_pairs() { return line_pairs_; }       // null: lines do not touch lines
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
@@ -54,6 +56,8 @@ class Simulation {
   DynamicsSettings dynamics_settings() const;
 
  private:
+  void lay_lines(StaticsSettings settings, StaticsReport& report);
+
   const model::Case& case_;
   std::unique_ptr<Mesh> mesh_;
   std::shared_ptr<const Bodies> bodies_;
@@ -67,6 +71,7 @@ class Simulation {
   RigidBodies* floating_ = nullptr;
   BodyContactTerm* body_contact_ = nullptr;
   LinePairs* line_pairs_ = nullptr;
+  SeabedTerm* seabed_ = nullptr;
 };
 
 }  // namespace hawser::app

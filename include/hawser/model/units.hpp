@@ -33,8 +33,6 @@ enum class Dimension {
   pressure,            // Pa
   volume,              // m³
   area,                // m²
-  line_damping,        // N s/m², per length of a line
-  area_damping,        // N s/m³, per area of a line
 };
 
 struct Unit {

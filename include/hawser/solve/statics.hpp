@@ -18,6 +18,7 @@ namespace hawser {
 struct StaticsSettings {
   double tolerance = 1e-8;  // of the residual, against the size of its contributions
   int max_iterations = 500;
+  bool near = false;    // `state` is near an equilibrium: no start with a soft line
   bool augment = true;  // let terms work off their gaps by multipliers
 };
 

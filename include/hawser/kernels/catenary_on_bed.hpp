@@ -1,0 +1,44 @@
+// Elastic catenary of several sections from an anchor on a level seabed to an end above it, part of it lying
+// on the bed with Coulomb friction. Closed form, see docs/theory/catenary.md. After Jonkman (2007), Dynamics
+// Modeling and Loads Analysis of an Offshore Floating Wind Turbine, 2.5, for one section.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "hawser/kernels/catenary.hpp"
+
+namespace hawser {
+
+class CatenaryOnBed {
+ public:
+  // Position [m] and tension vector [N] (from A to B) at unstretched arc length s [m] from A.
+  Vec3 position(double s) const;
+  Vec3 tension(double s) const;
+  Vec3 tension_a() const { return tension(0); }
+  Vec3 tension_b() const { return hanging_->tension_b(); }
+  double grounded() const { return grounded_; }  // m, unstretched length on the bed
+
+ private:
+  friend std::optional<CatenaryOnBed> catenary_on_bed(const Vec3&, const Vec3&,
+                                                      const std::vector<CatenarySection>&, double);
+  struct Piece {
+    double start, end;    // m, arc length
+    double x_end, T_end;  // m from A, N, at its end
+    double drag, EA;      // N/m, friction; N
+    double tension(double s) const;
+    double stretched(double s) const;  // m, from s to the end
+  };
+  Vec3 anchor_ = Vec3::Zero(), way_ = Vec3::UnitX();
+  double grounded_ = 0;
+  std::vector<Piece> pieces_;
+  std::optional<CatenaryShape> hanging_;  // from the touchdown point on
+};
+
+// `friction`: coefficient on the weight of what lies. Nothing when there is no such shape: a load that is not
+// vertical, an end that is not above the anchor, a line so long that it hangs straight down, a section that
+// floats off the bed.
+std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end_b,
+                                             const std::vector<CatenarySection>& sections, double friction);
+
+}  // namespace hawser

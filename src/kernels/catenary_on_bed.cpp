@@ -1,0 +1,185 @@
+#include "hawser/kernels/catenary_on_bed.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+
+double CatenaryOnBed::Piece::tension(double s) const { return std::max(0.0, T_end - drag * (end - s)); }
+
+double CatenaryOnBed::Piece::stretched(double s) const {
+  const double l = end - s, pulled = drag * l > T_end ? T_end / drag : l;
+  return l + pulled * (T_end - 0.5 * drag * pulled) / EA;
+}
+
+Vec3 CatenaryOnBed::position(double s) const {
+  for (const Piece& p : pieces_)
+    if (s <= p.end) return anchor_ + (p.x_end - p.stretched(s)) * way_;
+  return hanging_->position(s - grounded_);
+}
+
+Vec3 CatenaryOnBed::tension(double s) const {
+  for (const Piece& p : pieces_)
+    if (s <= p.end) return p.tension(s) * way_;
+  return hanging_->tension(s - grounded_);
+}
+
+namespace {
+
+// In the vertical plane through the ends.
+struct Plane {
+  double x = 0, z = 0;
+};
+
+// Where end B comes to when it is pulled by (H, V), and its derivatives.
+struct Reach {
+  Plane at;
+  double xx = 0, xz = 0, zz = 0;  // d at / d (H, V), symmetric
+  size_t lowest = 0;              // section that hangs lowest, in part or as a whole
+  double hanging = 0;             // m of it that hangs
+  double V = 0;                   // N, vertical tension at its lower end
+};
+
+Reach reach(const std::vector<CatenarySection>& sections, double friction, double H, double V) {
+  Reach r;
+  size_t i = sections.size();
+  bool down = false;
+  double top = V;
+  while (i-- > 0 && !down) {
+    const CatenarySection& s = sections[i];
+    const double w = -s.load.z();
+    if (i + 1 < sections.size()) {
+      const double above = top;
+      top += s.end_load.z();
+      if (top < 0) {  // a clump weight on the bed
+        r.lowest = i, r.hanging = 0, r.V = above;
+        break;
+      }
+    }
+    const double bottom = top - w * s.length;
+    down = bottom < 0;
+    const double length = down ? top / w : s.length;
+    const Vec3 start(H, 0, down ? 0 : bottom);
+    Mat3 d;
+    const Vec3 chord = catenary_chord(start, s.load, length, s.EA, &d);
+    r.at.x += chord.x(), r.at.z += chord.z();
+    r.xx += d(0, 0);
+    if (down) {
+      // The lower end stays at no vertical tension; its length follows V.
+      const double T = std::hypot(H, top);
+      const double x = (1 / T + 1 / s.EA) * H, z = (1 / T + 1 / s.EA) * top;
+      r.xz += (x - (1 + H / s.EA)) / w, r.zz += z / w;
+    } else {
+      r.xz += d(0, 2), r.zz += d(2, 2);
+    }
+    r.lowest = i, r.hanging = length, r.V = start.z();
+    top = bottom;
+  }
+  // What lies.
+  double T = H;
+  for (size_t k = r.lowest + 1; k-- > 0;) {
+    const CatenarySection& s = sections[k];
+    const double l = k == r.lowest ? s.length - r.hanging : s.length,
+                 drag = friction * std::max(-s.load.z(), 0.0);
+    if (l <= 0) continue;
+    const double pulled = drag * l > T ? T / drag : l;
+    r.at.x += l + pulled * (T - 0.5 * drag * pulled) / s.EA;
+    r.xx += pulled / s.EA;
+    T = std::max(0.0, T - drag * l);
+  }
+  return r;
+}
+
+}  // namespace
+
+std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end_b,
+                                             const std::vector<CatenarySection>& sections, double friction) {
+  const Vec3 span = end_b - anchor;
+  const Plane to{span.head<2>().norm(), span.z()};
+  double length = 0, weight = 0;
+  for (const CatenarySection& s : sections) {
+    if (s.load.head<2>().norm() > 0 || s.end_load.head<2>().norm() > 0 || !(s.EA > 0) || !(s.length > 0))
+      return {};
+    length += s.length, weight -= s.load.z() * s.length;
+  }
+  if (sections.empty() || !(weight > 0) || !(to.z > 0) || !(to.x > 0) || length >= to.x + to.z) return {};
+
+  double lambda = 0.2;
+  if (std::hypot(to.x, to.z) < length)
+    lambda = std::sqrt(3 * ((length * length - to.z * to.z) / (to.x * to.x) - 1));
+  lambda = std::max(lambda, 0.2);
+  const double w = weight / length;
+  double H = w * to.x / (2 * lambda), V = 0.5 * w * (to.z / std::tanh(lambda) + length);
+  // What the ends' distance is beyond the length stretches the line.
+  if (std::hypot(to.x, to.z) > length) {
+    double compliance = 0;
+    for (const CatenarySection& s : sections) compliance += s.length / s.EA;
+    const double T = (std::hypot(to.x, to.z) - length) / compliance;
+    H += T * to.x / std::hypot(to.x, to.z), V += T * to.z / std::hypot(to.x, to.z);
+  }
+  const double scale = length + to.x + to.z;
+  Reach r = reach(sections, friction, H, V);
+  double error = std::hypot(r.at.x - to.x, r.at.z - to.z);
+  for (int i = 0; i < 200 && error > 1e-13 * scale; ++i) {
+    const double ex = r.at.x - to.x, ez = r.at.z - to.z, det = r.xx * r.zz - r.xz * r.xz;
+    if (!(det > 0)) return {};
+    double dH = -(r.zz * ex - r.xz * ez) / det, dV = -(r.xx * ez - r.xz * ex) / det;
+    // Neither changes its sign; then down the slope of the convex complementary energy.
+    double most = 1;
+    if (dH < 0) most = std::min(most, 0.9 * H / -dH);
+    if (dV < 0) most = std::min(most, 0.9 * V / -dV);
+    const double slope = ex * dH + ez * dV;
+    double low = 0, high = 0, a = most;
+    for (int search = 0; search < 60; ++search) {
+      r = reach(sections, friction, H + a * dH, V + a * dV);
+      const double now = (r.at.x - to.x) * dH + (r.at.z - to.z) * dV;
+      if (now > -0.5 * slope)
+        high = a;
+      else if (now < 0.5 * slope && high > 0)
+        low = a;
+      else
+        break;
+      a = 0.5 * (low + high);
+    }
+    H += a * dH, V += a * dV;
+    const double next = std::hypot(r.at.x - to.x, r.at.z - to.z);
+    if (next >= error && error < 1e-10 * scale) break;
+    error = next;
+  }
+  if (!(error < 1e-8 * scale)) return {};
+
+  CatenaryOnBed out;
+  out.anchor_ = anchor;
+  out.way_ = Vec3(span.x(), span.y(), 0) / to.x;
+  double start = 0;
+  for (size_t k = 0; k <= r.lowest; ++k) {
+    const CatenarySection& s = sections[k];
+    const double l = k == r.lowest ? s.length - r.hanging : s.length;
+    const double drag = friction * std::max(-s.load.z(), 0.0);
+    if (l > 0) {
+      if (s.load.z() > 0 && r.V <= 0) return {};  // it would float
+      out.pieces_.push_back({start, start + l, 0, 0, drag, s.EA});
+    }
+    start += l;
+  }
+  out.grounded_ = out.pieces_.empty() ? 0 : out.pieces_.back().end;
+  double T = H;
+  for (auto p = out.pieces_.rbegin(); p != out.pieces_.rend(); ++p) p->T_end = T, T = p->tension(p->start);
+  double x = 0;
+  for (auto& p : out.pieces_) {
+    p.x_end = 0;
+    x += p.stretched(p.start);
+    p.x_end = x;
+  }
+  std::vector<CatenarySection> hanging(sections.begin() + static_cast<std::ptrdiff_t>(r.lowest),
+                                       sections.end());
+  hanging.front().length = r.hanging;
+  if (!(r.hanging > 0)) {
+    hanging.erase(hanging.begin());
+    if (hanging.empty()) return {};
+  }
+  out.hanging_.emplace(anchor + x * out.way_, H * out.way_ + r.V * Vec3::UnitZ(), std::move(hanging));
+  return out;
+}
+
+}  // namespace hawser

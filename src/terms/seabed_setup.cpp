@@ -1,0 +1,191 @@
+// What SeabedTerm is made from, how lines are laid, what it shows and keeps.
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "hawser/model/case.hpp"
+#include "hawser/terms/seabed.hpp"
+
+namespace hawser {
+
+SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, std::vector<NodeLaw> nodes)
+    : mesh_(mesh), plane_(plane) {
+  const size_t owned = static_cast<size_t>(mesh.owned);
+  if (nodes.size() != owned) throw std::invalid_argument("the seabed needs a law for each owned node");
+  before_.resize(owned), after_.resize(owned);
+  for (size_t n = 0; n < owned; ++n) before_[n] = after_[n] = static_cast<int>(n);
+  for (const LocalElement& e : mesh.elements) {
+    if (e.first < mesh.owned) after_[static_cast<size_t>(e.first)] = e.second;
+    if (e.second < mesh.owned) before_[static_cast<size_t>(e.second)] = e.first;
+  }
+  for (size_t n = 0; n < owned; ++n) {
+    if (nodes[n].radius < 0 || !(nodes[n].law.normal.stiffness > 0)) continue;
+    Point& p = points_.emplace_back();
+    p.node = static_cast<int>(n), p.block = mesh.block[n];
+    p.radius = nodes[n].radius, p.law = nodes[n].law;
+    has_friction_ |= p.law.friction.active();
+  }
+}
+
+namespace {
+
+SeabedTerm::Plane plane_of(const model::Seabed& s) {
+  const double down = std::tan(s.slope);
+  return {Vec3(0, 0, -s.depth),
+          Vec3(down * std::cos(s.direction), down * std::sin(s.direction), 1).normalized()};
+}
+
+// Of all the elements at an owned node.
+struct Share {
+  double radius = -1, length = 0, area = 0, weight = 0;  // m, m, m², N under water
+};
+
+std::vector<SeabedTerm::NodeLaw> laws_of(const LocalMesh& mesh, const model::Case& c,
+                                         const std::vector<int>& held) {
+  const model::Seabed& bed = c.environment.seabed;
+  const model::Water& water = c.environment.water;
+  std::vector<Share> shares(static_cast<size_t>(mesh.owned));
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const model::LineType& t = c.line_types[static_cast<size_t>(g.type)];
+    const double A = M_PI / 4 * t.displaced() * t.displaced();
+    const double w = c.environment.gravity * (t.mass_per_length - (water.present ? water.density * A : 0));
+    for (const int node : {e.first, e.second}) {
+      if (node >= mesh.owned) continue;
+      Share& s = shares[static_cast<size_t>(node)];
+      s.radius = std::max(s.radius, 0.5 * t.contact_diameter);
+      s.length += 0.5 * g.length, s.area += 0.5 * g.length * t.contact_diameter;
+      s.weight += 0.5 * g.length * w;
+    }
+  }
+  for (const int node : held)
+    if (node < mesh.owned) shares[static_cast<size_t>(node)].radius = -1;
+  std::vector<SeabedTerm::NodeLaw> laws;
+  for (const Share& s : shares) {
+    SeabedTerm::NodeLaw& o = laws.emplace_back();
+    o.radius = s.radius;
+    if (s.radius < 0) continue;
+    const double share = bed.basis == model::StiffnessBasis::per_length ? s.length : s.area;
+    const double k = bed.normal_stiffness * share;
+    NormalLaw& normal = o.law.normal;
+    normal.stiffness = k;
+    normal.damping = bed.damping * share;
+    // A fifth of what the line at rest sinks in: what rests lies beyond the ramp, what touches down is soft.
+    normal.smoothing =
+        bed.smoothing >= 0 ? bed.smoothing : std::max(0.002 * s.radius, 0.2 * std::max(s.weight, 0.0) / k);
+    const model::Friction& f = bed.friction;
+    FrictionLaw& friction = o.law.friction;
+    friction.axial = f.axial, friction.lateral = f.lateral;
+    friction.stiffness = f.shear_stiffness * share;
+    friction.axial_length = f.mobilisation_length > 0 ? f.mobilisation_length : 0.02 * s.radius;
+    friction.lateral_length =
+        f.lateral_mobilisation_length > 0 ? f.lateral_mobilisation_length : friction.axial_length;
+    friction.back = f.back, friction.spring = f.spring;
+    friction.axial_kinetic = f.axial_kinetic, friction.lateral_kinetic = f.lateral_kinetic;
+    friction.blend_speed = f.blend_speed;
+  }
+  return laws;
+}
+
+}  // namespace
+
+SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held)
+    : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {}
+
+// The whole line's positions on every rank: once in a run, and 24 bytes a node.
+void SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held) {
+  const Mesh& mesh = *mesh_.mesh;
+  std::vector<double> x(3 * mesh.nodes.size(), 0), reach(mesh.nodes.size(), -1);
+  for (int n = 0; n < mesh_.owned; ++n)
+    for (int c = 0; c < 3; ++c)
+      x[static_cast<size_t>(3 * mesh_.global[static_cast<size_t>(n)] + c)] = at.x[static_cast<size_t>(n)][c];
+  for (const Point& p : points_)
+    reach[static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)])] = p.radius + p.law.normal.smoothing;
+  MPI_Allreduce(MPI_IN_PLACE, x.data(), static_cast<int>(x.size()), MPI_DOUBLE, MPI_SUM, comm);
+  MPI_Allreduce(MPI_IN_PLACE, reach.data(), static_cast<int>(reach.size()), MPI_DOUBLE, MPI_MAX, comm);
+  const auto place = [&](int node) { return Vec3(Eigen::Map<const Vec3>(x.data() + 3 * node)); };
+
+  std::unordered_map<int, double> pulled;  // by node of the mesh: m, away from the end, signed from A to B
+  for (const LineSpan& line : mesh.lines)
+    for (const bool from_a : {true, false}) {
+      const int first = from_a ? line.first_node : line.first_node + line.nodes - 1, way = from_a ? 1 : -1;
+      if (!std::binary_search(held.begin(), held.end(), first)) continue;
+      const int next = first + way;
+      if (plane_.gap(place(first)) > 2 * std::abs(reach[static_cast<size_t>(next)])) continue;
+      double sum = 0;
+      std::vector<std::pair<int, double>> walked;
+      int node = first;
+      for (int i = 1; i < line.nodes; ++i) {
+        const int to = first + i * way;
+        const int element = line.first_element + (from_a ? i - 1 : line.elements - i);
+        if (reach[static_cast<size_t>(to)] < 0 || plane_.gap(place(to)) >= reach[static_cast<size_t>(to)])
+          break;
+        sum += std::max(
+            0.0, (place(to) - place(node)).norm() - mesh.elements[static_cast<size_t>(element)].length);
+        walked.emplace_back(to, way * sum);
+        node = to;
+      }
+      // On the bed from end to end: nothing says where it was pulled from.
+      if (static_cast<int>(walked.size()) >= line.nodes - 2) continue;
+      for (const auto& [n, s] : walked) pulled[n] = s;
+    }
+  for (Point& p : points_) {
+    const size_t n = static_cast<size_t>(p.node);
+    p.start.point = at.x[n];
+    p.start.gap = plane_.gap(at.x[n]) - p.radius;
+    p.start.normal = plane_.normal;
+    p.start.slip.setZero();
+    const auto found = pulled.find(mesh_.global[n]);
+    if (found == pulled.end()) continue;
+    const Vec3 t = line_tangent(at, p.node);
+    p.start.slip = found->second * (t - plane_.normal * plane_.normal.dot(t));
+  }
+  laid_ = true;
+}
+
+void SeabedTerm::fields(FieldRegistry& registry) const {
+  const auto vector = [this](auto value) {
+    return [this, value](const Kinematics&, std::span<double> out) {
+      std::fill(out.begin(), out.end(), 0.0);
+      for (const Point& p : points_)
+        for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * p.node + c)] = value(p.history)[c];
+    };
+  };
+  registry.add({"seabed_force", "N", 3, vector([](const History& h) { return h.force; })});
+  registry.add({"seabed_friction", "N", 3, vector([](const History& h) { return h.friction; })});
+}
+
+std::vector<HistoryRecord> SeabedTerm::save() const {
+  std::vector<HistoryRecord> records;
+  for (const Point& p : points_) {
+    const History& h = p.history;
+    if (!h.touches && h.friction_work == 0 && h.damping_work == 0) continue;
+    HistoryRecord r{mesh_.global[static_cast<size_t>(p.node)], 0, {h.touches ? 1.0 : 0}};
+    for (const Vec3* v : {&h.slip, &h.force, &h.friction})
+      r.values.insert(r.values.end(), v->begin(), v->end());
+    r.values.insert(r.values.end(), {h.damping_force, h.potential, h.friction_work, h.damping_work});
+    records.push_back(std::move(r));
+  }
+  return records;
+}
+
+void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
+  std::unordered_map<int, size_t> at;
+  for (size_t i = 0; i < points_.size(); ++i)
+    points_[i].history = {}, at[mesh_.global[static_cast<size_t>(points_[i].node)]] = i;
+  for (const HistoryRecord& r : records) {
+    const auto found = at.find(r.node);
+    if (found == at.end()) continue;
+    const std::vector<double>& v = r.values;
+    if (v.size() != 14) throw std::invalid_argument("a seabed record of the checkpoint has the wrong size");
+    History& h = points_[found->second].history;
+    h.touches = v[0] != 0;
+    size_t i = 1;
+    for (Vec3* part : {&h.slip, &h.force, &h.friction})
+      for (int c = 0; c < 3; ++c) (*part)[c] = v[i++];
+    h.damping_force = v[10], h.potential = v[11], h.friction_work = v[12], h.damping_work = v[13];
+  }
+}
+
+}  // namespace hawser

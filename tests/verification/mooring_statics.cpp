@@ -1,0 +1,168 @@
+// Mooring lines on a seabed from the automatic start shape, against MAP++, MoorPy and closed forms of the
+// elastic catenary with bed friction.
+#include "hawser/terms/seabed.hpp"
+#include "support/rig.hpp"
+
+namespace hawser::test {
+namespace {
+
+struct Part {
+  double weight, length, EA;  // N/m under water, m, N
+  int elements;
+};
+
+// A line of cables from an anchor on a bed at 1000 m to a fairlead at (x, 0, z) from it. The weight is in the
+// mass; the bed is as hard as rock beside it.
+model::Case mooring(const std::vector<Part>& parts, double x, double z, double friction) {
+  model::Case c;
+  c.environment.water.present = true;
+  c.environment.water.depth = 1000;
+  model::Seabed& bed = c.environment.seabed;
+  bed.present = true, bed.depth = 1000;
+  bed.basis = model::StiffnessBasis::per_length, bed.normal_stiffness = 1e6;
+  bed.friction.axial = bed.friction.lateral = friction;
+  bed.friction.mobilisation_length = 1e-8 * x;
+  model::Line l;
+  l.name = "mooring";
+  for (const Part& p : parts) {
+    model::LineType t = cable_type(p.EA, 0);
+    t.name += std::to_string(c.line_types.size());
+    t.outer_diameter = 0.1, t.contact_diameter = 1e-3;
+    t.mass_per_length = p.weight / c.environment.gravity + 1025 * M_PI / 4 * 0.01;
+    c.line_types.push_back(t);
+    l.sections.push_back({t.name, p.length, p.elements, 1});
+  }
+  l.end_a = anchor({7, -4, -1000}), l.end_b = anchor(Vec3(7 + 0.8 * x, -4 - 0.6 * x, z - 1000));
+  c.lines.push_back(l);
+  c.dynamics.enabled = false;
+  return c;
+}
+
+struct Reference {
+  const char* name;
+  std::vector<Part> parts;
+  double x, z, friction;
+  double H, V, grounded, H_anchor;  // N, N, m, N
+  double tolerance;
+  int iterations = 40;
+};
+
+void expect(const Reference& r) {
+  model::Case c = mooring(r.parts, r.x, r.z, r.friction);
+  Simulation sim(PETSC_COMM_SELF, c);
+  const StaticsReport report = sim.solve_statics();
+  const auto& reactions = sim.system().reactions();
+  const auto pull = [&](int node) {
+    return Vec3(Eigen::Map<const Vec3>(reactions.data() + 3 * sim.local().block[static_cast<size_t>(node)]));
+  };
+  const int last = sim.local().owned - 1;
+  const double H = pull(last).head<2>().norm(), V = pull(last).z(), T = std::hypot(H, V),
+               A = pull(0).head<2>().norm();
+  // Grounded as far as the bed carries the line.
+  double grounded = 0;
+  for (int n = 1; n < last; ++n)
+    if (sim.seabed()->node_force(sim.state().view(0), n).z() > 0)
+      grounded = sim.mesh().nodes[static_cast<size_t>(n)].arc;
+  const double true_T = std::hypot(r.H, r.V), element = r.parts[0].length / r.parts[0].elements;
+  printf("  %-22s %2d iterations, tension %+.4f %%, anchor %+.4f %% of the tension, grounded %+.2f m\n",
+         r.name, report.iterations, 100 * (T / true_T - 1), 100 * (A - r.H_anchor) / true_T,
+         grounded - r.grounded);
+  EXPECT_NEAR(T, true_T, r.tolerance * true_T) << r.name;
+  EXPECT_NEAR(H, r.H, r.tolerance * true_T) << r.name;
+  // A held node carries the half element at it, whose friction is not felt.
+  const double held = 0.5 * r.friction * r.parts[0].weight * element;
+  EXPECT_NEAR(A, r.H_anchor, 2 * r.tolerance * true_T + held) << r.name;
+  EXPECT_NEAR(grounded, r.grounded, std::max(1.0, element)) << r.name;
+  EXPECT_LT(report.iterations, r.iterations) << r.name;
+  if (r.friction == 0) {
+    EXPECT_LE(report.negative_eigenvalues, 0) << r.name;
+  }
+}
+
+const double kOC4 = (113.35 - 1025 * M_PI / 4 * 0.0766 * 0.0766) * 9.80665;
+const double kVolturn = (685 - 1025 * M_PI / 4 * 0.333 * 0.333) * 9.80665;
+
+// OC3-Hywind: MAP++ 1.20.10 in OpenFAST/r-test, and fairleads moved radially.
+TEST(MooringStatics, Oc3Hywind) {
+  const std::vector<Part> line = {{698.0945369, 902.2, 384243000, 180}};
+  expect({"OC3", line, 848.67, 250, 0.001, 736939.2901, 535727.9918, 134.7853255, 736845.1972, 1e-3});
+  expect(
+      {"OC3 without friction", line, 848.67, 250, 0, 736938.3235, 535727.4506, 134.7855, 736938.3235, 1e-3});
+  expect({"OC3 20 m slacker", line, 828.67, 250, 0, 384523.85, 405507.2758, 321.3222446, 384523.85, 1e-3});
+  expect({"OC3 10 m tighter", line, 858.67, 250, 0, 1080509.312, 637454.2196, 0, 1080509.312, 1e-3});
+  expect({"OC3 20 m tighter", line, 868.67, 250, 0, 1998177.459, 894314.1133, 0, 1998177.459, 1e-3});
+}
+
+// OC4-DeepCwind (full friction) and VolturnUS-S, decks of OpenFAST and of the IEA 15 MW turbine, in closed
+// form.
+TEST(MooringStatics, Semisubmersibles) {
+  const double x = std::hypot(418.8 - 20.434, 725.383 - 35.393);
+  expect({"OC4",
+          {{kOC4, 835.35, 753600000, 160}},
+          x,
+          186,
+          1,
+          909408.4262,
+          631704.299,
+          242.3459,
+          651246.7145,
+          1e-3});
+  const std::vector<Part> line = {{kVolturn, 850, 3270000000, 170}};
+  expect({"VolturnUS-S", line, 779.6, 186, 0, 1349553.498, 2027475.384, 502.955676, 1349553.498, 2e-3});
+  expect({"VolturnUS-S, rough", line, 779.6, 186, 1, 1356980.752, 2031446.892, 502.2758703, 0, 2e-3, 150});
+}
+
+// MAP++'s own baseline, near vertical, and MoorPy's test_catenary (almost inextensible).
+TEST(MooringStatics, UnitTestsOfMapAndMoorPy) {
+  expect({"MAP++ base",
+          {{1327.647744, 125, 545000000, 100}},
+          50,
+          100,
+          1,
+          17449.66817,
+          149176.9239,
+          12.638,
+          670.624,
+          1e-3});
+  const std::vector<Part> line = {{800, 500, 7.51e12, 200}};
+  expect({"MoorPy, no friction", line, 400, 200, 0, 96643.45355, 237751.768, 202.81, 96643.45355, 1e-3, 250});
+}
+
+// Chain, chain and polyester: Lozon et al. 2025, closed form of their lines.
+TEST(MooringStatics, SeveralSections) {
+  expect({"Gulf of Mexico",
+          {{4366.188626, 364.5, 2191000000, 100}},
+          342,
+          66,
+          0,
+          462368.9186,
+          591102.0563,
+          229.118296,
+          462368.9186,
+          3e-3});
+  expect({"Gulf of Maine",
+          {{4101.341951, 497.7, 2058000000, 100}, {56.61546721, 199.8, 142000000, 40}},
+          642,
+          186,
+          0,
+          944887.4574,
+          746990.9908,
+          318.3247542,
+          944887.4574,
+          3e-3});
+  expect({"Humboldt",
+          {{2455.981102, 80, 1232000000, 10},
+           {59.5673446, 1378.9, 145000000, 60},
+           {2455.981102, 80, 1232000000, 10}},
+          1342,
+          786,
+          0,
+          1509877.596,
+          1122681.864,
+          0,
+          1509877.596,
+          3e-3});
+}
+
+}  // namespace
+}  // namespace hawser::test
