@@ -1,4 +1,6 @@
 // The keys of the sea, its bed and of what lines are in it.
+#include <cmath>
+
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {
@@ -43,7 +45,7 @@ Key seabed() {
       {number("depth", length, "of the bed below z = 0, at x = y = 0")
            .above(0)
            .or_else_note("that of `water`"),
-       number("slope_deg", angle, "how steep it is").at_least(0).at_most(60).or_else("0"),
+       number("slope_deg", angle, "how steep it is").at_least(0).at_most(M_PI / 3).or_else("0"),
        number("slope_direction_deg", angle, "where it goes down to, anticlockwise from +x").or_else("0"),
        map("normal_stiffness",
            {number("per_length", line_stiffness, "per length of line").above(0),

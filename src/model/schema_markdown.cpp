@@ -20,10 +20,11 @@ list.
 )";
 
 std::string bounds(const Key& k) {
+  const double f = k.unit == Dimension::angle ? 180 / 3.14159265358979323846 : 1;
   std::string s;
-  if (k.bounds.above) s += fmt::format(" > {:g}", *k.bounds.above);
-  if (k.bounds.at_least) s += fmt::format(" ≥ {:g}", *k.bounds.at_least);
-  if (k.bounds.at_most) s += fmt::format("{} ≤ {:g}", s.empty() ? "" : ",", *k.bounds.at_most);
+  if (k.bounds.above) s += fmt::format(" > {:g}", *k.bounds.above * f);
+  if (k.bounds.at_least) s += fmt::format(" ≥ {:g}", *k.bounds.at_least * f);
+  if (k.bounds.at_most) s += fmt::format("{} ≤ {:g}", s.empty() ? "" : ",", *k.bounds.at_most * f);
   return s;
 }
 

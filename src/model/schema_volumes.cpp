@@ -1,4 +1,6 @@
 // The keys of volumes: shapes, contact laws, friction.
+#include <cmath>
+
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {
@@ -157,7 +159,7 @@ Key volumes() {
                       .or_else("true"),
                   number("crease_angle_deg", angle, "edges whose facets meet at more than this stay sharp")
                       .above(0)
-                      .at_most(180)
+                      .at_most(M_PI)
                       .or_else("40"),
                   reference("body", "bodies", "body it is fixed to; mesh and shape are in the body's frame")
                       .or_else_note("none: fixed in space"),

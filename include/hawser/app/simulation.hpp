@@ -44,8 +44,8 @@ class Simulation {
   const BodyContactTerm* body_contact() const { return body_contact_; }  // null: no bodies touch
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
-  SeabedTerm* seabed() { return seabed_; }  // null: there is none
-  LinePairs* line_pairs() { return line_pairs_; }       // null: lines do not touch lines
+  SeabedTerm* seabed() { return seabed_; }         // null: there is none
+  LinePairs* line_pairs() { return line_pairs_; }  // null: lines do not touch lines
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
