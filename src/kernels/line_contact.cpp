@@ -8,22 +8,24 @@ namespace {
 
 constexpr double kRoot = 1e-14;
 constexpr int kMost = 100;
+constexpr int kFiner = 4;  // further halvings where contact is not excluded
 
 class Scan {
  public:
-  Scan(AxisGapFunction& gap, double reach, std::vector<ContactStretch>& out)
-      : gap_(gap), reach_(reach), out_(out) {}
+  Scan(AxisGapFunction& gap, const AxisBounds& bounds, std::vector<ContactStretch>& out)
+      : gap_(gap), bounds_(bounds), reach_(bounds.reach), out_(out) {}
 
   void piece(double a, const AxisGap& A, double b, const AxisGap& B, int levels) {
     const bool in_a = A.gap < 0, in_b = B.gap < 0;
     const double span = reach_ * (b - a);
-    if (!in_a && !in_b && A.gap + B.gap >= span) return;
-    if (levels > 0) {
+    if (!in_a && !in_b && apart(b - a, A.gap, B.gap)) return;
+    const bool both = in_a && in_b;
+    if (levels > 0 || (levels > -kFiner && ((bounds_.touch > 0 && !both) || mixed(b - a, A, B)))) {
       const double m = 0.5 * (a + b);
       const AxisGap M = gap_.at(m, span);
       piece(a, A, m, M, levels - 1);
       piece(m, M, b, B, levels - 1);
-    } else if (in_a && in_b) {
+    } else if (both) {
       arch(a, A, b, B);
     } else if (in_a) {
       add({a, root(a, A, b, B), false, true});
@@ -35,6 +37,31 @@ class Scan {
   }
 
  private:
+  // No contact between two points out of contact.
+  bool apart(double w, double A, double B) const {
+    const double span = reach_ * w;
+    if (A + B >= span) return true;
+    const double touch = bounds_.touch;
+    if (!(touch > 0)) return false;
+    const double p = A * (A + 2 * touch), q = B * (B + 2 * touch);  // squares of the distances less touch²
+    // Half the second derivative of the square is at most |x'|² + distance |x''|.
+    const double c = span * span + (std::max(A, B) + touch + span) * bounds_.bend * w * w;
+    // Least of (1 - t) p + t q - c t (1 - t).
+    const double t = std::clamp(0.5 - (q - p) / (2 * c), 0.0, 1.0);
+    return (1 - t) * p + t * q - c * t * (1 - t) > 0;
+  }
+
+  // Whether the gap is neither convex nor concave (then its mean slope were between those at the ends) where
+  // that may matter: the cubic through the ends, off their chord by at most `off`, might change its sign
+  // twice.
+  bool mixed(double w, const AxisGap& A, const AxisGap& B) const {
+    const double mean = (B.gap - A.gap) / w, slack = 1e-9 * reach_;
+    if (mean > std::min(A.slope, B.slope) - slack && mean < std::max(A.slope, B.slope) + slack) return false;
+    const double off = 4.0 / 27 * w * (std::abs(A.slope - mean) + std::abs(B.slope - mean));
+    const auto [least, most] = std::minmax(A.gap, B.gap);
+    return most < 0 ? most + off > 0 : least >= 0 ? least - off < 0 : true;
+  }
+
   void add(const ContactStretch& s) {
     if (!out_.empty() && out_.back().to == s.from && !out_.back().to_moves && !s.from_moves)
       out_.back().to = s.to, out_.back().to_moves = s.to_moves;
@@ -106,19 +133,20 @@ class Scan {
   }
 
   AxisGapFunction& gap_;
+  AxisBounds bounds_;
   double reach_;
   std::vector<ContactStretch>& out_;
 };
 
 }  // namespace
 
-std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, double reach, int levels) {
+std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels) {
   std::vector<ContactStretch> out;
-  const double half = 0.5 * reach;
+  const double half = 0.5 * bounds.reach;
   const AxisGap M = gap.at(0.5, half);
   if (M.gap >= half) return out;
   const AxisGap A = gap.at(0, half), B = gap.at(1, half);
-  Scan scan(gap, reach, out);
+  Scan scan(gap, bounds, out);
   scan.piece(0, A, 0.5, M, levels - 1);
   scan.piece(0.5, M, 1, B, levels - 1);
   return out;

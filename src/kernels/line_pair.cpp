@@ -59,7 +59,8 @@ std::vector<LinePairSide::Panel> LinePairSide::panels() const {
   Gap gap(*this);
   const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
   std::vector<Panel> out;
-  for (const ContactStretch& s : cut_stretches(contact_stretches(gap, slave_.now.reach(), levels), levels)) {
+  for (const ContactStretch& s :
+       cut_stretches(contact_stretches(gap, {slave_.now.reach()}, levels), levels)) {
     const Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
     if (part_ == FootOf::element)
       split(p, out);

@@ -173,7 +173,7 @@ BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Kinematics& 
         e.from -= ca, e.to -= ca;
         const double length = (e.to - e.from).norm();
         EdgeGap gap(A, Bs, e, surface, e.radius + d);
-        const auto panels = cut_stretches(contact_stretches(gap, length, kEdgeLevels), kEdgeLevels);
+        const auto panels = cut_stretches(contact_stretches(gap, {length}, kEdgeLevels), kEdgeLevels);
         for (const ContactStretch& s : panels)
           for (size_t k = 0; k < ContactRule::kPoints; ++k) {
             const double xi = s.from + (s.to - s.from) * ContactRule::place()[k];

@@ -117,7 +117,8 @@ std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& sha
   pair.clear = middle->distance - pair.touch;
   if (pair.clear >= 0.5 * reach) return {};
   gap.set_middle({pair.clear, (pose.rotation * middle->normal).dot(shape.slope(0.5))});
-  return cut_stretches(contact_stretches(gap, reach, pair.levels), pair.levels);
+  return cut_stretches(contact_stretches(gap, {reach, pair.touch, shape.bend_bound()}, pair.levels),
+                       pair.levels);
 }
 
 SurfacePoint LineContact::nothing() {

@@ -5,6 +5,7 @@
 // x2).
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "hawser/kernels/axis_roll.hpp"
@@ -44,6 +45,8 @@ class AxisShape {
   bool same_axis(const AxisShape& o) const { return count_ == o.count_ && X_ == o.X_; }
   // A bound of |dx/dxi| over the element, m.
   double reach() const { return reach_; }
+  // The largest |d²x/dxi²|, m: it is linear in xi.
+  double bend_bound() const { return count_ == 2 ? 0 : std::max(bend(0).norm(), bend(1).norm()); }
 
   // Forces F_j conjugate to X_j, with dF_j/dX_k and dF_j/dV_k, to the nodes' blocks (x1, theta1, x2, theta2)
   // or (x1, x2): f[3n], K and C (3n)x(3n) row-major, n = count(). Adds. K and C may be null together.

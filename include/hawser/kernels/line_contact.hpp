@@ -25,10 +25,20 @@ struct ContactStretch {
   bool from_moves = false, to_moves = false;  // that end is a root of the gap, not an end of the element
 };
 
-// All stretches of contact, in order. reach [m]: a bound of |dx/dxi|. The element is halved where contact
-// cannot be excluded until pieces are 2^-levels (levels >= 1) of it; on such a piece the gap has one minimum
-// or one maximum at most. Ends are roots to 1e-14.
-std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, double reach, int levels);
+// What excludes contact of a piece of the axis: the gap is the distance to a body less `touch` [m], and the
+// square of a distance less |x|² is concave, being the least of functions that are linear in x. So on a piece
+// it stays above what its ends and |dx/dxi| <= reach, |d²x/dxi²| <= bend [m] allow. touch = 0: not known;
+// only that no distance changes faster than its point moves.
+struct AxisBounds {
+  double reach = 0, touch = 0, bend = 0;
+};
+
+// All stretches of contact, in order. The element is halved where contact cannot be excluded until pieces are
+// 2^-levels (levels >= 1) of it, and up to four times more where an end of a piece is out of touch: over the
+// facets of a mesh the gap goes up and down, and a contact that was overlooked would vanish when its end
+// passes from one piece into the next. On the pieces that are left the gap has one minimum or one maximum at
+// most. Ends are roots to 1e-14.
+std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels);
 
 // Levels at which pieces are no longer than 4 radii, from 1/4 to 1/32 of the element: two places of contact
 // on one piece would be nearer to each other than the line is thick.
