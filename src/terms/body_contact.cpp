@@ -6,6 +6,7 @@
 
 #include "hawser/kernels/line_contact.hpp"
 #include "hawser/model/body_pairs.hpp"
+#include "hawser/terms/contact.hpp"
 
 namespace hawser {
 namespace {
@@ -81,13 +82,13 @@ BodyContactTerm::BodyContactTerm(const model::Case& c, const LocalMesh& mesh,
       for (const auto& b : *list) pair.size = std::max(pair.size, 2 * b.radius);
     const Vec3 extent = boxes_[p.a].extent();
     if (extent.allFinite()) pair.size = extent.maxCoeff();
-    pair.law.stiffness = p.stiffness;
-    pair.law.smoothing = v.smoothing > 0 ? v.smoothing : std::min(kSmoothing * pair.size, kMostSmoothing);
     // The mass that belongs to a unit of length or area is that over the whole of it.
     const double units = v.basis == model::StiffnessBasis::per_point    ? 1
                          : v.basis == model::StiffnessBasis::per_length ? pair.size
                                                                         : pair.size * pair.size;
-    pair.law.damping = contact_damping(v.relative_damping, p.stiffness, pair.mass / units);
+    // Where the other volume is softer the stiffness of the two is that one's.
+    pair.law = normal_law(v, p.stiffness / v.normal_stiffness,
+                          std::min(kSmoothing * pair.size, kMostSmoothing), pair.mass / units);
     pairs_.push_back(pair);
   }
   reghost();

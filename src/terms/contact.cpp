@@ -7,6 +7,16 @@
 
 namespace hawser {
 
+NormalLaw normal_law(const model::Volume& v, double share, double smoothing, double mass) {
+  NormalLaw law;
+  law.stiffness = v.normal_stiffness * share;
+  law.smoothing = v.force_table ? 0 : v.smoothing >= 0 ? v.smoothing : smoothing;
+  law.table = v.force_table.get();
+  law.table_factor = share;
+  law.damping = contact_damping(v.relative_damping, law.stiffness, mass);
+  return law;
+}
+
 Contact::Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes)
     : bodies_(std::move(bodies)), volumes_(std::move(volumes)) {
   if (!bodies_) bodies_ = std::make_shared<const Bodies>();
@@ -24,12 +34,8 @@ Contact::Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume
 
 ContactLaw Contact::law(const model::Volume& v, double share, double diameter, double mass) {
   ContactLaw law;
-  law.normal.stiffness = v.normal_stiffness * share;
   // A fifth of the penetration the automatic stiffness allows: the ramp stays small beside it.
-  law.normal.smoothing = v.force_table ? 0 : v.smoothing >= 0 ? v.smoothing : 0.001 * diameter;
-  law.normal.table = v.force_table.get();
-  law.normal.table_factor = share;
-  law.normal.damping = contact_damping(v.relative_damping, law.normal.stiffness, mass);
+  law.normal = normal_law(v, share, 0.001 * diameter, mass);
   law.friction.axial = v.friction.axial;
   law.friction.lateral = v.friction.lateral;
   law.friction.stiffness = v.friction.shear_stiffness * share;

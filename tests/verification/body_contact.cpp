@@ -100,6 +100,20 @@ TEST(BodyContact, FloatersWithADampedFender) {
   EXPECT_LT(r.audit, 2e-3);
 }
 
+// A fender that gives way: what it takes up at most is the energy of the relative motion.
+TEST(BodyContact, FloatersWithAFenderByTable) {
+  model::Case c = floaters(0);
+  const std::vector<ForceTable::Row> rows{{0.1, 4e5}, {0.3, 9e5}, {1.5, 2e6}};
+  const auto table = std::make_shared<ForceTable>(rows);
+  c.volumes[0].force_table = table, c.volumes[0].normal_stiffness = table->largest_slope();
+  Collision run(c);
+  integrate(run.sim.dynamics(), 8, 8, [](const StepInfo&) {});
+  const double mass = 1 / (1 / 1e7 + 1 / 2.5e7), energy = 0.5 * mass * 0.6 * 0.6;
+  const double depth = run.sim.body_contact()->largest_penetration();
+  EXPECT_NEAR(table->at(depth).potential, energy, 1e-3 * energy) << depth;
+  EXPECT_LT(table->at(depth).force, 0.9 * table->largest_slope() * depth);
+}
+
 // Springs that hold a body swing it with 2 pi sqrt(m / k), 2 pi sqrt(J / kr).
 TEST(BodyContact, ABodyOnSpringsSwings) {
   model::Case c;

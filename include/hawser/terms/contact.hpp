@@ -47,6 +47,11 @@ struct ContactHistory {
         potential(c.normal.potential) {}
 };
 
+// The normal law of a volume. share: what turns its stiffness and its table into those of what touches (a
+// node, a length); smoothing [m]: unless the volume says; mass [kg in the same sense]: effective, of the
+// damping.
+NormalLaw normal_law(const model::Volume& v, double share, double smoothing, double mass);
+
 class Contact : public ForceTerm {
  public:
   // Off in the first stage of statics. While off no slip is kept.
