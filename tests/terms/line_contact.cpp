@@ -1,6 +1,7 @@
 // Contact along elements: exact tangents in every situation, repeatable, turns with the model, energies
 // close.
 #include "terms/line_contact_cases.hpp"
+#include "terms/whole_model.hpp"
 
 namespace hawser::test {
 namespace {
@@ -89,19 +90,8 @@ TEST(LineContact, TurnsWithTheModel) {
   const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
   for (const LineCase& c : line_cases()) {
     LineModel m(c), turned(c, PETSC_COMM_SELF, at);
-    const LocalMesh& mesh = m.system->mesh();
     // Rotations of the nodes are given in space: the turned model's are turned too.
-    const auto f = residual(*m.system, state_of(mesh, m.trial), m.trial.h);
-    const auto g = residual(*turned.system, state_of(mesh, turned.trial), m.trial.h);
-    double size = 0, off = 0;
-    for (int n = 0; n < mesh.owned; ++n)
-      for (int k = 0; k <= mesh.rotates(n); ++k) {
-        const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
-        const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
-        size = std::max(size, a.norm());
-        off = std::max(off, (k ? Vec3(b - a) : Vec3(b - at.rotation * a)).norm());
-      }
-    EXPECT_LT(off, 1e-10 * size) << c.name;
+    const double size = expect_turned(m, turned, at.rotation, 1e-10, c.name);
     EXPECT_GT(size, 10) << c.name;
   }
 }

@@ -1,46 +1,21 @@
 // Contact along elements on several ranks: residual, tangent, energy and history of every case equal those on
 // one rank, which every rank computes for itself.
 #include "terms/line_contact_cases.hpp"
+#include "terms/whole_model.hpp"
 
 namespace hawser::test {
 namespace {
 
-double sum(double x) {
-  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-  return x;
-}
-
 TEST(LineContactRanks, SameAsOnOne) {
   for (const LineCase& c : line_cases()) {
     LineModel all(c, PETSC_COMM_WORLD), one(c);
-    const LocalMesh &a = all.system->mesh(), &b = one.system->mesh();
+    expect_same_on_ranks(all, one, {&Energy::strain, &Energy::friction, &Energy::damping, &Energy::work},
+                         1e-13, c.name);
+    const LocalMesh& a = all.system->mesh();
     const double h = one.trial.h;
-    const State end_a = state_of(a, all.trial), end_b = state_of(b, one.trial);
-    const auto fa = residual(*all.system, end_a, h), fb = residual(*one.system, end_b, h);
-    double size = 0;
-    for (double x : fb) size = std::max(size, std::abs(x));
-    for (int n = 0; n < a.owned; ++n)
-      for (int k = 0; k <= a.rotates(n); ++k)
-        for (size_t r = 0; r < 3; ++r) {
-          const int g = a.global[static_cast<size_t>(n)];
-          EXPECT_NEAR(fa[3 * static_cast<size_t>(a.block[static_cast<size_t>(n)] + k) + r],
-                      fb[3 * static_cast<size_t>(b.block[static_cast<size_t>(g)] + k) + r], 1e-13 * size)
-              << c.name << ", node " << g;
-        }
-    double na = 0, nb = 0;
-    const MatHandle Ja = tangent(*all.system, all.trial, {1, 3, 7, 0, 0});
-    const MatHandle Jb = tangent(*one.system, one.trial, {1, 3, 7, 0, 0});
-    check(MatNorm(Ja.get(), NORM_FROBENIUS, &na));
-    check(MatNorm(Jb.get(), NORM_FROBENIUS, &nb));
-    EXPECT_NEAR(na, nb, 1e-13 * nb) << c.name;
-
-    all.system->commit(end_a.view(h)), one.system->commit(end_b.view(h));
-    const Energy x = all.contact->energy(end_a.view(h)), y = one.contact->energy(end_b.view(h));
-    for (const auto part : {&Energy::strain, &Energy::friction, &Energy::damping, &Energy::work})
-      EXPECT_NEAR(sum(x.*part), y.*part, 1e-13 * (std::abs(y.*part) + y.strain)) << c.name;
-    EXPECT_EQ(sum(all.contact->touching()), one.contact->touching());
+    const State end_a = state_of(a, all.trial);
     const auto mine = all.contact->save(), whole = one.contact->save();
-    EXPECT_EQ(sum(static_cast<double>(mine.size())), static_cast<double>(whole.size())) << c.name;
+    EXPECT_EQ(over_ranks(static_cast<double>(mine.size())), static_cast<double>(whole.size())) << c.name;
     for (const HistoryRecord& r : mine)
       EXPECT_TRUE(std::any_of(
           whole.begin(), whole.end(),

@@ -1,6 +1,7 @@
 // Contact of lines with lines: exact tangents in every situation, repeatable, turns with the model, no force
 // or moment on the whole, history through a checkpoint.
 #include "terms/line_pairs_cases.hpp"
+#include "terms/whole_model.hpp"
 
 namespace hawser::test {
 namespace {
@@ -49,18 +50,7 @@ TEST(LinePairs, TurnsWithTheModel) {
   const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
   for (const PairCase& c : pair_cases()) {
     PairModel m(c), turned(c, PETSC_COMM_SELF, at);
-    const LocalMesh& mesh = m.system->mesh();
-    const auto f = residual(*m.system, state_of(mesh, m.trial), m.trial.h);
-    const auto g = residual(*turned.system, state_of(mesh, turned.trial), m.trial.h);
-    double size = 0, off = 0;
-    for (int n = 0; n < mesh.owned; ++n)
-      for (int k = 0; k <= mesh.rotates(n); ++k) {
-        const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
-        const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
-        size = std::max(size, a.norm());
-        off = std::max(off, (k ? Vec3(b - a) : Vec3(b - at.rotation * a)).norm());
-      }
-    EXPECT_LE(off, 1e-9 * size) << c.name;
+    expect_turned(m, turned, at.rotation, 1e-9, c.name);
   }
 }
 

@@ -1,0 +1,75 @@
+// What holds of any model of one term: several ranks give what one gives, and it turns with space. A model
+// has `system`, `contact` and `trial`.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+#include "support/taylor_model.hpp"
+
+namespace hawser::test {
+
+inline double over_ranks(double x) {
+  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  return x;
+}
+
+// Residual and tangent of the trial, then energies and what touches once it is committed. `one` is whole on
+// each rank. The size of the largest force, N.
+template <class Model>
+double expect_same_on_ranks(Model& all, Model& one, std::initializer_list<double Energy::*> parts,
+                            double tolerance, const std::string& name) {
+  const LocalMesh &a = all.system->mesh(), &b = one.system->mesh();
+  const double h = one.trial.h;
+  const State end_a = state_of(a, all.trial), end_b = state_of(b, one.trial);
+  const auto fa = residual(*all.system, end_a, h), fb = residual(*one.system, end_b, h);
+  double size = 0;
+  for (double x : fb) size = std::max(size, std::abs(x));
+  for (int n = 0; n < a.owned; ++n)
+    for (int k = 0; k <= a.rotates(n); ++k)
+      for (size_t r = 0; r < 3; ++r) {
+        const int g = a.global[static_cast<size_t>(n)];
+        EXPECT_NEAR(fa[3 * static_cast<size_t>(a.block[static_cast<size_t>(n)] + k) + r],
+                    fb[3 * static_cast<size_t>(b.block[static_cast<size_t>(g)] + k) + r], tolerance * size)
+            << name << ", node " << g;
+      }
+  double na = 0, nb = 0;
+  const MatHandle Ja = tangent(*all.system, all.trial, {1, 3, 7, 0, 0});
+  const MatHandle Jb = tangent(*one.system, one.trial, {1, 3, 7, 0, 0});
+  check(MatNorm(Ja.get(), NORM_FROBENIUS, &na));
+  check(MatNorm(Jb.get(), NORM_FROBENIUS, &nb));
+  EXPECT_NEAR(na, nb, tolerance * nb) << name;
+
+  all.system->commit(end_a.view(h)), one.system->commit(end_b.view(h));
+  const Energy x = all.contact->energy(end_a.view(h)), y = one.contact->energy(end_b.view(h));
+  for (const auto part : parts)
+    EXPECT_NEAR(over_ranks(x.*part), y.*part, tolerance * (std::abs(y.*part) + y.strain)) << name;
+  EXPECT_EQ(over_ranks(all.contact->touching()), one.contact->touching()) << name;
+  return size;
+}
+
+// Forces of a model and of the same one placed elsewhere: turned in space, moments (in the nodes' axes) the
+// same. The largest force, N.
+template <class Model>
+double expect_turned(Model& m, Model& turned, const Quat& rotation, double tolerance,
+                     const std::string& name) {
+  const LocalMesh& mesh = m.system->mesh();
+  const auto f = residual(*m.system, state_of(mesh, m.trial), m.trial.h);
+  const auto g = residual(*turned.system, state_of(mesh, turned.trial), m.trial.h);
+  double size = 0, off = 0;
+  for (int n = 0; n < mesh.owned; ++n)
+    for (int k = 0; k <= mesh.rotates(n); ++k) {
+      const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
+      const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
+      size = std::max(size, a.norm());
+      off = std::max(off, (k ? Vec3(b - a) : Vec3(b - rotation * a)).norm());
+    }
+  EXPECT_LE(off, tolerance * size) << name;
+  return size;
+}
+
+}  // namespace hawser::test
