@@ -1,15 +1,14 @@
 #include "hawser/geometry/spatial_hash.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "hawser/geometry/closest_point.hpp"
-#include "spatial_hash_keys.hpp"
 #include "spatial_hash_search.hpp"
 
 namespace hawser {
 
-using detail::morton;
 using detail::prefetch;
 using detail::scramble;
 
@@ -77,11 +76,10 @@ bool SpatialHash::begin(Ball& q, const Vec3& p, double max_distance) const {
 SpatialHash::Start SpatialHash::start(const Ball& q) const {
   Start s;
   const double radius = q.reach * (1 + 1e-9) + q.rounding;
-  // The finest level in the table is no finer than the coarsest triangles.
-  s.level = start_;
-  while (s.level < top_ &&
-         side_ * (1 << s.level) < Start::kRoom * std::max(radius, margin_[static_cast<std::size_t>(s.level)]))
-    ++s.level;
+  // The exponent of the ratio is the level; the finest in the table is no finer than the coarsest triangles.
+  const double ratio = Start::kRoom * radius / side_;
+  const int level = static_cast<int>(std::bit_cast<std::uint64_t>(ratio) >> 52) - 1022;
+  s.level = std::max(level, least_);
   if ((s.root = s.level >= top_)) return s;
   const double side = side_ * (1 << s.level), margin = margin_[static_cast<std::size_t>(s.level)];
   const double last = static_cast<double>((1 << (top_ - s.level)) - 1), reach = (radius + margin) / side;
@@ -110,13 +108,15 @@ SpatialHash::Nearest SpatialHash::answer(const Ball& q) const {
 
 // Exact distances of the triangles that still could be the nearest, the most promising first.
 void SpatialHash::settle(Search& q) const {
-  int first = 0;
-  for (int i = 1; i < q.waiting; ++i)
-    if (q.candidates[i].at_least < q.candidates[first].at_least) first = i;
-  if (q.waiting > 0) std::swap(q.candidates[0], q.candidates[first]);
-  for (int i = 0; i < q.waiting; ++i) {
-    const std::uint32_t s = q.candidates[i].slot;
-    if (q.candidates[i].at_least > q.reach || s == q.slot) continue;
+  if (q.waiting == 0) return;
+  unsigned first = 0;
+  for (unsigned i = 1; i < q.waiting; ++i)
+    if (q.at_least[i] < q.at_least[first]) first = i;
+  std::swap(q.at_least[0], q.at_least[first]);
+  std::swap(q.candidates[0], q.candidates[first]);
+  for (unsigned i = 0; i < q.waiting; ++i) {
+    const std::uint32_t s = q.candidates[i];
+    if (q.at_least[i] > q.reach || s == q.slot) continue;
     ++q.count.exact;
     test(q, s);
   }
@@ -134,7 +134,9 @@ SpatialHash::Nearest SpatialHash::search(const Question& ask, Counters& count) c
       prefetch(&corners_[s], sizeof(Corners));
       const std::size_t from = 3 * std::size_t{s};
       prefetch(&rounded_[from > 24 ? from - 24 : 0], 192);
-      q.candidates[q.waiting++] = {0, s};
+      q.at_least[0] = 0;
+      q.candidates[0] = s;
+      q.waiting = 1;
       q.hinted = true;
     } else {
       test(q, s);
@@ -167,9 +169,9 @@ SpatialHash::Nearest SpatialHash::search(const Question& ask, Counters& count) c
         q.hinted = false;
         if (away > q.limit) continue;
       }
-      if (q.waiting + static_cast<int>(n) > Search::kMostCandidates) settle(q);
+      if (q.waiting + n > Search::kMostCandidates) settle(q);
       q.count.triangles += n;
-      q.waiting += bound(q, entry, frame, q.candidates + q.waiting);
+      q.waiting += bound(q, entry, frame, q.at_least + q.waiting, q.candidates + q.waiting);
     }
     if (entry.children == kNone) continue;
     float squared[8];

@@ -4,19 +4,21 @@
 #include <cmath>
 #include <cstring>
 
+#include "spatial_hash_lanes.hpp"
 #include "spatial_hash_search.hpp"
 
 namespace hawser {
-namespace {
 
-// The vector unit's lanes: eight boxes of a block, up to fifteen triangles of a run.
-template <class T, int n>
-using Vector [[gnu::vector_size(sizeof(T) * n)]] = T;
-constexpr int kBoxes = 8, kRun = 16;
-using Lanes = Vector<float, kRun>;
-using Ints = Vector<std::int32_t, kRun>;
-using BoxLanes = Vector<float, kBoxes>;
-using BoxInts = Vector<std::int32_t, kBoxes>;
+using detail::bits;
+using detail::BoxLanes;
+using detail::greater;
+using detail::Ints;
+using detail::kRun;
+using detail::Lanes;
+using detail::lesser;
+using detail::Vector;
+
+namespace {
 
 struct Lanes3 {
   Lanes x, y, z;
@@ -43,32 +45,6 @@ Lanes load(const std::uint8_t* at) {
   return __builtin_convertvector(__builtin_convertvector(shorts, Ints), Lanes);
 }
 
-// Lanes that are all ones, as bits.
-unsigned bits(std::uint64_t bytes) {
-  return static_cast<unsigned>((bytes & 0x8040201008040201u) * 0x0101010101010101u >> 56);
-}
-unsigned bits(BoxInts which) {
-  const auto bytes = __builtin_convertvector(which, Vector<std::int8_t, kBoxes>);
-  std::uint64_t u;
-  std::memcpy(&u, &bytes, 8);
-  return bits(u);
-}
-unsigned bits(Ints which) {
-  const auto bytes = __builtin_convertvector(which, Vector<std::int8_t, kRun>);
-  std::uint64_t u[2];
-  std::memcpy(u, &bytes, 16);
-  return bits(u[0]) | bits(u[1]) << 8;
-}
-
-template <class T>
-T lesser(T a, T b) {
-  return a < b ? a : b;
-}
-template <class T>
-T greater(T a, T b) {
-  return a > b ? a : b;
-}
-
 // Squared distance from 0 to the segments from a along e, of squared length e2.
 Lanes squared_distance_to_segment(const Lanes3& a, const Lanes3& e, Lanes e2) {
   const Lanes zero = {}, one = zero + 1;
@@ -87,9 +63,11 @@ constexpr float kBoundError = 1e-4f;
 
 }  // namespace
 
-// Bounds of the distances of a run, from corners rounded to a grid; at most kMost candidates. Lengths are in
-// units of about the size of the block, so that no product gets out of the range of float.
-int SpatialHash::bound(Ball& q, Entry run, std::uint32_t block, Candidate* candidates) const {
+// Bounds of the distances of a run, from corners rounded to a grid: how many could be the nearest, which,
+// and how far they are at least. Lengths are in units of about the size of the block, so that no
+// product gets out of the range of float.
+unsigned SpatialHash::bound(Ball& q, Entry run, std::uint32_t block, float* at_least,
+                            std::uint32_t* slots) const {
   const Children& frame = children_[block];
   const std::uint32_t from = run.first(), n = run.count();
   const auto power = [](int biased) {
@@ -134,7 +112,6 @@ int SpatialHash::bound(Ball& q, Entry run, std::uint32_t block, Candidate* candi
   unsigned near = bits((squared <= far * far) | flat) & ((1u << n) - 1);
   if (q.slot - from < n) near &= ~(1u << (q.slot - from));  // known already
   if (near == 0) return 0;
-
   float distance[kRun], within[kRun], most = FLT_MAX;
   const unsigned flats = bits(flat);
   for (unsigned left = near; left; left &= left - 1) {
@@ -145,14 +122,15 @@ int SpatialHash::bound(Ball& q, Entry run, std::uint32_t block, Candidate* candi
     most = std::min(most, distance[i] + error);
   }
   q.bring_in(most * unit);
-  int found = 0;
+  unsigned found = 0;
   for (; near; near &= near - 1) {
     const int i = __builtin_ctz(near);
     const float least = static_cast<float>(unit) * (distance[i] - within[i] - error);
     if (least > q.reach) continue;
     const std::uint32_t s = from + static_cast<std::uint32_t>(i);
     detail::prefetch(&corners_[s], sizeof(Corners));
-    candidates[found++] = {least, s};
+    at_least[found] = least;
+    slots[found++] = s;
   }
   return found;
 }

@@ -6,8 +6,7 @@
 #include <iterator>
 #include <numeric>
 
-#include "hawser/geometry/spatial_hash.hpp"
-#include "spatial_hash_keys.hpp"
+#include "spatial_hash_search.hpp"
 
 namespace hawser {
 namespace {
@@ -90,6 +89,10 @@ void SpatialHash::sort_triangles(const std::vector<Vec3>& vertices,
     m = std::max(m, 0.5 * size[i] + 1e-9 * extent);
   }
   for (std::size_t l = 1; l < margin_.size(); ++l) margin_[l] = std::max(margin_[l], margin_[l - 1]);
+
+  least_ = start_;
+  while (least_ < top_ && side_ * (1 << least_) < Start::kRoom * margin_[static_cast<std::size_t>(least_)])
+    ++least_;
 
   // The order of a walk down the tree: a cell's own triangles, then those of its children.
   std::vector<std::uint32_t> order(n);

@@ -53,11 +53,6 @@ struct SpatialHash::Item {
   Entry entry() const { return {own, children}; }
 };
 
-struct SpatialHash::Candidate {
-  float at_least;  // m
-  std::uint32_t slot;
-};
-
 // Up to two cells each way, of a level whose cells are large for the ball.
 struct SpatialHash::Start {
   // Side of the cells over the radius and over how far triangles reach out of their cell, at least.
@@ -84,9 +79,10 @@ struct SpatialHash::Start {
 struct SpatialHash::Search : Ball {
   Item stack[8 * (detail::kMaxLevels + 12) + 32];
   int depth = 0;
-  static constexpr int kMostCandidates = 32;
-  Candidate candidates[kMostCandidates];
-  int waiting = 0;
+  static constexpr unsigned kMostCandidates = 32;
+  float at_least[kMostCandidates];  // m
+  std::uint32_t candidates[kMostCandidates];
+  unsigned waiting = 0;
   bool hinted = false;  // the only candidate is the hint, being fetched
   Counters count;
 

@@ -163,6 +163,37 @@ TEST(GeometrySpatialHash, VerySmallAndVeryLarge) {
   }
 }
 
+// So many to so large a mesh that they are answered in another order than asked.
+TEST(GeometrySpatialHash, ManyAtOnce) {
+  const TriangleMesh m = sphere_mesh(6, 10);
+  const SpatialHash hash(m.vertices, m.triangles);
+  std::mt19937 gen(5);
+  std::normal_distribution<double> g;
+  std::vector<SpatialHash::Question> questions;
+  for (int i = 0; i < 9000; ++i) {
+    const double d = i % 50 == 0 ? 30 : 0.3 * g(gen);
+    const Vec3 y = (10 + d) * Vec3(g(gen), g(gen), g(gen)).normalized();
+    const int hint = i % 7 == 0   ? -1
+                     : i % 7 == 1 ? static_cast<int>(gen() % (m.triangles.size() + 100))
+                                  : hash.nearest(y + 0.05 * Vec3(g(gen), g(gen), g(gen))).triangle;
+    questions.push_back({y, i % 3 == 0 ? 0.1 : 0.5, hint});
+  }
+  std::vector<SpatialHash::Nearest> answers(questions.size());
+  SpatialHash::Counters c;
+  hash.nearest(questions, answers, &c);
+  EXPECT_EQ(c.queries, static_cast<long>(questions.size()));
+  int found = 0;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const auto one = hash.nearest(questions[i].point, questions[i].max_distance);
+    ASSERT_EQ(answers[i].triangle, one.triangle) << i;
+    if (one.triangle < 0) continue;
+    ++found;
+    ASSERT_EQ(answers[i].squared_distance, one.squared_distance) << i;
+  }
+  EXPECT_GT(found, 3000);
+  EXPECT_LT(found, 8900);
+}
+
 TEST(GeometrySpatialHash, WorkDoesNotGrowWithTheMesh) {
   // Tests per query a fixed fraction of a triangle above the surface; all together, with hints from nearby.
   const auto work = [](int levels, bool together) {

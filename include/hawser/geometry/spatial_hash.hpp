@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "hawser/geometry/box.hpp"
+#include "hawser/geometry/large_vector.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -103,10 +104,9 @@ class SpatialHash {
     std::size_t first, mask;
   };
   struct Made;
-  struct Ball;       // the rest, in src: what a search knows,
-  struct Item;       // a cell to be looked at,
-  struct Candidate;  // a triangle that could be the nearest,
-  struct Start;      // the cells a search starts from
+  struct Ball;   // the rest, in src: what a search knows,
+  struct Item;   // a cell to be looked at,
+  struct Start;  // the cells a search starts from
   struct Search;
   struct Group;
 
@@ -124,25 +124,27 @@ class SpatialHash {
   Start start(const Ball& ball) const;
   void fetch(const Entry& entry) const;
   unsigned expand(const Ball& ball, std::uint32_t block, float* squared) const;
-  int bound(Ball& ball, Entry run, std::uint32_t block, Candidate* candidates) const;
+  unsigned bound(Ball& ball, Entry run, std::uint32_t block, float* at_least, std::uint32_t* slots) const;
   void test(Ball& ball, std::uint32_t slot) const;
   Nearest answer(const Ball& ball) const;
   Nearest search(const Question& question, Counters& count) const;
   void settle(Search& search) const;
+  std::vector<std::uint32_t> order_of(std::span<const std::int32_t> slots) const;
 
   Box box_;
   Vec3 origin_ = Vec3::Zero(), centre_ = Vec3::Zero();
   double side_ = 1;                     // of the cells of level 0
   int top_ = 0;                         // the level with one cell
   int start_ = 0;                       // finest level in hash_, above that of the largest triangles
+  int least_ = 0;                       // where the triangles allow to begin, see Start::kRoom
   std::vector<double> margin_;          // per level: how far triangles of it or below reach out of their cell
-  std::vector<Corners> corners_;        // sorted
-  std::vector<std::uint32_t> rounded_;  // of each run: first corners, second, third, 3 x 10 bits each
-  std::vector<std::int32_t> slot_;      // of each mesh triangle in corners_, -1 if not active
-  std::vector<Children> children_;
+  LargeVector<Corners> corners_;        // sorted
+  LargeVector<std::uint32_t> rounded_;  // of each run: first corners, second, third, 3 x 10 bits each
+  LargeVector<std::int32_t> slot_;      // of each mesh triangle in corners_, -1 if not active
+  LargeVector<Children> children_;
   Entry root_;
   std::vector<Table> tables_;  // of levels start_ and above
-  std::vector<Slot> hash_;
+  LargeVector<Slot> hash_;
   std::size_t cells_ = 0;
 };
 
