@@ -120,6 +120,10 @@ class Reader {
                                 (*h)["period"].number, vec(*h, "phase_deg"), vec(*h, "rotation_phase_deg")};
     } else if (const Value* t = m->find("table")) {
       b.motion = read_motion_table(*t, path + ".table", source_);
+    } else if (const Value* rao = m->find("rao")) {
+      const Value* d = root_.find("dynamics");
+      b.motion = read_rao(*rao, path + ".rao", c_.environment, b, d ? (*d)["duration"].number : 0, source_);
+      if (!(*m)["ramp"].given) b.ramp = c_.environment.water.waves.ramp;
     } else if (m->has("velocity") || m->has("rotation")) {
       model::ConstantMotion steady;
       steady.velocity = vec(*m, "velocity");

@@ -1,6 +1,7 @@
 // The sea, its bed, and what lines are in it, from the checked tree.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/io/case_reader_parts.hpp"
@@ -35,6 +36,40 @@ model::Current read_current(const Value& v, double water_depth, const CaseSource
     c.profile.push_back(row);
   }
   return c;
+}
+
+model::Waves read_waves(const Value& v) {
+  model::Waves w;
+  const auto row = [](const Value& r) {
+    return model::Waves::Row{r["height"].number, r["period"].number, r["direction_deg"].number,
+                             r["phase_deg"].number};
+  };
+  double longest = 0;
+  const char* kinds[] = {"jonswap", "pierson_moskowitz"};
+  for (const char* kind : kinds)
+    if (const Value* s = v.find(kind)) {
+      w.kind = model::Waves::Kind::spectrum;
+      w.height = (*s)["hs"].number, w.peak_period = (*s)["tp"].number;
+      w.gamma = number(*s, "gamma", 1);
+      w.direction = (*s)["direction_deg"].number, w.spreading = (*s)["spreading"].number;
+      w.count = static_cast<int>((*s)["components"].number);
+      w.seed = static_cast<std::uint64_t>((*s)["seed"].number);
+      longest = w.peak_period;
+    }
+  if (const Value* r = v.find("regular")) {
+    w.kind = model::Waves::Kind::regular;
+    w.rows.push_back(row(*r));
+  }
+  if (const Value* c = v.find("components")) {
+    w.kind = model::Waves::Kind::components;
+    for (const Value& r : c->items) w.rows.push_back(row(r));
+  }
+  for (const model::Waves::Row& r : w.rows) longest = std::max(longest, r.period);
+  w.stretching = v["stretching"].is("none")       ? Stretching::none
+                 : v["stretching"].is("vertical") ? Stretching::vertical
+                                                  : Stretching::wheeler;
+  w.ramp = number(v, "ramp", longest);
+  return w;
 }
 
 model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& source) {
@@ -79,6 +114,10 @@ model::Environment read_environment(const Value& v, const CaseSource& source) {
   if (const Value* c = v.find("current")) {
     if (!e.water.present) source.bad(*c, "environment.current", "needs 'water' beside it");
     e.water.current = read_current(*c, e.water.depth, source);
+  }
+  if (const Value* w = v.find("waves")) {
+    if (!e.water.present) source.bad(*w, "environment.waves", "needs 'water' beside it");
+    e.water.waves = read_waves(*w);
   }
   return e;
 }

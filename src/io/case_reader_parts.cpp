@@ -15,12 +15,10 @@
 #include "hawser/model/schema.hpp"
 
 namespace hawser::io {
-namespace {
 
 using model::Value;
 namespace fs = std::filesystem;
 
-// Rows of a text file: blanks or commas between numbers, `#` starts a comment.
 std::vector<std::vector<double>> read_rows(const std::string& path, const Value& at, const std::string& key,
                                            const CaseSource& source) {
   std::error_code error;
@@ -44,8 +42,6 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
   }
   return rows;
 }
-
-}  // namespace
 
 std::string CaseSource::absolute(const std::string& path) const {
   return (fs::path(directory) / fs::path(path)).lexically_normal().string();

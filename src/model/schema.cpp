@@ -92,11 +92,31 @@ Key motion() {
                        .items(2)},
                   "offsets from `position` against time; a cubic spline goes through them")
                   .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true),
-              number("ramp", time, "the motion starts smoothly over this time (quintic)")
+              map("rao",
+                  {text("file",
+                        "text file beside the case: columns period [s], direction [deg] the wave goes to as "
+                        "seen "
+                        "from the bow (0: from astern), then surge, sway, heave [m/m], roll, pitch, yaw "
+                        "[deg/m], each "
+                        "amplitude followed by its phase [deg]; every direction at the same periods"),
+                   list("rows", list("", number("", none), "").items(14, 14), "the same, written here")
+                       .items(1),
+                   word("phase", {"lag", "lead"},
+                        "what phases are: how far the motion comes after the crest at the body's origin, or "
+                        "before it")
+                       .or_else("lag")},
+                  "moves in the waves by response amplitude operators, about `position`")
+                  .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true),
+              number("ramp", time,
+                     "the motion starts smoothly over this time (quintic); of `rao`: that of the waves")
                   .at_least(0)
                   .or_else("0")},
              "prescribed motion; without it the body stands still")
-      .either({{{"velocity", "rotation"}, {}}, {{"harmonic"}, {"harmonic"}}, {{"table"}, {"table"}}}, false);
+      .either({{{"velocity", "rotation"}, {}},
+               {{"harmonic"}, {"harmonic"}},
+               {{"table"}, {"table"}},
+               {{"rao"}, {"rao"}}},
+              false);
 }
 
 Key floating() {

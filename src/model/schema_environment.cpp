@@ -39,6 +39,52 @@ Key water() {
              "the sea; without it lines hang in air");
 }
 
+std::vector<Key> spectrum_keys(bool peaked) {
+  std::vector<Key> keys = {
+      number("hs", length, "significant wave height").above(0).is_required(),
+      number("tp", time, "period of the spectrum's peak").above(0).is_required(),
+      number("direction_deg", angle, "where they go to, anticlockwise from +x").or_else("0"),
+      integer("seed", "of phases and frequencies: the same sea on any machine and any number of ranks")
+          .at_least(0)
+          .at_most(1e9)
+          .or_else("1"),
+      integer("components", "how many waves it is made of").at_least(1).at_most(20000).or_else("200"),
+      number("spreading", none, "exponent s of cos^2s of half the angle off the direction; 0: long-crested")
+          .at_least(0)
+          .at_most(1000)
+          .or_else("0")};
+  if (peaked) keys.push_back(number("gamma", none, "peakedness").at_least(1).at_most(10).or_else("3.3"));
+  return keys;
+}
+
+Key waves() {
+  const auto one = [] {
+    return std::vector<Key>{
+        number("height", length, "from trough to crest").above(0).is_required(),
+        number("period", time, "period").above(0).is_required(),
+        number("direction_deg", angle, "where it goes to, anticlockwise from +x").or_else("0"),
+        number("phase_deg", angle, "elevation = height/2 cos(k x - omega t + phase)").or_else("0")};
+  };
+  return map("waves",
+             {map("regular", one(), "one linear (Airy) wave"),
+              map("jonswap", spectrum_keys(true), "irregular sea, Hasselmann et al. 1973"),
+              map("pierson_moskowitz", spectrum_keys(false), "irregular, fully developed sea"),
+              list("components", map("", one(), ""), "given linear waves").items(1),
+              word("stretching", {"wheeler", "vertical", "none"},
+                   "what linear theory is taken for above the still water: its profile stretched to the "
+                   "surface, what it is at the still water, or nothing")
+                  .or_else("wheeler"),
+              number("ramp", time, "they grow smoothly over this time")
+                  .at_least(0)
+                  .or_else_note("the (longest or peak) period")},
+             "waves; they act in dynamics only, and need `water`")
+      .either({{{"regular"}, {"regular"}},
+               {{"jonswap"}, {"jonswap"}},
+               {{"pierson_moskowitz"}, {"pierson_moskowitz"}},
+               {{"components"}, {"components"}}},
+              true);
+}
+
 Key seabed() {
   return map(
       "seabed",
@@ -72,7 +118,7 @@ Key seabed() {
 Key environment() {
   return map("environment",
              {number("gravity", acceleration, "acts along -z").at_least(0).or_else("9.80665"), water(),
-              current(), seabed()},
+              current(), waves(), seabed()},
              "Surroundings.")
       .or_else("{}");
 }

@@ -141,6 +141,14 @@ void describe_sea(const Case& c, std::string& s) {
                        w.current.exponent > 0         ? ", power law"
                        : w.current.profile.size() > 1 ? fmt::format(", {} rows", w.current.profile.size())
                                                       : "");
+    const Waves& v = w.waves;
+    if (v.kind == Waves::Kind::spectrum)
+      s += fmt::format(", waves of Hs {:g} m, Tp {:g} s in {} components, seed {}", v.height, v.peak_period,
+                       v.count, v.seed);
+    else if (v.kind == Waves::Kind::regular)
+      s += fmt::format(", a wave of {:g} m and {:g} s", v.rows.front().height, v.rows.front().period);
+    else if (v.kind == Waves::Kind::components)
+      s += fmt::format(", {} waves", v.rows.size());
     s += "\n";
   }
   const Seabed& b = c.environment.seabed;

@@ -21,19 +21,37 @@ Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> 
   }
 }
 
-Water Hydrodynamics::water(const Vec3& x, double time) const {
+const std::vector<WaveMotion>& Hydrodynamics::waves(const Kinematics& at) const {
+  if (wave_known_ && wave_time_ == at.time && wave_.size() == at.x.size()) return wave_;
+  const Ramp ramp = sea_.wave_ramp > 0 ? quintic_ramp(at.time, sea_.wave_ramp) : Ramp{1, 0, 0};
+  const bool known = start_.size() == at.x.size();
+  wave_.resize(at.x.size());
+  const Vec3 still(0, 0, sea_.surface);
+  for (size_t n = 0; n < at.x.size(); ++n) {
+    const Vec3 x = known ? Vec3(start_[n] + (at.time - start_time_) * speed_[n]) : at.x[n];
+    wave_[n] = sea_.waves.at(x - still, at.time, ramp.value, ramp.rate);
+  }
+  wave_time_ = at.time, wave_known_ = true;
+  return wave_;
+}
+
+Water Hydrodynamics::water(const Kinematics& at, size_t node) const {
   Water w;
   w.surface = sea_.surface;
-  if (sea_.current.none()) return w;
-  sea_.current.at(sea_.surface - x.z(), w.velocity, w.by_height);
-  const double ramp = sea_.current_ramp > 0 ? quintic_ramp(time, sea_.current_ramp).value : 1;
-  w.velocity *= ramp, w.by_height *= -ramp;
+  if (!sea_.current.none()) {
+    sea_.current.at(sea_.surface - at.x[node].z(), w.velocity, w.by_height);
+    const double ramp = sea_.current_ramp > 0 ? quintic_ramp(at.time, sea_.current_ramp).value : 1;
+    w.velocity *= ramp, w.by_height *= -ramp;
+  }
+  if (sea_.waves.none() || !(at.step > 0)) return w;
+  const WaveMotion& wave = waves(at)[node];
+  w.surface += wave.surface, w.velocity += wave.velocity, w.acceleration = wave.acceleration;
   return w;
 }
 
 void Hydrodynamics::look(const Kinematics& at, std::vector<Water>& out) const {
   out.resize(at.x.size());
-  for (size_t n = 0; n < at.x.size(); ++n) out[n] = water(at.x[n], at.time);
+  for (size_t n = 0; n < at.x.size(); ++n) out[n] = water(at, n);
 }
 
 WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const std::vector<Water>& water) const {
@@ -115,6 +133,11 @@ void Hydrodynamics::flow(const Kinematics& at, std::vector<Flow>& out) const {
 
 // In statics before every iteration: what the line search needs of forces without a potential.
 void Hydrodynamics::prepare(const Kinematics& committed, double h) {
+  if (!sea_.waves.none()) {
+    start_.assign(committed.x.begin(), committed.x.end());
+    speed_.assign(committed.v.begin(), committed.v.end());
+    start_time_ = committed.time, wave_known_ = false;
+  }
   if (h <= 0 || flow_.empty()) flow(committed, flow_);
 }
 
@@ -180,7 +203,7 @@ Vec3 Hydrodynamics::node_force(const Kinematics& at, int node) const {
   for (const Ball& b : balls_)
     if (b.node == node) {
       Vec3 f;
-      ball_water(b.ball, at.x[n], at.v[n], at.a[n], water(at.x[n], at.time), f, nullptr, nullptr, nullptr);
+      ball_water(b.ball, at.x[n], at.v[n], at.a[n], water(at, n), f, nullptr, nullptr, nullptr);
       sum -= f;
     }
   return sum;

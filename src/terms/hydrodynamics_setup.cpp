@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hawser/model/case.hpp"
+#include "hawser/model/wave_components.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 
 namespace hawser {
@@ -23,6 +24,8 @@ Sea sea_of(const model::Case& c) {
     sea.current = CurrentProfile(std::move(rows));
   }
   sea.current_ramp = current.ramp;
+  sea.waves = model::wave_field(c.environment);
+  sea.wave_ramp = w.waves.ramp;
   return sea;
 }
 

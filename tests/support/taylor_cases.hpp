@@ -293,7 +293,8 @@ inline std::vector<SuiteCase> mass_and_load_cases() {
 // A sea with its surface where the lines are (or far above them), a current that turns with the depth, and a
 // buoy. The sea is level: `at` may turn it about z only. Sections so thick that none comes to the edges of
 // what is half wet, where the second derivative is infinite.
-inline void add_water(SuiteModel& m, const Placement& at, double surface, bool turned, double radius = 2) {
+inline void add_water(SuiteModel& m, const Placement& at, double surface, bool turned, bool waves = false) {
+  constexpr double radius = 2;
   const LocalMesh& l = m.system->mesh();
   std::vector<Hydrodynamics::Piece> pieces;
   for (const LocalElement& e : l.elements) {
@@ -312,23 +313,37 @@ inline void add_water(SuiteModel& m, const Placement& at, double surface, bool t
   sea.current = CurrentProfile(
       {{surface - 20, at.rotation * Vec3(0.5, 1, 0)}, {surface + 20, at.rotation * Vec3(-1.5, 3, 0)}});
   sea.current_ramp = 1.5;
+  if (waves) {
+    std::vector<WaveComponent> components;
+    for (const Vec3& omega_and_way : {Vec3(0.9, 0.6, 0.8), Vec3(1.4, -1, 0)}) {
+      WaveComponent w;
+      const Vec3 way = at.rotation * Vec3(omega_and_way.y(), omega_and_way.z(), 0);
+      w.amplitude = 0.3, w.omega = omega_and_way.x(), w.x = way.x(), w.y = way.y();
+      w.phase = 0.4 - wave_number(w.omega, 0, sea.gravity) * way.dot(at.shift);
+      components.push_back(w);
+    }
+    sea.waves = WaveField(std::move(components), 0, sea.gravity, Stretching::wheeler);
+    sea.wave_ramp = 3;
+  }
   m.system->add(std::make_unique<Hydrodynamics>(l, sea, std::move(pieces), std::move(balls)));
 }
 
 inline std::vector<SuiteCase> water_cases() {
   std::vector<SuiteCase> out;
-  for (const auto& [name, surface, turned, step] : {std::tuple{"water, deep", 10.0, false, false},
-                                                    {"water, at the surface", 0.1, false, true},
-                                                    {"water, turned axes", 0.3, true, true},
-                                                    {"water, turned axes, deep", 10.0, true, false}})
-    out.push_back(
-        {name, [surface = surface, turned = turned, step = step](MPI_Comm comm, const Placement& at) {
-           auto m = held_model(comm, at);
-           add_water(*m, at, surface, turned);
-           if (step) add_directors(*m, at);
-           m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
-           return m;
-         }});
+  for (const auto& [name, surface, turned, step, waves] :
+       {std::tuple{"water, deep", 10.0, false, false, false},
+        {"water, waves", 0.2, true, true, true},
+        {"water, at the surface", 0.1, false, true, false},
+        {"water, turned axes", 0.3, true, true, false},
+        {"water, turned axes, deep", 10.0, true, false, false}})
+    out.push_back({name, [surface = surface, turned = turned, step = step, waves = waves](
+                             MPI_Comm comm, const Placement& at) {
+                     auto m = held_model(comm, at);
+                     add_water(*m, at, surface, turned, waves);
+                     if (step) add_directors(*m, at);
+                     m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+                     return m;
+                   }});
   return out;
 }
 

@@ -1,5 +1,5 @@
-// A mooring line in a current, lying with friction, cut between ranks: statics and some seconds with a moving
-// fairlead are those of one rank.
+// A mooring line in a current and an irregular sea, lying with friction, cut between ranks: statics and some
+// seconds with a moving fairlead are those of one rank.
 #include "hawser/terms/seabed.hpp"
 #include "support/rig.hpp"
 
@@ -13,6 +13,10 @@ model::Case chain() {
   c.environment.gravity = 9.80665;
   c.environment.water.present = true, c.environment.water.depth = 200;
   c.environment.water.current.profile = {{0, 1, 0.8}, {200, 0.2, 0.3}};
+  model::Waves& waves = c.environment.water.waves;
+  waves.kind = model::Waves::Kind::spectrum;
+  waves.height = 4, waves.peak_period = 9, waves.gamma = 3.3, waves.direction = 0.5, waves.spreading = 4;
+  waves.count = 100, waves.seed = 7, waves.ramp = 3;
   model::Seabed& bed = c.environment.seabed;
   bed.present = true, bed.depth = 200, bed.normal_stiffness = 1e5, bed.damping = 1e4;
   bed.friction.axial = 0.6, bed.friction.lateral = 0.9, bed.friction.mobilisation_length = 0.01;

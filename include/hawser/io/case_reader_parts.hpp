@@ -27,6 +27,14 @@ Vec3 read_direction(const model::Value& v, const char* key, const std::string& p
 // `shape: {cylinder: {...}}` and the like; `key` is its dotted key.
 Primitive read_shape(const model::Value& shape, const std::string& key, const CaseSource& source);
 
+// Numbers of a text file by row: blanks or commas between, `#` starts a comment. Refused without such a file.
+std::vector<std::vector<double>> read_rows(const std::string& path, const model::Value& at,
+                                           const std::string& key, const CaseSource& source);
+
+// `rao: {...}`: the motion of a body in the waves of the case as a dense table over `duration` [s].
+model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
+                            const model::Body& body, double duration, const CaseSource& source);
+
 // `table: {file}` or `{rows}`: t [s], x, y, z [m] and maybe the rotation vector [deg, here to rad].
 model::TableMotion read_motion_table(const model::Value& table, const std::string& key,
                                      const CaseSource& source);

@@ -2,8 +2,10 @@
 // a flow goes to, anticlockwise from +x.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
+#include "hawser/kernels/waves.hpp"
 #include "hawser/model/stiffness.hpp"
 
 namespace hawser::model {
@@ -22,12 +24,30 @@ struct Current {
   double ramp = 0;  // s, smooth start in dynamics; 0: acts from statics on
 };
 
+// Linear waves: one, the components of a spectrum, or given ones.
+struct Waves {
+  enum class Kind { none, regular, spectrum, components };
+  Kind kind = Kind::none;
+  struct Row {
+    double height = 0, period = 0;    // m, crest to trough; s
+    double direction = 0, phase = 0;  // rad
+  };
+  std::vector<Row> rows;                          // the regular wave or the given components
+  double height = 0, peak_period = 0, gamma = 1;  // of a spectrum: Hs m, Tp s
+  double direction = 0, spreading = 0;            // rad; exponent s of cos^2s, 0: long-crested
+  int count = 0;                                  // components
+  std::uint64_t seed = 1;
+  Stretching stretching = Stretching::wheeler;
+  double ramp = 0;  // s, smooth start in dynamics
+};
+
 struct Water {
   bool present = false;
   double density = 1025;  // kg/m³
   double depth = 0;       // m; 0: not given
   double surface = 0;     // m, z of the still water
   Current current;
+  Waves waves;
 };
 
 // A plane through (0, 0, -depth), going down at `slope` towards `direction`.

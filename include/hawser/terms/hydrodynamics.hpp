@@ -1,11 +1,12 @@
-// What the sea does to the lines, and to buoys and clump weights on them: buoyancy, current drag, added mass.
-// See docs/theory/water.md.
+// What the sea does to the lines, and to buoys and clump weights on them: buoyancy, drag, added mass, waves.
+// See docs/theory/water.md and waves.md.
 #pragma once
 
 #include <vector>
 
 #include "hawser/kernels/current.hpp"
 #include "hawser/kernels/line_water.hpp"
+#include "hawser/kernels/waves.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/force_term.hpp"
@@ -22,6 +23,8 @@ struct Sea {
   double surface = 0;                        // m, z of the still water
   CurrentProfile current;
   double current_ramp = 0;  // s, smooth start; 0: always there
+  WaveField waves;
+  double wave_ramp = 0;  // s
 };
 Sea sea_of(const model::Case& c);
 
@@ -62,7 +65,8 @@ class Hydrodynamics final : public ForceTerm {
     WaterForce force;
     Vec3 place[4];
   };
-  Water water(const Vec3& x, double time) const;
+  Water water(const Kinematics& at, size_t node) const;
+  const std::vector<WaveMotion>& waves(const Kinematics& at) const;
   void look(const Kinematics& at, std::vector<Water>& out) const;
   WaterEnds ends(const Piece& p, const Kinematics& k, const std::vector<Water>& water) const;
   void places(const Piece& p, const Kinematics& k, Vec3* out) const;
@@ -74,8 +78,14 @@ class Hydrodynamics final : public ForceTerm {
   std::vector<Piece> pieces_;
   std::vector<Ball> balls_;
   std::vector<Water> water_;  // of the trial, by local node
-  std::vector<Flow> flow_;    // of the last accepted state; in statics of the last iteration
-  double work_ = 0;           // J, done by drag and added mass on what this rank counts
+  // Waves are looked at once a step: at its end, where the nodes get with their speed at its start.
+  double start_time_ = 0;                 // s
+  std::vector<Vec3> start_, speed_;       // m, m/s, at the start of the step
+  mutable std::vector<WaveMotion> wave_;  // cache: what they are at wave_time_
+  mutable double wave_time_ = 0;
+  mutable bool wave_known_ = false;
+  std::vector<Flow> flow_;  // of the last accepted state; in statics of the last iteration
+  double work_ = 0;         // J, done by drag and added mass on what this rank counts
 };
 
 // Properties in water of the case's line types.

@@ -1,0 +1,60 @@
+// Response amplitude operators: how a vessel moves in a wave of 1 m, by frequency and direction.
+#pragma once
+
+#include <array>
+#include <complex>
+#include <vector>
+
+#include "hawser/kernels/waves.hpp"
+
+namespace hawser {
+
+// Surge, sway, heave [m/m], roll, pitch, yaw [rad/m]: amplitude times exp(-i lag), the lag in rad after the
+// crest passes the vessel's origin: motion = Re(response exp(i omega t)) where the elevation there is
+// cos(omega t).
+using Response = std::array<std::complex<double>, 6>;
+
+class RaoTable {
+ public:
+  struct Row {
+    double omega = 0,
+           direction = 0;  // rad/s; rad, where the wave goes to seen from the vessel (0: to the bow)
+    Response response;
+  };
+  // Every direction needs the same frequencies. std::invalid_argument otherwise, or without rows.
+  explicit RaoTable(std::vector<Row> rows);
+
+  // Straight lines between frequencies and (all round) between directions, in the complex plane; beyond the
+  // first and last frequency as there.
+  Response at(double omega, double direction) const;
+
+  double lowest() const { return omega_.front(); }  // rad/s
+  double highest() const { return omega_.back(); }
+
+ private:
+  const Response& row(size_t direction, size_t omega) const {
+    return rows_[direction * omega_.size() + omega];
+  }
+  std::vector<double> omega_, direction_;  // ascending; directions in [0, 2 pi)
+  std::vector<Response> rows_;
+};
+
+// A vessel's motion in a sea of components: a sum of harmonics.
+class RaoMotion {
+ public:
+  // Origin of the vessel at rest (x, y count) and its heading: the direction of its bow, rad from +x.
+  RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& origin, double heading);
+  // Offset [m] and rotation vector [rad], axes of space.
+  void at(double t, Vec3& offset, Vec3& rotation) const;
+  double highest() const { return highest_; }  // rad/s, of the components
+
+ private:
+  struct Term {
+    double omega = 0;
+    Vec3 offset_cos, offset_sin, rotation_cos, rotation_sin;
+  };
+  std::vector<Term> terms_;
+  double highest_ = 0;
+};
+
+}  // namespace hawser

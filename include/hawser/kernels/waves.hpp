@@ -1,0 +1,66 @@
+// Water waves of small height as sums of components: a regular wave is one, an irregular sea many. Linear
+// theory (Airy); up to the moving surface by one of the known stretchings. See docs/theory/waves.md.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+// k of omega² = g k tanh(k h), 1/m; depth <= 0: infinite. To round-off.
+double wave_number(double omega, double depth, double gravity);
+
+struct WaveComponent {
+  double amplitude = 0;  // m
+  double omega = 0;      // rad/s
+  double number = 0;     // 1/m
+  double x = 1, y = 0;   // direction it goes to, unit
+  double phase = 0;      // rad: elevation = a cos(k·x - omega t + phase)
+};
+
+// none: nothing above the still water, as it is below; vertical: above it what is at it; wheeler: the profile
+// from bed to still water is stretched to the surface (Wheeler 1970).
+enum class Stretching { none, vertical, wheeler };
+
+struct WaveMotion {
+  double surface = 0;                // m above the still water
+  Vec3 velocity = Vec3::Zero();      // m/s
+  Vec3 acceleration = Vec3::Zero();  // m/s², of the water's velocity at the place (linear)
+};
+
+class WaveField {
+ public:
+  WaveField() = default;
+  // Numbers of the components are set from their frequencies. depth <= 0: infinite.
+  WaveField(std::vector<WaveComponent> components, double depth, double gravity, Stretching stretching);
+
+  bool none() const { return components_.empty(); }
+  const std::vector<WaveComponent>& components() const { return components_; }
+  double elevation(double x, double y, double t) const;
+  // z from the still water. `factor`, `rate`: of a ramp, and its derivative, 1/s.
+  WaveMotion at(const Vec3& x, double t, double factor = 1, double rate = 0) const;
+
+ private:
+  std::vector<WaveComponent> components_;
+  double depth_ = 0;
+  Stretching stretching_ = Stretching::wheeler;
+};
+
+// JONSWAP after Hasselmann et al. (1973), sigma 0.07 and 0.09, scaled so that the spectrum's m0 is Hs²/16;
+// gamma = 1: Pierson-Moskowitz.
+struct Jonswap {
+  double height = 0, peak_period = 0, gamma = 3.3;  // Hs m, Tp s
+  double scale = 0;                                 // m² s; see jonswap()
+  double density(double omega) const;               // m² s/rad
+};
+Jonswap jonswap(double height, double peak_period, double gamma);
+
+// `count` components with the energy of bins of frequency, from 0.35 to 10 times that of the peak; for a
+// spreading cos^(2s)((theta - direction)/2) with s > 0 each has a direction of its own. Phases and places in
+// the bins from `seed`, the same on every machine and rank.
+std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, int count, std::uint64_t seed,
+                                     double spreading = 0);
+
+}  // namespace hawser

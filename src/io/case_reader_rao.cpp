@@ -1,0 +1,83 @@
+// Vessel motion by response amplitude operators, from a file or from rows in the case.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/kernels/rao.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/model/wave_components.hpp"
+
+namespace hawser::io {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+RaoTable read_table(const model::Value& rao, const std::string& key, const CaseSource& source) {
+  const bool from_file = rao.has("file");
+  const model::Value& at = rao[from_file ? "file" : "rows"];
+  const std::string where = key + (from_file ? ".file" : ".rows");
+  std::vector<std::vector<double>> rows;
+  if (from_file) {
+    rows = read_rows(source.absolute(at.text), at, where, source);
+  } else {
+    for (const model::Value& r : at.items) {
+      rows.emplace_back();
+      for (const model::Value& x : r.items) rows.back().push_back(x.number);
+    }
+  }
+  const double sign = rao["phase"].is("lead") ? 1 : -1;
+  std::vector<RaoTable::Row> table;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double>& r = rows[i];
+    if (r.size() != 14)
+      source.bad(
+          at, where,
+          fmt::format("a row of responses has 14 numbers (period, direction, six amplitudes each with its "
+                      "phase), but row {} has {}",
+                      i + 1, r.size()));
+    if (!(r[0] > 0))
+      source.bad(at, where, fmt::format("periods must be above 0, but row {} has {:g} s", i + 1, r[0]));
+    RaoTable::Row& row = table.emplace_back();
+    row.omega = 2 * M_PI / r[0], row.direction = r[1] * kDegree;
+    for (size_t k = 0; k < 6; ++k)
+      row.response[k] =
+          std::polar(1.0, sign * r[3 + 2 * k] * kDegree) * (r[2 + 2 * k] * (k < 3 ? 1 : kDegree));
+  }
+  try {
+    return RaoTable(std::move(table));
+  } catch (const std::invalid_argument& e) {
+    source.bad(at, where, e.what());
+  }
+}
+
+}  // namespace
+
+model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
+                            const model::Body& body, double duration, const CaseSource& source) {
+  const RaoTable table = read_table(rao, key, source);
+  const WaveField waves = model::wave_field(sea);
+  if (waves.none())
+    source.bad(rao, key, "a vessel moves by its responses in waves: give 'environment: {waves: ...}'");
+  const Vec3 bow = exp_so3(body.rotation) * Vec3::UnitX();
+  const RaoMotion motion(table, waves, body.position, std::atan2(bow.y(), bow.x()));
+  // The highest of many components is ten times that of the peak and hardly there.
+  const double step = 2 * M_PI / motion.highest() / (waves.components().size() > 20 ? 30 : 100);
+  const double count = duration / step + 20;
+  constexpr double kMost = 5e6;
+  if (count > kMost)
+    source.bad(rao, key,
+               fmt::format("{:g} s of this motion are {:.3g} rows of a table; the limit is {:g}", duration,
+                           count, kMost));
+  model::TableMotion m;
+  for (int i = -10; i <= static_cast<int>(count) - 10; ++i) {
+    Vec3 offset, rotation;
+    m.time.push_back(i * step);
+    motion.at(m.time.back(), offset, rotation);
+    m.offset.push_back(offset), m.rotation.push_back(rotation);
+  }
+  return m;
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,95 @@
+#include "hawser/kernels/rao.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace hawser {
+namespace {
+
+double all_round(double direction) {
+  const double d = std::fmod(direction, 2 * M_PI);
+  const double r = d < 0 ? d + 2 * M_PI : d;
+  return r < 2 * M_PI ? r : 0;
+}
+
+}  // namespace
+
+RaoTable::RaoTable(std::vector<Row> rows) {
+  if (rows.empty()) throw std::invalid_argument("a table of responses needs rows");
+  constexpr double kSame = 1e-9;
+  const auto add = [](std::vector<double>& list, double x) {
+    if (std::none_of(list.begin(), list.end(), [x](double y) { return std::abs(x - y) < kSame; }))
+      list.push_back(x);
+  };
+  for (Row& r : rows) {
+    if (!(r.omega > 0)) throw std::invalid_argument("frequencies of responses must be above 0");
+    r.direction = all_round(r.direction);
+    if (2 * M_PI - r.direction < kSame) r.direction = 0;
+    add(omega_, r.omega), add(direction_, r.direction);
+  }
+  std::sort(omega_.begin(), omega_.end());
+  std::sort(direction_.begin(), direction_.end());
+  rows_.resize(omega_.size() * direction_.size());
+  std::vector<char> given(rows_.size(), 0);
+  const auto place = [](const std::vector<double>& list, double x) {
+    return static_cast<size_t>(std::lower_bound(list.begin(), list.end(), x - kSame) - list.begin());
+  };
+  for (const Row& r : rows) {
+    const size_t i = place(direction_, r.direction) * omega_.size() + place(omega_, r.omega);
+    if (given[i]) throw std::invalid_argument("a frequency and direction of responses is there twice");
+    rows_[i] = r.response, given[i] = 1;
+  }
+  if (std::find(given.begin(), given.end(), 0) != given.end())
+    throw std::invalid_argument("every direction of responses needs the same frequencies");
+}
+
+Response RaoTable::at(double omega, double direction) const {
+  const double w = std::clamp(omega, omega_.front(), omega_.back());
+  size_t i = static_cast<size_t>(std::upper_bound(omega_.begin(), omega_.end(), w) - omega_.begin());
+  i = std::clamp<size_t>(i, 1, std::max<size_t>(omega_.size() - 1, 1)) - 1;
+  const size_t next = std::min(i + 1, omega_.size() - 1);
+  const double z = next > i ? (w - omega_[i]) / (omega_[next] - omega_[i]) : 0;
+
+  const double d = all_round(direction);
+  const size_t n = direction_.size();
+  const size_t after =
+      static_cast<size_t>(std::upper_bound(direction_.begin(), direction_.end(), d) - direction_.begin());
+  const size_t a = (after + n - 1) % n, b = after % n;
+  const double gap = n > 1 ? all_round(direction_[b] - direction_[a]) : 1;
+  const double y = n > 1 ? all_round(d - direction_[a]) / gap : 0;
+  Response r;
+  for (size_t k = 0; k < 6; ++k)
+    r[k] = (1 - y) * ((1 - z) * row(a, i)[k] + z * row(a, next)[k]) +
+           y * ((1 - z) * row(b, i)[k] + z * row(b, next)[k]);
+  return r;
+}
+
+RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& origin, double heading) {
+  const double c = std::cos(heading), s = std::sin(heading);
+  const auto turned = [&](double x, double y, double z) { return Vec3(c * x - s * y, s * x + c * y, z); };
+  for (const WaveComponent& w : waves.components()) {
+    const Response r = table.at(w.omega, std::atan2(w.y, w.x) - heading);
+    // Elevation at the origin a cos(omega t - psi); motion a Re(r exp(i (omega t - psi))).
+    const double psi = w.number * (w.x * origin.x() + w.y * origin.y()) + w.phase;
+    double in[6], out[6];  // of cos and sin omega t
+    for (size_t k = 0; k < 6; ++k) {
+      const std::complex<double> z = w.amplitude * r[k] * std::polar(1.0, -psi);
+      in[k] = z.real(), out[k] = -z.imag();
+    }
+    terms_.push_back({w.omega, turned(in[0], in[1], in[2]), turned(out[0], out[1], out[2]),
+                      turned(in[3], in[4], in[5]), turned(out[3], out[4], out[5])});
+    highest_ = std::max(highest_, w.omega);
+  }
+}
+
+void RaoMotion::at(double t, Vec3& offset, Vec3& rotation) const {
+  offset.setZero(), rotation.setZero();
+  for (const Term& m : terms_) {
+    const double c = std::cos(m.omega * t), s = std::sin(m.omega * t);
+    offset += c * m.offset_cos + s * m.offset_sin;
+    rotation += c * m.rotation_cos + s * m.rotation_sin;
+  }
+}
+
+}  // namespace hawser

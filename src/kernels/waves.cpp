@@ -1,0 +1,155 @@
+#include "hawser/kernels/waves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+
+double wave_number(double omega, double depth, double gravity) {
+  const double deep = omega * omega / gravity;
+  if (!(depth > 0) || !(omega > 0)) return deep;
+  // x tanh x = y by Newton, from Eckart's guess, which is within 5 %.
+  const double y = deep * depth;
+  double x = y / std::sqrt(std::tanh(y));
+  for (int i = 0; i < 20; ++i) {
+    const double t = std::tanh(x), step = (x * t - y) / (t + x * (1 - t * t));
+    x -= step;
+    if (std::abs(step) <= 1e-15 * x) break;
+  }
+  return x / depth;
+}
+
+WaveField::WaveField(std::vector<WaveComponent> components, double depth, double gravity,
+                     Stretching stretching)
+    : components_(std::move(components)), depth_(depth), stretching_(stretching) {
+  for (WaveComponent& c : components_) c.number = wave_number(c.omega, depth, gravity);
+}
+
+double WaveField::elevation(double x, double y, double t) const {
+  double sum = 0;
+  for (const WaveComponent& c : components_)
+    sum += c.amplitude * std::cos(c.number * (c.x * x + c.y * y) - c.omega * t + c.phase);
+  return sum;
+}
+
+WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {
+  WaveMotion m;
+  double surface = 0;
+  for (const WaveComponent& c : components_) {
+    const double angle = c.number * (c.x * x.x() + c.y * x.y()) - c.omega * t + c.phase;
+    surface += c.amplitude * std::cos(angle);
+  }
+  m.surface = factor * surface;
+  double z = x.z();
+  if (z > m.surface) z = m.surface;  // only what is partly wet is asked for above it
+  if (stretching_ == Stretching::none && z > 0) return m;
+  if (stretching_ == Stretching::vertical) z = std::min(z, 0.0);
+  if (stretching_ == Stretching::wheeler)
+    z = depth_ > 0 ? depth_ * (z - m.surface) / (depth_ + m.surface) : z - m.surface;
+  Vec3 u = Vec3::Zero(), a = Vec3::Zero();
+  for (const WaveComponent& c : components_) {
+    const double k = c.number, angle = k * (c.x * x.x() + c.y * x.y()) - c.omega * t + c.phase;
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    // cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow.
+    const double e = std::exp(k * z);
+    double across = e, up = e;
+    if (depth_ > 0) {
+      const double back = std::exp(-2 * k * (z + depth_)), all = 1 - std::exp(-2 * k * depth_);
+      across = e * (1 + back) / all, up = e * (1 - back) / all;
+    }
+    const double s = c.amplitude * c.omega;
+    const double horizontal = s * across * cosine, vertical = s * up * sine;
+    u += Vec3(c.x * horizontal, c.y * horizontal, vertical);
+    a += c.omega * Vec3(c.x * s * across * sine, c.y * s * across * sine, -s * up * cosine);
+  }
+  m.velocity = factor * u;
+  m.acceleration = factor * a + rate * u;
+  return m;
+}
+
+namespace {
+
+double shape(double omega, double peak, double gamma) {
+  const double r = peak / omega, sigma = omega <= peak ? 0.07 : 0.09;
+  const double off = (omega - peak) / (sigma * peak);
+  return std::pow(r, 5) / peak * std::exp(-1.25 * std::pow(r, 4)) *
+         std::pow(gamma, std::exp(-0.5 * off * off));
+}
+
+// Integral of the shape up to omega_i, by Simpson on a fine grid of log omega.
+struct Grid {
+  std::vector<double> omega, sum;
+  Grid(double peak, double gamma, double from, double to, int cells) {
+    const double step = std::log(to / from) / cells;
+    omega.resize(static_cast<size_t>(cells) + 1), sum.assign(static_cast<size_t>(cells) + 1, 0);
+    for (int i = 0; i <= cells; ++i) omega[static_cast<size_t>(i)] = peak * from * std::exp(i * step);
+    const auto f = [&](double w) { return w * shape(w, peak, gamma); };
+    for (size_t i = 1; i < omega.size(); ++i) {
+      const double a = omega[i - 1], b = omega[i], m = std::sqrt(a * b);
+      sum[i] = sum[i - 1] + step / 6 * (f(a) + 4 * f(m) + f(b));
+    }
+  }
+};
+
+// splitmix64: uniform in (0, 1), the same everywhere.
+struct Random {
+  std::uint64_t state;
+  double next() {
+    std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+    return (static_cast<double>(z >> 11) + 0.5) / 9007199254740992.0;
+  }
+};
+
+}  // namespace
+
+double Jonswap::density(double omega) const {
+  return omega > 0 ? scale * shape(omega, 2 * M_PI / peak_period, gamma) : 0;
+}
+
+Jonswap jonswap(double height, double peak_period, double gamma) {
+  Jonswap s{height, peak_period, gamma, 0};
+  // The tail beyond 100 times the peak is r^-4/4 of what it is at the peak: added in closed form.
+  const double peak = 2 * M_PI / peak_period;
+  const Grid g(peak, gamma, 0.2, 100, 40000);
+  const double tail = 0.25e-8;
+  s.scale = height * height / 16 / (g.sum.back() + tail);
+  return s;
+}
+
+std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, int count, std::uint64_t seed,
+                                     double spreading) {
+  // Bins that grow with the frequency: fine enough at the peak, and far enough apart that three hours average
+  // over their beats. Each has the energy of its bin exactly; its frequency lies anywhere in it, so that the
+  // sea does not repeat itself.
+  constexpr double kFrom = 0.35, kTo = 10;  // of the peak
+  constexpr int kFine = 64;
+  const double peak = 2 * M_PI / spectrum.peak_period;
+  const Grid g(peak, spectrum.gamma, kFrom, kTo, kFine * count);
+  Random random{seed * 0x9e3779b97f4a7c15u + 1};
+  std::vector<WaveComponent> out;
+  for (int i = 0; i < count; ++i) {
+    const size_t from = static_cast<size_t>(kFine * i), to = from + kFine;
+    WaveComponent c;
+    // What the range leaves out goes to all bins.
+    const double energy = (g.sum[to] - g.sum[from]) / g.sum.back() * spectrum.height * spectrum.height / 16;
+    c.amplitude = std::sqrt(2 * energy);
+    c.omega = g.omega[from] + random.next() * (g.omega[to] - g.omega[from]);
+    c.phase = 2 * M_PI * random.next();
+    double theta = direction;
+    while (spreading > 0) {  // uniform angles, kept as often as cos^2s of half the angle says
+      const double off = M_PI * (2 * random.next() - 1), kept = random.next();
+      if (kept < std::pow(std::cos(off / 2), 2 * spreading)) {
+        theta += off;
+        break;
+      }
+    }
+    c.x = std::cos(theta), c.y = std::sin(theta);
+    out.push_back(c);
+  }
+  return out;
+}
+
+}  // namespace hawser

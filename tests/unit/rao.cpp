@@ -1,0 +1,71 @@
+// Vessel motion from response amplitude operators: interpolation, phases, headings.
+#include "hawser/kernels/rao.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hawser {
+namespace {
+
+Response heave_of(double amplitude, double lag) {
+  Response r{};
+  r[2] = std::polar(amplitude, -lag);
+  return r;
+}
+
+TEST(Rao, InterpolatesInTheComplexPlane) {
+  const double deg = M_PI / 180;
+  const RaoTable t({{0.5, 0, heave_of(1, 0)},
+                    {1.0, 0, heave_of(0.5, 90 * deg)},
+                    {0.5, 270 * deg, heave_of(2, 0)},
+                    {1.0, 270 * deg, heave_of(3, 0)}});
+  EXPECT_NEAR(std::abs(t.at(0.5, 0)[2] - std::complex<double>(1, 0)), 0, 1e-14);
+  EXPECT_NEAR(std::abs(t.at(0.75, 0)[2] - std::complex<double>(0.5, -0.25)), 0, 1e-14);
+  EXPECT_NEAR(std::abs(t.at(0.1, 0)[2] - std::complex<double>(1, 0)), 0, 1e-14);  // beyond the ends
+  EXPECT_NEAR(std::abs(t.at(9, 0)[2] - std::complex<double>(0, -0.5)), 0, 1e-14);
+  // All round: from 270 to 360 deg, and the long way from 0 to 270.
+  EXPECT_NEAR(std::abs(t.at(0.5, -45 * deg)[2] - 1.5), 0, 1e-12);
+  EXPECT_NEAR(std::abs(t.at(0.5, 135 * deg)[2] - 1.5), 0, 1e-12);
+  EXPECT_NEAR(std::abs(t.at(0.5, 360 * deg)[2] - 1.0), 0, 1e-12);
+  EXPECT_THROW(RaoTable({{0.5, 0, heave_of(1, 0)}, {0.6, 1, heave_of(1, 0)}}), std::invalid_argument);
+  EXPECT_THROW(RaoTable({{0.5, 0, heave_of(1, 0)}, {0.5, 2 * M_PI, heave_of(1, 0)}}), std::invalid_argument);
+  EXPECT_THROW(RaoTable(std::vector<RaoTable::Row>{}), std::invalid_argument);
+}
+
+WaveField wave(double amplitude, double omega, double direction, double phase) {
+  WaveComponent c;
+  c.amplitude = amplitude, c.omega = omega, c.phase = phase;
+  c.x = std::cos(direction), c.y = std::sin(direction);
+  return WaveField({c}, 0, 9.80665, Stretching::none);
+}
+
+// Heave of 1 without lag follows the surface at the vessel's place; a lag of a quarter comes a quarter later.
+TEST(Rao, PhaseIsALagAfterTheCrestAtTheOrigin) {
+  const Vec3 origin(30, -12, 5);
+  const WaveField w = wave(1.5, 0.7, 0.9, 0.4);
+  for (const double lag : {0.0, M_PI / 2}) {
+    const RaoMotion m(RaoTable({{0.7, 0, heave_of(1, lag)}}), w, origin, 0.3);
+    for (double t = 0; t < 20; t += 1.7) {
+      Vec3 x, r;
+      m.at(t, x, r);
+      EXPECT_NEAR(x.z(), w.elevation(30, -12, t - lag / 0.7), 1e-12);
+      EXPECT_NEAR(x.head<2>().norm() + r.norm(), 0, 1e-12);
+    }
+  }
+}
+
+// Surge and roll go with the bow, and the direction that counts is the one seen from it.
+TEST(Rao, TurnsWithTheHeading) {
+  const double heading = 2.1;
+  Response ahead{}, abeam{};
+  ahead[0] = 1, abeam[1] = 2, abeam[3] = 0.1;
+  const RaoTable t({{0.7, 0, ahead}, {0.7, M_PI / 2, abeam}, {0.7, M_PI, ahead}, {0.7, 1.5 * M_PI, abeam}});
+  const Vec3 bow(std::cos(heading), std::sin(heading), 0), port(-std::sin(heading), std::cos(heading), 0);
+  Vec3 x, r;
+  RaoMotion(t, wave(1, 0.7, heading, 0), Vec3::Zero(), heading).at(0, x, r);
+  EXPECT_LT((x - bow).norm() + r.norm(), 1e-12);
+  RaoMotion(t, wave(1, 0.7, heading + M_PI / 2, 0), Vec3::Zero(), heading).at(0, x, r);
+  EXPECT_LT((x - 2 * port).norm() + (r - 0.1 * bow).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace hawser

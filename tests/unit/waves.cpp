@@ -1,0 +1,185 @@
+// Dispersion, kinematics, stretching and spectra of waves.
+#include "hawser/kernels/waves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace hawser {
+namespace {
+
+constexpr double kG = 9.80665, kRho = 1025;
+
+// Root of omega² = g k tanh kh by Brent's method to round-off.
+TEST(Waves, Dispersion) {
+  struct Row {
+    double depth, period, k;
+  };
+  const Row rows[] = {{10.0, 4.0, 0.2547097348825959},      {10.0, 6.0, 0.12983315897623712},
+                      {10.0, 8.0, 0.08864112882243126},     {10.0, 10.0, 0.06803237213195777},
+                      {10.0, 12.0, 0.05546706557617877},    {10.0, 16.0, 0.0407249315843566},
+                      {10.0, 20.0, 0.03226617171780885},    {20.0, 4.0, 0.25162629833724487},
+                      {20.0, 6.0, 0.11417252815404104},     {20.0, 8.0, 0.07078053498187946},
+                      {20.0, 10.0, 0.05183725263394577},    {20.0, 12.0, 0.04124785303723828},
+                      {20.0, 16.0, 0.029597765631646837},   {20.0, 20.0, 0.023213250155773777},
+                      {50.0, 4.0, 0.2516048905926807},      {50.0, 6.0, 0.11182750728665393},
+                      {50.0, 8.0, 0.06312967213742765},     {50.0, 10.0, 0.04154100063032464},
+                      {50.0, 12.0, 0.03068285739701696},    {50.0, 16.0, 0.020416895955711882},
+                      {50.0, 20.0, 0.015492591910462195},   {100.0, 4.0, 0.25160489058672836},
+                      {100.0, 6.0, 0.11182439585963716},    {100.0, 8.0, 0.06290165528224717},
+                      {100.0, 10.0, 0.04028231709999276},   {100.0, 12.0, 0.02815717684301577},
+                      {100.0, 16.0, 0.01684626685751947},   {100.0, 20.0, 0.012050297240794658},
+                      {320.0, 4.0, 0.25160489058672836},    {320.0, 6.0, 0.1118243958163237},
+                      {320.0, 8.0, 0.06290122264668209},    {320.0, 10.0, 0.04025678249439721},
+                      {320.0, 12.0, 0.027956099902830118},  {320.0, 16.0, 0.015726643646077804},
+                      {320.0, 20.0, 0.010095702352896266},  {2000.0, 4.0, 0.25160489058672836},
+                      {2000.0, 6.0, 0.1118243958163237},    {2000.0, 8.0, 0.06290122264668209},
+                      {2000.0, 10.0, 0.040256782493876535}, {2000.0, 12.0, 0.02795609895408092},
+                      {2000.0, 16.0, 0.015725305661670522}, {2000.0, 20.0, 0.010064195623469134}};
+  for (const Row& r : rows) EXPECT_NEAR(wave_number(2 * M_PI / r.period, r.depth, kG), r.k, 1e-12 * r.k);
+  EXPECT_NEAR(wave_number(0.5, 0, kG), 0.25 / kG, 1e-17);
+  EXPECT_NEAR(wave_number(1e-4, 10, kG), 1e-4 / std::sqrt(kG * 10), 1e-8 * 1e-5);  // shallow
+}
+
+WaveField regular(double height, double period, double depth, Stretching s = Stretching::none,
+                  double phase = 0) {
+  WaveComponent c;
+  c.amplitude = height / 2, c.omega = 2 * M_PI / period, c.phase = phase;
+  return WaveField({c}, depth, kG, s);
+}
+
+// The velocity field has no divergence and no rotation, fits the moving surface to first order, stands still
+// at the bed, and its acceleration is its derivative in time.
+TEST(Waves, IsPotentialFlow) {
+  const double a = 1e-4, depth = 30, h = 1e-3;
+  WaveComponent c, d;
+  c.amplitude = a, c.omega = 0.7, c.phase = 0.3, c.x = 0.6, c.y = 0.8;
+  d.amplitude = 0.5 * a, d.omega = 1.1, d.phase = -1, d.x = 0, d.y = -1;
+  const WaveField w({c, d}, depth, kG, Stretching::none);
+  for (const Vec3& x : {Vec3(3, -2, -5), Vec3(40, 10, -0.1), Vec3(-7, 100, -29)}) {
+    const double t = 4.2;
+    Mat3 grad;
+    for (int i = 0; i < 3; ++i)
+      grad.col(i) =
+          (w.at(x + h * Vec3::Unit(i), t).velocity - w.at(x - h * Vec3::Unit(i), t).velocity) / (2 * h);
+    EXPECT_NEAR(grad.trace(), 0, 1e-8 * a);
+    EXPECT_LT((grad - grad.transpose()).norm(), 1e-8 * a);
+    const Vec3 rate = (w.at(x, t + h).velocity - w.at(x, t - h).velocity) / (2 * h);
+    EXPECT_LT((rate - w.at(x, t).acceleration).norm(), 1e-6 * a);
+    const double rise = (w.elevation(x.x(), x.y(), t + h) - w.elevation(x.x(), x.y(), t - h)) / (2 * h);
+    EXPECT_NEAR(w.at({x.x(), x.y(), -1e-9}, t).velocity.z(), rise, 1e-5 * a);
+    EXPECT_NEAR(w.at({x.x(), x.y(), -depth}, t).velocity.z(), 0, 1e-12 * a);
+  }
+}
+
+// In-line force and moment on a pile of 1 m, Cd 1.2, Cm 2: closed forms of the integrals to the still water
+// (linear), and of the drag under the crest to the surface by three stretchings. The velocity at the surface
+// as well.
+TEST(Waves, ForceOnAPile) {
+  struct Row {
+    double height, period, depth, inertia, drag, moment_inertia, moment_drag, wheeler, constant;
+  };
+  for (const Row& r :
+       {Row{5, 10, 50, 38253.09106, 21306.14732, 1196872.163, 783995.4772, 22371.45468169, 25345.67569228},
+        {10, 12, 100, 78383.00026, 78431.32216, 5368991.901, 6361846.696, 82352.88826795, 99811.30991994},
+        {2, 6, 20, 15464.62383, 3301.754562, 198901.83, 50238.50987, 3466.84229, 0}}) {
+    const auto integrate = [&](Stretching s, double top, double phase, bool drag, bool moment) {
+      const WaveField w = regular(r.height, r.period, r.depth, s, phase);
+      const int n = 4000;
+      double sum = 0;
+      for (int i = 0; i < n; ++i) {
+        const double z = -r.depth + (i + 0.5) * (r.depth + top) / n;
+        const WaveMotion m = w.at({0, 0, z}, 0);
+        const double q = drag ? 0.5 * kRho * 1.2 * std::abs(m.velocity.x()) * m.velocity.x()
+                              : 2 * kRho * M_PI / 4 * m.acceleration.x();
+        sum += q * (moment ? z + r.depth : 1) * (r.depth + top) / n;
+      }
+      return sum;
+    };
+    const double quarter = M_PI / 2;  // of the wave before its crest
+    EXPECT_NEAR(integrate(Stretching::none, 0, 0, true, false), r.drag, 1e-5 * r.drag);
+    EXPECT_NEAR(integrate(Stretching::none, 0, 0, true, true), r.moment_drag, 1e-5 * r.moment_drag);
+    EXPECT_NEAR(std::abs(integrate(Stretching::none, 0, quarter, false, false)), r.inertia, 1e-5 * r.inertia);
+    EXPECT_NEAR(std::abs(integrate(Stretching::none, 0, quarter, false, true)), r.moment_inertia,
+                1e-5 * r.moment_inertia);
+    EXPECT_NEAR(integrate(Stretching::wheeler, r.height / 2, 0, true, false), r.wheeler, 1e-5 * r.wheeler);
+    if (r.constant > 0) {
+      EXPECT_NEAR(integrate(Stretching::vertical, r.height / 2, 0, true, false), r.constant,
+                  1e-5 * r.constant);
+    }
+  }
+  // Accelerations and velocities out of phase: the crest brings no horizontal acceleration.
+  EXPECT_NEAR(regular(5, 10, 50).at({0, 0, -3}, 0).acceleration.x(), 0, 1e-15);
+  EXPECT_GT(regular(5, 10, 50).at({0, 0, -3}, -2.5).acceleration.x(), 0);  // it accelerates before the crest
+}
+
+// Moments by quadrature to 1e-12, scaled so that m0 is Hs²/16.
+TEST(Waves, JonswapMoments) {
+  struct Row {
+    double height, period, gamma, m_1, m0, m1, m2;
+  };
+  for (const Row& r : {Row{5, 10, 1, 2.131737564, 1.5625, 1.272070535, 1.222389767},
+                       {5, 10, 3.3, 2.246312538, 1.5625, 1.176692796, 1.020684631},
+                       {5, 10, 5, 2.285846082, 1.5625, 1.143769416, 0.9512172023},
+                       {2, 12, 3.3, 0.4312920072, 0.25, 0.1568923728, 0.1134094035},
+                       {10, 14, 2, 12.30421592, 6.25, 3.4788649, 2.259427512}}) {
+    const Jonswap s = jonswap(r.height, r.period, r.gamma);
+    const double peak = 2 * M_PI / r.period;
+    const auto moment = [&](int n) {
+      const int cells = 40000;
+      const double step = std::log(4000 / 0.2) / cells;
+      double sum = 0;
+      for (int i = 0; i < cells; ++i) {
+        const double w = 0.2 * peak * std::exp((i + 0.5) * step);
+        sum += step * w * s.density(w) * std::pow(w, n);
+      }
+      return sum;
+    };
+    EXPECT_NEAR(moment(-1), r.m_1, 1e-6 * r.m_1);
+    EXPECT_NEAR(moment(0), r.m0, 1e-6 * r.m0);
+    EXPECT_NEAR(moment(1), r.m1, 1e-6 * r.m1);
+    EXPECT_NEAR(moment(2), r.m2, 1e-6 * r.m2);
+  }
+}
+
+// Three hours of a sea: variance and mean zero-crossing period within 1 % of the spectrum's.
+TEST(Waves, IrregularSeaOfThreeHours) {
+  const double hs = 5, tp = 10, m0 = 1.5625, m2 = 1.020684631;
+  for (const std::uint64_t seed : {1, 77}) {
+    const WaveField w(irregular(jonswap(hs, tp, 3.3), 0.4, 400, seed), 0, kG, Stretching::wheeler);
+    const double h = 0.125, T = 10800;
+    double sum2 = 0, rate2 = 0, last = w.elevation(0, 0, 0);
+    int n = 0;
+    for (double t = h; t <= T; t += h, ++n) {
+      const double e = w.elevation(0, 0, t);
+      sum2 += e * e, rate2 += (e - last) * (e - last) / (h * h);
+      last = e;
+    }
+    printf("  seed %d: m0 %.4f of %.4f, T02 %.4f of %.4f\n", static_cast<int>(seed), sum2 / n, m0,
+           2 * M_PI * std::sqrt(sum2 / rate2), 2 * M_PI * std::sqrt(m0 / m2));
+    EXPECT_NEAR(sum2 / n, m0, 0.01 * m0);
+    EXPECT_NEAR(std::sqrt(sum2 / rate2), std::sqrt(m0 / m2), 0.01 * std::sqrt(m0 / m2));
+  }
+}
+
+TEST(Waves, SeedsAndSpreading) {
+  const Jonswap s = jonswap(3, 8, 3.3);
+  const auto a = irregular(s, 0, 50, 7), b = irregular(s, 0, 50, 7), c = irregular(s, 0, 50, 8);
+  for (size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].phase, b[i].phase);
+    EXPECT_NE(a[i].phase, c[i].phase);
+    EXPECT_EQ(a[i].x, 1);
+  }
+  EXPECT_NEAR(a[0].phase, 1.7939039708751947, 1e-12);  // the same on every machine
+  // Mean cosine of cos^(2s)(theta/2) spreading: s/(s + 1).
+  const auto wide = irregular(s, 0.7, 20000, 3, 5);
+  double along = 0, across = 0;
+  for (const auto& w : wide)
+    along += (w.x * std::cos(0.7) + w.y * std::sin(0.7)) / 20000,
+        across += (w.y * std::cos(0.7) - w.x * std::sin(0.7)) / 20000;
+  EXPECT_NEAR(along, 5.0 / 6, 0.005);
+  EXPECT_NEAR(across, 0, 0.01);
+}
+
+}  // namespace
+}  // namespace hawser
