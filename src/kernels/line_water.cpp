@@ -159,21 +159,33 @@ double water_potential(const WaterSection& s, const WaterEnds& e, bool beam) {
   return potential<true>(s, b.m);
 }
 
-WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam) {
-  WaterForce out;
-  if (beam) {
-    BeamMotion b;
-    beam_motion(s, e, b);
-    Forces<4> o;
-    evaluate<true, false, Part::flow>(s, b.m, false, o);
-    for (int j = 0; j < 4; ++j) out.force[j] = -vec(o.f[j]);
+namespace {
+
+template <bool beam, int n>
+WaterForce flow_force(const WaterSection& s, Motion<n> m, double still) {
+  Forces<n> o;
+  if (m.surface[0] == still && m.surface[1] == still) {
+    evaluate<beam, false, Part::flow>(s, m, false, o);
   } else {
-    Forces<2> o;
-    evaluate<false, false, Part::flow>(s, cable_motion(e), false, o);
-    out.force[0] = -vec(o.f[0]), out.force[1] = Vec3::Zero();
-    out.force[2] = -vec(o.f[1]), out.force[3] = Vec3::Zero();
+    Forces<n> floating;
+    evaluate<beam, false>(s, m, false, o);
+    m.surface[0] = m.surface[1] = still;
+    evaluate<beam, false, Part::buoyancy>(s, m, false, floating);
+    for (int j = 0; j < n; ++j) o.f[j] -= floating.f[j];
   }
+  WaterForce out;
+  for (int j = 0; j < 4; ++j) out.force[j] = Vec3::Zero();
+  for (int j = 0; j < n; ++j) out.force[beam ? j : 2 * j] = -vec(o.f[j]);
   return out;
+}
+
+}  // namespace
+
+WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still) {
+  if (!beam) return flow_force<false>(s, cable_motion(e), still);
+  BeamMotion b;
+  beam_motion(s, e, b);
+  return flow_force<true>(s, b.m, still);
 }
 
 double wet_share(const WaterSection& s, double h, double rise, bool beam) {

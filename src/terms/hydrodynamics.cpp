@@ -116,15 +116,19 @@ void Hydrodynamics::flow(const Kinematics& at, std::vector<Flow>& out) const {
   for (const Piece& p : pieces_) {
     if (!p.at.counted) continue;
     Flow& o = out.emplace_back();
-    o.force = water_force(p.section, ends(p, at, water), p.beam);
+    o.force = water_force(p.section, ends(p, at, water), p.beam, sea_.surface);
     places(p, at, o.place);
   }
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
-    WaterBall still = b.ball;
-    still.buoyancy = 0;
-    Vec3 f;
-    ball_water(still, at.x[n], at.v[n], at.a[n], water[n], f, nullptr, nullptr, nullptr);
+    WaterBall floating;
+    floating.buoyancy = b.ball.buoyancy, floating.radius = b.ball.radius;
+    Water calm;
+    calm.surface = sea_.surface;
+    Vec3 f, up;
+    ball_water(b.ball, at.x[n], at.v[n], at.a[n], water[n], f, nullptr, nullptr, nullptr);
+    ball_water(floating, at.x[n], at.v[n], at.a[n], calm, up, nullptr, nullptr, nullptr);
+    f -= up;
     Flow& o = out.emplace_back();
     for (int j = 0; j < 4; ++j) o.force.force[j].setZero(), o.place[j].setZero();
     o.force.force[0] = -f, o.place[0] = at.x[n];
@@ -151,8 +155,10 @@ void Hydrodynamics::commit(const Kinematics& accepted) {
 // In statics forces without a potential are given the work they do on the way from the last iteration.
 Energy Hydrodynamics::energy(const Kinematics& at) const {
   Energy e;
-  std::vector<Water> water;
-  look(at, water);
+  // The potential is that of the still water; what waves do is work.
+  Water calm;
+  calm.surface = sea_.surface;
+  const std::vector<Water> water(at.x.size(), calm);
   for (const Piece& p : pieces_)
     if (p.at.counted) e.potential += water_potential(p.section, ends(p, at, water), p.beam);
   for (const Ball& b : balls_) {

@@ -52,7 +52,8 @@ double water_potential(const WaterSection& s, const WaterEnds& e, bool beam);
 struct WaterForce {
   Vec3 force[4];  // N: drag, Froude-Krylov and added mass, on the line
 };
-WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam);
+// Of buoyancy it has what a surface off `still` [m] changes.
+WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still);
 
 // Share of the section under water at a height h [m] of the surface above the axis, for an element of this
 // length whose axis rises by `rise` over it: a circle's, widened for steep elements to what the Gauss points
