@@ -8,21 +8,25 @@ namespace {
 using namespace water_points;
 
 template <int n>
-void put_water(const WaterEnds& e, Motion<n>& m) {
-  const Water* w[2] = {&e.water1, &e.water2};
+void put_water(const Water& first, const Water& second, Motion<n>& m) {
+  const Water* w[2] = {&first, &second};
   for (int i = 0; i < 2; ++i) {
     m.u[i] = load(w[i]->velocity), m.by_height[i] = load(w[i]->by_height), m.a[i] = load(w[i]->acceleration);
     m.surface[i] = w[i]->surface;
   }
 }
 
-Motion<2> cable_motion(const WaterEnds& e) {
+Motion<2> cable_motion(const CableInWater& e) {
   Motion<2> m;
-  const MassEnds& r = e.motion;
-  m.X[0] = load(e.x1), m.X[1] = load(e.x2), m.V[0] = load(r.v1), m.V[1] = load(r.v2);
-  m.A[0] = load(r.a1), m.A[1] = load(r.a2);
-  put_water(e, m);
+  m.X[0] = load(e.x1), m.X[1] = load(e.x2), m.V[0] = load(e.v1), m.V[1] = load(e.v2);
+  m.A[0] = load(e.a1), m.A[1] = load(e.a2);
+  put_water(e.water1, e.water2, m);
   return m;
+}
+
+CableInWater in_place(const WaterEnds& e) {
+  const MassEnds& r = e.motion;
+  return {e.x1, e.x2, r.v1, r.v2, r.a1, r.a2, e.water1, e.water2};
 }
 
 // With the matrices that take rotations to the tangents' motion, as in beam_mass_tangent.
@@ -57,7 +61,7 @@ void beam_motion(const WaterSection& s, const WaterEnds& e, BeamMotion& o) {
       o.m.A[2 * i + 1] = L * times(o.Q[i], o.g[i]);
     }
   }
-  put_water(e, o.m);
+  put_water(e.water1, e.water2, o.m);
 }
 
 void put_beam_force(const WaterSection& s, const BeamMotion& o, const Row* F, double* f) {
@@ -69,15 +73,15 @@ void put_beam_force(const WaterSection& s, const BeamMotion& o, const Row* F, do
 
 }  // namespace
 
-void cable_water_force(const WaterSection& s, const WaterEnds& e, double* f) {
+void cable_in_water_force(const WaterSection& s, const CableInWater& e, double* f) {
   Forces<2> o;
   evaluate<false, false>(s, cable_motion(e), false, o);
   for (int i = 0; i < 2; ++i)
     for (int k = 0; k < 3; ++k) f[3 * i + k] = o.f[i][k];
 }
 
-void cable_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, double* f, double* K,
-                         double* C, double* M) {
+void cable_in_water_tangent(const WaterSection& s, const CableInWater& e, bool convex, double* f, double* K,
+                            double* C, double* M) {
   Forces<2> o;
   evaluate<false, true>(s, cable_motion(e), convex, o);
   for (int i = 0; i < 2; ++i) {
@@ -88,6 +92,15 @@ void cable_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex,
       store(o.M[i][j], M + 18 * i + 3 * j, 6);
     }
   }
+}
+
+void cable_water_force(const WaterSection& s, const WaterEnds& e, double* f) {
+  cable_in_water_force(s, in_place(e), f);
+}
+
+void cable_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, double* f, double* K,
+                         double* C, double* M) {
+  cable_in_water_tangent(s, in_place(e), convex, f, K, C, M);
 }
 
 void beam_water_force(const WaterSection& s, const WaterEnds& e, double* f) {
@@ -153,7 +166,7 @@ double potential(const WaterSection& s, const Motion<n>& m) {
 }  // namespace
 
 double water_potential(const WaterSection& s, const WaterEnds& e, bool beam) {
-  if (!beam) return potential<false>(s, cable_motion(e));
+  if (!beam) return potential<false>(s, cable_motion(in_place(e)));
   BeamMotion b;
   beam_motion(s, e, b);
   return potential<true>(s, b.m);
@@ -182,7 +195,7 @@ WaterForce flow_force(const WaterSection& s, Motion<n> m, double still) {
 }  // namespace
 
 WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still) {
-  if (!beam) return flow_force<false>(s, cable_motion(e), still);
+  if (!beam) return flow_force<false>(s, cable_motion(in_place(e)), still);
   BeamMotion b;
   beam_motion(s, e, b);
   return flow_force<true>(s, b.m, still);

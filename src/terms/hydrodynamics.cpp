@@ -50,6 +50,13 @@ Water Hydrodynamics::water(const Kinematics& at, size_t node) const {
 }
 
 void Hydrodynamics::look(const Kinematics& at, std::vector<Water>& out) const {
+  if (sea_.current.none() && sea_.waves.none()) {  // the same everywhere and always
+    if (out.size() == at.x.size()) return;
+    Water calm;
+    calm.surface = sea_.surface;
+    out.assign(at.x.size(), calm);
+    return;
+  }
   out.resize(at.x.size());
   for (size_t n = 0; n < at.x.size(); ++n) out[n] = water(at, n);
 }
@@ -75,14 +82,25 @@ void Hydrodynamics::evaluate(const Kinematics& trial, Sink& sink) {
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
   for (const Piece& p : pieces_) {
     const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
-    const WaterEnds e = ends(p, trial, water_);
-    if (tangent) {
-      (p.beam ? beam_water_tangent : cable_water_tangent)(p.section, e, convex, f, K, C, M);
-      sink.add(blocks, f, K, C, M);
+    const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+    if (p.beam) {
+      const WaterEnds e = ends(p, trial, water_);
+      if (tangent)
+        beam_water_tangent(p.section, e, convex, f, K, C, M);
+      else
+        beam_water_force(p.section, e, f);
     } else {
-      (p.beam ? beam_water_force : cable_water_force)(p.section, e, f);
-      sink.add(blocks, f, nullptr, nullptr, nullptr);
+      const CableInWater e{trial.x[i], trial.x[j], trial.v[i], trial.v[j],
+                           trial.a[i], trial.a[j], water_[i],  water_[j]};
+      if (tangent)
+        cable_in_water_tangent(p.section, e, convex, f, K, C, M);
+      else
+        cable_in_water_force(p.section, e, f);
     }
+    if (tangent)
+      sink.add(blocks, f, K, C, M);
+    else
+      sink.add(blocks, f, nullptr, nullptr, nullptr);
   }
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   for (const Ball& b : balls_) {
@@ -110,7 +128,7 @@ void Hydrodynamics::places(const Piece& p, const Kinematics& k, Vec3* out) const
 
 // Balls after the pieces: a force at one place.
 void Hydrodynamics::flow(const Kinematics& at, std::vector<Flow>& out) const {
-  std::vector<Water> water;
+  std::vector<Water>& water = seen_;
   look(at, water);
   out.clear();
   for (const Piece& p : pieces_) {
@@ -146,7 +164,7 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
 }
 
 void Hydrodynamics::commit(const Kinematics& accepted) {
-  std::vector<Flow> now;
+  std::vector<Flow>& now = spare_;
   flow(accepted, now);
   if (accepted.step > 0 && flow_.size() == now.size()) work_ += work(flow_, now);
   flow_.swap(now);

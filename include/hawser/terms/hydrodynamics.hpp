@@ -84,8 +84,10 @@ class Hydrodynamics final : public ForceTerm {
   mutable std::vector<WaveMotion> wave_;  // cache: what they are at wave_time_
   mutable double wave_time_ = 0;
   mutable bool wave_known_ = false;
-  std::vector<Flow> flow_;  // of the last accepted state; in statics of the last iteration
-  double work_ = 0;         // J, done by drag and added mass on what this rank counts
+  std::vector<Flow> spare_;          // for the next
+  mutable std::vector<Water> seen_;  // for flow()
+  std::vector<Flow> flow_;           // of the last accepted state; in statics of the last iteration
+  double work_ = 0;                  // J, done by drag and added mass on what this rank counts
 };
 
 // Properties in water of the case's line types.
