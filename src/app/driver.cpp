@@ -137,11 +137,11 @@ int run(MPI_Comm comm, const RunOptions& options) {
   }
 
   const bool append = restarted && same_file(options.restart, c.output.file);
-  Recorder recorder(comm, sim, volume_meshes(c, volumes), run_info(c, options, size), append,
-                    checkpoint.time);
+  Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes), run_info(c, options, size),
+                    append, checkpoint.time);
   if (restarted) {
     restore(checkpoint, sim);
-    recorder.restore(checkpoint.scalars);
+    recorder.restore(checkpoint);
     // A new file begins with the state the run goes on from.
     if (!append) recorder.output(checkpoint.time, sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
@@ -201,6 +201,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   const std::string table = recorder.finish();
   if (speak) {
     fmt::print("\n{}", table);
+    if (const std::string clashes = recorder.clash_table(); !clashes.empty()) fmt::print("\n{}", clashes);
     const Audit& a = recorder.audit();
     if (c.dynamics.enabled)
       fmt::print(

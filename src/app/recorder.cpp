@@ -49,11 +49,18 @@ constexpr Wanted kExtremes[] = {{"max effective tension", "effective_tension", t
                                 {"max bending moment", "bending_moment", true},
                                 {"max penetration", "penetration", true}};
 
+// Beside those of the terms in a checkpoint.
+const std::string kClashRecords = "clash report";
+
 }  // namespace
 
 Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes,
-                   const io::RunInfo& run, bool append, double time)
-    : comm_(comm), sim_(simulation), registry_(simulation.system().fields()) {
+                   std::vector<std::shared_ptr<const Surface>> surfaces, const io::RunInfo& run, bool append,
+                   double time)
+    : comm_(comm),
+      sim_(simulation),
+      registry_(simulation.system().fields()),
+      clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)) {
   const model::Case& c = sim_.model();
   const LocalMesh& local = sim_.local();
   fields_ = {{"position", "m", 3}, {"velocity", "m/s", 3}};
@@ -80,6 +87,8 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     contents.lines.push_back(std::move(line));
   }
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
+  if (ClashReport::wanted(sim_)) clashes_ = std::make_unique<ClashReport>(comm, sim_);
+  contents.clashes = clashes_ != nullptr;
   contents.free_bodies = static_cast<int>(mesh.nodes.size()) - mesh.line_nodes();
   for (const auto& h : c.output.histories) {
     if (!h.body.empty()) {
@@ -102,6 +111,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       if (const int f = find(name); f >= 0) series.columns.push_back(fields_[static_cast<size_t>(f)]);
     contents.series.push_back(std::move(series));
   }
+  for (io::ResultSeries& s : clearances_.series()) contents.series.push_back(std::move(s));
   io::ResultSeries energy{"energy", {}};
   for (const char* name : {"kinetic", "strain", "potential", "friction", "damping", "brought_in", "error"})
     energy.columns.push_back({name, "J", 1});
@@ -206,6 +216,8 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
     }
     rows.push_back(std::move(row));
   }
+  if (!sim_.model().output.clearances.empty())
+    for (std::vector<double>& row : clearances_.rows(at, poses(at))) rows.push_back(std::move(row));
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
   if (rank == 0) {
@@ -216,6 +228,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
     rows.push_back({}), rows.push_back({});
   }
   file_->append_series(info.time, rows);
+  if (clashes_) clashes_->step(info.time);
 
   const LocalMesh& local = sim_.local();
   for (const Wanted& w : kExtremes) {
@@ -262,7 +275,7 @@ std::vector<io::BodyPose> Recorder::poses(const Kinematics& at) const {
 
 void Recorder::output(double time, const Kinematics& at) {
   fill(at);
-  file_->write_output(time, values_, poses(at));
+  file_->write_output(time, values_, poses(at), clashes_ ? clashes_->take() : io::ClashTables{});
 }
 
 std::vector<io::SummaryRow> Recorder::summary() const {
@@ -293,7 +306,7 @@ std::vector<io::SummaryRow> Recorder::summary() const {
 
 std::string Recorder::finish() {
   const auto rows = summary();
-  file_->finish(rows);
+  file_->finish(rows, clashes_ ? clashes_->take() : io::ClashTables{});
   warnings_.clear();
   for (const auto& r : rows) {
     if (r.quantity != "max penetration") continue;
@@ -317,7 +330,9 @@ std::string Recorder::finish() {
   return text;
 }
 
-void Recorder::save(std::map<std::string, double>& scalars) const {
+void Recorder::save(io::Checkpoint& to) {
+  if (clashes_) to.records[kClashRecords] = clashes_->save();
+  auto& scalars = to.scalars;
   save_energy(scalars, "audit.start.", start_);
   save_energy(scalars, "audit.now.", audit_.now);
   scalars["audit.brought_in"] = audit_.brought_in;
@@ -328,7 +343,12 @@ void Recorder::save(std::map<std::string, double>& scalars) const {
   }
 }
 
-void Recorder::restore(const std::map<std::string, double>& scalars) {
+void Recorder::restore(const io::Checkpoint& from) {
+  if (clashes_) {
+    const auto at = from.records.find(kClashRecords);
+    clashes_->restore(at == from.records.end() ? std::vector<HistoryRecord>{} : at->second);
+  }
+  const auto& scalars = from.scalars;
   auto get = [&](const std::string& k) {
     const auto it = scalars.find(k);
     return it == scalars.end() ? 0.0 : it->second;

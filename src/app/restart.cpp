@@ -38,7 +38,7 @@ std::map<std::string, double> signature(const Simulation& simulation) {
 
 }  // namespace
 
-io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder) {
+io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   const Dynamics& d = simulation.dynamics();
   const LocalMesh& m = simulation.local();
   AlphaState s = d.committed();
@@ -76,7 +76,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder)
   double work = d.support_work();
   MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, simulation.system().comm());
   c.scalars["support_work"] = work;
-  recorder.save(c.scalars);
+  recorder.save(c);
   return c;
 }
 

@@ -352,6 +352,26 @@ class Reader {
       p.name = h.has("name") ? h["name"].text : p.line + "@" + h["at"].text;
       o.histories.push_back(p);
     }
+    for (const Value& w : v["clearances"].items) {
+      model::Clearance k;
+      k.line = w["line"].text;
+      if (w.has("other_line")) k.other_line = w["other_line"].text;
+      if (w.has("volume")) k.volume = w["volume"].text;
+      k.name = w.has("name") ? w["name"].text : k.line + " to " + k.other_line + k.volume;
+      o.clearances.push_back(k);
+    }
+    clashes(v["clashes"]);
+  }
+
+  void clashes(const Value& v) {
+    model::ClashOutput& o = c_.output.clashes;
+    if (v.kind != Kind::map) {
+      o.enabled = v.number != 0;
+      return;
+    }
+    o.merge_gap = v["merge_gap"].number;
+    o.merge_length = number(v, "merge_length");
+    o.rows = static_cast<int>(v["rows"].number);
   }
 
   const Value& root_;

@@ -36,6 +36,7 @@ struct ResultsFile::Impl {
   ResultRoom room;
   ResultCount count;
   long long sequence = 0;  // of the newest checkpoint
+  long long clashes = 0;   // that had ended at the last output
   std::vector<double> times;
 
   std::string xdmf_path;
@@ -57,13 +58,13 @@ struct ResultsFile::Impl {
   bool root() const { return file.rank() == 0; }
 
   // Rank 0 makes the file anew, everybody opens it.
-  void build(const ResultRoom& wanted, const std::string& from, const std::vector<SummaryRow>* summary) {
+  void build(const ResultRoom& wanted, const std::string& from, const ResultEnd* end = nullptr) {
     file.close();
     bool input = false;
     if (root()) {
       file.attempt([&] {
         try {
-          build_results(file.path(), contents, wanted, from, count, summary);
+          build_results(file.path(), contents, wanted, from, count, clashes, end);
         } catch (const InputError&) {
           input = true;
           throw;
@@ -78,16 +79,18 @@ struct ResultsFile::Impl {
       throw;
     }
     room = wanted;
-    if (summary) return;
+    if (end) return;
     std::vector<std::string> names{"written"};
     for (const auto& set : row_sets(contents)) names.push_back(set.name);
+    if (contents.clashes) names.insert(names.end(), {kClashesEnded, kClashesOpen});
     if (room.slot_doubles)
       for (const char* slot : {"checkpoint/0/", "checkpoint/1/"})
         for (const char* part : {"header", "index", "values"}) names.push_back(std::string(slot) + part);
     file.open(names);
   }
 
-  void ensure_room(long long outputs, long long steps_wanted, long long doubles = 0, long long text = 0) {
+  void ensure_room(long long outputs, long long steps_wanted, long long doubles = 0, long long text = 0,
+                   const ClashRoom& clash_rows = {}) {
     ResultRoom wanted = room;
     const auto grow = [](long long& have, long long need, long long spare) {
       if (need > have) have = std::max(2 * have, need + spare);
@@ -96,9 +99,12 @@ struct ResultsFile::Impl {
     grow(wanted.steps, steps_wanted, 0);
     grow(wanted.slot_doubles, doubles, doubles / 2);
     grow(wanted.slot_text, text, text);
+    grow(wanted.clashes.ended, clash_rows.ended, 0);
+    grow(wanted.clashes.open, clash_rows.open, 0);
     if (wanted.outputs != room.outputs || wanted.steps != room.steps ||
-        wanted.slot_doubles != room.slot_doubles || wanted.slot_text != room.slot_text)
-      build(wanted, file.path(), nullptr);
+        wanted.slot_doubles != room.slot_doubles || wanted.slot_text != room.slot_text ||
+        wanted.clashes != room.clashes)
+      build(wanted, file.path());
   }
 
   // The rows become results: every rank's bytes are with the system before the counter is.
@@ -136,6 +142,24 @@ struct ResultsFile::Impl {
   void forget_steps() {
     step_times.clear();
     for (auto& s : steps) s.clear();
+  }
+
+  // How many rows of the clash tables come with an output, the same on all ranks.
+  ClashRoom rows_of(const ClashTables& tables) const {
+    long long n[2] = {static_cast<long long>(tables.ended.size()),
+                      static_cast<long long>(tables.open.size())};
+    MPI_Bcast(n, 2, MPI_LONG_LONG, 0, file.comm());
+    return {n[0], n[1]};
+  }
+  void write_clashes(long long row, const ClashTables& tables, const ClashRoom& rows) {
+    const h5::Id type = clash_type();
+    std::vector<RowRun> ended, open;
+    if (root() && rows.ended) ended.push_back({clashes, rows.ended});
+    if (root() && rows.open) open.push_back({0, rows.open});
+    if (rows.ended) file.write_runs(kClashesEnded, type, -1, ended, tables.ended.data());
+    if (rows.open) file.write_runs(kClashesOpen, type, row % 2, open, tables.open.data());
+    const long long counts[2] = {clashes + rows.ended, rows.open};
+    file.write_rows(kClashCounts, H5T_NATIVE_LLONG, row, 1, root(), counts);
   }
 
   void write_bodies(long long row, std::span<const BodyPose> poses) {
@@ -222,8 +246,7 @@ ResultsFile ResultsFile::create(MPI_Comm comm, const std::string& path, ResultCo
   auto impl = std::make_unique<Impl>(comm, path, std::move(contents), std::move(owned));
   auto& m = *impl;
   try {
-    m.build({std::max(m.contents.expected_outputs, 1), std::max(m.contents.expected_steps, 1), 0, 0}, "",
-            nullptr);
+    m.build({std::max(m.contents.expected_outputs, 1), std::max(m.contents.expected_steps, 1), 0, 0}, "");
     m.save_xdmf(true);
   } catch (const std::runtime_error& e) {
     throw InputError(e.what());
@@ -253,9 +276,14 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
     return static_cast<long long>(std::upper_bound(t.begin(), t.end(), last) - t.begin());
   };
   const ResultRoom& had = progress.room;
-  long long n[5] = {until(progress.output_times), until(progress.step_times), had.slot_doubles, had.slot_text,
-                    progress.sequence};
-  MPI_Bcast(n, 5, MPI_LONG_LONG, 0, comm);
+  long long n[6] = {until(progress.output_times),
+                    until(progress.step_times),
+                    had.slot_doubles,
+                    had.slot_text,
+                    progress.sequence,
+                    0};
+  if (n[0] > 0 && !progress.clashes.empty()) n[5] = progress.clashes[static_cast<size_t>(n[0] - 1)];
+  MPI_Bcast(n, 6, MPI_LONG_LONG, 0, comm);
   progress.output_times.resize(static_cast<size_t>(n[0]));
   MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
 
@@ -266,9 +294,19 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   if (m.root())
     for (const double t : m.times) m.xdmf->add(t);
   m.sequence = n[4];
+  m.clashes = n[5];
   m.build({std::max<long long>(m.contents.expected_outputs, n[0] + 1),
-           std::max<long long>(m.contents.expected_steps, n[1] + 1), n[2], n[3]},
-          path, nullptr);
+           std::max<long long>(m.contents.expected_steps, n[1] + 1),
+           n[2],
+           n[3],
+           {std::max<long long>(64, 2 * n[5]), 64}},
+          path);
+  if (m.contents.clashes && n[0] > 0) {
+    // Those that went on at the last output left may have made place for those of one that is dropped.
+    const long long counts[2] = {m.clashes, 0};
+    m.file.write_rows(kClashCounts, H5T_NATIVE_LLONG, n[0] - 1, 1, m.root(), counts);
+    m.file.agree();
+  }
   m.save_xdmf(true);
   return ResultsFile(std::move(impl));
 }
@@ -286,7 +324,7 @@ void ResultsFile::append_series(double time, const std::vector<std::vector<doubl
 }
 
 void ResultsFile::write_output(double time, const std::vector<std::vector<double>>& fields,
-                               std::span<const BodyPose> poses) {
+                               std::span<const BodyPose> poses, const ClashTables& clashes) {
   auto& m = *impl_;
   const auto& c = m.contents;
   m.file.attempt([&] {
@@ -297,14 +335,18 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
         throw std::logic_error("results: field " + c.fields[i].name + " has the wrong size");
   });
   m.file.agree();
-  m.ensure_room(m.count.outputs + 1, 0);
+  ClashRoom rows{0, 0};
+  if (c.clashes) rows = m.rows_of(clashes);
+  m.ensure_room(m.count.outputs + 1, 0, 0, 0, {m.clashes + rows.ended, rows.open});
   const long long steps = m.write_steps(), row = m.count.outputs;
   m.file.write_rows("outputs/time", H5T_NATIVE_DOUBLE, row, 1, m.root(), &time);
   for (size_t i = 0; i < fields.size(); ++i)
     m.file.write_runs("fields/" + safe_name(c.fields[i].name), H5T_NATIVE_DOUBLE, row, m.runs,
                       fields[i].data());
   m.write_bodies(row, poses);
+  if (c.clashes) m.write_clashes(row, clashes, rows);
   m.commit({row + 1, m.count.steps + steps});
+  m.clashes += rows.ended;
   m.forget_steps();
   m.times.push_back(time);
   if (m.root()) m.xdmf->add(time);
@@ -334,14 +376,20 @@ void ResultsFile::write_checkpoint(const Checkpoint& checkpoint) {
   m.sequence = sequence;
 }
 
-void ResultsFile::finish(const std::vector<SummaryRow>& summary) {
+void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes) {
   auto& m = *impl_;
   const long long steps = m.write_steps();
   m.commit({m.count.outputs, m.count.steps + steps});
   m.forget_steps();
-  m.build({std::max<long long>(m.count.outputs, 1), std::max<long long>(m.count.steps, 1),
-           m.room.slot_doubles, m.room.slot_text},
-          m.file.path(), &summary);
+  ClashRoom rows{0, 0};
+  if (m.contents.clashes) rows = m.rows_of(clashes);
+  const ResultEnd end{summary, clashes};
+  m.build({std::max<long long>(m.count.outputs, 1),
+           std::max<long long>(m.count.steps, 1),
+           m.room.slot_doubles,
+           m.room.slot_text,
+           {m.clashes + rows.ended, rows.open}},
+          m.file.path(), &end);
   m.save_xdmf(true);
 }
 

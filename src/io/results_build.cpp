@@ -184,7 +184,7 @@ void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
 }
 
 void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, const ResultRoom& room,
-                  const ResultCount& kept) {
+                  const ResultCount& kept, long long clashes) {
   const h5::Id from = h5::open_read(path);
   const auto differs = [&](const std::string& what) {
     return InputError(path + " cannot be continued: " + what + " differ from the case");
@@ -203,6 +203,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
       throw differs("its " + s.name);
     copy_rows(old, made, s.type, static_cast<hsize_t>(s.by_step ? kept.steps : kept.outputs));
   }
+  if (c.clashes) copy_clash_tables(from, to, clashes);
   if (room.slot_doubles == 0) return;
   for (const std::string slot : {"checkpoint/0", "checkpoint/1"}) {
     if (!h5::exists(from, slot)) continue;
@@ -293,6 +294,7 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
     if (f.components > 1) tail.push_back(static_cast<hsize_t>(f.components));
     sets.push_back({"fields/" + safe_name(f.name), false, H5T_IEEE_F64LE, tail, f.unit});
   }
+  if (c.clashes) sets.push_back({kClashCounts, false, H5T_STD_I64LE, {2}, ""});
   sets.push_back({"bodies/position", false, H5T_IEEE_F64LE, {c.bodies.size(), 3}, "m"});
   sets.push_back({"bodies/rotation", false, H5T_IEEE_F64LE, {c.bodies.size(), 4}, "quaternion w x y z"});
   const auto volumes = volume_places(c);
@@ -311,7 +313,8 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
 }
 
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
-                   const std::string& from, const ResultCount& kept, const std::vector<SummaryRow>* summary) {
+                   const std::string& from, const ResultCount& kept, long long clashes,
+                   const ResultEnd* end) {
   const std::string made = path + ".new";
   try {
     const h5::Id file = h5::create(made);
@@ -324,8 +327,14 @@ void build_results(const std::string& path, const ResultContents& contents, cons
     write_description(file, contents);
     write_row_sets(file, contents, room);
     write_slots(file, room);
-    if (!from.empty()) copy_earlier(from, file, contents, room, kept);
-    if (summary) write_summary(file, *summary);
+    if (contents.clashes) {
+      std::vector<std::string> volumes;
+      for (const auto& v : contents.volumes) volumes.push_back(v.name);
+      make_clash_tables(file, room.clashes, volumes);
+    }
+    if (!from.empty()) copy_earlier(from, file, contents, room, kept, clashes);
+    if (end) write_summary(file, end->summary);
+    if (end && contents.clashes) write_last_clashes(file, end->clashes, clashes, kept.outputs - 1);
     h5::check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot write " + made);
   } catch (...) {
     std::remove(made.c_str());
@@ -345,6 +354,11 @@ ResultProgress read_progress(const std::string& path) {
   p.step_times = h5::read_array(file, "series/time").values;
   p.output_times.resize(static_cast<size_t>(p.count.outputs));
   p.step_times.resize(static_cast<size_t>(p.count.steps));
+  if (h5::exists(file, kClashCounts)) {
+    const h5::Array counts = h5::read_array(file, kClashCounts);
+    for (size_t i = 0; i < p.output_times.size(); ++i)
+      p.clashes.push_back(static_cast<long long>(counts.values[2 * i]));
+  }
   if (!h5::exists(file, "checkpoint/1")) return p;
   p.room.slot_doubles =
       static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/values"))[0]);

@@ -202,7 +202,7 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
         issues.push_back({key, fmt::format("the last row is at {:g} s; the run lasts {:g} s", t->time.back(),
                                            d.duration)});
     }
-  std::set<std::string> names;
+  std::set<std::string> names{"energy", "solver", "time"};  // of the program's own
   for (std::size_t i = 0; i < c.output.histories.size(); ++i) {
     const HistoryPoint& h = c.output.histories[i];
     const std::string name = fmt::format("output.histories[{}]", i);
@@ -217,6 +217,15 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
           {key + ".at", fmt::format("arc length {:.6g} m is beyond the end of line '{}', which is {:.6g} "
                                     "m long",
                                     h.at, h.line, length)});
+  }
+  for (std::size_t i = 0; i < c.output.clearances.size(); ++i) {
+    const Clearance& k = c.output.clearances[i];
+    const std::string key = fmt::format("output.clearances[{}]", i);
+    if (!names.insert(k.name).second)
+      issues.push_back(
+          {key, fmt::format("there is another history called '{}'; give this one a 'name'", k.name)});
+    if (k.line == k.other_line)
+      issues.push_back({key + ".other_line", "a line has no clearance to itself; name another"});
   }
   for (const Volume& v : c.volumes)
     if (v.active_box && (v.active_box->lower.array() >= v.active_box->upper.array()).any())

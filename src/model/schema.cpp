@@ -156,11 +156,6 @@ Key bodies() {
       .or_else("{}");
 }
 
-Key arc(std::string name, std::string about) {
-  return one_of(std::move(name), {number("", length).at_least(0), word("", {"end_a", "end_b"})},
-                std::move(about));
-}
-
 Key line_end(std::string name, const std::string& about) {
   return one_of(std::move(name),
                 {word("", {"free"}),
@@ -335,30 +330,7 @@ const Key& case_schema() {
                 .above(0)
                 .or_else_note("chosen by the program")},
            "Motion in time; without this key only statics is run."),
-       map("output",
-           {text("file", "results (.h5), relative to the case file")
-                .or_else_note("`<case>.h5` beside the case file"),
-            number("every", time, "time between fields").above(0).or_else_note("100 outputs a run"),
-            number("checkpoint_every", time, "time between checkpoints")
-                .above(0)
-                .or_else_note("with every output"),
-            list("format", word("", {"hdf5", "xdmf"}),
-                 "`hdf5` is always written; `xdmf` beside it is what ParaView "
-                 "opens")
-                .or_else("[hdf5, xdmf]")
-                .items(1, 2),
-            list("histories",
-                 map("",
-                     {reference("line", "lines", "line"), arc("at", "arc length from end A"),
-                      reference("body", "bodies", "instead of a point of a line: a floating body"),
-                      make(Type::name, "name", "name in the results")
-                          .or_else_note("`<line>@<at>` or `<body>`")},
-                     "")
-                     .either({{{"line", "at"}, {"line", "at"}}, {{"body"}, {"body"}}}, true),
-                 "points whose motion, tension and contact are kept at every step")
-                .or_else("[]")},
-           "Results.")
-           .or_else("{}")},
+       output()},
       "");
   return schema;
 }

@@ -70,6 +70,12 @@ inline Key one_of(std::string name, std::vector<Key> alternatives, std::string a
   return k;
 }
 
+// An arc length of a line.
+inline Key arc(std::string name, std::string about) {
+  return one_of(std::move(name), {number("", length).at_least(0), word("", {"end_a", "end_b"})},
+                std::move(about));
+}
+
 inline constexpr const char* kZero = "[0, 0, 0]";
 
 Key volumes();                // with their shapes, contact laws and friction
@@ -77,5 +83,6 @@ Key between_lines();          // of contact
 Key friction();               // coefficients and springs of it, of volumes and the seabed
 Key environment();            // the sea and its bed
 std::vector<Key> in_water();  // of line types
+Key output();
 
 }  // namespace hawser::model::schema_build

@@ -8,6 +8,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/system/imbalance.hpp"
+#include "hawser/system/line_candidates.hpp"
 
 namespace hawser {
 namespace {
@@ -17,6 +18,7 @@ constexpr double kArmijo = 1e-4;
 constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at the start, and a stage on
 constexpr int kMostAugmentations = 100;
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
+constexpr int kCut = 10, kMostCut = 60;  // halvings of a step, by lines in its way; such steps in a row
 
 class Search {
  public:
@@ -98,6 +100,7 @@ class Search {
     system_.residual(state_.view(0), r_.get());
     ResidualNorms norms = system_.norms(r_.get());
     double energy = 0, shift = 1e-3;
+    int stuck = 0;
     for (int it = 0;; ++it, ++report.iterations) {
       if (prepare()) {  // contact candidates move with the line
         system_.residual(state_.view(0), r_.get());
@@ -111,10 +114,14 @@ class Search {
       const double slope = direction(close, close && shift < 1e-5 ? 0 : shift, norms);
       double factor = limit();
       const bool full = factor == 1;
-      bool taken = false;
+      bool taken = false, blocked = false;
       int halvings = 0;
       for (; halvings < kHalvings && !taken; ++halvings, factor *= taken ? 1 : 0.5) {
         step(factor);
+        if (!clear()) {
+          blocked = true;
+          continue;
+        }
         const double e = potential(trial_);
         system_.residual(trial_.view(0), r_.get());
         const ResidualNorms n = system_.norms(r_.get());
@@ -127,13 +134,16 @@ class Search {
           norms = n, energy = e;
         }
       }
-      if (!taken && shift > 1e6) {
+      // Cut short by lines that would pass through each other again and again: there is no way on.
+      stuck = blocked && (!taken || halvings > kCut) ? stuck + 1 : 0;
+      if ((!taken && shift > 1e6) || stuck > kMostCut) {
         system_.residual(state_.view(0), r_.get());
         if (norms.small(100 * tolerance)) return;  // round-off of very stiff lines
-        throw SolveError(failure(norms, "no descent"));
+        throw SolveError(failure(
+            norms, blocked ? "lines would pass through each other even in the smallest step" : "no descent"));
       }
       shift = std::clamp(taken && halvings <= 1 && (full || close) ? 0.2 * shift
-                         : taken && halvings <= 1                  ? shift
+                         : taken && (halvings <= 1 || blocked)     ? shift
                                                                    : 4 * shift,
                          1e-9, 1e7);
       if (!taken) shift *= 10;
@@ -147,6 +157,7 @@ class Search {
       direction(true, 0, report.norms);
       if (limit() < 1) break;
       step(1);
+      if (!clear()) break;
       system_.residual(trial_.view(0), r_.get());
       const ResidualNorms n = system_.norms(r_.get());
       if (!(n.relative() < 0.5 * report.norms.relative())) break;
@@ -198,26 +209,65 @@ class Search {
     retract(system_.mesh(), state_, u.data(), trial_);
   }
 
-  // Push off a saddle: a fixed, rank-independent displacement field without symmetry.
+  // Whether no line goes through another on the straight way from the state to the trial. Where the
+  // candidates were not chosen for that way they are chosen anew.
+  bool clear() {
+    if (system_.covers(trial_.view(0))) return true;
+    if (!system_.outdated()) return false;
+    const LocalMesh& m = system_.mesh();
+    State way = state_;
+    for (size_t n = 0; n < way.x.size(); ++n) {
+      way.v[n] = trial_.x[n] - state_.x[n];
+      if (m.rotates(static_cast<int>(n))) way.w[n] = log_so3(state_.q[n].conjugate() * trial_.q[n]);
+    }
+    // So that the way foreseen ends at the trial.
+    if (system_.couple(way.view(0), 1 / CandidateSettings{}.steps) == Coupled::anew) {
+      std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
+      build();
+      system_.spread(state_), system_.spread(trial_);
+      if (!u.empty()) {
+        PetscScalar* p = nullptr;
+        check(VecGetArray(u_.get(), &p));
+        std::copy(u.begin(), u.end(), p);
+        check(VecRestoreArray(u_.get(), &p));
+      }
+      system_.gather(u_.get(), local_);
+    }
+    system_.prepare(state_.view(0), 0);
+    return system_.covers(trial_.view(0));
+  }
+
+  // Push off a saddle: a fixed, rank-independent displacement field without symmetry; less of it where lines
+  // would pass through each other.
   void leave(int attempt) {
+    double share = 1;
+    for (int k = 0; k < kHalvings; ++k, share *= 0.5) {
+      trial_ = state_;
+      push(attempt, share, trial_);
+      if (!clear()) continue;
+      std::swap(state_.x, trial_.x), std::swap(state_.q, trial_.q);
+      return;
+    }
+  }
+  void push(int attempt, double share, State& s) const {
     const LocalMesh& m = system_.mesh();
     for (int n = 0; n < m.nodes(); ++n) {
       const size_t i = static_cast<size_t>(n);
       const Node& node = m.mesh->nodes[static_cast<size_t>(m.global[i])];
       if (node.body >= 0) continue;
       const double L = m.mesh->lines[static_cast<size_t>(node.line)].length, z = node.arc / L;
-      const double bump = 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
+      const double bump =
+          share * 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
       Vec3 d = bump * Vec3(0.31, 0.52, -0.79);
       const unsigned char held = system_.supports().held()[static_cast<size_t>(m.block[i])];
       for (int c = 0; c < 3; ++c)
         if (held >> c & 1) d[c] = 0;
-      state_.x[i] += d;
+      s.x[i] += d;
       // A node turned over against its neighbours is a saddle of rotations.
       const size_t b = static_cast<size_t>(m.block[i]);
       if (!m.rotates(n) || system_.supports().held()[b + 1]) continue;
-      const double angle = 0.05 * attempt;
-      state_.q[i] =
-          state_.q[i] * exp_so3(angle * Vec3(0.1 * std::sin(5 * z), std::sin(37 * z + 1), std::cos(41 * z)));
+      const double angle = share * 0.05 * attempt;
+      s.q[i] = s.q[i] * exp_so3(angle * Vec3(0.1 * std::sin(5 * z), std::sin(37 * z + 1), std::cos(41 * z)));
     }
   }
 

@@ -240,6 +240,8 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
     if (!p.counted) continue;
     const Sum s = touch(p, accepted, false);
     p.depth = std::max(p.depth, s.depth), p.potential = s.potential;
+    p.now.force = s.contact.f.segment<3>(0).norm();
+    p.now.energy = s.potential, p.now.depth = s.depth;
     if (!(accepted.step > 0)) continue;
     double damping = 0, work = 0;
     powers(p, s, accepted, damping, work);
@@ -290,6 +292,16 @@ std::array<Vec3, 2> BodyContactTerm::force_on(int body, const Kinematics& at) co
     }
   }
   return out;
+}
+
+// Of a pair of which both lead it is one touch, told by two.
+void BodyContactTerm::touches(Touches& out) const {
+  for (const Pair& p : pairs_) {
+    if (!p.counted || !(p.now.force > 0)) continue;
+    Touch t = p.now;
+    t.volume = static_cast<int>(std::min(p.a, p.b)), t.other_volume = static_cast<int>(std::max(p.a, p.b));
+    out.push_back(t);
+  }
 }
 
 double BodyContactTerm::largest_penetration() const {

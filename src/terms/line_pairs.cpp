@@ -10,13 +10,14 @@ namespace hawser {
 namespace {
 
 // Lines must not come nearer than this part of the radii between two accepted states: their axes would cross.
-constexpr double kThrough = 0.25;
+constexpr double kThrough = 0.25, kNoSide = 1e-9;
 // A step may take a line this part of the radii deeper than to the surface.
 constexpr double kDeep = 0.5;
 // Steps in a period of the contact: least, and what automatic steps aim at.
 constexpr double kLeastSteps = 3, kSteps = 6;
 
-// Largest penetration, m: of the parabola through the deepest Gauss point and two beside it.
+}  // namespace
+
 double deepest_of(const std::vector<LinePairHistory>& points) {
   if (points.empty()) return 0;
   size_t least = 0;
@@ -32,8 +33,6 @@ double deepest_of(const std::vector<LinePairHistory>& points) {
   const double place = std::clamp(0.5 * (a.xi + b.xi - ab / curve), a.from, c.to);
   return -(a.gap + (place - a.xi) * (ab + curve * (place - b.xi)));
 }
-
-}  // namespace
 
 bool LinePairs::recouple(const Kinematics& committed, double h) {
   if (!candidates_.update(committed, h) && listed_) return false;
@@ -193,6 +192,8 @@ bool LinePairs::passes(const Pair& p, const Kinematics& trial, const std::vector
       // Lines that lie deep in each other already may stay so.
       const double was = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
       const double least = std::min(kThrough * p.law.reach, 0.5 * was);
+      // In statics axes may cross from the start: then no side is the right one.
+      if (!(trial.step > 0) && least < kNoSide * p.law.reach) continue;
       if (!(least > 0) || first_approach(A, B, least, 0.05 * least) <= 1) return true;
     }
   }

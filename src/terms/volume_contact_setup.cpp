@@ -12,6 +12,7 @@ VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies
                              std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes,
                              NodeContact model, double allowed_penetration)
     : Contact(std::move(bodies), std::move(volumes)),
+      mesh_(*mesh.mesh),
       model_(model),
       allowed_(allowed_penetration),
       nodes_(std::move(nodes)) {

@@ -36,6 +36,7 @@ ResultContents contents() {
   c.series = {{"end A", {{"effective_tension", "N", 1}}}};
   c.bodies = {"reel"};
   c.volumes = {{"drum", 0, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {1}}};
+  c.clashes = true;
   c.expected_outputs = 2;  // so that it is often killed while the file is made anew
   c.expected_steps = 5;
   return c;
@@ -57,6 +58,22 @@ Checkpoint checkpoint(int output) {
   for (int i = 0; i < kNodes; ++i)
     if (i % 100 < output % 100) c.records["friction"].push_back({i, 0, {1.0 * i, 1.0 * output}});
   return c;
+}
+
+// Of output k; so many that the tables outgrow their room.
+ClashRow clash(int output, int i) {
+  ClashRow r;
+  r.line = output, r.volume = i, r.start = output + 0.5, r.impulse = value(output, i);
+  return r;
+}
+ClashTables clashes(int output) {
+  ClashTables t;
+  for (int i = 0; i < output % 7; ++i) t.ended.push_back(clash(output, i));
+  for (int i = 0; i < 3 * (output % 40); ++i) t.open.push_back(clash(output, -1 - i));
+  return t;
+}
+bool same(const ClashRow& a, const ClashRow& b) {
+  return a.line == b.line && a.volume == b.volume && a.start == b.start && a.impulse == b.impulse;
 }
 
 void write_for_ever(const std::string& path) {
@@ -81,12 +98,12 @@ void write_for_ever(const std::string& path) {
     for (int i = 0; i < 3 * kNodes; ++i) fields[0].push_back(value(k, i));
     for (int i = 0; i < kNodes * kState; ++i) fields[1].push_back(value(k, -i));
     const BodyPose pose{Vec3(k, 0, 0), Quat::Identity()};
-    file->write_output(k, fields, {&pose, 1});
+    file->write_output(k, fields, {&pose, 1}, clashes(k));
     std::printf("output %d\n", k), std::fflush(stdout);
     file->write_checkpoint(checkpoint(k));
     std::printf("checkpoint %d\n", k), std::fflush(stdout);
   }
-  file->finish({{"max", "hose", 1, "N", 0, 0}});
+  file->finish({{"max", "hose", 1, "N", 0, 0}}, clashes(kOutputs));
   std::printf("end\n");
 }
 
@@ -99,7 +116,7 @@ TEST(ResultsKill, Child) {
 
 struct Said {
   int outputs = -1, checkpoint = -1;  // last accepted
-  bool end = false, spoke = false;
+  bool end = false, spoke = false, resumed = false;
 };
 
 // Runs the child, kills it `seconds` after its first word, returns what it had said.
@@ -142,6 +159,7 @@ Said run_and_kill(const std::string& path, double seconds) {
 
   Said said;
   said.spoke = has_begun();
+  said.resumed = text.find("resumed ") != std::string::npos;
   for (size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1) {
     const std::string line = text.substr(at, end - at);
     std::sscanf(line.c_str(), "output %d", &said.outputs);
@@ -180,6 +198,22 @@ void expect_whole(const std::string& path, const Said& said) {
     wrong += moved.values[9 * k + 3] != out + 1;
   }
   EXPECT_EQ(wrong, 0);
+
+  const int last = static_cast<int>(n) - 1;
+  if (last >= 0) {
+    const ClashTables tables = read_clashes(path);
+    ClashTables right;
+    for (int k = 0; k <= last + said.end; ++k)
+      for (const ClashRow& r : clashes(k).ended) right.ended.push_back(r);
+    right.open = clashes(last + said.end).open;
+    ASSERT_EQ(tables.ended.size(), right.ended.size());
+    EXPECT_TRUE(std::equal(right.ended.begin(), right.ended.end(), tables.ended.begin(), same));
+    // Of a run that has just resumed they are not known until its first output.
+    if (!(said.resumed && said.outputs < 0 && tables.open.empty())) {
+      ASSERT_EQ(tables.open.size(), right.open.size()) << last;
+      EXPECT_TRUE(std::equal(right.open.begin(), right.open.end(), tables.open.begin(), same));
+    }
+  }
 
   if (said.checkpoint >= 0) {
     const auto read = read_checkpoint(MPI_COMM_SELF, path, kNodes, all_nodes());

@@ -55,6 +55,7 @@ ResultContents contents() {
                 {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
                 {1, 0, 1, 1}},
                {"floor", -1, {{-9, -9, -1}, {9, -9, -1}, {0, 9, -1}}, {{0, 1, 2}}, {1}}};
+  c.clashes = true;
   c.expected_outputs = 3;  // so that the room is made twice over
   c.expected_steps = 4;
   return c;
@@ -89,7 +90,9 @@ void write_rows(ResultsFile& file, MPI_Comm comm, const std::vector<int>& owned,
         for (int i = 0; i < c.fields[f].components; ++i)
           fields[f].push_back(value(k, static_cast<int>(f), n, i));
     const BodyPose pose{Vec3(k, 0, 0), Quat(Eigen::AngleAxisd(0.1 * k, Vec3::UnitY()))};
-    file.write_output(k, fields, {&pose, 1});
+    ClashTables clashes;
+    if (rank_of(comm) == 0) clashes.ended.resize(static_cast<size_t>(17 * k)), clashes.open.resize(2);
+    file.write_output(k, fields, {&pose, 1}, clashes);
   }
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hawser/app/clash_report.hpp"
+#include "hawser/app/clearances.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/io/results.hpp"
 
@@ -28,8 +30,10 @@ struct Audit {
 class Recorder {
  public:
   // Starts a new results file, or goes on with the one at `resume_path` from `time`.
-  Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes, const io::RunInfo& run,
-           bool append, double time);
+  // surfaces: one for each volume of the case.
+  Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes,
+           std::vector<std::shared_ptr<const Surface>> surfaces, const io::RunInfo& run, bool append,
+           double time);
 
   // The state from which energies count.
   void start(double time, const Kinematics& at);
@@ -42,13 +46,15 @@ class Recorder {
   std::string finish();
 
   const Audit& audit() const { return audit_; }
+  // The clash report in words, on rank 0 after finish(); empty: nothing touched.
+  std::string clash_table() const { return clashes_ ? clashes_->table() : ""; }
   // What a user must not overlook, after finish(): deep penetration, energy out of nowhere.
   const std::vector<std::string>& warnings() const { return warnings_; }
   const io::ResultsFile& file() const { return *file_; }
 
-  // The recorder's own share of a checkpoint.
-  void save(std::map<std::string, double>& scalars) const;
-  void restore(const std::map<std::string, double>& scalars);
+  // The recorder's own share of a checkpoint. Collective.
+  void save(io::Checkpoint& to);
+  void restore(const io::Checkpoint& from);
 
  private:
   void fill(const Kinematics& at);
@@ -69,6 +75,8 @@ class Recorder {
   };
   std::vector<Point> points_;
   std::vector<std::map<std::string, Extreme>> extremes_;  // by line, of this rank's nodes
+  Clearances clearances_;
+  std::unique_ptr<ClashReport> clashes_;  // null: nothing can touch
   std::unique_ptr<io::ResultsFile> file_;
   Audit audit_;
   std::vector<std::string> warnings_;

@@ -7,7 +7,7 @@
 
 namespace hawser::app {
 
-io::Checkpoint make_checkpoint(Simulation& simulation, const Recorder& recorder);
+io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder);
 
 // The newest checkpoint of the results file `path`, this rank's share. Throws InputError when there is none
 // or its lines or volumes are not those of the simulation. Collective.

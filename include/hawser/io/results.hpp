@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hawser/io/checkpoint.hpp"
+#include "hawser/io/clash_rows.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser::io {
@@ -61,6 +62,7 @@ struct ResultContents {
   std::vector<ResultSeries> series;
   std::vector<std::string> bodies;
   std::vector<VolumeMesh> volumes;
+  bool clashes = false;  // there is a clash report; its volumes are `volumes`
   bool xdmf = true;
   int expected_outputs = 100;    // room made at once; it doubles when it runs out
   int expected_steps = 1000;     // likewise, rows of the series
@@ -107,14 +109,14 @@ class ResultsFile {
   // first), with one pose a body (same on all ranks). When it returns, the output and the series rows
   // so far survive the death of the program.
   void write_output(double time, const std::vector<std::vector<double>>& fields,
-                    std::span<const BodyPose> poses);
+                    std::span<const BodyPose> poses, const ClashTables& clashes = {});
 
   // When it returns, read_checkpoint() gives this one; until then, the one before.
   void write_checkpoint(const Checkpoint& checkpoint);
 
   // End of the run, be it a good one or not: writes series rows still in memory and the table, and cuts the
   // file to what is used. Only the destructor may follow.
-  void finish(const std::vector<SummaryRow>& summary);
+  void finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes = {});
 
   long long outputs() const;                 // accepted so far
   const std::vector<double>& times() const;  // s, of the accepted outputs

@@ -17,6 +17,13 @@ namespace hawser::io {
 struct ResultRoom {
   long long outputs = 0, steps = 0;
   long long slot_doubles = 0, slot_text = 0;  // of each of the two checkpoint slots; 0: no slots
+  ClashRoom clashes = {};
+};
+
+// What the file gets when it is made for the last time.
+struct ResultEnd {
+  const std::vector<SummaryRow>& summary;
+  const ClashTables& clashes;
 };
 
 // The counter that makes rows count. One small aligned write, after the rows are written.
@@ -47,11 +54,11 @@ struct DrawnMesh {
 };
 DrawnMesh drawn_mesh(const VolumeMesh& volume, int limit);
 
-// Write `path` anew. `from`: an earlier file whose first `kept` rows and newest checkpoint are taken over,
-// or empty. Serial. Throws InputError when `from` does not hold the same things, std::runtime_error when
-// the disk fails; the file at `path` is then as it was.
+// Write `path` anew. `from`: an earlier file whose first `kept` rows, ended `clashes` and newest checkpoint
+// are taken over, or empty. Serial. Throws InputError when `from` does not hold the same things,
+// std::runtime_error when the disk fails; the file at `path` is then as it was.
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
-                   const std::string& from, const ResultCount& kept, const std::vector<SummaryRow>* summary);
+                   const std::string& from, const ResultCount& kept, long long clashes, const ResultEnd* end);
 
 // How far the file at `path` got. Serial. Throws InputError when it is no results file.
 struct ResultProgress {
@@ -59,6 +66,7 @@ struct ResultProgress {
   std::vector<double> output_times, step_times;  // s, of the rows that count
   ResultRoom room;                               // of the checkpoint slots; outputs and steps are left 0
   long long sequence = 0;                        // of the newest checkpoint; 0: none
+  std::vector<long long> clashes;                // that had ended, at each output
 };
 ResultProgress read_progress(const std::string& path);
 

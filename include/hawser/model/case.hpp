@@ -93,12 +93,17 @@ struct Box {
   Vec3 lower, upper;  // m, body frame
 };
 
+// How the sign of the distance to a mesh is found; automatic: pseudonormals where the mesh is in order,
+// winding numbers where it is not. The last three are those of OMAE2006-92155.
+enum class SignTest { automatic, pseudonormal, winding, tetrahedra, ray, solid_angle };
+
 struct Volume {
   std::string name;
   std::optional<Primitive> shape;         // exact shape, body frame; or else a mesh:
   std::string mesh;                       // absolute path of an STL, OBJ or PLY file
   double scale = 1;                       // mesh units to m
   bool closed = false;                    // an open mesh is refused
+  SignTest sign = SignTest::automatic;    // of a mesh
   bool smooth = true;                     // facets of curved surfaces are curved
   double crease_angle = 40 * M_PI / 180;  // rad, edges sharper than this stay
   std::string body;                       // empty: fixed in space
@@ -229,12 +234,28 @@ struct HistoryPoint {
   std::string name;  // default "<line>@<at>"
 };
 
+// What the clash report takes for one clash, and how much of it is printed.
+struct ClashOutput {
+  bool enabled = true;
+  double merge_gap = 0.1;   // s: a pair that parts for less is still in the same clash
+  double merge_length = 0;  // m: places nearer along a line are one; 0: 4 contact diameters
+  int rows = 20;            // of the table at the end of the run
+};
+
+// The smallest distance between two surfaces, kept at every step.
+struct Clearance {
+  std::string line, other_line, volume;  // of the line to the other line or the volume
+  std::string name;                      // default "<line> to <other>"
+};
+
 struct Output {
   std::string file;             // absolute path of the .h5; default <case>.h5 beside the case
   double every = 0;             // s between fields; 0: 100 outputs a run
   double checkpoint_every = 0;  // s; 0: with every field output
   bool xdmf = true;
   std::vector<HistoryPoint> histories;
+  ClashOutput clashes;
+  std::vector<Clearance> clearances;
 };
 
 struct Case {

@@ -15,6 +15,7 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
+#include "hawser/terms/touch.hpp"
 
 namespace hawser {
 
@@ -46,6 +47,8 @@ class BodyContactTerm final : public ForceTerm {
   std::array<Vec3, 2> force_on(int body, const Kinematics& at) const;
   // m, over the accepted steps, of the pairs this rank counts.
   double largest_penetration() const;
+  // Adds what touches in the accepted state, of those pairs; volumes are those of the case.
+  void touches(Touches& out) const;
 
  private:
   struct Side {
@@ -63,6 +66,7 @@ class BodyContactTerm final : public ForceTerm {
     double damping_power = 0, work_power = 0;  // W, at the start of the step
     double potential = 0, stiffness = 0;       // J, N/m of all that touches, in the committed state
     double depth = 0;                          // m, largest
+    Touch now;                                 // in the accepted state
   };
   struct Sum;
   BodyFrame frame(const Side& side, const Kinematics& at) const;

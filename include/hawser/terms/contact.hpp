@@ -13,6 +13,7 @@
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/bodies.hpp"
+#include "hawser/terms/touch.hpp"
 
 namespace hawser {
 
@@ -62,6 +63,12 @@ class Contact : public ForceTerm {
   virtual Penetration largest_penetration() const = 0;
   virtual int touching() const = 0;
   virtual int candidates() const = 0;
+  // Adds what touches in the accepted state, of what this rank counts; volumes are those of volume_name().
+  virtual void touches(Touches& out) const = 0;
+  int volumes() const { return static_cast<int>(volumes_.size()); }
+  const std::string& volume_name(int volume) const {
+    return volumes_[static_cast<size_t>(volume)].settings.name;
+  }
 
  protected:
   // std::invalid_argument when a volume has no surface, no such body or no stiffness.

@@ -45,6 +45,7 @@ class LineContact final : public Contact {
   int candidates() const override { return static_cast<int>(pairs_.size()); }
   // Pairs of an element and a volume that touch.
   int touching() const override;
+  void touches(Touches& out) const override;
 
  private:
   // A Gauss point, forces per length. Kept while it touches.

@@ -12,6 +12,7 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/line_candidates.hpp"
 #include "hawser/terms/line_contact.hpp"
+#include "hawser/terms/touch.hpp"
 
 namespace hawser {
 
@@ -24,6 +25,10 @@ struct LinePairOptions {
   std::vector<double> automatic;
   CandidateSettings candidates;
 };
+
+// Largest penetration, m: of the parabola through the deepest Gauss point and two beside it; 0 without
+// points.
+double deepest_of(const std::vector<LinePairHistory>& points);
 
 class LinePairs final : public ForceTerm {
  public:
@@ -64,6 +69,8 @@ class LinePairs final : public ForceTerm {
   // Sum of the normal forces of those pairs, N, and of the sizes of their friction forces.
   double normal_force() const;
   double friction_force() const;
+  // Adds what touches in the accepted state, of those pairs.
+  void touches(Touches& out) const;
 
  private:
   // Slave and part: first with second's element, its first end, its second end; then second with first's.

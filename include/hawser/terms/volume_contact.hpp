@@ -46,6 +46,7 @@ class VolumeContact final : public Contact {
   Penetration largest_penetration() const override;
   int candidates() const override { return static_cast<int>(pairs_.size()); }
   int touching() const override;
+  void touches(Touches& out) const override;
 
   // Force of one volume on one candidate pair's node, space axes: K = -df/dx, C = -df/dv. In statics (step 0)
   // velocities don't count.
@@ -98,6 +99,7 @@ class VolumeContact final : public Contact {
   Vec3 line_tangent(const Kinematics& at, int node) const;
   void account(const Pair& pair, const History& next, const Vec3& y);
 
+  const Mesh& mesh_;
   NodeContact model_;
   bool exact_ = false;  // the multipliers are the force
   double allowed_;      // m, penetration that multipliers leave; 0: a share of the radius

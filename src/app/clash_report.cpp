@@ -1,0 +1,172 @@
+#include "hawser/app/clash_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/terms/body_contact.hpp"
+
+namespace hawser::app {
+namespace {
+
+constexpr int kMostSteps = 256;  // kept by each rank
+constexpr double kMergeDiameters = 4;
+constexpr size_t kTouch = 11;
+
+ClashSettings settings_of(const model::Case& c) {
+  const model::ClashOutput& o = c.output.clashes;
+  ClashSettings s;
+  s.merge_gap = o.merge_gap;
+  for (const model::Line& line : c.lines) {
+    double diameter = 0;
+    for (const model::Section& section : line.sections)
+      diameter = std::max(diameter, c.line_type(section.type).contact_diameter);
+    s.merge_length.push_back(o.merge_length > 0 ? o.merge_length : kMergeDiameters * diameter);
+  }
+  return s;
+}
+
+void put(std::vector<double>& to, const Touch& t) {
+  for (const int i : {t.line, t.other_line, t.volume, t.other_volume}) to.push_back(i);
+  to.insert(to.end(), {t.from, t.to, t.other_from, t.other_to, t.force, t.energy, t.depth});
+}
+
+Touch touch_at(const double* v) {
+  Touch t;
+  int* which[] = {&t.line, &t.other_line, &t.volume, &t.other_volume};
+  for (int* i : which) *i = static_cast<int>(*v++);
+  for (double* x : {&t.from, &t.to, &t.other_from, &t.other_to, &t.force, &t.energy, &t.depth}) *x = *v++;
+  return t;
+}
+
+}  // namespace
+
+bool ClashReport::wanted(Simulation& s) {
+  return s.model().output.clashes.enabled && (s.contact() || s.line_pairs() || s.body_contact());
+}
+
+ClashReport::ClashReport(MPI_Comm comm, Simulation& simulation)
+    : comm_(comm), sim_(simulation), settings_(settings_of(simulation.model())), log_(settings_) {
+  MPI_Comm_rank(comm, &rank_);
+  const auto& volumes = sim_.model().volumes;
+  for (int v = 0; sim_.contact() && v < sim_.contact()->volumes(); ++v) {
+    const auto at = std::find_if(volumes.begin(), volumes.end(), [&](const model::Volume& o) {
+      return o.name == sim_.contact()->volume_name(v);
+    });
+    volumes_.push_back(static_cast<int>(at - volumes.begin()));
+  }
+}
+
+void ClashReport::step(double time) {
+  Touches touches;
+  if (sim_.contact()) sim_.contact()->touches(touches);
+  for (Touch& t : touches) t.volume = volumes_[static_cast<size_t>(t.volume)];
+  if (sim_.line_pairs()) sim_.line_pairs()->touches(touches);
+  if (sim_.body_contact()) sim_.body_contact()->touches(touches);
+  touches = put_together(std::move(touches), settings_.merge_length);
+  steps_.insert(steps_.end(), {time, static_cast<double>(touches.size())});
+  for (const Touch& t : touches) put(steps_, t);
+  if (++waiting_ >= kMostSteps) collect();
+}
+
+void ClashReport::collect() {
+  int size = 1;
+  MPI_Comm_size(comm_, &size);
+  std::vector<int> counts(static_cast<size_t>(size), 0), starts(static_cast<size_t>(size) + 1, 0);
+  const int n = static_cast<int>(steps_.size());
+  MPI_Gather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm_);
+  for (size_t r = 0; r < counts.size(); ++r) starts[r + 1] = starts[r] + counts[r];
+  std::vector<double> all(rank_ == 0 ? static_cast<size_t>(starts.back()) : 0);
+  MPI_Gatherv(steps_.data(), n, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, 0, comm_);
+  steps_.clear();
+  const int steps = std::exchange(waiting_, 0);
+  if (rank_ > 0) return;
+  std::vector<size_t> at(starts.begin(), starts.end() - 1);
+  for (int k = 0; k < steps; ++k) {
+    Touches touches;
+    double time = 0;
+    for (size_t& a : at) {
+      time = all[a];
+      const size_t touching = static_cast<size_t>(all[a + 1]);
+      a += 2;
+      for (size_t i = 0; i < touching; ++i, a += kTouch) touches.push_back(touch_at(all.data() + a));
+    }
+    log_.step(time, put_together(std::move(touches), settings_.merge_length));
+  }
+}
+
+io::ClashTables ClashReport::take() {
+  collect();
+  return {log_.take_ended(), log_.open()};
+}
+
+// A record belongs to a node of the rank that gives it; rank 0 need not own any.
+std::vector<HistoryRecord> ClashReport::save() {
+  collect();
+  std::vector<double> values;
+  if (rank_ == 0) values = log_.save();
+  int n = static_cast<int>(values.size());
+  MPI_Bcast(&n, 1, MPI_INT, 0, comm_);
+  values.resize(static_cast<size_t>(n));
+  MPI_Bcast(values.data(), n, MPI_DOUBLE, 0, comm_);
+  const int first = sim_.local().find(0);
+  if (first < 0 || first >= sim_.local().owned) return {};
+  return {{0, 0, std::move(values)}};
+}
+
+void ClashReport::restore(const std::vector<HistoryRecord>& records) {
+  int size = 1;
+  MPI_Comm_size(comm_, &size);
+  int n = records.empty() ? -1 : static_cast<int>(records.front().values.size());
+  std::vector<int> counts(static_cast<size_t>(size));
+  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
+  for (int r = 0; r < size; ++r) {
+    const int count = counts[static_cast<size_t>(r)];
+    if (count < 0) continue;
+    std::vector<double> values(static_cast<size_t>(count));
+    if (r == rank_) values = records.front().values;
+    MPI_Bcast(values.data(), count, MPI_DOUBLE, r, comm_);
+    if (rank_ == 0) log_.restore(values);
+    return;
+  }
+}
+
+std::string ClashReport::table() const {
+  const model::Case& c = sim_.model();
+  const auto rows = log_.largest(static_cast<size_t>(c.output.clashes.rows));
+  if (log_.count() == 0) return "";
+  const auto open = log_.open();
+  std::string text = fmt::format("clashes: {}, of which {} still touch{}", log_.count(), open.size(),
+                                 static_cast<long long>(rows.size()) < log_.count()
+                                     ? fmt::format("; the {} with the largest forces:\n", rows.size())
+                                     : ":\n");
+  if (rows.empty()) return text;
+  const auto name = [&](const io::ClashRow& r) {
+    const auto line = [&](int l) { return c.lines[static_cast<size_t>(l)].name; };
+    const auto volume = [&](int v) { return c.volumes[static_cast<size_t>(v)].name; };
+    if (r.line < 0) return volume(r.volume) + " / " + volume(r.other_volume);
+    if (r.other_line < 0) return line(r.line) + " / " + volume(r.volume);
+    return line(r.line) + " / " + (r.other_line == r.line ? "itself" : line(r.other_line));
+  };
+  const auto arcs = [](bool there, double from, double to) {
+    return there ? fmt::format("{:.2f}-{:.2f}", from, to) : "";
+  };
+  text += fmt::format("{:<28} {:>9} {:>9} {:>16} {:>16} {:>11} {:>13} {:>11} {:>11}\n", "pair", "start [s]",
+                      "end [s]", "arc [m]", "other's [m]", "peak [N]", "impulse [N s]", "energy [J]",
+                      "depth [m]");
+  for (const io::ClashRow& r : rows) {
+    const bool still = std::any_of(open.begin(), open.end(), [&](const io::ClashRow& o) {
+      return o.line == r.line && o.other_line == r.other_line && o.volume == r.volume &&
+             o.other_volume == r.other_volume && o.start == r.start && o.from == r.from;
+    });
+    text += fmt::format("{:<28} {:>9.3f} {:>9} {:>16} {:>16} {:>11.4g} {:>13.4g} {:>11.3g} {:>11.3g}\n",
+                        name(r), r.start, still ? "touches" : fmt::format("{:.3f}", r.end),
+                        arcs(r.line >= 0, r.from, r.to), arcs(r.other_line >= 0, r.other_from, r.other_to),
+                        r.peak_force, r.impulse, r.peak_energy, r.penetration);
+  }
+  return text;
+}
+
+}  // namespace hawser::app

@@ -1,0 +1,252 @@
+#include "hawser/app/clearances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "hawser/kernels/line_contact.hpp"
+
+namespace hawser::app {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kResolution = 1e-3;  // of the radii: places on bent lines nearer in distance are one
+constexpr size_t kAxis = 13;          // doubles of an element on its way to other ranks
+
+}  // namespace
+
+Clearances::Clearances(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                       std::vector<std::shared_ptr<const Surface>> surfaces)
+    : comm_(comm), case_(c), mesh_(mesh), surfaces_(std::move(surfaces)), seen_(c.output.clearances.size()) {}
+
+std::vector<io::ResultSeries> Clearances::series() const {
+  std::vector<io::ResultSeries> out;
+  for (const model::Clearance& k : case_.output.clearances) {
+    io::ResultSeries s{k.name, {{"clearance", "m", 1}, {"arc_length", "m", 1}}};
+    if (k.volume.empty())
+      s.columns.push_back({"other_arc_length", "m", 1});
+    else
+      s.columns.push_back({"point", "m", 3});
+    out.push_back(std::move(s));
+  }
+  return out;
+}
+
+double Clearances::arc(int element, double xi) const {
+  const Element& e = mesh_.mesh->elements[static_cast<size_t>(element)];
+  const double a = mesh_.mesh->nodes[static_cast<size_t>(e.first)].arc,
+               b = mesh_.mesh->nodes[static_cast<size_t>(e.second)].arc;
+  return a + xi * (b - a);
+}
+
+// What this rank counts of a line.
+std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) const {
+  std::vector<Shaped> out;
+  for (const LocalElement& local : mesh_.elements) {
+    const Element& e = mesh_.mesh->elements[static_cast<size_t>(local.global)];
+    if (e.line != line || !local.counted) continue;
+    const size_t i = static_cast<size_t>(local.first), j = static_cast<size_t>(local.second);
+    const double radius = 0.5 * case_.line_types[static_cast<size_t>(e.type)].contact_diameter;
+    out.push_back({local.global, radius,
+                   e.beam ? BezierAxis::beam(at.x[i], at.q[i] * Vec3::UnitX(), at.x[j],
+                                             at.q[j] * Vec3::UnitX(), e.length)
+                          : BezierAxis::straight(at.x[i], at.x[j])});
+  }
+  std::sort(out.begin(), out.end(), [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
+  return out;
+}
+
+void Clearances::Tree::build() {
+  parts.clear();
+  if (!elements.empty()) split(0, static_cast<int>(elements.size()));
+}
+
+int Clearances::Tree::split(int first, int count) {
+  const int here = static_cast<int>(parts.size());
+  parts.emplace_back();
+  Part p;
+  p.first = first, p.count = count;
+  if (count == 1) {
+    const Shaped& e = elements[static_cast<size_t>(first)];
+    p.box = e.axis.box(), p.radius = e.radius;
+  } else {
+    p.left = split(first, count / 2), p.right = split(first + count / 2, count - count / 2);
+    for (const int child : {p.left, p.right}) {
+      const Part& c = parts[static_cast<size_t>(child)];
+      p.box.add(c.box), p.radius = std::max(p.radius, c.radius);
+    }
+  }
+  parts[static_cast<size_t>(here)] = p;
+  return here;
+}
+
+// Of all ranks: a step of a line costs far more than to send where it is.
+Clearances::Tree Clearances::everybodys(int line, const Kinematics& at) const {
+  Tree tree;
+  tree.elements = own(line, at);
+  int size = 1;
+  MPI_Comm_size(comm_, &size);
+  if (size > 1) {
+    std::vector<double> mine;
+    for (const Shaped& s : tree.elements) {
+      mine.push_back(s.element);
+      for (const Vec3& p : s.axis.b) mine.insert(mine.end(), p.begin(), p.end());
+    }
+    std::vector<int> counts(static_cast<size_t>(size)), starts(static_cast<size_t>(size) + 1, 0);
+    const int n = static_cast<int>(mine.size());
+    MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
+    for (size_t r = 0; r < counts.size(); ++r) starts[r + 1] = starts[r] + counts[r];
+    std::vector<double> all(static_cast<size_t>(starts.back()));
+    MPI_Allgatherv(mine.data(), n, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm_);
+    tree.elements.clear();
+    for (size_t i = 0; i < all.size(); i += kAxis) {
+      Shaped s;
+      s.element = static_cast<int>(all[i]);
+      const Element& e = mesh_.mesh->elements[static_cast<size_t>(s.element)];
+      s.radius = 0.5 * case_.line_types[static_cast<size_t>(e.type)].contact_diameter;
+      for (size_t k = 0; k < 4; ++k) s.axis.b[k] = Eigen::Map<const Vec3>(all.data() + i + 1 + 3 * k);
+      tree.elements.push_back(s);
+    }
+    std::sort(tree.elements.begin(), tree.elements.end(),
+              [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
+  }
+  tree.build();
+  return tree;
+}
+
+Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
+  Best best;
+  best.clearance = kFar;
+  if (a.parts.empty() || b.parts.empty()) return best;
+  struct Pair {
+    int a, b;
+    double least;
+  };
+  const auto make = [&](int i, int j) {
+    const auto &p = a.parts[static_cast<size_t>(i)], &q = b.parts[static_cast<size_t>(j)];
+    return Pair{i, j, distance(p.box, q.box) - p.radius - q.radius};
+  };
+  std::vector<Pair> stack{make(0, 0)};
+  while (!stack.empty()) {
+    const Pair w = stack.back();
+    stack.pop_back();
+    if (!(w.least < best.clearance)) continue;
+    const auto &p = a.parts[static_cast<size_t>(w.a)], &q = b.parts[static_cast<size_t>(w.b)];
+    if (p.count == 1 && q.count == 1) {
+      const Shaped &x = a.elements[static_cast<size_t>(p.first)],
+                   &y = b.elements[static_cast<size_t>(q.first)];
+      const double radii = x.radius + y.radius;
+      const auto near = nearest_of(x.axis, y.axis, best.clearance + radii, kResolution * radii);
+      if (!near) continue;
+      best.clearance = near->distance - radii;
+      best.arc = arc(x.element, near->xi);
+      best.there = Vec3(arc(y.element, near->eta), 0, 0);
+      continue;
+    }
+    const bool first = p.count >= q.count;
+    std::array<Pair, 2> next = first ? std::array<Pair, 2>{make(p.left, w.b), make(p.right, w.b)}
+                                     : std::array<Pair, 2>{make(w.a, q.left), make(w.a, q.right)};
+    if (next[0].least < next[1].least) std::swap(next[0], next[1]);  // the nearer one is looked at first
+    for (const Pair& n : next)
+      if (n.least < best.clearance) stack.push_back(n);
+  }
+  return best;
+}
+
+Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, const Surface& surface,
+                                       const io::BodyPose& pose, std::vector<Seen>& seen) const {
+  Best best;
+  best.clearance = kFar;
+  seen.resize(elements.size());
+  const Box box = surface.bounds();
+  const Quat back = pose.rotation.conjugate();
+  std::vector<BezierAxis> axes;
+  std::vector<std::pair<double, size_t>> order;  // least clearance, element
+  for (size_t i = 0; i < elements.size(); ++i) {
+    BezierAxis& axis = axes.emplace_back(elements[i].axis);
+    double moved = 0;
+    for (size_t k = 0; k < 4; ++k) {
+      axis.b[k] = back * (axis.b[k] - pose.position);
+      if (seen[i].known) moved = std::max(moved, (axis.b[k] - seen[i].axis.b[k]).norm());
+    }
+    double least = seen[i].known ? seen[i].least - moved : -kFar;
+    if (const double outside = distance(box, axis.box()); outside > 0) least = std::max(least, outside);
+    order.emplace_back(least - elements[i].radius, i);
+  }
+  std::sort(order.begin(), order.end());
+  int hint = -1;
+  for (const auto& [least, i] : order) {
+    if (!(least < best.clearance)) break;
+    const Shaped& e = elements[i];
+    const DistanceField field = [&](const Vec3& y, double within, Vec3& normal) -> std::optional<double> {
+      const auto p = surface.query(y, within, hint);
+      if (!p) return std::nullopt;
+      hint = p->triangle, normal = p->normal;
+      return p->distance;
+    };
+    const double length = mesh_.mesh->elements[static_cast<size_t>(e.element)].length;
+    const double within = best.clearance + e.radius;
+    const auto near = nearest_to(field, axes[i], within, contact_levels(length, e.radius));
+    // A piece more is not excluded between the places looked at.
+    const double piece = axes[i].reach() / (1 << contact_levels(length, e.radius));
+    const double nothing_below = near ? near->distance : within;
+    seen[i] = {axes[i], nothing_below - piece, std::isfinite(nothing_below)};
+    if (!near) continue;
+    best.clearance = near->distance - e.radius;
+    best.arc = arc(e.element, near->xi);
+    const auto p = surface.query(axes[i].point(near->xi), near->distance + e.radius, hint);
+    if (p) best.there = pose.position + pose.rotation * p->point;
+  }
+  return best;
+}
+
+std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
+                                                  const std::vector<io::BodyPose>& poses) {
+  const auto& wanted = case_.output.clearances;
+  struct Ranked {
+    double value;
+    int rank;
+  };
+  int rank = 0;
+  MPI_Comm_rank(comm_, &rank);
+  std::vector<Best> mine;
+  std::map<int, Tree> trees;  // of lines that others are near to
+  for (size_t k = 0; k < wanted.size(); ++k) {
+    const model::Clearance& w = wanted[k];
+    const int line = case_.line_index(w.line);
+    if (w.volume.empty()) {
+      const int other = case_.line_index(w.other_line);
+      if (!trees.count(other)) trees[other] = everybodys(other, at);
+      Tree a;
+      a.elements = own(line, at);
+      a.build();
+      mine.push_back(to_line(a, trees[other]));
+      continue;
+    }
+    size_t v = 0;
+    while (case_.volumes[v].name != w.volume) ++v;
+    const int body = case_.body_index(case_.volumes[v].body);
+    mine.push_back(to_volume(own(line, at), *surfaces_[v],
+                             body < 0 ? io::BodyPose{} : poses[static_cast<size_t>(body)], seen_[k]));
+  }
+  std::vector<Ranked> ranked;
+  for (const Best& b : mine) ranked.push_back({b.clearance, rank});
+  const int n = static_cast<int>(mine.size());
+  MPI_Allreduce(MPI_IN_PLACE, ranked.data(), n, MPI_DOUBLE_INT, MPI_MINLOC, comm_);
+  std::vector<double> told(4 * mine.size(), 0), heard = told;
+  for (size_t k = 0; k < mine.size(); ++k)
+    if (ranked[k].rank == rank) {
+      told[4 * k] = mine[k].arc;
+      for (size_t c = 0; c < 3; ++c) told[4 * k + 1 + c] = mine[k].there[static_cast<Eigen::Index>(c)];
+    }
+  MPI_Reduce(told.data(), heard.data(), 4 * n, MPI_DOUBLE, MPI_SUM, 0, comm_);
+  std::vector<std::vector<double>> out(mine.size());
+  for (size_t k = 0; k < out.size() && rank == 0; ++k) {
+    out[k] = {ranked[k].value, heard[4 * k], heard[4 * k + 1]};
+    if (!wanted[k].volume.empty()) out[k].insert(out[k].end(), {heard[4 * k + 2], heard[4 * k + 3]});
+  }
+  return out;
+}
+
+}  // namespace hawser::app

@@ -1,0 +1,190 @@
+#include "hawser/kernels/axis_clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "hawser/geometry/segment_distance.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr int kMostIterations = 30, kMostHalvings = 8, kMostLevels = 20;
+
+// A piece of an axis: where it begins, how much of the whole it is.
+struct Piece {
+  BezierAxis axis;
+  double from = 0, share = 1;
+  double sagitta = 0;
+};
+
+Piece whole(const BezierAxis& a) { return {a, 0, 1, a.sagitta()}; }
+
+std::array<Piece, 2> halved(const Piece& p) {
+  const auto h = p.axis.halves();
+  const double half = 0.5 * p.share;
+  return {Piece{h[0], p.from, half, h[0].sagitta()}, Piece{h[1], p.from + half, half, h[1].sagitta()}};
+}
+
+// Newton's method for the nearest points in the unit square, downhill only.
+AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
+  Vec3 r = a.point(at.xi) - b.point(at.eta);
+  double size = r.squaredNorm();
+  for (int i = 0; i < kMostIterations; ++i) {
+    const Vec3 a1 = a.slope(at.xi), b1 = b.slope(at.eta);
+    double g = r.dot(a1), h = -r.dot(b1);
+    double gg = a1.squaredNorm() + r.dot(a.bend(at.xi)), hh = b1.squaredNorm() - r.dot(b.bend(at.eta)),
+           gh = -a1.dot(b1);
+    // At a side of the square that it would leave, along the side.
+    const bool no_xi = (at.xi <= 0 && g > 0) || (at.xi >= 1 && g < 0);
+    const bool no_eta = (at.eta <= 0 && h > 0) || (at.eta >= 1 && h < 0);
+    if (no_xi) g = 0, gg = 1, gh = 0;
+    if (no_eta) h = 0, hh = 1, gh = 0;
+    const double scale = std::max(a1.squaredNorm(), b1.squaredNorm());
+    if (!(gg > 1e-12 * scale) || !(hh > 1e-12 * scale) || !(gg * hh - gh * gh > 1e-12 * gg * hh)) {
+      // Not convex here, or parallel: the slopes alone, a little stiffer.
+      gg = no_xi ? 1 : a1.squaredNorm() + 1e-9 * scale, hh = no_eta ? 1 : b1.squaredNorm() + 1e-9 * scale;
+      gh = no_xi || no_eta ? 0 : -a1.dot(b1);
+    }
+    const double det = gg * hh - gh * gh;
+    if (!(det > 0)) break;
+    const double dx = -(hh * g - gh * h) / det, dy = -(gg * h - gh * g) / det;
+    bool taken = false;
+    double moved = 0, factor = 1;
+    for (int k = 0; k < kMostHalvings && !taken; ++k, factor *= 0.5) {
+      const double xi = std::clamp(at.xi + factor * dx, 0.0, 1.0),
+                   eta = std::clamp(at.eta + factor * dy, 0.0, 1.0);
+      const Vec3 next = a.point(xi) - b.point(eta);
+      if (!(next.squaredNorm() < size)) continue;
+      moved = std::max(std::abs(xi - at.xi), std::abs(eta - at.eta));
+      at.xi = xi, at.eta = eta, r = next, size = next.squaredNorm();
+      taken = true;
+    }
+    if (!taken || moved < 1e-15) break;
+  }
+  at.distance = std::sqrt(size);
+  return at;
+}
+
+}  // namespace
+
+Vec3 BezierAxis::point(double z) const {
+  const double y = 1 - z;
+  return y * y * y * b[0] + 3 * z * y * y * b[1] + 3 * z * z * y * b[2] + z * z * z * b[3];
+}
+Vec3 BezierAxis::slope(double z) const {
+  const double y = 1 - z;
+  return 3 * (y * y * (b[1] - b[0]) + 2 * y * z * (b[2] - b[1]) + z * z * (b[3] - b[2]));
+}
+Vec3 BezierAxis::bend(double z) const {
+  return 6 * ((1 - z) * (b[2] - 2 * b[1] + b[0]) + z * (b[3] - 2 * b[2] + b[1]));
+}
+double BezierAxis::reach() const {
+  return 3 * std::max({(b[1] - b[0]).norm(), (b[2] - b[1]).norm(), (b[3] - b[2]).norm()});
+}
+// The two inner Bernstein polynomials never sum to more than 3/4.
+double BezierAxis::sagitta() const {
+  return 0.75 * std::max((b[1] - (2 * b[0] + b[3]) / 3).norm(), (b[2] - (b[0] + 2 * b[3]) / 3).norm());
+}
+Box BezierAxis::box() const {
+  Box out;
+  for (const Vec3& p : b) out.add(p);
+  return out;
+}
+std::array<BezierAxis, 2> BezierAxis::halves() const {
+  const Vec3 p = 0.5 * (b[0] + b[1]), q = 0.5 * (b[1] + b[2]), r = 0.5 * (b[2] + b[3]);
+  const Vec3 pq = 0.5 * (p + q), qr = 0.5 * (q + r), m = 0.5 * (pq + qr);
+  return {BezierAxis{{b[0], p, pq, m}}, BezierAxis{{m, qr, r, b[3]}}};
+}
+
+std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b, double within,
+                                       double resolution) {
+  AxisApproach best;
+  best.distance = within;
+  bool found = false;
+  struct Work {
+    Piece a, b;
+    double least;  // a lower bound of their distance
+    SegmentPair chords;
+    int level;
+  };
+  const auto make = [](const Piece& p, const Piece& q, int level) {
+    Work w{p, q, 0, closest_points_of_segments(p.axis.b[0], p.axis.b[3], q.axis.b[0], q.axis.b[3]), level};
+    w.least = w.chords.distance - p.sagitta - q.sagitta;
+    return w;
+  };
+  std::vector<Work> stack{make(whole(a), whole(b), 0)};
+  while (!stack.empty()) {
+    const Work w = stack.back();
+    stack.pop_back();
+    if (!(w.least < best.distance)) continue;
+    if (w.a.sagitta + w.b.sagitta <= resolution || w.level >= kMostLevels) {
+      AxisApproach start;
+      start.xi = w.a.from + w.chords.s * w.a.share, start.eta = w.b.from + w.chords.t * w.b.share;
+      const AxisApproach there = polish(a, b, start);
+      if (there.distance < best.distance) best = there, found = true;
+      continue;
+    }
+    const bool first = w.a.sagitta >= w.b.sagitta;
+    std::array<Work, 2> next = first ? [&] {
+      const auto h = halved(w.a);
+      return std::array<Work, 2>{make(h[0], w.b, w.level + 1), make(h[1], w.b, w.level + 1)};
+    }()
+                                     : [&] {
+      const auto h = halved(w.b);
+      return std::array<Work, 2>{make(w.a, h[0], w.level + 1), make(w.a, h[1], w.level + 1)};
+    }();
+    // The nearer one is looked at first.
+    if (next[0].least < next[1].least) std::swap(next[0], next[1]);
+    for (const Work& n : next)
+      if (n.least < best.distance) stack.push_back(n);
+  }
+  if (!found) return std::nullopt;
+  return best;
+}
+
+std::optional<AxisToSurface> nearest_to(const DistanceField& field, const BezierAxis& axis, double within,
+                                        int levels) {
+  struct Place {
+    double xi = 0, distance = 0, slope = 0;
+    bool known = false;
+  };
+  const int pieces = 1 << levels;
+  const double piece = axis.reach() / pieces;
+  AxisToSurface best;
+  best.distance = within;
+  bool found = false;
+  const auto look = [&](double xi) {
+    Place p;
+    p.xi = xi;
+    Vec3 normal;
+    // A place further away than this has nothing nearer than the best in the pieces beside it.
+    if (const auto d = field(axis.point(xi), best.distance + piece, normal)) {
+      p.distance = *d, p.slope = normal.dot(axis.slope(xi)), p.known = true;
+      if (p.distance < best.distance) best.distance = p.distance, best.xi = xi, found = true;
+    }
+    return p;
+  };
+  Place last = look(0);
+  for (int k = 1; k <= pieces; ++k) {
+    const Place next = look(static_cast<double>(k) / pieces);
+    Place lo = last, hi = next;
+    last = next;
+    if (!lo.known || !hi.known || !(lo.slope < 0) || !(hi.slope > 0)) continue;
+    if (0.5 * (lo.distance + hi.distance - piece) >= best.distance) continue;
+    // The root of the slope, by halves and false position in turn.
+    for (int i = 0; i < 60 && hi.xi - lo.xi > 1e-14; ++i) {
+      double xi = 0.5 * (lo.xi + hi.xi);
+      if (i % 2 == 0) xi = lo.xi - lo.slope * (hi.xi - lo.xi) / (hi.slope - lo.slope);
+      if (!(xi > lo.xi && xi < hi.xi)) break;
+      const Place middle = look(xi);
+      if (!middle.known) break;
+      (middle.slope < 0 ? lo : hi) = middle;
+      if (std::abs(middle.slope) * (hi.xi - lo.xi) < 1e-15 * (1 + std::abs(middle.distance))) break;
+    }
+  }
+  if (!found) return std::nullopt;
+  return best;
+}
+
+}  // namespace hawser
