@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+
 #include "hawser/base/error.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/geometry/primitives.hpp"
+#include "hawser/geometry/tested_surface.hpp"
 #include "hawser/io/mesh_reader.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_pairs.hpp"
@@ -12,6 +16,23 @@
 
 namespace hawser::app {
 namespace {
+
+std::optional<SignBy> sign_by(model::SignTest sign) {
+  switch (sign) {
+    case model::SignTest::winding:
+      return SignBy::winding;
+    case model::SignTest::tetrahedra:
+      return SignBy::tetrahedra;
+    case model::SignTest::ray:
+      return SignBy::ray;
+    case model::SignTest::solid_angle:
+      return SignBy::solid_angle;
+    case model::SignTest::automatic:
+    case model::SignTest::pseudonormal:
+      break;
+  }
+  return std::nullopt;
+}
 
 LoadedVolume load_mesh(const model::Volume& v) {
   io::LoadedMesh loaded = io::read_mesh(v.mesh, v.scale, v.closed);
@@ -34,6 +55,14 @@ LoadedVolume load_mesh(const model::Volume& v) {
                             surface->curved(), surface->bulge(), surface->sharp_edges());
   }
   l.surface = surface;
+  if (const auto by = sign_by(v.sign)) {
+    const bool partial = std::find(l.active.begin(), l.active.end(), false) != l.active.end();
+    l.surface = std::make_shared<TestedSurface>(surface, *by, partial);
+    if (*by != SignBy::winding)
+      l.notes.push_back(fmt::format(
+          "volume {}: inside is told by a test of all {} triangles each time; `sign: automatic` is quicker",
+          v.name, surface->mesh().triangles.size()));
+  }
   l.facets = {surface, &surface->mesh()};
   return l;
 }

@@ -145,7 +145,12 @@ class Reader {
       o.mesh = source_.absolute(v["mesh"].text);
       o.scale = v["scale"].number;
       o.closed = v["closed"].text == "required";
-      o.smooth = v["smooth"].number != 0;
+      o.sign = read_sign(v["sign"].text);
+      o.smooth = v["smooth"].number != 0 &&
+                 (o.sign == model::SignTest::automatic || o.sign == model::SignTest::pseudonormal);
+      if (!o.smooth && v["smooth"].number != 0 && v["smooth"].given)
+        source_.bad(v["smooth"], "volumes." + name + ".smooth",
+                    "with 'sign: " + v["sign"].text + "' facets are flat; say 'smooth: false' or nothing");
       o.crease_angle = v["crease_angle_deg"].number;
     }
     if (v.has("body")) o.body = v["body"].text;

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "hawser/base/error.hpp"
+#include "hawser/geometry/point_in_polyhedron.hpp"
 #include "hawser/io/mesh_reader.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
@@ -66,21 +67,23 @@ model::BetweenLines read_between_lines(const Value& v, const CaseSource& source)
     b.enabled = v.number != 0;
     return b;
   }
-  const auto settings = [](const Value& s) {
-    model::LinePairSettings o;
-    const Value& k = s["normal_stiffness"];
-    if (const Value* x = k.find("per_length"))
-      o.basis = model::StiffnessBasis::per_length, o.normal_stiffness = x->number;
-    if (const Value* x = k.find("per_area"))
-      o.basis = model::StiffnessBasis::per_area, o.normal_stiffness = x->number;
-    o.friction = s["friction"].number;
-    o.relative_damping = s["relative_damping"].number;
+  // What is not given is as in `o`: for a pair of lines what is said for all.
+  const auto settings = [](const Value& s, model::LinePairSettings o) {
+    if (const Value* k = s.find("normal_stiffness")) {
+      o.basis = model::StiffnessBasis::automatic, o.normal_stiffness = 0;
+      if (const Value* x = k->find("per_length"))
+        o.basis = model::StiffnessBasis::per_length, o.normal_stiffness = x->number;
+      if (const Value* x = k->find("per_area"))
+        o.basis = model::StiffnessBasis::per_area, o.normal_stiffness = x->number;
+    }
+    if (const Value* x = s.find("friction")) o.friction = x->number;
+    if (const Value* x = s.find("relative_damping")) o.relative_damping = x->number;
     if (const Value* x = s.find("mobilisation_length")) o.mobilisation_length = x->number;
     if (const Value* x = s.find("smoothing")) o.smoothing = x->number;
     return o;
   };
   b.self = v["self"].number != 0;
-  b.general = settings(v);
+  b.general = settings(v, {});
   for (const Value& e : v["exclude"].items) b.exclude.emplace_back(e.items[0].text, e.items[1].text);
   std::set<std::pair<std::string, std::string>> seen;
   for (std::size_t i = 0; i < v["pairs"].items.size(); ++i) {
@@ -89,7 +92,7 @@ model::BetweenLines read_between_lines(const Value& v, const CaseSource& source)
     if (!seen.insert(std::minmax(x, y)).second)
       source.bad(p, fmt::format("contact.between_lines.pairs[{}].lines", i),
                  fmt::format("lines {} and {} have settings already", model::quote(x), model::quote(y)));
-    b.pairs.push_back({x, y, settings(p)});
+    b.pairs.push_back({x, y, settings(p, b.general)});
   }
   return b;
 }
@@ -181,6 +184,43 @@ model::Friction read_friction(const Value& f, const std::string& key, const Case
   return o;
 }
 
+model::SignTest read_sign(const std::string& word) {
+  using enum model::SignTest;
+  return word == "pseudonormal"  ? pseudonormal
+         : word == "winding"     ? winding
+         : word == "tetrahedron" ? tetrahedra
+         : word == "ray"         ? ray
+         : word == "solid_angle" ? solid_angle
+                                 : automatic;
+}
+
+namespace {
+
+// Why a mesh is not fit for the test of points its volume asks for; empty: it is.
+std::string unfit(const LoadedMesh& loaded, model::SignTest sign) {
+  const MeshReport& r = loaded.report;
+  if (sign == model::SignTest::automatic || sign == model::SignTest::winding) return "";
+  if (loaded.open || !r.valid())
+    return fmt::format(
+        "needs a closed mesh whose triangles face outward, but this one has {} open edges, {} of more than "
+        "two "
+        "triangles and {} between triangles turned opposite ways; 'automatic' and 'winding' do without",
+        r.open_edges, r.non_manifold_edges, r.flipped_edges);
+  if (sign != model::SignTest::tetrahedra) return "";
+  if (r.components > 1)
+    return fmt::format(
+        "is for one convex body, but the mesh has {} pieces; give each a volume of its own, or use 'ray' or "
+        "'solid_angle'",
+        r.components);
+  // What the file's single precision may leave of a flat face.
+  if (!is_convex(loaded.mesh, 1e-5 * r.box.extent().maxCoeff()))
+    return "is for convex bodies, and this mesh is not convex; use 'ray' or 'solid_angle', or cut it into "
+           "convex parts";
+  return "";
+}
+
+}  // namespace
+
 void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
   constexpr double kHuge = 5000;  // m; no body at sea is as large, a mesh in mm taken for m is
   constexpr double kThin = 1e5;   // a volume this much larger than the thinnest line
@@ -208,6 +248,8 @@ void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
           fmt::format("the mesh is {:.4g} m large, {:.3g} times the contact diameter of the thinnest line "
                       "({:.4g} m); is it in other units than metres (scale is {:g})?",
                       size, size / thinnest, thinnest, v.scale));
+    if (const std::string why = unfit(loaded, v.sign); !why.empty())
+      source.bad(given["sign"], key + ".sign", "'" + given["sign"].text + "' " + why);
     try {
       active_triangles(loaded.mesh, v);
     } catch (const InputError& e) {

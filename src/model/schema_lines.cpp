@@ -4,9 +4,14 @@
 namespace hawser::model::schema_build {
 namespace {
 
-// How lines touch lines; `own`: keys of the pair it is about.
-std::vector<Key> line_pair_keys(std::vector<Key> own) {
-  own.push_back(
+// How lines touch lines; `own`: keys of the pair it is about, which takes what it does not say from the
+// settings for all.
+std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
+  const auto otherwise = [&](Key k, const char* literal, const char* note) {
+    if (of_a_pair) return std::move(k).or_else_note("as for all lines");
+    return literal ? std::move(k).or_else(literal) : std::move(k).or_else_note(note);
+  };
+  own.push_back(otherwise(
       one_of(
           "normal_stiffness",
           {word("", {"auto"}),
@@ -16,19 +21,21 @@ std::vector<Key> line_pair_keys(std::vector<Key> own) {
                     .above(0)},
                "")
                .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true)},
-          "penalty against penetration")
-          .or_else("auto"));
-  own.push_back(number("friction", none, "Coulomb coefficient").at_least(0).at_most(10).or_else("0"));
-  own.push_back(number("mobilisation_length", length, "slip at which friction is fully there")
-                    .above(0)
-                    .or_else_note("1 % of the mean contact diameter"));
-  own.push_back(number("smoothing", length, "half width of the smooth start of the contact force")
-                    .above(0)
-                    .or_else_note("0.1 % of the mean contact diameter"));
-  own.push_back(number("relative_damping", none, "damping of the contact spring over its critical damping")
+          "penalty against penetration"),
+      "auto", nullptr));
+  own.push_back(
+      otherwise(number("friction", none, "Coulomb coefficient").at_least(0).at_most(10), "0", nullptr));
+  own.push_back(
+      otherwise(number("mobilisation_length", length, "slip at which friction is fully there").above(0),
+                nullptr, "1 % of the mean contact diameter"));
+  own.push_back(
+      otherwise(number("smoothing", length, "half width of the smooth start of the contact force").above(0),
+                nullptr, "0.1 % of the mean contact diameter"));
+  own.push_back(
+      otherwise(number("relative_damping", none, "damping of the contact spring over its critical damping")
                     .at_least(0)
-                    .at_most(2)
-                    .or_else("0"));
+                    .at_most(2),
+                "0", nullptr));
   return own;
 }
 
@@ -45,8 +52,8 @@ Key between_lines() {
                          {boolean("self", "a line touches itself").or_else("true"),
                           list("exclude", two, "pairs of lines that do not touch each other").or_else("[]"),
                           list("pairs",
-                               map("", line_pair_keys({std::move(pair).is_required()}),
-                                   "settings of one pair of lines, in place of those for all"),
+                               map("", line_pair_keys({std::move(pair).is_required()}, true),
+                                   "settings of one pair of lines; what is not said is as for all"),
                                "pairs of lines with settings of their own")
                               .or_else("[]")}),
                      "")},

@@ -152,6 +152,12 @@ Key volumes() {
                        "and "
                        "take for inside where the winding number is above 1/2")
                       .or_else("repair"),
+                  word(
+                      "sign", {"automatic", "pseudonormal", "winding", "tetrahedron", "ray", "solid_angle"},
+                      "how inside is told from outside: `automatic` by pseudonormals, and by winding numbers "
+                      "where the mesh is not in order; the last three are those of OMAE2006-92155, look at "
+                      "every triangle each time and, as `winding`, leave the facets flat")
+                      .or_else("automatic"),
                   boolean(
                       "smooth",
                       "curve the facets of a mesh where they stand for a curved surface; with `false` they "
@@ -174,9 +180,10 @@ Key volumes() {
                       .or_else("0"),
                   friction()},
                  "")
-                 .either({{{"mesh", "scale", "closed", "smooth", "crease_angle_deg", "active"}, {"mesh"}},
-                          {{"shape"}, {"shape"}}},
-                         true),
+                 .either(
+                     {{{"mesh", "scale", "closed", "sign", "smooth", "crease_angle_deg", "active"}, {"mesh"}},
+                      {{"shape"}, {"shape"}}},
+                     true),
              "Volumes that lines must not enter, by name.")
       .or_else("{}");
 }

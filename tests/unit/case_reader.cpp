@@ -322,6 +322,82 @@ lines:
   EXPECT_NE(s.find("friction 0.5 along, 0.7 across at rest, 0.3 and 0.4 sliding"), std::string::npos) << s;
 }
 
+TEST(CaseReader, PairsOfLinesTakeWhatTheyDoNotSayFromAll) {
+  const Case c = read(std::string(kTypes) + R"(lines:
+  a: {sections: [{type: hose, length: 10, elements: 2}], end_a: {anchor: [0, 0, 0]}, end_b: {anchor: [9.9, 0, 0]}}
+  b: {sections: [{type: hose, length: 10, elements: 2}], end_a: {anchor: [0, 5, 0]}, end_b: {anchor: [9.9, 5, 0]}}
+contact:
+  between_lines:
+    normal_stiffness: {per_length: 5.0e6}
+    friction: 0.3
+    mobilisation_length: 0.02
+    smoothing: 0.001
+    relative_damping: 0.1
+    pairs:
+      - {lines: [a, b], friction: 0}
+      - {lines: [a, a], normal_stiffness: auto, relative_damping: 0.2}
+      - {lines: [b, b], normal_stiffness: {per_area: 1.0e8}, smoothing: 0.002, mobilisation_length: 0.03}
+)");
+  const model::LinePairSettings& all = c.contact.between_lines.general;
+  ASSERT_EQ(c.contact.between_lines.pairs.size(), 3U);
+  const auto of = [&](size_t i) { return c.contact.between_lines.pairs[i].settings; };
+  EXPECT_EQ(all.normal_stiffness, 5e6);
+  EXPECT_EQ(of(0).basis, model::StiffnessBasis::per_length);
+  EXPECT_EQ(of(0).normal_stiffness, 5e6);
+  EXPECT_EQ(of(0).friction, 0);
+  EXPECT_EQ(of(0).mobilisation_length, 0.02);
+  EXPECT_EQ(of(0).smoothing, 0.001);
+  EXPECT_EQ(of(0).relative_damping, 0.1);
+  EXPECT_EQ(of(1).basis, model::StiffnessBasis::automatic);
+  EXPECT_EQ(of(1).friction, 0.3);
+  EXPECT_EQ(of(1).relative_damping, 0.2);
+  EXPECT_EQ(of(2).basis, model::StiffnessBasis::per_area);
+  EXPECT_EQ(of(2).normal_stiffness, 1e8);
+  EXPECT_EQ(of(2).friction, 0.3);
+  EXPECT_EQ(of(2).mobilisation_length, 0.03);
+  EXPECT_EQ(of(2).smoothing, 0.002);
+}
+
+TEST(CaseReader, ClashesClearancesAndSigns) {
+  const std::string text = std::string(kTypes) + R"(volumes:
+  a: {mesh: box.obj, sign: tetrahedron}
+  b: {mesh: corner.obj, sign: solid_angle}
+  c: {mesh: open_box.obj, sign: winding, smooth: false}
+  d: {mesh: box.obj, sign: pseudonormal}
+  e: {mesh: box.obj}
+lines:
+  a: {sections: [{type: hose, length: 10, elements: 2}], end_a: {anchor: [0, 0, 0]}, end_b: {anchor: [9.9, 0, 0]}}
+  b: {sections: [{type: hose, length: 10, elements: 2}], end_a: {anchor: [0, 5, 0]}, end_b: {anchor: [9.9, 5, 0]}}
+)";
+  const Case plain = read(text);
+  using enum model::SignTest;
+  const model::SignTest signs[] = {tetrahedra, solid_angle, winding, pseudonormal, automatic};
+  for (size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(plain.volumes[i].sign, signs[i]);
+    EXPECT_EQ(plain.volumes[i].smooth, i > 2);  // the tests look at the facets
+  }
+  EXPECT_TRUE(plain.output.clashes.enabled);
+  EXPECT_EQ(plain.output.clashes.merge_gap, 0.1);
+  EXPECT_EQ(plain.output.clashes.merge_length, 0);
+  EXPECT_EQ(plain.output.clashes.rows, 20);
+  const Case c = read(text + R"(output:
+  clashes: {merge_gap: 50 ms, merge_length: 2, rows: 3}
+  clearances:
+    - {line: a, other_line: b}
+    - {line: b, volume: e, name: keel}
+)");
+  EXPECT_EQ(c.output.clashes.merge_gap, 0.05);
+  EXPECT_EQ(c.output.clashes.merge_length, 2);
+  EXPECT_EQ(c.output.clashes.rows, 3);
+  ASSERT_EQ(c.output.clearances.size(), 2U);
+  EXPECT_EQ(c.output.clearances[0].name, "a to b");
+  EXPECT_EQ(c.output.clearances[0].other_line, "b");
+  EXPECT_EQ(c.output.clearances[1].name, "keel");
+  EXPECT_EQ(c.output.clearances[1].volume, "e");
+  EXPECT_FALSE(read(text + "output: {clashes: false}
+").output.clashes.enabled);
+}
+
 TEST(CaseSummary, OfTheReel) {
   const std::string s = model::summary(io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml"));
   for (const char* part : {"Marlim Sul", "hose: 250 m, 250 elements, 251 nodes, 1506 unknowns",

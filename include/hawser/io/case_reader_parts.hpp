@@ -47,6 +47,9 @@ model::Environment read_environment(const model::Value& v, const CaseSource& sou
 void read_in_water(const model::Value& v, const std::string& key, const CaseSource& source,
                    model::LineType& t);
 
+// `sign` of a volume, a word of the schema.
+model::SignTest read_sign(const std::string& word);
+
 // Read every mesh, refuse what is no closed volume or has the wrong scale; repairs go to Case::notes.
 void check_meshes(const model::Value& root, const CaseSource& source, model::Case& c);
 

@@ -1,0 +1,79 @@
+// Meshes whose inside is told by the tests of points in polyhedra.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "hawser/geometry/tested_surface.hpp"
+#include "support/shapes.hpp"
+
+namespace {
+
+using namespace hawser;
+using namespace hawser::testing;
+
+// Near the surface, deep inside and far away, with and without a limit of distance.
+void compare(const TriangleMesh& mesh, SignBy test) {
+  const auto plain = std::make_shared<MeshSurface>(mesh);
+  const TestedSurface tested(plain, test);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(-0.3, 1.3);
+  const Box box = plain->bounds();
+  int inside = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 y = box.lo + Vec3(unit(random), unit(random), unit(random)).cwiseProduct(box.extent());
+    for (const double limit : {0.05, 100.0}) {
+      const auto a = plain->query(y, limit), b = tested.query(y, limit);
+      ASSERT_EQ(a.has_value(), b.has_value()) << y.transpose();
+      if (!a) continue;
+      inside += a->distance < 0;
+      EXPECT_EQ(a->distance, b->distance) << y.transpose();
+      EXPECT_EQ(a->normal, b->normal);
+      EXPECT_EQ(a->curvature, b->curvature);
+    }
+  }
+  EXPECT_GT(inside, 300);
+}
+
+TEST(TestedSurface, ConvexBodiesByAnyTest) {
+  for (const SignBy test : {SignBy::tetrahedra, SignBy::ray, SignBy::solid_angle, SignBy::winding}) {
+    compare(box_mesh(Vec3(-1, 0, 2), Vec3(3, 1, 4)), test);
+    compare(drum_mesh(24, 1, 3), test);
+  }
+}
+
+TEST(TestedSurface, BodiesThatAreNotConvex) {
+  for (const SignBy test : {SignBy::ray, SignBy::solid_angle, SignBy::winding})
+    for (const TriangleMesh& mesh : {l_prism_mesh(), u_channel_mesh(), hollow_cube_mesh()})
+      compare(mesh, test);
+}
+
+// An arm of an L is behind the plane of one of its faces, so the test of tetrahedra, which is not for such
+// bodies, takes it for outside; it is the test that decides.
+TEST(TestedSurface, TheTestDecides) {
+  const auto plain = std::make_shared<MeshSurface>(l_prism_mesh());
+  const TestedSurface tested(plain, SignBy::tetrahedra);
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const Box box = plain->bounds();
+  int other = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 y = box.lo + Vec3(unit(random), unit(random), unit(random)).cwiseProduct(box.extent());
+    const auto a = plain->query(y, 100), b = tested.query(y, 100);
+    ASSERT_TRUE(a && b);
+    EXPECT_EQ(std::abs(a->distance), std::abs(b->distance));
+    if ((a->distance < 0) == (b->distance < 0)) continue;
+    ++other;
+    EXPECT_EQ(a->normal, Vec3(-b->normal));
+  }
+  EXPECT_GT(other, 100);
+}
+
+TEST(TestedSurface, CurvedFacetsAreRefused) {
+  MeshSurfaceOptions smooth;
+  smooth.smooth = true;
+  EXPECT_THROW(
+      TestedSurface(std::make_shared<MeshSurface>(sphere_mesh(2), std::vector<bool>{}, smooth), SignBy::ray),
+      std::invalid_argument);
+}
+
+}  // namespace
