@@ -18,7 +18,7 @@ constexpr double kArmijo = 1e-4;
 constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at the start, and a stage on
 constexpr int kMostAugmentations = 100;
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
-constexpr int kCut = 10, kMostCut = 60;  // halvings of a step, by lines in its way; such steps in a row
+constexpr int kMostCut = 100;  // steps of a descent that lines in their way may cut short
 
 class Search {
  public:
@@ -100,7 +100,7 @@ class Search {
     system_.residual(state_.view(0), r_.get());
     ResidualNorms norms = system_.norms(r_.get());
     double energy = 0, shift = 1e-3;
-    int stuck = 0;
+    int cut = 0;
     for (int it = 0;; ++it, ++report.iterations) {
       if (prepare()) {  // contact candidates move with the line
         system_.residual(state_.view(0), r_.get());
@@ -134,16 +134,16 @@ class Search {
           norms = n, energy = e;
         }
       }
-      // Cut short by lines that would pass through each other again and again: there is no way on.
-      stuck = blocked && (!taken || halvings > kCut) ? stuck + 1 : 0;
-      if ((!taken && shift > 1e6) || stuck > kMostCut) {
+      // Cut short again and again by lines that would pass through each other: they come ever nearer, and
+      // there is no way on.
+      cut += blocked;
+      if ((!taken && shift > 1e6) || cut > kMostCut) {
         system_.residual(state_.view(0), r_.get());
         if (norms.small(100 * tolerance)) return;  // round-off of very stiff lines
-        throw SolveError(failure(
-            norms, blocked ? "lines would pass through each other even in the smallest step" : "no descent"));
+        throw SolveError(failure(norms, blocked ? "lines would pass through each other" : "no descent"));
       }
       shift = std::clamp(taken && halvings <= 1 && (full || close) ? 0.2 * shift
-                         : taken && (halvings <= 1 || blocked)     ? shift
+                         : taken && halvings <= 1                  ? shift
                                                                    : 4 * shift,
                          1e-9, 1e7);
       if (!taken) shift *= 10;

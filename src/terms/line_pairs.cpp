@@ -10,7 +10,10 @@ namespace hawser {
 namespace {
 
 // Lines must not come nearer than this part of the radii between two accepted states: their axes would cross.
-constexpr double kThrough = 0.25, kNoSide = 1e-9;
+constexpr double kThrough = 0.25;
+// In statics, where steps know nothing of forces that they have not met, they end at this part of the radii:
+// the next one knows. Axes nearer than the second cross.
+constexpr double kStaticDepth = 0.7, kNoSide = 1e-9;
 // A step may take a line this part of the radii deeper than to the surface.
 constexpr double kDeep = 0.5;
 // Steps in a period of the contact: least, and what automatic steps aim at.
@@ -191,9 +194,12 @@ bool LinePairs::passes(const Pair& p, const Kinematics& trial, const std::vector
       const MovingSegment B = piece(b0, b1, l, n);
       // Lines that lie deep in each other already may stay so.
       const double was = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
-      const double least = std::min(kThrough * p.law.reach, 0.5 * was);
-      // In statics axes may cross from the start: then no side is the right one.
-      if (!(trial.step > 0) && least < kNoSide * p.law.reach) continue;
+      double least = std::min(kThrough * p.law.reach, 0.5 * was);
+      if (!(trial.step > 0)) {
+        // Axes may cross from the start: then no side is the right one.
+        if (was < kNoSide * p.law.reach) continue;
+        least = std::min(kStaticDepth * p.law.reach, 0.9 * was);
+      }
       if (!(least > 0) || first_approach(A, B, least, 0.05 * least) <= 1) return true;
     }
   }

@@ -394,8 +394,7 @@ lines:
   EXPECT_EQ(c.output.clearances[0].other_line, "b");
   EXPECT_EQ(c.output.clearances[1].name, "keel");
   EXPECT_EQ(c.output.clearances[1].volume, "e");
-  EXPECT_FALSE(read(text + "output: {clashes: false}
-").output.clashes.enabled);
+  EXPECT_FALSE(read(text + "output: {clashes: false}\n").output.clashes.enabled);
 }
 
 TEST(CaseSummary, OfTheReel) {
