@@ -39,7 +39,7 @@ std::map<std::string, double> signature(const Simulation& simulation) {
 }  // namespace
 
 io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
-  const Dynamics& d = simulation.dynamics();
+  Dynamics& d = simulation.dynamics();
   const LocalMesh& m = simulation.local();
   AlphaState s = d.committed();
   io::Checkpoint c;
@@ -77,6 +77,14 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, simulation.system().comm());
   c.scalars["support_work"] = work;
   recorder.save(c);
+  // Which nodes the matrix couples depends on what was near in all the run so far, and the order of
+  // elimination on that. A run that goes on from here knows what is near now; so that it takes the same steps
+  // to the last bit, so does this one from here on.
+  if (LinePairs* between = simulation.line_pairs()) {
+    between->restore(c.records.at(std::string(between->name())));
+    simulation.system().forget_couplings();
+    d.prepare(d.control().wish());
+  }
   return c;
 }
 

@@ -35,8 +35,9 @@ Coupled System::couple(const Kinematics& committed, double h) {
   Couplings wanted;
   for (const auto& t : terms_) t->couple(wanted);
   wanted.sort();
-  const bool fits = all(comm_, wanted.within(couplings_));
+  const bool fits = all(comm_, wanted.within(couplings_) && !forgotten_);
   if (!fits) {
+    forgotten_ = false;
     couplings_ = std::move(wanted);
     coupled_ = !all(comm_, couplings_.pairs.empty());
     set_coupling_ghosts(mesh_, couplings_.nodes);

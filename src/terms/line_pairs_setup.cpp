@@ -202,6 +202,7 @@ void LinePairs::restore(const std::vector<HistoryRecord>& records) {
     throw std::invalid_argument("a record of line-line contact in the checkpoint does not fit");
   };
   pairs_.clear(), kept_.clear();
+  candidates_.forget();
   listed_ = false;
   accounts_.assign(accounts_.size(), {});
   deepest_ = {};

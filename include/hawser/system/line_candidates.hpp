@@ -76,6 +76,8 @@ class LineCandidates {
   void locate();
   // Local: whether the list holds for this motion of this rank's elements, so that no pair is missed in it.
   bool covers(const Kinematics& trial) const;
+  // update() will make the list anew, whether it holds or not.
+  void forget() { outdated_ = true; }
   // Whether it did not since the list was made: update() will make it anew.
   bool outdated() const { return outdated_; }
 

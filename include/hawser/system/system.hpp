@@ -57,6 +57,8 @@ class System {
   void spread(State& state) const;
   void spread(std::vector<Vec3>& values) const { exchange_.spread(values); }
   void spread(std::vector<Mat3>& values) const { exchange_.spread(values); }
+  // The next couple() makes the layout anew, as that of a run that begins there.
+  void forget_couplings() { forgotten_ = true; }
   // Whether any nodes see each other beyond the elements, on any rank.
   bool coupled() const { return coupled_; }
   // See ForceTerm::covers; over all ranks. Collective.
@@ -105,7 +107,7 @@ class System {
   MPI_Comm comm_;
   LocalMesh mesh_;
   Couplings couplings_;  // what the matrix holds beyond the chains
-  bool coupled_ = false;
+  bool coupled_ = false, forgotten_ = false;
   GhostExchange exchange_;
   Supports supports_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;

@@ -1,0 +1,99 @@
+// Runs whose lines touch each other, and runs with every model of contact at the nodes, stopped and gone on
+// with: the same bit for bit on the same number of ranks, to rounding on another.
+#include "regression/runs.hpp"
+
+namespace hawser::runs {
+namespace {
+
+// A rope is drawn over a taut wire, both touch a roller; friction everywhere.
+const char* const kLines = R"(hawser: 1
+line_types:
+  wire: {outer_diameter: 0.1, mass_per_length: 30, EA: 1.0e7, EI: 1.0e4, GJ: 1.0e4, stiffness_damping: 0.005}
+  rope: {outer_diameter: 0.1, mass_per_length: 30, EA: 1.0e7, EI: 5.0e2, GJ: 5.0e2, stiffness_damping: 0.005}
+bodies:
+  carriage: {motion: {velocity: [0, 0.5, 0], ramp: 0.3}}
+volumes:
+  roller: {shape: {cylinder: {from: [-2, 1, -0.36], to: [2, 1, -0.36], radius: 0.2}}, friction: 0.2,
+           normal_stiffness: {per_length: 2.0e6}}
+lines:
+  wire:
+    sections: [{type: wire, length: 7.98, elements: 12}]
+    end_a: {anchor: [-4, 0, 0]}
+    end_b: {anchor: [4, 0, 0]}
+  rope:
+    sections: [{type: rope, length: 8.1, elements: 17}]
+    end_a: {body: carriage, at: [0, -4, 0.12]}
+    end_b: {body: carriage, at: [0.2, 4, 0.12]}
+contact:
+  between_lines: {normal_stiffness: {per_length: 2.0e6}, friction: 0.3, relative_damping: 0.1}
+dynamics: {duration: 1.6, step: auto, max_step: 0.02}
+output: {every: 0.1, histories: [{line: rope, at: 4}]}
+)";
+
+// A bar falls on a plane, askew, and slides. KIND: the model.
+const char* const kModels = R"(hawser: 1
+line_types:
+  bar: {outer_diameter: 0.2, mass_per_length: 50, EA: 1.0e7, EI: 1.0e5, GJ: 1.0e5, stiffness_damping: 0.002}
+volumes:
+  ground: {shape: {plane: {point: [0, 0, 0], normal: [0.1, 0, 1]}}, normal_stiffness: {per_point: 1.0e6}, friction: 0.1}
+lines:
+  bar:
+    sections: [{type: bar, length: 6, elements: 12}]
+    end_a: free
+    end_b: free
+    start: {points: [[0, 0, 0.2], [5.99, 0, -0.36]]}
+contact: {KIND}
+statics: false
+dynamics: {duration: 1, step: auto, max_step: 0.005}
+output: {every: 0.1, histories: [{line: bar, at: 3}]}
+)";
+
+void expect_same(const Results& whole, const Results& rest, double tolerance) {
+  ASSERT_GT(rest.output_times.size(), 3u);
+  EXPECT_EQ(tail(whole.output_times, rest.output_times), rest.output_times);
+  EXPECT_LE(largest_difference(tail(whole.step_times, rest.step_times), rest.step_times), tolerance);
+  for (const auto& [name, values] : whole.fields) {
+    const auto &there = rest.fields.at(name), here = tail(values, there);
+    EXPECT_LE(largest_difference(here, there), tolerance * largest(here)) << name;
+  }
+  for (const auto& [name, values] : whole.series)
+    for (size_t c = 0; c < whole.columns.at(name); ++c) {
+      const auto there = rest.column(name, c), all = whole.column(name, c), here = tail(all, there);
+      const double scale = name == "energy" ? largest(values) : std::max(largest(all), 1.0);
+      EXPECT_LE(largest_difference(here, there), tolerance * scale) << name << ' ' << c;
+    }
+  ASSERT_EQ(whole.summary.size(), rest.summary.size());
+  EXPECT_LE(largest_difference(whole.summary, rest.summary), tolerance * largest(whole.summary));
+}
+
+void compare(const std::string& name, const std::string& text, const Edits& edits, double half,
+             const char* force, double other_ranks) {
+  const std::string path = folder("restart_" + name), input = path + "/case.yaml";
+  write_case(input, text, edits);
+  run_on_all({input, path + "/whole.h5"});
+  run_on_all({input, path + "/half.h5", "", half});
+  run_on_all({input, path + "/rest.h5", path + "/half.h5"});
+  run_on_one({input, path + "/fewer.h5", path + "/half.h5"});
+  if (rank_of(MPI_COMM_WORLD) > 0) return;
+  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  EXPECT_EQ(rest.output_times.front(), half);
+  // It touches when it is stopped.
+  const auto& f = rest.fields.at(force);
+  EXPECT_GT(
+      largest({f.begin(), f.begin() + static_cast<std::ptrdiff_t>(f.size() / rest.output_times.size())}), 0);
+  expect_same(whole, rest, 0);
+  expect_same(whole, read(path + "/fewer.h5"), other_ranks);
+}
+
+TEST(RestartContact, LinesThatTouch) { compare("lines", kLines, {}, 0.8, "line_contact_force", 1e-7); }
+
+TEST(RestartContact, Augmented) {
+  compare("augmented", kModels, {{"KIND", "method: nodes, augmented: true"}}, 0.4, "contact_force", 1e-7);
+}
+TEST(RestartContact, Rigid) {
+  compare("rigid", kModels, {{"KIND", "method: rigid"}}, 0.4, "contact_force", 1e-7);
+}
+TEST(RestartContact, Gap) { compare("gap", kModels, {{"KIND", "method: gap"}}, 0.4, "contact_force", 1e-7); }
+
+}  // namespace
+}  // namespace hawser::runs
