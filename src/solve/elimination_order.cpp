@@ -119,6 +119,11 @@ double factorisation_work(const BlockGraph& graph, const std::vector<int>& order
   return work;
 }
 
+double factor_blocks(const BlockGraph& graph, const std::vector<int>& order) {
+  const std::vector<int> count = column_counts(graph, order);
+  return std::accumulate(count.begin(), count.end(), static_cast<double>(count.size()));
+}
+
 std::vector<int> cheapest_order(const BlockGraph& graph) {
   std::vector<int> best(static_cast<size_t>(graph.size()));
   std::iota(best.begin(), best.end(), 0);

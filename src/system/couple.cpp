@@ -100,9 +100,8 @@ VecHandle System::create_vector() const {
   return v;
 }
 
-MatHandle System::create_matrix() const {
-  // Block columns of every owned row: the node itself, its chain neighbours, and what it is coupled with.
-  std::vector<std::pair<int, int>> entries;  // row, local block of the column
+std::vector<std::pair<int, int>> System::pattern() const {
+  std::vector<std::pair<int, int>> entries;
   auto couple = [&](int a, int b) {
     for (int i = 0; i <= mesh_.rotates(a); ++i)
       for (int j = 0; j <= mesh_.rotates(b); ++j) {
@@ -118,6 +117,11 @@ MatHandle System::create_matrix() const {
   }
   std::sort(entries.begin(), entries.end());
   entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+  return entries;
+}
+
+MatHandle System::create_matrix() const {
+  const std::vector<std::pair<int, int>> entries = pattern();
   const size_t rows = static_cast<size_t>(mesh_.owned_blocks);
   std::vector<PetscInt> own(rows, 0), other(rows, 0);
   for (const auto& [row, column] : entries)

@@ -51,16 +51,20 @@ ContactLaw Contact::law(const model::Volume& v, double share, double diameter, d
   return law;
 }
 
-double Contact::trusted_step(const NormalLaw& law, double mass, double radius, double gap, double closing) {
+double Contact::trusted_step(const NormalLaw& law, double mass, double radius, const Approach& at) {
   double h = std::numeric_limits<double>::infinity();
-  const double away = std::max(gap, 0.0);
-  if (closing > 0) h = (away + 0.5 * radius) / closing;
+  const double away = std::max(at.gap, 0.0);
+  if (at.closing > 0) h = (away + 0.5 * radius) / at.closing;
   const double slowness = std::sqrt(mass / law.stiffness);  // s, 1/omega
   // The default ramp is as wide; a linear spring has none.
-  if (std::abs(closing) * slowness <= std::max(law.smoothing, 0.002 * radius)) return h;
+  const double seen = std::max(law.smoothing, 0.002 * radius);
+  const double deep = slowness * std::abs(at.closing),
+               shaken = slowness * slowness * std::abs(at.acceleration);
   const double sixth = 2 * M_PI / 6 * slowness;
-  if (gap < 0) return std::min(h, sixth);
-  return closing > 0 ? std::min(h, away / closing + sixth) : h;
+  const bool strikes = std::hypot(deep, shaken) > seen;
+  if (at.gap < 0) return strikes ? std::min(h, sixth) : h;
+  if (shaken > seen) h = std::min(h, std::max(sixth, at.closing > 0 ? away / at.closing : 0.0));
+  return strikes && at.closing > 0 ? std::min(h, std::max(away / at.closing, sixth)) : h;
 }
 
 void Contact::pose_bodies(double time, std::vector<RigidPose>& poses) const {

@@ -76,7 +76,7 @@ void LineContact::prepare(const Kinematics& committed, double h) {
   }
 }
 
-double LineContact::longest_step(const Kinematics&) const {
+double LineContact::longest_step(const Kinematics& committed) const {
   double h = std::numeric_limits<double>::infinity();
   for (const Pair& pair : pairs_) {
     const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
@@ -85,16 +85,22 @@ double LineContact::longest_step(const Kinematics&) const {
     const auto velocity = [&](double xi) -> Vec3 {
       return back * (pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi)));
     };
-    const auto cap = [&](double gap, double closing) {
-      h = std::min(h, trusted_step(pair.law.normal, element.mass_per_length, element.radius, gap, closing));
+    const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
+    const auto acceleration = [&](double xi) -> Vec3 {
+      return back * ((1 - xi) * committed.a[static_cast<size_t>(e.first)] +
+                     xi * committed.a[static_cast<size_t>(e.second)]);
     };
-    for (const Point& p : pair.history) cap(p.gap - pair.law.normal.smoothing, -p.normal.dot(velocity(p.xi)));
+    const auto cap = [&](double gap, const Vec3& normal, double xi) {
+      h = std::min(h, trusted_step(pair.law.normal, element.mass_per_length, element.radius,
+                                   {gap, -normal.dot(velocity(xi)), normal.dot(acceleration(xi))}));
+    };
+    for (const Point& p : pair.history) cap(p.gap - pair.law.normal.smoothing, p.normal, p.xi);
     for (const double xi : {0.0, 0.5, 1.0}) {
       const Vec3 v = velocity(xi);
       // Look ahead as far as it gets in half a second.
       const auto p = volumes_[static_cast<size_t>(pair.volume)].surface->query(
           pose.to_body(pair.start.point(xi)), pair.touch + 0.5 * (pair.start.reach() + v.norm()), pair.hint);
-      if (p) cap(p->distance - pair.touch, -p->normal.dot(v));
+      if (p) cap(p->distance - pair.touch, p->normal, xi);
     }
   }
   return h;

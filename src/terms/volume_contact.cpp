@@ -68,8 +68,9 @@ double VolumeContact::longest_step(const Kinematics& committed) const {
     const auto p = volumes_[k].surface->query(pose.to_body(committed.x[n]),
                                               pair.touch + 0.5 * (element_[n] + speed), pair.hint);
     if (!p) continue;
-    h = std::min(h, trusted_step(pair.law.normal, nodes_[n].mass, nodes_[n].radius, p->distance - pair.touch,
-                                 -p->normal.dot(v)));
+    const double a = p->normal.dot(pose.rotation.conjugate() * committed.a[n]);
+    h = std::min(h, trusted_step(pair.law.normal, nodes_[n].mass, nodes_[n].radius,
+                                 {p->distance - pair.touch, -p->normal.dot(v), a}));
   }
   return h;
 }

@@ -17,8 +17,8 @@ struct Thrown {
   double iterations = 0;
 };
 
-// step 0: automatic.
-Thrown throw_pipe(double stiffness, double step) {
+// step 0: automatic, at most `longest` (0: as the program likes).
+Thrown throw_pipe(double stiffness, double step, double longest = 0) {
   constexpr int elements = 60;
   const double steel = 2.07e11, r = kDiameter / 2, bore = r - kWall;
   const double area = M_PI * (r * r - bore * bore), I = M_PI / 4 * (std::pow(r, 4) - std::pow(bore, 4));
@@ -27,7 +27,7 @@ Thrown throw_pipe(double stiffness, double step) {
   model::Case c = one_line(type, kSpan / (1 + kPull / (steel * area)), elements, anchor({0, 0, 0}),
                            anchor({kSpan, 0, 0}));
   c.environment.gravity = 9.81;
-  c.dynamics.step = step;
+  c.dynamics.step = step, c.dynamics.max_step = longest;
   c.dynamics.duration = 1;
   // Where it hangs first, without the support.
   Simulation rest(PETSC_COMM_WORLD, c);
@@ -82,19 +82,26 @@ void tell(double stiffness, const std::string& what, const Thrown& t) {
       t.steps, t.iterations / t.steps);
 }
 
-// On the stiffer bar three steps a period are 5 % off in the peak, and so are automatic ones: between the
-// impacts they are longer and damp what rings.
+// Steps the program may shorten where something strikes. Fixed ones of a third of a period are 5 % off on the
+// stiffer bar: not where the force rises, but by the pipe's own bending waves, late by the square of the step
+// after a third of a second; so are automatic ones that are free to grow between the blows.
 TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
   for (const double stiffness : {1e7, 1e8}) {
     const double period = 2 * M_PI * std::sqrt(kMass / stiffness);  // 26.7, 8.4 ms
     const Thrown fine = throw_pipe(stiffness, period / 48);
     tell(stiffness, "T/48", fine);
-    for (const double part : {3.0, 6.0, 12.0, 24.0}) {
-      const Thrown t = throw_pipe(stiffness, period / part);
-      tell(stiffness, "T/" + std::to_string(static_cast<int>(part)), t);
-      EXPECT_NEAR(t.most, fine.most, (stiffness > 5e7 && part < 4 ? 0.06 : 0.03) * fine.most) << part;
-      EXPECT_LT(t.made, 1e-3) << part;
+    for (const double part : {3.0, 4.0, 6.0, 12.0}) {
+      const std::string name = "T/" + std::to_string(static_cast<int>(part));
+      const Thrown t = throw_pipe(stiffness, 0, period / part);
+      tell(stiffness, "automatic, at most " + name, t);
+      EXPECT_NEAR(t.most, fine.most, 0.03 * fine.most) << part;
+      EXPECT_LT(t.made, 3e-4) << part;
       EXPECT_LT(std::abs(t.audit), 5e-3) << part;
+      const Thrown fixed = throw_pipe(stiffness, period / part);
+      tell(stiffness, name, fixed);
+      EXPECT_NEAR(fixed.most, fine.most, (stiffness > 5e7 && part < 4 ? 0.06 : 0.03) * fine.most) << part;
+      EXPECT_LT(fixed.made, 1e-3) << part;
+      EXPECT_LT(std::abs(fixed.audit), 5e-3) << part;
     }
     const Thrown automatic = throw_pipe(stiffness, 0);
     tell(stiffness, "automatic", automatic);

@@ -20,6 +20,9 @@ struct BlockGraph {
 // k-th (George & Liu 1981, Computer Solution of Large Sparse Positive Definite Systems, ch. 5).
 double factorisation_work(const BlockGraph& graph, const std::vector<int>& order);
 
+// Blocks of L, with the diagonal.
+double factor_blocks(const BlockGraph& graph, const std::vector<int>& order);
+
 // The cheapest of: the order as it is, approximate minimum degree (Amestoy, Davis & Duff 1996), reverse
 // Cuthill-McKee. The others are tried only where the first has fill.
 std::vector<int> cheapest_order(const BlockGraph& graph);

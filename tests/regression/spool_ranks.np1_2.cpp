@@ -1,0 +1,43 @@
+// The spooled hose, where it lies on itself across the cut, on one rank and on all: the same steps and
+// histories, penetration and energy as they should be.
+#include "regression/runs.hpp"
+
+namespace hawser::runs {
+namespace {
+
+bool whole() { return std::getenv("HAWSER_FULL") != nullptr; }
+
+TEST(SpoolRanks, TheSameAsOnOne) {
+  const std::string path = folder(whole() ? "spool_whole" : "spool"), input = path + "/spool.yaml";
+  const std::string source = HAWSER_SOURCE_DIR "/cases/spool/";
+  std::ostringstream text;
+  text << std::ifstream(source + "spool.yaml").rdbuf();
+  write_case(input, text.str(), {{"guide.txt", source + "guide.txt"}});
+  const double until = whole() ? 0 : 70;  // all of it; a turn and a half
+  run_on_one({input, path + "/one.h5", "", until});
+  if (size_of(MPI_COMM_WORLD) > 1) run_on_all({input, path + "/all.h5", "", until});
+  if (rank_of(MPI_COMM_WORLD) > 0) return;
+  const Results one = read(path + "/one.h5");
+  const double most = largest(one.column("fairlead", kTension));
+  EXPECT_NEAR(most, 675e3, 20e3);  // the hanging hose's weight, 273.4 kg/m of 250 m
+  EXPECT_LT(largest(one.fields.at("penetration")), 0.02 * 0.425);
+  EXPECT_LT(largest(one.fields.at("line_penetration")), 0.02 * 0.425);
+  std::printf("spool: %zu steps, %.2f mm into the reel, %.2f mm into itself\n", one.step_times.size(),
+              1e3 * largest(one.fields.at("penetration")), 1e3 * largest(one.fields.at("line_penetration")));
+  if (whole()) {
+    EXPECT_GT(largest(one.fields.at("line_contact_normal_force")), 1e3);  // N: hose on hose
+  }
+  if (size_of(MPI_COMM_WORLD) == 1) return;
+  const Results all = read(path + "/all.h5");
+  EXPECT_EQ(one.output_times, all.output_times);
+  ASSERT_EQ(one.step_times.size(), all.step_times.size());
+  const auto a = one.column("fairlead", kTension), b = all.column("fairlead", kTension);
+  const auto &x = one.fields.at("position"), &y = all.fields.at("position");
+  std::printf(
+      "spool on %d ranks: steps differ by %.1e s, tension by %.1e of the largest, positions by %.1e m\n",
+      size_of(MPI_COMM_WORLD), largest_difference(one.step_times, all.step_times),
+      largest_difference(a, b) / most, largest_difference(x, y));
+}
+
+}  // namespace
+}  // namespace hawser::runs
