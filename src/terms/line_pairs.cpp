@@ -215,13 +215,25 @@ LinePairs::Approach LinePairs::approach(const Pair& p, const AxisEnds& a, const 
   return {v.dot(c.difference) / c.distance, c.distance - p.law.reach};
 }
 
-// Period of the contact, s, where the pair meets or parts fast enough to press in beyond the ramp; else
-// infinite.
-double LinePairs::period(const Pair& p, double speed) const {
+// Relative acceleration of the middles along the line between them, m/s²: at the turning point of a blow there
+// is no speed.
+double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
+  const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
+    const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
+    return 0.5 * (v[static_cast<size_t>(s.first)] + v[static_cast<size_t>(s.second)]);
+  };
+  const AxisEnds &a = start_[static_cast<size_t>(p.a)], &b = start_[static_cast<size_t>(p.b)];
+  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
+  return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
+}
+
+// Period of the contact, s, where the pair meets or parts fast enough, or shakes enough, to press in beyond the
+// ramp; else infinite.
+double LinePairs::period(const Pair& p, double speed, double acceleration) const {
   const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
                mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
   const double slow = std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);  // s, period / 2 pi
-  if (!(std::abs(speed) * slow > 2 * p.law.normal.smoothing)) return std::numeric_limits<double>::infinity();
+  if (!(std::hypot(speed * slow, acceleration * slow * slow) > 2 * p.law.normal.smoothing)) return std::numeric_limits<double>::infinity();
   return 2 * M_PI * slow;
 }
 
@@ -230,17 +242,17 @@ bool LinePairs::resolved(const Pair& p, const Kinematics& trial, const std::vect
   if (!p.history && !near(p, is)) return true;
   const double v0 = approach(p, start_[i], start_[j]).speed,
                v1 = approach(p, ends(trial, p.a), ends(trial, p.b)).speed;
-  return trial.step <= (1 + 1e-9) / kLeastSteps * period(p, std::max(std::abs(v0), std::abs(v1)));
+  return trial.step <= (1 + 1e-9) / kLeastSteps * period(p, std::max(std::abs(v0), std::abs(v1)), 0);
 }
 
 // A step may not carry a line deeper into another than half the radii at the speed it has.
-double LinePairs::longest_step(const Kinematics&) const {
+double LinePairs::longest_step(const Kinematics& at) const {
   double longest = std::numeric_limits<double>::infinity();
   for (const Pair& p : pairs_) {
     const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
     const Approach c = approach(p, start_[i], start_[j]);
     const double gap = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0),
-                 resolves = period(p, c.speed) / kSteps;
+                 resolves = period(p, c.speed, acceleration(p, at)) / kSteps;
     if (p.history) longest = std::min(longest, resolves);
     if (!(c.speed < 0)) continue;
     longest = std::min({longest, (gap + kDeep * p.law.reach) / -c.speed, std::max(gap / -c.speed, resolves)});

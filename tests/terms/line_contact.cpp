@@ -177,24 +177,33 @@ TEST(LineContact, StepsFollowImpacts) {
   v.settings.normal_stiffness = 1e5;
   v.settings.smoothing = 1e-3;
   const double sixth = 2 * M_PI / 6 * std::sqrt(50 / 1e5), infinite = std::numeric_limits<double>::infinity();
-  const auto longest = [&](double gap, double down, double tilt = 0) {
+  const auto longest = [&](double gap, double down, double tilt = 0, double acceleration = 0) {
     LineContact term(l, nullptr, {v}, {{0.1, 50}});
     State s(2);
     s.x = {Vec3(0, 0, 0.101 + gap), Vec3(2, 0, 0.101 + gap + tilt)};
     s.v = {Vec3(3, 0, -down), Vec3(3, 0, -down)};
+    s.a = {Vec3(0, 0, acceleration), Vec3(0, 0, acceleration)};
     term.prepare(s.view(0.1), 0.1);
     if (gap < 0) term.commit(s.view(0.1)), term.prepare(s.view(0.1), 0.1);
     return term.longest_step(s.view(0.1));
   };
   EXPECT_EQ(longest(0.2, 0), infinite);
   EXPECT_EQ(longest(0.2, -1), infinite);
-  EXPECT_NEAR(longest(0.2, 0.5, 0.1), 0.2 / 0.5 + sixth, 1e-12);
-  EXPECT_NEAR(longest(0.2, 10), 0.2 / 10 + 0.05 / 10, 1e-12);
+  EXPECT_NEAR(longest(0.2, 0.5, 0.1), 0.2 / 0.5, 1e-12);  // to the touch
+  EXPECT_NEAR(longest(0.2, 10), sixth, 1e-12);            // which is nearer than that
+  EXPECT_NEAR(longest(0.2, 30), (0.2 + 0.05) / 30, 1e-12);
   EXPECT_NEAR(longest(-0.01, 0.5), sixth, 1e-12);
   EXPECT_NEAR(longest(-0.01, -0.5), sixth, 1e-12);  // on its way out
   // 0.04 m/s goes 0.9 mm deep, less than the ramp.
   EXPECT_NEAR(longest(0.2, 0.04), (0.2 + 0.05) / 0.04, 1e-12);
   EXPECT_NEAR(longest(-0.01, 0.04), 0.05 / 0.04, 1e-12);
+  // At the turning point there is no speed. 1 m/s² is 0.5 mm from the balance, 3 m/s² 1.5 mm.
+  EXPECT_EQ(longest(-0.01, 0, 0, 1), infinite);
+  EXPECT_NEAR(longest(-0.01, 0, 0, 3), sixth, 1e-12);
+  EXPECT_NEAR(longest(-0.01, 0, 0, -3), sixth, 1e-12);
+  // Between blows it shakes as fast, whichever way it goes; the way to the touch may be longer.
+  EXPECT_NEAR(longest(0.2, -0.5, 0, 3), sixth, 1e-12);
+  EXPECT_NEAR(longest(0.2, 0.5, 0, 3), 0.2 / 0.5, 1e-12);
 }
 
 TEST(LineContact, RefusesWhatItCannotUse) {

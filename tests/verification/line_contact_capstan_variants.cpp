@@ -14,8 +14,8 @@ struct Rope {
   double beside = 0;                                  // m: the drawn end is farther out than the drum
   double way = 0.15, speed = 0.05, mobilisation = 0;  // m, m/s, m
   double stretch = 0;
-  double stiffness = 0;  // N/m²; 0: automatic
-                         // of the start shape
+  double stiffness = 0;     // N/m²; 0: automatic
+  bool drum_turns = false;  // under a line whose end is held
 };
 struct Drawn {
   Samples ratio;                       // over the second half: drawn end's reaction over the dead load
@@ -47,12 +47,19 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
   hook.name = "hook";
   hook.position = path.back();
   hook.ramp = 1;
-  hook.motion = model::ConstantMotion{r.speed * along_circle(r.wrap), Vec3::UnitZ(), 0};
-  c.bodies = {hook};
+  model::Body axle;
+  axle.name = "axle";
+  axle.ramp = 1;
+  if (r.drum_turns)  // about +y its surface runs from the hook to the load
+    axle.motion = model::ConstantMotion{Vec3::Zero(), Vec3::UnitY(), r.speed / kRho};
+  else
+    hook.motion = model::ConstantMotion{r.speed * along_circle(r.wrap), Vec3::UnitZ(), 0};
+  c.bodies = {hook, axle};
   line.end_b.kind = model::EndKind::body;
   line.end_b.body = "hook";
   model::Volume drum;
   drum.name = "drum";
+  drum.body = "axle";
   drum.relative_damping = 0.1;
   drum.friction.axial = drum.friction.lateral = r.mu;
   drum.friction.mobilisation_length = r.mobilisation;
@@ -135,17 +142,21 @@ TEST(LineCapstanVariants, TwoTurnsSideBySide) {
   }
 }
 
-// A mesh of 24 facets that are curved again, on the vertices' radius; flat, they scatter.
+// A mesh of 24 facets that are curved again, on the vertices' radius; flat, they scatter. Drawn over it, and
+// while it turns under the line by more than a facet.
+std::shared_ptr<const Surface> facets(bool smooth) {
+  TriangleMesh mesh = testing::drum_mesh(24, kRho - kLine, 4, 4);
+  for (Vec3& v : mesh.vertices) v = Vec3(v.y(), v.z(), v.x());
+  return std::make_shared<MeshSurface>(std::move(mesh), std::vector<bool>(),
+                                       MeshSurfaceOptions{smooth, 40 * M_PI / 180});
+}
+
 TEST(LineCapstanVariants, TwentyFourFacets) {
   for (const bool smooth : {true, false})
     for (const double mu : {0.1, 0.3, 0.5}) {
-      TriangleMesh mesh = testing::drum_mesh(24, kRho - kLine, 4, 4);
-      for (Vec3& v : mesh.vertices) v = Vec3(v.y(), v.z(), v.x());
-      const auto drum = std::make_shared<MeshSurface>(std::move(mesh), std::vector<bool>(),
-                                                      MeshSurfaceOptions{smooth, 40 * M_PI / 180});
       Rope r;
       r.mu = mu;
-      const Drawn d = draw(r, drum);
+      const Drawn d = draw(r, facets(smooth));
       const double exact = std::exp(mu * r.wrap);
       if (smooth)
         expect_ratio("24 facets smoothed, mu", mu, d, exact, 0.005);
@@ -153,6 +164,22 @@ TEST(LineCapstanVariants, TwentyFourFacets) {
         std::printf("capstan along the line, 24 flat facets, mu %g: T2/T1 %+.3f %%, rms %.3f %%\n", mu,
                     100 * (d.ratio.mean() / exact - 1), 100 * d.ratio.rms() / exact);
     }
+}
+
+TEST(LineCapstanVariants, DrumTurns) {
+  for (const auto& [wrap, mu, round] : {std::tuple(M_PI, 0.1, false),
+                                        {M_PI, 0.3, false},
+                                        {M_PI, 0.5, false},
+                                        {M_PI, 0.3, true},
+                                        {4 * M_PI, 0.5, false}}) {
+    Rope r;
+    r.mu = mu, r.wrap = wrap, r.drum_turns = true, r.way = 0.4;
+    if (wrap > 7) r.pitch = 2.5 * kLine, r.EA = 1e8;
+    const double exact = std::exp(mu * r.wrap / std::hypot(1, r.pitch / (2 * M_PI * kRho)));
+    std::printf("%g turns, ", wrap / (2 * M_PI));
+    expect_ratio(round ? "drum turns, mu" : "drum of 24 facets smoothed turns, mu", mu,
+                 draw(r, round ? nullptr : facets(true)), exact, 0.005);
+  }
 }
 
 // C02: dT/ds = mu T/R min(u/d, 1), du/ds = (T - T1)/EA, u the slip. As published with EA = 1e5 N and d = 2

@@ -109,7 +109,8 @@ class LinePairs final : public ForceTerm {
     double speed = 0, gap = 0;
   };
   Approach approach(const Pair& pair, const AxisEnds& a, const AxisEnds& b) const;
-  double period(const Pair& pair, double speed) const;
+  double acceleration(const Pair& pair, const Kinematics& at) const;
+  double period(const Pair& pair, double speed, double acceleration) const;
   bool resolved(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   bool passes(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);
