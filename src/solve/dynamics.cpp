@@ -18,6 +18,8 @@ namespace {
 // little, and steps are chosen by the iterations to this residual, far above rounding, and one that follows.
 constexpr double kCounted = 1e-5;
 constexpr int kMostAugmentations = 40;  // of one try of a step
+// Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
+constexpr double kHopeless = 1e10;
 
 }  // namespace
 
@@ -122,6 +124,11 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
   } catch (...) {
     d.error_ = std::current_exception();
     PetscFunctionReturn(PETSC_ERR_LIB);
+  }
+  if (it == 0) d.first_ = std::max({fnorm, d.norms_.force_scale, d.norms_.moment_scale});
+  if (fnorm > kHopeless * d.first_ && d.first_ > 0) {
+    *reason = SNES_DIVERGED_DTOL;
+    PetscFunctionReturn(0);
   }
   const double tolerance = d.settings_.tolerance;
   if (d.counted_ < 0 && d.norms_.small(std::max(tolerance, kCounted))) d.counted_ = static_cast<int>(it);

@@ -110,7 +110,7 @@ std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& sha
                                                 const RigidPose& pose) const {
   const double reach = shape.reach();
   const Vec3 y = pose.to_body(shape.point(0.5));
-  if (pair.clear > 0 && (y - pair.centre).norm() + 0.5 * reach < pair.clear) return {};
+  if (still_clear(pair.clear, pair.centre, y, 0.5 * reach)) return {};
   const size_t k = static_cast<size_t>(pair.volume);
   Gap gap(*volumes_[k].surface, shape, pose, pair.touch, pair.hint);
   const auto middle = gap.query(0.5, 2 * reach);

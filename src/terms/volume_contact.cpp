@@ -77,7 +77,7 @@ double VolumeContact::longest_step(const Kinematics& committed) const {
 
 bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {
   if (model_ != NodeContact::elastic) return locate_held(pair, y, reach, trial);
-  if (pair.clear > 0 && (y - pair.centre).squaredNorm() < pair.clear * pair.clear) return false;
+  if (still_clear(pair.clear, pair.centre, y, 0)) return false;
   const size_t k = static_cast<size_t>(pair.volume);
   const auto p = volumes_[k].surface->query(y, pair.touch + reach, pair.hint);
   pair.centre = y;

@@ -95,6 +95,7 @@ class Dynamics {
   std::vector<double> local_u_, gathered_, reactions_;
   bool loaded_ = false;     // trial_ belongs to local_u_
   bool polishing_ = false;  // within the tolerance, improved once more with the old factors
+  double first_ = 0;        // N, size of the first residual of this Newton solution, and of what makes it up
   int counted_ = -1;        // iterations to a residual far above rounding; < 0: not there yet
   VecHandle u_, r_, solution_;
   MatHandle J_;

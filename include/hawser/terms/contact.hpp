@@ -93,6 +93,12 @@ class Contact : public ForceTerm {
   // contact has six steps. So it has before and after, where a line not in touch shakes as fast as that.
   static double trusted_step(const NormalLaw& law, double mass, double radius, const Approach& at);
 
+  // Whether a ball of `radius` about y is as free as all was found to be within `clear` of `centre`. A Newton
+  // iteration that diverges leaves these so far away that rounding is larger than the model: hence the margin.
+  static bool still_clear(double clear, const Vec3& centre, const Vec3& y, double radius) {
+    return clear > 0 && (y - centre).norm() + radius < (1 - 1e-9) * clear;
+  }
+
   // Space first, then the bodies in their order.
   void pose_bodies(double time, std::vector<RigidPose>& poses) const;
   size_t body(int volume) const {
