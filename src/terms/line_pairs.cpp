@@ -215,8 +215,8 @@ LinePairs::Approach LinePairs::approach(const Pair& p, const AxisEnds& a, const 
   return {v.dot(c.difference) / c.distance, c.distance - p.law.reach};
 }
 
-// Relative acceleration of the middles along the line between them, m/s²: at the turning point of a blow there
-// is no speed.
+// Relative acceleration of the middles along the line between them, m/s²: at the turning point of a blow
+// there is no speed.
 double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
   const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
     const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
@@ -227,13 +227,14 @@ double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
   return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
 }
 
-// Period of the contact, s, where the pair meets or parts fast enough, or shakes enough, to press in beyond the
-// ramp; else infinite.
+// Period of the contact, s, where the pair meets or parts fast enough, or shakes enough, to press in beyond
+// the ramp; else infinite.
 double LinePairs::period(const Pair& p, double speed, double acceleration) const {
   const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
                mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
   const double slow = std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);  // s, period / 2 pi
-  if (!(std::hypot(speed * slow, acceleration * slow * slow) > 2 * p.law.normal.smoothing)) return std::numeric_limits<double>::infinity();
+  if (!(std::hypot(speed * slow, acceleration * slow * slow) > 2 * p.law.normal.smoothing))
+    return std::numeric_limits<double>::infinity();
   return 2 * M_PI * slow;
 }
 
