@@ -94,7 +94,8 @@ class Contact : public ForceTerm {
   static double trusted_step(const NormalLaw& law, double mass, double radius, const Approach& at);
 
   // Whether a ball of `radius` about y is as free as all was found to be within `clear` of `centre`. A Newton
-  // iteration that diverges leaves these so far away that rounding is larger than the model: hence the margin.
+  // iteration that diverges leaves these so far away that rounding is larger than the model: hence the
+  // margin.
   static bool still_clear(double clear, const Vec3& centre, const Vec3& y, double radius) {
     return clear > 0 && (y - centre).norm() + radius < (1 - 1e-9) * clear;
   }
