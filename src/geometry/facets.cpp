@@ -64,4 +64,33 @@ FacetSearch::Foot FacetSearch::nearest(const Facets& facets, const Vec3& y, doub
   return best;
 }
 
+void FacetSearch::nearest(const Facets& facets, std::span<const SpatialHash::Question> questions,
+                          std::span<Foot> feet) const {
+  const std::size_t n = questions.size();
+  constexpr std::size_t kAhead = 8;
+  const auto fetch = [&](auto&& triangle, std::size_t i) {
+    if (i + 2 * kAhead < n)
+      if (const int t = triangle(i + 2 * kAhead); facets.has(t)) facets.fetch(t);
+    if (i + kAhead < n)
+      if (const int t = triangle(i + kAhead); facets.has(t)) facets.fetch_corners(t);
+  };
+  if (!tree_.empty()) {
+    for (std::size_t i = 0; i < n; ++i) {
+      fetch([&](std::size_t k) { return questions[k].hint; }, i);
+      feet[i] = nearest(facets, questions[i].point, questions[i].max_distance, questions[i].hint);
+    }
+    return;
+  }
+  std::vector<SpatialHash::Nearest> found(n);
+  hash_.nearest(questions, found);
+  for (std::size_t i = 0; i < n; ++i) {
+    fetch([&](std::size_t k) { return found[k].triangle; }, i);
+    feet[i] = Foot{};
+    const int t = found[i].triangle;
+    if (t < 0) continue;
+    static_cast<PatchPoint&>(feet[i]) = facets.closest(t, questions[i].point);
+    feet[i].triangle = t;
+  }
+}
+
 }  // namespace hawser::detail

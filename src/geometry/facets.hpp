@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "hawser/geometry/mesh_bends.hpp"
@@ -34,6 +35,17 @@ class Facets {
     return q;
   }
   PatchPoint closest(int t, const Vec3& y) const;
+  // While others are looked at: what a distance to the facet reads, first its indices.
+  [[gnu::always_inline]] void fetch(int t) const {
+    asm volatile("");  // or gcc leaves the calls out, as they have no effect
+    __builtin_prefetch(&mesh_.triangles[static_cast<std::size_t>(t)]);
+    if (!bends_.empty()) __builtin_prefetch(&bends_[static_cast<std::size_t>(t)]);
+  }
+  [[gnu::always_inline]] void fetch_corners(int t) const {
+    asm volatile("");
+    for (int i = 0; i < 3; ++i) __builtin_prefetch(&corner(t, i));
+  }
+  bool has(int t) const { return t >= 0 && static_cast<std::size_t>(t) < mesh_.triangles.size(); }
   std::size_t memory() const;
 
  private:
@@ -53,6 +65,9 @@ class FacetSearch {
 
   // triangle is -1 when none is within max_distance [m]. Of facets at equal distance always the same.
   Foot nearest(const Facets& facets, const Vec3& y, double max_distance, int hint) const;
+  // The same for many: questions[i] to feet[i].
+  void nearest(const Facets& facets, std::span<const SpatialHash::Question> questions,
+               std::span<Foot> feet) const;
   const Box& box() const { return tree_.empty() ? hash_.box() : tree_.box(); }
   std::size_t memory() const { return hash_.memory() + tree_.memory(); }
 

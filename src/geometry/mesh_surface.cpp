@@ -33,7 +33,9 @@ struct MeshSurface::Data {
 
   const TriangleMesh& mesh() const { return facets.mesh(); }
   FacetSearch::Foot nearest(const FacetSearch& among, const Vec3& y, double max_distance, int hint) const {
-    FacetSearch::Foot best = among.nearest(facets, y, max_distance, hint);
+    return on_face_or_edge(among.nearest(facets, y, max_distance, hint), y);
+  }
+  FacetSearch::Foot on_face_or_edge(FacetSearch::Foot best, const Vec3& y) const {
     const int t = best.triangle;
     if (t < 0 || best.feature != Feature::face || !normals.face(t).isZero(0)) return best;
     // No area, so no face: the nearest of its edges.
@@ -46,6 +48,9 @@ struct MeshSurface::Data {
     }
     return best;
   }
+  // How far to search from y, m; negative: not at all.
+  double reach(const Vec3& y, double max_distance) const;
+  std::optional<SurfacePoint> seen(const Vec3& y, double max_distance, const FacetSearch::Foot& c) const;
   // Whether y is behind the surface at its closest point c.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
     if (!unsure.empty() && unsure[static_cast<std::size_t>(c.triangle)]) return winding.inside(mesh(), y);
@@ -150,24 +155,59 @@ MeshSurface::~MeshSurface() = default;
 MeshSurface::MeshSurface(MeshSurface&&) noexcept = default;
 MeshSurface& MeshSurface::operator=(MeshSurface&&) noexcept = default;
 
+// Where the coarse distances allow y to be inside, search as far as they say; elsewhere to max_distance.
+double MeshSurface::Data::reach(const Vec3& y, double max_distance) const {
+  const auto about = coarse.about(y);
+  if (about.outside && about.at_least > max_distance) return -1;
+  return about.outside ? std::min(max_distance, about.at_most) : about.at_most;
+}
+
 std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distance, int hint) const {
+  const double reach = data_->reach(y, max_distance);
+  if (reach < 0) return std::nullopt;
+  return data_->seen(y, max_distance, data_->nearest(data_->active, y, reach, hint));
+}
+
+void MeshSurface::query(std::span<const SurfaceQuestion> questions,
+                        std::span<std::optional<SurfacePoint>> answers) const {
+  if (answers.size() != questions.size())
+    throw std::invalid_argument("a surface was asked " + std::to_string(questions.size()) +
+                                " questions with room for " + std::to_string(answers.size()) + " answers");
   const Data& d = *data_;
-  // Where the coarse distances allow y to be inside, search as far as they say; elsewhere to max_distance.
-  const auto about = d.coarse.about(y);
-  if (about.outside && about.at_least > max_distance) return std::nullopt;
-  const double reach = about.outside ? std::min(max_distance, about.at_most) : about.at_most;
-  const FacetSearch::Foot c = d.nearest(d.active, y, reach, hint);
+  // Only those that may be near are searched for.
+  std::vector<SpatialHash::Question> near;
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const SurfaceQuestion& q = questions[i];
+    answers[i].reset();
+    const double reach = d.reach(q.point, q.max_distance);
+    if (reach < 0) continue;
+    near.push_back({q.point, reach, q.hint});
+    which.push_back(i);
+  }
+  std::vector<FacetSearch::Foot> feet(near.size());
+  d.active.nearest(d.facets, near, feet);
+  for (std::size_t k = 0; k < near.size(); ++k)
+    answers[which[k]] =
+        d.seen(near[k].point, questions[which[k]].max_distance, d.on_face_or_edge(feet[k], near[k].point));
+}
+
+// What is seen from y of its nearest point.
+std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_distance,
+                                                    const FacetSearch::Foot& c) const {
+  const Data& d = *this;
   const int t = c.triangle;
   if (t < 0) return std::nullopt;
 
-  const bool curved = d.facets.curved(t);
+  const bool bent = d.facets.curved(t);
   const Vec3 pseudonormal = d.normals.at(d.facets, t, c);
   const bool behind = d.behind(c, y, pseudonormal);
   const Vec3 r = y - c.point;
   const double length = std::sqrt(c.squared_distance);
   if (!behind && length > max_distance) return std::nullopt;
   if (behind && d.partial &&
-      (about.outside || !d.inside_whole(y, length * (1 + 1e-6) + 1e-3 * d.small, t) || !d.under_active(c, y)))
+      (d.coarse.about(y).outside || !d.inside_whole(y, length * (1 + 1e-6) + 1e-3 * d.small, t) ||
+       !d.under_active(c, y)))
     return std::nullopt;
 
   SurfacePoint s;
@@ -176,12 +216,12 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   s.feature = c.feature;
   if (c.feature == Feature::face) {
     s.normal = pseudonormal;
-    s.distance = s.normal.dot(y - (curved ? c.point : d.facets.corner(t, 0)));
+    s.distance = s.normal.dot(y - (bent ? c.point : d.facets.corner(t, 0)));
     if ((s.distance < 0) != behind && s.distance != 0) {  // a facet that faces the inside, of no clean mesh
       s.normal = -s.normal;
       s.distance = -s.distance;
     }
-    if (curved) s.curvature = curvature_over_patch(d.facets.patch(t), c.u, c.v, s.normal, s.distance);
+    if (bent) s.curvature = curvature_over_patch(d.facets.patch(t), c.u, c.v, s.normal, s.distance);
     return s;
   }
   s.distance = behind ? -length : length;

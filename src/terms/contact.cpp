@@ -88,4 +88,11 @@ void Contact::add_work(Account& sum, const StepOfBody& b, const ContactHistory& 
   sum.work += w * (R * p.force).dot(carried);
 }
 
+void Contact::Questions::add(int volume, size_t who, const SurfaceQuestion& question) {
+  const size_t k = static_cast<size_t>(volume);
+  if (of_.size() <= k) of_.resize(k + 1), who_.resize(k + 1);
+  of_[k].push_back(question);
+  who_[k].push_back(who);
+}
+
 }  // namespace hawser

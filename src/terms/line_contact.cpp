@@ -106,14 +106,20 @@ double LineContact::longest_step(const Kinematics& committed) const {
   return h;
 }
 
-std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& shape,
-                                                const RigidPose& pose) const {
+bool LineContact::middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
+                         SurfaceQuestion& ask) const {
+  const double reach = shape.reach();
+  ask = {pose.to_body(shape.point(0.5)), pair.touch + 2 * reach, pair.hint};
+  return !still_clear(pair.clear, pair.centre, ask.point, 0.5 * reach);
+}
+
+std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& shape, const RigidPose& pose,
+                                                const std::optional<SurfacePoint>& middle) const {
   const double reach = shape.reach();
   const Vec3 y = pose.to_body(shape.point(0.5));
-  if (still_clear(pair.clear, pair.centre, y, 0.5 * reach)) return {};
   const size_t k = static_cast<size_t>(pair.volume);
+  if (middle) pair.hint = middle->triangle;
   Gap gap(*volumes_[k].surface, shape, pose, pair.touch, pair.hint);
-  const auto middle = gap.query(0.5, 2 * reach);
   pair.centre = y;
   if (!middle) {
     // Out of reach, or inside but under an inactive part: only outside the box is nothing near for sure.
@@ -133,23 +139,68 @@ SurfacePoint LineContact::nothing() {
   return p;
 }
 
-const LineContact::Found& LineContact::find(Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
-  Found& f = pair.found;
+// Whether what was found belongs to another trial; then it is of this one from now on.
+bool LineContact::renew(Found& f, const AxisShape& shape, const RigidPose& pose) {
   if (f.known && f.shape.same_axis(shape) && f.position == pose.position &&
       f.rotation.coeffs() == pose.rotation.coeffs())
-    return f;
+    return false;
   f.known = true, f.shape = shape, f.position = pose.position, f.rotation = pose.rotation;
-  f.panels = locate(pair, shape, pose);
-  f.points.clear();
+  f.panels.clear(), f.points.clear();
+  return true;
+}
+
+void LineContact::gauss_points(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
+                               std::vector<SurfaceQuestion>& ask) {
+  ask.clear();
+  for (const ContactStretch& s : pair.found.panels)
+    for (const double place : ContactRule::place())
+      ask.push_back({pose.to_body(shape.point(s.from + (s.to - s.from) * place)), pair.touch, pair.hint});
+}
+
+const LineContact::Found& LineContact::find(Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
+  Found& f = pair.found;
+  if (!renew(f, shape, pose)) return f;
+  SurfaceQuestion first;
+  if (!middle(pair, shape, pose, first)) return f;
   const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
-  for (const ContactStretch& s : f.panels)
-    for (const double place : ContactRule::place()) {
-      const auto p =
-          surface.query(pose.to_body(shape.point(s.from + (s.to - s.from) * place)), pair.touch, pair.hint);
-      if (p) pair.hint = p->triangle;
-      f.points.push_back(p ? *p : nothing());
-    }
+  f.panels = locate(pair, shape, pose, surface.query(first.point, first.max_distance, first.hint));
+  std::vector<SurfaceQuestion> ask;
+  gauss_points(pair, shape, pose, ask);
+  for (const SurfaceQuestion& q : ask) {
+    const auto p = surface.query(q.point, q.max_distance, pair.hint);
+    if (p) pair.hint = p->triangle;
+    f.points.push_back(p ? *p : nothing());
+  }
   return f;
+}
+
+// The same as find() of each: the search between middle and Gauss points goes from answer to answer, and is
+// of the few elements that touch or may.
+void LineContact::find_all(const Kinematics& trial) {
+  shapes_.clear(), renewed_.clear();
+  middles_.assign(pairs_.size(), std::nullopt);
+  SurfaceQuestion first;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    Pair& pair = pairs_[i];
+    shapes_.emplace_back(ends(trial, pair.element));
+    const RigidPose& pose = poses_[body(pair.volume)];
+    if (!renew(pair.found, shapes_[i], pose) || !middle(pair, shapes_[i], pose, first)) continue;
+    renewed_.push_back(i);
+    questions_.add(pair.volume, i, first);
+  }
+  questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) { middles_[i] = p; });
+  std::vector<SurfaceQuestion> ask;
+  for (const size_t i : renewed_) {
+    Pair& pair = pairs_[i];
+    const RigidPose& pose = poses_[body(pair.volume)];
+    pair.found.panels = locate(pair, shapes_[i], pose, middles_[i]);
+    gauss_points(pair, shapes_[i], pose, ask);
+    for (const SurfaceQuestion& q : ask) questions_.add(pair.volume, i, q);
+  }
+  questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) {
+    if (p) pairs_[i].hint = p->triangle;
+    pairs_[i].found.points.push_back(p ? *p : nothing());
+  });
 }
 
 ContactTrial LineContact::trial(const Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi,
@@ -347,10 +398,12 @@ void LineContact::evaluate(const Kinematics& trial, Sink& sink) {
   pose_bodies(trial.time, poses_);
   const bool tangent = sink.wants_tangent();
   double f[12], K[144], C[144];
-  for (Pair& pair : pairs_) {
-    const AxisShape shape(ends(trial, pair.element));
+  find_all(trial);
+  for (size_t k = 0; k < pairs_.size(); ++k) {
+    Pair& pair = pairs_[k];
+    const AxisShape& shape = shapes_[k];
     const RigidPose& pose = poses_[body(pair.volume)];
-    const size_t panels = find(pair, shape, pose).panels.size();
+    const size_t panels = pair.found.panels.size();
     if (!panels) continue;
     AxisShape::Generalised g;
     Rolled roll = rolled(pair, shape);

@@ -16,6 +16,7 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
   std::vector<Pair> old;
   old.swap(pairs_);
   size_t known = 0;
+  std::vector<double> margins;
   for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
     const size_t n = static_cast<size_t>(i);
     if (!(nodes_[n].radius > 0)) continue;
@@ -44,16 +45,48 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
       }
       if (model_ == NodeContact::gap && !pair.history.paired) choose_gap(pair, y);
       pair.hint = pair.history.hint;
-      ContactTrial at;
-      at.gap = std::max(margin, away - touch) + laws.normal.smoothing;  // a bound, for those out of reach
-      locate(pair, y, margin, at);
+      margins.push_back(margin);
+      pair.start.gap = std::max(margin, away - touch) + laws.normal.smoothing;  // a bound
       pair.start.point = y;
-      pair.start.gap = at.gap;
       pair.start.tangent = pose.rotation.conjugate() * tangent;
       pair.start.slip = pair.history.slip;
       pair.start.normal = pair.history.normal;
+      if (model_ != NodeContact::gap)
+        questions_.add(k, pairs_.size() - 1, {y, pair.touch + margin, pair.hint});
     }
   }
+  questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) {
+    Pair& pair = pairs_[i];
+    pair.asked = pair.start.point, pair.asked_distance = pair.touch + margins[i], pair.seen = p;
+  });
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    Pair& pair = pairs_[i];
+    ContactTrial at;
+    at.gap = pair.start.gap;
+    locate(pair, pair.start.point, margins[i], at);
+    pair.start.gap = at.gap;
+  }
+}
+
+const std::optional<SurfacePoint>& VolumeContact::look(Pair& pair, const Vec3& y, double distance) const {
+  if (distance == pair.asked_distance && y == pair.asked) return pair.seen;
+  pair.seen = volumes_[static_cast<size_t>(pair.volume)].surface->query(y, distance, pair.hint);
+  pair.asked = y, pair.asked_distance = distance;
+  return pair.seen;
+}
+
+void VolumeContact::look_ahead(const Kinematics& at) {
+  if (model_ == NodeContact::gap) return;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    Pair& pair = pairs_[i];
+    const size_t n = static_cast<size_t>(pair.node);
+    const Vec3 y = poses_[body(pair.volume)].to_body(at.x[n]);
+    const double distance = pair.touch + 0.5 * element_[n];
+    if (clear_of(pair, y) || (distance == pair.asked_distance && y == pair.asked)) continue;
+    pair.asked = y, pair.asked_distance = distance;
+    questions_.add(pair.volume, i, {y, distance, pair.hint});
+  }
+  questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) { pairs_[i].seen = p; });
 }
 
 double VolumeContact::longest_step(const Kinematics& committed) const {
@@ -77,9 +110,9 @@ double VolumeContact::longest_step(const Kinematics& committed) const {
 
 bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {
   if (model_ != NodeContact::elastic) return locate_held(pair, y, reach, trial);
-  if (still_clear(pair.clear, pair.centre, y, 0)) return false;
+  if (clear_of(pair, y)) return false;
   const size_t k = static_cast<size_t>(pair.volume);
-  const auto p = volumes_[k].surface->query(y, pair.touch + reach, pair.hint);
+  const auto& p = look(pair, y, pair.touch + reach);
   pair.centre = y;
   if (!p) {
     // Out of reach, or inside but under an inactive part: only outside the box is nothing near for sure.
@@ -133,6 +166,7 @@ VolumeContact::Force VolumeContact::resolve(Pair& p, const Kinematics& trial, bo
 
 void VolumeContact::evaluate(const Kinematics& trial, Sink& sink) {
   pose_bodies(trial.time, poses_);
+  look_ahead(trial);
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   for (Pair& pair : pairs_) {
@@ -149,6 +183,7 @@ void VolumeContact::evaluate(const Kinematics& trial, Sink& sink) {
 // Evaluated again at the accepted state, so that what is kept belongs to it and to no other trial.
 void VolumeContact::commit(const Kinematics& accepted) {
   pose_bodies(accepted.time, poses_);
+  look_ahead(accepted);
   for (Pair& pair : pairs_) {
     ContactTrial at;
     const PointContact c = contact(pair, accepted, false, false, at);

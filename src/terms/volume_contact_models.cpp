@@ -45,7 +45,7 @@ ContactLaw VolumeContact::in_force(const Pair& pair, double step) const {
 
 // A node that may carry a multiplier is looked at from further away, and a gap spring looks at its plane.
 bool VolumeContact::locate_held(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {
-  const size_t n = static_cast<size_t>(pair.node), k = static_cast<size_t>(pair.volume);
+  const size_t n = static_cast<size_t>(pair.node);
   trial.point = y;
   if (model_ == NodeContact::gap) {
     const History& h = pair.history;
@@ -55,7 +55,7 @@ bool VolumeContact::locate_held(Pair& pair, const Vec3& y, double reach, Contact
     trial.curvature.setZero();
     return trial.gap < pair.law.normal.smoothing;
   }
-  const auto p = volumes_[k].surface->query(y, pair.touch + reach, pair.hint);
+  const auto& p = look(pair, y, pair.touch + reach);
   if (!p) return false;
   pair.hint = p->triangle;
   trial.gap = p->distance - nodes_[n].radius;

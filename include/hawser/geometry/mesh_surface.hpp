@@ -46,6 +46,8 @@ class MeshSurface final : public Surface {
   MeshSurface& operator=(MeshSurface&&) noexcept;
 
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
+  void query(std::span<const SurfaceQuestion> questions,
+             std::span<std::optional<SurfacePoint>> answers) const override;
   Box bounds() const override;  // of the active part and all inside the mesh
 
   const TriangleMesh& mesh() const;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "hawser/geometry/box.hpp"
 #include "hawser/geometry/closest_point.hpp"
@@ -27,6 +28,13 @@ struct SurfacePoint {
   Feature feature = Feature::face;  // of that triangle
 };
 
+// As of Surface::query().
+struct SurfaceQuestion {
+  Vec3 point = Vec3::Zero();
+  double max_distance = 0;  // m
+  int hint = -1;
+};
+
 class Surface {
  public:
   virtual ~Surface() = default;
@@ -36,6 +44,11 @@ class Surface {
   // earlier answer near y, or -1: it changes the time, never the answer.
   virtual std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const = 0;
 
+  // The same for many points, to the last bit; best in the order of a walk. A mesh answers them faster
+  // together than one by one. std::invalid_argument unless there is room for as many answers.
+  virtual void query(std::span<const SurfaceQuestion> questions,
+                     std::span<std::optional<SurfacePoint>> answers) const;
+
   // Contains the surface that can be met and all points inside it; may be infinite.
   virtual Box bounds() const = 0;
 };
@@ -44,6 +57,7 @@ class Surface {
 class PlaneSurface final : public Surface {
  public:
   PlaneSurface(const Vec3& point, const Vec3& normal);
+  using Surface::query;
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   Box bounds() const override;
 
@@ -56,6 +70,7 @@ class PlaneSurface final : public Surface {
 class CylinderSurface final : public Surface {
  public:
   CylinderSurface(const Vec3& a, const Vec3& b, double radius);
+  using Surface::query;
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   Box bounds() const override;
 

@@ -87,7 +87,16 @@ class LineContact final : public Contact {
   struct Moving;
   class Gap;
 
-  std::vector<ContactStretch> locate(Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  // What is first asked of an axis: how near its middle is. False when the middle of before still tells that
+  // the axis is clear.
+  bool middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose, SurfaceQuestion& ask) const;
+  std::vector<ContactStretch> locate(Pair& pair, const AxisShape& shape, const RigidPose& pose,
+                                     const std::optional<SurfacePoint>& middle) const;
+  // All pairs, their first and their last questions in one call a volume.
+  void find_all(const Kinematics& trial);
+  static bool renew(Found& f, const AxisShape& shape, const RigidPose& pose);
+  static void gauss_points(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
+                           std::vector<SurfaceQuestion>& ask);
   const Found& find(Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   static SurfacePoint nothing();
   bool seen(const Pair& pair, const SurfacePoint& p) const { return p.distance <= pair.touch; }
@@ -124,6 +133,11 @@ class LineContact final : public Contact {
   std::vector<double> lengths_;    // m, of the elements, unstretched
   std::vector<Pair> pairs_;        // sorted by element and volume
   std::vector<Account> accounts_;  // of the elements
+  // While a trial is looked at.
+  Questions questions_;
+  std::vector<AxisShape> shapes_;
+  std::vector<size_t> renewed_;
+  std::vector<std::optional<SurfacePoint>> middles_;
 };
 
 }  // namespace hawser

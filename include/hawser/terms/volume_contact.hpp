@@ -81,11 +81,21 @@ class VolumeContact final : public Contact {
     Vec3 centre = Vec3::Zero();
     double clear = -1;
     int hint = -1;
+    // The last answer, where and how far was asked (negative: never).
+    Vec3 asked = Vec3::Zero();
+    double asked_distance = -1;
+    std::optional<SurfacePoint> seen;
     // Of the try: multiplier, whether it is held, whether it was and is not to be again.
     double multiplier = 0;
     bool held = false, released = false;
   };
 
+  // The surface from y (body frame) within a distance [m], and what all pairs are about to ask of it at once.
+  const std::optional<SurfacePoint>& look(Pair& pair, const Vec3& y, double distance) const;
+  void look_ahead(const Kinematics& at);
+  bool clear_of(const Pair& pair, const Vec3& y) const {
+    return model_ == NodeContact::elastic && still_clear(pair.clear, pair.centre, y, 0);
+  }
   // The surface seen from y (body frame); false when it is out of touch. With the gap in `trial` when known.
   bool locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const;
   bool locate_held(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const;  // other models
@@ -110,6 +120,7 @@ class VolumeContact final : public Contact {
   std::vector<double> element_;      // m, longest element at the node
   std::vector<Pair> pairs_;          // sorted by node and volume
   std::vector<Account> accounts_;    // of the owned nodes
+  Questions questions_;
 };
 
 }  // namespace hawser
