@@ -19,10 +19,13 @@ hawser_share_cores() {
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
 export OPENBLAS_NUM_THREADS="${OPENBLAS_NUM_THREADS:-1}"
 
+# nproc heeds the variables of OpenMP above.
+hawser_cores() { env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc; }
+
 # Compilers to start at once: one a core, and 1.5 GB of memory for each.
 hawser_jobs() {
   local cores memory by_memory
-  cores=$(env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc)  # nproc heeds them
+  cores=$(hawser_cores)
   memory=$(awk '/MemAvailable/ {print $2}' /proc/meminfo)
   by_memory=$((memory / 1500000))
   [ "$by_memory" -ge 1 ] || by_memory=1

@@ -78,6 +78,9 @@ class Commands(unittest.TestCase):
         threads, root, jobs = run("bash", "-c", text, env={**os.environ, "OMP_NUM_THREADS": "3"}).stdout.split()
         self.assertEqual((threads, root), ("3", "1"))
         self.assertGreaterEqual(int(jobs), 1)
+        # One thread for OpenMP does not make it a machine of one core.
+        one = run("bash", "-c", f'. "{ROOT}/scripts/env.sh"; hawser_cores', env={**os.environ, "OMP_NUM_THREADS": "1"})
+        self.assertEqual(int(one.stdout), len(os.sched_getaffinity(0)))
 
 
 if __name__ == "__main__":
