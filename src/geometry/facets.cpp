@@ -1,8 +1,11 @@
 #include "facets.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
+
+#include "spatial_hash_keys.hpp"
 
 namespace hawser::detail {
 
@@ -64,6 +67,31 @@ FacetSearch::Foot FacetSearch::nearest(const Facets& facets, const Vec3& y, doub
   return best;
 }
 
+// Of many questions: by cells of the box along a curve, so that what one reads is there for the next.
+std::vector<std::uint32_t> FacetSearch::order_of(std::span<const SpatialHash::Question> questions) const {
+  constexpr std::size_t kMany = 1024;
+  constexpr int kBits = 5;
+  std::vector<std::uint32_t> order;
+  if (questions.size() < kMany) return order;
+  const double cell = tree_.box().extent().maxCoeff() / (1 << kBits), last = (1 << kBits) - 1;
+  if (!(cell > 0)) return order;
+  const auto key = [&](const SpatialHash::Question& q) {
+    std::uint64_t c[3];
+    for (int a = 0; a < 3; ++a) {
+      const double x = (q.point[a] - tree_.box().lo[a]) / cell;
+      c[a] = static_cast<std::uint64_t>(x > 0 ? std::min(x, last) : 0.0);
+    }
+    return morton(c[0], c[1], c[2]);
+  };
+  std::vector<std::uint32_t> first((1u << 3 * kBits) + 1, 0u);
+  for (const auto& q : questions) ++first[key(q) + 1];
+  for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
+  order.resize(questions.size());
+  for (std::size_t i = 0; i < questions.size(); ++i)
+    order[first[key(questions[i])]++] = static_cast<std::uint32_t>(i);
+  return order;
+}
+
 void FacetSearch::nearest(const Facets& facets, std::span<const SpatialHash::Question> questions,
                           std::span<Foot> feet) const {
   const std::size_t n = questions.size();
@@ -75,9 +103,12 @@ void FacetSearch::nearest(const Facets& facets, std::span<const SpatialHash::Que
       if (const int t = triangle(i + kAhead); facets.has(t)) facets.fetch_corners(t);
   };
   if (!tree_.empty()) {
+    const std::vector<std::uint32_t> order = order_of(questions);
+    const auto at = [&](std::size_t i) { return order.empty() ? i : order[i]; };
     for (std::size_t i = 0; i < n; ++i) {
-      fetch([&](std::size_t k) { return questions[k].hint; }, i);
-      feet[i] = nearest(facets, questions[i].point, questions[i].max_distance, questions[i].hint);
+      fetch([&](std::size_t k) { return questions[at(k)].hint; }, i);
+      const SpatialHash::Question& q = questions[at(i)];
+      feet[at(i)] = nearest(facets, q.point, q.max_distance, q.hint);
     }
     return;
   }

@@ -72,6 +72,8 @@ class FacetSearch {
   std::size_t memory() const { return hash_.memory() + tree_.memory(); }
 
  private:
+  std::vector<std::uint32_t> order_of(std::span<const SpatialHash::Question> questions) const;
+
   SpatialHash hash_;
   PatchTree tree_;
   std::vector<bool> chosen_;

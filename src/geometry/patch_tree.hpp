@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hawser/geometry/box.hpp"
+#include "hawser/geometry/large_vector.hpp"
 #include "hawser/geometry/smooth_patch.hpp"
 
 namespace hawser::detail {
@@ -93,10 +94,10 @@ class PatchTree {
   Box box_;
   Vec3 centre_ = Vec3::Zero();
   double size_ = 0;  // m
-  std::vector<Node> nodes_;
-  std::vector<int> ids_;        // triangles, leaf by leaf; while building, indices of items
-  std::vector<float> corners_;  // m, of each leaf: first x of all its triangles, first y, ... third z
-  std::vector<float> bulges_;   // m, of each triangle in the order of ids_
+  LargeVector<Node> nodes_;
+  LargeVector<int> ids_;        // triangles, leaf by leaf; while building, indices of items
+  LargeVector<float> corners_;  // m, of each leaf: first x of all its triangles, first y, ... third z
+  LargeVector<float> bulges_;   // m, of each triangle in the order of ids_
 };
 
 }  // namespace hawser::detail
