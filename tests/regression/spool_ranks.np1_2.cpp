@@ -37,6 +37,9 @@ TEST(SpoolRanks, TheSameAsOnOne) {
       "spool on %d ranks: steps differ by %.1e s, tension by %.1e of the largest, positions by %.1e m\n",
       size_of(MPI_COMM_WORLD), largest_difference(one.step_times, all.step_times),
       largest_difference(a, b) / most, largest_difference(x, y));
+  EXPECT_LE(largest_difference(one.step_times, all.step_times), 1e-9);
+  EXPECT_LE(largest_difference(a, b), 1e-6 * most);
+  EXPECT_LE(largest_difference(x, y), 1e-5);
 }
 
 }  // namespace
