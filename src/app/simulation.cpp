@@ -207,7 +207,9 @@ StaticsReport Simulation::solve_statics() {
   enable_friction(false);
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
   if (floating_) floating_->hold(true);
-  StaticsSettings settings{case_.statics.tolerance, case_.statics.max_iterations, true};
+  StaticsSettings settings;
+  settings.tolerance = case_.statics.tolerance;
+  settings.max_iterations = case_.statics.max_iterations;
   settings.augment = !case_.statics.exact_contact;
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   if (case_.statics.exact_contact && contact_) {
