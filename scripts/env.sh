@@ -13,6 +13,11 @@ export OMPI_MCA_btl_vader_single_copy_mechanism="${OMPI_MCA_btl_vader_single_cop
 hawser_share_cores() {
   export OMPI_MCA_mpi_yield_when_idle="${OMPI_MCA_mpi_yield_when_idle:-1}"
   export OMPI_MCA_hwloc_base_binding_policy="${OMPI_MCA_hwloc_base_binding_policy:-none}"
+  # Programs that start and end at the same moment make and remove Open MPI's folder under each other's feet, and one
+  # fails. A file in it keeps it there.
+  local session
+  session="${TMPDIR:-/tmp}/ompi.$(uname -n | cut -d. -f1).$(id -u)"
+  mkdir -m 700 -p "$session" && touch "$session/kept" || true
 }
 
 # Ranks are the parallelism; threads under them only compete.

