@@ -5,7 +5,9 @@
 #include <limits>
 #include <map>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/kernels/line_contact.hpp"
+#include "hawser/mesh/arc.hpp"
 
 namespace hawser::app {
 namespace {
@@ -34,10 +36,7 @@ std::vector<io::ResultSeries> Clearances::series() const {
 }
 
 double Clearances::arc(int element, double xi) const {
-  const Element& e = mesh_.mesh->elements[static_cast<size_t>(element)];
-  const double a = mesh_.mesh->nodes[static_cast<size_t>(e.first)].arc,
-               b = mesh_.mesh->nodes[static_cast<size_t>(e.second)].arc;
-  return a + xi * (b - a);
+  return arc_at(*mesh_.mesh, mesh_.mesh->elements[static_cast<size_t>(element)], xi);
 }
 
 // What this rank counts of a line.
@@ -93,12 +92,8 @@ Clearances::Tree Clearances::everybodys(int line, const Kinematics& at) const {
       mine.push_back(s.element);
       for (const Vec3& p : s.axis.b) mine.insert(mine.end(), p.begin(), p.end());
     }
-    std::vector<int> counts(static_cast<size_t>(size)), starts(static_cast<size_t>(size) + 1, 0);
-    const int n = static_cast<int>(mine.size());
-    MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
-    for (size_t r = 0; r < counts.size(); ++r) starts[r + 1] = starts[r] + counts[r];
-    std::vector<double> all(static_cast<size_t>(starts.back()));
-    MPI_Allgatherv(mine.data(), n, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm_);
+    std::vector<double> all;
+    GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
     tree.elements.clear();
     for (size_t i = 0; i < all.size(); i += kAxis) {
       Shaped s;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
 #include "hawser/solve/linear_solver.hpp"
 
@@ -10,33 +11,6 @@ namespace hawser {
 namespace {
 
 constexpr PetscInt kBlock = 3, kEntries = kBlock * kBlock;
-
-// How many of a thing each rank has, and where each rank's begin among all of them.
-struct Shares {
-  MPI_Comm comm = MPI_COMM_NULL;
-  std::vector<int> count, start;
-
-  Shares() = default;
-  Shares(MPI_Comm c, int mine) : comm(c) {
-    int size = 1;
-    MPI_Comm_size(comm, &size);
-    count.resize(static_cast<size_t>(size)), start.resize(static_cast<size_t>(size));
-    MPI_Allgather(&mine, 1, MPI_INT, count.data(), 1, MPI_INT, comm);
-    std::exclusive_scan(count.begin(), count.end(), start.begin(), 0);
-  }
-  size_t all() const { return static_cast<size_t>(start.back() + count.back()); }
-  int first() const {
-    int rank = 0;
-    MPI_Comm_rank(comm, &rank);
-    return start[static_cast<size_t>(rank)];
-  }
-  void gather(const int* mine, int n, std::vector<int>& out) const {
-    MPI_Allgatherv(mine, n, MPI_INT, out.data(), count.data(), start.data(), MPI_INT, comm);
-  }
-  void gather(const double* mine, int n, std::vector<double>& out) const {
-    MPI_Allgatherv(mine, n, MPI_DOUBLE, out.data(), count.data(), start.data(), MPI_DOUBLE, comm);
-  }
-};
 
 // Of each block of the parallel numbering, its number on one rank.
 std::vector<int> file_order(const LocalMesh& mesh) {
@@ -52,7 +26,7 @@ std::vector<int> file_order(const LocalMesh& mesh) {
 
 struct Gathered {
   std::vector<int> place;             // of each block of the parallel numbering, in the order of elimination
-  Shares rows, values;                // scalars of a vector; of a matrix
+  GatherPlan rows, values;            // scalars of a vector; of a matrix
   std::vector<size_t> target;         // of each block that comes, where it begins among the values of `whole`
   std::vector<double> sent, come, b;  // values of this rank, of all ranks; right-hand side of all
   MatHandle whole;
@@ -94,15 +68,15 @@ void find_pattern(Mat A, MPI_Comm comm, Gathered& g) {
   const Parts parts(A);
   PetscInt first = 0, last = 0;
   check(MatGetOwnershipRange(A, &first, &last));
-  g.rows = Shares(comm, static_cast<int>(last - first));
+  g.rows = GatherPlan(comm, static_cast<int>(last - first));
   std::vector<int> mine;
   append_entries(parts.own, first / kBlock, first / kBlock, nullptr, mine);
   append_entries(parts.other, first / kBlock, 0, parts.ghosts, mine);
   const int n = static_cast<int>(mine.size());
-  const Shares pairs(comm, n);
+  const GatherPlan pairs(comm, n);
   std::vector<int> all(pairs.all());
-  pairs.gather(mine.data(), n, all);
-  g.values = Shares(comm, n / 2 * static_cast<int>(kEntries));
+  pairs.gather(mine.data(), all);
+  g.values = GatherPlan(comm, n / 2 * static_cast<int>(kEntries));
   g.sent.resize(static_cast<size_t>(n / 2 * kEntries)), g.come.resize(g.values.all());
 
   const PetscInt blocks = static_cast<PetscInt>(g.place.size());
@@ -153,7 +127,7 @@ PetscErrorCode setup(PC pc) {
     PetscCall(MatSeqBAIJRestoreArray(part, &values));
   }
   if (out != g->sent.data() + g->sent.size()) PetscFunctionReturn(PETSC_ERR_PLIB);
-  g->values.gather(g->sent.data(), static_cast<int>(g->sent.size()), g->come);
+  g->values.gather(g->sent.data(), g->come);
   PetscScalar* whole = nullptr;
   PetscCall(MatSeqBAIJGetArray(g->whole.get(), &whole));
   for (size_t i = 0; i < g->target.size(); ++i)
@@ -174,7 +148,7 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
   PetscInt n = 0;
   PetscCall(VecGetLocalSize(b, &n));
   PetscCall(VecGetArrayRead(b, &in));
-  g->rows.gather(in, static_cast<int>(n), g->b);
+  g->rows.gather(in, g->b);
   PetscCall(VecRestoreArrayRead(b, &in));
   PetscScalar *y = nullptr, *out = nullptr;
   PetscCall(VecGetArray(g->y.get(), &y));
@@ -210,9 +184,9 @@ BlockGraph gather_graph(const System& system) {
     mine.push_back(number[static_cast<size_t>(mesh.global_block[static_cast<size_t>(row)])]);
     mine.push_back(number[static_cast<size_t>(mesh.global_block[static_cast<size_t>(column)])]);
   }
-  const Shares shares(system.comm(), static_cast<int>(mine.size()));
+  const GatherPlan shares(system.comm(), static_cast<int>(mine.size()));
   std::vector<int> all(shares.all());
-  shares.gather(mine.data(), static_cast<int>(mine.size()), all);
+  shares.gather(mine.data(), all);
   std::vector<std::pair<int, int>> edges;
   for (size_t i = 0; i < all.size(); i += 2) {
     edges.emplace_back(all[i], all[i + 1]);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/system/system.hpp"
 
 namespace hawser {
@@ -15,14 +16,9 @@ bool all(MPI_Comm comm, bool here) {
 }
 
 std::vector<double> of_all_ranks(MPI_Comm comm, const std::vector<double>& mine) {
-  int size = 1;
-  MPI_Comm_size(comm, &size);
-  std::vector<int> counts(static_cast<size_t>(size)), starts(static_cast<size_t>(size), 0);
-  const int n = static_cast<int>(mine.size());
-  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-  for (size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
-  std::vector<double> out(static_cast<size_t>(starts.back() + counts.back()));
-  MPI_Allgatherv(mine.data(), n, MPI_DOUBLE, out.data(), counts.data(), starts.data(), MPI_DOUBLE, comm);
+  const GatherPlan plan(comm, static_cast<int>(mine.size()));
+  std::vector<double> out;
+  plan.gather(mine.data(), out);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/geometry/box_pairs.hpp"
 #include "hawser/system/line_candidates.hpp"
 
@@ -41,13 +42,11 @@ std::vector<SweptAxis> LineCandidates::from_others(const std::vector<SweptAxis>&
     mine.insert(mine.end(), b.hi.begin(), b.hi.end());
     mine.push_back(static_cast<double>(last - first));
   }
-  const size_t ranks = static_cast<size_t>(size), me = static_cast<size_t>(rank);
-  std::vector<int> counts(ranks), starts(ranks + 1, 0);
-  const int n = static_cast<int>(mine.size());
-  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
-  for (size_t r = 0; r < ranks; ++r) starts[r + 1] = starts[r] + counts[r];
-  std::vector<double> all(static_cast<size_t>(starts.back()));
-  MPI_Allgatherv(mine.data(), n, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, comm_);
+  const size_t me = static_cast<size_t>(rank);
+  const GatherPlan plan(comm_, static_cast<int>(mine.size()));
+  const std::vector<int>& starts = plan.starts();
+  std::vector<double> all;
+  plan.gather(mine.data(), all);
 
   std::vector<Box> boxes(all.size() / kBox);
   std::vector<size_t> of_rank(boxes.size());

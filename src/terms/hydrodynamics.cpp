@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hawser/kernels/motion.hpp"
+#include "hawser/terms/inertia_round_off.hpp"
 
 namespace hawser {
 
@@ -210,14 +210,9 @@ double Hydrodynamics::dead_load() const {
 
 double Hydrodynamics::round_off(const Kinematics& at, double h) const {
   if (h <= 0) return 0;
-  const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
-  for (const Piece& p : pieces_) {
-    if (!p.at.counted) continue;
-    const double v =
-        std::max(at.v[static_cast<size_t>(p.at.first)].norm(), at.v[static_cast<size_t>(p.at.second)].norm());
-    sum += std::pow(4 * eps * p.section.added_normal * p.section.length * v / h, 2);
-  }
+  for (const Piece& p : pieces_)
+    if (p.at.counted) sum += inertia_round_off(at, p.at, p.section.added_normal * p.section.length, h);
   return sum;
 }
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hawser/kernels/motion.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/terms/inertia_round_off.hpp"
 
 namespace hawser {
 namespace {
@@ -141,15 +141,9 @@ void LineMassTerm::restore(const std::vector<HistoryRecord>& records) {
 
 double LineMassTerm::round_off(const Kinematics& at, double h) const {
   if (h <= 0) return 0;
-  // The scheme makes accelerations of a difference of positions over h²: of what is left of v h.
-  const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
-  for (const Piece& p : pieces_) {
-    if (!p.at.counted) continue;
-    const double v =
-        std::max(at.v[static_cast<size_t>(p.at.first)].norm(), at.v[static_cast<size_t>(p.at.second)].norm());
-    sum += std::pow(4 * eps * p.section.mass_per_length * p.section.length * v / h, 2);
-  }
+  for (const Piece& p : pieces_)
+    if (p.at.counted) sum += inertia_round_off(at, p.at, p.section.mass_per_length * p.section.length, h);
   return sum;
 }
 

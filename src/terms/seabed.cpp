@@ -5,13 +5,6 @@
 
 namespace hawser {
 
-Vec3 SeabedTerm::line_tangent(const Kinematics& at, int node) const {
-  const size_t n = static_cast<size_t>(node);
-  const Vec3 chord = at.x[static_cast<size_t>(after_[n])] - at.x[static_cast<size_t>(before_[n])];
-  const double length = chord.norm();
-  return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
-}
-
 PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives) const {
   const size_t n = static_cast<size_t>(p.node);
   ContactTrial t;
@@ -36,7 +29,7 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
       p.start.slip = p.history.slip;
       p.start.normal = plane_.normal;
     }
-    if (p.law.friction.active()) p.start.tangent = line_tangent(committed, p.node);
+    if (p.law.friction.active()) p.start.tangent = line_.tangent(committed, p.node);
     if (statics && friction_on_) p.pressed = contact(p, committed, false).normal.force;
   }
 }

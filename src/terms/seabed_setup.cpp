@@ -10,15 +10,9 @@
 namespace hawser {
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, std::vector<NodeLaw> nodes)
-    : mesh_(mesh), plane_(plane) {
+    : mesh_(mesh), plane_(plane), line_(mesh) {
   const size_t owned = static_cast<size_t>(mesh.owned);
   if (nodes.size() != owned) throw std::invalid_argument("the seabed needs a law for each owned node");
-  before_.resize(owned), after_.resize(owned);
-  for (size_t n = 0; n < owned; ++n) before_[n] = after_[n] = static_cast<int>(n);
-  for (const LocalElement& e : mesh.elements) {
-    if (e.first < mesh.owned) after_[static_cast<size_t>(e.first)] = e.second;
-    if (e.second < mesh.owned) before_[static_cast<size_t>(e.second)] = e.first;
-  }
   for (size_t n = 0; n < owned; ++n) {
     if (nodes[n].radius < 0 || !(nodes[n].law.normal.stiffness > 0)) continue;
     Point& p = points_.emplace_back();
@@ -138,7 +132,7 @@ void SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>
     p.start.slip.setZero();
     const auto found = pulled.find(mesh_.global[n]);
     if (found == pulled.end()) continue;
-    const Vec3 t = line_tangent(at, p.node);
+    const Vec3 t = line_.tangent(at, p.node);
     p.start.slip = found->second * (t - plane_.normal * plane_.normal.dot(t));
   }
   laid_ = true;

@@ -2,18 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/line_pairs.hpp"
 #include "hawser/terms/volume_contact.hpp"
 
 namespace hawser {
 namespace {
-
-double arc_at(const Mesh& mesh, const Element& e, double xi) {
-  const double a = mesh.nodes[static_cast<size_t>(e.first)].arc,
-               b = mesh.nodes[static_cast<size_t>(e.second)].arc;
-  return a + xi * (b - a);
-}
 
 void reach(double& from, double& to, double arc) { from = std::min(from, arc), to = std::max(to, arc); }
 

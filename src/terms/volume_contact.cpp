@@ -20,7 +20,7 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
   for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
     const size_t n = static_cast<size_t>(i);
     if (!(nodes_[n].radius > 0)) continue;
-    const Vec3 tangent = line_tangent(committed, i);
+    const Vec3 tangent = line_.tangent(committed, i);
     for (int k = 0; k < static_cast<int>(volumes_.size()); ++k) {
       while (known < old.size() && std::pair(old[known].node, old[known].volume) < std::pair(i, k)) ++known;
       const bool kept = known < old.size() && old[known].node == i && old[known].volume == k;

@@ -15,16 +15,14 @@ VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies
       mesh_(*mesh.mesh),
       model_(model),
       allowed_(allowed_penetration),
-      nodes_(std::move(nodes)) {
+      nodes_(std::move(nodes)),
+      line_(mesh) {
   const size_t owned = static_cast<size_t>(mesh.owned);
   if (nodes_.size() != owned)
     throw std::invalid_argument("contact needs one ContactNode for each owned node");
   accounts_.resize(owned);
-  before_.resize(owned);
-  after_.resize(owned);
   element_.assign(owned, 0);
   for (size_t i = 0; i < owned; ++i) {
-    before_[i] = after_[i] = static_cast<int>(i);
     global_.push_back(mesh.global[i]);
     block_.push_back(mesh.block[i]);
     tributary_.push_back(mesh.mesh->nodes[static_cast<size_t>(mesh.global[i])].tributary);
@@ -32,8 +30,8 @@ VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies
   for (const LocalElement& e : mesh.elements) {
     const size_t first = static_cast<size_t>(e.first), second = static_cast<size_t>(e.second);
     const double length = mesh.mesh->elements[static_cast<size_t>(e.global)].length;
-    if (first < owned) after_[first] = e.second, element_[first] = std::max(element_[first], length);
-    if (second < owned) before_[second] = e.first, element_[second] = std::max(element_[second], length);
+    if (first < owned) element_[first] = std::max(element_[first], length);
+    if (second < owned) element_[second] = std::max(element_[second], length);
   }
 }
 
@@ -47,13 +45,6 @@ ContactLaw VolumeContact::node_law(int node, int volume) const {
   ContactLaw l = law(v, share, diameter, nodes_[n].mass);
   if (augments()) l.normal.smoothing = 0;  // a multiplier needs no ramp, and none would end at the surface
   return l;
-}
-
-Vec3 VolumeContact::line_tangent(const Kinematics& at, int node) const {
-  const size_t n = static_cast<size_t>(node);
-  const Vec3 chord = at.x[static_cast<size_t>(after_[n])] - at.x[static_cast<size_t>(before_[n])];
-  const double length = chord.norm();
-  return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
 }
 
 // In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.

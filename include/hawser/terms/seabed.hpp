@@ -9,6 +9,7 @@
 #include "hawser/kernels/volume_contact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/line_neighbours.hpp"
 
 namespace hawser {
 
@@ -70,12 +71,11 @@ class SeabedTerm final : public ForceTerm {
   };
   PointContact contact(const Point& p, const Kinematics& at, bool derivatives) const;
   double friction_potential(const Point& p, const Vec3& x) const;
-  Vec3 line_tangent(const Kinematics& at, int node) const;
 
   const LocalMesh& mesh_;
   Plane plane_;
   std::vector<Point> points_;
-  std::vector<int> before_, after_;  // neighbours along the line of owned nodes
+  LineNeighbours line_;
   bool friction_on_ = true, has_friction_ = false, laid_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hawser/terms/contact.hpp"
+#include "hawser/terms/line_neighbours.hpp"
 
 namespace hawser {
 
@@ -106,7 +107,6 @@ class VolumeContact final : public Contact {
   ContactLaw in_force(const Pair& pair, double step) const;
   bool improve(Pair& pair, const ContactTrial& at, double step);
   void choose_gap(Pair& pair, const Vec3& y) const;
-  Vec3 line_tangent(const Kinematics& at, int node) const;
   void account(const Pair& pair, const History& next, const Vec3& y);
 
   const Mesh& mesh_;
@@ -115,11 +115,11 @@ class VolumeContact final : public Contact {
   double allowed_;      // m, penetration that multipliers leave; 0: a share of the radius
   std::vector<ContactNode> nodes_;
   std::vector<int> global_, block_;  // of owned nodes: mesh node, local 3-block
-  std::vector<int> before_, after_;  // neighbours along the line (local nodes), itself at an end
-  std::vector<double> tributary_;    // m, line length that belongs to the node
-  std::vector<double> element_;      // m, longest element at the node
-  std::vector<Pair> pairs_;          // sorted by node and volume
-  std::vector<Account> accounts_;    // of the owned nodes
+  LineNeighbours line_;
+  std::vector<double> tributary_;  // m, line length that belongs to the node
+  std::vector<double> element_;    // m, longest element at the node
+  std::vector<Pair> pairs_;        // sorted by node and volume
+  std::vector<Account> accounts_;  // of the owned nodes
   Questions questions_;
 };
 

@@ -1,0 +1,45 @@
+// What every rank has, brought to every rank: the lengths are told once, values as often as wanted.
+#pragma once
+
+#include <mpi.h>
+
+#include <numeric>
+#include <vector>
+
+namespace hawser {
+
+class GatherPlan {
+ public:
+  GatherPlan() = default;
+  // mine: how many values this rank brings. Collective.
+  GatherPlan(MPI_Comm comm, int mine) : comm_(comm), mine_(mine) {
+    int size = 1;
+    MPI_Comm_size(comm, &size);
+    MPI_Comm_rank(comm, &rank_);
+    count_.resize(static_cast<std::size_t>(size)), start_.resize(static_cast<std::size_t>(size) + 1, 0);
+    MPI_Allgather(&mine, 1, MPI_INT, count_.data(), 1, MPI_INT, comm);
+    std::inclusive_scan(count_.begin(), count_.end(), start_.begin() + 1);
+  }
+
+  std::size_t all() const { return static_cast<std::size_t>(start_.back()); }
+  int first() const { return start_[static_cast<std::size_t>(rank_)]; }
+  // Where each rank's values begin among all of them; the last entry is all().
+  const std::vector<int>& starts() const { return start_; }
+
+  // mine: as many as promised; out gets all(), rank by rank. Collective.
+  void gather(const double* mine, std::vector<double>& out) const { gather(mine, MPI_DOUBLE, out); }
+  void gather(const int* mine, std::vector<int>& out) const { gather(mine, MPI_INT, out); }
+
+ private:
+  template <class T>
+  void gather(const T* mine, MPI_Datatype type, std::vector<T>& out) const {
+    out.resize(all());
+    MPI_Allgatherv(mine, mine_, type, out.data(), count_.data(), start_.data(), type, comm_);
+  }
+
+  MPI_Comm comm_ = MPI_COMM_NULL;
+  int mine_ = 0, rank_ = 0;
+  std::vector<int> count_, start_;
+};
+
+}  // namespace hawser

@@ -1,0 +1,35 @@
+// Which way a line runs at its nodes.
+#pragma once
+
+#include <vector>
+
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/state/kinematics.hpp"
+
+namespace hawser {
+
+class LineNeighbours {
+ public:
+  explicit LineNeighbours(const LocalMesh& mesh) {
+    before_.resize(static_cast<size_t>(mesh.owned));
+    for (size_t n = 0; n < before_.size(); ++n) before_[n] = static_cast<int>(n);
+    after_ = before_;
+    for (const LocalElement& e : mesh.elements) {
+      if (e.first < mesh.owned) after_[static_cast<size_t>(e.first)] = e.second;
+      if (e.second < mesh.owned) before_[static_cast<size_t>(e.second)] = e.first;
+    }
+  }
+
+  // From the node before an owned node to the one after it, at an end from or to itself; unit.
+  Vec3 tangent(const Kinematics& at, int node) const {
+    const size_t n = static_cast<size_t>(node);
+    const Vec3 chord = at.x[static_cast<size_t>(after_[n])] - at.x[static_cast<size_t>(before_[n])];
+    const double length = chord.norm();
+    return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
+  }
+
+ private:
+  std::vector<int> before_, after_;  // local nodes, by owned node
+};
+
+}  // namespace hawser
