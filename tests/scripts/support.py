@@ -1,6 +1,7 @@
 """Shared by the tests of the scripts: where the tree is, and a run of one of its scripts."""
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -18,6 +19,24 @@ def write(root, path, text):
     file = Path(root) / path
     file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(text, encoding="utf-8")
+
+
+def check_trees(test, script, sound, wrong):
+    """`script` passes the tree `sound` {path: text}, and complains of each file of `wrong` [(path, text,
+    complaint)] put into it."""
+    with tempfile.TemporaryDirectory() as root:
+        for path, text in sound.items():
+            write(root, path, text)
+        result = run(script, root)
+        test.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+    for path, text, complaint in wrong:
+        with test.subTest(path=path, text=text), tempfile.TemporaryDirectory() as root:
+            for good, content in sound.items():
+                write(root, good, content)
+            write(root, path, text)
+            result = run(script, root)
+            test.assertEqual(result.returncode, 1, result.stdout + result.stderr)
+            test.assertIn(complaint, result.stdout)
 
 
 if __name__ == "__main__":
