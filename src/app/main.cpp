@@ -13,6 +13,7 @@
 #include "hawser/app/driver.hpp"
 #include "hawser/app/version.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/io/line_library.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace {
@@ -114,6 +115,9 @@ int main(int argc, char** argv) {
   schema_command->add_flag("--json", json, "As JSON Schema, for editors");
   schema_command->add_flag("--markdown", markdown, "As the key tables of the user guide (default)");
 
+  CLI::App* library_command =
+      cli.add_subcommand("library", "Print the line types library, as in the user guide.");
+
   cli.failure_message([&](const CLI::App*, const CLI::Error& e) {
     std::string what = e.what();
     if (cli.get_subcommands().empty() && e.get_name() == "RequiredError")
@@ -133,6 +137,10 @@ int main(int argc, char** argv) {
   if (*schema_command) {
     if (petsc.rank == 0)
       std::fputs((json ? hawser::model::schema_json() : hawser::model::schema_markdown()).c_str(), stdout);
+    return 0;
+  }
+  if (*library_command) {
+    if (petsc.rank == 0) std::fputs(hawser::io::line_library_markdown().c_str(), stdout);
     return 0;
   }
   run.options_text = options;

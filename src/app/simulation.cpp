@@ -12,6 +12,7 @@
 #include "hawser/solve/unilateral.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
+#include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/line_mass.hpp"
@@ -112,6 +113,10 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (masses)
     system_->add(std::make_unique<PointMasses>(local, point_masses(c, local), c.environment.gravity));
 
+  bool springs = false;
+  for (const auto& line : c.lines)
+    springs |= line.end_a.rotational_stiffness > 0 || line.end_b.rotational_stiffness > 0;
+  if (springs) system_->add(std::make_unique<EndSprings>(local, bodies_, end_springs(c, local)));
   if (c.environment.water.present) system_->add(std::make_unique<Hydrodynamics>(local, c));
 
   StartShape start = start_shape(c, local, *bodies_);
@@ -187,8 +192,11 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
   std::vector<int> held;  // ends, of the mesh
   for (size_t l = 0; l < case_.lines.size(); ++l) {
     const LineSpan& span = mesh_->lines[l];
-    if (case_.lines[l].end_a.kind != model::EndKind::free) held.push_back(span.first_node);
-    if (case_.lines[l].end_b.kind != model::EndKind::free) held.push_back(span.first_node + span.nodes - 1);
+    const auto fixed = [](const model::End& e) {
+      return e.kind != model::EndKind::free && e.kind != model::EndKind::joint;
+    };
+    if (fixed(case_.lines[l].end_a)) held.push_back(span.first_node);
+    if (fixed(case_.lines[l].end_b)) held.push_back(span.first_node + span.nodes - 1);
   }
   seabed_->enable_friction(true);
   seabed_->lay(system_->comm(), state_.view(0), held);

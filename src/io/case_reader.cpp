@@ -32,10 +32,14 @@ class Reader {
   void read() {
     c_.title = root_["title"].text;
     c_.environment = read_environment(root_["environment"], source_);
-    each("line_types",
-         [&](const std::string& name, const Value& v) { c_.line_types.push_back(line_type(name, v)); });
+    each("line_types", [&](const std::string& name, const Value& v) {
+      c_.line_types.push_back(read_line_type(name, v, source_));
+    });
     each("bodies", [&](const std::string& name, const Value& v) { c_.bodies.push_back(body(name, v)); });
     each("volumes", [&](const std::string& name, const Value& v) { c_.volumes.push_back(volume(name, v)); });
+    each("joints", [&](const std::string& name, const Value& v) {
+      c_.joints.push_back({name, vec(v, "start")});
+    });
     each("lines", [&](const std::string& name, const Value& v) { c_.lines.push_back(line(name, v)); });
     contact(root_["contact"]);
     statics(root_["statics"]);
@@ -60,40 +64,6 @@ class Reader {
   }
   Vec3 unit_vec(const Value& v, const char* key, const std::string& path) const {
     return read_direction(v, key, path, source_);
-  }
-
-  model::LineType line_type(const std::string& name, const Value& v) const {
-    const std::string path = "line_types." + name;
-    model::LineType t;
-    t.name = name;
-    t.kind = v["bending"].number != 0 ? model::LineKind::beam : model::LineKind::cable;
-    t.outer_diameter = v["outer_diameter"].number;
-    t.contact_diameter = number(v, "contact_diameter", t.outer_diameter);
-    t.mass_per_length = v["mass_per_length"].number;
-    t.EA = v["EA"].number;
-    read_in_water(v, path, source_, t);
-    t.stiffness_damping = v["stiffness_damping"].number;
-    if (t.kind == model::LineKind::cable) {
-      for (const char* key : {"EI", "GJ", "GA", "rotary_inertia"})
-        if (v.has(key) && v[key].given)
-          source_.bad(v[key], path + "." + key,
-                      "has no meaning for a type with 'bending: false'; remove one of them");
-      return t;
-    }
-    for (const char* key : {"EI", "GJ"})
-      if (!v.has(key))
-        source_.bad(
-            v, path + "." + key,
-            "required key is missing; a type that resists bending needs EI and GJ (a type that doesn't says "
-            "'bending: false')");
-    const Value& EI = v["EI"];
-    t.EI2 = EI.kind == Kind::list ? EI.items[0].number : EI.number;
-    t.EI3 = EI.kind == Kind::list ? EI.items[1].number : EI.number;
-    t.GJ = v["GJ"].number;
-    t.GA = v["GA"].number;
-    const double round = t.mass_per_length * t.outer_diameter * t.outer_diameter / 8;  // m r² / 2
-    t.rotary_inertia = v.has("rotary_inertia") ? vec(v, "rotary_inertia") : Vec3(round, round / 2, round / 2);
-    return t;
   }
 
   model::Body body(const std::string& name, const Value& v) const {
@@ -194,11 +164,15 @@ class Reader {
   model::End end(const Value& v, const std::string& path) const {
     model::End e;
     if (v.kind != Kind::map) return e;
-    e.kind = v.has("anchor") ? model::EndKind::anchor : model::EndKind::body;
+    e.kind = v.has("anchor")  ? model::EndKind::anchor
+             : v.has("joint") ? model::EndKind::joint
+                              : model::EndKind::body;
     e.at = vec(v, v.has("anchor") ? "anchor" : "at");
     if (v.has("body")) e.body = v["body"].text;
+    if (v.has("joint")) e.body = v["joint"].text, e.at = c_.joint(e.body).start;
     if (v.has("direction")) e.direction = unit_vec(v, "direction", path);
     e.clamped = v["clamped"].number != 0;
+    e.rotational_stiffness = number(v, "rotational_stiffness");
     return e;
   }
 
@@ -231,6 +205,10 @@ class Reader {
     for (const Value& m : v["masses"].items)
       l.masses.push_back({arc(m.find("at"), 0, length), m["mass"].number, m["volume"].number,
                           m["drag_area"].number, m["Ca"].number});
+    const std::vector<Value>& stiffeners = v["bend_stiffeners"].items;
+    for (std::size_t i = 0; i < stiffeners.size(); ++i)
+      read_bend_stiffener(stiffeners[i], fmt::format("{}.bend_stiffeners[{}]", path, i),
+                          arc(stiffeners[i].find("at"), 0, length), length, source_, l);
     for (std::size_t i = 0; i < v["loads"].items.size(); ++i)
       load(v["loads"].items[i], fmt::format("{}.loads[{}]", path, i), static_cast<int>(i), length, l);
     return l;

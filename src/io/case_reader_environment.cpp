@@ -123,10 +123,14 @@ model::Environment read_environment(const Value& v, const CaseSource& source) {
 }
 
 void read_in_water(const Value& v, const std::string& key, const CaseSource& source, model::LineType& t) {
-  t.displaced_diameter = number(v, "displaced_diameter", t.outer_diameter);
-  t.drag_diameter = number(v, "drag_diameter", t.displaced_diameter);
-  t.Cd_normal = v["Cd_normal"].number, t.Cd_axial = v["Cd_axial"].number;
-  t.Ca_normal = v["Ca_normal"].number, t.Ca_axial = v["Ca_axial"].number;
+  const bool known = t.drag_diameter > 0;  // from the library; what is given goes before it
+  t.displaced_diameter = number(v, "displaced_diameter", known ? t.displaced_diameter : t.outer_diameter);
+  t.drag_diameter = number(v, "drag_diameter", known ? t.drag_diameter : t.displaced_diameter);
+  const auto take = [&](const char* key, double& x) {
+    if (!known || v[key].given) x = v[key].number;
+  };
+  take("Cd_normal", t.Cd_normal), take("Cd_axial", t.Cd_axial);
+  take("Ca_normal", t.Ca_normal), take("Ca_axial", t.Ca_axial);
   if (const Value* c = v.find("contents")) {
     t.inner_diameter = (*c)["inner_diameter"].number;
     t.contents_density = (*c)["density"].number, t.contents_pressure = (*c)["pressure"].number;

@@ -30,17 +30,19 @@ struct Local {
   Mat Psi1, Psi2;  // psi' = Psi1 theta1' + Psi2 theta2'
   Mat B;           // mean spin = B' theta1' + B theta2'
   double tau, tau1, eta, eta1;
-  double l, a2, a3;    // |y|, 2 y2/(l + y1), 2 y3/(l + y1)
-  Row d, da2, da3;     // gradients of l, a2, a3
-  Row g;               // of l + y1
-  Row eps_y, eps_psi;  // gradients of the strain
-  double strain;       // from the stress-free state
-  double k2, k3;       // 12 EI/(L (1 + P))
-  Row D;               // (GJ, EI2, EI3)/L
-  double N, m2, m3;    // stresses: axial, antisymmetric bending about 2 (with a3), about 3 (with a2)
-  Row mpsi;            // symmetric bending and torsion moments, D (psi - psi0 + beta psi')
-  Row n, m;            // dW/dy, dW/dpsi
-  Row yd, psid;        // rates, with damping only
+  double l, a2, a3;     // |y|, 2 y2/(l + y1), 2 y3/(l + y1)
+  Row d, da2, da3;      // gradients of l, a2, a3
+  Row g;                // of l + y1
+  Row eps_y, eps_psi;   // gradients of the strain
+  double strain;        // from the stress-free state
+  double k2, k3;        // 12 EI/(L (1 + P))
+  Row D;                // (GJ, EI2, EI3)/L
+  double N, m2, m3;     // stresses: axial, antisymmetric bending about 2 (with a3), about 3 (with a2)
+  double EA;            // tangent of the axial stress, N
+  double axial_energy;  // J/m
+  Row mpsi;             // symmetric bending and torsion moments, D (psi - psi0 + beta psi')
+  Row n, m;             // dW/dy, dW/dpsi
+  Row yd, psid;         // rates, with damping only
   double epsd;
 };
 
@@ -48,6 +50,59 @@ struct Local {
 void spins(const BeamReference& r, const BeamEnds& e, Row& w1, Row& w2) {
   w1 = load(e.w1), w2 = load(e.w2);
   if (!r.aligned) w1 = load(Vec3(r.axes.transpose() * e.w1)), w2 = load(Vec3(r.axes.transpose() * e.w2));
+}
+
+// Bending by a table: gradient and Hessian of its energy in (psi2, psi3, a3, a2).
+struct Bending {
+  double energy = 0, g[4] = {}, H[4][4] = {};
+};
+
+// M and its tangent by the curvature vector (about 2 and 3).
+struct Moment {
+  double energy, m[2], K[2][2];
+};
+
+Moment moment_of(const BeamSection& s, double c2, double c3) {
+  const double c = std::hypot(c2, c3), linear = s.EI2 - s.moment->initial();
+  const StiffnessTable::Value v = s.moment->at(c);
+  const double secant = c > 0 ? v.force / c : s.moment->initial();
+  // Secant across the curvature, tangent along it.
+  const double rest = c > 0 ? (v.slope - secant) / (c * c) : 0;
+  Moment o;
+  o.energy = v.energy + 0.5 * linear * c * c;
+  o.m[0] = (secant + linear) * c2, o.m[1] = (secant + linear) * c3;
+  o.K[0][0] = secant + linear + rest * c2 * c2, o.K[1][1] = secant + linear + rest * c3 * c3;
+  o.K[0][1] = o.K[1][0] = rest * c2 * c3;
+  return o;
+}
+
+// The curvature is linear along the element, (psi2 + 6 xi a3, psi3 - 6 xi a2)/L with xi from -1 to 1: what
+// the cubic deflection has, and for a constant EI the energy of the linear law.
+constexpr double kGauss[3] = {-0.7745966692414834, 0, 0.7745966692414834};
+constexpr double kWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+
+Bending bending_by_table(const BeamSection& s, const BeamReference& r, const Local& o) {
+  Bending b;
+  const double p2 = o.psi[1] - r.psi[1], p3 = o.psi[2] - r.psi[2], iL = 1 / s.length;
+  for (int k = 0; k < 3; ++k) {
+    const double z = 6 * kGauss[k];
+    const Moment m = moment_of(s, iL * (p2 + z * o.a3), iL * (p3 - z * o.a2));
+    b.energy += kWeight[k] * s.length * m.energy;
+    // By which of the two curvatures each variable is, and how much.
+    const int of[4] = {0, 1, 0, 1};
+    const double by[4] = {1, 1, z, -z};
+    for (int i = 0; i < 4; ++i) {
+      b.g[i] += kWeight[k] * by[i] * m.m[of[i]];
+      for (int j = 0; j < 4; ++j) b.H[i][j] += kWeight[k] * iL * by[i] * by[j] * m.K[of[i]][of[j]];
+    }
+  }
+  return b;
+}
+
+void axial_by_table(const BeamSection& s, Local& o) {
+  const double share = s.EA / s.tension->initial();
+  const StiffnessTable::Value v = s.tension->at(o.strain);
+  o.N = share * v.force, o.EA = share * v.slope, o.axial_energy = share * v.energy;
 }
 
 inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool rates,
@@ -88,10 +143,16 @@ inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamE
   o.k3 = 12 * iL * s.EI3 / (1 + shear * s.EI3);
   o.D = iL * Row{s.GJ, s.EI2, s.EI3, 0};
 
-  o.N = s.EA * o.strain;
+  o.N = s.EA * o.strain, o.EA = s.EA;
+  if (s.tension) axial_by_table(s, o);
   o.m2 = o.k2 * o.a3;
   o.m3 = o.k3 * o.a2;
   o.mpsi = o.D * (o.psi - load(r.psi));
+  if (s.moment) {
+    const Bending b = bending_by_table(s, r, o);
+    o.m2 = b.g[2], o.m3 = b.g[3];
+    o.mpsi = Row{o.mpsi[0], b.g[0], b.g[1], 0};
+  }
   if (rates) {
     Row w1, w2;
     spins(r, e, w1, w2);
@@ -207,7 +268,7 @@ void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& 
   kinematics(s, r, e, damped, o);
   force(o, r, f);
 
-  const double EAL = s.EA * s.length;
+  const double EAL = o.EA * s.length;
   const double NL = (convex ? std::max(o.N, 0.0) : o.N) * s.length;
   const Mat h2 = slope_hessian(o, o.a2, o.da2), h3 = slope_hessian(o, o.a3, o.da3);
   const double c = 1 / (o.l * s.length);
@@ -215,11 +276,23 @@ void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& 
                      (0.2 * o.a3) * h3 + identity(c) - outer(c * o.d, o.d);
 
   // Hessian of W
-  Mat Hyy = outer(EAL * o.eps_y, o.eps_y) + NL * eps_yy + outer(o.k3 * o.da2, o.da2) + o.m3 * h2 +
-            outer(o.k2 * o.da3, o.da3) + o.m2 * h3;
+  Mat Hyy = outer(EAL * o.eps_y, o.eps_y) + NL * eps_yy + o.m3 * h2 + o.m2 * h3;
   Mat Hyp = outer(EAL * o.eps_y, o.eps_psi);
   Mat Hpp = outer(EAL * o.eps_psi, o.eps_psi);
-  const Row diagonal = o.D + Row{0, NL / 12, NL / 12, 0};
+  Row diagonal = o.D + Row{0, NL / 12, NL / 12, 0};
+  if (s.moment) {
+    const Bending b = bending_by_table(s, r, o);
+    const Row across[2] = {o.da3, o.da2};
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        Hyy += outer(b.H[2 + i][2 + j] * across[i], across[j]);
+        Hyp += outer(b.H[2 + i][j] * across[i], unit(1 + j));
+        Hpp.r[1 + i] += b.H[i][j] * unit(1 + j);
+      }
+    diagonal = Row{o.D[0], NL / 12, NL / 12, 0};
+  } else {
+    Hyy += outer(o.k3 * o.da2, o.da2) + outer(o.k2 * o.da3, o.da3);
+  }
   for (int i = 0; i < 3; ++i) Hpp.r[i] += diagonal[i] * unit(i);
   Mat Hpy = transpose(Hyp);
 
@@ -282,12 +355,27 @@ BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamE
   BeamStress out;
   out.tension = o.N;
   const Row p = o.psi - load(r.psi);
-  out.strain_energy = 0.5 * (s.EA * s.length * o.strain * o.strain + o.k3 * o.a2 * o.a2 + o.k2 * o.a3 * o.a3 +
-                             dot(p, o.D * p));
+  const double axial = s.tension ? 2 * o.axial_energy : s.EA * o.strain * o.strain;
+  out.strain_energy = 0.5 * s.length * axial;
+  if (s.moment)
+    out.strain_energy += 0.5 * o.D[0] * p[0] * p[0] + bending_by_table(s, r, o).energy;
+  else
+    out.strain_energy += 0.5 * (o.k3 * o.a2 * o.a2 + o.k2 * o.a3 * o.a3 + dot(p, o.D * p));
   if (s.beta > 0) {
     const double r2 = dot(o.da2, o.yd), r3 = dot(o.da3, o.yd);
     out.dissipation = s.beta * (s.EA * s.length * o.epsd * o.epsd + o.k3 * r2 * r2 + o.k2 * r3 * r3 +
                                 dot(o.psid, o.D * o.psid));
+  }
+  if (s.moment) {
+    const double iL = 1 / s.length;
+    const auto at = [&](double z, Vec3& moment, Vec3& curvature) {
+      curvature = Vec3(iL * p[0], iL * (p[1] + z * o.a3), iL * (p[2] - z * o.a2));
+      const Moment m = moment_of(s, curvature.y(), curvature.z());
+      moment = Vec3(o.mpsi[0], m.m[0], m.m[1]);
+    };
+    at(-6, out.moment1, out.curvature1);
+    at(6, out.moment2, out.curvature2);
+    return out;
   }
   // The chord turns by +y3/l about axis 2 and by -y2/l about axis 3 against the mean frame.
   const Vec3 bend(0, 0.5 * o.m2, -0.5 * o.m3), mean = vec(o.mpsi);

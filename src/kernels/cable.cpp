@@ -9,7 +9,8 @@ namespace {
 struct Local {
   Vec3 t, dv;  // unit chord, v2 - v1
   double l, strain, rate, tension;
-  bool damped;  // the damping acts: taut, and tension not cut off at zero
+  StiffnessTable::Value axial;  // of the strain
+  bool damped;                  // the damping acts: taut, and tension not cut off at zero
 };
 
 Local local(const CableSection& s, const CableEnds& e) {
@@ -23,7 +24,8 @@ Local local(const CableSection& s, const CableEnds& e) {
   o.tension = 0;
   o.damped = false;
   if (o.strain > 0) {
-    const double full = s.EA * (o.strain + s.beta * o.rate);
+    o.axial = s.axial(o.strain);
+    const double full = o.axial.force + s.EA * s.beta * o.rate;
     o.damped = s.beta > 0 && full > 0;
     o.tension = std::max(full, 0.0);
   }
@@ -52,8 +54,9 @@ void cable_tangent(const CableSection& s, const CableEnds& e, bool convex, doubl
   pull(o.tension * o.t, f);
   const bool taut = o.tension > 0;
   const double ea = s.EA / s.length, g = o.tension / o.l;
+  const double stiff = taut ? o.axial.slope / s.length : ea;
   Mat3 k = g * (Mat3::Identity() - o.t * o.t.transpose());
-  if (taut || convex) k.noalias() += ea * o.t * o.t.transpose();
+  if (taut || convex) k.noalias() += stiff * o.t * o.t.transpose();
   // rate = t.dv/L turns with the chord: its gradient is (dv - t (t.dv))/(l L)
   if (o.damped) k.noalias() += (ea * s.beta / o.l) * o.t * (o.dv - o.t * o.t.dot(o.dv)).transpose();
   spread(k, K);
@@ -65,8 +68,8 @@ CableStress cable_stress(const CableSection& s, const CableEnds& e) {
   CableStress out;
   out.tension = o.tension;
   if (o.strain > 0) {
-    out.strain_energy = 0.5 * s.EA * s.length * o.strain * o.strain;
-    out.dissipation = (o.tension - s.EA * o.strain) * o.rate * s.length;
+    out.strain_energy = s.length * o.axial.energy;
+    out.dissipation = (o.tension - o.axial.force) * o.rate * s.length;
   }
   return out;
 }

@@ -20,6 +20,26 @@ std::vector<double> graded_lengths(double length, int n, double ratio) {
   return l;
 }
 
+// The end that rotates, or else the first, lends its position to the others of a joint.
+void join(const model::Case& c, Mesh& m) {
+  for (const model::Joint& joint : c.joints) {
+    std::vector<int> ends;
+    for (size_t l = 0; l < c.lines.size(); ++l) {
+      const LineSpan& span = m.lines[l];
+      const auto here = [&](const model::End& e) {
+        return e.kind == model::EndKind::joint && e.body == joint.name;
+      };
+      if (here(c.lines[l].end_a)) ends.push_back(span.first_node);
+      if (here(c.lines[l].end_b)) ends.push_back(span.first_node + span.nodes - 1);
+    }
+    int first = -1;
+    for (int n : ends)
+      if (first < 0 || m.nodes[static_cast<size_t>(n)].rotates) first = n;
+    for (int n : ends)
+      if (n != first) m.nodes[static_cast<size_t>(n)].pinned_to = first;
+  }
+}
+
 }  // namespace
 
 Mesh build_mesh(const model::Case& c) {
@@ -55,6 +75,7 @@ Mesh build_mesh(const model::Case& c) {
     span.name = line.name;
     m.lines.push_back(span);
   }
+  join(c, m);
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     m.bodies.push_back(c.bodies[b].name);
     if (!c.bodies[b].mass) continue;

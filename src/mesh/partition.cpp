@@ -27,6 +27,8 @@ std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> n
     if (a != b) all.push_back({a, b, w}), all.push_back({b, a, w});
   };
   for (const Element& e : mesh.elements) add(e.first, e.second, kChainEdge);
+  for (size_t n = 0; n < mesh.nodes.size(); ++n)
+    if (mesh.nodes[n].pinned_to >= 0) add(static_cast<int>(n), mesh.nodes[n].pinned_to, kChainEdge);
   for (const auto& [a, b] : near) {
     const Element &p = mesh.elements[static_cast<size_t>(a)], &q = mesh.elements[static_cast<size_t>(b)];
     for (int m : {p.first, p.second})
@@ -67,7 +69,10 @@ std::vector<int> cut_graph(const Mesh& mesh, int ranks, const std::vector<Edge>&
       METIS_PartGraphRecursive(&vertices, &constraints, start.data(), next.data(), weight.data(), nullptr,
                                edge.data(), &parts, nullptr, nullptr, options, &cut, part.data());
   if (status != METIS_OK) throw std::runtime_error("METIS could not cut the lines into parts");
-  return {part.begin(), part.end()};
+  std::vector<int> owner(part.begin(), part.end());
+  for (size_t n = 0; n < owner.size(); ++n)  // one position has one owner
+    if (const int other = mesh.nodes[n].pinned_to; other >= 0) owner[n] = owner[static_cast<size_t>(other)];
+  return owner;
 }
 
 // Nodes that other ranks see, once for each rank that does.
@@ -92,12 +97,39 @@ std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pai
   return shared_nodes(all, weighed) < shared_nodes(all, plain) ? weighed : plain;
 }
 
+namespace {
+
+// Local blocks of a node whose first one of the parallel numbering is `first`.
+int add_blocks(LocalMesh& l, int first, int width) {
+  const int at = l.blocks();
+  for (int k = 0; k < width; ++k) l.global_block.push_back(first + k);
+  return at;
+}
+
+// The block of a node that has another's position is that one's, or where that is no local node the one that
+// has come for the same joint already.
+void pin(LocalMesh& l, int local) {
+  const int g = l.global[static_cast<size_t>(local)], other = l.mesh->nodes[static_cast<size_t>(g)].pinned_to;
+  if (other < 0) return;
+  int& block = l.block[static_cast<size_t>(local)];
+  const int first = l.first_block[static_cast<size_t>(g)];
+  if (const int here = l.find(other); here >= 0) {
+    block = l.block[static_cast<size_t>(here)];
+    return;
+  }
+  const auto known = std::find(l.global_block.begin(), l.global_block.end(), first);
+  block = known != l.global_block.end() ? static_cast<int>(known - l.global_block.begin())
+                                        : add_blocks(l, first, 1);
+}
+
+}  // namespace
+
 LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks) {
   LocalMesh l;
   l.mesh = &mesh;
   // Parallel numbering: rank by rank, in file order within a rank.
   std::vector<int> count(static_cast<size_t>(ranks) + 1, 0);
-  auto width = [&](size_t n) { return mesh.nodes[n].rotates ? 2 : 1; };
+  auto width = [&](size_t n) { return mesh.nodes[n].pinned_to >= 0 ? 0 : mesh.nodes[n].rotates ? 2 : 1; };
   for (size_t n = 0; n < owner.size(); ++n) count[static_cast<size_t>(owner[n]) + 1] += width(n);
   for (size_t r = 0; r < static_cast<size_t>(ranks); ++r) count[r + 1] += count[r];
   std::vector<int> first_block(owner.size());
@@ -106,6 +138,9 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
     first_block[n] = next;
     next += width(n);
   }
+  for (size_t n = 0; n < owner.size(); ++n)
+    if (const int other = mesh.nodes[n].pinned_to; other >= 0)
+      first_block[n] = first_block[static_cast<size_t>(other)];
 
   std::vector<int> ghosts;
   for (size_t n = 0; n < owner.size(); ++n)
@@ -125,13 +160,14 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
   for (int i = 0; i < l.nodes(); ++i) {
     const size_t n = static_cast<size_t>(l.global[static_cast<size_t>(i)]);
     local[static_cast<int>(n)] = i;
-    l.block.push_back(static_cast<int>(l.global_block.size()));
-    for (int k = 0; k < width(n); ++k) l.global_block.push_back(first_block[n] + k);
+    l.block.push_back(add_blocks(l, first_block[n], width(n)));
     if (i + 1 == l.owned) l.owned_blocks = l.blocks();
   }
   l.chain = l.nodes();
   l.owner = owner;
   l.first_block = std::move(first_block);
+  for (int n = 0; n < l.nodes(); ++n) pin(l, n);
+  l.chain_blocks = l.blocks();
   for (size_t i = 0; i < mesh.elements.size(); ++i) {
     const Element& e = mesh.elements[i];
     const bool a = owner[static_cast<size_t>(e.first)] == rank,
@@ -143,18 +179,18 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
 
 void set_coupling_ghosts(LocalMesh& l, std::span<const int> nodes) {
   const size_t chain = static_cast<size_t>(l.chain);
-  if (chain < l.global.size()) l.global_block.resize(static_cast<size_t>(l.block[chain]));
+  if (l.chain_blocks > 0) l.global_block.resize(static_cast<size_t>(l.chain_blocks));
   l.global.resize(chain), l.block.resize(chain);
   std::vector<int> more;
   for (int n : nodes)
     if (l.find(n) < 0) more.push_back(n);
   for (int n : more) {
+    const Node& node = l.mesh->nodes[static_cast<size_t>(n)];
     l.global.push_back(n);
-    l.block.push_back(l.blocks());
-    const int first = l.first_block[static_cast<size_t>(n)];
-    l.global_block.push_back(first);
-    if (l.mesh->nodes[static_cast<size_t>(n)].rotates) l.global_block.push_back(first + 1);
+    const int width = node.pinned_to >= 0 ? 0 : node.rotates ? 2 : 1;
+    l.block.push_back(add_blocks(l, l.first_block[static_cast<size_t>(n)], width));
   }
+  for (int n = l.chain; n < l.nodes(); ++n) pin(l, n);
 }
 
 int cut_elements(const Mesh& mesh, const std::vector<int>& owner) {

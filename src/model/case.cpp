@@ -30,6 +30,12 @@ const LineType& Case::line_type(const std::string& name) const {
   throw std::out_of_range("no line type '" + name + "'");
 }
 
+const Joint& Case::joint(const std::string& name) const {
+  for (const Joint& j : joints)
+    if (j.name == name) return j;
+  throw std::out_of_range("no joint '" + name + "'");
+}
+
 int Case::body_index(const std::string& name) const {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].name == name) return static_cast<int>(i);

@@ -30,6 +30,8 @@ class LineCheck {
     for (std::size_t i = 0; i < line_.masses.size(); ++i)
       check_arc(line_.masses[i].at, fmt::format("masses[{}].at", i));
     check_loads();
+    for (std::size_t i = 0; i < line_.bend_stiffeners.size(); ++i)
+      check_stiffener(line_.bend_stiffeners[i], fmt::format("bend_stiffeners[{}]", i));
   }
 
  private:
@@ -45,12 +47,27 @@ class LineCheck {
     if (e.kind == EndKind::body && c_.floats(c_.body_index(e.body)))
       issue(key + ".body", "body '{}' floats; a line can be tied to a body with prescribed motion only",
             e.body);
+    if (e.kind == EndKind::joint && (e.clamped || e.rotational_stiffness > 0))
+      return issue(key + (e.clamped ? ".clamped" : ".rotational_stiffness"),
+                   "ends turn freely at a joint; remove it");
+    if (held(e) && e.rotational_stiffness > 0) check_spring(e, section, key);
     if (!held(e) || !e.clamped) return;
     if (c_.line_type(section.type).kind == LineKind::cable)
       issue(key + ".clamped", "a line of type '{}' has no bending stiffness here and cannot be clamped",
             section.type);
     else if (!e.direction)
       issue(key + ".clamped", "a clamped end needs a direction: the tangent from end A to end B");
+  }
+
+  void check_spring(const End& e, const Section& section, const std::string& key) {
+    if (e.clamped)
+      issue(key + ".rotational_stiffness", "a clamped end does not turn; remove one of them");
+    else if (c_.line_type(section.type).kind == LineKind::cable)
+      issue(key + ".rotational_stiffness",
+            "a line of type '{}' has no bending stiffness here to turn against", section.type);
+    else if (!e.direction)
+      issue(key + ".rotational_stiffness",
+            "needs a direction, which the spring turns the end to: the tangent from end A to end B");
   }
 
   void check_start() {
@@ -105,6 +122,7 @@ class LineCheck {
   // A taut line may be a little shorter than its span; it stretches.
   void check_span() {
     if (!held(line_.end_a) || !held(line_.end_b)) return;
+    if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // it moves
     const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
     const double strain = (span - length_) / length_;
     if (!(strain < kLargestStrain))
@@ -117,6 +135,17 @@ class LineCheck {
   void check_arc(double s, const std::string& key) {
     if (s > length_ * (1 + kArcTolerance))
       issue(key, "arc length {:.6g} m is beyond the end of the line, which is {:.6g} m long", s, length_);
+  }
+
+  void check_stiffener(const BendStiffener& b, const std::string& key) {
+    check_arc(b.at, key + ".at");
+    double start = 0;
+    for (const Section& s : line_.sections) {
+      for (int k = 0; k < 8; ++k)
+        if (c_.line_type(s.type).kind == LineKind::cable && b.EI(start + (k + 0.5) / 8 * s.length) > 0)
+          return issue(key, "it is on a section of '{}', which does not resist bending", s.type);
+      start += s.length;
+    }
   }
 
   const LineType& type_at(double s) const {
@@ -233,6 +262,31 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
           {"volumes." + v.name + ".active.box", "the first corner must be below the second in x, y and z"});
 }
 
+void check_joints(const Case& c, std::vector<Issue>& issues) {
+  for (const Joint& j : c.joints) {
+    int ends = 0, bending = 0;
+    for (const Line& l : c.lines) {
+      const auto here = [&](const End& e, const Section& s) {
+        if (e.kind != EndKind::joint || e.body != j.name) return 0;
+        bending += c.line_type(s.type).kind == LineKind::beam;
+        return 1;
+      };
+      const int of_line = here(l.end_a, l.sections.front()) + here(l.end_b, l.sections.back());
+      if (of_line == 2)
+        issues.push_back({"lines." + l.name + ".end_b.joint",
+                          fmt::format("both ends are at joint '{}'; a line goes somewhere", j.name)});
+      ends += of_line;
+    }
+    const std::string key = "joints." + j.name;
+    if (ends < 2) issues.push_back({key, fmt::format("joins {} end of a line; it takes two", ends)});
+    if (bending > 1)
+      issues.push_back(
+          {key, fmt::format("joins {} lines that resist bending; at most one may, the others need "
+                            "'bending: false' in the section at the joint",
+                            bending)});
+  }
+}
+
 void check_floating(const Case& c, std::vector<Issue>& issues) {
   bool any = false;
   for (const Body& b : c.bodies) {
@@ -279,7 +333,7 @@ double length_of(const Line& line) {
 }
 
 Vec3 end_position(const Case& c, const End& end) {
-  if (end.kind == EndKind::anchor) return end.at;
+  if (end.kind == EndKind::anchor || end.kind == EndKind::joint) return end.at;
   const int i = c.body_index(end.body);
   if (i < 0) throw std::out_of_range("no body '" + end.body + "'");
   const Body& b = c.bodies[static_cast<std::size_t>(i)];
@@ -294,6 +348,7 @@ std::vector<Issue> check(const Case& c) {
   for (const Volume& v : c.volumes)
     if (v.shape) check_shape(v, issues);
   check_whole(c, issues);
+  check_joints(c, issues);
   check_floating(c, issues);
   return issues;
 }

@@ -26,24 +26,47 @@ using namespace schema_build;
 
 namespace {
 
+constexpr const char* kFromLibrary = "none: needed unless `library`";
+
 Key line_types() {
   std::vector<Key> keys = {
-      number("outer_diameter", length, "diameter of the outside").above(0).is_required(),
+      text("library", "takes what is not given here from the [library](line-types.md) of chains and ropes"),
+      number("diameter", length, "nominal diameter in the library: of a chain that of its bar").above(0),
+      text("grade", "of the library's chains: `R3`, `R3S`, `R4`, `R4S` or `R5`"),
+      number("outer_diameter", length, "diameter of the outside").above(0).or_else_note(kFromLibrary),
       number("contact_diameter", length, "diameter that touches volumes")
           .above(0)
           .or_else_note("`outer_diameter`"),
       number("mass_per_length", mass_per_length, "mass in air, without `contents` and `marine_growth`")
           .above(0)
-          .is_required(),
+          .or_else_note(kFromLibrary),
       boolean("bending",
               "`false` makes a cable: axial stiffness only, may go slack; its nodes have no "
               "rotations")
-          .or_else("true"),
-      number("EA", force, "axial stiffness").above(0).is_required(),
-      one_of("EI",
-             {number("", bending_stiffness).above(0),
-              list("", number("", bending_stiffness).above(0), "").items(2, 2)},
-             "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
+          .or_else_note("`true`; `false` with `library`"),
+      one_of("EA",
+             {number("", force).above(0),
+              map("",
+                  {list("table", list("", number("", none), "").items(2, 2),
+                        "tension over strain, `[[strain, N], ...]`, rising through zero: a monotone cubic, "
+                        "elastic, straight beyond the rows")
+                       .is_required()
+                       .items(1)},
+                  "")},
+             "axial stiffness")
+          .or_else_note(kFromLibrary),
+      one_of(
+          "EI",
+          {number("", bending_stiffness).above(0),
+           list("", number("", bending_stiffness).above(0), "").items(2, 2),
+           map("",
+               {list("table", list("", number("", none), "").items(2, 2),
+                     "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the same in "
+                     "all directions: a monotone cubic, elastic, straight beyond the rows")
+                    .is_required()
+                    .items(1)},
+               "")},
+          "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
           .or_else_note("none: needed unless `bending: false`"),
       number("GJ", bending_stiffness, "torsion stiffness")
           .above(0)
@@ -55,7 +78,10 @@ Key line_types() {
           .or_else_note("of a full round section: m d²/8, m d²/16, m d²/16"),
       number("stiffness_damping", time, "Rayleigh damping beta: damping = beta times the material stiffness")
           .at_least(0)
-          .or_else("0")};
+          .or_else("0"),
+      number("breaking_load", force, "minimum breaking load, for the summary; nothing breaks")
+          .above(0)
+          .or_else_note("that of `library`, or not known")};
   for (Key& k : in_water()) keys.push_back(std::move(k));
   return names("line_types", map("<type>", std::move(keys), ""), "What lines are made of, by name.")
       .or_else("{}");
@@ -157,20 +183,39 @@ Key bodies() {
 }
 
 Key line_end(std::string name, const std::string& about) {
-  return one_of(std::move(name),
-                {word("", {"free"}),
-                 map("",
-                     {vec3("anchor", length, "fixed at this point in space"),
-                      reference("body", "bodies", "tied to this body ..."),
-                      vec3("at", length, "... at this point of its frame"),
-                      vec3("direction", none,
-                           "tangent of the line from end A to end B, in space (anchor) or in the body's "
-                           "frame; its length does not matter")
-                          .or_else_note("none: needed if clamped"),
-                      boolean("clamped", "rotation tied as well").or_else("false")},
-                     "")
-                     .either({{{"anchor"}, {"anchor"}}, {{"body", "at"}, {"body", "at"}}}, true)},
-                about);
+  return one_of(
+      std::move(name),
+      {word("", {"free"}),
+       map("",
+           {vec3("anchor", length, "fixed at this point in space"),
+            reference("body", "bodies", "tied to this body ..."),
+            vec3("at", length, "... at this point of its frame"),
+            reference("joint", "joints", "pinned to the other ends at this joint, which moves freely"),
+            vec3("direction", none,
+                 "tangent of the line from end A to end B, in space (anchor) or in the body's "
+                 "frame; its length does not matter")
+                .or_else_note("none: needed if clamped or with `rotational_stiffness`"),
+            boolean("clamped", "rotation tied as well").or_else("false"),
+            number("rotational_stiffness", turning_stiffness,
+                   "of a spring that turns the end towards `direction`: between free and clamped")
+                .above(0)
+                .or_else_note("none: the end turns freely, unless clamped")},
+           "")
+           .either({{{"anchor"}, {"anchor"}}, {{"body", "at"}, {"body", "at"}}, {{"joint"}, {"joint"}}},
+                   true)},
+      about);
+}
+
+Key joints() {
+  return names("joints",
+               map("<joint>",
+                   {vec3("start", length, "roughly where it is at rest: statics starts from there")
+                        .is_required()},
+                   ""),
+               "Where ends of lines are pinned to each other, by name: bridles, branches. At most one of the "
+               "lines "
+               "at a joint may resist bending.")
+      .or_else("{}");
 }
 
 Key lines() {
@@ -240,6 +285,19 @@ Key lines() {
                            ""),
                        "point masses, clump weights and buoys")
                       .or_else("[]"),
+                  list("bend_stiffeners",
+                       map("",
+                           {arc("at", "arc length from end A of its root").is_required(),
+                            word("towards", {"end_a", "end_b"}, "where it goes to from its root")
+                                .or_else_note("`end_b`; from `end_b` on: `end_a`"),
+                            list("EI", list("", number("", none), "").items(2, 2),
+                                 "bending stiffness it adds to that of the line, `[[m from the root, N m²], "
+                                 "...]`, straight between the rows and nothing beyond")
+                                .is_required()
+                                .items(2)},
+                           ""),
+                       "bend stiffeners, and whatever else makes the bending stiffness vary along the line")
+                      .or_else("[]"),
                   std::move(loads)},
                  ""),
              "Lines, by name. Arc lengths are unstretched and count from end A.")
@@ -259,7 +317,7 @@ const Key& case_schema() {
       "case",
       {integer("hawser", "version of the case format; must be 1").at_least(1).at_most(1).is_required(),
        text("title", "title, for pictures and reports").or_else(""), environment(), line_types(), bodies(),
-       volumes(), lines(),
+       volumes(), joints(), lines(),
        map("contact",
            {all_or_names("lines", "lines", "lines that take part in contact"),
             all_or_names("volumes", "volumes", "volumes that take part in contact"),

@@ -13,9 +13,12 @@ std::string point(const Vec3& x) { return fmt::format("({:g}, {:g}, {:g})", x.x(
 
 std::string end_text(const End& e) {
   if (e.kind == EndKind::free) return "free";
+  if (e.kind == EndKind::joint) return "joined at " + e.body;
   const std::string where =
       e.kind == EndKind::anchor ? "anchored at " + point(e.at) : "tied to " + e.body + " at " + point(e.at);
-  return where + (e.clamped ? ", clamped" : "");
+  return where + (e.clamped                    ? ", clamped"
+                  : e.rotational_stiffness > 0 ? fmt::format(", {:g} N m/rad", e.rotational_stiffness)
+                                               : "");
 }
 
 std::string start_text(Start s) {
@@ -123,9 +126,11 @@ void describe_line(const Case& c, const Line& l, std::string& s) {
     s += fmt::format("    {:g} m of {} ({}, diameter {:g} m, {:g} kg/m), {} elements{}\n", sec.length, t.name,
                      t.kind == LineKind::beam ? "beam" : "cable", t.outer_diameter, t.mass_per_length,
                      sec.elements, sec.grading == 1 ? "" : fmt::format(", last / first {:g}", sec.grading));
+    if (t.breaking_load > 0) s += fmt::format("      breaks at {:.4g} kN\n", t.breaking_load / 1000);
   }
   s += fmt::format("    end A {}; end B {}; start {}\n", end_text(l.end_a), end_text(l.end_b),
                    start_text(l.start));
+  if (!l.bend_stiffeners.empty()) s += fmt::format("    {} bend stiffeners\n", l.bend_stiffeners.size());
   if (!l.masses.empty() || !l.loads.empty() || !l.point_loads.empty())
     s += fmt::format("    {} point masses, {} distributed loads, {} point loads\n", l.masses.size(),
                      l.loads.size(), l.point_loads.size());

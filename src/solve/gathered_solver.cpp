@@ -15,11 +15,11 @@ constexpr PetscInt kBlock = 3, kEntries = kBlock * kBlock;
 // Of each block of the parallel numbering, its number on one rank.
 std::vector<int> file_order(const LocalMesh& mesh) {
   size_t blocks = 0;
-  for (const Node& n : mesh.mesh->nodes) blocks += n.rotates ? 2 : 1;
+  for (const Node& n : mesh.mesh->nodes) blocks += n.pinned_to >= 0 ? 0 : n.rotates ? 2 : 1;
   std::vector<int> number(blocks);
   int next = 0;
   for (size_t n = 0; n < mesh.mesh->nodes.size(); ++n)
-    for (int k = 0; k <= mesh.mesh->nodes[n].rotates; ++k)
+    for (int k = 0; k <= mesh.mesh->nodes[n].rotates && mesh.mesh->nodes[n].pinned_to < 0; ++k)
       number[static_cast<size_t>(mesh.first_block[n] + k)] = next++;
   return number;
 }

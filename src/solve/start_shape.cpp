@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "flexible_start.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/kernels/catenary.hpp"
 #include "hawser/kernels/catenary_on_bed.hpp"
@@ -77,10 +78,8 @@ std::optional<Shape> on_bed(const model::Case& c, const Vec3& xa, const Vec3& xb
                             std::vector<CatenarySection> sections, const Mesh& mesh, const LineSpan& span) {
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return {};
-  const Vec3 down(std::cos(bed.direction), std::sin(bed.direction), 0);
-  const auto height = [&](const Vec3& x) { return x.z() + bed.depth + std::tan(bed.slope) * down.dot(x); };
   const double near = 1e-3 * bed.depth;
-  const bool a = std::abs(height(xa)) < near, b = std::abs(height(xb)) < near;
+  const bool a = std::abs(height_above_bed(c, xa)) < near, b = std::abs(height_above_bed(c, xb)) < near;
   if (a == b) return {};
   if (b) {  // from B to A; a load at a joint goes to the section that ends there now
     std::reverse(sections.begin(), sections.end());
@@ -128,6 +127,17 @@ void mend(Shape& s) {
   }
 }
 
+// Along the neighbours.
+Shape through(std::vector<Vec3> x) {
+  Shape out;
+  out.x = std::move(x);
+  for (size_t i = 0; i < out.x.size(); ++i) {
+    const Vec3 d = out.x[std::min(i + 1, out.x.size() - 1)] - out.x[i > 0 ? i - 1 : 0];
+    out.tangent.push_back(d.norm() > 0 ? Vec3(d.normalized()) : Vec3::Zero());
+  }
+  return out;
+}
+
 Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
             const LineSpan& span) {
   using model::EndKind, model::Start;
@@ -147,16 +157,24 @@ Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies,
     return !s.load.isZero(0) || !s.end_load.isZero(0);
   });
   if ((a || b) && (line.start == Start::straight || !loaded)) return straight();
-  try {
-    if (a && b)
-      if (auto shape = on_bed(c, xa, xb, sections, mesh, span)) return *std::move(shape);
-    if (a && b) return from_catenary(catenary(xa, xb, sections), mesh, span);
-    if (a) return from_catenary(catenary_free_b(xa, sections), mesh, span);
-    if (b) return from_catenary(catenary_free_a(xb, sections), mesh, span);
-  } catch (const std::invalid_argument&) {
-    return straight();  // slack, and its shape not determined
-  }
-  throw InputError("lines." + line.name + ": both ends are free and no start shape is given");
+  if (!a && !b) throw InputError("lines." + line.name + ": both ends are free and no start shape is given");
+  const auto closed_form = [&]() -> std::optional<Shape> {
+    try {
+      if (a && b) {
+        auto shape = on_bed(c, xa, xb, sections, mesh, span);
+        return shape ? *std::move(shape) : from_catenary(catenary(xa, xb, sections), mesh, span);
+      }
+      return from_catenary(a ? catenary_free_b(xa, sections) : catenary_free_a(xb, sections), mesh, span);
+    } catch (const std::invalid_argument&) {
+      return {};  // slack, and its shape not determined
+    } catch (const std::runtime_error&) {
+      return {};
+    }
+  };
+  std::optional<Shape> shape = closed_form();
+  if (shape && (line.start != Start::automatic || (!goes_through(c, line, shape->x) && !streams(c, line))))
+    return *std::move(shape);
+  return through(flexible_start(c, line, mesh, span, shape ? shape->x : straight().x));
 }
 
 // Axes with the first along t and the second horizontal.
@@ -198,11 +216,19 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }
     bool twist_held = line.end_a.clamped || line.end_b.clamped;
-    for (int end = 0; end < 2; ++end) {
+    // Twist is held at a joint only where no other end is held.
+    const bool joint_first = line.end_a.kind == model::EndKind::joint;
+    for (int k = 0; k < 2; ++k) {
+      const int end = joint_first ? 1 - k : k;
       const model::End& e = end ? line.end_b : line.end_a;
       if (e.kind == model::EndKind::free) continue;
       const int node = span.first_node + (end ? span.nodes - 1 : 0);
+      const bool joint = e.kind == model::EndKind::joint;
+      if (const int here = mesh.find(node); joint && here >= 0)
+        out.state.x[static_cast<size_t>(here)] = e.at;  // exactly as the other ends there
+      if (joint && (twist_held || !g.nodes[static_cast<size_t>(node)].rotates)) continue;
       Support s;
+      if (joint) s.position_mask = 0;
       s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
       s.at = e.at;
       if (g.nodes[static_cast<size_t>(node)].rotates) {

@@ -11,7 +11,7 @@
 namespace hawser {
 
 System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mesh)) {
-  if (mesh_.chain == 0) mesh_.chain = mesh_.nodes();
+  if (mesh_.chain == 0) mesh_.chain = mesh_.nodes(), mesh_.chain_blocks = mesh_.blocks();
   exchange_ = GhostExchange(comm_, mesh_);
   size_arrays();
   int lines = 1;

@@ -8,21 +8,22 @@
 
 namespace hawser {
 
-Sea sea_of(const model::Case& c) {
-  const model::Water& w = c.environment.water;
-  Sea sea;
-  sea.density = w.density, sea.gravity = c.environment.gravity, sea.surface = w.surface;
+CurrentProfile current_profile(const model::Water& w) {
   const auto vector = [](const model::CurrentRow& r) {
     return Vec3(r.speed * std::cos(r.direction), r.speed * std::sin(r.direction), 0);
   };
   const model::Current& current = w.current;
-  if (current.exponent > 0) {
-    sea.current = CurrentProfile(vector(current.profile.front()), current.exponent, w.depth);
-  } else {
-    std::vector<CurrentProfile::Row> rows;
-    for (const model::CurrentRow& r : current.profile) rows.push_back({r.depth, vector(r)});
-    sea.current = CurrentProfile(std::move(rows));
-  }
+  if (current.exponent > 0) return CurrentProfile(vector(current.profile.front()), current.exponent, w.depth);
+  std::vector<CurrentProfile::Row> rows;
+  for (const model::CurrentRow& r : current.profile) rows.push_back({r.depth, vector(r)});
+  return CurrentProfile(std::move(rows));
+}
+
+Sea sea_of(const model::Case& c) {
+  const model::Water& w = c.environment.water;
+  Sea sea;
+  sea.density = w.density, sea.gravity = c.environment.gravity, sea.surface = w.surface;
+  sea.current = current_profile(w);
   sea.current_ramp = current.ramp;
   sea.waves = model::wave_field(c.environment);
   sea.wave_ramp = w.waves.ramp;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/mesh/arc.hpp"
 #include "hawser/model/case.hpp"
 
 namespace hawser {
@@ -45,7 +46,16 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
     const auto& t = c.line_types[static_cast<size_t>(g.type)];
-    if (g.beam) out.push_back({e, {}, {g.length, t.EA, t.EI2, t.EI3, t.GJ, t.GA, t.stiffness_damping}, {}});
+    if (!g.beam) continue;
+    const auto& stiffeners = c.lines[static_cast<size_t>(g.line)].bend_stiffeners;
+    const double from = arc_at(*mesh.mesh, g, 0), to = arc_at(*mesh.mesh, g, 1);
+    const double EI2 = model::stiffened_EI(stiffeners, from, to, t.EI2),
+                 EI3 = model::stiffened_EI(stiffeners, from, to, t.EI3);
+    out.push_back({e,
+                   {},
+                   {g.length, t.EA, EI2, EI3, t.GJ, t.GA, t.stiffness_damping, t.tension_table.get(),
+                    t.moment_table.get()},
+                   {}});
   }
   return out;
 }
@@ -55,7 +65,7 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
     const auto& t = c.line_types[static_cast<size_t>(g.type)];
-    if (!g.beam) out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping}});
+    if (!g.beam) out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping, t.tension_table.get()}});
   }
   return out;
 }

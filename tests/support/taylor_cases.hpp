@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
@@ -47,17 +48,22 @@ inline std::unique_ptr<SuiteModel> held_model(MPI_Comm comm, const Placement& at
 }
 
 // Stiffnesses of one size, so that no part hides behind another.
-inline void add_structure(SuiteModel& m, double beta, double GA, bool turned) {
+inline void add_structure(SuiteModel& m, double beta, double GA, bool turned, bool tables = false) {
+  // Bent and stretched into their steep and their flat parts.
+  static const StiffnessTable tension(std::vector<StiffnessTable::Row>{{0.05, 15}, {0.2, 90}, {0.4, 120}},
+                                      false);
+  static const StiffnessTable moment(std::vector<StiffnessTable::Row>{{0.1, 5}, {0.3, 11}, {0.6, 13}}, true);
   const LocalMesh& l = m.system->mesh();
   std::vector<StructureTerm::Beam> beams;
   std::vector<StructureTerm::Cable> cables;
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
     if (!g.beam) {
-      cables.push_back({e, {}, {g.length, 300, beta}});
+      cables.push_back({e, {}, {g.length, 300, beta, tables ? &tension : nullptr}});
       continue;
     }
     StructureTerm::Beam b{e, {}, {g.length, 300, 50, 80, 40, GA, beta}, {}};
+    if (tables) b.section.tension = &tension, b.section.moment = &moment, b.section.EI3 = b.section.EI2 = 60;
     if (turned) {
       b.reference.axes = suite_axes(true), b.reference.aligned = false;
       b.reference.psi = Vec3(0.1, -0.05, 0.08), b.reference.strain = 0.02;
@@ -253,10 +259,10 @@ inline std::vector<SuiteCase> seabed_cases() {
 
 inline std::vector<SuiteCase> structure_cases() {
   std::vector<SuiteCase> out;
-  const auto structure = [&](const char* name, double beta, double GA, bool turned) {
+  const auto structure = [&](const char* name, double beta, double GA, bool turned, bool tables = false) {
     out.push_back({name, [=](MPI_Comm comm, const Placement& at) {
                      auto m = held_model(comm, at);
-                     add_structure(*m, beta, GA, turned);
+                     add_structure(*m, beta, GA, turned, tables);
                      m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
                      return m;
                    }});
@@ -265,6 +271,30 @@ inline std::vector<SuiteCase> structure_cases() {
   structure("structure, shear", 0, 200, false);
   structure("structure, damped", 0.3, 200, false);
   structure("structure, curved, damped", 0.3, 200, true);
+  structure("structure, tables", 0, 0, false, true);
+  structure("structure, tables, curved, damped", 0.3, 0, true, true);
+  out.push_back(
+      {"end springs", [](MPI_Comm comm, const Placement& at) {
+         auto m = std::make_unique<SuiteModel>(comm, at);
+         const LocalMesh& l = m->system->mesh();
+         // One to a body that turns, one nearly along its direction, one far from it.
+         const auto bodies = std::make_shared<const Bodies>(
+             std::vector<RigidMotion>{{at.point({1, 2, 3}), log_so3(at.rotation * exp_so3({0.1, 0.2, 0.3})),
+                                       SteadyLaw{Vec3::Zero(), at.rotation * Vec3(1, 2, -2), 0.4}}});
+         const State s = state_of(l, m->trial);
+         std::vector<EndSpring> springs;
+         for (int n = 0; n < l.owned; ++n) {
+           const int g = l.global[static_cast<size_t>(n)];
+           const Vec3 t = s.q[static_cast<size_t>(n)] * Vec3::UnitX();
+           if (g == 0) springs.push_back({n, 0, Vec3(0.8, 0.6, 0), 70});
+           if (g == 1)
+             springs.push_back({n, -1, (t + 0.01 * (at.rotation * Vec3(1, 2, 3))).normalized(), 90});
+           if (g == 3) springs.push_back({n, -1, at.rotation * Vec3(-0.6, 0, 0.8), 50});
+         }
+         m->system->add(std::make_unique<EndSprings>(l, bodies, springs));
+         m->system->prepare(m->trial.from.view(m->trial.h), m->trial.h);
+         return m;
+       }});
   return out;
 }
 

@@ -47,6 +47,13 @@ model::Environment read_environment(const model::Value& v, const CaseSource& sou
 void read_in_water(const model::Value& v, const std::string& key, const CaseSource& source,
                    model::LineType& t);
 
+// An entry of `line_types`, which may take from the library what it does not say itself.
+model::LineType read_line_type(const std::string& name, const model::Value& v, const CaseSource& source);
+
+// An entry of `bend_stiffeners` of a line, its root at arc length `at` [m].
+void read_bend_stiffener(const model::Value& v, const std::string& path, double at, double length,
+                         const CaseSource& source, model::Line& line);
+
 // `sign` of a volume, a word of the schema.
 model::SignTest read_sign(const std::string& word);
 

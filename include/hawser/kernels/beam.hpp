@@ -12,6 +12,7 @@
 // with P = 12 EI/(GA L^2) for shear. The derivation is in docs/theory/beam.md.
 #pragma once
 
+#include "hawser/kernels/stiffness_table.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -24,6 +25,11 @@ struct BeamSection {
   double GJ = 0;            // N m²
   double GA = 0;            // N; 0: rigid in shear
   double beta = 0;          // s
+  // Tension over strain, times EA over its slope at zero; null: linear. Damping stays that of EA.
+  const StiffnessTable* tension = nullptr;
+  // Bending moment over curvature, in the direction of the curvature, and on top of it what EI2 = EI3 is
+  // above its slope at zero, linear; null: linear. GA is not heeded then, and damping stays that of EI.
+  const StiffnessTable* moment = nullptr;
 };
 
 struct BeamReference {

@@ -1,6 +1,7 @@
 // Cable element: a straight bar that carries tension only.
 #pragma once
 
+#include "hawser/kernels/stiffness_table.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -9,6 +10,16 @@ struct CableSection {
   double length = 0;  // m, unstretched
   double EA = 0;      // N
   double beta = 0;    // s, stiffness-proportional damping of a taut element
+  // Tension over strain, times EA over its slope at zero; null: linear. Damping stays that of EA.
+  const StiffnessTable* tension = nullptr;
+
+  // Tension [N] of a strain, its slope and its energy a unit of length.
+  StiffnessTable::Value axial(double strain) const {
+    if (!tension) return {EA * strain, EA, 0.5 * EA * strain * strain};
+    const double share = EA / tension->initial();
+    const StiffnessTable::Value v = tension->at(strain);
+    return {share * v.force, share * v.slope, share * v.energy};
+  }
 };
 
 struct CableEnds {

@@ -5,14 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/kernels/monotone_cubic.hpp"
+
 namespace hawser {
 
-// A monotone cubic through the rows (Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17): continuous with its
-// slope, never falling, no overshoot. Starts at zero penetration with no force and no slope, so that nothing
+// A monotone cubic through the rows. Starts at zero penetration with no force and no slope, so that nothing
 // jumps when a surface is met; beyond the last row it goes on straight with the slope there.
 class ForceTable {
  public:
-  using Row = std::pair<double, double>;  // penetration [m], force [N, or by basis]
+  using Row = MonotoneCubic::Row;  // penetration [m], force [N, or by basis]
 
   // Penetrations positive and increasing, forces not negative and not falling, the last one positive;
   // std::invalid_argument with the number of the row (from 1) otherwise. A row at zero penetration with no
@@ -25,13 +26,11 @@ class ForceTable {
   };
   Value at(double penetration) const;  // zero below 0
 
-  double largest_slope() const { return largest_slope_; }
-  const std::vector<Row>& rows() const { return rows_; }  // from (0, 0) on
+  double largest_slope() const { return curve_.largest_slope(); }
+  const std::vector<Row>& rows() const { return curve_.rows(); }  // from (0, 0) on
 
  private:
-  std::vector<Row> rows_;
-  std::vector<double> slope_, potential_;  // at the rows
-  double largest_slope_ = 0;
+  MonotoneCubic curve_;
 };
 
 }  // namespace hawser

@@ -22,6 +22,7 @@ struct LocalMesh {
   int chain = 0;                       // [owned, chain): ghosts of elements; [chain, nodes()): of couplings
   std::vector<int> global;             // local node -> node
   std::vector<int> block;              // local node -> its first local 3-block (position; +1: rotation)
+  int chain_blocks = 0;                // local blocks [0, chain_blocks) are those of nodes [0, chain)
   int owned_blocks = 0;                // local blocks [0, owned_blocks) are rows of this rank
   std::vector<int> global_block;       // local block -> block of the parallel numbering
   std::vector<LocalElement> elements;  // every element that touches an owned node

@@ -19,6 +19,7 @@ struct Node {
   double tributary = 0;  // m, half the lengths of the elements at this node
   bool rotates = false;  // beam node and body: two 3-blocks; cable node: one
   int body = -1;         // of the case, when it is the centre of mass of one
+  int pinned_to = -1;    // node whose position is this one's too (a joint); this one does not rotate
 };
 
 struct Element {

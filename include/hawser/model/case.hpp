@@ -12,7 +12,9 @@
 
 #include "hawser/geometry/primitive_shape.hpp"
 #include "hawser/kernels/force_table.hpp"
+#include "hawser/kernels/stiffness_table.hpp"
 #include "hawser/math/types.hpp"
+#include "hawser/model/bend_stiffener.hpp"
 #include "hawser/model/environment.hpp"
 #include "hawser/model/stiffness.hpp"
 
@@ -22,16 +24,18 @@ enum class LineKind { beam, cable };
 
 struct LineType {
   std::string name;
-  LineKind kind = LineKind::beam;      // `bending: false` makes a cable: EA only, may go slack
-  double outer_diameter = 0;           // m
-  double contact_diameter = 0;         // m, default outer_diameter
-  double mass_per_length = 0;          // kg/m, in air, with contents and marine growth
-  double EA = 0;                       // N
-  double EI2 = 0, EI3 = 0;             // N m², about the section's axes 2 and 3
-  double GJ = 0;                       // N m²
+  LineKind kind = LineKind::beam;  // `bending: false` makes a cable: EA only, may go slack
+  double outer_diameter = 0;       // m
+  double contact_diameter = 0;     // m, default outer_diameter
+  double mass_per_length = 0;      // kg/m, in air, with contents and marine growth
+  double EA = 0;                   // N; of a table its slope at no strain
+  double EI2 = 0, EI3 = 0;         // N m², about the section's axes 2 and 3; of a table: at no curvature
+  std::shared_ptr<const StiffnessTable> tension_table, moment_table;  // over strain, curvature; null: linear
+  double GJ = 0;                                                      // N m²
   double GA = 0;                       // N, shear stiffness; 0: rigid in shear (Euler-Bernoulli)
   Vec3 rotary_inertia = Vec3::Zero();  // kg m (per length), about axes 1 (along), 2, 3
   double stiffness_damping = 0;        // s, Rayleigh beta: damping = beta * material stiffness
+  double breaking_load = 0;            // N; 0: not known
 
   // In water. The axial drag acts on the skin, pi times the drag diameter.
   double displaced_diameter = 0;  // m, of the volume that water is driven out of; 0: outer_diameter
@@ -125,14 +129,21 @@ struct Section {
   double grading = 1;  // length of the last element over the first
 };
 
-enum class EndKind { free, anchor, body };
+enum class EndKind { free, anchor, body, joint };
 
 struct End {
   EndKind kind = EndKind::free;
-  Vec3 at = Vec3::Zero();  // m: in space (anchor) or in the body's frame (body)
-  std::string body;
-  std::optional<Vec3> direction;  // unit tangent from A to B, same frame as `at`
-  bool clamped = false;           // rotation tied as well
+  Vec3 at = Vec3::Zero();           // m: in space (anchor) or in the body's frame (body)
+  std::string body;                 // or the joint
+  std::optional<Vec3> direction;    // unit tangent from A to B, same frame as `at`
+  bool clamped = false;             // rotation tied as well
+  double rotational_stiffness = 0;  // N m/rad, a spring towards `direction`
+};
+
+// Where ends of lines are pinned to each other, free to move.
+struct Joint {
+  std::string name;
+  Vec3 start = Vec3::Zero();  // m, where statics starts from
 };
 
 struct PointMass {
@@ -164,6 +175,7 @@ struct Line {
   std::vector<Section> sections;
   End end_a, end_b;
   std::vector<PointMass> masses;
+  std::vector<BendStiffener> bend_stiffeners;
   std::vector<DistributedLoad> loads;
   std::vector<PointLoad> point_loads;
   Start start = Start::automatic;
@@ -265,6 +277,7 @@ struct Case {
   std::vector<LineType> line_types;
   std::vector<Body> bodies;
   std::vector<Volume> volumes;
+  std::vector<Joint> joints;
   std::vector<Line> lines;
   Contact contact;
   Statics statics;
@@ -275,6 +288,7 @@ struct Case {
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
   int body_index(const std::string& name) const;             // -1: none (fixed in space)
   int line_index(const std::string& name) const;             // throws std::out_of_range
+  const Joint& joint(const std::string& name) const;         // throws std::out_of_range
   bool floats(int body) const { return body >= 0 && bodies[static_cast<std::size_t>(body)].mass.has_value(); }
 };
 

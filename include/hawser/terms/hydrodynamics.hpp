@@ -15,6 +15,7 @@ namespace hawser {
 
 namespace model {
 struct Case;
+struct Water;
 }
 
 // The sea, wherever one looks.
@@ -27,6 +28,7 @@ struct Sea {
   double wave_ramp = 0;  // s
 };
 Sea sea_of(const model::Case& c);
+CurrentProfile current_profile(const model::Water& w);
 
 class Hydrodynamics final : public ForceTerm {
  public:

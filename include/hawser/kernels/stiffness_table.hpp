@@ -1,0 +1,36 @@
+// Tension as a table over strain, bending moment as a table over curvature: elastic, without hysteresis.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hawser/kernels/monotone_cubic.hpp"
+
+namespace hawser {
+
+// A rising cubic through the rows and the origin; straight beyond the rows.
+class StiffnessTable {
+ public:
+  using Row = MonotoneCubic::Row;  // strain [-], N; or 1/m, N m
+
+  // Both columns increasing from row to row; a row at zero has zero force, and one is put in if none is
+  // there. `odd`: no negative rows are given, what is negative is as what is positive (curvature). Otherwise,
+  // without negative rows, it is straight below zero. std::invalid_argument with the number of the row (from
+  // 1).
+  StiffnessTable(std::span<const Row> rows, bool odd);
+
+  struct Value {
+    double force = 0, slope = 0, energy = 0;  // and its derivative by the strain and its integral from zero
+  };
+  Value at(double strain) const;
+
+  double initial() const { return initial_; }   // slope at zero
+  std::size_t given() const { return given_; }  // rows
+
+ private:
+  MonotoneCubic curve_;
+  double initial_ = 0, integral_ = 0;  // at zero
+  std::size_t given_ = 0;
+};
+
+}  // namespace hawser

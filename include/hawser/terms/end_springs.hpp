@@ -1,0 +1,43 @@
+// Springs at held ends of lines against turning away from a direction: between a free end and a clamped one.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/bodies.hpp"
+
+namespace hawser {
+
+struct EndSpring {
+  int node = 0;                    // local, with a rotation
+  int body = -1;                   // -1: the direction is fixed in space
+  Vec3 direction = Vec3::UnitX();  // unit, in the body's frame (or space)
+  double stiffness = 0;            // N m/rad
+};
+
+// Of the owned end nodes of a case.
+std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh);
+
+// Energy k phi²/2 of the angle phi between the line's tangent t = Q e1 and the direction d, so a moment k phi
+// about t x d. With c = d.t, W'(c) = -k phi/sin phi and W''(c) = k (1 - phi cot phi)/sin² phi, both smooth
+// but at phi = pi, where the end is folded back. Nothing acts about the tangent itself.
+class EndSprings final : public ForceTerm {
+ public:
+  EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies, std::vector<EndSpring> springs);
+
+  std::string_view name() const override { return "end springs"; }
+  void evaluate(const Kinematics& trial, Sink& sink) override;
+  Energy energy(const Kinematics& at) const override;
+
+ private:
+  Vec3 direction(const EndSpring& s, double time) const;
+
+  const LocalMesh& mesh_;
+  std::shared_ptr<const Bodies> bodies_;
+  std::vector<EndSpring> springs_;
+};
+
+}  // namespace hawser

@@ -1,0 +1,127 @@
+// `line_types`: from the library, from the case, or from both.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/line_library.hpp"
+
+namespace hawser::io {
+namespace {
+
+using model::Value;
+
+std::shared_ptr<const StiffnessTable> read_stiffness_table(const Value& table, const std::string& key,
+                                                           bool odd, const CaseSource& source) {
+  std::vector<StiffnessTable::Row> rows;
+  for (const Value& r : table.items) rows.emplace_back(r.items[0].number, r.items[1].number);
+  try {
+    return std::make_shared<const StiffnessTable>(rows, odd);
+  } catch (const std::invalid_argument& e) {
+    source.bad(table, key, e.what());
+  }
+}
+
+void read_bending(const Value& v, const std::string& path, const CaseSource& source, model::LineType& t) {
+  for (const char* key : {"EI", "GJ"})
+    if (!v.has(key))
+      source.bad(
+          v, path + "." + key,
+          "required key is missing; a type that resists bending needs EI and GJ (a type that doesn't says "
+          "'bending: false')");
+  const Value& EI = v["EI"];
+  t.GJ = v["GJ"].number;
+  t.GA = v["GA"].number;
+  if (EI.kind == Value::Kind::map) {
+    t.moment_table = read_stiffness_table(EI["table"], path + ".EI.table", true, source);
+    t.EI2 = t.EI3 = t.moment_table->initial();
+    if (t.GA > 0)
+      source.bad(v["GA"], path + ".GA", "has no meaning beside a table of moments; remove one of them");
+  } else {
+    t.EI2 = EI.kind == Value::Kind::list ? EI.items[0].number : EI.number;
+    t.EI3 = EI.kind == Value::Kind::list ? EI.items[1].number : EI.number;
+  }
+  const double round = t.mass_per_length * t.outer_diameter * t.outer_diameter / 8;  // m r² / 2
+  t.rotary_inertia =
+      v.has("rotary_inertia") ? as_vec3(v["rotary_inertia"]) : Vec3(round, round / 2, round / 2);
+}
+
+}  // namespace
+
+model::LineType read_line_type(const std::string& name, const Value& v, const CaseSource& source) {
+  const std::string path = "line_types." + name;
+  model::LineType t;
+  const bool known = v.has("library");
+  if (known) {
+    t = library_line_type(v, path, source);
+  } else {
+    for (const char* key : {"diameter", "grade"})
+      if (v.has(key)) source.bad(v[key], path + "." + key, "has a meaning with 'library' only");
+    for (const char* key : {"outer_diameter", "mass_per_length", "EA"})
+      if (!v.has(key))
+        source.bad(v, path + "." + key,
+                   "required key is missing: a type that is not from the 'library' needs outer_diameter, "
+                   "mass_per_length and EA");
+  }
+  t.name = name;
+  if (v.has("bending")) t.kind = v["bending"].number != 0 ? model::LineKind::beam : model::LineKind::cable;
+  const auto take = [&v](const char* key, double& x) {
+    const Value* k = v.find(key);
+    if (k && k->given) x = k->number;
+    return k && k->given;
+  };
+  if (take("outer_diameter", t.outer_diameter)) t.contact_diameter = t.outer_diameter;
+  take("contact_diameter", t.contact_diameter);
+  take("mass_per_length", t.mass_per_length);
+  take("breaking_load", t.breaking_load);
+  if (v.has("EA")) {
+    const Value& EA = v["EA"];
+    if (EA.kind == Value::Kind::map) {
+      t.tension_table = read_stiffness_table(EA["table"], path + ".EA.table", false, source);
+      t.EA = t.tension_table->initial();
+    } else {
+      t.EA = EA.number;
+    }
+  }
+  read_in_water(v, path, source, t);
+  take("stiffness_damping", t.stiffness_damping);
+  if (t.kind == model::LineKind::beam) {
+    read_bending(v, path, source, t);
+    return t;
+  }
+  for (const char* key : {"EI", "GJ", "GA", "rotary_inertia"})
+    if (v.has(key) && v[key].given)
+      source.bad(
+          v[key], path + "." + key,
+          known && !v.has("bending")
+              ? "has no meaning for a type of the library, which does not resist bending; say 'bending: "
+                "true' as well"
+              : "has no meaning for a type with 'bending: false'; remove one of them");
+  return t;
+}
+
+void read_bend_stiffener(const Value& v, const std::string& path, double at, double length,
+                         const CaseSource& source, model::Line& line) {
+  model::BendStiffener b;
+  b.at = at;
+  b.towards_a = v.has("towards") ? v["towards"].is("end_a") : v["at"].is("end_b");
+  const Value& rows = v["EI"];
+  for (std::size_t i = 0; i < rows.items.size(); ++i) {
+    const double d = rows.items[i].items[0].number, k = rows.items[i].items[1].number;
+    const std::string key = fmt::format("{}.EI[{}]", path, i);
+    if (!(d >= 0) || (i > 0 && !(d > b.rows.back().first)))
+      source.bad(rows.items[i], key,
+                 i > 0 ? fmt::format("rows go away from the root, but {:g} m comes after {:g} m", d,
+                                     b.rows.back().first)
+                       : fmt::format("{:g} m is before the root", d));
+    if (!(k >= 0)) source.bad(rows.items[i], key, fmt::format("{:g} N m² would soften the line", k));
+    b.rows.emplace_back(d, k);
+  }
+  const double tip = b.towards_a ? at - b.rows.back().first : at + b.rows.back().first;
+  if (tip < -1e-9 * length || tip > length * (1 + 1e-9))
+    source.bad(rows, path + ".EI", fmt::format("reaches to {:g} m of a line of {:g} m", tip, length));
+  line.bend_stiffeners.push_back(std::move(b));
+}
+
+}  // namespace hawser::io

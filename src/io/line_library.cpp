@@ -1,0 +1,154 @@
+#include "hawser/io/line_library.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/io/yaml_document.hpp"
+#include "hawser/model/nearest.hpp"
+
+namespace hawser::io {
+
+extern const char* const kLineLibrary;
+
+namespace {
+
+using model::Value;
+
+const Value& library() {
+  static const Value root = parse_yaml(kLineLibrary, "line-types.yaml");
+  return root;
+}
+
+double as_number(const Value& v) {
+  double x = 0;
+  const auto [end, error] = std::from_chars(v.text.data(), v.text.data() + v.text.size(), x);
+  if (error != std::errc() || end != v.text.data() + v.text.size())
+    throw std::logic_error("line-types.yaml: '" + v.text + "' is no number");
+  return x;
+}
+
+// A plain number, or the sum that a map of powers says.
+double value(const Value& v, double d, double breaking_load) {
+  if (v.kind != Value::Kind::map) return as_number(v);
+  double sum = 0;
+  for (std::size_t i = 0; i < v.items.size(); ++i) {
+    const double a = as_number(v.items[i]);
+    const std::string& k = v.keys[i];
+    sum += a * (k == "d" ? d : k == "d2" ? d * d : k == "d3" ? d * d * d : breaking_load);
+  }
+  return sum;
+}
+
+// "19900 d²", "44e9 d² - 80e9 d³", "14 MBL"
+std::string formula(const Value& v) {
+  if (v.kind != Value::Kind::map) return v.text;
+  std::string s;
+  for (std::size_t i = 0; i < v.items.size(); ++i) {
+    const double a = as_number(v.items[i]);
+    const std::string& k = v.keys[i];
+    const char* of = k == "d" ? "d" : k == "d2" ? "d²" : k == "d3" ? "d³" : "MBL";
+    if (i > 0) s += a < 0 ? " - " : " + ";
+    const double size = i > 0 ? std::abs(a) : a;
+    s += size == 1 ? of : fmt::format("{:g} {}", size, of);
+  }
+  return s;
+}
+
+}  // namespace
+
+std::vector<std::string> line_library_names() { return library().keys; }
+
+model::LineType library_line_type(const Value& v, const std::string& key, const CaseSource& source) {
+  const std::string& name = v["library"].text;
+  const std::vector<std::string> names = line_library_names();
+  const Value* entry = library().find(name);
+  if (!entry)
+    source.bad(v["library"], key + ".library",
+               model::quote(name) + " is not in the library" + model::did_you_mean(name, names) +
+                   " (there are " + model::enumerate(names, "and") + ")");
+  if (!v.has("diameter"))
+    source.bad(v, key + ".diameter", "required key is missing: the nominal diameter of " + name);
+  const double d = v["diameter"].number;
+  double strength = 1;
+  if (const Value* grades = entry->find("grades")) {
+    const std::string known = model::enumerate(grades->keys);
+    if (!v.has("grade")) source.bad(v, key + ".grade", "required key is missing: " + known);
+    const std::string& grade = v["grade"].text;
+    const Value* g = grades->find(grade);
+    if (!g)
+      source.bad(v["grade"], key + ".grade",
+                 model::quote(grade) + " is no grade of " + name + model::did_you_mean(grade, grades->keys) +
+                     " (" + known + ")");
+    strength = as_number(*g);
+  } else if (v.has("grade")) {
+    source.bad(v["grade"], key + ".grade", name + " has no grades; remove it");
+  }
+  model::LineType t;
+  t.kind = model::LineKind::cable;
+  t.breaking_load = strength * value((*entry)["breaking_load"], d, 0);
+  const auto of = [&](const char* property) { return value((*entry)[property], d, t.breaking_load); };
+  t.outer_diameter = of("outer_diameter");
+  t.contact_diameter = entry->has("contact_diameter") ? of("contact_diameter") : t.outer_diameter;
+  t.displaced_diameter = entry->has("displaced_diameter") ? of("displaced_diameter") : t.outer_diameter;
+  t.drag_diameter = of("drag_diameter");
+  t.mass_per_length = of("mass_per_length");
+  t.EA = of("EA");
+  t.Cd_normal = of("Cd_normal"), t.Cd_axial = of("Cd_axial");
+  t.Ca_normal = of("Ca_normal"), t.Ca_axial = of("Ca_axial");
+  if (!(t.breaking_load > 0) || !(t.EA > 0))
+    source.bad(
+        v["diameter"], key + ".diameter",
+        fmt::format("{:g} m is beyond what the formulas of {} are made for (the diameter is in m, or with "
+                    "its unit: 84 mm)",
+                    d, name));
+  return t;
+}
+
+std::string line_library_markdown() {
+  std::string s =
+      "<!-- Written by `hawser library` from data/line-types.yaml; don't edit by hand. -->\n"
+      "# Line types library\n\n"
+      "Chains and ropes by their nominal diameter, for early design: means over catalogues, from published "
+      "formulas.\nA maker's data go before them: every key that the case gives itself is taken instead.\n\n"
+      "```yaml\nline_types:\n  chain: {library: chain-studless, diameter: 84 mm, grade: R4}\n"
+      "  rope: {library: polyester, diameter: 210 mm, EA: 190 MN}\n```\n\n"
+      "All are cables (`bending: false`), unless the case says `bending: true` and gives `EI` and `GJ`. d is "
+      "the "
+      "nominal\ndiameter in m, of a chain that of its bar; MBL the minimum breaking load in N. Cd axial acts "
+      "on "
+      "the skin, π times\nthe drag diameter.\n\n"
+      "| `library` | mass kg/m | EA N | MBL N | outer diameter | contact diameter | displaced diameter | "
+      "drag "
+      "diameter | Cd normal | Cd axial | Ca normal | Ca axial "
+      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  const Value& all = library();
+  for (std::size_t i = 0; i < all.items.size(); ++i) {
+    const Value& e = all.items[i];
+    const auto column = [&e](const char* key, const char* otherwise = "outer_diameter") {
+      return formula(e.has(key) ? e[key] : e[otherwise]);
+    };
+    const std::string breaks = column("breaking_load");
+    s += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", all.keys[i],
+                     column("mass_per_length"), column("EA"), e.has("grades") ? "c (" + breaks + ")" : breaks,
+                     column("outer_diameter"), column("contact_diameter"), column("displaced_diameter"),
+                     column("drag_diameter"), column("Cd_normal"), column("Cd_axial"), column("Ca_normal"),
+                     column("Ca_axial"));
+  }
+  s += "\n| `library` | what it is | source |\n|---|---|---|\n";
+  for (std::size_t i = 0; i < all.items.size(); ++i) {
+    const Value& e = all.items[i];
+    s += fmt::format("| `{}` | {}", all.keys[i], e["about"].text);
+    if (const Value* g = e.find("grades")) {
+      s += "; c by `grade`:";
+      for (std::size_t k = 0; k < g->items.size(); ++k)
+        s += fmt::format("{} {} {}", k ? "," : "", g->keys[k], g->items[k].text);
+    }
+    s += fmt::format(" | {} |\n", e["source"].text);
+  }
+  return s;
+}
+
+}  // namespace hawser::io

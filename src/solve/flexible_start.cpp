@@ -1,0 +1,192 @@
+#include "flexible_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/kernels/flexible_shape.hpp"
+#include "hawser/terms/hydrodynamics.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr int kMostPieces = 300;  // enough for a start shape, however fine the mesh is
+constexpr double kStreams = 0.1;  // drag over weight that a catenary does not do for
+constexpr int kDragRounds = 8;
+constexpr double kSettled = 5e-3;  // of the length: the drag's shape is good enough
+constexpr double kFold = 0.2;      // cosine between neighbouring pieces below which drag has folded a line up
+
+Vec3 bed_normal(const model::Seabed& bed) {
+  return Vec3(std::sin(bed.slope) * std::cos(bed.direction), std::sin(bed.slope) * std::sin(bed.direction),
+              std::cos(bed.slope));
+}
+
+double buoyancy(const model::Case& c, const model::LineType& t) {
+  const model::Water& w = c.environment.water;
+  return w.present ? w.density * c.environment.gravity * M_PI / 4 * t.displaced() * t.displaced() : 0;
+}
+
+// Of elements [first, last) of the mesh, as one.
+FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const Mesh& mesh, int first,
+                          int last) {
+  FlexibleLine::Piece p;
+  double compliance = 0;
+  for (int e = first; e < last; ++e) {
+    const Element& g = mesh.elements[static_cast<size_t>(e)];
+    const auto& t = c.line_types[static_cast<size_t>(g.type)];
+    p.length += g.length;
+    p.load.z() -= g.length * t.mass_per_length * c.environment.gravity;
+    p.buoyancy += g.length * buoyancy(c, t);
+    p.radius = std::max(p.radius, 0.5 * t.contact_diameter);
+    compliance += g.length / t.EA;
+    const double from = mesh.nodes[static_cast<size_t>(g.first)].arc;
+    for (const auto& l : line.loads) {
+      if (l.ramp > 0) continue;  // not there yet at t = 0
+      const double end = l.to < 0 ? HUGE_VAL : l.to;
+      const double overlap = std::min(from + g.length, end) - std::max(from, l.from);
+      if (overlap > 0) p.load += overlap * l.per_length;
+    }
+  }
+  p.load /= p.length, p.buoyancy /= p.length;
+  p.EA = p.length / compliance;
+  return p;
+}
+
+// The current that acts in statics.
+CurrentProfile current_of(const model::Case& c) {
+  const model::Water& w = c.environment.water;
+  return w.present && w.current.ramp == 0 ? current_profile(w) : CurrentProfile();
+}
+
+// What drag is made of, a piece: half the density, coefficient and diameter across, and along the skin;
+// kg/m².
+struct DragSection {
+  double normal = 0, axial = 0;
+};
+
+Vec3 drag(const DragSection& s, const Vec3& u, const Vec3& chord) {
+  const Vec3 t = chord.normalized(), along = u.dot(t) * t, across = u - along;
+  return s.normal * across.norm() * across + s.axial * along.norm() * along;
+}
+
+bool folded(const std::vector<Vec3>& x) {
+  for (size_t i = 1; i + 1 < x.size(); ++i)
+    if ((x[i + 1] - x[i]).normalized().dot((x[i] - x[i - 1]).normalized()) < kFold) return true;
+  return false;
+}
+
+// Drag is held while the line moves, and the line while the drag is reckoned, by turns and half of it a time.
+std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& current, FlexibleLine line,
+                             const std::vector<DragSection>& sections, const std::vector<Vec3>& still) {
+  std::vector<Vec3> x = still, pull(sections.size(), Vec3::Zero()), dead;
+  double length = 0;
+  for (const auto& p : line.pieces) dead.push_back(p.load), length += p.length;
+  for (int round = 0; round < kDragRounds; ++round) {
+    for (size_t i = 0; i < sections.size(); ++i) {
+      const double depth = water.surface - 0.5 * (x[i].z() + x[i + 1].z());
+      Vec3 u, by_depth;
+      current.at(depth, u, by_depth);
+      const Vec3 now = depth > 0 ? drag(sections[i], u, x[i + 1] - x[i]) : Vec3(0, 0, 0);
+      pull[i] = round > 0 ? Vec3(0.5 * (pull[i] + now)) : now;
+      line.pieces[i].load = dead[i] + pull[i];
+    }
+    const std::vector<Vec3> next = flexible_shape(line, x);
+    double change = 0;
+    for (size_t i = 0; i < x.size(); ++i) change = std::max(change, (next[i] - x[i]).norm());
+    x = next;
+    if (change < kSettled * length) break;
+  }
+  // Pushed together on the bed: statics finds its way from still water rather than from a fold.
+  return folded(x) ? still : x;
+}
+
+}  // namespace
+
+bool streams(const model::Case& c, const model::Line& line) {
+  const CurrentProfile current = current_of(c);
+  if (current.none()) return false;
+  const model::Water& w = c.environment.water;
+  double speed = 0;
+  for (const model::CurrentRow& r : w.current.profile) speed = std::max(speed, r.speed);
+  double pull = 0, weight = 0;
+  for (const auto& s : line.sections) {
+    const auto& t = c.line_type(s.type);
+    pull += s.length * 0.5 * w.density * t.Cd_normal * t.dragged() * speed * speed;
+    weight += s.length * std::abs(buoyancy(c, t) - t.mass_per_length * c.environment.gravity);
+  }
+  return pull > kStreams * weight;
+}
+
+double height_above_bed(const model::Case& c, const Vec3& x) {
+  const model::Seabed& bed = c.environment.seabed;
+  return bed_normal(bed).dot(x + Vec3(0, 0, bed.depth));
+}
+
+bool goes_through(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x) {
+  const model::Seabed& bed = c.environment.seabed;
+  const model::Water& water = c.environment.water;
+  double thick = 0;
+  for (const auto& s : line.sections) thick = std::max(thick, c.line_type(s.type).outer_diameter);
+  const auto through = [&](const Vec3& p) {
+    return (bed.present && height_above_bed(c, p) < -thick) ||
+           (water.present && p.z() > water.surface + thick);
+  };
+  // Ends stand where they are held.
+  return x.size() > 2 && std::any_of(x.begin() + 1, x.end() - 1, through);
+}
+
+std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, const Mesh& mesh,
+                                 const LineSpan& span, const std::vector<Vec3>& x) {
+  const model::Seabed& bed = c.environment.seabed;
+  const model::Water& water = c.environment.water;
+  FlexibleLine f;
+  f.held_a = line.end_a.kind != model::EndKind::free, f.held_b = line.end_b.kind != model::EndKind::free;
+  f.bed = bed.present;
+  f.bed_point = Vec3(0, 0, -bed.depth), f.bed_normal = bed_normal(bed);
+  f.water = water.present, f.surface = water.surface;
+
+  std::vector<double> s{0};
+  std::vector<Vec3> places{x.front()};
+  std::vector<DragSection> drags;
+  const int stride = (span.elements + kMostPieces - 1) / kMostPieces;
+  double thick = 0;
+  for (int e = 0; e < span.elements; e += stride) {
+    const int last = std::min(e + stride, span.elements);
+    f.pieces.push_back(piece(c, line, mesh, span.first_element + e, span.first_element + last));
+    thick = std::max(thick, 2 * f.pieces.back().radius);
+    const auto& t =
+        c.line_types[static_cast<size_t>(mesh.elements[static_cast<size_t>(span.first_element + e)].type)];
+    drags.push_back({0.5 * water.density * t.Cd_normal * t.dragged(),
+                     0.5 * water.density * t.Cd_axial * M_PI * t.dragged()});
+    s.push_back(mesh.nodes[static_cast<size_t>(span.first_node + last)].arc);
+    places.push_back(x[static_cast<size_t>(last)]);
+  }
+  f.bed_stiffness =
+      bed.basis == model::StiffnessBasis::per_length ? bed.normal_stiffness : bed.normal_stiffness * thick;
+  f.points.resize(s.size());
+  const auto nearest = [&](double at) -> FlexibleLine::Point& {
+    const auto next = std::lower_bound(s.begin(), s.end() - 1, at);
+    const bool back = next != s.begin() && at - *(next - 1) < *next - at;
+    return f.points[static_cast<size_t>(next - s.begin()) - (back ? 1 : 0)];
+  };
+  for (const auto& m : line.masses) {
+    FlexibleLine::Point& p = nearest(m.at);
+    p.load.z() -= m.mass * c.environment.gravity;
+    if (water.present) p.buoyancy += water.density * m.volume * c.environment.gravity;
+  }
+  for (const auto& p : line.point_loads)
+    if (p.ramp == 0) nearest(p.at).load += p.force;
+
+  std::vector<Vec3> found = flexible_shape(f, std::move(places));
+  if (const CurrentProfile current = current_of(c); !current.none())
+    found = in_current(water, current, f, drags, found);
+  std::vector<Vec3> out;
+  for (int n = 0; n < span.nodes; ++n)
+    out.push_back(stride == 1
+                      ? found[static_cast<size_t>(n)]
+                      : interpolated(s, found, mesh.nodes[static_cast<size_t>(span.first_node + n)].arc));
+  out.front() = x.front(), out.back() = f.held_b ? x.back() : out.back();
+  if (!f.held_a) out.front() = found.front();
+  return out;
+}
+
+}  // namespace hawser

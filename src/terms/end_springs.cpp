@@ -1,0 +1,78 @@
+#include "hawser/terms/end_springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+// phi²/2 as a function of c = cos phi, and its first two derivatives.
+struct Angle {
+  double half_square, first, second;
+};
+
+Angle angle(double sine, double cosine) {
+  const double phi = std::atan2(sine, cosine);
+  if (phi < 0.05) {
+    // phi² = 2u + u²/3 + 4u³/45 + u⁴/35 + ..., u = 1 - c
+    const double u = phi * phi / 2 * (1 - phi * phi / 12 * (1 - phi * phi / 30));
+    return {0.5 * phi * phi, -(1 + u * (1.0 / 3 + u * (2.0 / 15 + u * (2.0 / 35)))),
+            1.0 / 3 + u * (4.0 / 15 + u * (6.0 / 35))};
+  }
+  const double s = std::max(sine, 1e-6);  // folded back: any direction out is as good
+  return {0.5 * phi * phi, -phi / s, (1 - phi * cosine / s) / (s * s)};
+}
+
+}  // namespace
+
+std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh) {
+  std::vector<EndSpring> out;
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const LineSpan& span = mesh.mesh->lines[l];
+    for (int end = 0; end < 2; ++end) {
+      const model::End& e = end ? c.lines[l].end_b : c.lines[l].end_a;
+      if (e.kind == model::EndKind::free || !(e.rotational_stiffness > 0) || !e.direction) continue;
+      const int node = mesh.find(span.first_node + (end ? span.nodes - 1 : 0));
+      if (node < 0 || node >= mesh.owned || !mesh.rotates(node)) continue;
+      out.push_back({node, e.kind == model::EndKind::body ? c.body_index(e.body) : -1,
+                     e.direction->normalized(), e.rotational_stiffness});
+    }
+  }
+  return out;
+}
+
+EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+                       std::vector<EndSpring> springs)
+    : mesh_(mesh), bodies_(std::move(bodies)), springs_(std::move(springs)) {}
+
+Vec3 EndSprings::direction(const EndSpring& s, double time) const {
+  return s.body < 0 ? s.direction : Vec3(bodies_->pose(s.body, time).rotation * s.direction);
+}
+
+void EndSprings::evaluate(const Kinematics& trial, Sink& sink) {
+  for (const EndSpring& s : springs_) {
+    // In material axes: t = e1, p = Q'd, dc = theta.(e1 x p), dp = p x theta.
+    const Vec3 p = trial.q[static_cast<size_t>(s.node)].conjugate() * direction(s, trial.time);
+    const Vec3 g = Vec3::UnitX().cross(p);
+    const Angle a = angle(g.norm(), p.x());
+    const Vec3 f = s.stiffness * a.first * g;
+    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K =
+        s.stiffness * a.second * g * g.transpose() + s.stiffness * a.first * hat(Vec3::UnitX()) * hat(p);
+    if (sink.convex()) K = s.stiffness * (Mat3::Identity() - Vec3::UnitX() * Vec3::UnitX().transpose());
+    const int block = mesh_.block[static_cast<size_t>(s.node)] + 1;
+    sink.add({&block, 1}, f.data(), K.data(), nullptr, nullptr);
+  }
+}
+
+Energy EndSprings::energy(const Kinematics& at) const {
+  Energy e;
+  for (const EndSpring& s : springs_) {
+    const Vec3 p = at.q[static_cast<size_t>(s.node)].conjugate() * direction(s, at.time);
+    e.strain += s.stiffness * angle(Vec3::UnitX().cross(p).norm(), p.x()).half_square;
+  }
+  return e;
+}
+
+}  // namespace hawser

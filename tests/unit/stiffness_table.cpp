@@ -1,0 +1,159 @@
+// Tables of tension and moment: a rising curve through the rows, its derivative and integral; elements made
+// of them.
+#include "hawser/kernels/stiffness_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <stdexcept>
+
+#include "hawser/kernels/beam.hpp"
+#include "hawser/kernels/cable.hpp"
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+using Row = StiffnessTable::Row;
+const std::vector<Row> kRope{{0.01, 50}, {0.03, 300}, {0.05, 400}};
+const std::vector<Row> kPipe{{0.1, 40}, {0.3, 80}, {0.6, 90}};
+
+TEST(StiffnessTable, GoesThroughItsRowsRising) {
+  const StiffnessTable rope(kRope, false), pipe(kPipe, true);
+  for (const auto& [e, f] : kRope) EXPECT_NEAR(rope.at(e).force, f, 1e-12);
+  for (const auto& [c, m] : kPipe) {
+    EXPECT_NEAR(pipe.at(c).force, m, 1e-12);
+    EXPECT_NEAR(pipe.at(-c).force, -m, 1e-12);
+  }
+  EXPECT_EQ(rope.at(0).force, 0);
+  EXPECT_EQ(pipe.at(0).force, 0);
+  EXPECT_NEAR(pipe.initial(), 400, 1e-9);  // the same to both sides: the first secant
+  for (const StiffnessTable* t : {&rope, &pipe})
+    for (double x = -0.9; x < 0.9; x += 0.0137) {
+      const double h = 1e-6;
+      const auto v = t->at(x), a = t->at(x + h), b = t->at(x - h);
+      EXPECT_GT(v.slope, 0);
+      EXPECT_NEAR(v.slope, (a.force - b.force) / (2 * h), 2e-3 * v.slope);
+      EXPECT_NEAR(v.force, (a.energy - b.energy) / (2 * h), 1e-4 * (1 + std::abs(v.force)));
+      EXPECT_GE(v.energy, 0);
+    }
+  // Straight beyond and, without negative rows, below.
+  EXPECT_NEAR(rope.at(-0.2).force, -0.2 * rope.initial(), 1e-12);
+  EXPECT_NEAR(rope.at(0.2).slope, rope.at(0.05).slope, 1e-9);
+}
+
+TEST(StiffnessTable, AStraightTableIsALinearLaw) {
+  const StiffnessTable t(std::vector<Row>{{-0.02, -10}, {0, 0}, {0.05, 25}, {0.1, 50}}, false);
+  for (double x : {-0.5, -0.01, 0.003, 0.07, 0.3}) {
+    EXPECT_NEAR(t.at(x).force, 500 * x, 1e-10);
+    EXPECT_NEAR(t.at(x).energy, 250 * x * x, 1e-10);
+  }
+}
+
+TEST(StiffnessTable, RefusesWhatIsNoElasticLaw) {
+  const auto message = [](std::vector<Row> rows, bool odd) -> std::string {
+    try {
+      StiffnessTable t(rows, odd);
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message({{0.1, 1}, {0.05, 2}}, false).find("row 2 does not go further"), std::string::npos);
+  EXPECT_NE(message({{0.1, 1}, {0.2, 1}}, false).find("row 2 has no more force"), std::string::npos);
+  EXPECT_NE(message({{0, 1}, {0.2, 2}}, false).find("row 1 has a force without strain"), std::string::npos);
+  EXPECT_NE(message({{-0.1, 1}, {0.2, 2}}, false).find("row 1 does not pull back"), std::string::npos);
+  EXPECT_NE(message({{0, 0}}, false).find("needs a row beyond zero"), std::string::npos);
+}
+
+using Vec12 = Eigen::Matrix<double, 12, 1>;
+using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
+
+BeamEnds moved(BeamEnds e, const Vec12& d) {
+  e.x1 += d.segment<3>(0), e.x2 += d.segment<3>(6);
+  e.q1 = e.q1 * exp_so3(d.segment<3>(3)), e.q2 = e.q2 * exp_so3(d.segment<3>(9));
+  return e;
+}
+
+// Bent into all parts of the table; initially curved and turned axes, and something stiffer on top.
+TEST(StiffnessTable, BeamTangentAndEnergyBelongToItsForce) {
+  const StiffnessTable rope(kRope, false), pipe(kPipe, true);
+  std::mt19937 g(7);
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto random = [&] { return Vec3(u(g), u(g), u(g)); };
+  for (int i = 0; i < 12; ++i) {
+    BeamSection s{1.2, rope.initial(), pipe.initial() + (i % 2 ? 30 : 0), 0, 40, 0, i % 3 ? 0.0 : 0.2};
+    s.EI3 = s.EI2, s.tension = &rope, s.moment = &pipe;
+    BeamReference r;
+    if (i > 5) r.axes = exp_so3(random()).toRotationMatrix(), r.aligned = false, r.psi = 0.1 * random();
+    BeamEnds e;
+    e.x1 = random(), e.q1 = exp_so3(random()), e.q2 = e.q1 * exp_so3(0.4 * random());
+    e.x2 = e.x1 + e.q1 * (r.axes * Vec3(1.25, 0.1 * u(g), 0.1 * u(g)));
+    e.v1 = random(), e.v2 = random(), e.w1 = random(), e.w2 = random();
+    Mat12 K, C, Kd;
+    Vec12 f, a, b, c, d;
+    beam_tangent(s, r, e, false, f.data(), K.data(), C.data());
+    const double h = 1e-5;
+    for (int j = 0; j < 12; ++j) {
+      beam_force(s, r, moved(e, h * Vec12::Unit(j)), a.data());
+      beam_force(s, r, moved(e, -h * Vec12::Unit(j)), b.data());
+      beam_force(s, r, moved(e, 2 * h * Vec12::Unit(j)), c.data());
+      beam_force(s, r, moved(e, -2 * h * Vec12::Unit(j)), d.data());
+      Kd.col(j) = (8 * (a - b) - (c - d)) / (12 * h);
+      if (s.beta > 0) continue;
+      const double slope = (beam_stress(s, r, moved(e, h * Vec12::Unit(j))).strain_energy -
+                            beam_stress(s, r, moved(e, -h * Vec12::Unit(j))).strain_energy) /
+                           (2 * h);
+      EXPECT_NEAR(f[j], slope, 1e-6 * f.norm());
+    }
+    EXPECT_LT((K - Kd).norm(), 1e-6 * Kd.norm()) << i;
+  }
+}
+
+// With tables that are straight an element is what it is without: stresses, energy, tangent.
+TEST(StiffnessTable, StraightTablesChangeNothing) {
+  const StiffnessTable rope(std::vector<Row>{{0.1, 30}, {0.2, 60}}, false),
+      pipe(std::vector<Row>{{0.1, 5}, {0.2, 10}}, true);
+  BeamSection plain{1.2, 300, 50, 50, 40, 0, 0.1}, tables = plain;
+  tables.tension = &rope, tables.moment = &pipe;
+  BeamEnds e;
+  e.x1 = Vec3(1, 2, 3), e.q1 = exp_so3(Vec3(0.2, -0.5, 0.3)), e.q2 = e.q1 * exp_so3(Vec3(0.2, 0.5, -0.4));
+  e.x2 = e.x1 + e.q1 * Vec3(1.3, 0.1, -0.2), e.v1 = Vec3(1, 0, 2), e.w2 = Vec3(0.3, 1, 0);
+  Mat12 K, L, C, D;
+  Vec12 f, g;
+  beam_tangent(plain, {}, e, false, f.data(), K.data(), C.data());
+  beam_tangent(tables, {}, e, false, g.data(), L.data(), D.data());
+  EXPECT_LT((f - g).norm() + (C - D).norm(), 1e-11 * (f.norm() + C.norm()));
+  // Damping forces lag behind the strain alone: what they add to the moments by the element is the same.
+  EXPECT_LT((K - L).norm(), 1e-11 * K.norm());
+  plain.beta = tables.beta = 0;
+  const BeamStress a = beam_stress(plain, {}, e), b = beam_stress(tables, {}, e);
+  EXPECT_NEAR(a.strain_energy, b.strain_energy, 1e-12 * a.strain_energy);
+  EXPECT_LT((a.moment1 - b.moment1).norm() + (a.moment2 - b.moment2).norm(), 1e-12 * a.moment1.norm());
+  EXPECT_LT((a.curvature1 - b.curvature1).norm() + (a.curvature2 - b.curvature2).norm(),
+            1e-12 * a.curvature1.norm());
+}
+
+TEST(StiffnessTable, CableTangentAndEnergyBelongToItsForce) {
+  const StiffnessTable rope(kRope, false);
+  for (double strain : {-0.01, 0.005, 0.02, 0.045, 0.2}) {
+    const CableSection s{2, rope.initial(), 0, &rope};
+    CableEnds e{Vec3(1, 1, 1), Vec3::Zero()};
+    e.x2 = e.x1 + 2 * (1 + strain) * Vec3(0.6, 0, 0.8);
+    Eigen::Matrix<double, 6, 6, Eigen::RowMajor> K;
+    Eigen::Matrix<double, 6, 1> f, a, b;
+    cable_tangent(s, e, false, f.data(), K.data(), nullptr);
+    EXPECT_NEAR(f.tail<3>().norm(), strain > 0 ? rope.at(strain).force : 0, 1e-12);
+    for (int j = 0; j < 3; ++j) {
+      CableEnds p = e, m = e;
+      p.x2[j] += 1e-6, m.x2[j] -= 1e-6;
+      cable_force(s, p, a.data()), cable_force(s, m, b.data());
+      EXPECT_LT((K.col(3 + j) - (a - b) / 2e-6).norm(), 1e-5 * (1 + K.norm()));
+      EXPECT_NEAR(f[3 + j], (cable_stress(s, p).strain_energy - cable_stress(s, m).strain_energy) / 2e-6,
+                  1e-6 * (1 + f.norm()));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hawser
