@@ -126,8 +126,8 @@ void read_in_water(const Value& v, const std::string& key, const CaseSource& sou
   const bool known = t.drag_diameter > 0;  // from the library; what is given goes before it
   t.displaced_diameter = number(v, "displaced_diameter", known ? t.displaced_diameter : t.outer_diameter);
   t.drag_diameter = number(v, "drag_diameter", known ? t.drag_diameter : t.displaced_diameter);
-  const auto take = [&](const char* key, double& x) {
-    if (!known || v[key].given) x = v[key].number;
+  const auto take = [&](const char* name, double& x) {
+    if (!known || v[name].given) x = v[name].number;
   };
   take("Cd_normal", t.Cd_normal), take("Cd_axial", t.Cd_axial);
   take("Ca_normal", t.Ca_normal), take("Ca_axial", t.Ca_axial);

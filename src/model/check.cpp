@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -139,11 +140,13 @@ class LineCheck {
 
   void check_stiffener(const BendStiffener& b, const std::string& key) {
     check_arc(b.at, key + ".at");
+    const double tip = b.towards_a ? b.at - b.rows.back().first : b.at + b.rows.back().first;
     double start = 0;
     for (const Section& s : line_.sections) {
-      for (int k = 0; k < 8; ++k)
-        if (c_.line_type(s.type).kind == LineKind::cable && b.EI(start + (k + 0.5) / 8 * s.length) > 0)
-          return issue(key, "it is on a section of '{}', which does not resist bending", s.type);
+      const double overlap =
+          std::min(start + s.length, std::max(b.at, tip)) - std::max(start, std::min(b.at, tip));
+      if (overlap > kArcTolerance * length_ && c_.line_type(s.type).kind == LineKind::cable)
+        return issue(key, "it is on a section of '{}', which does not resist bending", s.type);
       start += s.length;
     }
   }

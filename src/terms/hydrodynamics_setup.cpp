@@ -24,7 +24,7 @@ Sea sea_of(const model::Case& c) {
   Sea sea;
   sea.density = w.density, sea.gravity = c.environment.gravity, sea.surface = w.surface;
   sea.current = current_profile(w);
-  sea.current_ramp = current.ramp;
+  sea.current_ramp = w.current.ramp;
   sea.waves = model::wave_field(c.environment);
   sea.wave_ramp = w.waves.ramp;
   return sea;

@@ -38,7 +38,8 @@ struct FlexibleLine {
 // elastic and the bed softer than asked for, where that moves it by less than a start shape matters.
 std::vector<Vec3> flexible_shape(const FlexibleLine& line, std::vector<Vec3> start);
 
-// x(s) of places at increasing arc lengths: Hermite's cubic between neighbours, with the slopes of the chords.
+// x(s) of places at increasing arc lengths: Hermite's cubic between neighbours, with the slopes of the
+// chords.
 Vec3 interpolated(const std::vector<double>& s, const std::vector<Vec3>& x, double at);
 
 }  // namespace hawser

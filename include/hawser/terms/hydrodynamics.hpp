@@ -16,7 +16,7 @@ namespace hawser {
 namespace model {
 struct Case;
 struct Water;
-}
+}  // namespace model
 
 // The sea, wherever one looks.
 struct Sea {
