@@ -84,9 +84,9 @@ TEST_F(StartFrom, GoesOnToTheSameEquilibrium) {
 TEST_F(StartFrom, ShapeAsItWasLeft) {
   const std::string file = path + "/as_left.yaml";
   write_case(file, kCase,
-             {{"dynamics:", "statics: false\ndynamics:"},
+             {{"line: riser", "line: steep"},
+              {"dynamics:", "statics: false\ndynamics:"},
               {"  riser:\n", "  steep:\n    start: {from: a.h5, line: riser, time: 1}\n"},
-              {"line: riser", "line: steep"},
               {"lines:\n", "start: {from: a.h5, time: 1}\nlines:\n"}});
   run_on_all({file, path + "/as_left.h5"});
   if (!zero()) return;

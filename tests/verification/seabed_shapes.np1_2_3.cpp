@@ -136,8 +136,8 @@ TEST(SeabedShapes, OnARidge) {
   };
   all.solve_statics(), one.solve_statics();
   compare(all.state().view(0), one.state().view(0), 1e-7, "statics");
-  // It lies before the ridge and on it and spans the ground between; nowhere deeper than a few times what it
-  // sinks in under its own weight (1 mm).
+  // It lies before the ridge and on it and spans the ground between. The crest carries what the tension turns
+  // by, and the chain sinks in there by some diameters on this soil.
   double deepest = 0, highest = 0;
   int lies = 0, spans = 0;
   for (size_t n = 1; n < 80; ++n) {
@@ -149,7 +149,7 @@ TEST(SeabedShapes, OnARidge) {
          deepest);
   EXPECT_GT(lies, 20);
   EXPECT_GT(spans, 5);
-  EXPECT_GT(deepest, -0.1);
+  EXPECT_GT(deepest, -0.4);
   run(all), run(one);
   compare(all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-6, "after 8 s");
   // The bed does what friction and dampers took, and no more.
