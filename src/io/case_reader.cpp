@@ -31,7 +31,7 @@ class Reader {
 
   void read() {
     c_.title = root_["title"].text;
-    c_.environment = read_environment(root_["environment"], source_);
+    c_.environment = read_environment(root_["environment"], source_, c_.notes);
     each("line_types", [&](const std::string& name, const Value& v) {
       c_.line_types.push_back(read_line_type(name, v, source_));
     });
@@ -66,6 +66,20 @@ class Reader {
     return read_direction(v, key, path, source_);
   }
 
+  static model::HarmonicMotion harmonic(const Value& h) {
+    return {vec(h, "amplitude"), vec(h, "rotation_amplitude_deg"), h["period"].number, vec(h, "phase_deg"),
+            vec(h, "rotation_phase_deg")};
+  }
+
+  model::Drift drift(const Value& v, const std::string& path) const {
+    model::Drift d;
+    d.offset = vec(v, "offset"), d.rotation = vec(v, "rotation_deg");
+    if (const Value* h = v.find("harmonic")) d.harmonic = harmonic(*h);
+    if (const Value* t = v.find("table")) d.table = read_motion_table(*t, path + ".table", source_);
+    d.ramp = v["ramp"].number;
+    return d;
+  }
+
   model::Body body(const std::string& name, const Value& v) const {
     model::Body b;
     b.name = name;
@@ -84,10 +98,9 @@ class Reader {
     if (!m) return b;
     const std::string path = "bodies." + name + ".motion";
     b.ramp = number(*m, "ramp");
+    if (const Value* d = m->find("drift")) b.drift = drift(*d, path + ".drift");
     if (const Value* h = m->find("harmonic")) {
-      b.motion =
-          model::HarmonicMotion{vec(*h, "amplitude"), vec(*h, "rotation_amplitude_deg"),
-                                (*h)["period"].number, vec(*h, "phase_deg"), vec(*h, "rotation_phase_deg")};
+      b.motion = harmonic(*h);
     } else if (const Value* t = m->find("table")) {
       b.motion = read_motion_table(*t, path + ".table", source_);
     } else if (const Value* rao = m->find("rao")) {
@@ -183,7 +196,7 @@ class Reader {
     return v->number;
   }
 
-  model::Line line(const std::string& name, const Value& v) const {
+  model::Line line(const std::string& name, const Value& v) {
     const std::string path = "lines." + name;
     model::Line l;
     l.name = name;
@@ -193,7 +206,19 @@ class Reader {
     l.end_a = end(v["end_a"], path + ".end_a");
     l.end_b = end(v["end_b"], path + ".end_b");
     const Value& start = v["start"];
-    if (start.kind == Kind::map) {
+    if (const Value* other = root_.find("start"); other && !start.given) {
+      l.left = others_.shape(*other, "start", name, false);
+      if (l.left) {
+        l.start = model::Start::other_run;
+        check_left_shape(l, (*other)["from"], path, source_, c_.notes);
+      } else {
+        c_.notes.push_back(path + ": is not in " + (*other)["from"].text + ", and starts by itself");
+      }
+    } else if (start.kind == Kind::map && start.has("from")) {
+      l.start = model::Start::other_run;
+      l.left = others_.shape(start, path + ".start", start.has("line") ? start["line"].text : name, true);
+      check_left_shape(l, start["from"], path + ".start", source_, c_.notes);
+    } else if (start.kind == Kind::map) {
       l.start = model::Start::points;
       for (const Value& p : start["points"].items) l.points.push_back(as_vec3(p));
     } else {
@@ -313,6 +338,11 @@ class Reader {
       source_.bad(v["file"], "output.file", "must end in .h5, found " + model::quote(v["file"].text));
     o.every = number(v, "every");
     o.checkpoint_every = number(v, "checkpoint_every");
+    for (const model::Line& l : c_.lines)
+      if (std::error_code same; l.left && fs::equivalent(l.left->file, o.file, same))
+        source_.bad(v.has("file") ? v["file"] : v, "output.file",
+                    o.file + " is the run that line '" + l.name +
+                        "' starts from, and would be overwritten; give another 'file'");
     const std::vector<Value>& formats = v["format"].items;
     const auto lists = [&](const char* w) {
       return std::any_of(formats.begin(), formats.end(), [&](const Value& f) { return f.is(w); });
@@ -360,6 +390,7 @@ class Reader {
   const Value& root_;
   const CaseSource& source_;
   Case& c_;
+  OtherRuns others_{source_};
 };
 
 }  // namespace
@@ -374,6 +405,7 @@ model::Case read_case_text(const std::string& text, const std::string& path) {
   const CaseSource source{path, c.directory};
   Reader(root, source, c).read();
   for (const model::Issue& i : model::check(c)) model::fail(path, root.line_of(i.key), i.key, i.text);
+  check_bed(c, c.notes);
   check_meshes(root, source, c);
   return c;
 }

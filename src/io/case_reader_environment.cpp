@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "hawser/io/case_reader_parts.hpp"
+#include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
 namespace {
@@ -38,7 +40,51 @@ model::Current read_current(const Value& v, double water_depth, const CaseSource
   return c;
 }
 
-model::Waves read_waves(const Value& v) {
+void read_components(const Value& s, model::Waves& w) {
+  w.direction = s["direction_deg"].number, w.spreading = s["spreading"].number;
+  w.count = static_cast<int>(s["components"].number);
+  w.seed = static_cast<std::uint64_t>(s["seed"].number);
+}
+
+// Rows of a spectrum; the period [s] of its peak.
+double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) {
+  const bool from_file = s.has("file");
+  const Value& at = s[from_file ? "file" : "rows"];
+  const std::string where = std::string("environment.waves.spectrum.") + (from_file ? "file" : "rows");
+  std::vector<std::vector<double>> rows;
+  if (from_file)
+    rows = read_rows(source.absolute(at.text), at, where, source);
+  else
+    for (const Value& r : at.items) rows.push_back({r.items[0].number, r.items[1].number});
+  const double unit = s["frequency"].is("hz") ? 2 * M_PI : 1;
+  double energy = 0;
+  SpectrumRow peak;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].size() != 2)
+      source.bad(at, where,
+                 fmt::format("a row has 2 numbers, frequency and density, but row {} has {}", i + 1,
+                             rows[i].size()));
+    const SpectrumRow r{rows[i][0] * unit, rows[i][1] / unit};
+    if (!(r.omega >= 0) || !(r.density >= 0))
+      source.bad(at, where,
+                 fmt::format("frequencies and densities must not be negative, but row {} has {:g} and {:g}",
+                             i + 1, rows[i][0], rows[i][1]));
+    if (!w.spectrum.empty()) {
+      const SpectrumRow& last = w.spectrum.back();
+      if (!(r.omega > last.omega))
+        source.bad(at, where,
+                   fmt::format("frequencies must grow, but row {} has {:g} after {:g}", i + 1, rows[i][0],
+                               rows[i - 1][0]));
+      energy += 0.5 * (r.omega - last.omega) * (r.density + last.density);
+    }
+    w.spectrum.push_back(r);
+    if (r.density > peak.density) peak = r;
+  }
+  if (!(energy > 0)) source.bad(at, where, "the spectrum has no energy");
+  return 2 * M_PI / std::max(peak.omega, w.spectrum.back().omega / 50);
+}
+
+model::Waves read_waves(const Value& v, const CaseSource& source) {
   model::Waves w;
   const auto row = [](const Value& r) {
     return model::Waves::Row{r["height"].number, r["period"].number, r["direction_deg"].number,
@@ -51,11 +97,19 @@ model::Waves read_waves(const Value& v) {
       w.kind = model::Waves::Kind::spectrum;
       w.height = (*s)["hs"].number, w.peak_period = (*s)["tp"].number;
       w.gamma = number(*s, "gamma", 1);
-      w.direction = (*s)["direction_deg"].number, w.spreading = (*s)["spreading"].number;
-      w.count = static_cast<int>((*s)["components"].number);
-      w.seed = static_cast<std::uint64_t>((*s)["seed"].number);
+      read_components(*s, w);
       longest = w.peak_period;
     }
+  if (const Value* s = v.find("spectrum")) {
+    w.kind = model::Waves::Kind::table;
+    longest = w.peak_period = read_spectrum(*s, source, w);
+    read_components(*s, w);
+  }
+  if (const Value* s = v.find("stokes")) {
+    w.kind = model::Waves::Kind::stokes;
+    w.rows.push_back(row(*s));
+    w.current = (*s)["current"].number, w.transport = (*s)["current_is"].is("transport");
+  }
   if (const Value* r = v.find("regular")) {
     w.kind = model::Waves::Kind::regular;
     w.rows.push_back(row(*r));
@@ -77,7 +131,8 @@ model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& 
   model::Seabed b;
   b.present = true;
   b.depth = number(v, "depth", water_depth);
-  if (!(b.depth > 0))
+  read_bed_surface(v, source, b);
+  if (!b.surface && !(b.depth > 0))
     source.bad(v, key + ".depth", "required key is missing: the depth, here or of the water");
   b.slope = v["slope_deg"].number, b.direction = v["slope_direction_deg"].number;
   b.normal_stiffness = 1e5;
@@ -98,7 +153,31 @@ model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& 
 
 }  // namespace
 
-model::Environment read_environment(const Value& v, const CaseSource& source) {
+namespace {
+
+void check_stokes(const Value& v, const model::Environment& e, const CaseSource& source,
+                  std::vector<std::string>& notes) {
+  const std::string key = "environment.waves.stokes";
+  try {
+    const StokesWave wave(model::stokes_input(e));
+    constexpr double kGood = 40;  // Hedges (1995)
+    if (wave.ursell() > kGood)
+      notes.push_back(
+          fmt::format("{}: the wave is long for its depth: its Ursell number is {:.3g}, and fifth-order "
+                      "theory is good up to {:g}",
+                      key, wave.ursell(), kGood));
+  } catch (const std::invalid_argument& error) {
+    source.bad(v["stokes"], key, error.what());
+  }
+  if (e.water.waves.current != 0 && !e.water.current.profile.empty())
+    notes.push_back(key +
+                    ".current: lines feel it beside 'environment.current', which does not change the wave");
+}
+
+}  // namespace
+
+model::Environment read_environment(const Value& v, const CaseSource& source,
+                                    std::vector<std::string>& notes) {
   model::Environment e;
   e.gravity = v["gravity"].number;
   if (const Value* w = v.find("water")) {
@@ -109,7 +188,8 @@ model::Environment read_environment(const Value& v, const CaseSource& source) {
   }
   if (const Value* b = v.find("seabed")) {
     e.seabed = read_seabed(*b, e.water.depth, source);
-    if (e.water.present && !(e.water.depth > 0)) e.water.depth = e.seabed.depth + e.water.surface;
+    if (e.water.present && !(e.water.depth > 0) && !e.seabed.surface)
+      e.water.depth = e.seabed.depth + e.water.surface;
   }
   if (const Value* c = v.find("current")) {
     if (!e.water.present) source.bad(*c, "environment.current", "needs 'water' beside it");
@@ -117,7 +197,11 @@ model::Environment read_environment(const Value& v, const CaseSource& source) {
   }
   if (const Value* w = v.find("waves")) {
     if (!e.water.present) source.bad(*w, "environment.waves", "needs 'water' beside it");
-    e.water.waves = read_waves(*w);
+    if (e.seabed.surface && !(e.water.depth > 0))
+      source.bad(*w, "environment.waves",
+                 "over a bed of a grid or a mesh waves need 'depth' of the water, which is one for all");
+    e.water.waves = read_waves(*w, source);
+    if (e.water.waves.kind == model::Waves::Kind::stokes) check_stokes(*w, e, source, notes);
   }
   return e;
 }

@@ -21,7 +21,7 @@ using model::Value;
 namespace fs = std::filesystem;
 
 std::vector<std::vector<double>> read_rows(const std::string& path, const Value& at, const std::string& key,
-                                           const CaseSource& source) {
+                                           const CaseSource& source, std::vector<int>* lines) {
   std::error_code error;
   std::ifstream in(path);
   if (!fs::is_regular_file(path, error) || !in) source.bad(at, key, "there is no such file: " + path);
@@ -39,7 +39,9 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
         source.bad(at, key, fmt::format("{}:{}: {} is no finite number", path, n, model::quote(w)));
       row.push_back(q.si);
     }
-    if (!row.empty()) rows.push_back(std::move(row));
+    if (row.empty()) continue;
+    rows.push_back(std::move(row));
+    if (lines) lines->push_back(n);
   }
   return rows;
 }

@@ -1,12 +1,14 @@
 // Vessel motion by response amplitude operators, from a file or from rows in the case.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "hawser/io/case_reader_parts.hpp"
 #include "hawser/kernels/rao.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
@@ -61,7 +63,10 @@ model::TableMotion read_rao(const model::Value& rao, const std::string& key, con
   if (waves.none())
     source.bad(rao, key, "a vessel moves by its responses in waves: give 'environment: {waves: ...}'");
   const Vec3 bow = exp_so3(body.rotation) * Vec3::UnitX();
-  const RaoMotion motion(table, waves, body.position, std::atan2(bow.y(), bow.x()));
+  const model::Drift none;
+  const DriftLaw drift = model::drift_law(body.drift ? *body.drift : none);
+  const double yaw = body.drift ? body.drift->rotation.z() : 0;
+  const RaoMotion motion(table, waves, body.position, std::atan2(bow.y(), bow.x()), yaw);
   // The highest of many components is ten times that of the peak and hardly there.
   const double step = 2 * M_PI / motion.highest() / (waves.components().size() > 20 ? 30 : 100);
   const double count = duration / step + 20;
@@ -74,7 +79,9 @@ model::TableMotion read_rao(const model::Value& rao, const std::string& key, con
   for (int i = -10; i <= static_cast<int>(count) - 10; ++i) {
     Vec3 offset, rotation;
     m.time.push_back(i * step);
-    motion.at(m.time.back(), offset, rotation);
+    VectorMotion drifted, turned;
+    drift.at(std::max(m.time.back(), 0.0), drifted, turned);
+    motion.at(m.time.back(), offset, rotation, drifted.value);
     m.offset.push_back(offset), m.rotation.push_back(rotation);
   }
   return m;

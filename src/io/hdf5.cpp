@@ -187,4 +187,22 @@ Array read_array(hid_t file, const std::string& name) {
   return a;
 }
 
+Array read_row(hid_t file, const std::string& name, hsize_t row) {
+  const Id set = open_dataset(file, name);
+  const Shape whole = shape_of(set);
+  if (whole.empty() || row >= whole[0]) throw std::runtime_error("dataset " + name + " has no such row");
+  Array a{{whole.begin() + 1, whole.end()}, {}};
+  Shape first(whole.size(), 0), count = whole;
+  first[0] = row, count[0] = 1;
+  hsize_t n = 1;
+  for (const hsize_t k : a.shape) n *= k;
+  a.values.resize(n);
+  const Id from = own(H5Dget_space(set), H5Sclose, "dataset " + name);
+  check(H5Sselect_hyperslab(from, H5S_SELECT_SET, first.data(), nullptr, count.data(), nullptr),
+        "dataset " + name);
+  const Id to = own(H5Screate_simple(1, &n, nullptr), H5Sclose, "dataset " + name);
+  if (n) check(H5Dread(set, H5T_NATIVE_DOUBLE, to, from, H5P_DEFAULT, a.values.data()), "dataset " + name);
+  return a;
+}
+
 }  // namespace hawser::io::h5

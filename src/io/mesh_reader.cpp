@@ -131,17 +131,28 @@ void mend(const std::string& path, LoadedMesh& loaded) {
                     path, 100 * repaired.enclosing));
 }
 
+// Equal corners may differ by rounding to single precision.
+WeldResult weld_corners(const std::string& path, TriangleMesh& mesh) {
+  double size = 0;
+  for (const Vec3& v : mesh.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
+  const WeldResult welded = weld(mesh, 4.0 * std::numeric_limits<float>::epsilon() * size);
+  if (mesh.triangles.empty()) bad(path, "holds only triangles without area");
+  return welded;
+}
+
 }  // namespace
+
+TriangleMesh read_sheet(const std::string& path, double scale) {
+  TriangleMesh mesh = import(path, scale);
+  weld_corners(path, mesh);
+  return mesh;
+}
 
 LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
   LoadedMesh loaded;
   loaded.mesh = import(path, scale);
   TriangleMesh& mesh = loaded.mesh;
-  // Equal corners may differ by rounding to single precision.
-  double size = 0;
-  for (const Vec3& v : mesh.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
-  const WeldResult welded = weld(mesh, 4.0 * std::numeric_limits<float>::epsilon() * size);
-  if (mesh.triangles.empty()) bad(path, "holds only triangles without area");
+  const WeldResult welded = weld_corners(path, mesh);
   if (welded.removed > 0)
     loaded.notes.push_back(fmt::format("{}: {} triangles without area were removed", path, welded.removed));
 

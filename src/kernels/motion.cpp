@@ -89,12 +89,27 @@ VectorMotion sine(const Vec3& amplitude, const Vec3& phase, double frequency, do
   return m;
 }
 
+VectorMotion operator+(const VectorMotion& a, const VectorMotion& b) {
+  return {a.value + b.value, a.rate + b.rate, a.second + b.second};
+}
+
 VectorMotion times(const Ramp& s, const VectorMotion& m) {
   return {s.value * m.value, s.rate * m.value + s.value * m.rate,
           s.second * m.value + 2 * s.rate * m.rate + s.value * m.second};
 }
 
 }  // namespace
+
+void DriftLaw::at(double t, VectorMotion& moved, VectorMotion& turned) const {
+  const Ramp s = quintic_ramp(t, ramp);
+  const double f = 2 * std::numbers::pi / harmonic.period;
+  const Vec3 zero = Vec3::Zero();
+  moved = times(s, VectorMotion{offset, zero, zero} + sine(harmonic.amplitude, harmonic.phase, f, t) +
+                       table.offset.at(t));
+  turned =
+      times(s, VectorMotion{rotation, zero, zero} +
+                   sine(harmonic.rotation_amplitude, harmonic.rotation_phase, f, t) + table.rotation.at(t));
+}
 
 RigidMotion::RigidMotion(const Vec3& position, const Vec3& rotation, MotionLaw law, double ramp)
     : position_(position), rotation_(exp_so3(rotation).normalized()), law_(std::move(law)), ramp_(ramp) {
@@ -108,6 +123,34 @@ RigidMotion::RigidMotion(const Vec3& position, const Vec3& rotation, MotionLaw l
   if (const auto* harmonic = std::get_if<HarmonicLaw>(&law_))
     if (!(harmonic->period > 0)) throw std::invalid_argument("the period of a motion must be positive");
 }
+
+void RigidMotion::set_drift(DriftLaw drift) {
+  if (!(drift.ramp >= 0)) throw std::invalid_argument("the ramp of a drift must not be negative");
+  if (!(drift.harmonic.period > 0)) throw std::invalid_argument("the period of a drift must be positive");
+  drift_ = std::move(drift), drifts_ = true;
+}
+
+namespace {
+
+// `pose` about `origin`, carried by the frame that moves by `moved` and turns by `turned` about it.
+void carry(const Vec3& origin, const VectorMotion& moved, const VectorMotion& turned, bool rests,
+           RigidPose& pose) {
+  const Quat D = exp_so3(turned.value);
+  const Vec3 r = D * (pose.position - origin);
+  pose.position = origin + moved.value + r;
+  pose.rotation = (D * pose.rotation).normalized();
+  if (rests) return;
+  Vec3 spin, faster;
+  angular_rates(turned, spin, faster);
+  const Vec3 v = D * pose.velocity, w = D * pose.angular_velocity;
+  pose.velocity = moved.rate + spin.cross(r) + v;
+  pose.acceleration =
+      moved.second + faster.cross(r) + spin.cross(spin.cross(r)) + 2 * spin.cross(v) + D * pose.acceleration;
+  pose.angular_acceleration = faster + spin.cross(w) + D * pose.angular_acceleration;
+  pose.angular_velocity = spin + w;
+}
+
+}  // namespace
 
 RigidPose RigidMotion::at(double t) const {
   RigidPose pose{position_, rotation_, Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
@@ -130,10 +173,15 @@ RigidPose RigidMotion::at(double t) const {
   }
   pose.position = position_ + offset.value;
   pose.rotation = (exp_so3(psi.value) * rotation_).normalized();
-  if (rests) return pose;
-  pose.velocity = offset.rate;
-  pose.acceleration = offset.second;
-  angular_rates(psi, pose.angular_velocity, pose.angular_acceleration);
+  if (!rests) {
+    pose.velocity = offset.rate;
+    pose.acceleration = offset.second;
+    angular_rates(psi, pose.angular_velocity, pose.angular_acceleration);
+  }
+  if (!drifts_) return pose;
+  VectorMotion moved, turned;
+  drift_.at(t, moved, turned);
+  carry(position_, moved, turned, rests, pose);
   return pose;
 }
 

@@ -65,11 +65,12 @@ Response RaoTable::at(double omega, double direction) const {
   return r;
 }
 
-RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& origin, double heading) {
+RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& origin, double heading,
+                     double yaw) {
   const double c = std::cos(heading), s = std::sin(heading);
   const auto turned = [&](double x, double y, double z) { return Vec3(c * x - s * y, s * x + c * y, z); };
   for (const WaveComponent& w : waves.components()) {
-    const Response r = table.at(w.omega, std::atan2(w.y, w.x) - heading);
+    const Response r = table.at(w.omega, std::atan2(w.y, w.x) - heading - yaw);
     // Elevation at the origin a cos(omega t - psi); motion a Re(r exp(i (omega t - psi))).
     const double psi = w.number * (w.x * origin.x() + w.y * origin.y()) + w.phase;
     double in[6], out[6];  // of cos and sin omega t
@@ -77,16 +78,18 @@ RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& 
       const std::complex<double> z = w.amplitude * r[k] * std::polar(1.0, -psi);
       in[k] = z.real(), out[k] = -z.imag();
     }
-    terms_.push_back({w.omega, turned(in[0], in[1], in[2]), turned(out[0], out[1], out[2]),
-                      turned(in[3], in[4], in[5]), turned(out[3], out[4], out[5])});
+    terms_.push_back({w.omega, w.number * w.x, w.number * w.y, turned(in[0], in[1], in[2]),
+                      turned(out[0], out[1], out[2]), turned(in[3], in[4], in[5]),
+                      turned(out[3], out[4], out[5])});
     highest_ = std::max(highest_, w.omega);
   }
 }
 
-void RaoMotion::at(double t, Vec3& offset, Vec3& rotation) const {
+void RaoMotion::at(double t, Vec3& offset, Vec3& rotation, const Vec3& drifted) const {
   offset.setZero(), rotation.setZero();
   for (const Term& m : terms_) {
-    const double c = std::cos(m.omega * t), s = std::sin(m.omega * t);
+    const double angle = m.omega * t - m.kx * drifted.x() - m.ky * drifted.y();
+    const double c = std::cos(angle), s = std::sin(angle);
     offset += c * m.offset_cos + s * m.offset_sin;
     rotation += c * m.rotation_cos + s * m.rotation_sin;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/kernels/stokes_wave.hpp"
+
 namespace hawser {
 
 double wave_number(double omega, double depth, double gravity) {
@@ -25,7 +27,11 @@ WaveField::WaveField(std::vector<WaveComponent> components, double depth, double
   for (WaveComponent& c : components_) c.number = wave_number(c.omega, depth, gravity);
 }
 
+WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
+    : components_{wave->component()}, depth_(wave->depth()), stokes_(std::move(wave)) {}
+
 double WaveField::elevation(double x, double y, double t) const {
+  if (stokes_) return stokes_->elevation(x, y, t);
   double sum = 0;
   for (const WaveComponent& c : components_)
     sum += c.amplitude * std::cos(c.number * (c.x * x + c.y * y) - c.omega * t + c.phase);
@@ -33,6 +39,7 @@ double WaveField::elevation(double x, double y, double t) const {
 }
 
 WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {
+  if (stokes_) return stokes_->at(x, t, factor, rate);
   WaveMotion m;
   double surface = 0;
   for (const WaveComponent& c : components_) {
@@ -119,35 +126,74 @@ Jonswap jonswap(double height, double peak_period, double gamma) {
   return s;
 }
 
+namespace {
+
+// Uniform angles, kept as often as cos^2s of half the angle says.
+double direction_of(double mean, double spreading, Random& random) {
+  while (spreading > 0) {
+    const double off = M_PI * (2 * random.next() - 1), kept = random.next();
+    if (kept < std::pow(std::cos(off / 2), 2 * spreading)) return mean + off;
+  }
+  return mean;
+}
+
+// A bin of a spectrum as a component: its energy [m²] exactly, a frequency [rad/s] anywhere in it.
+WaveComponent component_of(double energy, double from, double to, double direction, double spreading,
+                           Random& random) {
+  WaveComponent c;
+  c.amplitude = std::sqrt(2 * energy);
+  c.omega = from + random.next() * (to - from);
+  c.phase = 2 * M_PI * random.next();
+  const double theta = direction_of(direction, spreading, random);
+  c.x = std::cos(theta), c.y = std::sin(theta);
+  return c;
+}
+
+Random random_of(std::uint64_t seed) { return {seed * 0x9e3779b97f4a7c15u + 1}; }
+
+}  // namespace
+
 std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, int count, std::uint64_t seed,
                                      double spreading) {
   // Bins that grow with the frequency: fine enough at the peak, and far enough apart that three hours average
-  // over their beats. Each has the energy of its bin exactly; its frequency lies anywhere in it, so that the
-  // sea does not repeat itself.
+  // over their beats. The sea does not repeat itself.
   constexpr double kFrom = 0.35, kTo = 10;  // of the peak
   constexpr int kFine = 64;
   const double peak = 2 * M_PI / spectrum.peak_period;
   const Grid g(peak, spectrum.gamma, kFrom, kTo, kFine * count);
-  Random random{seed * 0x9e3779b97f4a7c15u + 1};
+  Random random = random_of(seed);
   std::vector<WaveComponent> out;
   for (int i = 0; i < count; ++i) {
     const size_t from = static_cast<size_t>(kFine * i), to = from + kFine;
-    WaveComponent c;
     // What the range leaves out goes to all bins.
     const double energy = (g.sum[to] - g.sum[from]) / g.sum.back() * spectrum.height * spectrum.height / 16;
-    c.amplitude = std::sqrt(2 * energy);
-    c.omega = g.omega[from] + random.next() * (g.omega[to] - g.omega[from]);
-    c.phase = 2 * M_PI * random.next();
-    double theta = direction;
-    while (spreading > 0) {  // uniform angles, kept as often as cos^2s of half the angle says
-      const double off = M_PI * (2 * random.next() - 1), kept = random.next();
-      if (kept < std::pow(std::cos(off / 2), 2 * spreading)) {
-        theta += off;
-        break;
-      }
+    out.push_back(component_of(energy, g.omega[from], g.omega[to], direction, spreading, random));
+  }
+  return out;
+}
+
+std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, double direction, int count,
+                                     std::uint64_t seed, double spreading) {
+  // Energy below a frequency, exact for straight lines.
+  const auto below = [&rows](double omega) {
+    double sum = 0;
+    for (size_t i = 1; i < rows.size() && rows[i - 1].omega < omega; ++i) {
+      const SpectrumRow &a = rows[i - 1], &b = rows[i];
+      const double to = std::min(omega, b.omega), z = (to - a.omega) / (b.omega - a.omega);
+      sum += (to - a.omega) * (a.density + 0.5 * z * (b.density - a.density));
     }
-    c.x = std::cos(theta), c.y = std::sin(theta);
-    out.push_back(c);
+    return sum;
+  };
+  const double last = rows.back().omega, first = std::max(rows.front().omega, last / 50);
+  Random random = random_of(seed);
+  std::vector<WaveComponent> out;
+  double from = first, so_far = 0;  // what is below the first bin goes into it
+  for (int i = 1; i <= count; ++i) {
+    const double to = i < count ? first * std::pow(last / first, static_cast<double>(i) / count) : last;
+    const double sum = below(to);
+    const WaveComponent c = component_of(sum - so_far, from, to, direction, spreading, random);
+    if (sum > so_far) out.push_back(c);
+    from = to, so_far = sum;
   }
   return out;
 }

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "hawser/math/so3.hpp"
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/body_pairs.hpp"
 
 namespace hawser::model {
@@ -87,6 +87,8 @@ class LineCheck {
         if (ends == 0 || (ends == 1 && !directed))
           issue("start",
                 "a straight start needs two held ends, or one with a direction; give start: {{points: ...}}");
+        break;
+      case Start::other_run:
         break;
       case Start::automatic:
         if (ends == 0)
@@ -185,22 +187,6 @@ class LineCheck {
   std::vector<Issue>& issues_;
 };
 
-Vec3 offset_at_start(const Body& b, Vec3& turn) {
-  turn = Vec3::Zero();
-  if (b.ramp > 0) return Vec3::Zero();
-  if (const auto* h = std::get_if<HarmonicMotion>(&b.motion)) {
-    turn = h->rotation_amplitude.cwiseProduct(h->rotation_phase.array().sin().matrix());
-    return h->amplitude.cwiseProduct(h->phase.array().sin().matrix());
-  }
-  if (const auto* t = std::get_if<TableMotion>(&b.motion); t && !t->time.empty() && t->time.front() <= 0) {
-    std::size_t i = 0;  // the last row not after t = 0
-    while (i + 1 < t->time.size() && t->time[i + 1] <= 0) ++i;
-    if (!t->rotation.empty()) turn = t->rotation[i];
-    return t->offset[i];
-  }
-  return Vec3::Zero();
-}
-
 void check_whole(const Case& c, std::vector<Issue>& issues) {
   double elements = 0;
   for (const Line& l : c.lines)
@@ -224,16 +210,20 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
     over(d.step, "step", d.max_step, "max_step");
   }
   // A spline knows nothing beyond its rows, and going on with its last slope would be a guess.
-  for (const Body& b : c.bodies)
-    if (const auto* t = std::get_if<TableMotion>(&b.motion); t && !t->time.empty()) {
-      const std::string key = fmt::format("bodies.{}.motion.table", b.name);
-      if (t->time.front() > 0)
-        issues.push_back(
-            {key, fmt::format("the first row is at {:g} s; the run starts at 0 s", t->time.front())});
-      if (d.enabled && t->time.back() < d.duration)
-        issues.push_back({key, fmt::format("the last row is at {:g} s; the run lasts {:g} s", t->time.back(),
-                                           d.duration)});
-    }
+  const auto covers = [&](const TableMotion& t, const std::string& key) {
+    if (t.time.empty()) return;
+    if (t.time.front() > 0)
+      issues.push_back(
+          {key, fmt::format("the first row is at {:g} s; the run starts at 0 s", t.time.front())});
+    if (d.enabled && t.time.back() < d.duration)
+      issues.push_back(
+          {key, fmt::format("the last row is at {:g} s; the run lasts {:g} s", t.time.back(), d.duration)});
+  };
+  for (const Body& b : c.bodies) {
+    const std::string key = fmt::format("bodies.{}.motion", b.name);
+    if (const auto* t = std::get_if<TableMotion>(&b.motion)) covers(*t, key + ".table");
+    if (b.drift) covers(b.drift->table, key + ".drift.table");
+  }
   std::set<std::string> names{"energy", "solver", "time"};  // of the program's own
   for (std::size_t i = 0; i < c.output.histories.size(); ++i) {
     const HistoryPoint& h = c.output.histories[i];
@@ -339,10 +329,7 @@ Vec3 end_position(const Case& c, const End& end) {
   if (end.kind == EndKind::anchor || end.kind == EndKind::joint) return end.at;
   const int i = c.body_index(end.body);
   if (i < 0) throw std::out_of_range("no body '" + end.body + "'");
-  const Body& b = c.bodies[static_cast<std::size_t>(i)];
-  Vec3 turn;
-  const Vec3 offset = offset_at_start(b, turn);
-  return b.position + offset + exp_so3(turn) * (exp_so3(b.rotation) * end.at);
+  return rigid_motion(c.bodies[static_cast<std::size_t>(i)]).at(0).to_space(end.at);
 }
 
 std::vector<Issue> check(const Case& c) {

@@ -87,6 +87,44 @@ Key line_types() {
       .or_else("{}");
 }
 
+Key harmonic(std::string about) {
+  return map(
+      "harmonic",
+      {vec3("amplitude", length, "amplitudes of x, y, z: offset = amplitude sin(2 pi t / period + phase)")
+           .or_else(kZero),
+       vec3("rotation_amplitude_deg", angle, "amplitudes of the rotation vector").or_else(kZero),
+       number("period", time, "period").above(0).is_required(),
+       vec3("phase_deg", angle, "phases of x, y, z").or_else(kZero),
+       vec3("rotation_phase_deg", angle, "phases of the rotation vector").or_else(kZero)},
+      std::move(about));
+}
+
+Key table(std::string about) {
+  return map("table",
+             {text("file",
+                   "text file beside the case: columns t [s], x, y, z [m] and, if it turns, the rotation "
+                   "vector [deg]; blanks or commas between, `#` starts a comment"),
+              list("rows", list("", number("", none), "").items(4, 7),
+                   "the same, written here: "
+                   "`[[t, x, y, z], ...]`")
+                  .items(2)},
+             std::move(about))
+      .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true);
+}
+
+// With `motion`, whatever that is.
+Key drift() {
+  return map("drift",
+             {vec3("offset", length, "away from `position`").or_else(kZero),
+              vec3("rotation_deg", angle, "rotation vector").or_else(kZero),
+              harmonic("slow sinusoidal motion on top of it"), table("slow motion against time on top of it"),
+              number("ramp", time, "the drift starts smoothly over this time; 0: it is there in statics")
+                  .at_least(0)
+                  .or_else("0")},
+             "slow drift that carries the body with its other motion; with `rao` the vessel meets the waves "
+             "where it has drifted to");
+}
+
 Key motion() {
   return map("motion",
              {vec3("velocity", velocity, "constant velocity"),
@@ -98,26 +136,8 @@ Key motion() {
                    number("rate", angular_velocity, "turning rate, right-handed about the axis")
                        .is_required()},
                   "constant turning"),
-              map("harmonic",
-                  {vec3("amplitude", length,
-                        "amplitudes of x, y, z: offset = amplitude sin(2 pi t / period + phase)")
-                       .or_else(kZero),
-                   vec3("rotation_amplitude_deg", angle, "amplitudes of the rotation vector").or_else(kZero),
-                   number("period", time, "period").above(0).is_required(),
-                   vec3("phase_deg", angle, "phases of x, y, z").or_else(kZero),
-                   vec3("rotation_phase_deg", angle, "phases of the rotation vector").or_else(kZero)},
-                  "sinusoidal motion about the position at rest"),
-              map("table",
-                  {text(
-                       "file",
-                       "text file beside the case: columns t [s], x, y, z [m] and, if it turns, the rotation "
-                       "vector [deg]; blanks or commas between, `#` starts a comment"),
-                   list("rows", list("", number("", none), "").items(4, 7),
-                        "the same, written here: "
-                        "`[[t, x, y, z], ...]`")
-                       .items(2)},
-                  "offsets from `position` against time; a cubic spline goes through them")
-                  .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true),
+              harmonic("sinusoidal motion about the position at rest"),
+              table("offsets from `position` against time; a cubic spline goes through them"),
               map("rao",
                   {text("file",
                         "text file beside the case: columns period [s], direction [deg] the wave goes to as "
@@ -133,6 +153,7 @@ Key motion() {
                        .or_else("lag")},
                   "moves in the waves by response amplitude operators, about `position`")
                   .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true),
+              drift(),
               number("ramp", time,
                      "the motion starts smoothly over this time (quintic); of `rao`: that of the waves")
                   .at_least(0)
@@ -257,17 +278,23 @@ Key lines() {
              map("<line>",
                  {std::move(sections), line_end("end_a", "how end A is held").is_required(),
                   line_end("end_b", "how end B is held").is_required(),
-                  one_of("start",
-                         {word("", {"auto", "catenary", "hanging", "straight"}),
-                          map("",
-                              {list("points", vec3("", length),
-                                    "polyline from end A to end B that the line is laid "
-                                    "along")
-                                   .is_required()
-                                   .items(2)},
-                              "")},
-                         "shape from which statics starts; `auto`: catenary between two held ends, hanging "
-                         "from one")
+                  one_of(
+                      "start",
+                      {word("", {"auto", "catenary", "hanging", "straight"}),
+                       map("",
+                           {list("points", vec3("", length),
+                                 "polyline from end A to end B that the line is laid "
+                                 "along")
+                                .items(2),
+                            text("from",
+                                 "results (.h5) of another run, beside the case: as it left the "
+                                 "line, by share of the length, its ends where they are now ..."),
+                            number("time", time, "... at this output").at_least(0).or_else_note("the last"),
+                            text("line", "... what the line is called there").or_else_note("as here")},
+                           "")
+                           .either({{{"points"}, {"points"}}, {{"from", "time", "line"}, {"from"}}}, true)},
+                      "shape from which statics starts; `auto`: catenary between two held ends, hanging "
+                      "from one")
                       .or_else("auto"),
                   list("masses",
                        map("",
@@ -367,6 +394,11 @@ const Key& case_schema() {
                              "")},
            "Static equilibrium at t = 0; `false` starts dynamics from the start shape.")
            .or_else("true"),
+       map("start",
+           {text("from", "results (.h5) of another run, beside the case").is_required(),
+            number("time", time, "of its output").at_least(0).or_else_note("the last")},
+           "Lines without a `start` of their own begin as another run left those of the same name; statics "
+           "goes on from there, whatever has changed."),
        map("dynamics",
            {number("duration", time, "simulated time").above(0).is_required(),
             one_of("step", {word("", {"auto"}), number("", time).above(0)}, "time step").or_else("auto"),

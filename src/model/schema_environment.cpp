@@ -39,10 +39,9 @@ Key water() {
              "the sea; without it lines hang in air");
 }
 
-std::vector<Key> spectrum_keys(bool peaked) {
-  std::vector<Key> keys = {
-      number("hs", length, "significant wave height").above(0).is_required(),
-      number("tp", time, "period of the spectrum's peak").above(0).is_required(),
+// What makes components of any spectrum.
+std::vector<Key> component_keys() {
+  return {
       number("direction_deg", angle, "where they go to, anticlockwise from +x").or_else("0"),
       integer("seed", "of phases and frequencies: the same sea on any machine and any number of ranks")
           .at_least(0)
@@ -53,8 +52,46 @@ std::vector<Key> spectrum_keys(bool peaked) {
           .at_least(0)
           .at_most(1000)
           .or_else("0")};
+}
+
+std::vector<Key> spectrum_keys(bool peaked) {
+  std::vector<Key> keys = {number("hs", length, "significant wave height").above(0).is_required(),
+                           number("tp", time, "period of the spectrum's peak").above(0).is_required()};
+  for (Key& k : component_keys()) keys.push_back(std::move(k));
   if (peaked) keys.push_back(number("gamma", none, "peakedness").at_least(1).at_most(10).or_else("3.3"));
   return keys;
+}
+
+Key spectrum() {
+  std::vector<Key> keys = {
+      text("file",
+           "text file beside the case: columns frequency and density; blanks or commas between, `#` starts a "
+           "comment"),
+      list("rows", list("", number("", none), "").items(2, 2),
+           "the same, written here: `[[frequency, density], ...]`")
+          .items(2),
+      word("frequency", {"hz", "rad_s"}, "what the columns are in: Hz and m²/Hz, or rad/s and m² s/rad")
+          .or_else("hz")};
+  for (Key& k : component_keys()) keys.push_back(std::move(k));
+  return map("spectrum", std::move(keys), "irregular sea of a spectrum by rows, straight lines between them")
+      .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true);
+}
+
+Key stokes() {
+  return map("stokes",
+             {number("height", length, "from trough to crest").above(0).is_required(),
+              number("period", time, "at a fixed place").above(0).is_required(),
+              number("direction_deg", angle, "where it goes to, anticlockwise from +x").or_else("0"),
+              number("phase_deg", angle, "a crest is where k x - omega t + phase = 0").or_else("0"),
+              number("current", velocity,
+                     "uniform, along the wave (against it: negative): the wave rides on it, and its water "
+                     "moves with it; not `current` of the environment once more")
+                  .or_else("0"),
+              word("current_is", {"euler", "transport"},
+                   "what `current` is: the mean velocity at a place under the troughs, or the mean over the "
+                   "depth of what is carried along (0: nothing is, as in a closed tank)")
+                  .or_else("euler")},
+             "one wave of finite height by Stokes' theory of fifth order (Fenton 1985)");
 }
 
 Key waves() {
@@ -68,8 +105,8 @@ Key waves() {
   return map("waves",
              {map("regular", one(), "one linear (Airy) wave"),
               map("jonswap", spectrum_keys(true), "irregular sea, Hasselmann et al. 1973"),
-              map("pierson_moskowitz", spectrum_keys(false), "irregular, fully developed sea"),
-              list("components", map("", one(), ""), "given linear waves").items(1),
+              map("pierson_moskowitz", spectrum_keys(false), "irregular, fully developed sea"), spectrum(),
+              list("components", map("", one(), ""), "given linear waves").items(1), stokes(),
               word("stretching", {"wheeler", "vertical", "none"},
                    "what linear theory is taken for above the still water: its profile stretched to the "
                    "surface, what it is at the still water, or nothing")
@@ -81,36 +118,61 @@ Key waves() {
       .either({{{"regular"}, {"regular"}},
                {{"jonswap"}, {"jonswap"}},
                {{"pierson_moskowitz"}, {"pierson_moskowitz"}},
-               {{"components"}, {"components"}}},
+               {{"spectrum"}, {"spectrum"}},
+               {{"components"}, {"components"}},
+               {{"stokes"}, {"stokes"}}},
               true);
 }
 
 Key seabed() {
-  return map(
-      "seabed",
-      {number("depth", length, "of the bed below z = 0, at x = y = 0")
-           .above(0)
-           .or_else_note("that of `water`"),
-       number("slope_deg", angle, "how steep it is").at_least(0).at_most(M_PI / 3).or_else("0"),
-       number("slope_direction_deg", angle, "where it goes down to, anticlockwise from +x").or_else("0"),
-       map("normal_stiffness",
-           {number("per_length", line_stiffness, "per length of line").above(0),
-            number("per_area", area_stiffness, "per projected area (length times contact diameter)")
-                .above(0)},
-           "of the soil against penetration; without it 100 kN/m³")
-           .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true),
-       number("damping", none, "of the soil, in the unit of `normal_stiffness` times s")
-           .at_least(0)
-           .or_else("0"),
-       number("smoothing", length, "half width of the smooth start of the soil's force")
-           .at_least(0)
-           .or_else_note("a fifth of what the line at rest sinks in"),
-       friction(),
-       word("friction_in_statics", {"as_laid", "none"},
-            "what friction does before anything moves: it holds against the stretch of a line that was "
-            "laid without tension from its anchor on, or nothing")
-           .or_else("as_laid")},
-      "what lines lie on");
+  return map("seabed",
+             {number("depth", length, "of the bed below z = 0, at x = y = 0")
+                  .above(0)
+                  .or_else_note("that of `water`"),
+              number("slope_deg", angle, "how steep it is").at_least(0).at_most(M_PI / 3).or_else("0"),
+              number("slope_direction_deg", angle, "where it goes down to, anticlockwise from +x")
+                  .or_else("0"),
+              map("grid",
+                  {text("file",
+                        "text file beside the case: rows x, y, z [m], one for every x and every y, in any "
+                        "order; "
+                        "blanks or commas between, `#` starts a comment")
+                       .is_required(),
+                   boolean("depths", "z counts downwards from z = 0 and not upwards").or_else("false")},
+                  "instead: a bed through measured heights, by a bicubic spline"),
+              map("mesh",
+                  {text("file",
+                        "STL, OBJ or PLY file beside the case, an open sheet with one height at each place")
+                       .is_required(),
+                   number("scale", none, "metres a unit of the file").above(0).or_else("1"),
+                   boolean("smooth", "curve the facets, so that the bed has no kinks").or_else("true"),
+                   number("crease_angle_deg", angle, "edges sharper than this stay")
+                       .at_least(0)
+                       .at_most(M_PI)
+                       .or_else("40")},
+                  "instead: a bed of triangles; beyond its edge there is none"),
+              map("normal_stiffness",
+                  {number("per_length", line_stiffness, "per length of line").above(0),
+                   number("per_area", area_stiffness, "per projected area (length times contact diameter)")
+                       .above(0)},
+                  "of the soil against penetration; without it 100 kN/m³")
+                  .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true),
+              number("damping", none, "of the soil, in the unit of `normal_stiffness` times s")
+                  .at_least(0)
+                  .or_else("0"),
+              number("smoothing", length, "half width of the smooth start of the soil's force")
+                  .at_least(0)
+                  .or_else_note("a fifth of what the line at rest sinks in"),
+              friction(),
+              word(
+                  "friction_in_statics", {"as_laid", "none"},
+                  "what friction does before anything moves: it holds against the stretch of a line that was "
+                  "laid without tension from its anchor on, or nothing")
+                  .or_else("as_laid")},
+             "what lines lie on: level, sloping, or of a grid or mesh")
+      .either(
+          {{{"depth", "slope_deg", "slope_direction_deg"}, {}}, {{"grid"}, {"grid"}}, {{"mesh"}, {"mesh"}}},
+          false);
 }
 
 }  // namespace

@@ -33,6 +33,8 @@ std::string start_text(Start s) {
       return "straight";
     case Start::points:
       return "along given points";
+    case Start::other_run:
+      return "as another run left it";
   }
   return {};
 }
@@ -53,6 +55,7 @@ std::string motion_text(const Body& b) {
                     t->time.back());
   }
   if (b.ramp > 0) s += fmt::format(", starting smoothly over {:g} s", b.ramp);
+  if (b.drift) s += ", carried by a slow drift";
   return s;
 }
 
@@ -152,13 +155,22 @@ void describe_sea(const Case& c, std::string& s) {
                        v.count, v.seed);
     else if (v.kind == Waves::Kind::regular)
       s += fmt::format(", a wave of {:g} m and {:g} s", v.rows.front().height, v.rows.front().period);
+    else if (v.kind == Waves::Kind::table)
+      s += fmt::format(", waves of a spectrum by {} rows in {} components, seed {}", v.spectrum.size(),
+                       v.count, v.seed);
+    else if (v.kind == Waves::Kind::stokes)
+      s += fmt::format(", Stokes' wave of {:g} m and {:g} s{}", v.rows.front().height, v.rows.front().period,
+                       v.current != 0 ? fmt::format(" on a current of {:g} m/s", v.current) : "");
     else if (v.kind == Waves::Kind::components)
       s += fmt::format(", {} waves", v.rows.size());
     s += "\n";
   }
   const Seabed& b = c.environment.seabed;
   if (!b.present) return;
-  s += fmt::format("seabed: at {:g} m", b.depth);
+  if (b.surface)
+    s += fmt::format("seabed: of {}, about {:g} m deep", b.file, b.depth);
+  else
+    s += fmt::format("seabed: at {:g} m", b.depth);
   if (b.slope > 0)
     s += fmt::format(", sloping {:g} deg towards {:g} deg", b.slope * 180 / M_PI, b.direction * 180 / M_PI);
   s += fmt::format(", stiffness {:g} {}, {}\n", b.normal_stiffness,

@@ -4,12 +4,26 @@
 
 namespace hawser::model {
 
+StokesInput stokes_input(const Environment& e) {
+  const Waves& w = e.water.waves;
+  StokesInput in;
+  in.height = w.rows[0].height, in.period = w.rows[0].period;
+  in.direction = w.rows[0].direction, in.phase = w.rows[0].phase;
+  in.depth = e.water.depth, in.gravity = e.gravity;
+  in.current = w.current, in.transport = w.transport;
+  return in;
+}
+
 WaveField wave_field(const Environment& e) {
   const Waves& waves = e.water.waves;
+  if (waves.kind == Waves::Kind::stokes)
+    return WaveField(std::make_shared<const StokesWave>(stokes_input(e)));
   std::vector<WaveComponent> components;
   if (waves.kind == Waves::Kind::spectrum) {
     components = irregular(jonswap(waves.height, waves.peak_period, waves.gamma), waves.direction,
                            waves.count, waves.seed, waves.spreading);
+  } else if (waves.kind == Waves::Kind::table) {
+    components = irregular(waves.spectrum, waves.direction, waves.count, waves.seed, waves.spreading);
   } else {
     for (const Waves::Row& r : waves.rows) {
       WaveComponent one;

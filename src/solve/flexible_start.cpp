@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "hawser/geometry/surface.hpp"
 #include "hawser/kernels/flexible_shape.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 
@@ -118,7 +120,10 @@ bool streams(const model::Case& c, const model::Line& line) {
 
 double height_above_bed(const model::Case& c, const Vec3& x) {
   const model::Seabed& bed = c.environment.seabed;
-  return bed_normal(bed).dot(x + Vec3(0, 0, bed.depth));
+  if (!bed.surface) return bed_normal(bed).dot(x + Vec3(0, 0, bed.depth));
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
+  const auto nearest = bed.surface->query(x, kNowhere);
+  return nearest ? nearest->distance : kNowhere;
 }
 
 bool goes_through(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x) {
@@ -140,7 +145,7 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   const model::Water& water = c.environment.water;
   FlexibleLine f;
   f.held_a = line.end_a.kind != model::EndKind::free, f.held_b = line.end_b.kind != model::EndKind::free;
-  f.bed = bed.present;
+  f.bed = bed.present && !bed.surface;  // on a measured bed the shape is lifted afterwards
   f.bed_point = Vec3(0, 0, -bed.depth), f.bed_normal = bed_normal(bed);
   f.water = water.present, f.surface = water.surface;
 

@@ -6,8 +6,10 @@
 
 #include "flexible_start.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/geometry/surface.hpp"
 #include "hawser/kernels/catenary.hpp"
 #include "hawser/kernels/catenary_on_bed.hpp"
+#include "hawser/kernels/motion.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
@@ -16,6 +18,7 @@ namespace {
 
 struct Shape {
   std::vector<Vec3> x, tangent;  // one a node
+  std::vector<Quat> q;           // where known, else empty
 };
 
 RigidPose frame(const model::Case& c, const Bodies& bodies, const model::End& e) {
@@ -73,12 +76,23 @@ Shape from_catenary(const CatenaryShape& shape, const Mesh& mesh, const LineSpan
   return out;
 }
 
+// What is under a bed that is no plane is put on it: the start of statics, not its answer.
+void lift(const model::Seabed& bed, Shape& s) {
+  if (!bed.surface) return;
+  std::vector<bool> moved(s.x.size(), false);
+  for (size_t i = 1; i + 1 < s.x.size(); ++i)
+    if (const auto p = bed.surface->query(s.x[i], 0); p && p->distance < 0)
+      s.x[i] = p->point, moved[i] = true;
+  for (size_t i = 1; i + 1 < s.x.size(); ++i)
+    if (moved[i - 1] || moved[i] || moved[i + 1]) s.tangent[i] = (s.x[i + 1] - s.x[i - 1]).normalized();
+}
+
 // A line from an end on the bed to one above it: part of it may lie. Nothing when there is no such shape.
 std::optional<Shape> on_bed(const model::Case& c, const Vec3& xa, const Vec3& xb,
                             std::vector<CatenarySection> sections, const Mesh& mesh, const LineSpan& span) {
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return {};
-  const double near = 1e-3 * bed.depth;
+  const double near = 1e-3 * std::abs(bed.depth);
   const bool a = std::abs(height_above_bed(c, xa)) < near, b = std::abs(height_above_bed(c, xb)) < near;
   if (a == b) return {};
   if (b) {  // from B to A; a load at a joint goes to the section that ends there now
@@ -118,6 +132,35 @@ Shape along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpan& s
   return out;
 }
 
+// As another run left it, by share of the length; ends that are held elsewhere now take the line along, in
+// proportion to how near it is.
+Shape as_left(const model::LeftShape& left, const std::optional<Vec3>& xa, const std::optional<Vec3>& xb,
+              const Mesh& mesh, const LineSpan& span) {
+  const SplineMotion spline(left.arc, left.position);
+  const double there = left.arc.back();
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+  if (xa) a = *xa - left.position.front();
+  if (xb) b = *xb - left.position.back();
+  if (!xa) a = b;
+  if (!xb) b = a;
+  Shape out;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
+    const double share = mesh.nodes[static_cast<size_t>(n)].arc / span.length, s = share * there;
+    const VectorMotion at = spline.at(s);
+    out.x.push_back(at.value + (1 - share) * a + share * b);
+    if (left.rotation.empty()) {
+      out.tangent.push_back(at.rate.normalized());
+      continue;
+    }
+    const auto above = std::upper_bound(left.arc.begin() + 1, left.arc.end() - 1, s);
+    const size_t j = static_cast<size_t>(above - left.arc.begin());
+    const double z = std::clamp((s - left.arc[j - 1]) / (left.arc[j] - left.arc[j - 1]), 0.0, 1.0);
+    out.q.push_back(left.rotation[j - 1].slerp(z, left.rotation[j]));
+    out.tangent.push_back(out.q.back() * Vec3::UnitX());
+  }
+  return out;
+}
+
 // Tangents where the shape has none (a slack end): from the neighbours' positions.
 void mend(Shape& s) {
   for (size_t i = 0; i < s.x.size(); ++i) {
@@ -145,6 +188,9 @@ Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies,
   const Vec3 xa = frame(c, bodies, line.end_a).to_space(line.end_a.at);
   const Vec3 xb = frame(c, bodies, line.end_b).to_space(line.end_b.at);
   if (line.start == Start::points) return along(line.points, mesh, span);
+  if (line.start == Start::other_run)
+    return as_left(*line.left, a ? std::optional(xa) : std::nullopt, b ? std::optional(xb) : std::nullopt,
+                   mesh, span);
   const auto straight = [&] {
     if (a && b) return along({xa, xb}, mesh, span);
     const model::End& e = a ? line.end_a : line.end_b;
@@ -198,15 +244,23 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
     const LineSpan& span = g.lines[l];
     Shape shape = place(c, line, bodies, g, span);
     mend(shape);
+    if (line.start == model::Start::automatic || line.start == model::Start::catenary)
+      lift(c.environment.seabed, shape);
     auto clamp_direction = [&](const model::End& e, size_t node) {
       if (e.clamped && e.direction)
         shape.tangent[node] = frame(c, bodies, e).rotation * e.direction->normalized();
     };
     clamp_direction(line.end_a, 0);
     clamp_direction(line.end_b, shape.x.size() - 1);
-    std::vector<Quat> q{axes_along(shape.tangent[0])};
-    for (size_t i = 1; i < shape.x.size(); ++i)
-      q.push_back((minimal_rotation(shape.tangent[i - 1], shape.tangent[i]) * q.back()).normalized());
+    std::vector<Quat> q = shape.q;
+    if (q.empty()) {
+      q.push_back(axes_along(shape.tangent[0]));
+      for (size_t i = 1; i < shape.x.size(); ++i)
+        q.push_back((minimal_rotation(shape.tangent[i - 1], shape.tangent[i]) * q.back()).normalized());
+    } else {  // a clamped end may point elsewhere now
+      for (size_t i = 0; i < q.size(); ++i)
+        q[i] = (minimal_rotation(q[i] * Vec3::UnitX(), shape.tangent[i]) * q[i]).normalized();
+    }
 
     for (int i = 0; i < span.nodes; ++i) {
       const int here = mesh.find(span.first_node + i);

@@ -2,16 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hawser {
 
-PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives) const {
+bool SeabedTerm::locate(const Point& p, const Vec3& x, double reach, ContactTrial& trial) const {
+  const double smoothing = p.law.normal.smoothing;
+  trial.point = x;
+  if (!surface_) {
+    trial.gap = plane_.gap(x) - p.radius, trial.normal = plane_.normal;
+    return trial.gap < smoothing;
+  }
+  trial.gap = smoothing + reach;
+  if (p.clear - (1 + 1e-9) * (x - p.centre).norm() > reach) return false;
+  const double look = std::max(2 * reach, 0.5 * element_[static_cast<size_t>(p.node)]);
+  const auto s = surface_->query(x, touch(p) + look, p.hint);
+  p.centre = x;
+  if (!s) {
+    // Of a mesh it may also lie under the bed beyond the edge: only above the box is nothing near for sure.
+    const bool endless = !std::isfinite(bounds_.hi.z());
+    p.clear = endless ? look : std::min(look, distance(bounds_, x) - touch(p));
+    return false;
+  }
+  p.hint = s->triangle;
+  p.clear = s->distance - touch(p);
+  // Not what was asked before but where it is decides.
+  trial.gap = std::min(s->distance - p.radius, smoothing + reach);
+  trial.normal = s->normal, trial.curvature = s->curvature;
+  return p.clear < 0;
+}
+
+double SeabedTerm::gap(const Vec3& x, double most) const {
+  if (!surface_) return plane_.gap(x);
+  const auto s = surface_->query(x, most);
+  return s ? s->distance : std::numeric_limits<double>::infinity();
+}
+
+PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives,
+                                 ContactTrial& t) const {
   const size_t n = static_cast<size_t>(p.node);
-  ContactTrial t;
-  t.gap = plane_.gap(at.x[n]) - p.radius;
-  if (t.gap >= p.law.normal.smoothing) return {};
-  t.point = at.x[n];
-  t.normal = plane_.normal;
+  if (!locate(p, at.x[n], 0, t)) return {};
   if (at.step > 0) t.velocity = at.v[n];
   if (friction_on_) return volume_contact(p.law, p.start, t, derivatives);
   return volume_contact({p.law.normal, FrictionLaw{}}, p.start, t, derivatives);
@@ -24,22 +54,31 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
   for (Point& p : points_) {
     const size_t n = static_cast<size_t>(p.node);
     if (!(statics && laid_)) {
+      ContactTrial at;
+      // So far that what it lands from in this step is known.
+      locate(p, committed.x[n], std::max(2 * h * committed.v[n].norm(), 0.5 * element_[n]), at);
       p.start.point = committed.x[n];
-      p.start.gap = plane_.gap(committed.x[n]) - p.radius;
+      p.start.gap = at.gap;
       p.start.slip = p.history.slip;
-      p.start.normal = plane_.normal;
+      p.start.normal = p.history.normal;
     }
     if (p.law.friction.active()) p.start.tangent = line_.tangent(committed, p.node);
-    if (statics && friction_on_) p.pressed = contact(p, committed, false).normal.force;
+    ContactTrial unused;
+    if (statics && friction_on_) p.pressed = contact(p, committed, false, unused).normal.force;
   }
 }
 
 void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const bool tangent = sink.wants_tangent();
+  const bool tangent = sink.wants_tangent(), convex = sink.convex();
   for (const Point& p : points_) {
-    if (plane_.gap(trial.x[static_cast<size_t>(p.node)]) - p.radius >= p.law.normal.smoothing) continue;
-    const PointContact c = contact(p, trial, tangent);
+    ContactTrial at;
+    const size_t n = static_cast<size_t>(p.node);
+    if (!locate(p, trial.x[n], 0, at)) continue;
+    if (trial.step > 0) at.velocity = trial.v[n];
+    if (convex) at.curvature.setZero();  // of a hollow: negative stiffness
+    const ContactLaw law{p.law.normal, friction_on_ ? p.law.friction : FrictionLaw{}};
+    const PointContact c = volume_contact(law, p.start, at, tangent);
     if (c.normal.force == 0) continue;
     const Vec3 residual = -c.force;
     if (!tangent) {
@@ -54,19 +93,16 @@ void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
 // Evaluated again at the accepted state. Energies: trapezoid over the step.
 void SeabedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
-    const PointContact c = contact(p, accepted, false);
+    ContactTrial at;
+    const PointContact c = contact(p, accepted, false, at);
     History next;
+    if (c.normal.elastic > 0) next = History(c, at.normal), next.touches = true;
     next.friction_work = p.history.friction_work, next.damping_work = p.history.damping_work;
-    if (c.normal.elastic > 0) {
-      next.touches = true;
-      next.slip = c.slip, next.force = c.force, next.friction = c.friction;
-      next.damping_force = c.normal.force - c.normal.elastic;
-      next.potential = c.normal.potential;
-    }
     if (accepted.step > 0 && (next.touches || p.history.touches)) {
       const Vec3 moved = accepted.x[static_cast<size_t>(p.node)] - p.start.point;
       next.friction_work -= 0.5 * (next.friction + p.history.friction).dot(moved);
-      next.damping_work -= 0.5 * (next.damping_force + p.history.damping_force) * plane_.normal.dot(moved);
+      next.damping_work -=
+          0.5 * (next.damping_force * next.normal + p.history.damping_force * p.history.normal).dot(moved);
     }
     p.history = next;
   }
@@ -74,10 +110,10 @@ void SeabedTerm::commit(const Kinematics& accepted) {
 
 // What friction that grows from the start of a laid line has taken up, as if it were pressed by what presses
 // it at the last iteration: convex, and exact for equal coefficients and lengths.
-double SeabedTerm::friction_potential(const Point& p, const Vec3& x) const {
+double SeabedTerm::friction_potential(const Point& p, const Vec3& x, const Vec3& normal) const {
   const FrictionLaw& f = p.law.friction;
   const Vec3 slip = p.start.slip + (x - p.start.point);
-  const double along = slip.dot(p.start.tangent), up = slip.dot(plane_.normal);
+  const double along = slip.dot(p.start.tangent), up = slip.dot(normal);
   const double across2 = std::max(0.0, slip.squaredNorm() - along * along - up * up);
   double force[2] = {f.axial * p.pressed, f.lateral * p.pressed};
   double length[2] = {f.axial_length, f.lateral_length};
@@ -99,10 +135,11 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
       e.strain += p.history.potential;
       continue;
     }
-    const PointContact c = contact(p, at, false);
+    ContactTrial trial;
+    const PointContact c = contact(p, at, false, trial);
     e.strain += c.normal.potential;
     if (friction_on_ && laid_ && p.law.friction.active() && p.pressed > 0)
-      e.strain += friction_potential(p, at.x[static_cast<size_t>(p.node)]);
+      e.strain += friction_potential(p, at.x[static_cast<size_t>(p.node)], trial.normal);
   }
   return e;
 }

@@ -10,7 +10,21 @@
 namespace hawser {
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, std::vector<NodeLaw> nodes)
-    : mesh_(mesh), plane_(plane), line_(mesh) {
+    : SeabedTerm(mesh, std::shared_ptr<const Surface>(), std::move(nodes)) {
+  plane_ = plane;
+  for (Point& p : points_) p.history.normal = p.start.normal = plane.normal;
+}
+
+SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface,
+                       std::vector<NodeLaw> nodes)
+    : mesh_(mesh), surface_(std::move(surface)), line_(mesh) {
+  if (surface_) bounds_ = surface_->bounds();
+  element_.assign(static_cast<size_t>(mesh.nodes()), 0);
+  for (const LocalElement& e : mesh.elements)
+    for (const int n : {e.first, e.second}) {
+      double& longest = element_[static_cast<size_t>(n)];
+      longest = std::max(longest, mesh.mesh->elements[static_cast<size_t>(e.global)].length);
+    }
   const size_t owned = static_cast<size_t>(mesh.owned);
   if (nodes.size() != owned) throw std::invalid_argument("the seabed needs a law for each owned node");
   for (size_t n = 0; n < owned; ++n) {
@@ -85,7 +99,10 @@ std::vector<SeabedTerm::NodeLaw> laws_of(const LocalMesh& mesh, const model::Cas
 }  // namespace
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held)
-    : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {}
+    : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
+  surface_ = c.environment.seabed.surface;
+  if (surface_) bounds_ = surface_->bounds();
+}
 
 // The whole line's positions on every rank: once in a run, and 24 bytes a node.
 void SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held) {
@@ -106,15 +123,16 @@ void SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>
       const int first = from_a ? line.first_node : line.first_node + line.nodes - 1, way = from_a ? 1 : -1;
       if (!std::binary_search(held.begin(), held.end(), first)) continue;
       const int next = first + way;
-      if (plane_.gap(place(first)) > 2 * std::abs(reach[static_cast<size_t>(next)])) continue;
+      const double near = 2 * std::abs(reach[static_cast<size_t>(next)]);
+      if (gap(place(first), near) > near) continue;
       double sum = 0;
       std::vector<std::pair<int, double>> walked;
       int node = first;
       for (int i = 1; i < line.nodes; ++i) {
         const int to = first + i * way;
         const int element = line.first_element + (from_a ? i - 1 : line.elements - i);
-        if (reach[static_cast<size_t>(to)] < 0 || plane_.gap(place(to)) >= reach[static_cast<size_t>(to)])
-          break;
+        const double most = reach[static_cast<size_t>(to)];
+        if (most < 0 || gap(place(to), most) >= most) break;
         sum += std::max(
             0.0, (place(to) - place(node)).norm() - mesh.elements[static_cast<size_t>(element)].length);
         walked.emplace_back(to, way * sum);
@@ -126,14 +144,16 @@ void SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>
     }
   for (Point& p : points_) {
     const size_t n = static_cast<size_t>(p.node);
+    ContactTrial seen;
+    locate(p, at.x[n], 0, seen);
     p.start.point = at.x[n];
-    p.start.gap = plane_.gap(at.x[n]) - p.radius;
-    p.start.normal = plane_.normal;
+    p.start.gap = seen.gap;
+    p.start.normal = seen.normal;
     p.start.slip.setZero();
     const auto found = pulled.find(mesh_.global[n]);
     if (found == pulled.end()) continue;
     const Vec3 t = line_.tangent(at, p.node);
-    p.start.slip = found->second * (t - plane_.normal * plane_.normal.dot(t));
+    p.start.slip = found->second * (t - seen.normal * seen.normal.dot(t));
   }
   laid_ = true;
 }
@@ -156,9 +176,10 @@ std::vector<HistoryRecord> SeabedTerm::save() const {
     const History& h = p.history;
     if (!h.touches && h.friction_work == 0 && h.damping_work == 0) continue;
     HistoryRecord r{mesh_.global[static_cast<size_t>(p.node)], 0, {h.touches ? 1.0 : 0}};
-    for (const Vec3* v : {&h.slip, &h.force, &h.friction})
+    for (const Vec3* v : {&h.slip, &h.normal, &h.force, &h.friction})
       r.values.insert(r.values.end(), v->begin(), v->end());
-    r.values.insert(r.values.end(), {h.damping_force, h.potential, h.friction_work, h.damping_work});
+    r.values.insert(r.values.end(),
+                    {h.normal_force, h.damping_force, h.potential, h.friction_work, h.damping_work});
     records.push_back(std::move(r));
   }
   return records;
@@ -172,13 +193,14 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
     const auto found = at.find(r.node);
     if (found == at.end()) continue;
     const std::vector<double>& v = r.values;
-    if (v.size() != 14) throw std::invalid_argument("a seabed record of the checkpoint has the wrong size");
+    if (v.size() != 18) throw std::invalid_argument("a seabed record of the checkpoint has the wrong size");
     History& h = points_[found->second].history;
     h.touches = v[0] != 0;
     size_t i = 1;
-    for (Vec3* part : {&h.slip, &h.force, &h.friction})
+    for (Vec3* part : {&h.slip, &h.normal, &h.force, &h.friction})
       for (int c = 0; c < 3; ++c) (*part)[c] = v[i++];
-    h.damping_force = v[10], h.potential = v[11], h.friction_work = v[12], h.damping_work = v[13];
+    h.normal_force = v[13], h.damping_force = v[14], h.potential = v[15];
+    h.friction_work = v[16], h.damping_work = v[17];
   }
 }
 

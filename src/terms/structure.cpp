@@ -217,6 +217,16 @@ void StructureTerm::fields(FieldRegistry& registry) const {
        at_nodes(
            1, [](const BeamStress& s, int end) { return Vec3((end ? s.moment2 : s.moment1).x(), 0, 0); },
            nothing)});
+  // Two of three: a rotation vector would jump where it comes to half a turn.
+  for (const int axis : {0, 1})
+    registry.add(
+        {axis ? "axis_2" : "axis_1", "", 3, [this, axis](const Kinematics& k, std::span<double> out) {
+           for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) {
+             const bool beam = mesh_.rotates(static_cast<int>(n));
+             const Vec3 a = beam ? Vec3(k.q[n] * Vec3::Unit(axis)) : Vec3(0, 0, 0);
+             for (size_t c = 0; c < 3; ++c) out[3 * n + c] = a[static_cast<Eigen::Index>(c)];
+           }
+         }});
   registry.add({"curvature", "1/m", 1,
                 at_nodes(
                     1,

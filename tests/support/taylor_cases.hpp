@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/geometry/height_grid.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
@@ -209,11 +210,47 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
   return contact;
 }
 
-// A sloping seabed under the nodes, each in its own situation (kStory).
-inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral) {
+// A seabed turned and moved with the model: curved in space, so that slope and curvature count. Distances are
+// those of the bed it is made of.
+class PlacedSurface final : public Surface {
+ public:
+  PlacedSurface(std::shared_ptr<const Surface> bed, const Vec3& origin, const Quat& turn)
+      : bed_(std::move(bed)), origin_(origin), turn_(turn) {}
+  using Surface::query;
+  std::optional<SurfacePoint> query(const Vec3& y, double most, int hint) const override {
+    auto s = bed_->query(turn_.conjugate() * (y - origin_), most, hint);
+    if (!s) return s;
+    const Mat3 R = turn_.toRotationMatrix();
+    s->normal = R * s->normal, s->point = origin_ + R * s->point;
+    s->curvature = R * s->curvature * R.transpose();
+    return s;
+  }
+  Box bounds() const override { return Box::everything(); }
+
+ private:
+  std::shared_ptr<const Surface> bed_;
+  Vec3 origin_;
+  Quat turn_;
+};
+
+// Hills and hollows of some metres: radii of curvature down to a few times the contact radius.
+inline std::shared_ptr<const HeightGrid> hilly() {
+  std::vector<double> x, z;
+  for (int i = 0; i <= 24; ++i) x.push_back(i - 8);
+  for (const double b : x)
+    for (const double a : x)
+      z.push_back(0.2 * std::sin(0.9 * a + 0.5) * std::cos(0.7 * b) + 0.1 * a - 0.05 * b);
+  return std::make_shared<const HeightGrid>(x, x, z);
+}
+
+// A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory).
+inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
+                              bool curved = false) {
   const LocalMesh& l = m.system->mesh();
   const Quat slope = at.rotation * exp_so3({0.2, -0.1, 0.4});
-  const SeabedTerm::Plane plane{at.point({1, 2, 3}), slope * Vec3::UnitZ()};
+  const Vec3 origin = at.point({1, 2, 3});
+  const SeabedTerm::Plane plane{origin, slope * Vec3::UnitZ()};
+  const auto bed = hilly();
   SeabedTerm::NodeLaw law;
   law.radius = kContactRadius;
   law.law.normal.stiffness = kNormalStiffness, law.law.normal.smoothing = 1 * mm,
@@ -221,8 +258,10 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   FrictionLaw& friction = law.law.friction;
   friction.axial = axial, friction.lateral = lateral;
   friction.axial_length = 2 * mm, friction.lateral_length = 3 * mm;
-  auto term = std::make_unique<SeabedTerm>(
-      l, plane, std::vector<SeabedTerm::NodeLaw>(static_cast<size_t>(l.owned), law));
+  const std::vector<SeabedTerm::NodeLaw> laws(static_cast<size_t>(l.owned), law);
+  auto term = curved ? std::make_unique<SeabedTerm>(
+                           l, std::make_shared<const PlacedSurface>(bed, origin, slope), laws)
+                     : std::make_unique<SeabedTerm>(l, plane, laws);
   SeabedTerm& seabed = *term;
   m.system->add(std::move(term));
   Trial& t = m.trial;
@@ -231,8 +270,12 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   for (int n = 0; n < l.nodes(); ++n) {
     const int g = l.global[static_cast<size_t>(n)];
     const NodeStory& s = kStory[g];
-    const auto where = [&](double gap, double slip) {
-      return Vec3(plane.point + slope * place(ContactOn::plane, g, gap, slip));
+    const auto where = [&](double gap, double slip) -> Vec3 {
+      const Vec3 flat = place(ContactOn::plane, g, gap, slip);
+      if (!curved) return origin + slope * flat;
+      const auto h = bed->at(flat.x(), flat.y());
+      const Vec3 normal = Vec3(-h.slope.x(), -h.slope.y(), 1).normalized();
+      return origin + slope * (Vec3(flat.x(), flat.y(), h.z) + flat.z() * normal);
     };
     before.x[static_cast<size_t>(n)] = where(s.before, g == 1 ? -0.02 * mm : -0.5 * mm);
     m.put(n, where(s.before, 0), where(s.gap, s.slip), s.speed * (at.rotation * noise3(g, 9)));
@@ -246,14 +289,15 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
 
 inline std::vector<SuiteCase> seabed_cases() {
   std::vector<SuiteCase> out;
-  for (const auto& [axial, lateral, friction] :
-       {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
-    out.push_back({std::string("seabed, ") + friction,
-                   [axial = axial, lateral = lateral](MPI_Comm comm, const Placement& at) {
-                     auto m = std::make_unique<SuiteModel>(comm, at);
-                     add_seabed(*m, at, axial, lateral);
-                     return m;
-                   }});
+  for (const bool curved : {false, true})
+    for (const auto& [axial, lateral, friction] :
+         {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
+      out.push_back({std::string("seabed, ") + (curved ? "grid, " : "") + friction,
+                     [axial = axial, lateral = lateral, curved](MPI_Comm comm, const Placement& at) {
+                       auto m = std::make_unique<SuiteModel>(comm, at);
+                       add_seabed(*m, at, axial, lateral, curved);
+                       return m;
+                     }});
   return out;
 }
 

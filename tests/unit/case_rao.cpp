@@ -46,5 +46,55 @@ dynamics: {duration: 60}
   }
 }
 
+// A ship that has drifted off and round and drifts on meets the waves where it is: its heave is the surface
+// there. Its derivatives are those of its position.
+TEST(CaseRao, DriftsInTheWaves) {
+  const std::string text = R"(
+hawser: 1
+environment:
+  water: {depth: 100}
+  waves: {stokes: {height: 3, period: 9, direction_deg: 75}, ramp: 0}
+line_types:
+  chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}
+bodies:
+  ship:
+    position: [40, -20, 3]
+    rotation_deg: [0, 0, 30]
+    motion:
+      rao: {phase: lead, rows: [[9, 0, 0, 0, 0, 0, 1, 0, 0, 0, 2, 90, 0, 0], [9, 90, 0, 0, 0, 0, 1, 0, 3, 0, 0, 0, 0, 0]]}
+      drift: {offset: [12, -7, 0], rotation_deg: [0, 0, 45], harmonic: {amplitude: [10, 4, 0], period: 90}}
+lines:
+  mooring:
+    sections: [{type: chain, length: 120, elements: 4}]
+    end_a: {anchor: [100, 0, -50]}
+    end_b: {body: ship, at: [0, 0, 0]}
+dynamics: {duration: 100}
+)";
+  const model::Case c = io::read_case_text(text, "/nowhere/case.yaml");
+  const Bodies bodies(c.bodies);
+  const WaveField w = model::wave_field(c.environment);
+  const WaveComponent& k = w.components()[0];  // Stokes' wave as vessels see it: linear
+  ASSERT_EQ(w.components().size(), 1u);
+  for (double t = 0; t < 100; t += 1.3) {
+    const RigidPose p = bodies.pose(0, t);
+    const double slow = std::sin(2 * M_PI * t / 90);
+    const Vec3 at(52 + 10 * slow, -27 + 4 * slow, 3);
+    const double angle = k.number * (k.x * at.x() + k.y * at.y()) - k.omega * t;
+    EXPECT_LT((p.position - at - Vec3(0, 0, k.amplitude * std::cos(angle))).norm(), 1e-5) << t;
+    // The waves come along the drifted heading of 75 deg: it pitches about its own athwart axis, a quarter of
+    // a period before the crest, and does not roll.
+    const Vec3 turn = log_so3(p.rotation * exp_so3(Vec3(0, 0, 75 * M_PI / 180)).conjugate());
+    const Vec3 side(-std::sin(75 * M_PI / 180), std::cos(75 * M_PI / 180), 0);
+    const double pitch = 2 * M_PI / 180 * k.amplitude * std::cos(angle - M_PI / 2);
+    EXPECT_LT((turn - pitch * side).norm(), 1e-5) << t;
+    const double h = 1e-3;
+    if (t < 1) continue;
+    const Vec3 v = (bodies.pose(0, t + h).position - bodies.pose(0, t - h).position) / (2 * h);
+    const Vec3 a = (bodies.pose(0, t + h).velocity - bodies.pose(0, t - h).velocity) / (2 * h);
+    EXPECT_LT((v - p.velocity).norm(), 1e-5) << t;
+    EXPECT_LT((a - p.acceleration).norm(), 1e-5) << t;
+  }
+}
+
 }  // namespace
 }  // namespace hawser

@@ -79,6 +79,44 @@ TEST(Motion, TableDerivativesAndContinuity) {
   }
 }
 
+// What carries and what is carried: a body that rolls about its own axis while it drifts round.
+TEST(Motion, DriftCarriesTheOtherMotion) {
+  DriftLaw drift;
+  drift.offset = Vec3(20, -5, 1), drift.rotation = Vec3(0.05, 0, 0.4);
+  drift.harmonic = {{8, 3, 0}, {0, 0, 0.3}, 120, {0, 1, 0}, {0, 0, 0.5}};
+  const std::vector<double> time{-1, 10, 25, 60};
+  drift.table.offset = {time, {Vec3(0, 0, 0), Vec3(1, 2, 0), Vec3(4, -2, 0.5), Vec3(0, 1, 0)}};
+  drift.table.rotation = {time, {Vec3(0, 0, 0), Vec3(0, 0, 0.2), Vec3(0.02, 0, -0.3), Vec3(0, 0, 0.1)}};
+  const HarmonicLaw law{{1, 0.4, -2}, {0.3, -0.1, 0.2}, 5, {0, 1, 2}, {0.2, -0.7, 1.1}};
+  for (const double ramp : {0.0, 30.0}) {
+    drift.ramp = ramp;
+    RigidMotion m({3, 1, 2}, {0.1, 0.2, -0.4}, law, 3);
+    m.set_drift(drift);
+    for (double t : {0.4, 1.0, 2.2, 5.5, 12.9, 29.0, 47.0}) expect_derivatives(m, t, 1e-8);
+    // As two rigid motions, one in the other.
+    const RigidMotion carried({3, 1, 2}, {0.1, 0.2, -0.4}, law, 3);
+    VectorMotion moved, turned;
+    drift.at(7, moved, turned);
+    const RigidPose p = m.at(7), q = carried.at(7);
+    const Quat D = exp_so3(turned.value);
+    EXPECT_LT((p.position - (Vec3(3, 1, 2) + moved.value + D * (q.position - Vec3(3, 1, 2)))).norm(), 1e-13);
+    EXPECT_NEAR(std::abs((D * q.rotation).dot(p.rotation)), 1, 1e-14);
+    // At rest before the start, and there from statics on without a ramp.
+    EXPECT_EQ(m.at(-1).velocity.norm(), 0);
+    EXPECT_NEAR((m.at(0).position - Vec3(3, 1, 2)).norm() > 15, ramp == 0, 0);
+  }
+  // Alone it is the body's motion.
+  RigidMotion still({0, 0, 0}, {0, 0, 0});
+  EXPECT_FALSE(still.moves());
+  DriftLaw offset;
+  offset.offset = Vec3(5, 0, 0);
+  still.set_drift(offset);
+  EXPECT_TRUE(still.moves());
+  EXPECT_EQ(still.at(3).position, Vec3(5, 0, 0));
+  offset.harmonic.period = 0;
+  EXPECT_THROW(still.set_drift(offset), std::invalid_argument);
+}
+
 TEST(Motion, RatesAreContinuousAcrossTheSeriesSwitch) {
   const Vec3 u = Vec3(1, -2, 0.5).normalized(), d(0.3, 0.7, -1.1), dd(-2, 0.4, 0.9);
   Vec3 w0, a0, w1, a1;

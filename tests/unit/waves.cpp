@@ -181,5 +181,39 @@ TEST(Waves, SeedsAndSpreading) {
   EXPECT_NEAR(across, 0, 0.01);
 }
 
+// A spectrum by rows: energy and moments are those of the straight lines between them, direction and seed as
+// for the others; JONSWAP by rows is JONSWAP.
+TEST(Waves, SpectrumByRows) {
+  const std::vector<SpectrumRow> rows{{0.2, 0}, {0.5, 9}, {0.7, 4}, {0.9, 4}, {2, 0}};
+  double m0 = 0, m1 = 0;
+  for (size_t i = 1; i < rows.size(); ++i)
+    for (int k = 0; k < 1000; ++k) {
+      const double z = (k + 0.5) / 1000, step = (rows[i].omega - rows[i - 1].omega) / 1000;
+      const double s = rows[i - 1].density + z * (rows[i].density - rows[i - 1].density);
+      m0 += step * s, m1 += step * s * (rows[i - 1].omega + 1000 * z * step);
+    }
+  const auto sea = irregular(rows, 0.7, 400, 3);
+  double energy = 0, first = 0;
+  for (const WaveComponent& c : sea) {
+    energy += 0.5 * c.amplitude * c.amplitude, first += 0.5 * c.amplitude * c.amplitude * c.omega;
+    EXPECT_GE(c.omega, 0.2);
+    EXPECT_LE(c.omega, 2);
+    EXPECT_NEAR(c.x, std::cos(0.7), 1e-15);
+  }
+  EXPECT_NEAR(energy, m0, 1e-6 * m0);
+  EXPECT_NEAR(first, m1, 5e-4 * m1);
+  EXPECT_EQ(irregular(rows, 0.7, 400, 3)[17].phase, sea[17].phase);
+  EXPECT_NE(irregular(rows, 0.7, 400, 4)[17].phase, sea[17].phase);
+  // What has no energy has no components.
+  EXPECT_LT(irregular({{0.1, 0}, {0.5, 0}, {0.6, 5}, {0.7, 0}}, 0, 100, 1).size(), 20u);
+
+  const Jonswap j = jonswap(4, 9, 3.3);
+  std::vector<SpectrumRow> fine;
+  for (int i = 0; i <= 4000; ++i) fine.push_back({0.2 + i * 0.00145, j.density(0.2 + i * 0.00145)});
+  double all = 0;
+  for (const WaveComponent& c : irregular(fine, 0, 300, 1)) all += 0.5 * c.amplitude * c.amplitude;
+  EXPECT_NEAR(all, 1, 2e-3);
+}
+
 }  // namespace
 }  // namespace hawser

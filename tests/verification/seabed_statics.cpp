@@ -43,6 +43,44 @@ TEST(SeabedStatics, InfiniteBeamUnderAPointLoad) {
   }
 }
 
+// Values of a field at the nodes.
+std::vector<double> values(Simulation& sim, const std::string& name) {
+  const FieldRegistry fields = sim.system().fields();
+  for (const FieldSource& f : fields.sources())
+    if (f.name == name) {
+      std::vector<double> out(sim.state().x.size() * static_cast<size_t>(f.components));
+      f.fill(sim.state().view(0), out);
+      return out;
+    }
+  return {};
+}
+
+// A long beam under a point load at its free end: Hetényi (1946), w0 = 2 P lambda/k, slope 2 P lambda²/k,
+// largest moment -P exp(-pi/4) sin(pi/4)/lambda at pi/(4 lambda), on top of what its weight presses it in.
+TEST(SeabedStatics, HalfABeamUnderAPointLoadAtItsEnd) {
+  const double k = 1e5, P = 1e4, EI = 1e6, level = -50.1;
+  const int elements = 400;
+  model::Case c = on_bed(beam_type(1e9, EI, EI, 1000), 40, elements, {}, clamp({40, 0, level}, {1, 0, 0}), k);
+  c.environment.seabed.friction.axial = c.environment.seabed.friction.lateral = 0;
+  c.lines[0].start = model::Start::straight;
+  model::PointLoad load;
+  load.at = 0, load.force = Vec3(0, 0, -P);
+  c.lines[0].point_loads.push_back(load);
+  Simulation sim(PETSC_COMM_SELF, c);
+  sim.solve_statics();
+  const double w = level - sim.state().x[0].z();
+  const double slope = (sim.state().q[0] * Vec3::UnitX()).z();
+  const std::vector<double> moment = values(sim, "bending_moment");
+  const auto largest = std::max_element(moment.begin(), moment.end());
+  const double at = 40.0 / elements * static_cast<double>(largest - moment.begin());
+  printf("  w0 %+.4f %%, slope %+.4f %%, moment %+.4f %% at %.1f m\n", 100 * (w / 0.07952707287670506 - 1),
+         100 * (slope / 0.03162277660168379 - 1), 100 * (*largest / 8107.853848579669 - 1), at);
+  EXPECT_NEAR(w, 0.07952707287670506, 2e-3 * 0.0795);
+  EXPECT_NEAR(slope, 0.03162277660168379, 2e-3 * 0.0316);
+  EXPECT_NEAR(*largest, 8107.853848579669, 2e-3 * 8108);
+  EXPECT_NEAR(at, 1.975171812535064, 0.1);
+}
+
 // The end of a heavy beam is lifted by 0.5 m: how much hangs, and the force, matched solutions of beam and
 // foundation without tension.
 TEST(SeabedStatics, EndLiftedOffAFoundationWithoutTension) {
@@ -67,13 +105,8 @@ TEST(SeabedStatics, EndLiftedOffAFoundationWithoutTension) {
         hanging = 30.0 / elements * n;
         break;
       }
-    const FieldRegistry fields = sim.system().fields();
-    for (const FieldSource& f : fields.sources())
-      if (f.name == "bending_moment") {
-        std::vector<double> values(static_cast<size_t>(elements) + 1);
-        f.fill(sim.state().view(0), values);
-        moment = *std::max_element(values.begin(), values.end());
-      }
+    const std::vector<double> moments = values(sim, "bending_moment");
+    moment = *std::max_element(moments.begin(), moments.end());
     printf("  k %g: hangs %.2f of %.4f m, force %+.4f %%, moment %+.4f %%\n", r.k, hanging, r.hanging,
            100 * (force / r.force - 1), 100 * (moment / r.moment - 1));
     EXPECT_NEAR(hanging, r.hanging, 0.11);
@@ -86,14 +119,14 @@ TEST(SeabedStatics, EndLiftedOffAFoundationWithoutTension) {
 // up to F = sqrt(EA tau d) at the end, then a part of it slips. Closed form.
 TEST(SeabedStatics, PullOut) {
   struct Row {
-    double F, u;
+    double F, u, slips, tension;  // N; m; m, length that slips; N, 50 m from the end
   };
-  for (const Row& r : {Row{17677.66953, 0.0025},
-                       {35355.33906, 0.005},
-                       {50000, 0.0075},
-                       {100000, 0.0225},
-                       {200000, 0.0825},
-                       {400000, 0.3225}}) {
+  for (const Row& r : {Row{17677.66953, 0.0025, 0, 8716.305381908778},
+                       {35355.33906, 0.005, 0, 17432.610763817556},
+                       {50000, 0.0075, 29.289321881345256, 26378.682326731465},
+                       {100000, 0.0225, 129.28932188134524, 75000},
+                       {200000, 0.0825, 329.28932188134524, 175000},
+                       {400000, 0.3225, 729.2893218813452, 375000}}) {
     model::LineType t = cable_type(5e8, 100);
     model::Case c = on_bed(t, 1200, 1200, {}, {}, 1e6);
     c.environment.seabed.friction.axial = c.environment.seabed.friction.lateral = 0.5;
@@ -110,9 +143,100 @@ TEST(SeabedStatics, PullOut) {
     settings.near = true;
     solve_statics(sim.system(), settings, sim.state());
     const double u = sim.state().x[1200].x() - 1200;
-    printf("  F %g N: u %.6f of %.6f m\n", r.F, u, r.u);
+    int slip = 0;
+    while (slip < 1200 && sim.state().x[static_cast<size_t>(1200 - slip)].x() - (1200 - slip) >= 0.005)
+      ++slip;
+    const double tension = values(sim, "effective_tension")[1150];
+    printf("  F %g N: u %.6f of %.6f m, %d of %.1f m slip, tension %+.3f %%\n", r.F, u, r.u, slip, r.slips,
+           100 * (tension / r.tension - 1));
     EXPECT_NEAR(u, r.u, 5e-3 * r.u) << r.F;
+    EXPECT_NEAR(slip, r.slips, 1) << r.F;
+    EXPECT_NEAR(tension, r.tension, 5e-3 * r.tension) << r.F;
   }
+}
+
+// A pipe laid cold and heated by 60 K (1.17e-5/K): the free strain lengthens the unstretched line; friction
+// of 500 N/m with 5 mm to mobilise holds its middle. Closed form: what the ends slip, their expansion, and
+// the force in the middle. Half of it, held in the middle.
+TEST(SeabedStatics, Heating) {
+  struct Row {
+    double length, slip, end, force;
+  };
+  const double EA = 5e8, strain = 1.17e-5 * 60;
+  for (const Row& r : {Row{600, 287.80890488030343, 0.1656248683617732, -146944.69911537858},
+                       {2000, 631.2851402664203, 0.2489017043064301, -350615.49150208966},
+                       {4000, 631.2893218813451, 0.2489020, -350999.99972262495}}) {
+    const double half = r.length / 2;
+    const int elements = static_cast<int>(half / 2);
+    model::LineType t = beam_type(EA, 1e7, 1e7, 100 / (1 + strain));
+    model::Case c = on_bed(t, half * (1 + strain), elements, clamp({0, 0, -50.001}, {1, 0, 0}), {}, 1e6);
+    model::Friction& f = c.environment.seabed.friction;
+    f.axial = f.lateral = 0.5, f.mobilisation_length = 0.005;
+    c.statics.enabled = false;
+    c.lines[0].start = model::Start::points;
+    c.lines[0].points = {Vec3(0, 0, -50.001), Vec3(half, 0, -50.001)};
+    Simulation sim(PETSC_COMM_SELF, c);
+    sim.seabed()->lay(PETSC_COMM_SELF, sim.state().view(0), {});
+    StaticsSettings settings;
+    settings.near = true;
+    const std::vector<Vec3> before = sim.state().x;
+    solve_statics(sim.system(), settings, sim.state());
+    const auto moved = [&](int n) {
+      return sim.state().x[static_cast<size_t>(n)].x() - before[static_cast<size_t>(n)].x();
+    };
+    int slip = 0;
+    while (slip < elements && moved(elements - slip) >= 0.005) ++slip;
+    const double end = moved(elements), force = values(sim, "effective_tension")[0];
+    printf("  %g m: %.0f of %.1f m slip, end %+.3f %%, force in the middle %+.3f %%\n", r.length,
+           slip * half / elements, r.slip, 100 * (end / r.end - 1), 100 * (force / r.force - 1));
+    EXPECT_NEAR(end, r.end, 5e-3 * r.end);
+    EXPECT_NEAR(force, r.force, -5e-3 * r.force);
+    EXPECT_NEAR(slip * half / elements, r.slip, 2);
+  }
+}
+
+// Pulled by 0.08 m, let go, pushed back by as much, slowly: F²/(2 tau EA) going out, F1 less the root of
+// 4 tau EA (u1 - u) coming back (Masing's rule), half of the way left when the force is gone. Rigid-plastic
+// closed form; the mobilisation length is 0.02 mm here, which at a turn of the way is felt at first.
+TEST(SeabedStatics, PullingUnloadingPushing) {
+  const double EA = 5e8, tau = 500, far = 0.08, length = 500;
+  constexpr size_t kElements = 1000;
+  model::End b;
+  b.kind = model::EndKind::body, b.body = "hand", b.clamped = true, b.direction = Vec3::UnitX();
+  model::Case c = on_bed(beam_type(EA, 1e7, 1e7, 100), length, static_cast<int>(kElements), {}, b, 1e6);
+  model::Body hand;
+  hand.name = "hand", hand.position = Vec3(length, 0, -50.001);
+  model::HarmonicMotion m;
+  m.amplitude = Vec3(far, 0, 0), m.period = 80;
+  hand.motion = m, hand.ramp = 8;
+  c.bodies.push_back(hand);
+  model::Friction& f = c.environment.seabed.friction;
+  f.axial = f.lateral = tau / 1000, f.mobilisation_length = 2e-5;
+  c.lines[0].start = model::Start::straight;
+  c.dynamics.enabled = true, c.dynamics.duration = 60, c.dynamics.step = 0.1;
+  Simulation sim(PETSC_COMM_SELF, c);
+  sim.solve_statics();
+  sim.dynamics().start(sim.state());
+  const double most = std::sqrt(2 * tau * EA * far);
+  double off = 0, left = 0, last_u = 0, last_F = 0;
+  sim.dynamics().run(
+      60, [](double) { return 60.0; },
+      [&](const StepInfo& info) {
+        const double u = sim.dynamics().kinematics().x[kElements].x() - length;
+        const double F = sim.dynamics().reactions()[3 * 2 * kElements];
+        if (info.time > 20.05) {
+          if (last_F > 0 && F <= 0) left = last_u + (u - last_u) * last_F / (last_F - F);
+          if (u < far - 0.01) off = std::max(off, std::abs(F - (most - std::sqrt(4 * tau * EA * (far - u)))));
+        } else if (u > 0.01) {
+          off = std::max(off, std::abs(F - std::sqrt(2 * tau * EA * u)));
+        }
+        last_u = u, last_F = F;
+        return true;
+      });
+  printf("  force within %.3f %% of %g N, %.5f of %.5f m left at no force\n", 100 * off / most, most, left,
+         far / 2);
+  EXPECT_LT(off, 5e-3 * most);
+  EXPECT_NEAR(left, far / 2, 5e-3 * far / 2);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Waves on lines: a pile, and a rod that the water carries along.
+#include "hawser/model/wave_components.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test {
@@ -26,41 +27,119 @@ model::Case pile(double depth, double top, const model::Waves& waves) {
   return c;
 }
 
-// In-line force at time t.
-double force(Simulation& sim, double t) {
+// In-line force, and moment about the bed, at time t: what the nodes leave, since the pile is straight.
+struct Load {
+  double force = 0, moment = 0;
+};
+Load load(Simulation& sim, double t) {
   State& s = sim.state();
   s.time = t;
   sim.system().prepare(s.view(0.1), 0.1);
   VecHandle r = sim.system().create_vector();
   sim.system().residual(s.view(0.1), r.get());
-  double sum = 0;
-  for (size_t i = 0; i < sim.system().reactions().size(); i += 3) sum -= sim.system().reactions()[i];
+  Load sum;
+  for (size_t n = 0; n < s.x.size(); ++n) {
+    const double f = -sim.system().reactions()[3 * n];
+    sum.force += f, sum.moment += f * (s.x[n].z() - s.x[0].z());
+  }
   return sum;
 }
 
-// Closed forms of linear theory to the still water, and of Wheeler's stretching under the crest.
+// Closed forms of linear theory to the still water, and of Wheeler's stretching under the crest: forces, and
+// moments about the bed.
 TEST(WaveLoads, Pile) {
   struct Row {
-    double height, period, depth, most, wheeler;
+    double height, period, depth, most, wheeler, inertia_moment, drag_moment, largest_moment;
   };
-  for (const Row& r : {Row{5, 10, 50, 38476.06258, 22371.45468},
-                       {10, 12, 100, 98014.99919, 82352.88827},
-                       {2, 6, 20, 15464.62383, 3466.84229}}) {
+  for (const Row& r :
+       {Row{5, 10, 50, 38476.06258, 22371.45468, 1196872.1634508849, 783995.4771601028, 1240791.1530843226},
+        {10, 12, 100, 98014.99919, 82352.88827, 5368991.900563488, 6361846.696140481, 7494618.177627006},
+        {2, 6, 20, 15464.62383, 3466.84229, 198901.829958623, 50238.50987051225, 198901.829958623}}) {
     model::Waves w = one_wave(r.height, r.period);
     w.stretching = Stretching::none;
     const model::Case linear = pile(r.depth, 0, w);
     Simulation sim(PETSC_COMM_SELF, linear);
-    double most = 0;
-    for (int i = 0; i <= 90; ++i) most = std::max(most, force(sim, -0.25 * r.period * i / 90));
+    Load most;
+    for (int i = 0; i <= 90; ++i) {
+      const Load l = load(sim, -0.25 * r.period * i / 90);
+      most.force = std::max(most.force, l.force), most.moment = std::max(most.moment, l.moment);
+    }
+    const double inertia = load(sim, -0.25 * r.period).moment, drag_only = load(sim, 0).moment;
     w.stretching = Stretching::wheeler;
     const model::Case crest = pile(r.depth, r.height / 2, w);
     Simulation high(PETSC_COMM_SELF, crest);
-    const double drag = force(high, 0);
-    printf("  H %g m: largest %+.3f %%, drag under the crest %+.3f %%\n", r.height, 100 * (most / r.most - 1),
-           100 * (drag / r.wheeler - 1));
-    EXPECT_NEAR(most, r.most, 1e-3 * r.most);
+    const double drag = load(high, 0).force;
+    printf(
+        "  H %g m: largest %+.3f %%, drag under the crest %+.3f %%; moments: inertia %+.3f %%, drag "
+        "%+.3f %%, largest %+.3f %%\n",
+        r.height, 100 * (most.force / r.most - 1), 100 * (drag / r.wheeler - 1),
+        100 * (inertia / r.inertia_moment - 1), 100 * (drag_only / r.drag_moment - 1),
+        100 * (most.moment / r.largest_moment - 1));
+    EXPECT_NEAR(most.force, r.most, 1e-3 * r.most);
     EXPECT_NEAR(drag, r.wheeler, 1e-3 * r.wheeler);
+    EXPECT_NEAR(inertia, r.inertia_moment, 1e-3 * r.inertia_moment);
+    EXPECT_NEAR(drag_only, r.drag_moment, 1e-3 * r.drag_moment);
+    EXPECT_NEAR(most.moment, r.largest_moment, 1e-3 * r.largest_moment);
   }
+}
+
+// The same pile in Stokes' wave on a current, against a quadrature of its kinematics from the bed to the
+// surface.
+TEST(WaveLoads, PileInStokesWave) {
+  const double depth = 30, D = 1, Cd = 1.2, Cm = 2, rho = 1025;
+  model::Waves w;
+  w.kind = model::Waves::Kind::stokes;
+  w.rows = {{9, 9, 0, 0}};
+  w.current = 0.5;
+  const model::Case c = pile(depth, 8, w);
+  const WaveField field = model::wave_field(c.environment);
+  Simulation sim(PETSC_COMM_SELF, c);
+  for (const double t : {0.0, -1.0, -2.3, 1.1, 4.0}) {
+    const double top = field.elevation(0, 0, t);
+    Load expected;
+    const int n = 4000;
+    for (int i = 0; i < n; ++i) {
+      const double y = (i + 0.5) * (depth + top) / n;
+      const WaveMotion m = field.at({0, 0, y - depth}, t);
+      const double u = m.velocity.x(), f = (0.5 * rho * Cd * D * std::abs(u) * u +
+                                            rho * Cm * M_PI / 4 * D * D * m.acceleration.x()) *
+                                           (depth + top) / n;
+      expected.force += f, expected.moment += f * y;
+    }
+    const Load l = load(sim, t);
+    printf("  t %g s: surface at %.2f m, force %.0f N, off by %+.3f %%, moment %+.3f %%\n", t, top,
+           expected.force, 100 * (l.force - expected.force) / 1e5,
+           100 * (l.moment - expected.moment) / (1e5 * depth));
+    EXPECT_NEAR(l.force, expected.force, 2e-3 * 1e5);
+    EXPECT_NEAR(l.moment, expected.moment, 2e-3 * 1e5 * depth);
+  }
+}
+
+// Water is looked at where a node gets with the speed it has at the start of the step, and not again wherever
+// Newton's iterations take it; a new step looks anew.
+TEST(WaveLoads, OneLookANodeAndStep) {
+  model::Waves w = one_wave(4, 8);
+  model::Case c = pile(40, -5, w);
+  c.line_types[0].Cd_normal = 0;
+  Simulation sim(PETSC_COMM_SELF, c);
+  sim.system().prepare(sim.state().view(0.1), 0.1);
+  State s = sim.state();
+  s.time = 1.3;
+  const auto force = [&](double shift) {
+    State moved = s;
+    for (Vec3& x : moved.x) x.x() += shift;
+    VecHandle r = sim.system().create_vector();
+    sim.system().residual(moved.view(0.1), r.get());
+    double sum = 0;
+    for (size_t n = 0; n < moved.x.size(); ++n) sum -= sim.system().reactions()[3 * n];
+    return sum;
+  };
+  const double here = force(0);
+  EXPECT_GT(std::abs(here), 1e3);
+  EXPECT_NEAR(force(20), here, 1e-9 * std::abs(here));  // a fifth of a wave on
+  for (Vec3& x : s.x) x.x() += 20;
+  sim.system().prepare(s.view(0.1), 0.1);
+  EXPECT_GT(std::abs(force(0) - here), 1e-2 * std::abs(here));
 }
 
 // A neutral rod without drag has (m + Ca rho A) a = (1 + Ca) rho A a_w: it moves as the water does.

@@ -1,8 +1,11 @@
 // Parts of the case reader: shapes, and what looks at other files (motion tables, meshes).
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "hawser/model/case.hpp"
 #include "hawser/model/value.hpp"
@@ -28,8 +31,10 @@ Vec3 read_direction(const model::Value& v, const char* key, const std::string& p
 Primitive read_shape(const model::Value& shape, const std::string& key, const CaseSource& source);
 
 // Numbers of a text file by row: blanks or commas between, `#` starts a comment. Refused without such a file.
+// lines: which line of the file each row is, from 1.
 std::vector<std::vector<double>> read_rows(const std::string& path, const model::Value& at,
-                                           const std::string& key, const CaseSource& source);
+                                           const std::string& key, const CaseSource& source,
+                                           std::vector<int>* lines = nullptr);
 
 // `rao: {...}`: the motion of a body in the waves of the case as a dense table over `duration` [s].
 model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
@@ -43,7 +48,9 @@ model::TableMotion read_motion_table(const model::Value& table, const std::strin
 model::BetweenLines read_between_lines(const model::Value& v, const CaseSource& source);
 
 // `environment`, and what a line type is in water (contents and marine growth are added to its mass).
-model::Environment read_environment(const model::Value& v, const CaseSource& source);
+// notes: what is doubtful about it, a sentence each.
+model::Environment read_environment(const model::Value& v, const CaseSource& source,
+                                    std::vector<std::string>& notes);
 void read_in_water(const model::Value& v, const std::string& key, const CaseSource& source,
                    model::LineType& t);
 
@@ -53,6 +60,36 @@ model::LineType read_line_type(const std::string& name, const model::Value& v, c
 // An entry of `bend_stiffeners` of a line, its root at arc length `at` [m].
 void read_bend_stiffener(const model::Value& v, const std::string& path, double at, double length,
                          const CaseSource& source, model::Line& line);
+
+// `grid` or `mesh` of the seabed; nothing without.
+void read_bed_surface(const model::Value& seabed, const CaseSource& source, model::Seabed& bed);
+// Line ends beyond the edge of such a bed or under it.
+void check_bed(const model::Case& c, std::vector<std::string>& notes);
+
+// Lines as other runs left them; each results file is read once.
+class OtherRuns {
+ public:
+  explicit OtherRuns(const CaseSource& source) : source_(source) {}
+  // start: a map with `from` and maybe `time`, at the dotted key `key`. Without such a line: refused if it
+  // must be there, else null.
+  std::shared_ptr<const model::LeftShape> shape(const model::Value& start, const std::string& key,
+                                                const std::string& line, bool must);
+
+ private:
+  struct Run {
+    std::string path;
+    double time = 0;  // s
+    std::vector<std::string> lines;
+    std::vector<double> first, count, arc, position;
+    std::vector<std::vector<double>> axes;  // 1 and 2 of the section, where there are beams
+  };
+  const Run& run(const model::Value& from, const model::Value* time, const std::string& key);
+  const CaseSource& source_;
+  std::map<std::pair<std::string, double>, Run> runs_;  // by path and time; -1: the last
+};
+// Whether it is long enough for the line.
+void check_left_shape(const model::Line& line, const model::Value& at, const std::string& key,
+                      const CaseSource& source, std::vector<std::string>& notes);
 
 // `sign` of a volume, a word of the schema.
 model::SignTest read_sign(const std::string& word);

@@ -67,5 +67,7 @@ struct Array {
   std::vector<double> values;
 };
 Array read_array(hid_t file, const std::string& name);
+// Its row at the first index; `shape` is that of a row.
+Array read_row(hid_t file, const std::string& name, hsize_t row);
 
 }  // namespace hawser::io::h5

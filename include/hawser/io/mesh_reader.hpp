@@ -24,6 +24,9 @@ struct LoadedMesh {
 // that encloses nothing.
 LoadedMesh read_mesh(const std::string& path, double scale = 1, bool closed = false);
 
+// A sheet from the same files, welded and nothing else: open, facing any way. Throws InputError as above.
+TriangleMesh read_sheet(const std::string& path, double scale = 1);
+
 // One flag a triangle: does it take part in contact? By the volume's active_part or active_box.
 // Throws InputError if there is no such part (with the nearest name) or no triangle in the box.
 std::vector<bool> active_triangles(const TriangleMesh& mesh, const model::Volume& volume);

@@ -71,6 +71,16 @@ struct TableLaw {
 
 using MotionLaw = std::variant<std::monostate, SteadyLaw, HarmonicLaw, TableLaw>;
 
+// A slow motion that carries the body with its other motion: the sum of three, of which rotation vectors.
+struct DriftLaw {
+  Vec3 offset = Vec3::Zero(), rotation = Vec3::Zero();  // m, rad
+  HarmonicLaw harmonic;
+  TableLaw table;
+  double ramp = 0;  // s, of all
+  // Offset [m] and rotation vector [rad] at t >= 0.
+  void at(double t, VectorMotion& moved, VectorMotion& turned) const;
+};
+
 class RigidMotion {
  public:
   RigidMotion() = default;
@@ -78,15 +88,21 @@ class RigidMotion {
   // Throws std::invalid_argument for a zero axis, a period or ramp that makes no sense.
   RigidMotion(const Vec3& position, const Vec3& rotation, MotionLaw law = {}, double ramp = 0);
 
+  // On top of it, carried along: what `law` does is done in the axes that the drift moves and turns,
+  // x = position + d + D u, R = D exp(psi) R0. std::invalid_argument as above.
+  void set_drift(DriftLaw drift);
+
   // For t < 0 the body rests where it is at t = 0.
   RigidPose at(double t) const;
-  bool moves() const { return law_.index() != 0; }
+  bool moves() const { return law_.index() != 0 || drifts_; }
 
  private:
   Vec3 position_ = Vec3::Zero();
   Quat rotation_ = Quat::Identity();
   MotionLaw law_;
   double ramp_ = 0;
+  DriftLaw drift_;
+  bool drifts_ = false;
 };
 
 // The quintic step 10 z³ - 15 z⁴ + 6 z⁵ of z = t / duration: value, first and second derivative in time, and

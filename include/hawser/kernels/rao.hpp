@@ -42,15 +42,18 @@ class RaoTable {
 // A vessel's motion in a sea of components: a sum of harmonics.
 class RaoMotion {
  public:
-  // Origin of the vessel at rest (x, y count) and its heading: the direction of its bow, rad from +x.
-  RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& origin, double heading);
-  // Offset [m] and rotation vector [rad], axes of space.
-  void at(double t, Vec3& offset, Vec3& rotation) const;
+  // Origin of the vessel at rest (x, y count) and its heading: the direction of its bow, rad from +x. `yaw`
+  // [rad]: what it has drifted round by, so that the waves meet it as seen from there.
+  RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& origin, double heading,
+            double yaw = 0);
+  // Offset [m] and rotation vector [rad], in the axes of space that turn with the drift. `drifted` [m]: how
+  // far the vessel is from its origin now, where it meets the waves.
+  void at(double t, Vec3& offset, Vec3& rotation, const Vec3& drifted = Vec3::Zero()) const;
   double highest() const { return highest_; }  // rad/s, of the components
 
  private:
   struct Term {
-    double omega = 0;
+    double omega = 0, kx = 0, ky = 0;  // rad/s, 1/m
     Vec3 offset_cos, offset_sin, rotation_cos, rotation_sin;
   };
   std::vector<Term> terms_;

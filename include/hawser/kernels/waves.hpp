@@ -1,13 +1,17 @@
 // Water waves of small height as sums of components: a regular wave is one, an irregular sea many. Linear
-// theory (Airy); up to the moving surface by one of the known stretchings. See docs/theory/waves.md.
+// theory (Airy); up to the moving surface by one of the known stretchings. Or one wave of finite height
+// (stokes_wave.hpp). See docs/theory/waves.md.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hawser/math/types.hpp"
 
 namespace hawser {
+
+class StokesWave;
 
 // k of omega² = g k tanh(k h), 1/m; depth <= 0: infinite. To round-off.
 double wave_number(double omega, double depth, double gravity);
@@ -27,7 +31,7 @@ enum class Stretching { none, vertical, wheeler };
 struct WaveMotion {
   double surface = 0;                // m above the still water
   Vec3 velocity = Vec3::Zero();      // m/s
-  Vec3 acceleration = Vec3::Zero();  // m/s², of the water's velocity at the place (linear)
+  Vec3 acceleration = Vec3::Zero();  // m/s², of the velocity at the place (linear) or of the water (Stokes)
 };
 
 class WaveField {
@@ -35,6 +39,8 @@ class WaveField {
   WaveField() = default;
   // Numbers of the components are set from their frequencies. depth <= 0: infinite.
   WaveField(std::vector<WaveComponent> components, double depth, double gravity, Stretching stretching);
+  // components() is then one, of half its height, for what answers to linear waves.
+  explicit WaveField(std::shared_ptr<const StokesWave> wave);
 
   bool none() const { return components_.empty(); }
   const std::vector<WaveComponent>& components() const { return components_; }
@@ -46,6 +52,7 @@ class WaveField {
   std::vector<WaveComponent> components_;
   double depth_ = 0;
   Stretching stretching_ = Stretching::wheeler;
+  std::shared_ptr<const StokesWave> stokes_;
 };
 
 // JONSWAP after Hasselmann et al. (1973), sigma 0.07 and 0.09, scaled so that the spectrum's m0 is Hs²/16;
@@ -57,10 +64,19 @@ struct Jonswap {
 };
 Jonswap jonswap(double height, double peak_period, double gamma);
 
+// A spectrum by rows of growing frequency, straight lines between them, nothing beyond.
+struct SpectrumRow {
+  double omega = 0, density = 0;  // rad/s, m² s/rad
+};
+
 // `count` components with the energy of bins of frequency, from 0.35 to 10 times that of the peak; for a
 // spreading cos^(2s)((theta - direction)/2) with s > 0 each has a direction of its own. Phases and places in
 // the bins from `seed`, the same on every machine and rank.
 std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, int count, std::uint64_t seed,
                                      double spreading = 0);
+// The same from rows: bins that grow geometrically from the first row to the last, or from 1/50 of the last
+// where the first is lower; those without energy are left out.
+std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, double direction, int count,
+                                     std::uint64_t seed, double spreading = 0);
 
 }  // namespace hawser

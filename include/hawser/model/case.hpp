@@ -69,6 +69,14 @@ struct TableMotion {           // cubic spline through the rows
 };
 using Motion = std::variant<std::monostate, ConstantMotion, HarmonicMotion, TableMotion>;
 
+// A slow motion that carries the body with its `motion`: the sum of three.
+struct Drift {
+  Vec3 offset = Vec3::Zero(), rotation = Vec3::Zero();  // m; rad, rotation vector
+  HarmonicMotion harmonic;
+  TableMotion table;
+  double ramp = 0;  // s, smooth start; 0: there from statics on
+};
+
 // A body that moves by its own equations.
 struct BodyMass {
   double mass = 0;                       // kg
@@ -89,7 +97,8 @@ struct Body {
   Vec3 position = Vec3::Zero();  // m, of the body's origin at t = 0
   Vec3 rotation = Vec3::Zero();  // rad, rotation vector at t = 0
   Motion motion;
-  double ramp = 0;               // s, smooth start of the motion (quintic), 0: none
+  double ramp = 0;  // s, smooth start of the motion (quintic), 0: none
+  std::optional<Drift> drift;
   std::optional<BodyMass> mass;  // without it the motion is prescribed
 };
 
@@ -168,7 +177,16 @@ struct PointLoad {
   int order = 0;               // place in the file's list of loads, for messages
 };
 
-enum class Start { automatic, catenary, hanging, straight, points };
+// other_run: as another run left it.
+enum class Start { automatic, catenary, hanging, straight, points, other_run };
+
+// Nodes of a line in another run.
+struct LeftShape {
+  std::string file;
+  std::vector<double> arc;     // m from end A, growing
+  std::vector<Vec3> position;  // m
+  std::vector<Quat> rotation;  // empty: not known
+};
 
 struct Line {
   std::string name;
@@ -179,7 +197,8 @@ struct Line {
   std::vector<DistributedLoad> loads;
   std::vector<PointLoad> point_loads;
   Start start = Start::automatic;
-  std::vector<Vec3> points;  // for Start::points: polyline the line is laid along
+  std::vector<Vec3> points;               // for Start::points: polyline the line is laid along
+  std::shared_ptr<const LeftShape> left;  // for Start::other_run
 };
 
 // rigid and gap are there to be compared with: at the nodes, held on the surface until the reaction pulls; at

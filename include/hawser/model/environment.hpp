@@ -3,10 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "hawser/kernels/waves.hpp"
 #include "hawser/model/stiffness.hpp"
+
+namespace hawser {
+class Surface;
+}
 
 namespace hawser::model {
 
@@ -24,17 +30,21 @@ struct Current {
   double ramp = 0;  // s, smooth start in dynamics; 0: acts from statics on
 };
 
-// Linear waves: one, the components of a spectrum, or given ones.
+// Linear waves: one, the components of a spectrum (by formula or by rows), or given ones; or one wave of
+// finite height after Stokes.
 struct Waves {
-  enum class Kind { none, regular, spectrum, components };
+  enum class Kind { none, regular, spectrum, components, stokes, table };
   Kind kind = Kind::none;
   struct Row {
     double height = 0, period = 0;    // m, crest to trough; s
     double direction = 0, phase = 0;  // rad
   };
-  std::vector<Row> rows;                          // the regular wave or the given components
+  std::vector<Row> rows;                          // the regular or Stokes' wave or the given components
   double height = 0, peak_period = 0, gamma = 1;  // of a spectrum: Hs m, Tp s
   double direction = 0, spreading = 0;            // rad; exponent s of cos^2s, 0: long-crested
+  std::vector<SpectrumRow> spectrum;              // rows of `table`
+  double current = 0;                             // m/s, uniform, along Stokes' wave, which rides on it
+  bool transport = false;                         // it is the mean transport by depth; else the mean velocity
   int count = 0;                                  // components
   std::uint64_t seed = 1;
   Stretching stretching = Stretching::wheeler;
@@ -50,11 +60,13 @@ struct Water {
   Waves waves;
 };
 
-// A plane through (0, 0, -depth), going down at `slope` towards `direction`.
+// A plane through (0, 0, -depth), going down at `slope` towards `direction`; or a surface.
 struct Seabed {
   bool present = false;
-  double depth = 0;                 // m
-  double slope = 0, direction = 0;  // rad
+  std::shared_ptr<const Surface> surface;  // of a grid or a mesh, axes of space; null: the plane
+  std::string file;                        // that it was read from
+  double depth = 0;                        // m
+  double slope = 0, direction = 0;         // rad
   StiffnessBasis basis = StiffnessBasis::per_area;
   double normal_stiffness = 0;  // N/m² or N/m³ by basis
   double damping = 0;           // N s/m² or N s/m³ by basis

@@ -26,6 +26,4 @@ class Bodies {
   std::vector<RigidMotion> motions_;
 };
 
-RigidMotion rigid_motion(const model::Body& body);
-
 }  // namespace hawser

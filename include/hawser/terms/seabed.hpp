@@ -1,14 +1,17 @@
-// The seabed under the lines: a plane with a spring, a damper and friction at every node, shared out by the
-// length of line that belongs to it. See docs/theory/seabed.md.
+// The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node, shared
+// out by the length of line that belongs to it. See docs/theory/seabed.md.
 #pragma once
 
 #include <mpi.h>
 
+#include <memory>
 #include <vector>
 
+#include "hawser/geometry/surface.hpp"
 #include "hawser/kernels/volume_contact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/contact.hpp"
 #include "hawser/terms/line_neighbours.hpp"
 
 namespace hawser {
@@ -28,8 +31,9 @@ class SeabedTerm final : public ForceTerm {
     ContactLaw law;     // of the node: N/m
   };
 
-  // nodes: one for each owned node.
+  // nodes: one for each owned node. A surface is in axes of space, the ground inside.
   SeabedTerm(const LocalMesh& mesh, const Plane& plane, std::vector<NodeLaw> nodes);
+  SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, std::vector<NodeLaw> nodes);
   // held: local nodes that are supported, which the bed leaves alone.
   SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held);
 
@@ -51,15 +55,13 @@ class SeabedTerm final : public ForceTerm {
   // held: nodes of the mesh that are lines' ends, supported. Collective.
   void lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held);
 
-  const Plane& plane() const { return plane_; }
   int touching() const;
 
  private:
-  struct History {
+  struct History : ContactHistory {
+    using ContactHistory::ContactHistory;
     bool touches = false;
-    Vec3 slip = Vec3::Zero(), force = Vec3::Zero(), friction = Vec3::Zero();  // m, N, N
-    double damping_force = 0, potential = 0;                                  // N, J
-    double friction_work = 0, damping_work = 0;                               // J, taken out so far
+    double friction_work = 0, damping_work = 0;  // J, taken out so far
   };
   struct Point {
     int node = 0, block = 0;
@@ -68,13 +70,27 @@ class SeabedTerm final : public ForceTerm {
     ContactStart start;
     History history;
     double pressed = 0;  // N, at the last prepare() of statics
+    // Cache, changes the time and never the answer: no force nearer than `clear` to `centre` (the signed
+    // distance is 1-Lipschitz); nearest triangle of the last query.
+    mutable Vec3 centre = Vec3::Zero();
+    mutable double clear = -1;
+    mutable int hint = -1;
   };
-  PointContact contact(const Point& p, const Kinematics& at, bool derivatives) const;
-  double friction_potential(const Point& p, const Vec3& x) const;
+  double touch(const Point& p) const { return p.radius + p.law.normal.smoothing; }
+  // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
+  // is then cut to `reach` [m] more than where it touches.
+  bool locate(const Point& p, const Vec3& x, double reach, ContactTrial& trial) const;
+  // Signed distance of x when less than `most` [m], infinite else.
+  double gap(const Vec3& x, double most) const;
+  PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial) const;
+  double friction_potential(const Point& p, const Vec3& x, const Vec3& normal) const;
 
   const LocalMesh& mesh_;
   Plane plane_;
+  std::shared_ptr<const Surface> surface_;  // null: the plane
+  Box bounds_ = Box::everything();          // of the surface
   std::vector<Point> points_;
+  std::vector<double> element_;  // m, longest at a local node
   LineNeighbours line_;
   bool friction_on_ = true, has_friction_ = false, laid_ = false;
 };

@@ -1,0 +1,13 @@
+// How a body of a case moves when its motion is prescribed.
+#pragma once
+
+#include "hawser/kernels/motion.hpp"
+#include "hawser/model/case.hpp"
+
+namespace hawser::model {
+
+// std::invalid_argument for a motion that makes no sense (check() and the reader have refused it before).
+RigidMotion rigid_motion(const Body& body);
+DriftLaw drift_law(const Drift& drift);
+
+}  // namespace hawser::model

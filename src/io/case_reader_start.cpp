@@ -1,0 +1,107 @@
+// Start shapes from what another run left.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/hdf5.hpp"
+#include "hawser/io/results_build.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/nearest.hpp"
+
+namespace hawser::io {
+
+using model::Value;
+
+const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time, const std::string& key) {
+  const std::string path = source_.absolute(from.text);
+  const double wanted = time ? time->number : -1;
+  const auto [found, fresh] = runs_.try_emplace({path, wanted});
+  Run& r = found->second;
+  if (!fresh) return r;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error))
+    source_.bad(from, key + ".from", "there is no such results file: " + path);
+  std::string missing;
+  try {
+    const std::vector<double> times = read_progress(path).output_times;
+    if (times.empty()) throw InputError(path + " holds no output yet");
+    size_t row = times.size() - 1;
+    if (time) {
+      const auto nearer = [wanted](double a, double b) {
+        return std::abs(a - wanted) < std::abs(b - wanted);
+      };
+      row = static_cast<size_t>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+      if (std::abs(times[row] - wanted) > 1e-6 * std::max(1.0, wanted))
+        missing = fmt::format(
+            "{} has no output at {:g} s: of its {} outputs from {:g} to {:g} s the nearest is at {:.9g} s",
+            path, wanted, times.size(), times.front(), times.back(), times[row]);
+    }
+    r.path = path, r.time = times[row];
+    const h5::Id file = h5::open_read(path);
+    r.lines = h5::read_texts(file, "lines/name");
+    r.first = h5::read_array(file, "lines/first_node").values;
+    r.count = h5::read_array(file, "lines/nodes").values;
+    r.arc = h5::read_array(file, "nodes/arc_length").values;
+    r.position = h5::read_row(file, "fields/position", row).values;
+    if (h5::exists(file, "fields/axis_1") && h5::exists(file, "fields/axis_2"))
+      for (const char* axis : {"fields/axis_1", "fields/axis_2"})
+        r.axes.push_back(h5::read_row(file, axis, row).values);
+  } catch (const std::runtime_error& e) {  // no results file, or not whole
+    source_.bad(from, key + ".from", fmt::format("{}: cannot be read: {}", path, e.what()));
+  }
+  if (!missing.empty()) source_.bad(*time, key + ".time", missing);
+  return r;
+}
+
+std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, const std::string& key,
+                                                         const std::string& name, bool must) {
+  const Run& r = run(start["from"], start.find("time"), key);
+  const auto found = std::find(r.lines.begin(), r.lines.end(), name);
+  if (found == r.lines.end()) {
+    if (!must) return nullptr;
+    const Value& at = start.has("line") ? start["line"] : start["from"];
+    source_.bad(at, key + (start.has("line") ? ".line" : ".from"),
+                fmt::format("{} has no line {}{} (lines: {})", r.path, model::quote(name),
+                            model::did_you_mean(name, r.lines), fmt::join(r.lines, ", ")));
+  }
+  const size_t line = static_cast<size_t>(found - r.lines.begin());
+  const size_t first = static_cast<size_t>(r.first[line]), count = static_cast<size_t>(r.count[line]);
+  auto left = std::make_shared<model::LeftShape>();
+  left->file = r.path;
+  for (size_t n = first; n < first + count; ++n) {
+    left->arc.push_back(r.arc[n]);
+    left->position.push_back(Eigen::Map<const Vec3>(r.position.data() + 3 * n));
+    if (r.axes.empty()) continue;
+    const Eigen::Map<const Vec3> a(r.axes[0].data() + 3 * n), b(r.axes[1].data() + 3 * n);
+    if (!(a.norm() > 0.5) || !(b.norm() > 0.5)) continue;  // of a cable
+    Mat3 R;
+    R.col(0) = a.normalized();
+    R.col(1) = (b - R.col(0).dot(b) * R.col(0)).normalized();
+    R.col(2) = R.col(0).cross(R.col(1));
+    left->rotation.push_back(Quat(R));
+  }
+  if (left->rotation.size() != count) left->rotation.clear();
+  return left;
+}
+
+void check_left_shape(const model::Line& line, const Value& at, const std::string& key,
+                      const CaseSource& source, std::vector<std::string>& notes) {
+  constexpr double kSame = 1e-6, kMost = 0.2;  // of the length
+  const double here = model::length_of(line), there = line.left->arc.back();
+  if (std::abs(here - there) > kMost * here)
+    source.bad(at, key,
+               fmt::format("the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %", here,
+                           there, line.left->file, 100 * kMost));
+  if (std::abs(here - there) > kSame * here)
+    notes.push_back(
+        fmt::format("{}: the line is {:g} m long and was {:g} m in {}; its shape is taken by "
+                    "share of the length",
+                    key, here, there, line.left->file));
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,292 @@
+// The seabed at single nodes: friction along given paths, a bed by grid or mesh that is a plane, landing.
+#include "hawser/terms/seabed.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hawser/geometry/ground.hpp"
+#include "hawser/geometry/height_grid.hpp"
+#include "hawser/geometry/mesh_surface.hpp"
+#include "support/taylor_cases.hpp"
+
+namespace hawser::test {
+namespace {
+
+// Two nodes a metre apart along x, the first of which the bed carries.
+struct OneNode {
+  Mesh mesh;
+  LocalMesh local;
+  std::unique_ptr<SeabedTerm> bed;
+  State state;
+  double h = 0.1;
+
+  template <class Bed>
+  OneNode(const Bed& shape, const SeabedTerm::NodeLaw& law) {
+    for (int i = 0; i < 2; ++i) mesh.nodes.push_back({0, 1.0 * i, 0.5, false});
+    mesh.elements.push_back({0, 0, 1, 0, 1.0, false});
+    LineSpan span;
+    span.nodes = 2, span.elements = 1, span.length = 1;
+    mesh.lines.push_back(span);
+    local = local_mesh(mesh, {0, 0}, 0, 1);
+    SeabedTerm::NodeLaw none;
+    none.radius = -1;
+    bed = std::make_unique<SeabedTerm>(local, shape, std::vector<SeabedTerm::NodeLaw>{law, none});
+    state = State(2);
+  }
+  // A step to x, committed: friction on the node.
+  Vec3 go(const Vec3& x) {
+    bed->prepare(state.view(h), h);
+    state.x[0] = x, state.x[1] = x + Vec3::UnitX();
+    state.time += h;
+    bed->commit(state.view(h));
+    FieldRegistry fields;
+    bed->fields(fields);
+    std::vector<double> f(6);
+    for (const FieldSource& s : fields.sources())
+      if (s.name == "seabed_friction") s.fill(state.view(h), f);
+    return {f[0], f[1], f[2]};
+  }
+  double work() const { return bed->energy(state.view(h)).friction; }
+};
+
+// 1000 N pressed, coefficients 0.3 and 0.8, mobilisation lengths 0.01 and 0.04 m, as the paper has it
+// (OMAE2006-92155, eqs 6-10: Michalopoulos' spring, return along the radius).
+SeabedTerm::NodeLaw paper() {
+  SeabedTerm::NodeLaw law;
+  law.radius = 0.1;
+  law.law.normal.stiffness = 1e6;
+  FrictionLaw& f = law.law.friction;
+  f.axial = 0.3, f.lateral = 0.8, f.axial_length = 0.01, f.lateral_length = 0.04;
+  f.spring = FrictionSpring::michalopoulos;
+  return law;
+}
+constexpr double kDeep = 0.1 - 1e-3;  // m, of the axis, that presses 1000 N
+
+const SeabedTerm::Plane kFlat{Vec3::Zero(), Vec3::UnitZ()};
+
+// Force for a displacement in one step from rest. Own evaluation of eqs 6-10 in Python, double precision.
+TEST(SeabedFriction, PaperFormula) {
+  const double rows[][4] = {{0.002, 0, 60, 0},
+                            {0, 0.01, 0, 200},
+                            {0.002, 0.01, 18.836339673824433, 251.1511956509924},
+                            {0.005, 0.02, 51.44957554275265, 548.7954724560284},
+                            {0.01, 0, 300, 0},
+                            {0, 0.04, 0, 800},
+                            {0.007, 0.03, 68.16888468192553, 779.0729677934346},
+                            {0.02, 0.05, 111.41720290623111, 742.7813527082074},
+                            {-0.003, 0.06, -14.981285083167672, 799.0018711022758}};
+  for (const auto& r : rows) {
+    OneNode n(kFlat, paper());
+    n.go({0, 0, kDeep});
+    const Vec3 f = n.go({r[0], r[1], kDeep});
+    EXPECT_NEAR(f.x(), -r[2], 1e-10) << r[0] << ' ' << r[1];
+    EXPECT_NEAR(f.y(), -r[3], 1e-10) << r[0] << ' ' << r[1];
+  }
+}
+
+struct Leg {
+  double x, y, fx, fy, work;
+};
+
+// A path of six legs: force at their ends and work so far, by trapezoids.
+void follow(int steps, const std::vector<Leg>& legs, double tolerance) {
+  OneNode n(kFlat, paper());
+  n.go({0, 0, kDeep});
+  Vec3 from(0, 0, kDeep);
+  for (const Leg& l : legs) {
+    const Vec3 to(l.x, l.y, kDeep);
+    Vec3 f;
+    for (int i = 1; i <= steps; ++i) f = n.go(from + (to - from) * i / steps);
+    from = to;
+    EXPECT_NEAR(f.x(), -l.fx, tolerance * 1000) << l.x << ' ' << l.y;
+    EXPECT_NEAR(f.y(), -l.fy, tolerance * 1000) << l.x << ' ' << l.y;
+    EXPECT_NEAR(n.work(), l.work, tolerance * 100) << l.x << ' ' << l.y;
+  }
+}
+
+// Own evaluation of eqs 6-10 in Python, double precision, with one and ten steps a leg.
+TEST(SeabedFriction, PaperPath) {
+  follow(1,
+         {{0.006, 0, 180, 0, 0.54},
+          {0.006, 0.03, 56.50901902147329, 753.4535869529773, 11.84180380429466},
+          {0.02, 0.03, 166.41005886756875, 665.6402354702749, 13.402237349517954},
+          {-0.02, 0.03, -272.70895009510326, 333.3848337605079, 15.528215174068643},
+          {-0.02, -0.05, -39.16708155928443, -793.152650448142, 33.91892784157401},
+          {0, 0, 217.23968167015445, 551.7288912845186, 29.664059863592122}},
+         1e-12);
+  follow(10,
+         {{0.006, 0, 180, 0, 0.54},
+          {0.006, 0.03, 56.50901902147329, 753.4535869529773, 15.304011567002503},
+          {0.02, 0.03, 208.37374780541083, 575.53302815098, 17.136592151397867},
+          {-0.02, 0.03, -295.36980921964425, 140.01081359002268, 22.635038090768095},
+          {-0.02, -0.05, -24.25846431851841, -797.3802746891471, 77.44290796758501},
+          {0, 0, 223.50698124805086, 533.6307792780967, 64.63415838440208}},
+         1e-12);
+}
+
+// Against the continuous law, closed form by legs, with a thousand steps a leg; a closed loop within the
+// ellipse takes and gives work, one way and the other.
+TEST(SeabedFriction, PaperPathInTheLimit) {
+  follow(1000,
+         {{0.006, 0, 180, 0, 0.54},
+          {0.006, 0.03, 56.50901902147329, 753.4535869529773, 15.35259},
+          {0.02, 0.03, 216.3698159, 554.1542681, 17.2393},
+          {-0.02, 0.03, -297.8171823, 96.33002355, 22.8928},
+          {-0.02, -0.05, -21.28630636, -797.9836508, 78.7635},
+          {0, 0, 214.2551447, 559.9665577, 65.8055}},
+         1e-3);
+  const Vec3 corners[] = {Vec3(0, 0, kDeep), Vec3(0.006, 0, kDeep), Vec3(0.006, 0.025, kDeep),
+                          Vec3(0, 0.025, kDeep)};
+  for (const bool back : {false, true}) {
+    OneNode n(kFlat, paper());
+    n.go(corners[0]);
+    for (int leg = 0; leg < 4; ++leg) {
+      const Vec3 &a = corners[back ? (4 - leg) % 4 : leg], &b = corners[back ? 3 - leg : (leg + 1) % 4];
+      for (int i = 1; i <= 2000; ++i) n.go(a + (b - a) * i / 2000);
+    }
+    EXPECT_NEAR(n.work(), back ? -5.375583661 : 5.375583661, 1e-3);
+  }
+}
+
+// Back and forth by 3 mobilisation lengths: 4 mu N (D - d) a cycle. Round and round in a circle: force lags
+// by asin(d/rho), 2 pi rho mu N sqrt(1 - (d/rho)²) a turn.
+TEST(SeabedFriction, CyclesAndCircles) {
+  SeabedTerm::NodeLaw law = paper();
+  law.law.friction.axial = law.law.friction.lateral = 0.3;
+  law.law.friction.lateral_length = 0.01;
+  OneNode n(kFlat, law);
+  n.go({0, 0, kDeep});
+  const double rows[][2] = {{0.005, 150}, {0.01, 300},   {0.03, 300}, {0.02, 0},
+                            {0.01, -300}, {-0.03, -300}, {-0.02, 0},  {-0.01, 300}};
+  for (const auto& r : rows) EXPECT_NEAR(n.go({r[0], 0, kDeep}).x(), -r[1], 1e-10) << r[0];
+  n.go({0.03, 0, kDeep});
+  const double before = n.work();
+  for (const double x : {0.01, -0.03, -0.01, 0.03}) n.go({x, 0, kDeep});
+  EXPECT_NEAR(n.work() - before, 24, 1e-10);
+
+  law.law.friction.axial = law.law.friction.lateral = 0.5;
+  OneNode c(kFlat, law);
+  const double rho = 0.05;
+  double turn = 0, lag = 0;
+  for (int i = 0; i <= 6000; ++i) {
+    const double angle = 2 * M_PI * i / 2000;
+    if (i == 4000) turn = c.work();
+    const Vec3 f = c.go({rho * std::cos(angle), rho * std::sin(angle), kDeep});
+    lag = f.dot(Vec3(std::cos(angle), std::sin(angle), 0)) / f.norm();  // what pulls inwards
+  }
+  EXPECT_NEAR(c.work() - turn, 153.9059796, 0.05);
+  EXPECT_NEAR(-lag, 0.2, 2e-3);
+}
+
+// Lifted off and set down elsewhere within a step or after many, a node begins without friction: it never
+// remembers where it was. The part of the step after the touch counts.
+TEST(SeabedFriction, LandsElsewhere) {
+  for (const bool grid : {false, true}) {
+    std::vector<double> at{-10, 0, 10}, z(9, 0);
+    SeabedTerm::NodeLaw law = paper();
+    law.law.normal.smoothing = 1e-4;
+    const auto run = [&](auto& n) {
+      n.go({0, 0, kDeep});
+      EXPECT_NEAR(n.go({0.02, 0, kDeep}).x(), -300, 1e-9);
+      n.go({0.02, 0, 0.2});
+      EXPECT_EQ(n.go({3, 1, 0.2}).norm(), 0);
+      const Vec3 landed = n.go({3, 1, kDeep});  // straight down
+      EXPECT_EQ(landed.norm(), 0);
+      EXPECT_NEAR(n.go({3.002, 1, kDeep}).x(), -60, 1e-9);
+      n.go({3, 1, 0.2});
+      // Down from 0.1 m above with 0.02 m along: of the step the last (1e-3 + 1e-4)/(0.1 + 1e-3) counts.
+      const double part = (1e-3 + 1e-4) / (0.1 + 1e-3);
+      EXPECT_NEAR(n.go({3.02, 1, kDeep}).x(), -0.3 * 1000 * 0.02 * part / 0.01, 1e-6);
+    };
+    if (grid) {
+      OneNode n(std::shared_ptr<const Surface>(std::make_shared<const HeightGrid>(at, at, z)), law);
+      run(n);
+    } else {
+      OneNode n(kFlat, law);
+      run(n);
+    }
+  }
+}
+
+// A slope given by a formula, as a grid and as a mesh: the same forces along the same path.
+TEST(SeabedShapes, SlopesAreTheSame) {
+  const auto slope = [](double x, double y) { return -50 + 0.2 * x - 0.1 * y; };
+  std::vector<double> at, z;
+  for (int i = -3; i <= 5; ++i) at.push_back(7.5 * i);
+  TriangleMesh sheet;
+  for (const double y : at)
+    for (const double x : at) z.push_back(slope(x, y)), sheet.vertices.push_back({x, y, z.back()});
+  const int n = static_cast<int>(at.size());
+  for (int j = 0; j + 1 < n; ++j)
+    for (int i = 0; i + 1 < n; ++i) {
+      const int a = j * n + i;
+      // One of each pair is turned over: the bed sees to it.
+      sheet.triangles.push_back({a, a + 1, a + n + 1}), sheet.triangles.push_back({a, a + n, a + n + 1});
+    }
+  TriangleMesh ground = ground_under(sheet);
+  std::vector<bool> active(ground.triangles.size(), false);
+  std::fill_n(active.begin(), sheet.triangles.size(), true);
+  const SeabedTerm::Plane plane{Vec3(0, 0, -50), Vec3(-0.2, 0.1, 1).normalized()};
+  OneNode formula(plane, paper());
+  OneNode grid(std::shared_ptr<const Surface>(std::make_shared<const HeightGrid>(at, at, z)), paper());
+  OneNode mesh(std::shared_ptr<const Surface>(std::make_shared<const MeshSurface>(ground, active)), paper());
+  const Vec3 above = Vec3(0, 15, slope(0, 15)) + 0.3 * plane.normal;
+  formula.go(above), grid.go(above), mesh.go(above);
+  for (int i = 0; i < 60; ++i) {
+    const double t = 0.1 * i, x = 20 * std::sin(t), y = 15 * std::cos(1.7 * t);
+    const Vec3 p = Vec3(x, y, slope(x, y)) + (0.0985 + 0.01 * std::sin(3 * t)) * plane.normal;
+    const Vec3 f = formula.go(p);
+    const Vec3 all = formula.bed->node_force(formula.state.view(0.1), 0);
+    EXPECT_LT((grid.go(p) - f).norm(), 1e-6) << i;
+    EXPECT_LT((mesh.go(p) - f).norm(), 1e-6) << i;
+    EXPECT_LT((grid.bed->node_force(grid.state.view(0.1), 0) - all).norm(), 1e-6) << i;
+    EXPECT_LT((mesh.bed->node_force(mesh.state.view(0.1), 0) - all).norm(), 1e-6) << i;
+  }
+}
+
+// What was near before changes the time and never the answer: the force is that of a bed that has not been
+// asked before.
+TEST(SeabedShapes, AnswersDoNotDependOnTheWay) {
+  const auto bed = hilly();
+  SeabedTerm::NodeLaw law = paper();
+  law.law.friction = {};
+  OneNode walker(std::shared_ptr<const Surface>(bed), law);
+  int touching = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double t = 0.37 * i, x = 4 + 6 * std::sin(t), y = 3 + 5 * std::cos(1.3 * t);
+    const Vec3 p(x, y, bed->at(x, y).z + 0.4 * std::sin(5.1 * t));
+    walker.go(p);
+    OneNode fresh(std::shared_ptr<const Surface>(bed), law);
+    fresh.go(p);
+    const Vec3 a = walker.bed->node_force(walker.state.view(0.1), 0),
+               b = fresh.bed->node_force(fresh.state.view(0.1), 0);
+    EXPECT_EQ(a, b) << i;
+    touching += a.norm() > 0;
+  }
+  EXPECT_GT(touching, 100);
+  EXPECT_LT(touching, 380);
+}
+
+TEST(SeabedShapes, RefusesWhatIsNoSheet) {
+  const auto refusal = [](const TriangleMesh& m) -> std::string {
+    try {
+      ground_under(m);
+    } catch (const std::invalid_argument& e) {
+      return e.what();
+    }
+    return "";
+  };
+  TriangleMesh m;
+  m.vertices = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.9, 0.2, 1)};
+  m.triangles = {{0, 1, 2}};
+  EXPECT_EQ(refusal(m), "");
+  EXPECT_TRUE(inspect(ground_under(m)).valid());
+  m.triangles = {{0, 1, 3}};
+  EXPECT_NE(refusal(m).find("stands upright"), std::string::npos);
+  m.triangles = {{0, 1, 2}, {0, 1, 4}};
+  EXPECT_NE(refusal(m).find("folded over itself"), std::string::npos);
+  m.triangles = {{0, 1, 2}, {0, 1, 4}, {1, 0, 2}};
+  EXPECT_NE(refusal(m).find("more than two triangles"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hawser::test
