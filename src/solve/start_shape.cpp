@@ -8,6 +8,7 @@
 #include "hawser/kernels/catenary.hpp"
 #include "hawser/kernels/catenary_on_bed.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/solve/start_slack.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
@@ -128,6 +129,20 @@ void mend(Shape& s) {
   }
 }
 
+// A catenary that goes through the bed, or into the air though the line floats, lies there instead.
+void lay(const model::Case& c, const std::vector<CatenarySection>& sections, const Mesh& mesh,
+         const LineSpan& span, Shape& s) {
+  const bool floats = c.environment.water.present &&
+                      std::all_of(sections.begin(), sections.end(), [](const CatenarySection& k) {
+                        return k.load.z() > 0 && k.end_load.z() >= 0;
+                      });
+  std::vector<double> arc;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n)
+    arc.push_back(mesh.nodes[static_cast<size_t>(n)].arc);
+  if (lay_slack(c.environment, floats, arc, s.x))
+    for (Vec3& t : s.tangent) t.setZero();  // mend() makes them
+}
+
 Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
             const LineSpan& span) {
   using model::EndKind, model::Start;
@@ -150,7 +165,11 @@ Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies,
   try {
     if (a && b)
       if (auto shape = on_bed(c, xa, xb, sections, mesh, span)) return *std::move(shape);
-    if (a && b) return from_catenary(catenary(xa, xb, sections), mesh, span);
+    if (a && b) {
+      Shape shape = from_catenary(catenary(xa, xb, sections), mesh, span);
+      if (line.start == Start::automatic) lay(c, sections, mesh, span, shape);
+      return shape;
+    }
     if (a) return from_catenary(catenary_free_b(xa, sections), mesh, span);
     if (b) return from_catenary(catenary_free_a(xb, sections), mesh, span);
   } catch (const std::invalid_argument&) {
