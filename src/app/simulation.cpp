@@ -218,6 +218,11 @@ StaticsReport Simulation::solve_statics() {
   StaticsSettings settings;
   settings.tolerance = case_.statics.tolerance;
   settings.max_iterations = case_.statics.max_iterations;
+  settings.relaxation = case_.statics.relaxation == model::Relaxation::always ? RelaxationUse::always
+                        : case_.statics.relaxation == model::Relaxation::never
+                            ? RelaxationUse::never
+                            : RelaxationUse::when_newton_fails;
+  settings.relaxation_steps = case_.statics.relaxation_steps;
   settings.augment = !case_.statics.exact_contact;
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   if (case_.statics.exact_contact && contact_) {

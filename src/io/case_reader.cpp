@@ -312,6 +312,11 @@ class Reader {
     c_.statics.enabled = v["enabled"].number != 0;
     c_.statics.tolerance = v["tolerance"].number;
     c_.statics.max_iterations = static_cast<int>(v["max_iterations"].number);
+    const Value& relaxation = v["dynamic_relaxation"];
+    c_.statics.relaxation = relaxation.is("always")  ? model::Relaxation::always
+                            : relaxation.is("never") ? model::Relaxation::never
+                                                     : model::Relaxation::automatic;
+    c_.statics.relaxation_steps = static_cast<int>(v["relaxation_steps"].number);
     c_.statics.exact_contact = v["exact_contact"].number != 0;
     if (c_.statics.exact_contact && !c_.contact.augmented)
       source_.bad(v["exact_contact"], "statics.exact_contact", "needs 'contact: {augmented: true}'");

@@ -390,7 +390,16 @@ const Key& case_schema() {
                               integer("max_iterations", "Newton iterations of a stage")
                                   .at_least(1)
                                   .at_most(1e6)
-                                  .or_else("500")},
+                                  .or_else("500"),
+                              word("dynamic_relaxation", {"auto", "always", "never"},
+                                   "lets lines come to rest from the start shape by a damped motion, for "
+                                   "slack and floating lines, before Newton's iteration: where that alone "
+                                   "fails (`auto`), `always` or `never`")
+                                  .or_else("auto"),
+                              integer("relaxation_steps", "steps of that motion at most")
+                                  .at_least(1)
+                                  .at_most(1e7)
+                                  .or_else("5000")},
                              "")},
            "Static equilibrium at t = 0; `false` starts dynamics from the start shape.")
            .or_else("true"),

@@ -11,6 +11,7 @@
 #include "hawser/kernels/catenary_on_bed.hpp"
 #include "hawser/kernels/motion.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/solve/start_slack.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
@@ -170,15 +171,45 @@ void mend(Shape& s) {
   }
 }
 
-// Along the neighbours.
+// Places alone; mend() makes the tangents.
 Shape through(std::vector<Vec3> x) {
   Shape out;
+  out.tangent.assign(x.size(), Vec3::Zero());
   out.x = std::move(x);
-  for (size_t i = 0; i < out.x.size(); ++i) {
-    const Vec3 d = out.x[std::min(i + 1, out.x.size() - 1)] - out.x[i > 0 ? i - 1 : 0];
-    out.tangent.push_back(d.norm() > 0 ? Vec3(d.normalized()) : Vec3::Zero());
-  }
   return out;
+}
+
+// Whether all of the line sinks (or floats), and is longer than the way to the bed (or the surface), along it
+// and back: then its middle lies there without tension, and no balance says where.
+bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sections, const Shape& s,
+                double length, bool& floats) {
+  const model::Seabed& bed = c.environment.seabed;
+  const auto all = [&](double sign) {
+    return std::all_of(sections.begin(), sections.end(), [sign](const CatenarySection& k) {
+      return sign * k.load.z() > 0 && sign * k.end_load.z() >= 0;
+    });
+  };
+  floats = c.environment.water.present && all(1);
+  if (!floats && (!bed.present || bed.surface || !all(-1))) return false;
+  const auto off = [&](const Vec3& x) {
+    return std::abs(floats ? x.z() - c.environment.water.surface : height_above_bed(c, x));
+  };
+  const Vec3 &from = s.x.front(), &to = s.x.back();
+  return length > std::hypot(to.x() - from.x(), to.y() - from.y()) + off(from) + off(to);
+}
+
+// What a catenary has under the bed, or a floating line's above the surface, lies in an arc instead. Returns
+// whether it was so.
+bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, const Mesh& mesh,
+         const LineSpan& span, Shape& s) {
+  bool floats = false;
+  if (!lies_slack(c, sections, s, span.length, floats)) return false;
+  std::vector<double> arc;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n)
+    arc.push_back(mesh.nodes[static_cast<size_t>(n)].arc);
+  if (!lay_slack(c.environment, floats, arc, s.x)) return false;
+  for (Vec3& t : s.tangent) t.setZero();  // mend() makes them
+  return true;
 }
 
 Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
@@ -220,6 +251,7 @@ Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies,
   std::optional<Shape> shape = closed_form();
   if (shape && (line.start != Start::automatic || (!goes_through(c, line, shape->x) && !streams(c, line))))
     return *std::move(shape);
+  if (shape && a && b && lay(c, sections, mesh, span, *shape)) return *std::move(shape);
   return through(flexible_start(c, line, mesh, span, shape ? shape->x : straight().x));
 }
 

@@ -241,11 +241,16 @@ struct Contact {
   bool takes_part(const Volume& volume) const;
 };
 
+// When lines come to rest by damped motion before Newton's iteration: where that alone fails, always, never.
+enum class Relaxation { automatic, always, never };
+
 struct Statics {
   bool enabled = true;
   double tolerance = 1e-8;  // residual over the size of the internal forces
   int max_iterations = 500;
-  bool exact_contact = false;  // solved as a complementarity problem (SNESVI); needs contact.augmented
+  Relaxation relaxation = Relaxation::automatic;
+  int relaxation_steps = 5000;  // at most
+  bool exact_contact = false;   // solved as a complementarity problem (SNESVI); needs contact.augmented
 };
 
 struct Dynamics {

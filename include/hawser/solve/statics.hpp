@@ -15,15 +15,21 @@
 
 namespace hawser {
 
+// Whether lines come to rest by dynamic relaxation (relaxation.hpp) before Newton's iteration.
+enum class RelaxationUse { when_newton_fails, always, never };
+
 struct StaticsSettings {
   double tolerance = 1e-8;  // of the residual, against the size of its contributions
   int max_iterations = 500;
   bool near = false;    // `state` is near an equilibrium: no start with a soft line
   bool augment = true;  // let terms work off their gaps by multipliers
+  RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // not with `near`
+  int relaxation_steps = 5000;                                  // at most
 };
 
 struct StaticsReport {
   int iterations = 0;
+  int relaxation_steps = 0;      // of dynamic relaxation before; their iterations are counted too
   int escapes = 0;               // false equilibria left
   int negative_eigenvalues = 0;  // of the final tangent; -1: not known
   ResidualNorms norms;

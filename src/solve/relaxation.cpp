@@ -1,0 +1,149 @@
+#include "hawser/solve/relaxation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+#include "hawser/solve/static_trial.hpp"
+#include "hawser/system/imbalance.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr int kMostIterations = 12, kEasyIterations = 4;  // of Newton, a step
+constexpr double kReduction = 1e-4;                       // of the imbalance, before a step counts as solved
+constexpr double kHopeless = 1e6;                         // growth of it from which Newton does not come back
+constexpr double kHeavier = 4, kLighter = 0.5;
+constexpr double kFirst = 0.002;    // of the longest line, that the first step may bring
+constexpr double kHeaviest = 1e12;  // mass over that of the start at which nothing moves any more
+
+// The pseudo-time's step is 1, so velocities are increments and the mass is a stiffness: N/m at positions,
+// N m at rotations.
+class Relaxation : StaticTrial {
+ public:
+  Relaxation(System& system, const RelaxationSettings& settings, State& state)
+      : StaticTrial(system, state), settings_(settings) {
+    momentum_.assign(3 * static_cast<size_t>(system.mesh().owned_blocks), 0);
+    for (const LineSpan& l : system.mesh().mesh->lines) longest_ = std::max(longest_, l.length);
+    turns_.assign(static_cast<size_t>(system.mesh().owned_blocks), 0);
+    for (int n = 0; n < system.mesh().owned; ++n)
+      if (system.mesh().rotates(n))
+        turns_[static_cast<size_t>(system.mesh().block[static_cast<size_t>(n)]) + 1] = 1;
+  }
+
+  RelaxationReport run() {
+    RelaxationReport report;
+    double least = 0, kinetic = 0;
+    if (settings_.pushed > 0) leave(settings_.pushed);
+    while (true) {
+      prepare();
+      system_.residual(state_.view(0), r_.get());
+      report.norms = system_.norms(r_.get());
+      if (report.norms.small(settings_.tolerance)) return report;
+      if (mass_ == 0) mass_ = least = first_mass(report.norms);
+      if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least)
+        throw SolveError(fmt::format("statics: no rest after {} steps of dynamic relaxation: {}",
+                                     report.steps, imbalance(system_, r_.get(), report.norms)));
+      const int iterations = attempt(report.norms);
+      report.iterations += std::abs(iterations);
+      if (iterations <= 0) {
+        ++report.rejected;
+        weigh(kHeavier);
+        continue;
+      }
+      ++report.steps;
+      take();
+      copy_momentum();
+      const double now = kinetic_energy();
+      if (now < kinetic) {
+        ++report.peaks;
+        std::fill(momentum_.begin(), momentum_.end(), 0.0);
+        kinetic = 0;
+      } else {
+        kinetic = now;
+      }
+      if (iterations <= kEasyIterations) weigh(kLighter);
+    }
+  }
+
+ private:
+  double first_mass(const ResidualNorms& n) const {
+    const double nodes = static_cast<double>(system_.mesh().mesh->nodes.size());
+    const double force = std::max(n.force, n.moment / std::max(length_, 1e-300));
+    return force / std::sqrt(nodes) / (kFirst * longest_);
+  }
+  // Another mass stands for another step in time: what moves goes on at its speed.
+  void weigh(double factor) {
+    mass_ *= factor;
+    for (double& p : momentum_) p /= std::sqrt(factor);
+  }
+  double mass(size_t block) const { return turns_[block] ? mass_ * length_ * length_ : mass_; }
+
+  double kinetic_energy() const {
+    double e = 0;
+    for (size_t i = 0; i < momentum_.size(); ++i) e += 0.5 * mass(i / 3) * momentum_[i] * momentum_[i];
+    return sum(e);
+  }
+  void copy_momentum() {
+    std::copy(local_.begin(), local_.begin() + static_cast<std::ptrdiff_t>(momentum_.size()),
+              momentum_.begin());
+  }
+
+  // r_ of the trial with the force of inertia.
+  ResidualNorms imbalance_of_step() {
+    system_.residual(trial_.view(0), r_.get());
+    PetscScalar* r = nullptr;
+    check(VecGetArray(r_.get(), &r));
+    for (size_t i = 0; i < momentum_.size(); ++i)
+      if (!(system_.supports().held()[i / 3] >> (i % 3) & 1))
+        r[i] += mass(i / 3) * (local_[i] - momentum_[i]);
+    check(VecRestoreArray(r_.get(), &r));
+    return system_.norms(r_.get());
+  }
+
+  // One step: Newton's iterations, or minus them where it failed.
+  int attempt(const ResidualNorms& at_rest) {
+    const double before = potential(state_) + kinetic_energy();
+    local_ = zero_;
+    step(1);
+    ResidualNorms norms = imbalance_of_step();
+    const double goal = std::max(1e-3 * settings_.tolerance, kReduction * at_rest.relative());
+    const double hopeless = kHopeless * std::max(norms.relative(), 1e-6);
+    Weights weights;
+    weights.shift_position = mass_, weights.shift_rotation = mass_ * length_ * length_;
+    for (int it = 1; it <= kMostIterations; ++it) {
+      system_.tangent(trial_.view(0), weights, local_, false, J_.get());
+      check(KSPSetOperators(ksp_.get(), J_.get(), J_.get()));
+      check(KSPSolve(ksp_.get(), r_.get(), u_.get()));
+      system_.gather(u_.get(), change_);
+      for (size_t i = 0; i < local_.size(); ++i) local_[i] -= change_[i];
+      if (!(limit() > 0.1)) return -it;  // far too far, or not a number
+      step(1);
+      norms = imbalance_of_step();
+      if (!std::isfinite(norms.force) || norms.relative() > hopeless) return -it;
+      if (norms.relative() > goal) continue;
+      if (limit() < 1 || !clear()) return -it;
+      // The exact step of a convex potential takes energy out; one that brings some has gone elsewhere.
+      double motion = 0;
+      for (size_t i = 0; i < momentum_.size(); ++i) motion += 0.5 * mass(i / 3) * local_[i] * local_[i];
+      const double after = potential(trial_) + sum(motion);
+      return after <= before + 1e-6 * std::abs(before) ? it : -it;
+    }
+    return -kMostIterations;
+  }
+
+  const RelaxationSettings& settings_;
+  std::vector<double> momentum_, change_;  // of owned components; of local ones
+  std::vector<char> turns_;                // by owned block: rotations
+  double mass_ = 0, longest_ = 0;
+};
+
+}  // namespace
+
+RelaxationReport relax(System& system, const RelaxationSettings& settings, State& state) {
+  return Relaxation(system, settings, state).run();
+}
+
+}  // namespace hawser

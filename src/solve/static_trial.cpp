@@ -1,0 +1,141 @@
+#include "hawser/solve/static_trial.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/system/line_candidates.hpp"
+
+namespace hawser {
+namespace {
+constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
+constexpr int kHalvings = 30;
+}  // namespace
+
+StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
+  for (const Element& e : system.mesh().mesh->elements) length_ = std::max(length_, e.length);
+  build();
+  local_ = zero_;
+  prepare();
+}
+
+void StaticTrial::build() {
+  u_ = system_.create_vector();
+  check(VecDuplicate(u_.get(), r_.out()));
+  J_ = system_.create_matrix();
+  check(KSPCreate(system_.comm(), ksp_.out()));
+  configure_linear_solver(ksp_.get(), system_, "statics_");
+  zero_.assign(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
+}
+
+bool StaticTrial::prepare() {
+  const Coupled c = system_.couple(state_.view(0), 0);
+  if (c == Coupled::anew) {
+    build();
+    system_.spread(state_);
+    trial_ = state_;
+  }
+  system_.prepare(state_.view(0), 0);
+  return c != Coupled::as_before;
+}
+
+double StaticTrial::sum(double x) const {
+  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, system_.comm());
+  return x;
+}
+
+double StaticTrial::potential(const State& s) const {
+  const Energy e = system_.energy(s.view(0));
+  return sum(e.strain + e.potential);
+}
+
+// Not against the internal forces: a straight line, longer than its
+// span and compressed, is in balance but for its weight.
+bool StaticTrial::near(const ResidualNorms& n) const {
+  const double load = system_.dead_load() / std::sqrt(static_cast<double>(system_.mesh().mesh->nodes.size()));
+  return load > 0 ? n.force < kNear * load && n.moment < kNear * std::max(n.moment_scale, load * length_)
+                  : n.relative() < kNear;
+}
+
+double StaticTrial::limit() const {
+  double x = 0, turn = 0;
+  const LocalMesh& m = system_.mesh();
+  for (int n = 0; n < m.owned; ++n) {
+    const double* p = local_.data() + 3 * m.block[static_cast<size_t>(n)];
+    x = std::max(x, Eigen::Map<const Vec3>(p).norm());
+    if (m.rotates(n)) turn = std::max(turn, Eigen::Map<const Vec3>(p + 3).norm());
+  }
+  double longest = 0;
+  for (const LineSpan& l : m.mesh->lines) longest = std::max(longest, l.length);
+  double worst = std::max(x / (0.05 * longest), turn / 0.5);
+  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+  return worst > 1 ? 1 / worst : 1;
+}
+
+void StaticTrial::step(double factor) {
+  std::vector<double> u(local_);
+  for (double& x : u) x *= factor;
+  retract(system_.mesh(), state_, u.data(), trial_);
+}
+
+bool StaticTrial::clear() {
+  if (system_.covers(trial_.view(0))) return true;
+  if (!system_.outdated()) return false;
+  const LocalMesh& m = system_.mesh();
+  State way = state_;
+  for (size_t n = 0; n < way.x.size(); ++n) {
+    way.v[n] = trial_.x[n] - state_.x[n];
+    if (m.rotates(static_cast<int>(n))) way.w[n] = log_so3(state_.q[n].conjugate() * trial_.q[n]);
+  }
+  // So that the way foreseen ends at the trial.
+  if (system_.couple(way.view(0), 1 / CandidateSettings{}.steps) == Coupled::anew) {
+    std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
+    build();
+    system_.spread(state_), system_.spread(trial_);
+    if (!u.empty()) {
+      PetscScalar* p = nullptr;
+      check(VecGetArray(u_.get(), &p));
+      std::copy(u.begin(), u.end(), p);
+      check(VecRestoreArray(u_.get(), &p));
+    }
+    system_.gather(u_.get(), local_);
+  }
+  system_.prepare(state_.view(0), 0);
+  return system_.covers(trial_.view(0));
+}
+
+void StaticTrial::leave(int attempt) {
+  double share = 1;
+  for (int k = 0; k < kHalvings; ++k, share *= 0.5) {
+    trial_ = state_;
+    push(attempt, share, trial_);
+    if (!clear()) continue;
+    take();
+    return;
+  }
+}
+
+void StaticTrial::push(int attempt, double share, State& s) const {
+  const LocalMesh& m = system_.mesh();
+  for (int n = 0; n < m.nodes(); ++n) {
+    const size_t i = static_cast<size_t>(n);
+    const Node& node = m.mesh->nodes[static_cast<size_t>(m.global[i])];
+    if (node.body >= 0) continue;
+    const double L = m.mesh->lines[static_cast<size_t>(node.line)].length, z = node.arc / L;
+    const double bump =
+        share * 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
+    Vec3 d = bump * Vec3(0.31, 0.52, -0.79);
+    const unsigned char held = system_.supports().held()[static_cast<size_t>(m.block[i])];
+    for (int c = 0; c < 3; ++c)
+      if (held >> c & 1) d[c] = 0;
+    s.x[i] += d;
+    // A node turned over against its neighbours is a saddle of rotations.
+    const size_t b = static_cast<size_t>(m.block[i]);
+    if (!m.rotates(n) || system_.supports().held()[b + 1]) continue;
+    const double angle = share * 0.05 * attempt;
+    s.q[i] = s.q[i] * exp_so3(angle * Vec3(0.1 * std::sin(5 * z), std::sin(37 * z + 1), std::cos(41 * z)));
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,106 @@
+// The offloading hose of cases/offloading-hose: with contact it stays outside the hull and lies along it, on
+// one rank and on two the same; without contact it goes through. Whole, or (quick) with longer elements and
+// until it has met stern and side.
+#include "hawser/app/volumes.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "regression/runs.hpp"
+#include "support/hulls.hpp"
+
+namespace hawser::runs {
+namespace {
+
+constexpr double kRadius = 0.5 * 0.49843;  // m
+constexpr double kSide = 27.5;  // m, half the beam: the port side is at x = -27.5, the ship heading north
+
+bool whole() { return std::getenv("HAWSER_FULL") != nullptr; }
+double stop_at() { return whole() ? 0 : 170; }
+
+std::string hose(const std::string& path, const std::string& name) {
+  const std::string from = HAWSER_SOURCE_DIR "/cases/offloading-hose/";
+  std::ostringstream text;
+  text << std::ifstream(from + name).rdbuf();
+  Edits edits{{"mesh: hull.obj", "mesh: " + from + "hull.obj"},
+              {"file: vlcc.rao", "file: " + from + "vlcc.rao"}};
+  if (!whole()) edits.push_back({"elements: 200", "elements: 70"});
+  write_case(path, text.str(), edits);
+  return path;
+}
+
+// Nodes of the last output whose centre is within the hull, by the winding number over all its triangles, and
+// how deep the deepest of them is under the port side.
+struct Inside {
+  int nodes = 0;
+  double deepest = 0;  // m
+};
+Inside inside(const std::string& path, const Results& r) {
+  const model::Case c = io::read_case(path);
+  const TriangleMesh mesh = *app::load_volumes(c)[0].facets;
+  const auto boundary = testing::boundary_of(mesh);
+  const auto& x = r.fields.at("position");
+  const size_t nodes = x.size() / 3 / r.output_times.size(), first = 3 * nodes * (r.output_times.size() - 1);
+  Inside out;
+  for (size_t n = 0; n < nodes; ++n) {
+    const double* p = x.data() + first + 3 * n;
+    // The ship moves by some centimetres: what is further in than that counts.
+    const Vec3 body(p[1], -p[0], p[2]), up = Vec3(0.0031, 0.0017, 1).normalized();
+    if (!(testing::WindingAlong(mesh, body, up).at(0, mesh, boundary) > 0.5)) continue;
+    ++out.nodes;
+    out.deepest = std::max(out.deepest, p[0] + kSide);
+  }
+  return out;
+}
+
+TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
+  const std::string path = folder("offloading_hose"),
+                    here = hose(path + "/hose.yaml", "offloading-hose.yaml");
+  run_on_all({here, path + "/all.h5", "", stop_at()});
+  if (size_of(MPI_COMM_WORLD) > 1) run_on_one({here, path + "/one.h5", "", stop_at()});
+  if (rank_of(MPI_COMM_WORLD) > 0) return;
+  const Results all = read(path + "/all.h5");
+  const double deepest = all.summary.at(3 * 4);
+  const Inside in = inside(here, all);
+  // Nodes whose hose touches the port side: as far from it as the hose is thick, at any height.
+  const auto& x = all.fields.at("position");
+  const size_t nodes = x.size() / 3 / all.output_times.size(),
+               first = 3 * nodes * (all.output_times.size() - 1);
+  int along = 0;
+  for (size_t n = 0; n < nodes; ++n) {
+    const double* p = x.data() + first + 3 * n;
+    along += std::abs(p[0] + kSide + kRadius) < 0.15 && p[1] < -50 && p[1] > -130;
+  }
+  const double length = 278.5 * along / static_cast<double>(nodes - 1);
+  std::printf(
+      "offloading hose on %d ranks: %zu steps, deepest %.2f mm (%.2f %% of the radius), %d nodes inside, "
+      "%.0f m "
+      "along the side\n",
+      size_of(MPI_COMM_WORLD), all.step_times.size(), 1e3 * deepest, 100 * deepest / kRadius, in.nodes,
+      length);
+  EXPECT_GT(deepest, 0);
+  EXPECT_LT(deepest, 0.02 * kRadius);
+  EXPECT_EQ(in.nodes, 0);
+  EXPECT_GT(length, whole() ? 40 : 5);
+  if (size_of(MPI_COMM_WORLD) == 1) return;
+  const Results one = read(path + "/one.h5");
+  EXPECT_EQ(one.output_times, all.output_times);
+  const auto& y = one.fields.at("position");
+  const auto &te = one.fields.at("effective_tension"), &tf = all.fields.at("effective_tension");
+  std::printf("one and all: %zu and %zu steps, positions differ by %.1e m, tensions by %.1e of the largest\n",
+              one.step_times.size(), all.step_times.size(), largest_difference(x, y),
+              largest_difference(te, tf) / largest(te));
+  EXPECT_LE(largest_difference(x, y), 1e-6);
+  EXPECT_LE(largest_difference(te, tf), 1e-6 * largest(te));
+}
+
+TEST(OffloadingHose, GoesThroughTheHullWithoutContact) {
+  const std::string path = folder("offloading_hose_no_contact"),
+                    here = hose(path + "/hose.yaml", "offloading-hose-no-contact.yaml");
+  run_on_all({here, path + "/all.h5", "", stop_at()});
+  if (rank_of(MPI_COMM_WORLD) > 0) return;
+  const Inside in = inside(here, read(path + "/all.h5"));
+  std::printf("without contact: %d nodes inside, %.1f m past the side\n", in.nodes, in.deepest);
+  EXPECT_GT(in.nodes, whole() ? 20 : 3);
+  EXPECT_GT(in.deepest, whole() ? 10 : 1);
+}
+
+}  // namespace
+}  // namespace hawser::runs
