@@ -20,6 +20,22 @@ constexpr double kCounted = 1e-5;
 constexpr int kMostAugmentations = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
+// With the old tangent the residual must fall so in an iteration, and reach the tolerance in so many; else a
+// new tangent is cheaper.
+constexpr double kChordRate = 0.1;
+// Below this tolerance results are to be the same to rounding on every number of ranks, and the old tangent
+// does not get there: what it leaves is far smaller than the tolerance, but far above rounding.
+constexpr double kLoose = 1e-6;
+constexpr int kMostChords = 2;
+
+// Whether iterations with the old tangent, each for a fourth of the price, are expected to end it. Newton's
+// error falls as e1 = C e0², with the old tangent then as e2 = 2 C e0 e1 (chord method: Kelley 1995,
+// Iterative Methods for Linear and Nonlinear Equations, section 5.4). was_old: so was the iteration from
+// `before` to `now`.
+bool old_tangent_will_do(double before, double now, bool was_old, double tolerance) {
+  const double rate = (was_old ? 1 : 2) * now / before;
+  return tolerance >= kLoose && rate < kChordRate && now * std::pow(rate, kMostChords) < tolerance;
+}
 
 }  // namespace
 
@@ -117,9 +133,11 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
     *reason = SNES_DIVERGED_FNORM_NAN;
     PetscFunctionReturn(0);
   }
+  double before = 0;  // residual one iteration ago, over the size of what makes it up
   try {
     Vec r = nullptr;
     PetscCall(SNESGetFunction(snes, &r, nullptr, nullptr));
+    before = d.norms_.relative();
     d.norms_ = d.system_.norms(r);
   } catch (...) {
     d.error_ = std::current_exception();
@@ -135,10 +153,13 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
   const bool small = it > 0 && d.norms_.small(tolerance);
   if (fnorm == 0 || (small && d.polishing_)) {
     *reason = fnorm == 0 ? SNES_CONVERGED_FNORM_ABS : SNES_CONVERGED_FNORM_RELATIVE;
-  } else if (small != d.polishing_) {
-    d.polishing_ = small;
-    PetscCall(SNESSetLagJacobian(snes, small ? -1 : 1));
+    PetscFunctionReturn(0);
   }
+  d.polishing_ = small;
+  PetscInt lag = 1;
+  PetscCall(SNESGetLagJacobian(snes, &lag));
+  const bool keep = small || (it > 0 && old_tangent_will_do(before, d.norms_.relative(), lag < 0, tolerance));
+  if (keep != (lag < 0)) PetscCall(SNESSetLagJacobian(snes, keep ? -1 : 1));
   PetscFunctionReturn(0);
 }
 
