@@ -9,7 +9,7 @@ sides near the water, which a hose can meet, and `rest`.
 
 Every section is a superellipse (y/b)^n + ((zd - z)/(zd - zk))^n = 1 between the keel zk(x) and the deck zd = 6 m; the
 half breadth b(x), the keel and the exponent n(x) make the ship: b is that of a blunt bow of 70 m, 27.5 m amidships and
-20 m at the transom, whose corners are round with 4 m; the keel rises over the last 55 m aft to the transom's lower
+20 m at the transom, whose corners are round with 8 m; the keel rises over the last 55 m aft to the transom's lower
 edge, 4 m under water; n goes from 5 aft and 3 at the bow to 12 amidships, a box with round bilges.
 """
 import math
@@ -21,7 +21,7 @@ LENGTH, BEAM, DEPTH, DRAUGHT = 320.0, 55.0, 27.0, 21.0  # m
 DECK, KEEL = DEPTH - DRAUGHT, -DRAUGHT
 AFT, FORE = -LENGTH / 2, LENGTH / 2
 TRANSOM_BREADTH, TRANSOM_EDGE = 40.0, -4.0  # m; z of its lower edge
-CORNER = 4.0  # m, radius of the transom's corners in plan
+CORNER = 8.0  # m, radius of the transom's corners in plan
 RUN, RISE, ENTRANCE, FOREFOOT = 85.0, 55.0, 70.0, 6.0  # m, how far the shape of stern and bow reaches
 UPPER = 10  # rows from -12 m to the deck, on each side
 LOWER = 7  # rows below
@@ -85,7 +85,7 @@ def section(x):
 
 def stations():
     """x from the transom forward: close where the shape changes."""
-    corner = [AFT + CORNER * (1 - math.cos(math.pi / 2 * i / 6)) for i in range(6)]
+    corner = [AFT + CORNER * (1 - math.cos(math.pi / 2 * i / 8)) for i in range(8)]
     aft = corner + [AFT + CORNER + (RUN - CORNER) * i / 22 for i in range(22)]
     middle = [AFT + RUN + (LENGTH - RUN - ENTRANCE) * i / 18 for i in range(18)]
     fore = [FORE - ENTRANCE * math.cos(math.pi / 2 * i / 16) for i in range(17)]
