@@ -22,9 +22,27 @@ bool larger(const io::ClashRow& a, const io::ClashRow& b) {
          std::tuple(-b.peak_force, b.start, pair_of(b), b.from);
 }
 
-void widen(io::ClashRow& row, double from, double to, double other_from, double other_to) {
-  row.from = std::min(row.from, from), row.to = std::max(row.to, to);
-  row.other_from = std::min(row.other_from, other_from), row.other_to = std::max(row.other_to, other_to);
+// Of a row or a touch, to where another of the same pair is.
+void widen(auto& to, const auto& by) {
+  to.from = std::min(to.from, by.from), to.to = std::max(to.to, by.to);
+  to.other_from = std::min(to.other_from, by.other_from), to.other_to = std::max(to.other_to, by.other_to);
+}
+
+void add(Touch& sum, const Touch& t) {
+  widen(sum, t);
+  sum.force += t.force, sum.energy += t.energy, sum.depth = std::max(sum.depth, t.depth);
+}
+
+// Of two clashes that have met, the share of the second goes to the first.
+void add(io::ClashRow& sum, const io::ClashRow& r) {
+  sum.start = std::min(sum.start, r.start), sum.end = std::max(sum.end, r.end);
+  widen(sum, r);
+  if (r.peak_force > sum.peak_force)
+    sum.peak_force = r.peak_force, sum.peak_time = r.peak_time, sum.peak_from = r.peak_from,
+    sum.peak_to = r.peak_to;
+  sum.impulse += r.impulse;
+  sum.peak_energy = std::max(sum.peak_energy, r.peak_energy);
+  sum.penetration = std::max(sum.penetration, r.penetration);
 }
 
 }  // namespace
@@ -37,14 +55,10 @@ Touches put_together(Touches touches, const std::vector<double>& by_line) {
   Touches out;
   for (const Touch& t : touches) {
     if (out.empty() || pair_of(out.back()) != pair_of(t) ||
-        t.from > out.back().to + merge_length(by_line, t.line)) {
+        t.from > out.back().to + merge_length(by_line, t.line))
       out.push_back(t);
-      continue;
-    }
-    Touch& o = out.back();
-    o.to = std::max(o.to, t.to);
-    o.other_from = std::min(o.other_from, t.other_from), o.other_to = std::max(o.other_to, t.other_to);
-    o.force += t.force, o.energy += t.energy, o.depth = std::max(o.depth, t.depth);
+    else
+      add(out.back(), t);
   }
   return out;
 }
@@ -56,89 +70,87 @@ void ClashLog::step(double time, std::span<const Touch> touches) {
     if (over) end(o.row);
     return over;
   });
-  // Open clashes by pair, so that a step costs what touches and not its square.
-  std::vector<size_t> by_pair(open_.size());
-  for (size_t i = 0; i < by_pair.size(); ++i) by_pair[i] = i;
+  follow(time, assign(time, touches));
+  time_ = time;
+}
+
+// Open clashes are looked at by pair, as touches are sorted: a step costs what touches and not its square.
+std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const Touch> touches) {
+  const size_t before = open_.size();
+  std::vector<Now> now(before);
+  std::vector<size_t> by_pair(before);
+  for (size_t i = 0; i < before; ++i) by_pair[i] = i;
   std::stable_sort(by_pair.begin(), by_pair.end(),
                    [&](size_t a, size_t b) { return pair_of(open_[a].row) < pair_of(open_[b].row); });
-  struct Sum {
-    double force = 0, energy = 0, from = 0, to = 0;
-    std::vector<std::pair<double, double>> places;
-  };
-  std::vector<Sum> now(open_.size());
-  std::vector<char> joined(open_.size(), 0);
   size_t known = 0;
-  const size_t before = open_.size();
   for (const Touch& t : touches) {
     const double reach = merge_length(settings_.merge_length, t.line);
     while (known < before && pair_of(open_[by_pair[known]].row) < pair_of(t)) ++known;
     size_t mine = open_.size();
     for (size_t k = known; k < before && pair_of(open_[by_pair[k]].row) == pair_of(t); ++k) {
       const size_t i = by_pair[k];
-      if (joined[i]) continue;
-      const Open& o = open_[i];
-      const bool here = std::any_of(o.places.begin(), o.places.end(), [&](const auto& p) {
+      const auto& places = open_[i].places;
+      const bool here = !now[i].joined && std::any_of(places.begin(), places.end(), [&](const auto& p) {
         return t.from <= p.second + reach && p.first <= t.to + reach;
       });
       if (!here) continue;
-      if (mine == open_.size()) {
+      if (mine < open_.size())
+        join(mine, i, now);
+      else
         mine = i;
-        continue;
-      }
-      // Two places have met: the earlier clash takes the other's share.
-      io::ClashRow &a = open_[mine].row, &b = open_[i].row;
-      joined[i] = 1;
-      a.start = std::min(a.start, b.start), a.end = std::max(a.end, b.end);
-      widen(a, b.from, b.to, b.other_from, b.other_to);
-      if (b.peak_force > a.peak_force)
-        a.peak_force = b.peak_force, a.peak_time = b.peak_time, a.peak_from = b.peak_from,
-        a.peak_to = b.peak_to;
-      a.impulse += b.impulse;
-      a.peak_energy = std::max(a.peak_energy, b.peak_energy);
-      a.penetration = std::max(a.penetration, b.penetration);
-      open_[mine].force += open_[i].force;
-      open_[mine].places.insert(open_[mine].places.end(), o.places.begin(), o.places.end());
-      Sum &s = now[mine], &r = now[i];
-      if (!r.places.empty()) {
-        if (s.places.empty()) s.from = r.from, s.to = r.to;
-        s.from = std::min(s.from, r.from), s.to = std::max(s.to, r.to);
-      }
-      s.force += r.force, s.energy += r.energy;
-      s.places.insert(s.places.end(), r.places.begin(), r.places.end());
     }
     if (mine == open_.size()) {
-      Open& o = open_.emplace_back();
-      o.row.line = t.line, o.row.other_line = t.other_line;
-      o.row.volume = t.volume, o.row.other_volume = t.other_volume;
-      o.row.start = o.row.end = o.row.peak_time = time;
-      o.row.from = t.from, o.row.to = t.to;
-      o.row.other_from = t.other_from, o.row.other_to = t.other_to;
-      now.emplace_back(), joined.push_back(0);
+      io::ClashRow& row = open_.emplace_back().row;
+      row.line = t.line, row.other_line = t.other_line;
+      row.volume = t.volume, row.other_volume = t.other_volume;
+      row.start = row.end = row.peak_time = time;
+      row.from = t.from, row.to = t.to, row.other_from = t.other_from, row.other_to = t.other_to;
+      now.emplace_back();
     }
-    io::ClashRow& row = open_[mine].row;
-    widen(row, t.from, t.to, t.other_from, t.other_to);
-    row.penetration = std::max(row.penetration, t.depth);
-    Sum& s = now[mine];
-    if (s.places.empty()) s.from = t.from, s.to = t.to;
-    s.from = std::min(s.from, t.from), s.to = std::max(s.to, t.to);
-    s.force += t.force, s.energy += t.energy;
-    s.places.emplace_back(t.from, t.to);
+    now[mine].take(t);
   }
+  return now;
+}
 
+void ClashLog::Now::take(const Touch& t) {
+  if (places.empty())
+    sum = t;
+  else
+    add(sum, t);
+  places.emplace_back(t.from, t.to);
+}
+
+void ClashLog::join(size_t first, size_t second, std::vector<Now>& now) {
+  Open &a = open_[first], &b = open_[second];
+  add(a.row, b.row);
+  a.force += b.force;
+  a.places.insert(a.places.end(), b.places.begin(), b.places.end());
+  Now &s = now[first], &r = now[second];
+  r.joined = true;
+  if (r.places.empty()) return;
+  if (s.places.empty())
+    s.sum = r.sum;
+  else
+    add(s.sum, r.sum);
+  s.places.insert(s.places.end(), r.places.begin(), r.places.end());
+}
+
+void ClashLog::follow(double time, std::vector<Now> now) {
   size_t kept = 0;
   for (size_t i = 0; i < open_.size(); ++i) {
-    if (joined[i]) continue;
+    if (now[i].joined) continue;
     Open& o = open_[i];
-    const bool touching = !now[i].places.empty();
-    if (time > time_) o.row.impulse += 0.5 * (time - time_) * (o.force + now[i].force);
-    o.force = now[i].force;
-    if (touching) {
+    const Touch& t = now[i].sum;  // without a touch: no force
+    if (time > time_) o.row.impulse += 0.5 * (time - time_) * (o.force + t.force);
+    o.force = t.force;
+    if (!now[i].places.empty()) {
       o.row.end = time;
       o.places = std::move(now[i].places);
-      if (o.force > o.row.peak_force)
-        o.row.peak_force = o.force, o.row.peak_time = time, o.row.peak_from = now[i].from,
-        o.row.peak_to = now[i].to;
-      o.row.peak_energy = std::max(o.row.peak_energy, now[i].energy);
+      widen(o.row, t);
+      o.row.penetration = std::max(o.row.penetration, t.depth);
+      if (t.force > o.row.peak_force)
+        o.row.peak_force = t.force, o.row.peak_time = time, o.row.peak_from = t.from, o.row.peak_to = t.to;
+      o.row.peak_energy = std::max(o.row.peak_energy, t.energy);
     } else if (time - o.row.end > settings_.merge_gap) {
       end(o.row);
       continue;
@@ -147,7 +159,6 @@ void ClashLog::step(double time, std::span<const Touch> touches) {
     ++kept;
   }
   open_.resize(kept);
-  time_ = time;
 }
 
 void ClashLog::end(const io::ClashRow& row) {

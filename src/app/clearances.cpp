@@ -81,31 +81,28 @@ int Clearances::Tree::split(int first, int count) {
 }
 
 // Of all ranks: a step of a line costs far more than to send where it is.
-Clearances::Tree Clearances::everybodys(int line, const Kinematics& at) const {
-  Tree tree;
-  tree.elements = own(line, at);
+Clearances::Tree Clearances::everybodys(const Tree& own) const {
   int size = 1;
   MPI_Comm_size(comm_, &size);
-  if (size > 1) {
-    std::vector<double> mine;
-    for (const Shaped& s : tree.elements) {
-      mine.push_back(s.element);
-      for (const Vec3& p : s.axis.b) mine.insert(mine.end(), p.begin(), p.end());
-    }
-    std::vector<double> all;
-    GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
-    tree.elements.clear();
-    for (size_t i = 0; i < all.size(); i += kAxis) {
-      Shaped s;
-      s.element = static_cast<int>(all[i]);
-      const Element& e = mesh_.mesh->elements[static_cast<size_t>(s.element)];
-      s.radius = 0.5 * case_.line_types[static_cast<size_t>(e.type)].contact_diameter;
-      for (size_t k = 0; k < 4; ++k) s.axis.b[k] = Eigen::Map<const Vec3>(all.data() + i + 1 + 3 * k);
-      tree.elements.push_back(s);
-    }
-    std::sort(tree.elements.begin(), tree.elements.end(),
-              [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
+  if (size == 1) return own;
+  std::vector<double> mine;
+  for (const Shaped& s : own.elements) {
+    mine.push_back(s.element);
+    for (const Vec3& p : s.axis.b) mine.insert(mine.end(), p.begin(), p.end());
   }
+  std::vector<double> all;
+  GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
+  Tree tree;
+  for (size_t i = 0; i < all.size(); i += kAxis) {
+    Shaped s;
+    s.element = static_cast<int>(all[i]);
+    const Element& e = mesh_.mesh->elements[static_cast<size_t>(s.element)];
+    s.radius = 0.5 * case_.line_types[static_cast<size_t>(e.type)].contact_diameter;
+    for (size_t k = 0; k < 4; ++k) s.axis.b[k] = Eigen::Map<const Vec3>(all.data() + i + 1 + 3 * k);
+    tree.elements.push_back(s);
+  }
+  std::sort(tree.elements.begin(), tree.elements.end(),
+            [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
   tree.build();
   return tree;
 }
@@ -206,23 +203,25 @@ std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
   std::vector<Best> mine;
-  std::map<int, Tree> trees;  // of lines that others are near to
+  std::map<int, Tree> here, everywhere;  // of lines, of this rank and of all; each is made once
+  const auto tree_of = [&](int line) -> const Tree& {
+    const auto [t, fresh] = here.try_emplace(line);
+    if (fresh) t->second.elements = own(line, at), t->second.build();
+    return t->second;
+  };
   for (size_t k = 0; k < wanted.size(); ++k) {
     const model::Clearance& w = wanted[k];
     const int line = case_.line_index(w.line);
     if (w.volume.empty()) {
       const int other = case_.line_index(w.other_line);
-      if (!trees.count(other)) trees[other] = everybodys(other, at);
-      Tree a;
-      a.elements = own(line, at);
-      a.build();
-      mine.push_back(to_line(a, trees[other]));
+      if (!everywhere.count(other)) everywhere[other] = everybodys(tree_of(other));
+      mine.push_back(to_line(tree_of(line), everywhere[other]));
       continue;
     }
     size_t v = 0;
     while (case_.volumes[v].name != w.volume) ++v;
     const int body = case_.body_index(case_.volumes[v].body);
-    mine.push_back(to_volume(own(line, at), *surfaces_[v],
+    mine.push_back(to_volume(tree_of(line).elements, *surfaces_[v],
                              body < 0 ? io::BodyPose{} : poses[static_cast<size_t>(body)], seen_[k]));
   }
   std::vector<Ranked> ranked;

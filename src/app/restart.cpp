@@ -72,6 +72,8 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   c.scalars = signature(simulation);
   c.scalars["step.wish"] = d.control().wish();
   c.scalars["step.wait"] = d.control().wait();
+  c.scalars["step.ringing"] = d.control().ringing();
+  c.scalars["step.calm"] = d.control().calm();
   c.scalars["step.last"] = d.last_step();
   double work = d.support_work();
   MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, simulation.system().comm());
@@ -146,6 +148,11 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   const StepSettings step = simulation.dynamics_settings().step;
   carried.step_wish = std::min(c.scalars.at("step.wish"), step.fixed > 0 ? step.fixed : step.longest);
   carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));
+  // Older files lack them.
+  if (c.scalars.count("step.calm")) {
+    carried.step_ringing = c.scalars.at("step.ringing");
+    carried.step_calm = c.scalars.at("step.calm");
+  }
   carried.last_step = c.scalars.at("step.last");
   carried.support_work = rank == 0 ? c.scalars.at("support_work") : 0;
   simulation.dynamics().resume(s, reactions, carried);

@@ -250,6 +250,7 @@ DynamicsSettings Simulation::dynamics_settings() const {
   double diameter = 0;
   for (const auto& t : case_.line_types) diameter = std::max(diameter, t.outer_diameter);
   s.step.fixed = d.step;
+  s.step.resolve_impacts = d.resolve_impacts;
   s.step.longest = d.max_step > 0 ? d.max_step : std::max(d.duration / 1000, 0.05);
   s.step.first = s.step.longest / 10;
   s.step.shortest = d.min_step > 0 ? d.min_step : 1e-7 * std::max(1.0, d.step > 0 ? 10 * d.step : 1.0);

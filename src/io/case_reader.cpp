@@ -329,6 +329,7 @@ class Reader {
     d.step = v["step"].number;  // 0 for 'auto'
     d.max_step = number(v, "max_step");
     d.min_step = number(v, "min_step");
+    d.resolve_impacts = v["resolve_impacts"].number != 0;
     d.rho_infinity = v["rho_infinity"].number;
     d.tolerance = v["tolerance"].number;
     d.error_tolerance = number(v, "error_tolerance");

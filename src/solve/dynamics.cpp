@@ -268,7 +268,7 @@ void Dynamics::start(const State& state) {
 void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried) {
   committed_ = state;
   reactions_ = std::move(reactions);
-  control_.restore(carried.step_wish, carried.step_wait);
+  control_.restore(carried.step_wish, carried.step_wait, carried.step_ringing, carried.step_calm);
   last_step_ = carried.last_step;
   support_work_ = carried.support_work;
   prepare(control_.wish());

@@ -46,9 +46,13 @@ PetscErrorCode Dynamics::ts_step(TS ts) {
     const double t = committed_.s.time;
     const double until = ts->max_time;
     prepare(control_.wish());  // tries can only be shorter
-    const double cap = control_.automatic() ? system_.longest_step(committed_.s.view(last_step_)) : 0;
+    StepLimit limit;
+    if (control_.limited()) {
+      limit = system_.longest_step(committed_.s.view(last_step_));
+      control_.struck(t, limit.period);
+    }
     for (bool again = false;;) {
-      const double h = control_.next(t, std::min(next_stop_(t), until), cap);
+      const double h = control_.next(t, std::min(next_stop_(t), until), limit.longest);
       const Attempt a = attempt(h);
       if (a.converged && control_.accurate(h, a.error)) {
         accept(h);

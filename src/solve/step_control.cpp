@@ -7,6 +7,8 @@ namespace hawser {
 namespace {
 constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
 constexpr int kPatience = 5;
+// After an impact, in periods of its contact: steps are a part of one, for many.
+constexpr double kRinging = 1.0 / 3, kFollowed = 20;
 }  // namespace
 
 StepControl::StepControl(const StepSettings& settings) : s_(settings) {
@@ -15,10 +17,19 @@ StepControl::StepControl(const StepSettings& settings) : s_(settings) {
   wish_ = s_.fixed > 0 ? s_.fixed : std::clamp(s_.first, s_.shortest, s_.longest);
 }
 
-double StepControl::next(double t, double stop, double cap) const {
-  const double wish = automatic() ? std::max(std::min(wish_, cap), s_.shortest) : wish_;
+double StepControl::next(double t, double stop, double allowed) const {
+  double wish = wish_;
+  if (limited()) {
+    if (t < calm_) allowed = std::min(allowed, kRinging * ringing_);
+    wish = std::max(std::min(wish_, allowed), s_.shortest);
+  }
   const double n = std::ceil((stop - t) / wish - 1e-6);
   return (stop - t) / std::max(n, 1.0);
+}
+
+void StepControl::struck(double t, double period) {
+  if (!std::isfinite(period) || (t < calm_ && period > ringing_ * (1 + 1e-9))) return;
+  ringing_ = period, calm_ = t + kFollowed * period;
 }
 
 bool StepControl::accurate(double h, double error) const {

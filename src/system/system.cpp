@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hawser/math/so3.hpp"
 
@@ -205,11 +204,12 @@ double System::dead_load() const {
   return sum;
 }
 
-double System::longest_step(const Kinematics& committed) const {
-  double h = std::numeric_limits<double>::infinity();
-  for (const auto& t : terms_) h = std::min(h, t->longest_step(committed));
-  MPI_Allreduce(MPI_IN_PLACE, &h, 1, MPI_DOUBLE, MPI_MIN, comm_);
-  return h;
+StepLimit System::longest_step(const Kinematics& committed) const {
+  StepLimit limit;
+  for (const auto& t : terms_) limit.take(t->longest_step(committed));
+  double both[2] = {limit.longest, limit.period};
+  MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MIN, comm_);
+  return {both[0], both[1]};
 }
 
 bool System::augment(const Kinematics& equilibrium) {

@@ -252,7 +252,7 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
 
 // A twentieth of the period of the contact spring under the bodies' mass, as soon as they touch or may touch
 // in a step of that length.
-double BodyContactTerm::longest_step(const Kinematics& committed) const {
+StepLimit BodyContactTerm::longest_step(const Kinematics& committed) const {
   double h = std::numeric_limits<double>::infinity();
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
@@ -264,7 +264,9 @@ double BodyContactTerm::longest_step(const Kinematics& committed) const {
     else if (speed > 0)  // it must not go deeper at once than a first touch would
       h = std::min(h, std::max(0.05 * p.size / speed, 1e-6));
   }
-  return h;
+  StepLimit limit;
+  limit.longest = h;
+  return limit;
 }
 
 // In dynamics of the committed state, in statics of trials.

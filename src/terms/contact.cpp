@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace hawser {
@@ -51,20 +50,13 @@ ContactLaw Contact::law(const model::Volume& v, double share, double diameter, d
   return law;
 }
 
-double Contact::trusted_step(const NormalLaw& law, double mass, double radius, const Approach& at) {
-  double h = std::numeric_limits<double>::infinity();
-  const double away = std::max(at.gap, 0.0);
-  if (at.closing > 0) h = (away + 0.5 * radius) / at.closing;
-  const double slowness = std::sqrt(mass / law.stiffness);  // s, 1/omega
+StepLimit Contact::trusted_step(const NormalLaw& law, double mass, double radius, const Approach& at) {
   // The default ramp is as wide; a linear spring has none.
-  const double seen = std::max(law.smoothing, 0.002 * radius);
-  const double deep = slowness * std::abs(at.closing),
-               shaken = slowness * slowness * std::abs(at.acceleration);
-  const double sixth = 2 * M_PI / 6 * slowness;
-  const bool strikes = std::hypot(deep, shaken) > seen;
-  if (at.gap < 0) return strikes ? std::min(h, sixth) : h;
-  if (shaken > seen) h = std::min(h, std::max(sixth, at.closing > 0 ? away / at.closing : 0.0));
-  return strikes && at.closing > 0 ? std::min(h, std::max(away / at.closing, sixth)) : h;
+  StepLimit limit =
+      impact_limit(std::sqrt(mass / law.stiffness), std::max(law.smoothing, 0.002 * radius), at);
+  if (at.closing > 0)
+    limit.longest = std::min(limit.longest, (std::max(at.gap, 0.0) + 0.5 * radius) / at.closing);
+  return limit;
 }
 
 void Contact::pose_bodies(double time, std::vector<RigidPose>& poses) const {

@@ -76,8 +76,8 @@ void LineContact::prepare(const Kinematics& committed, double h) {
   }
 }
 
-double LineContact::longest_step(const Kinematics& committed) const {
-  double h = std::numeric_limits<double>::infinity();
+StepLimit LineContact::longest_step(const Kinematics& committed) const {
+  StepLimit limit;
   for (const Pair& pair : pairs_) {
     const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
     const RigidPose& pose = start_poses_[body(pair.volume)];
@@ -90,20 +90,23 @@ double LineContact::longest_step(const Kinematics& committed) const {
       return back * ((1 - xi) * committed.a[static_cast<size_t>(e.first)] +
                      xi * committed.a[static_cast<size_t>(e.second)]);
     };
-    const auto cap = [&](double gap, const Vec3& normal, double xi) {
-      h = std::min(h, trusted_step(pair.law.normal, element.mass_per_length, element.radius,
-                                   {gap, -normal.dot(velocity(xi)), normal.dot(acceleration(xi))}));
+    const auto cap = [&](double gap, const Vec3& normal, double xi, bool last) {
+      limit.take(trusted_step(pair.law.normal, element.mass_per_length, element.radius,
+                              {gap, -normal.dot(velocity(xi)), normal.dot(acceleration(xi)), last}));
     };
-    for (const Point& p : pair.history) cap(p.gap - pair.law.normal.smoothing, p.normal, p.xi);
+    const auto deepest = std::min_element(pair.history.begin(), pair.history.end(),
+                                          [](const Point& a, const Point& b) { return a.gap < b.gap; });
+    for (auto p = pair.history.begin(); p != pair.history.end(); ++p)
+      cap(p->gap - pair.law.normal.smoothing, p->normal, p->xi, p == deepest);
     for (const double xi : {0.0, 0.5, 1.0}) {
       const Vec3 v = velocity(xi);
       // Look ahead as far as it gets in half a second.
       const auto p = volumes_[static_cast<size_t>(pair.volume)].surface->query(
           pose.to_body(pair.start.point(xi)), pair.touch + 0.5 * (pair.start.reach() + v.norm()), pair.hint);
-      if (p) cap(p->distance - pair.touch, p->normal, xi);
+      if (p) cap(p->distance - pair.touch, p->normal, xi, false);
     }
   }
-  return h;
+  return limit;
 }
 
 bool LineContact::middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose,

@@ -4,6 +4,7 @@
 // element's is kept twice, at either node. Keys: 2 v for the element behind a node, 2 v + 1 for the one
 // before it, v the volume; -1 for the sums of the element behind.
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -55,6 +56,7 @@ void LineContact::restore(const std::vector<HistoryRecord>& records) {
     behind[mesh_.global[static_cast<size_t>(mesh_.elements[i].first)]] = static_cast<int>(i);
     before[mesh_.global[static_cast<size_t>(mesh_.elements[i].second)]] = static_cast<int>(i);
   }
+  std::set<std::pair<int, int>> known;
   pairs_.clear();
   accounts_.assign(accounts_.size(), {});
   for (const HistoryRecord& r : records) {
@@ -72,9 +74,7 @@ void LineContact::restore(const std::vector<HistoryRecord>& records) {
     if (v.size() % kPoint || r.key < 0 || r.key / 2 >= static_cast<int>(volumes_.size()))
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
     const int element = found->second, volume = r.key / 2;
-    if (std::any_of(pairs_.begin(), pairs_.end(),
-                    [&](const Pair& p) { return p.element == element && p.volume == volume; }))
-      continue;  // from its other node
+    if (!known.emplace(element, volume).second) continue;  // from its other node
     Pair& pair = pairs_.emplace_back();
     pair.element = element;
     pair.volume = volume;

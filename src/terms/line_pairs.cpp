@@ -16,8 +16,8 @@ constexpr double kThrough = 0.25;
 constexpr double kStaticDepth = 0.7, kNoSide = 1e-9;
 // A step may take a line this part of the radii deeper than to the surface.
 constexpr double kDeep = 0.5;
-// Steps in a period of the contact: least, and what automatic steps aim at.
-constexpr double kLeastSteps = 3, kSteps = 6;
+// Steps in a period of the contact, at least.
+constexpr double kLeastSteps = 3;
 
 }  // namespace
 
@@ -208,7 +208,7 @@ bool LinePairs::passes(const Pair& p, const Kinematics& trial, const std::vector
 
 // Relative speed along the line between the nearest points of the chords, m/s (> 0: they part), and the gap,
 // m.
-LinePairs::Approach LinePairs::approach(const Pair& p, const AxisEnds& a, const AxisEnds& b) const {
+LinePairs::Nearest LinePairs::nearest(const Pair& p, const AxisEnds& a, const AxisEnds& b) const {
   const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
   if (!(c.distance > 0)) return {};
   const Vec3 v = (1 - c.s) * a.v1 + c.s * a.v2 - (1 - c.t) * b.v1 - c.t * b.v2;
@@ -227,38 +227,38 @@ double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
   return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
 }
 
-// Period of the contact, s, where the pair meets or parts fast enough, or shakes enough, to press in beyond
-// the ramp; else infinite.
-double LinePairs::period(const Pair& p, double speed, double acceleration) const {
+// 1/omega of the two masses on the contact, s.
+double LinePairs::slowness(const Pair& p) const {
   const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
                mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
-  const double slow = std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);  // s, period / 2 pi
-  if (!(std::hypot(speed * slow, acceleration * slow * slow) > 2 * p.law.normal.smoothing))
-    return std::numeric_limits<double>::infinity();
-  return 2 * M_PI * slow;
+  return std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);
 }
 
+// A step in which they meet or part fast enough to press in beyond the ramp is no longer than a third of the
+// contact's period.
 bool LinePairs::resolved(const Pair& p, const Kinematics& trial, const std::vector<Rod>& is) const {
   const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
-  if (!p.history && !near(p, is)) return true;
-  const double v0 = approach(p, start_[i], start_[j]).speed,
-               v1 = approach(p, ends(trial, p.a), ends(trial, p.b)).speed;
-  return trial.step <= (1 + 1e-9) / kLeastSteps * period(p, std::max(std::abs(v0), std::abs(v1)), 0);
+  const double slow = slowness(p);
+  if (trial.step <= (1 + 1e-9) / kLeastSteps * 2 * M_PI * slow || (!p.history && !near(p, is))) return true;
+  const double v0 = nearest(p, start_[i], start_[j]).speed,
+               v1 = nearest(p, ends(trial, p.a), ends(trial, p.b)).speed;
+  return std::max(std::abs(v0), std::abs(v1)) * slow <= 2 * p.law.normal.smoothing;
 }
 
-// A step may not carry a line deeper into another than half the radii at the speed it has.
-double LinePairs::longest_step(const Kinematics& at) const {
-  double longest = std::numeric_limits<double>::infinity();
+// An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
+StepLimit LinePairs::longest_step(const Kinematics& at) const {
+  StepLimit limit;
   for (const Pair& p : pairs_) {
     const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
-    const Approach c = approach(p, start_[i], start_[j]);
-    const double gap = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0),
-                 resolves = period(p, c.speed, acceleration(p, at)) / kSteps;
-    if (p.history) longest = std::min(longest, resolves);
-    if (!(c.speed < 0)) continue;
-    longest = std::min({longest, (gap + kDeep * p.law.reach) / -c.speed, std::max(gap / -c.speed, resolves)});
+    const Nearest c = nearest(p, start_[i], start_[j]);
+    const double ramp = p.law.normal.smoothing,
+                 apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
+    Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
+    if (p.history) a.gap = -ramp - std::max(deepest_of((*p.history)[0]), deepest_of((*p.history)[3]));
+    limit.take(impact_limit(slowness(p), 2 * ramp, a));
+    if (c.speed < 0) limit.longest = std::min(limit.longest, (apart + kDeep * p.law.reach) / -c.speed);
   }
-  return longest;
+  return limit;
 }
 
 void LinePairs::commit(const Kinematics& accepted) {

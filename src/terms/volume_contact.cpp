@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hawser/math/so3.hpp"
 
@@ -89,8 +88,8 @@ void VolumeContact::look_ahead(const Kinematics& at) {
   questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) { pairs_[i].seen = p; });
 }
 
-double VolumeContact::longest_step(const Kinematics& committed) const {
-  double h = std::numeric_limits<double>::infinity();
+StepLimit VolumeContact::longest_step(const Kinematics& committed) const {
+  StepLimit limit;
   for (const Pair& pair : pairs_) {
     const size_t n = static_cast<size_t>(pair.node), k = static_cast<size_t>(pair.volume);
     const RigidPose& pose = start_poses_[body(pair.volume)];
@@ -102,10 +101,16 @@ double VolumeContact::longest_step(const Kinematics& committed) const {
                                               pair.touch + 0.5 * (element_[n] + speed), pair.hint);
     if (!p) continue;
     const double a = p->normal.dot(pose.rotation.conjugate() * committed.a[n]);
-    h = std::min(h, trusted_step(pair.law.normal, nodes_[n].mass, nodes_[n].radius,
-                                 {p->distance - pair.touch, -p->normal.dot(v), a}));
+    if (model_ == NodeContact::rigid) {  // has no period
+      if (const double closing = -p->normal.dot(v); closing > 0)
+        limit.longest = std::min(
+            limit.longest, (std::max(p->distance - pair.touch, 0.0) + 0.5 * nodes_[n].radius) / closing);
+      continue;
+    }
+    limit.take(trusted_step(pair.law.normal, nodes_[n].mass, nodes_[n].radius,
+                            {p->distance - pair.touch, -p->normal.dot(v), a}));
   }
-  return h;
+  return limit;
 }
 
 bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {

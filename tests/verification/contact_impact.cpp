@@ -207,7 +207,8 @@ TEST_P(Bar, AgainstWall) {
   }
   EXPECT_NEAR(release, exact.release, 5e-3 * exact.release);
   EXPECT_NEAR(impulse, exact.impulse, 5e-3 * exact.impulse);
-  EXPECT_NEAR(momentum + brought, impulse, 1e-6 * impulse);
+  // Not to round-off, as the steps are cut at the impact.
+  EXPECT_NEAR(momentum + brought, impulse, 1e-5 * impulse);
 }
 INSTANTIATE_TEST_SUITE_P(Walls, Bar, ::testing::Values(1e8, 1e9, 1e10));
 

@@ -59,7 +59,7 @@ TEST(ContactModels, ElasticPeakDoesNotDependOnTheStep) {
   };
   for (const double part : {3.0, 4.0, 6.0, 10.0, 20.0, 50.0}) {
     expect("automatic, at most", part, land(model::ContactMethod::nodes, 0, period / part), 0.03);
-    expect("fixed", part, land(model::ContactMethod::nodes, period / part), part > 3 ? 0.03 : 0.05);
+    expect("fixed", part, land(model::ContactMethod::nodes, period / part), 0.03);
   }
   expect("automatic, at most", 0, land(model::ContactMethod::nodes, 0), 0.03);
 }

@@ -48,6 +48,18 @@ class ClashLog {
     std::vector<std::pair<double, double>> places;  // m, of the last touch
     double force = 0;                               // N, at the last step; 0: does not touch at present
   };
+  // What an open clash is at this step: its touches together and where they are. joined: with another.
+  struct Now {
+    Touch sum;
+    std::vector<std::pair<double, double>> places;
+    bool joined = false;
+    void take(const Touch& t);
+  };
+  // Gives each touch to a clash, an open one or a new one.
+  std::vector<Now> assign(double time, std::span<const Touch> touches);
+  void join(size_t first, size_t second, std::vector<Now>& now);
+  // Takes a step's touches into the clashes; what was apart for too long ends.
+  void follow(double time, std::vector<Now> now);
   void end(const io::ClashRow& row);
 
   ClashSettings settings_;

@@ -61,7 +61,7 @@ class Clearances {
   };
 
   std::vector<Shaped> own(int line, const Kinematics& at) const;
-  Tree everybodys(int line, const Kinematics& at) const;
+  Tree everybodys(const Tree& own) const;
   Best to_line(const Tree& a, const Tree& b) const;
   Best to_volume(const std::vector<Shaped>& elements, const Surface& surface, const io::BodyPose& pose,
                  std::vector<Seen>& seen) const;

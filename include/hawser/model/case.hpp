@@ -258,6 +258,7 @@ struct Dynamics {
   double duration = 0;                // s
   double step = 0;                    // s; 0: automatic
   double max_step = 0, min_step = 0;  // s; 0: defaults
+  bool resolve_impacts = true;        // fixed steps are divided where something strikes
   double rho_infinity = 0.8;
   double tolerance = 1e-8;     // of the residual, as in statics
   double error_tolerance = 0;  // m, local error a step in automatic stepping; 0: default

@@ -43,6 +43,7 @@ class Dynamics {
   struct Carried {
     double step_wish = 0;
     int step_wait = 0;
+    double step_ringing = 0, step_calm = 0;
     double last_step = 0;
     double support_work = 0;  // J, this rank's share
   };

@@ -5,13 +5,14 @@
 namespace hawser {
 
 struct StepSettings {
-  double fixed = 0;            // s; > 0: this step, halved only when a step fails
-  double first = 0.01;         // s, first automatic step
-  double longest = 0.1;        // s
-  double shortest = 1e-6;      // s
-  double error_tolerance = 0;  // m, local error a step; 0: not controlled
-  int easy_iterations = 4;     // the step may grow when Newton needed no more
-  int hard_iterations = 8;     // and shrinks when it needed more
+  double fixed = 0;             // s; > 0: this step, halved only when a step fails
+  double first = 0.01;          // s, first automatic step
+  double longest = 0.1;         // s
+  double shortest = 1e-6;       // s
+  double error_tolerance = 0;   // m, local error a step; 0: not controlled
+  int easy_iterations = 4;      // the step may grow when Newton needed no more
+  int hard_iterations = 8;      // and shrinks when it needed more
+  bool resolve_impacts = true;  // fixed steps, too, are divided by what the terms allow
 };
 
 class StepControl {
@@ -19,9 +20,13 @@ class StepControl {
   explicit StepControl(const StepSettings& settings);
 
   // Step from t towards `stop` (an output time or the end), which is hit exactly: the way there is divided
-  // into equal steps not longer than the wish, nor, when steps are automatic, than `cap`.
-  double next(double t, double stop, double cap) const;
-  bool automatic() const { return s_.fixed <= 0; }
+  // into equal steps not longer than the wish nor, where terms limit steps, than what they allow.
+  double next(double t, double stop, double allowed) const;
+  // Whether the terms limit steps.
+  bool limited() const { return s_.fixed <= 0 || s_.resolve_impacts; }
+  // At t something struck on a contact of this period [s]: for twenty of them steps stay below a third of it,
+  // since what rings then decides the next blow.
+  void struck(double t, double period);
   // Whether a converged step is accurate enough; a step at the shortest length always is.
   bool accurate(double h, double error) const;
 
@@ -30,13 +35,18 @@ class StepControl {
   bool rejected(double h, bool diverged, double error);
 
   double wish() const { return wish_; }
-  void restore(double wish, int wait) { wish_ = wish, wait_ = wait; }
   int wait() const { return wait_; }
+  double ringing() const { return ringing_; }
+  double calm() const { return calm_; }
+  void restore(double wish, int wait, double ringing, double calm) {
+    wish_ = wish, wait_ = wait, ringing_ = ringing, calm_ = calm;
+  }
 
  private:
   StepSettings s_;
   double wish_ = 0;
-  int wait_ = 0;  // accepted steps before the step may grow again after a failure
+  int wait_ = 0;                   // accepted steps before the step may grow again after a failure
+  double ringing_ = 0, calm_ = 0;  // s: period of the contact that struck, and until when it is followed
 };
 
 }  // namespace hawser

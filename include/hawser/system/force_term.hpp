@@ -2,11 +2,11 @@
 // derivatives. Sign: the residual is inertia + internal - external, so an applied force F adds -F.
 #pragma once
 
-#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "hawser/kernels/impact.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/couplings.hpp"
 #include "hawser/system/field_registry.hpp"
@@ -51,11 +51,9 @@ class ForceTerm {
   // Once before a step of length h [s] is tried, from the last accepted state. May communicate.
   virtual void prepare(const Kinematics& committed, double h) { (void)committed, (void)h; }
 
-  // Longest step, s, that this term can be trusted with from here; asked after prepare(), for automatic
-  // steps.
-  virtual double longest_step(const Kinematics& committed) const {
-    return (void)committed, std::numeric_limits<double>::infinity();
-  }
+  // Longest step that this term can be trusted with from here, and what strikes; asked after prepare(). Steps
+  // that the user fixed are divided by it where impacts are to be resolved.
+  virtual StepLimit longest_step(const Kinematics& committed) const { return (void)committed, StepLimit{}; }
 
   // Adds force and tangent at the trial state. Local, repeatable: reads committed history only.
   virtual void evaluate(const Kinematics& trial, Sink& sink) = 0;

@@ -90,7 +90,7 @@ class System {
   void soften(double factor);
   double axial_stiffness() const;
   double dead_load() const;
-  double longest_step(const Kinematics& committed) const;
+  StepLimit longest_step(const Kinematics& committed) const;
   bool augment(const Kinematics& equilibrium);  // true on all ranks: solve again
   void reset_multipliers();
 

@@ -82,16 +82,10 @@ class Contact : public ForceTerm {
     return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
   }
 
-  // A place of a line and a surface: how far it is from where forces begin (m, negative: beyond), how fast it
-  // closes (m/s), and its acceleration along the normal (m/s², either way).
-  struct Approach {
-    double gap = 0, closing = 0, acceleration = 0;
-  };
-  // Longest step, s, that can be trusted with such a place; mass in the sense of law(). It may not get deeper
-  // than half its radius [m], and an impact is followed: where inertia takes it deeper than the ramp of the
-  // law and 0.2 % of the radius, the step before ends at the touch, and then a period 2 pi sqrt(m/k) of the
-  // contact has six steps. So it has before and after, where a line not in touch shakes as fast as that.
-  static double trusted_step(const NormalLaw& law, double mass, double radius, const Approach& at);
+  // Longest step that can be trusted with a place of a line and a surface; mass in the sense of law(). It may
+  // not get deeper than half its radius [m], and an impact is followed (kernels/impact.hpp): what inertia
+  // takes deeper than the ramp of the law and 0.2 % of the radius strikes.
+  static StepLimit trusted_step(const NormalLaw& law, double mass, double radius, const Approach& at);
 
   // Whether a ball of `radius` about y is as free as all was found to be within `clear` of `centre`. A Newton
   // iteration that diverges leaves these so far away that rounding is larger than the model: hence the

@@ -31,7 +31,7 @@ class LineContact final : public Contact {
   std::string_view name() const override { return "line contact"; }
   void prepare(const Kinematics& committed, double h) override;
   // As trusted_step says of the ends and the middle of each element and of what touches.
-  double longest_step(const Kinematics& committed) const override;
+  StepLimit longest_step(const Kinematics& committed) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;

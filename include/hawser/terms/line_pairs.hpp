@@ -48,7 +48,7 @@ class LinePairs final : public ForceTerm {
   bool covers(const Kinematics& trial) const override;
   bool outdated() const override { return candidates_.outdated(); }
   void prepare(const Kinematics& committed, double h) override;
-  double longest_step(const Kinematics& committed) const override;
+  StepLimit longest_step(const Kinematics& committed) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
@@ -105,12 +105,12 @@ class LinePairs final : public ForceTerm {
   std::vector<Rod> rods(const Kinematics& at) const;
   bool met(const Pair& pair, const std::vector<Rod>& is) const;
   bool near(const Pair& pair, const std::vector<Rod>& is) const;
-  struct Approach {
+  struct Nearest {
     double speed = 0, gap = 0;
   };
-  Approach approach(const Pair& pair, const AxisEnds& a, const AxisEnds& b) const;
+  Nearest nearest(const Pair& pair, const AxisEnds& a, const AxisEnds& b) const;
   double acceleration(const Pair& pair, const Kinematics& at) const;
-  double period(const Pair& pair, double speed, double acceleration) const;
+  double slowness(const Pair& pair) const;
   bool resolved(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   bool passes(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);

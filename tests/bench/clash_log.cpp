@@ -1,0 +1,45 @@
+// What the clash report costs a step: touches of all pairs put together, and taken into the open clashes.
+#include "hawser/app/clash_log.hpp"
+
+#include <benchmark/benchmark.h>
+
+namespace hawser::app {
+namespace {
+
+// Lines that lie on a volume at ten places each, panels of half a metre, three to a place; half of the places
+// come and go.
+Touches touching(int number, int step) {
+  Touches out;
+  for (int i = 0; i < number; ++i) {
+    const int line = i / 30, place = i / 3;
+    if (place % 2 && (place + step) % 7 == 0) continue;
+    Touch t;
+    t.line = line, t.volume = 0;
+    t.from = 50.0 * (place % 10) + 0.5 * (i % 3), t.to = t.from + 0.5;
+    t.force = 100 + i % 17, t.energy = 1, t.depth = 1e-3;
+    out.push_back(t);
+  }
+  return out;
+}
+
+void BM_ClashStep(benchmark::State& state) {
+  const int n = static_cast<int>(state.range(0));
+  const std::vector<double> merge(static_cast<size_t>(n / 30 + 1), 2.0);
+  std::vector<Touches> steps;
+  for (int s = 0; s < 7; ++s) steps.push_back(touching(n, s));
+  ClashLog log({0.1, merge});
+  double time = 0;
+  size_t s = 0;
+  for (auto _ : state) {
+    time += 0.01;
+    log.step(time, put_together(steps[s], merge));
+    s = (s + 1) % steps.size();
+    benchmark::DoNotOptimize(log.take_ended());
+  }
+  state.SetComplexityN(n);
+  state.counters["open"] = static_cast<double>(log.open().size());
+}
+BENCHMARK(BM_ClashStep)->RangeMultiplier(10)->Range(100, 100000)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace hawser::app

@@ -1,0 +1,53 @@
+// A pipe laid into a groove of two walls: each wall is a volume of its own, for of one volume only the
+// nearest wall is met.
+#include "verification/contact_rig.hpp"
+
+namespace hawser::test {
+namespace {
+
+// Let go a little aside of the bottom it settles there: each wall bears w L / (2 cos a).
+TEST(LineContactWalls, BothBear) {
+  constexpr double kLength = 10, kMass = 100, kRadius = 0.15;
+  for (const double angle : {0.3, 0.8, 1.3}) {  // of the walls' normals to the vertical
+    model::LineType type = beam_type(1e8, 1e6, 1e6, kMass);
+    type.outer_diameter = type.contact_diameter = 2 * kRadius;
+    model::Case c = one_line(type, kLength, 5, {}, {});
+    c.environment.gravity = 10;
+    // Its axis is in touch with both at kRadius / cos(angle) above the bottom.
+    const double z = kRadius / std::cos(angle) + 0.002;
+    c.lines[0].start = model::Start::points;
+    c.lines[0].points = {{0, 0.002, z}, {kLength, 0.002, z}};
+    std::vector<std::shared_ptr<const Surface>> walls;
+    for (const double side : {-1.0, 1.0}) {
+      model::Volume v;
+      v.name = side < 0 ? "left" : "right";
+      v.basis = model::StiffnessBasis::per_length;
+      v.normal_stiffness = 1e6;
+      v.relative_damping = 0.2;
+      c.volumes.push_back(v);
+      walls.push_back(
+          std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3(0, side * std::sin(angle), std::cos(angle))));
+    }
+    c.statics.enabled = false;
+    c.dynamics.duration = 8;
+    Simulation s(PETSC_COMM_WORLD, c, walls);
+    Dynamics& d = s.dynamics();
+    d.start(s.state());
+    int steps = 0;
+    d.run(
+        8, [](double t) { return t + 100; }, [&](const StepInfo&) { return ++steps < 4000; });
+    EXPECT_LT(steps, 4000);
+    Touches touches;
+    s.contact()->touches(touches);
+    double force[2] = {0, 0};
+    for (const Touch& t : touches) force[t.volume] += t.force;
+    const double each = kMass * 10 * kLength / (2 * std::cos(angle));
+    std::printf("groove of %.1f rad: %.2f and %.2f N, expected %.2f N; %d steps\n", angle, force[0], force[1],
+                each, steps);
+    EXPECT_NEAR(force[0], each, 0.01 * each);
+    EXPECT_NEAR(force[1], each, 0.01 * each);
+  }
+}
+
+}  // namespace
+}  // namespace hawser::test
