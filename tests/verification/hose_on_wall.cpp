@@ -50,15 +50,16 @@ Found hose(double EI, double EA, double stiffness, int elements, model::Relaxati
   const Vec3 tangent = s.q[0] * Vec3::UnitX();
   f.angle = std::atan2(tangent.y(), -tangent.x()) * 180 / M_PI;
   std::vector<double> curvature(s.x.size());
-  for (const FieldSource& source : sim.system().fields().sources())
+  const auto fields = sim.system().fields();
+  for (const FieldSource& source : fields.sources())
     if (source.name == "curvature") source.fill(s.view(0), curvature);
   f.curvature = *std::max_element(curvature.begin(), curvature.end());
   if (!sim.contact()) return f;
   f.first = kLength;
   Touches touches;
   sim.contact()->touches(touches);
-  for (const Touch& t : touches)
-    f.force += t.force, f.first = std::min(f.first, t.from), f.last = std::max(f.last, t.to);
+  for (const Touch& touch : touches)
+    f.force += touch.force, f.first = std::min(f.first, touch.from), f.last = std::max(f.last, touch.to);
   return f;
 }
 
