@@ -53,10 +53,10 @@ int SpatialHash::slot_of(int triangle) const {
 }
 
 void SpatialHash::test(Ball& q, std::uint32_t slot) const {
-  const double* v = corners_[slot].v;
-  const Vec3 a(v[0], v[1], v[2]), b(v[3], v[4], v[5]), c(v[6], v[7], v[8]);
-  q.offer(slot, corners_[slot].id < 0 ? closest_point_on_triangle(q.p, a, b, c).squared_distance
-                                      : squared_distance_to(a - q.p, b - q.p, c - q.p));
+  const Corners& t = corners_[slot];
+  const Vec3 &a = vertices_[t.v[0]], &b = vertices_[t.v[1]], &c = vertices_[t.v[2]];
+  q.offer(slot, t.id < 0 ? closest_point_on_triangle(q.p, a, b, c).squared_distance
+                         : squared_distance_to(a - q.p, b - q.p, c - q.p));
 }
 
 bool SpatialHash::begin(Ball& q, const Vec3& p, double max_distance) const {
@@ -102,8 +102,7 @@ SpatialHash::Start SpatialHash::start(const Ball& q) const {
 
 SpatialHash::Nearest SpatialHash::answer(const Ball& q) const {
   if (q.slot == kNone) return {};
-  const std::int32_t id = corners_[q.slot].id;
-  return {id < 0 ? ~id : id, q.best};
+  return {corners_[q.slot].index(), q.best};
 }
 
 // Exact distances of the triangles that still could be the nearest, the most promising first.
@@ -131,7 +130,7 @@ SpatialHash::Nearest SpatialHash::search(const Question& ask, Counters& count) c
     if (ask.max_distance < Start::kRoom * side_ * (1 << start_)) {
       // Its distance would spare little of so short a search, and waiting for it costs more: it is fetched,
       // with what is kept of its neighbours, while the search goes down to them.
-      prefetch(&corners_[s], sizeof(Corners));
+      prefetch(&corners_[s]);
       const std::size_t from = 3 * std::size_t{s};
       prefetch(&rounded_[from > 24 ? from - 24 : 0], 192);
       q.at_least[0] = 0;
@@ -144,6 +143,7 @@ SpatialHash::Nearest SpatialHash::search(const Question& ask, Counters& count) c
     }
   }
   const Start from = start(q);
+  if (q.hinted) fetch_corners(q.candidates[0]);
   if (from.root) {
     q.push(0, 0, root_, kNone);
   } else if (!from.none) {
@@ -199,7 +199,8 @@ SpatialHash::Nearest SpatialHash::nearest(const Vec3& p, double max_distance, in
 
 std::size_t SpatialHash::memory() const {
   const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return bytes(corners_) + bytes(rounded_) + bytes(slot_) + bytes(children_) + bytes(hash_);
+  return bytes(corners_) + bytes(vertices_) + bytes(rounded_) + bytes(slot_) + bytes(children_) +
+         bytes(hash_);
 }
 
 }  // namespace hawser

@@ -61,19 +61,24 @@ struct SpatialHash::Group {
   Counters count;
 
   std::size_t place(std::size_t i) const { return order.empty() ? i : order[i]; }
-  // The question after next and its hint's place; then what the search will surely look at.
+  // The question and its hint's place; then what the search will surely look at, step by step.
   void fetch_question(std::size_t i) const {
     asm volatile("");
     if (i >= questions.size()) return;
     prefetch(&questions[place(i)], sizeof(Question));
     prefetch(&slots[place(i)]);
   }
+  void fetch_triangle(std::size_t i) const {
+    asm volatile("");
+    if (i >= questions.size()) return;
+    if (const int s = slots[place(i)]; s >= 0) prefetch(&hash.corners_[static_cast<std::size_t>(s)]);
+  }
   void fetch_hint(std::size_t i) const {
     asm volatile("");
     if (i >= questions.size()) return;
     const int s = slots[place(i)];
     if (s < 0) return;
-    prefetch(&hash.corners_[static_cast<std::size_t>(s)], sizeof(Corners));
+    hash.fetch_corners(static_cast<std::uint32_t>(s));
     const std::size_t at = 3 * static_cast<std::size_t>(s);
     prefetch(&hash.rounded_[at > 24 ? at - 24 : 0], 192);
   }
@@ -100,7 +105,8 @@ void SpatialHash::Group::begin(std::size_t from, std::uint32_t n) {
   for (std::uint32_t i = 0; i < n; ++i) {
     const std::size_t at = place(from + i);
     const Question& ask = questions[at];
-    fetch_question(from + i + 2 * kMost);
+    fetch_question(from + i + 3 * kMost);
+    fetch_triangle(from + i + 2 * kMost);
     hints[i] = slots[at];
     alone[i] = !hash.begin(balls[i], ask.point, ask.max_distance) || hints[i] < 0;
   }
@@ -207,6 +213,7 @@ void SpatialHash::Group::settle() {
     for (unsigned i = 0; i < found; ++i) finals.end<2>()[i] = which;
     finals.size += found;
   }
+  for (std::size_t k = 0; k < finals.size; ++k) hash.fetch_corners(finals.at<1>(k));
   for (std::size_t k = 0; k < finals.size; ++k) {
     Ball& q = balls[finals.at<2>(k)];
     const std::uint32_t slot = finals.at<1>(k);
@@ -234,7 +241,8 @@ void SpatialHash::nearest(std::span<const Question> questions, std::span<Nearest
   }
   const std::vector<std::uint32_t> order = order_of(slots);
   Group g{*this, questions, order, slots, {}, {}, {}, {}, {}, {}, {}};
-  for (std::size_t i = 0; i < 2 * Group::kMost; ++i) g.fetch_question(i);
+  for (std::size_t i = 0; i < 3 * Group::kMost; ++i) g.fetch_question(i);
+  for (std::size_t i = 0; i < 2 * Group::kMost; ++i) g.fetch_triangle(i);
   for (std::size_t i = 0; i < Group::kMost; ++i) g.fetch_hint(i);
   for (std::size_t from = 0; from < n; from += Group::kMost) {
     const auto m = static_cast<std::uint32_t>(std::min(Group::kMost, n - from));

@@ -128,7 +128,7 @@ unsigned SpatialHash::bound(Ball& q, Entry run, std::uint32_t block, float* at_l
     const float least = static_cast<float>(unit) * (distance[i] - within[i] - error);
     if (least > q.reach) continue;
     const std::uint32_t s = from + static_cast<std::uint32_t>(i);
-    detail::prefetch(&corners_[s], sizeof(Corners));
+    detail::prefetch(&corners_[s]);
     at_least[found] = least;
     slots[found++] = s;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "spatial_hash_search.hpp"
 
@@ -17,8 +18,8 @@ using detail::scramble;
 // Side of the cell over the longest side of the box of a triangle in it, at least.
 constexpr double kFineness = 0.75;
 
-// Cells with this many triangles or fewer are not divided.
-constexpr std::size_t kRun = 15;
+// Triangles of a run, and of a cell that is cut into up to eight runs whatever cells there are in it.
+constexpr std::size_t kRun = 15, kBlock = 8 * kRun;
 
 constexpr int kMaxLevels = detail::kMaxLevels;
 
@@ -42,8 +43,25 @@ SpatialHash::SpatialHash(const std::vector<Vec3>& vertices, const std::vector<st
   if (which.empty()) return;
   std::vector<std::uint64_t> keys;
   std::vector<int> levels;
+  vertices_.assign(vertices.begin(), vertices.end());
   sort_triangles(vertices, triangles, which, keys, levels);
   build_cells(keys, levels);
+  sort_vertices();
+}
+
+void SpatialHash::sort_vertices() {
+  LargeVector<Vec3> sorted;
+  std::vector<std::uint32_t> place(vertices_.size(), kNone);
+  for (Corners& t : corners_)
+    for (std::uint32_t& v : t.v) {
+      if (place[v] == kNone) {
+        place[v] = static_cast<std::uint32_t>(sorted.size());
+        sorted.push_back(vertices_[v]);
+      }
+      v = place[v];
+    }
+  sorted.shrink_to_fit();
+  vertices_ = std::move(sorted);
 }
 
 void SpatialHash::sort_triangles(const std::vector<Vec3>& vertices,
@@ -111,8 +129,9 @@ void SpatialHash::sort_triangles(const std::vector<Vec3>& vertices,
     const Vec3 &a = vertices[static_cast<std::size_t>(tri[0])],
                &b = vertices[static_cast<std::size_t>(tri[1])],
                &c = vertices[static_cast<std::size_t>(tri[2])];
-    corners_[s] = {
-        {a.x(), a.y(), a.z(), b.x(), b.y(), b.z(), c.x(), c.y(), c.z()}, thin(a, b, c) ? ~t : t, 0};
+    corners_[s] = {{static_cast<std::uint32_t>(tri[0]), static_cast<std::uint32_t>(tri[1]),
+                    static_cast<std::uint32_t>(tri[2])},
+                   thin(a, b, c) ? ~t : t};
     slot_[static_cast<std::size_t>(t)] = static_cast<std::int32_t>(s);
     keys[s] = key[i];
     levels[s] = level[i];
@@ -126,8 +145,15 @@ struct SpatialHash::Made {
   std::size_t total = 0;  // triangles in it and below it: first, first + 1, ...
   Entry entry;
   std::vector<Made> parts;  // children not yet in a block
+  bool uncut = false;       // few triangles, not yet in runs
   float lo[3] = {FLT_MAX, FLT_MAX, FLT_MAX}, hi[3] = {-FLT_MAX, -FLT_MAX, -FLT_MAX};
 
+  void add(const Vec3& x) {
+    for (int a = 0; a < 3; ++a) {
+      lo[a] = std::min(lo[a], below(x[a]));
+      hi[a] = std::max(hi[a], above(x[a]));
+    }
+  }
   void add(const Made& o) {
     first = total ? std::min(first, o.first) : o.first;
     total += o.total;
@@ -173,11 +199,88 @@ void SpatialHash::round_corners(const Children& frame, const Entry& run) {
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t k = 0; k < 9; ++k) {
       const auto a = static_cast<int>(k % 3);
-      const double x = corners_[run.first() + i].v[k] - centre_[a] - frame.origin[a];
+      const double x = corner(run.first() + i, k / 3)[a] - centre_[a] - frame.origin[a];
       const double steps = std::round(std::ldexp(x, 127 - frame.exponent[a] + 2));
       rounded_[3 * run.first() + k / 3 * n + i] |= static_cast<std::uint32_t>(std::clamp(steps, 0.0, 1023.0))
                                                    << 10 * a;
     }
+}
+
+SpatialHash::Made SpatialHash::run_of(std::uint32_t first, std::size_t total) const {
+  Made run;
+  run.first = first;
+  run.total = total;
+  run.entry.own = first << 4 | static_cast<std::uint32_t>(total);
+  for (std::uint32_t s = first; s < first + total; ++s)
+    for (std::size_t k = 0; k < 3; ++k) run.add(Vec3(corner(s, k) - centre_));
+  return run;
+}
+
+// Triangles of a cell into runs as full as can be, so that few are looked at: cut in two where the boxes
+// of the halves, times their runs, have the least area, and again.
+void SpatialHash::cut(std::uint32_t first, std::size_t total, std::size_t runs, std::vector<Made>& out) {
+  if (runs == 1) {
+    out.push_back(run_of(first, total));
+    return;
+  }
+  const std::size_t left_runs = runs / 2, right_runs = runs - left_runs;
+  const std::size_t least = total - std::min(total - left_runs, right_runs * kRun),
+                    most = std::min(total - right_runs, left_runs * kRun);
+  // By their centres.
+  std::array<std::pair<double, Corners>, kBlock> sorted;
+  const auto order = [&](int axis) {
+    for (std::size_t i = 0; i < total; ++i) {
+      const std::uint32_t s = first + static_cast<std::uint32_t>(i);
+      sorted[i] = {corner(s, 0)[axis] + corner(s, 1)[axis] + corner(s, 2)[axis], corners_[s]};
+    }
+    std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(total),
+              [](const auto& a, const auto& b) {
+                return a.first != b.first ? a.first < b.first : a.second.index() < b.second.index();
+              });
+    for (std::size_t i = 0; i < total; ++i) corners_[first + i] = sorted[i].second;
+  };
+  const auto area = [](const Box& b) {
+    const Vec3 e = b.extent();
+    return e.x() * e.y() + e.y() * e.z() + e.z() * e.x();
+  };
+  double best = std::numeric_limits<double>::infinity();
+  std::size_t at = least;
+  int along = 0;
+  std::array<double, kBlock> left;
+  for (int axis = 0; axis < 3; ++axis) {
+    order(axis);
+    const auto box = [&](std::size_t i, Box& b) {
+      for (std::size_t k = 0; k < 3; ++k) b.add(corner(first + i, k));
+    };
+    Box b;
+    for (std::size_t i = 0; i < most; ++i) {
+      box(i, b);
+      left[i] = area(b);
+    }
+    b = Box();
+    for (std::size_t i = total; i-- > least;) {
+      box(i, b);
+      if (i > most) continue;
+      const double cost =
+          left[i - 1] * static_cast<double>(left_runs) + area(b) * static_cast<double>(right_runs);
+      if (cost < best) best = cost, at = i, along = axis;
+    }
+  }
+  order(along);
+  cut(first, at, left_runs, out);
+  cut(first + static_cast<std::uint32_t>(at), total - at, right_runs, out);
+}
+
+void SpatialHash::settle(Made& cell) {
+  if (!cell.uncut) return;
+  cell.uncut = false;
+  if (cell.total <= kRun) {
+    cell.entry.own = cell.first << 4 | static_cast<std::uint32_t>(cell.total);
+    return;
+  }
+  cut(cell.first, cell.total, (cell.total + kRun - 1) / kRun, cell.parts);
+  for (std::uint32_t s = cell.first; s < cell.first + cell.total; ++s)
+    slot_[static_cast<std::size_t>(corners_[s].index())] = static_cast<std::int32_t>(s);
 }
 
 // One cell of its runs and children. Children of few parts give way to their parts, so that blocks are full
@@ -185,10 +288,11 @@ void SpatialHash::round_corners(const Children& frame, const Entry& run) {
 SpatialHash::Made SpatialHash::join(std::vector<Made>& parts, bool below_hash) {
   Made out;
   for (const Made& m : parts) out.add(m);
-  if (below_hash && out.total <= kRun) {
-    out.entry.own = out.first << 4 | static_cast<std::uint32_t>(out.total);
+  if (below_hash && out.total <= kBlock) {
+    out.uncut = true;
     return out;
   }
+  for (Made& m : parts) settle(m);
   while (parts.size() > 8) {
     std::vector<Made> packed;
     for (std::size_t k = 0; k < parts.size(); k += 8)
@@ -246,11 +350,7 @@ void SpatialHash::build_cells(const std::vector<std::uint64_t>& keys, const std:
     Made& run = list.back();
     ++run.entry.own;
     ++run.total;
-    for (int k = 0; k < 9; ++k) {
-      const double x = corners_[s].v[k] - centre_[k % 3];
-      run.lo[k % 3] = std::min(run.lo[k % 3], below(x));
-      run.hi[k % 3] = std::max(run.hi[k % 3], above(x));
-    }
+    for (std::size_t k = 0; k < 3; ++k) run.add(Vec3(corner(s, k) - centre_));
   }
 
   std::vector<Made> finer, level, group;
@@ -269,6 +369,7 @@ void SpatialHash::build_cells(const std::vector<std::uint64_t>& keys, const std:
       std::move(finer.begin() + static_cast<std::ptrdiff_t>(j0),
                 finer.begin() + static_cast<std::ptrdiff_t>(j), std::back_inserter(group));
       Made cell = join(group, l <= start_);
+      if (l >= start_) settle(cell);
       // What is looked up has its block, also a single run.
       if (l >= start_ && !cell.parts.empty())
         cell = bundle(cell.parts.data(), cell.parts.data() + cell.parts.size());

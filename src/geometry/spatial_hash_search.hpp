@@ -97,6 +97,10 @@ struct SpatialHash::Search : Ball {
   }
 };
 
+[[gnu::always_inline]] inline void SpatialHash::fetch_corners(std::uint32_t slot) const {
+  for (const std::uint32_t v : corners_[slot].v) detail::prefetch(&vertices_[v]);
+}
+
 // While others are looked at.
 [[gnu::always_inline]] inline void SpatialHash::fetch(const Entry& e) const {
   if (e.children != kNone) detail::prefetch(&children_[e.children], sizeof(Children));

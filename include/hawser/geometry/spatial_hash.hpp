@@ -12,7 +12,8 @@
 // are kept in 12 bytes a triangle, corners rounded to a grid, and bound the distances of a whole run at a
 // time in single precision. Only those that could be the nearest are then tested in double precision.
 //
-// Memory: about 100 bytes a triangle, 80 of them its corners in double and its index.
+// Memory: about 50 bytes a triangle of a closed mesh. Corners are indices into vertices of the hash's own,
+// in the order of the triangles, so that those of neighbours share cache lines.
 #pragma once
 
 #include <array>
@@ -74,8 +75,9 @@ class SpatialHash {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   static constexpr std::uint64_t kFree = ~std::uint64_t{0};
   struct Corners {
-    double v[9];
-    std::int32_t id, unused;  // mesh index; ~index of a triangle that needs the careful formula
+    std::uint32_t v[3];  // of vertices_
+    std::int32_t id;     // mesh index; ~index of a triangle that needs the careful formula
+    std::int32_t index() const { return id < 0 ? ~id : id; }
   };
   // A cell: its own triangles and its children.
   struct Entry {
@@ -113,16 +115,22 @@ class SpatialHash {
   void sort_triangles(const std::vector<Vec3>& vertices, const std::vector<std::array<int, 3>>& triangles,
                       const std::vector<int>& which, std::vector<std::uint64_t>& keys,
                       std::vector<int>& levels);
+  void sort_vertices();
   void build_cells(const std::vector<std::uint64_t>& keys, const std::vector<int>& levels);
   Made bundle(Made* first, Made* last);  // up to eight
   Made join(std::vector<Made>& parts, bool below_hash);
+  void settle(Made& cell);
+  Made run_of(std::uint32_t first, std::size_t total) const;
+  void cut(std::uint32_t first, std::size_t total, std::size_t runs, std::vector<Made>& out);
   void add_table(const Made* first, const Made* last);
   void round_corners(const Children& frame, const Entry& run);
   bool begin(Ball& ball, const Vec3& p, double max_distance) const;
+  const Vec3& corner(std::size_t slot, std::size_t i) const { return vertices_[corners_[slot].v[i]]; }
   int slot_of(int triangle) const;
   const Entry* find(int level, std::uint64_t key) const;
   Start start(const Ball& ball) const;
   void fetch(const Entry& entry) const;
+  void fetch_corners(std::uint32_t slot) const;
   unsigned expand(const Ball& ball, std::uint32_t block, float* squared) const;
   unsigned bound(Ball& ball, Entry run, std::uint32_t block, float* at_least, std::uint32_t* slots) const;
   void test(Ball& ball, std::uint32_t slot) const;
@@ -139,6 +147,7 @@ class SpatialHash {
   int least_ = 0;                       // where the triangles allow to begin, see Start::kRoom
   std::vector<double> margin_;          // per level: how far triangles of it or below reach out of their cell
   LargeVector<Corners> corners_;        // sorted
+  LargeVector<Vec3> vertices_;          // in the order they are met in corners_
   LargeVector<std::uint32_t> rounded_;  // of each run: first corners, second, third, 3 x 10 bits each
   LargeVector<std::int32_t> slot_;      // of each mesh triangle in corners_, -1 if not active
   LargeVector<Children> children_;
