@@ -5,9 +5,9 @@
 namespace hawser::test {
 namespace {
 
-// The line's axis touches the bed: its contact diameter is nothing, its bed 100 kN/m³ of its 0.252 m. OrcaFlex's
-// studless chain has an axial drag of 1.15 on the bar's diameter over pi (its manual, "Chain"): on that of the
-// equivalent cylinder, 1.8 bars, 0.64, and 0.64/pi on the skin.
+// The line's axis touches the bed: its contact diameter is nothing, its bed 100 kN/m³ of its 0.252 m.
+// OrcaFlex's studless chain has an axial drag of 1.15 on the bar's diameter over pi (its manual, "Chain"): on
+// that of the equivalent cylinder, 1.8 bars, 0.64, and 0.64/pi on the skin.
 model::Case chain(double depth, double x, double length, int elements) {
   model::LineType t = cable_type(1.674e9, 390);
   t.outer_diameter = 0.252, t.contact_diameter = 1e-9;
@@ -62,8 +62,8 @@ TEST(MooringHeave, AtRest) {
 }
 
 // OrcaFlex (series in MoorDyn's tests, quasi_static_chain): tension of the last half segment, 5 m from the
-// ends, over a heave of 10 s; friction 0.5, not in statics: the mean of its anchor's tension, 1400 kN, is that of
-// the chain at rest without friction (1408 kN; with it 900 kN).
+// ends, over a heave of 10 s; friction 0.5, not in statics: the mean of its anchor's tension, 1400 kN, is
+// that of the chain at rest without friction (1408 kN; with it 900 kN).
 TEST(MooringHeave, FairleadMoves) {
   struct Row {
     double heave, most, least, deviation, anchor_most, anchor_least;  // m, kN
