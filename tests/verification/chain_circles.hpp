@@ -64,8 +64,10 @@ struct CircleResult {
 };
 
 // Three cycles of ramp, `settle` more, `judged` that count.
-inline CircleResult circle(const CircleCase& of, int elements, double step, int settle, int judged) {
+inline CircleResult circle(const CircleCase& of, int elements, double step, int settle, int judged,
+                           double rho_infinity = 0.8) {
   model::Case c = circling_chain(of, elements, step);
+  c.dynamics.rho_infinity = rho_infinity;
   const double from = (3 + settle) * of.period, until = from + judged * of.period;
   c.dynamics.duration = until;
   Simulation sim(PETSC_COMM_SELF, c);
