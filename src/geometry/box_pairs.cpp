@@ -116,13 +116,7 @@ std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes) {
     sort_by_key(entries, scratch, 3 * keys.bits);
     std::vector<Placed> placed;
     placed.reserve(entries.size());
-    for (size_t i = 0; i < entries.size(); ++i) {
-      constexpr size_t kAhead = 16;  // boxes of neighbours lie anywhere
-      if (i + kAhead < entries.size())
-        __builtin_prefetch(&boxes[static_cast<size_t>(entries[i + kAhead].number)]);
-      const Entry& e = entries[i];
-      placed.push_back({boxes[static_cast<size_t>(e.number)], e.key, e.number});
-    }
+    for (const Entry& e : entries) placed.push_back({boxes[static_cast<size_t>(e.number)], e.key, e.number});
     return placed;
   };
   // Boxes of a finer level are looked for from the cells of the coarser that hold their centres.

@@ -19,7 +19,6 @@ struct Middle {
   double bulge = 0;      // m, of the axis off its chord
   double spread = 0;     // m, of the points' displacements about their mean
   double thickness = 0;  // m, radius and skin
-  int element = -1, line = -1;
 };
 
 Middle middle(const SweptAxis& s, double skin) {
@@ -36,7 +35,6 @@ Middle middle(const SweptAxis& s, double skin) {
   m.bulge = 0.75 * std::max((p[1] - (2 * m.a + m.b) / 3).norm(), (p[2] - (m.a + 2 * m.b) / 3).norm());
   m.around = 0.5 * (m.b - m.a).norm() + m.bulge;
   m.thickness = s.radius + skin;
-  m.element = s.element;
   return m;
 }
 
@@ -46,26 +44,6 @@ bool near(const Middle& p, const Middle& q) {
   const double around = reach + p.around + q.around;
   if ((0.5 * (p.a + p.b) - 0.5 * (q.a + q.b)).squaredNorm() > around * around) return false;
   return closest_points_of_segments(p.a, p.b, q.a, q.b).distance <= reach + p.bulge + q.bulge;
-}
-
-// By the first, then the second: in time proportional to their number.
-void sort_pairs(std::vector<std::pair<int, int>>& pairs) {
-  if (pairs.empty()) return;
-  const auto [least, most] = std::minmax_element(
-      pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  const int from = least->first;
-  std::vector<size_t> start(static_cast<size_t>(most->first - from) + 2, 0);
-  const auto heap = [&](const std::pair<int, int>& p) { return static_cast<size_t>(p.first - from); };
-  for (const auto& p : pairs) ++start[heap(p) + 1];
-  for (size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
-  std::vector<std::pair<int, int>> sorted(pairs.size());
-  for (const auto& p : pairs) sorted[start[heap(p)]++] = p;
-  // Each heap, whose end has become its start's successor, has few.
-  size_t first = 0;
-  for (size_t k = 0; k + 1 < start.size(); first = start[k++])
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(first),
-              sorted.begin() + static_cast<std::ptrdiff_t>(start[k]));
-  pairs.swap(sorted);
 }
 
 }  // namespace
@@ -155,37 +133,24 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
 }
 
 std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptAxis>& others) const {
+  const auto axis_of = [&](int i) -> const SweptAxis& {
+    const size_t k = static_cast<size_t>(i);
+    return k < built_.size() ? built_[k] : others[k - built_.size()];
+  };
   std::vector<Box> boxes;
-  std::vector<Middle> middles;
   boxes.reserve(built_.size() + others.size());
-  middles.reserve(built_.size() + others.size());
   for (const auto* from : {&built_, &others})
-    for (const SweptAxis& s : *from) {
-      boxes.push_back(swept_box(s, skin(s)));
-      middles.push_back(middle(s, skin(s)));
-      middles.back().line = mesh_.mesh->elements[static_cast<size_t>(s.element)].line;
-    }
-  // Most pairs are of different lines, of which none is excluded unless the settings say so.
-  const bool look = !settings_.excluded.empty() || !settings_.joined.empty();
+    for (const SweptAxis& s : *from) boxes.push_back(swept_box(s, skin(s)));
   const int own = static_cast<int>(built_.size());
   std::vector<std::pair<int, int>> out;
-  const std::vector<std::pair<int, int>> pairs = overlapping_pairs(boxes);
-  // Neighbours in space are far apart in memory: fetched while others are looked at.
-  constexpr size_t kAhead = 8;
-  const auto fetch = [&](int i) {
-    const char* at = reinterpret_cast<const char*>(&middles[static_cast<size_t>(i)]);
-    for (size_t line = 0; line < sizeof(Middle); line += 64) __builtin_prefetch(at + line);
-  };
-  for (size_t k = 0; k < pairs.size(); ++k) {
-    if (k + kAhead < pairs.size()) fetch(pairs[k + kAhead].first), fetch(pairs[k + kAhead].second);
-    const auto [i, j] = pairs[k];
+  for (const auto& [i, j] : overlapping_pairs(boxes)) {
     if (i >= own) continue;  // and so is j
-    const Middle *p = &middles[static_cast<size_t>(i)], *q = &middles[static_cast<size_t>(j)];
+    const SweptAxis *p = &axis_of(i), *q = &axis_of(j);
     if (p->element > q->element) std::swap(p, q);  // on every rank the same answer to the last bit
-    if (!near(*p, *q) || ((look || p->line == q->line) && excluded(p->element, q->element))) continue;
+    if (excluded(p->element, q->element) || !near(middle(*p, skin(*p)), middle(*q, skin(*q)))) continue;
     out.emplace_back(p->element, q->element);
   }
-  sort_pairs(out);
+  std::sort(out.begin(), out.end());
   return out;
 }
 
