@@ -43,3 +43,5 @@ BENCHMARK(BM_ClashStep)->RangeMultiplier(10)->Range(100, 100000)->Unit(benchmark
 
 }  // namespace
 }  // namespace hawser::app
+
+BENCHMARK_MAIN();

@@ -4,6 +4,7 @@
 // across machines. Errors are of the upper end's extremes over 20 s to 100 s against converged ones, over the
 // largest tension. Newton's tolerance: 10 to the power of minus `digits`; 8 is the default of a case.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 #include <petscmat.h>
 
 #include <algorithm>
@@ -64,7 +65,7 @@ model::Case chains(int segments, int lines, double step, int digits) {
   c.environment.seabed.normal_stiffness = 25200;
   for (int i = 0; i < lines; ++i) {
     c.lines.push_back(hung(t.name, 760, segments, Vec3(700, 50 * i, -200), Vec3(0, 50 * i, 0)));
-    c.lines.back().name += " " + std::to_string(i);
+    c.lines.back().name = fmt::format("{} {}", t.name, i);
   }
   return c;
 }

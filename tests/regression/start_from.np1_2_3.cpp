@@ -29,11 +29,6 @@ dynamics: {duration: 2, step: 0.1}
 output: {every: 1, histories: [{line: riser, at: end_b, name: top}]}
 )";
 
-std::vector<double> last(const std::string& file, const char* field) {
-  const Results r = read(file);
-  const auto& all = r.fields.at(field);
-  return {all.end() - static_cast<std::ptrdiff_t>(all.size() / r.output_times.size()), all.end()};
-}
 std::vector<double> first(const std::string& file, const char* field) {
   const Results r = read(file);
   const auto& all = r.fields.at(field);
