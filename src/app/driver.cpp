@@ -106,7 +106,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   check_output_place(comm, c.output.file);
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
-  std::vector<LoadedVolume> volumes = load_volumes(c);
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm);
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
@@ -228,7 +228,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
   MPI_Comm_rank(comm, &rank);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
   const model::Case c = io::read_case(case_path);
-  const std::vector<LoadedVolume> volumes = load_volumes(c);
+  const std::vector<LoadedVolume> volumes = load_volumes(c, comm);
   if (rank != 0) return 0;
   fmt::print("{}", model::summary(c));
   for (const auto& v : volumes) {

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <climits>
+#include <cstdint>
 #include <optional>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/host.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/geometry/primitives.hpp"
 #include "hawser/geometry/tested_surface.hpp"
@@ -34,9 +37,28 @@ std::optional<SignBy> sign_by(model::SignTest sign) {
   return std::nullopt;
 }
 
-LoadedVolume load_mesh(const model::Volume& v) {
+// A surface and a view of its triangles.
+void set_surface(LoadedVolume& l, const model::Volume& v, std::shared_ptr<const MeshSurface> surface) {
+  struct Kept {
+    std::shared_ptr<const MeshSurface> surface;
+    MeshView view;
+  };
+  const auto kept = std::make_shared<const Kept>(Kept{surface, surface->mesh()});
+  l.facets = {kept, &kept->view};
+  l.surface = surface;
+  const bool partial = std::find(l.active.begin(), l.active.end(), false) != l.active.end();
+  if (const auto by = sign_by(v.sign)) l.surface = std::make_shared<TestedSurface>(surface, *by, partial);
+}
+
+struct LoadedMeshVolume {
+  LoadedVolume volume;  // without a surface
+  std::shared_ptr<const MeshSurface> surface;
+};
+
+LoadedMeshVolume load_mesh(const model::Volume& v) {
   io::LoadedMesh loaded = io::read_mesh(v.mesh, v.scale, v.closed);
   LoadedVolume l;
+  l.name = v.name;
   l.active = io::active_triangles(loaded.mesh, v);
   l.report = summary(loaded.report);
   l.notes = loaded.notes;
@@ -54,17 +76,70 @@ LoadedVolume load_mesh(const model::Volume& v) {
     l.report += fmt::format(" {} facets are curved, by up to {:.3g} m; {} edges are sharp.",
                             surface->curved(), surface->bulge(), surface->sharp_edges());
   }
-  l.surface = surface;
-  if (const auto by = sign_by(v.sign)) {
-    const bool partial = std::find(l.active.begin(), l.active.end(), false) != l.active.end();
-    l.surface = std::make_shared<TestedSurface>(surface, *by, partial);
-    if (*by != SignBy::winding)
-      l.notes.push_back(fmt::format(
-          "volume {}: inside is told by a test of all {} triangles each time; `sign: automatic` is quicker",
-          v.name, surface->mesh().triangles.size()));
+  if (const auto by = sign_by(v.sign); by && *by != SignBy::winding)
+    l.notes.push_back(fmt::format(
+        "volume {}: inside is told by a test of all {} triangles each time; `sign: automatic` is quicker",
+        v.name, surface->mesh().triangles.size()));
+  return {std::move(l), surface};
+}
+
+// What the leading rank has, on all ranks of the host.
+void tell(MPI_Comm comm, std::string& text) {
+  auto n = static_cast<std::uint64_t>(text.size());
+  MPI_Bcast(&n, 1, MPI_UINT64_T, 0, comm);
+  text.resize(n);
+  MPI_Bcast(text.data(), static_cast<int>(n), MPI_CHAR, 0, comm);
+}
+void tell(MPI_Comm comm, LoadedVolume& l) {
+  tell(comm, l.name), tell(comm, l.report);
+  auto notes = static_cast<std::uint64_t>(l.notes.size());
+  MPI_Bcast(&notes, 1, MPI_UINT64_T, 0, comm);
+  l.notes.resize(notes);
+  for (std::string& n : l.notes) tell(comm, n);
+  std::string active(l.active.begin(), l.active.end());
+  tell(comm, active);
+  l.active.assign(active.begin(), active.end());
+}
+
+// The wrong of any rank is the wrong of all: the lowest one's is told.
+void agree(MPI_Comm comm, std::string wrong) {
+  int rank = 0, first = INT_MAX;
+  MPI_Comm_rank(comm, &rank);
+  const int mine = wrong.empty() ? INT_MAX : rank;
+  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, comm);
+  if (first == INT_MAX) return;
+  auto n = static_cast<std::uint64_t>(wrong.size());
+  MPI_Bcast(&n, 1, MPI_UINT64_T, first, comm);
+  wrong.resize(n);
+  MPI_Bcast(wrong.data(), static_cast<int>(n), MPI_CHAR, first, comm);
+  throw InputError(wrong);
+}
+
+LoadedVolume share_mesh(MPI_Comm comm, const Host& host, const model::Case& c, const model::Volume& v) {
+  LoadedMeshVolume made;
+  const auto make = [&](bool here) {
+    std::string wrong;
+    try {
+      if (here) made = load_mesh(v);
+    } catch (const std::invalid_argument& e) {
+      wrong = c.path + ": volumes." + v.name + ".mesh: " + e.what();
+    } catch (const std::exception& e) {
+      wrong = e.what();
+    }
+    agree(comm, wrong);
+  };
+  make(host.leads());
+  bool lacks = false;
+  if (host.size() > 1) {
+    const auto block = host.share(host.leads() ? made.surface->packed_size() : 0,
+                                  [&](std::byte* to) { made.surface->write(to); });
+    tell(host.comm(), made.volume);
+    if (block) made.surface = std::make_shared<MeshSurface>(block);
+    lacks = !block && !host.leads();
   }
-  l.facets = {surface, &surface->mesh()};
-  return l;
+  make(lacks);
+  set_surface(made.volume, v, std::move(made.surface));
+  return std::move(made.volume);
 }
 
 // What lines may reach, in the frame of a body at t = 0 before it moves: so much of a plane is drawn.
@@ -94,7 +169,14 @@ Box reach(const model::Case& c, const std::string& body_name) {
 LoadedVolume load_shape(const model::Case& c, const model::Volume& v) {
   LoadedVolume l;
   l.surface = make_surface(*v.shape);
-  l.facets = std::make_shared<TriangleMesh>(facets(*v.shape, reach(c, v.body)));
+  struct Kept {
+    TriangleMesh mesh;
+    MeshView view;
+  };
+  const auto kept = std::make_shared<Kept>();
+  kept->mesh = facets(*v.shape, reach(c, v.body));
+  kept->view = kept->mesh;
+  l.facets = {kept, &kept->view};
   l.active.assign(l.facets->triangles.size(), true);
   l.report = fmt::format("exact shape; {} triangles for pictures only", l.facets->triangles.size());
   return l;
@@ -102,13 +184,14 @@ LoadedVolume load_shape(const model::Case& c, const model::Volume& v) {
 
 }  // namespace
 
-std::vector<LoadedVolume> load_volumes(const model::Case& c) {
+std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm) {
+  const Host host(comm);
   std::vector<LoadedVolume> out;
   for (const auto& v : c.volumes) {
     try {
-      out.push_back(v.shape ? load_shape(c, v) : load_mesh(v));
+      out.push_back(v.shape ? load_shape(c, v) : share_mesh(comm, host, c, v));
     } catch (const std::invalid_argument& e) {
-      throw InputError(c.path + ": volumes." + v.name + (v.shape ? ".shape: " : ".mesh: ") + e.what());
+      throw InputError(c.path + ": volumes." + v.name + ".shape: " + e.what());
     }
     out.back().name = v.name;
   }
@@ -132,12 +215,13 @@ std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<Load
 std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vector<LoadedVolume>& volumes) {
   std::vector<io::VolumeMesh> out;
   for (size_t i = 0; i < volumes.size(); ++i) {
-    const TriangleMesh& m = *volumes[i].facets;
+    const MeshView& m = *volumes[i].facets;
     out.push_back({volumes[i].name,
                    c.body_index(c.volumes[i].body),
                    m.vertices,
                    m.triangles,
-                   {volumes[i].active.begin(), volumes[i].active.end()}});
+                   {volumes[i].active.begin(), volumes[i].active.end()},
+                   volumes[i].facets});
   }
   return out;
 }

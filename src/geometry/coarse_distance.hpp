@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hawser/geometry/box.hpp"
+#include "hawser/geometry/large_vector.hpp"
 
 namespace hawser::detail {
 
@@ -26,6 +27,11 @@ class CoarseDistance {
   CoarseDistance(const Box& box, std::size_t triangles,
                  const std::function<Sample(const Vec3&, int hint)>& sample);
   About about(const Vec3& y) const;
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    p.value(self.box_), p.value(self.side_), p.value(self.rounding_), p.value(self.n_);
+    p.array(self.cells_);
+  }
   std::size_t memory() const { return cells_.capacity() * sizeof(cells_[0]); }
 
  private:
@@ -35,7 +41,7 @@ class CoarseDistance {
   Box box_;
   double side_ = 1, rounding_ = 0;
   int n_[3] = {1, 1, 1};
-  std::vector<Cell> cells_;
+  LargeVector<Cell> cells_;
 };
 
 }  // namespace hawser::detail

@@ -9,8 +9,10 @@
 
 namespace hawser::detail {
 
-Facets::Facets(TriangleMesh mesh, std::vector<std::array<Eigen::Vector3f, 3>> bends)
-    : mesh_(std::move(mesh)), bends_(std::move(bends)) {}
+Facets::Facets(const TriangleMesh& mesh, const std::vector<std::array<Eigen::Vector3f, 3>>& bends)
+    : vertices_(large_copy(mesh.vertices)),
+      triangles_(large_copy(mesh.triangles)),
+      bends_(large_copy(bends)) {}
 
 PatchPoint Facets::closest(int t, const Vec3& y) const {
   if (!bends_.empty()) {
@@ -23,12 +25,12 @@ PatchPoint Facets::closest(int t, const Vec3& y) const {
 }
 
 std::size_t Facets::memory() const {
-  return mesh_.vertices.capacity() * sizeof(Vec3) + mesh_.triangles.capacity() * sizeof(mesh_.triangles[0]) +
-         mesh_.part.capacity() * sizeof(int) + bends_.capacity() * sizeof(bends_[0]);
+  return vertices_.capacity() * sizeof(Vec3) + triangles_.capacity() * sizeof(triangles_[0]) +
+         bends_.capacity() * sizeof(bends_[0]);
 }
 
 FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) : chosen_(chosen) {
-  const TriangleMesh& mesh = facets.mesh();
+  const MeshView mesh = facets.mesh();
   if (!facets.any_curved()) {
     hash_ = SpatialHash(mesh.vertices, mesh.triangles, chosen);
     return;

@@ -16,14 +16,14 @@ namespace hawser::detail {
 class Facets {
  public:
   Facets() = default;
-  Facets(TriangleMesh mesh, std::vector<std::array<Eigen::Vector3f, 3>> bends);
+  Facets(const TriangleMesh& mesh, const std::vector<std::array<Eigen::Vector3f, 3>>& bends);
 
-  const TriangleMesh& mesh() const { return mesh_; }
+  MeshView mesh() const { return {vertices_, triangles_}; }
   bool curved(int t) const { return !bends_.empty() && !patch(t).flat(); }
   bool any_curved() const { return !bends_.empty(); }
   const Vec3& corner(int t, int i) const {
-    return mesh_.vertices[static_cast<std::size_t>(
-        mesh_.triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)])];
+    return vertices_[static_cast<std::size_t>(
+        triangles_[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)])];
   }
   SmoothPatch patch(int t) const {
     SmoothPatch q;
@@ -38,19 +38,24 @@ class Facets {
   // While others are looked at: what a distance to the facet reads, first its indices.
   [[gnu::always_inline]] void fetch(int t) const {
     asm volatile("");  // or gcc leaves the calls out, as they have no effect
-    __builtin_prefetch(&mesh_.triangles[static_cast<std::size_t>(t)]);
+    __builtin_prefetch(&triangles_[static_cast<std::size_t>(t)]);
     if (!bends_.empty()) __builtin_prefetch(&bends_[static_cast<std::size_t>(t)]);
   }
   [[gnu::always_inline]] void fetch_corners(int t) const {
     asm volatile("");
     for (int i = 0; i < 3; ++i) __builtin_prefetch(&corner(t, i));
   }
-  bool has(int t) const { return t >= 0 && static_cast<std::size_t>(t) < mesh_.triangles.size(); }
+  bool has(int t) const { return t >= 0 && static_cast<std::size_t>(t) < triangles_.size(); }
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    p.array(self.vertices_), p.array(self.triangles_), p.array(self.bends_);
+  }
   std::size_t memory() const;
 
  private:
-  TriangleMesh mesh_;
-  std::vector<std::array<Eigen::Vector3f, 3>> bends_;  // empty: all flat
+  LargeVector<Vec3> vertices_;
+  LargeVector<std::array<int, 3>> triangles_;
+  LargeVector<std::array<Eigen::Vector3f, 3>> bends_;  // empty: all flat
 };
 
 // Search among the facets with their flag set (empty: all). Flat facets are found by the spatial hash, curved
@@ -69,6 +74,12 @@ class FacetSearch {
   void nearest(const Facets& facets, std::span<const SpatialHash::Question> questions,
                std::span<Foot> feet) const;
   const Box& box() const { return tree_.empty() ? hash_.box() : tree_.box(); }
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    SpatialHash::pack(self.hash_, p);
+    PatchTree::pack(self.tree_, p);
+    p.flags(self.chosen_);
+  }
   std::size_t memory() const { return hash_.memory() + tree_.memory(); }
 
  private:

@@ -8,6 +8,7 @@
 
 #include "coarse_distance.hpp"
 #include "defects.hpp"
+#include "hawser/geometry/packing.hpp"
 #include "hawser/geometry/winding_tree.hpp"
 #include "pseudonormals.hpp"
 
@@ -17,6 +18,7 @@ using detail::Facets;
 using detail::FacetSearch;
 
 struct MeshSurface::Data {
+  std::shared_ptr<const std::byte> keep;  // where the arrays are, if not their own
   Facets facets;
   detail::Pseudonormals normals;
   FacetSearch active, whole;  // whole is empty when all are active
@@ -31,7 +33,21 @@ struct MeshSurface::Data {
   int curved = 0, sharp = 0, internal = 0;
   double bulge = 0;
 
-  const TriangleMesh& mesh() const { return facets.mesh(); }
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    Facets::pack(self.facets, p);
+    detail::Pseudonormals::pack(self.normals, p);
+    FacetSearch::pack(self.active, p);
+    FacetSearch::pack(self.whole, p);
+    p.value(self.partial);
+    p.flags(self.is_active), p.flags(self.border_vertex);
+    detail::CoarseDistance::pack(self.coarse, p);
+    p.value(self.bounds), p.value(self.small);
+    WindingTree::pack(self.winding, p);
+    p.flags(self.unsure);
+    p.value(self.curved), p.value(self.sharp), p.value(self.internal), p.value(self.bulge);
+  }
+  MeshView mesh() const { return facets.mesh(); }
   FacetSearch::Foot nearest(const FacetSearch& among, const Vec3& y, double max_distance, int hint) const {
     return on_face_or_edge(among.nearest(facets, y, max_distance, hint), y);
   }
@@ -111,7 +127,9 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   MeshBends bends;
   if (options.smooth) bends = mesh_bends(mesh, topo, options.crease_angle, defects.unsure);
   d.curved = bends.curved, d.sharp = bends.sharp, d.bulge = bends.bulge;
-  d.facets = Facets(std::move(mesh), std::move(bends.of));
+  d.facets = Facets(mesh, bends.of);
+  mesh = {};
+  bends.of = {};
   d.normals = detail::Pseudonormals(d.facets, topo);
   if (d.winding.empty() && !d.normals.complete()) d.winding = WindingTree(d.mesh());
   d.unsure = std::move(defects.unsure);
@@ -149,6 +167,25 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
         near.triangle, away, d.behind(all, y, d.normals.at(d.facets, all.triangle, all)) ? -whole : whole};
   });
   data_ = std::move(data);
+}
+
+MeshSurface::MeshSurface(std::shared_ptr<const std::byte> keep) {
+  auto data = std::make_unique<Data>();
+  packing::Reader from(keep.get());
+  Data::pack(*data, from);
+  data->keep = std::move(keep);
+  data_ = std::move(data);
+}
+
+std::size_t MeshSurface::packed_size() const {
+  packing::Measure m;
+  Data::pack(*data_, m);
+  return m.size();
+}
+
+void MeshSurface::write(std::byte* to) const {
+  packing::Writer w(to);
+  Data::pack(*data_, w);
 }
 
 MeshSurface::~MeshSurface() = default;
@@ -242,7 +279,7 @@ std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_di
 }
 
 Box MeshSurface::bounds() const { return data_->bounds; }
-const TriangleMesh& MeshSurface::mesh() const { return data_->mesh(); }
+MeshView MeshSurface::mesh() const { return data_->mesh(); }
 SmoothPatch MeshSurface::patch(int triangle) const { return data_->facets.patch(triangle); }
 int MeshSurface::curved() const { return data_->curved; }
 int MeshSurface::sharp_edges() const { return data_->sharp; }

@@ -54,6 +54,12 @@ class PatchTree {
     }
   }
 
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    p.value(self.box_), p.value(self.centre_), p.value(self.size_);
+    p.array(self.nodes_), p.array(self.ids_), p.array(self.corners_), p.array(self.bulges_);
+  }
+
  private:
   static constexpr int kWide = 8, kDeepest = 64, kBits = 3, kMostInLeaf = 1 << kBits;
   struct Node {

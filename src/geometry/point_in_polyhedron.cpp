@@ -10,12 +10,12 @@
 namespace hawser {
 namespace {
 
-const Vec3& corner(const TriangleMesh& mesh, const std::array<int, 3>& t, std::size_t i) {
+const Vec3& corner(const MeshView& mesh, const std::array<int, 3>& t, std::size_t i) {
   return mesh.vertices[static_cast<std::size_t>(t[i])];
 }
 
 // Bounding box first, then the surface itself: true when `where` is decided.
-bool easy(const TriangleMesh& mesh, const Vec3& p, double tolerance, Location& where) {
+bool easy(const MeshView& mesh, const Vec3& p, double tolerance, Location& where) {
   Box box;
   for (const Vec3& v : mesh.vertices) box.add(v);
   where = Location::outside;
@@ -86,7 +86,7 @@ int below(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-Location locate(const TriangleMesh& mesh, const Vec3& p, InsideTest test, double tolerance) {
+Location locate(const MeshView& mesh, const Vec3& p, InsideTest test, double tolerance) {
   switch (test) {
     case InsideTest::tetrahedra:
       return locate_by_tetrahedra(mesh, p, tolerance);
@@ -98,7 +98,7 @@ Location locate(const TriangleMesh& mesh, const Vec3& p, InsideTest test, double
   return Location::outside;
 }
 
-Location locate_by_tetrahedra(const TriangleMesh& mesh, const Vec3& p, double tolerance, double shift) {
+Location locate_by_tetrahedra(const MeshView& mesh, const Vec3& p, double tolerance, double shift) {
   // Six times the volume over twice the area is the height of p above the face.
   double highest = -std::numeric_limits<double>::infinity();
   for (const auto& t : mesh.triangles) {
@@ -111,7 +111,7 @@ Location locate_by_tetrahedra(const TriangleMesh& mesh, const Vec3& p, double to
   return highest < -tolerance ? Location::inside : Location::boundary;
 }
 
-Location locate_by_ray(const TriangleMesh& mesh, const Vec3& p, double tolerance, int axis) {
+Location locate_by_ray(const MeshView& mesh, const Vec3& p, double tolerance, int axis) {
   Location where;
   if (easy(mesh, p, tolerance, where)) return where;
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -133,7 +133,7 @@ Location locate_by_ray(const TriangleMesh& mesh, const Vec3& p, double tolerance
   return crossings > 0 ? Location::inside : Location::outside;
 }
 
-Location locate_by_solid_angle(const TriangleMesh& mesh, const Vec3& p, double tolerance) {
+Location locate_by_solid_angle(const MeshView& mesh, const Vec3& p, double tolerance) {
   Location where;
   if (easy(mesh, p, tolerance, where)) return where;
   return winding_number(mesh, p) > 0.5 ? Location::inside : Location::outside;
@@ -146,7 +146,7 @@ double solid_angle(const Vec3& p, const Vec3& v0, const Vec3& v1, const Vec3& v2
   return 2 * std::atan2(det, la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
 
-double winding_number(const TriangleMesh& mesh, const Vec3& p) {
+double winding_number(const MeshView& mesh, const Vec3& p) {
   double sum = 0;
   for (const auto& t : mesh.triangles)
     sum += solid_angle(p, corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));

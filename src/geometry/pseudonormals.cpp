@@ -7,7 +7,7 @@ namespace hawser::detail {
 namespace {
 
 // Vertices whose triangles do not form one fan: the surface touches itself there.
-std::vector<bool> pinched(const TriangleMesh& mesh, const Topology& topo) {
+std::vector<bool> pinched(const MeshView& mesh, const Topology& topo) {
   // Corners (3 t + i) joined across the edges beside them.
   std::vector<int> parent(3 * mesh.triangles.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -45,8 +45,8 @@ std::vector<bool> pinched(const TriangleMesh& mesh, const Topology& topo) {
 }  // namespace
 
 Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo)
-    : vertex_(facets.mesh().vertices.size(), Vec3::Zero()), neighbours_(topo.neighbours) {
-  const TriangleMesh& mesh = facets.mesh();
+    : vertex_(facets.mesh().vertices.size(), Vec3::Zero()), neighbours_(large_copy(topo.neighbours)) {
+  const MeshView mesh = facets.mesh();
   std::vector<bool> undefined = pinched(mesh, topo);
   face_.reserve(mesh.triangles.size());
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {

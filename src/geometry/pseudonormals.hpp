@@ -22,11 +22,16 @@ class Pseudonormals {
   Vec3 at(const Facets& facets, int t, const PatchPoint& p) const;
   // Whether all are defined at the vertices and edges of facets with area.
   bool complete() const { return complete_; }
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    p.array(self.face_), p.array(self.vertex_), p.array(self.neighbours_);
+    p.value(self.complete_);
+  }
   std::size_t memory() const;
 
  private:
-  std::vector<Vec3> face_, vertex_;
-  std::vector<std::array<int, 3>> neighbours_;
+  LargeVector<Vec3> face_, vertex_;
+  LargeVector<std::array<int, 3>> neighbours_;
   bool complete_ = true;
 };
 

@@ -34,7 +34,7 @@ bool thin(const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-SpatialHash::SpatialHash(const std::vector<Vec3>& vertices, const std::vector<std::array<int, 3>>& triangles,
+SpatialHash::SpatialHash(std::span<const Vec3> vertices, std::span<const std::array<int, 3>> triangles,
                          const std::vector<bool>& active) {
   std::vector<int> which;
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -64,10 +64,9 @@ void SpatialHash::sort_vertices() {
   vertices_ = std::move(sorted);
 }
 
-void SpatialHash::sort_triangles(const std::vector<Vec3>& vertices,
-                                 const std::vector<std::array<int, 3>>& triangles,
-                                 const std::vector<int>& which, std::vector<std::uint64_t>& keys,
-                                 std::vector<int>& levels) {
+void SpatialHash::sort_triangles(std::span<const Vec3> vertices,
+                                 std::span<const std::array<int, 3>> triangles, const std::vector<int>& which,
+                                 std::vector<std::uint64_t>& keys, std::vector<int>& levels) {
   const std::size_t n = which.size();
   const auto box_of = [&](int t) {
     Box b;

@@ -16,7 +16,7 @@ TestedSurface::TestedSurface(std::shared_ptr<const MeshSurface> mesh, SignBy tes
 std::optional<SurfacePoint> TestedSurface::query(const Vec3& y, double max_distance, int hint) const {
   Location where = Location::outside;
   if (mesh_->bounds().contains(y)) {
-    const TriangleMesh& m = mesh_->mesh();
+    const MeshView m = mesh_->mesh();
     if (test_ == SignBy::winding)
       where = winding_.inside(m, y) ? Location::inside : Location::outside;
     else

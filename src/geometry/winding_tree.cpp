@@ -12,13 +12,13 @@ namespace {
 
 constexpr int kLeaf = 8, kDeepest = 64;
 
-const Vec3& corner(const TriangleMesh& mesh, int t, std::size_t i) {
+const Vec3& corner(const MeshView& mesh, int t, std::size_t i) {
   return mesh.vertices[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][i])];
 }
 
 }  // namespace
 
-WindingTree::WindingTree(const TriangleMesh& mesh) : order_(mesh.triangles.size()) {
+WindingTree::WindingTree(const MeshView& mesh) : order_(mesh.triangles.size()) {
   if (order_.empty()) return;
   std::iota(order_.begin(), order_.end(), 0);
   std::vector<Vec3> centroids;
@@ -27,7 +27,7 @@ WindingTree::WindingTree(const TriangleMesh& mesh) : order_(mesh.triangles.size(
   build(mesh, centroids, 0, static_cast<int>(order_.size()));
 }
 
-int WindingTree::build(const TriangleMesh& mesh, const std::vector<Vec3>& centroids, int first, int count) {
+int WindingTree::build(const MeshView& mesh, const std::vector<Vec3>& centroids, int first, int count) {
   const std::size_t me = nodes_.size();
   nodes_.emplace_back();
   Node n;
@@ -70,8 +70,7 @@ int WindingTree::build(const TriangleMesh& mesh, const std::vector<Vec3>& centro
   return static_cast<int>(me);
 }
 
-double WindingTree::winding_number(const TriangleMesh& mesh, const Vec3& p, double accuracy,
-                                   int without) const {
+double WindingTree::winding_number(const MeshView& mesh, const Vec3& p, double accuracy, int without) const {
   if (nodes_.empty()) return 0;
   double angle = 0;
   int stack[kDeepest], depth = 0;
@@ -99,7 +98,7 @@ double WindingTree::winding_number(const TriangleMesh& mesh, const Vec3& p, doub
   return angle / (4 * M_PI);
 }
 
-bool WindingTree::inside(const TriangleMesh& mesh, const Vec3& p) const {
+bool WindingTree::inside(const MeshView& mesh, const Vec3& p) const {
   double w = 0;
   // Margins twice the errors found on hulls and more (tests/unit/geometry_winding.cpp).
   for (const auto& [accuracy, margin] :
@@ -110,7 +109,7 @@ bool WindingTree::inside(const TriangleMesh& mesh, const Vec3& p) const {
   return w > 0.5;
 }
 
-int WindingTree::crossings(const TriangleMesh& mesh, const Vec3& p, const Vec3& u, int without) const {
+int WindingTree::crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, int without) const {
   if (nodes_.empty()) return 0;
   int met = 0;
   int stack[kDeepest], depth = 0;

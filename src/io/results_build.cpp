@@ -32,7 +32,7 @@ void write_ints(hid_t file, const std::string& name, const std::vector<int>& v) 
   write_all(file, name, H5T_STD_I32LE, {v.size()}, v.data(), H5T_NATIVE_INT);
 }
 
-void write_triangles(hid_t file, const std::string& name, const std::vector<std::array<int, 3>>& t) {
+void write_triangles(hid_t file, const std::string& name, std::span<const std::array<int, 3>> t) {
   write_all(file, name, H5T_STD_I32LE, {t.size(), 3}, t.data(), H5T_NATIVE_INT);
 }
 
@@ -272,7 +272,8 @@ DrawnMesh drawn_mesh(const VolumeMesh& v, int limit) {
   d.moves = v.body >= 0;
   d.boxed = d.moves && v.vertices.size() > static_cast<size_t>(limit);
   if (!d.boxed) {
-    d.vertices = v.vertices, d.triangles = v.triangles;
+    d.vertices.assign(v.vertices.begin(), v.vertices.end());
+    d.triangles.assign(v.triangles.begin(), v.triangles.end());
     return d;
   }
   Vec3 low = v.vertices[0], high = low;

@@ -16,7 +16,7 @@ constexpr int kRing = 64;
 
 using Triangle = std::array<Vec3, 3>;
 
-Triangle corners(const TriangleMesh& m, size_t t) {
+Triangle corners(const MeshView& m, size_t t) {
   const auto& i = m.triangles[t];
   const auto v = [&](size_t k) { return m.vertices[static_cast<size_t>(i[k])]; };
   return {v(0), v(1), v(2)};
@@ -24,7 +24,7 @@ Triangle corners(const TriangleMesh& m, size_t t) {
 Vec3 normal(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
 
 // Edges of the active part that are sharp or have one triangle only, and their ends.
-void sharp(const TriangleMesh& m, const std::vector<bool>& active, std::vector<SkeletonEdge>& edges,
+void sharp(const MeshView& m, const std::vector<bool>& active, std::vector<SkeletonEdge>& edges,
            std::vector<SkeletonPoint>& points) {
   struct Sides {
     std::vector<size_t> triangles;
@@ -96,7 +96,7 @@ void bundle(std::vector<T>& items, size_t first, size_t last, const Place& place
 
 }  // namespace
 
-BodySkeleton body_skeleton(const model::Volume& v, const TriangleMesh& mesh, const std::vector<bool>& active,
+BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const std::vector<bool>& active,
                            double piece) {
   BodySkeleton s;
   const auto* sphere = v.shape ? std::get_if<SphereShape>(&*v.shape) : nullptr;

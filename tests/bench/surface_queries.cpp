@@ -52,7 +52,7 @@ const Case& get(int kind, bool smooth) {
   std::uniform_real_distribution<double> uniform(0, 1);
   std::normal_distribution<double> normal;
   const auto direction = [&] { return Vec3(normal(gen), normal(gen), normal(gen)).normalized().eval(); };
-  const TriangleMesh& m = c.surface->mesh();
+  const MeshView m = c.surface->mesh();
   const int points = kind == 0 ? 20000 : 100000;
   while (static_cast<int>(c.questions.size()) < points) {
     Vec3 x = m.vertices[gen() % m.vertices.size()], way = direction();

@@ -34,7 +34,7 @@ struct Inside {
 };
 Inside inside(const std::string& path, const Results& r) {
   const model::Case c = io::read_case(path);
-  const TriangleMesh mesh = *app::load_volumes(c)[0].facets;
+  const TriangleMesh mesh = app::load_volumes(c)[0].facets->copy();
   const auto boundary = testing::boundary_of(mesh);
   const auto& x = r.fields.at("position");
   const size_t nodes = x.size() / 3 / r.output_times.size(), first = 3 * nodes * (r.output_times.size() - 1);

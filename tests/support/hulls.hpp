@@ -33,7 +33,7 @@ inline std::string unpacked_hull(const std::string& name, const std::string& fol
 // surface sweeps when it goes off along -d, which closes the surface.
 class WindingAlong {
  public:
-  WindingAlong(const TriangleMesh& mesh, const Vec3& p, const Vec3& d) : p_(p), d_(d) {
+  WindingAlong(const MeshView& mesh, const Vec3& p, const Vec3& d) : p_(p), d_(d) {
     for (const auto& t : mesh.triangles) {
       const auto v = [&](std::size_t i) { return Vec3(mesh.vertices[static_cast<std::size_t>(t[i])] - p); };
       const Vec3 a = v(0), b = v(1), c = v(2);
@@ -43,7 +43,7 @@ class WindingAlong {
     }
   }
   // `boundary`: edges (from, to, excess), see boundary_of.
-  double at(double along, const TriangleMesh& mesh, const std::vector<std::array<int, 3>>& boundary) const {
+  double at(double along, const MeshView& mesh, const std::vector<std::array<int, 3>>& boundary) const {
     const Vec3 y = p_ + along * d_;
     double w = 0, angle = 0;
     for (const auto& [place, way] : met_) w += place > along ? way : 0;
@@ -62,7 +62,7 @@ class WindingAlong {
   std::vector<std::pair<double, int>> met_;
 };
 
-inline std::vector<std::array<int, 3>> boundary_of(const TriangleMesh& mesh) {
+inline std::vector<std::array<int, 3>> boundary_of(const MeshView& mesh) {
   std::map<std::pair<int, int>, int> excess;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) {

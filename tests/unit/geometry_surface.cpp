@@ -31,7 +31,7 @@ double brute_force(const TriangleMesh& m, const Vec3& y, const std::vector<bool>
 // A point about a mesh: anywhere in its grown box, or near a vertex, edge or face.
 class Points {
  public:
-  explicit Points(const TriangleMesh& m, unsigned seed = 1) : mesh_(m), gen_(seed) {
+  explicit Points(const MeshView& m, unsigned seed = 1) : mesh_(m), gen_(seed) {
     for (const Vec3& v : m.vertices) box_.add(v);
   }
   Vec3 operator()() {
@@ -49,7 +49,7 @@ class Points {
   Vec3 direction() { return Vec3(2 * unit_(gen_) - 1, 2 * unit_(gen_) - 1, 2 * unit_(gen_) - 1); }
 
  private:
-  const TriangleMesh& mesh_;
+  MeshView mesh_;
   std::mt19937 gen_;
   std::uniform_real_distribution<double> unit_{0, 1};
   Box box_;

@@ -112,7 +112,7 @@ Outcome drag(const Drag& d) {
   const double seconds = cpu_now() - cpu;
   const long asked = counted->asked() - before;
   out.deepest = s.contact()->largest_penetration().depth;
-  const TriangleMesh& mesh = *volumes[0].facets;
+  const MeshView& mesh = *volumes[0].facets;
   const auto boundary = testing::boundary_of(mesh);
   const Kinematics k = dynamics.kinematics();
   const Vec3 up(0.0031, 0.0017, 1);

@@ -35,7 +35,9 @@ ResultContents contents() {
   c.fields = {{"position", "m", 3}, {"state", "", kState}};
   c.series = {{"end A", {{"effective_tension", "N", 1}}}};
   c.bodies = {"reel"};
-  c.volumes = {{"drum", 0, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {1}}};
+  static const std::vector<Vec3> kCorners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  static const std::vector<std::array<int, 3>> kTriangle = {{0, 1, 2}};
+  c.volumes = {{"drum", 0, kCorners, kTriangle, {1}, nullptr}};
   c.clashes = true;
   c.expected_outputs = 2;  // so that it is often killed while the file is made anew
   c.expected_steps = 5;

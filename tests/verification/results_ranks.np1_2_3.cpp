@@ -49,12 +49,12 @@ ResultContents contents() {
   c.series = {{"end A", {{"position", "m", 3}, {"effective_tension", "N", 1}}},
               {"energy", {{"kinetic", "J", 1}}}};
   c.bodies = {"reel"};
-  c.volumes = {{"drum",
-                0,
-                {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
-                {1, 0, 1, 1}},
-               {"floor", -1, {{-9, -9, -1}, {9, -9, -1}, {0, 9, -1}}, {{0, 1, 2}}, {1}}};
+  static const std::vector<Vec3> kDrum = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                 kFloor = {{-9, -9, -1}, {9, -9, -1}, {0, 9, -1}};
+  static const std::vector<std::array<int, 3>> kSides = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}},
+                                               kTriangle = {{0, 1, 2}};
+  c.volumes = {{"drum", 0, kDrum, kSides, {1, 0, 1, 1}, nullptr},
+               {"floor", -1, kFloor, kTriangle, {1}, nullptr}};
   c.clashes = true;
   c.expected_outputs = 3;  // so that the room is made twice over
   c.expected_steps = 4;

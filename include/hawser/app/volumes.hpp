@@ -1,6 +1,8 @@
 // The volumes of a case: their surfaces for contact, their triangles for pictures.
 #pragma once
 
+#include <mpi.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,15 +17,17 @@ namespace hawser::app {
 
 struct LoadedVolume {
   std::string name;
-  std::shared_ptr<const Surface> surface;      // exact for shapes
-  std::shared_ptr<const TriangleMesh> facets;  // the mesh itself; of a shape only for pictures
-  std::vector<bool> active;                    // one a facet
-  std::string report;                          // what the mesh is, or that the shape is exact
-  std::vector<std::string> notes;              // what was repaired
+  std::shared_ptr<const Surface> surface;  // exact for shapes
+  std::shared_ptr<const MeshView> facets;  // the mesh itself; of a shape only for pictures
+  std::vector<bool> active;                // one a facet
+  std::string report;                      // what the mesh is, or that the shape is exact
+  std::vector<std::string> notes;          // what was repaired
 };
 
-// In the order of the case. Throws InputError.
-std::vector<LoadedVolume> load_volumes(const model::Case& c);
+// In the order of the case. Throws InputError, on all ranks alike. Collective over comm: where several of its
+// ranks run on a host, one of them reads each mesh and all use what it made of it, in memory they share.
+// Ranks let go of the volumes in the same order, before MPI_Finalize.
+std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI_COMM_SELF);
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes);
 // What stands out of the volumes that touch other bodies with it.

@@ -20,6 +20,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -41,6 +42,8 @@ class MeshSurface final : public Surface {
   // have been through repair()); throws std::invalid_argument with a sentence otherwise. `active`: one flag
   // per triangle, empty means all.
   explicit MeshSurface(TriangleMesh mesh, std::vector<bool> active = {}, MeshSurfaceOptions options = {});
+  // Of what write() left in a block; `keep` holds it on a cache line. Answers are the same to the last bit.
+  explicit MeshSurface(std::shared_ptr<const std::byte> keep);
   ~MeshSurface() override;
   MeshSurface(MeshSurface&&) noexcept;
   MeshSurface& operator=(MeshSurface&&) noexcept;
@@ -50,14 +53,19 @@ class MeshSurface final : public Surface {
              std::span<std::optional<SurfacePoint>> answers) const override;
   Box bounds() const override;  // of the active part and all inside the mesh
 
-  const TriangleMesh& mesh() const;
+  MeshView mesh() const;
   SmoothPatch patch(int triangle) const;  // without bends if flat
   int curved() const;                     // number of curved facets
   int sharp_edges() const;                // 0 without `smooth`
   double bulge() const;                   // m, the farthest the surface lies from the facets, at most
   int internal_facets() const;            // left out, as the body is on both sides of them
   double unsure() const;                  // share of the facets near which the winding number decides
-  std::size_t memory() const;             // bytes
+  std::size_t memory() const;             // bytes, also where they are in a block
+
+  // All it knows in one block of memory, for others to read (packing.hpp): its size in bytes, and writing
+  // it to `to`, which is on a cache line.
+  std::size_t packed_size() const;
+  void write(std::byte* to) const;
 
  private:
   struct Data;

@@ -18,20 +18,19 @@ enum class Location { outside, boundary, inside };
 enum class InsideTest { tetrahedra, ray, solid_angle };
 
 // The mesh is closed and outward (MeshReport::valid), and for `tetrahedra` convex: not checked here.
-Location locate(const TriangleMesh& mesh, const Vec3& p, InsideTest test, double tolerance = 0);
+Location locate(const MeshView& mesh, const Vec3& p, InsideTest test, double tolerance = 0);
 
 // `tetrahedra` with every face moved out by `shift` [m] (in if negative): with a line's radius the test
 // of its centreline. Convex meshes only.
-Location locate_by_tetrahedra(const TriangleMesh& mesh, const Vec3& p, double tolerance = 0,
-                              double shift = 0);
+Location locate_by_tetrahedra(const MeshView& mesh, const Vec3& p, double tolerance = 0, double shift = 0);
 // `ray` along +axis (0, 1, 2).
-Location locate_by_ray(const TriangleMesh& mesh, const Vec3& p, double tolerance = 0, int axis = 0);
-Location locate_by_solid_angle(const TriangleMesh& mesh, const Vec3& p, double tolerance = 0);
+Location locate_by_ray(const MeshView& mesh, const Vec3& p, double tolerance = 0, int axis = 0);
+Location locate_by_solid_angle(const MeshView& mesh, const Vec3& p, double tolerance = 0);
 
 // Solid angle [rad²] of a triangle seen from p: positive when p sees its back (is inside); in [-2pi, 2pi].
 double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 // Sum over 4 pi: 1 inside, 0 outside of a closed outward mesh; in between for one with holes.
-double winding_number(const TriangleMesh& mesh, const Vec3& p);
+double winding_number(const MeshView& mesh, const Vec3& p);
 
 // No vertex is above the plane of a face by more than `tolerance` [m] (where `tetrahedra` is valid).
 // Looks along edges of a closed oriented manifold mesh of one piece.

@@ -53,7 +53,7 @@ class SpatialHash {
 
   SpatialHash() = default;
   // `active`: one flag per triangle; empty means all.
-  SpatialHash(const std::vector<Vec3>& vertices, const std::vector<std::array<int, 3>>& triangles,
+  SpatialHash(std::span<const Vec3> vertices, std::span<const std::array<int, 3>> triangles,
               const std::vector<bool>& active = {});
 
   // The triangle nearest to p within max_distance [m] (infinity allowed). `hint`: a triangle likely to be
@@ -70,6 +70,15 @@ class SpatialHash {
   int levels() const { return top_ + 1; }
   std::size_t cells() const { return cells_; }
   std::size_t memory() const;  // bytes
+
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    p.value(self.box_), p.value(self.origin_), p.value(self.centre_);
+    p.value(self.side_), p.value(self.top_), p.value(self.start_), p.value(self.least_);
+    p.value(self.root_), p.value(self.cells_);
+    p.array(self.margin_), p.array(self.corners_), p.array(self.vertices_), p.array(self.rounded_);
+    p.array(self.slot_), p.array(self.children_), p.array(self.tables_), p.array(self.hash_);
+  }
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffu;
@@ -112,7 +121,7 @@ class SpatialHash {
   struct Search;
   struct Group;
 
-  void sort_triangles(const std::vector<Vec3>& vertices, const std::vector<std::array<int, 3>>& triangles,
+  void sort_triangles(std::span<const Vec3> vertices, std::span<const std::array<int, 3>> triangles,
                       const std::vector<int>& which, std::vector<std::uint64_t>& keys,
                       std::vector<int>& levels);
   void sort_vertices();
@@ -145,14 +154,14 @@ class SpatialHash {
   int top_ = 0;                         // the level with one cell
   int start_ = 0;                       // finest level in hash_, above that of the largest triangles
   int least_ = 0;                       // where the triangles allow to begin, see Start::kRoom
-  std::vector<double> margin_;          // per level: how far triangles of it or below reach out of their cell
+  LargeVector<double> margin_;          // per level: how far triangles of it or below reach out of their cell
   LargeVector<Corners> corners_;        // sorted
   LargeVector<Vec3> vertices_;          // in the order they are met in corners_
   LargeVector<std::uint32_t> rounded_;  // of each run: first corners, second, third, 3 x 10 bits each
   LargeVector<std::int32_t> slot_;      // of each mesh triangle in corners_, -1 if not active
   LargeVector<Children> children_;
   Entry root_;
-  std::vector<Table> tables_;  // of levels start_ and above
+  LargeVector<Table> tables_;  // of levels start_ and above
   LargeVector<Slot> hash_;
   std::size_t cells_ = 0;
 };

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,18 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;  // vertex indices
   std::vector<int> part;                      // per triangle, index into parts; empty: one unnamed part
   std::vector<std::string> parts;             // names
+};
+
+// The same without names and parts, where it lies; it must live longer.
+struct MeshView {
+  std::span<const Vec3> vertices;  // m
+  std::span<const std::array<int, 3>> triangles;
+  MeshView() = default;
+  MeshView(std::span<const Vec3> v, std::span<const std::array<int, 3>> t) : vertices(v), triangles(t) {}
+  MeshView(const TriangleMesh& m) : vertices(m.vertices), triangles(m.triangles) {}
+  TriangleMesh copy() const {
+    return {{vertices.begin(), vertices.end()}, {triangles.begin(), triangles.end()}, {}, {}};
+  }
 };
 
 // Across edge i (v_i to v_(i+1)) of each triangle: the triangle on the other side, or

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include "hawser/geometry/large_vector.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
 
 namespace hawser {
@@ -15,21 +16,27 @@ namespace hawser {
 class WindingTree {
  public:
   WindingTree() = default;
-  explicit WindingTree(const TriangleMesh& mesh);
+  explicit WindingTree(const MeshView& mesh);
 
   // Clusters farther than `accuracy` times their radius are dipoles: 1.5 errs by up to 0.13,
   // 3 by 0.03, 10 by 1e-3 (found on a hull and a sphere).
   // Triangle `without` is left out.
-  double winding_number(const TriangleMesh& mesh, const Vec3& p, double accuracy = 3, int without = -1) const;
+  double winding_number(const MeshView& mesh, const Vec3& p, double accuracy = 3, int without = -1) const;
 
   // Whether the winding number is above 1/2: the nearer it is, the more accurately it is found.
-  bool inside(const TriangleMesh& mesh, const Vec3& p) const;
+  bool inside(const MeshView& mesh, const Vec3& p) const;
 
   // How many triangles the ray from p along u meets, `without` left out.
-  int crossings(const TriangleMesh& mesh, const Vec3& p, const Vec3& u, int without) const;
+  int crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, int without) const;
 
   bool empty() const { return nodes_.empty(); }
   std::size_t memory() const;  // bytes
+
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    p.array(self.nodes_);
+    p.array(self.order_);
+  }
 
  private:
   struct Node {
@@ -40,10 +47,10 @@ class WindingTree {
     int first = 0, count = 0;    // of order_
     int child[2] = {-1, -1};
   };
-  int build(const TriangleMesh& mesh, const std::vector<Vec3>& centroids, int first, int count);
+  int build(const MeshView& mesh, const std::vector<Vec3>& centroids, int first, int count);
 
-  std::vector<Node> nodes_;
-  std::vector<int> order_;  // triangles, leaf by leaf
+  LargeVector<Node> nodes_;
+  LargeVector<int> order_;  // triangles, leaf by leaf
 };
 
 }  // namespace hawser

@@ -48,10 +48,11 @@ struct BodyPose {
 
 struct VolumeMesh {
   std::string name;
-  int body = -1;               // index into the poses; -1: fixed, vertices in space axes
-  std::vector<Vec3> vertices;  // m, in the body's frame
-  std::vector<std::array<int, 3>> triangles;
-  std::vector<char> active;  // one a triangle: takes part in contact
+  int body = -1;                   // index into the poses; -1: fixed, vertices in space axes
+  std::span<const Vec3> vertices;  // m, in the body's frame
+  std::span<const std::array<int, 3>> triangles;
+  std::vector<char> active;          // one a triangle: takes part in contact
+  std::shared_ptr<const void> keep;  // what vertices and triangles lie in, if it must be kept
 };
 
 // What the file is to hold; the same on all ranks.

@@ -35,7 +35,7 @@ struct BodySkeleton {
 // that are no smooth or flat joints, bars (capsule, ring of a torus); per_area: faces, in pieces no larger
 // than `piece` [m], 0: a hundredth of the largest side of the box around. `mesh`: triangles of the mesh or of
 // an exact shape; `active`: one flag a triangle, empty for all. A plane has none.
-BodySkeleton body_skeleton(const model::Volume& volume, const TriangleMesh& mesh,
-                           const std::vector<bool>& active, double piece = 0);
+BodySkeleton body_skeleton(const model::Volume& volume, const MeshView& mesh, const std::vector<bool>& active,
+                           double piece = 0);
 
 }  // namespace hawser

@@ -1,0 +1,163 @@
+// A mesh that the ranks of a host share: answers to the last bit those of a mesh of one's own, one copy a
+// host, and what is wrong with a file is told by all ranks alike.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "hawser/app/volumes.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/base/host.hpp"
+#include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "support/shapes.hpp"
+
+namespace hawser::test {
+namespace {
+
+using namespace hawser::testing;
+
+bool same(const std::optional<SurfacePoint>& a, const std::optional<SurfacePoint>& b) {
+  if (!a || !b) return !a && !b;
+  const auto bits = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+  return bits(a->distance, b->distance) && bits(a->normal, b->normal) && bits(a->curvature, b->curvature) &&
+         bits(a->point, b->point) && a->triangle == b->triangle && a->feature == b->feature;
+}
+
+// Points about a surface, on each rank others, one by one and together.
+void expect_same(const Surface& own, const Surface& shared, int points) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  std::mt19937 gen(17 + static_cast<unsigned>(rank));
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const Box box = own.bounds();
+  ASSERT_TRUE(box.lo == shared.bounds().lo && box.hi == shared.bounds().hi);
+  std::vector<SurfaceQuestion> questions;
+  int hint = -1, inside = 0;
+  for (int i = 0; i < points; ++i) {
+    const Vec3 y = box.centre() + 0.6 * box.extent().cwiseProduct(Vec3(unit(gen), unit(gen), unit(gen)));
+    questions.push_back({y, 0.3 * box.diagonal(), hint});
+    const auto a = own.query(y, questions.back().max_distance, hint);
+    ASSERT_TRUE(same(a, shared.query(y, questions.back().max_distance, hint))) << y.transpose();
+    hint = a ? a->triangle : -1;
+    inside += a && a->distance < 0;
+  }
+  EXPECT_GT(inside, points / 50);
+  std::vector<std::optional<SurfacePoint>> a(questions.size()), b(questions.size());
+  own.query(questions, a);
+  shared.query(questions, b);
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_TRUE(same(a[i], b[i])) << i;
+}
+
+std::shared_ptr<const MeshSurface> share(const Host& host, const MeshSurface& own) {
+  const auto block = host.share(own.packed_size(), [&](std::byte* to) { own.write(to); });
+  return block ? std::make_shared<MeshSurface>(block) : nullptr;
+}
+
+TEST(MeshShared, AnswersAreTheSame) {
+  const Host host(MPI_COMM_WORLD);
+  TriangleMesh open = sphere_mesh(3);
+  open.triangles.erase(open.triangles.begin() + 40, open.triangles.begin() + 43);
+  const TriangleMesh ball = sphere_mesh(4), drum = flanged_drum_mesh(48, 2, 3, 3.0, 0.3);
+  std::vector<bool> half(drum.triangles.size());
+  for (std::size_t t = 0; t < half.size(); ++t)
+    half[t] = drum.vertices[static_cast<std::size_t>(drum.triangles[t][0])].x() > 0;
+  std::vector<MeshSurface> all;
+  for (const bool smooth : {false, true}) {
+    all.emplace_back(ball, std::vector<bool>(), MeshSurfaceOptions{.smooth = smooth});
+    all.emplace_back(drum, half, MeshSurfaceOptions{.smooth = smooth});
+    all.emplace_back(open, std::vector<bool>(), MeshSurfaceOptions{.smooth = smooth, .open = true});
+  }
+  for (const MeshSurface& own : all) {
+    const auto shared = share(host, own);
+    ASSERT_TRUE(shared);
+    EXPECT_EQ(shared->curved(), own.curved());
+    EXPECT_EQ(shared->sharp_edges(), own.sharp_edges());
+    EXPECT_EQ(shared->bulge(), own.bulge());
+    EXPECT_EQ(shared->mesh().triangles.size(), own.mesh().triangles.size());
+    expect_same(own, *shared, 3000);
+  }
+}
+
+// Of this process alone [bytes], 0 where the system does not tell.
+std::size_t own_memory() {
+  std::ifstream in("/proc/self/smaps_rollup");
+  std::string word;
+  std::size_t kilobytes = 0, sum = 0;
+  while (in >> word)
+    if ((word == "Private_Clean:" || word == "Private_Dirty:") && in >> kilobytes) sum += kilobytes;
+  return 1024 * sum;
+}
+
+TEST(MeshShared, OneCopyAHost) {
+  const Host host(MPI_COMM_WORLD);
+  if (host.size() == 1) GTEST_SKIP() << "needs two ranks on a host";
+  if (own_memory() == 0) GTEST_SKIP() << "the system does not tell what memory is shared";
+  std::unique_ptr<MeshSurface> made;
+  if (host.leads()) made = std::make_unique<MeshSurface>(sphere_mesh(7));
+  const std::size_t before = own_memory();
+  const auto block = host.share(made ? made->packed_size() : 0, [&](std::byte* to) { made->write(to); });
+  ASSERT_TRUE(block);
+  const MeshSurface shared(block);
+  EXPECT_GT(shared.memory(), std::size_t{10} << 20);
+  for (const Vec3& x : shared.mesh().vertices) ASSERT_TRUE(shared.query(1.001 * x, 0.1));
+  MPI_Barrier(host.comm());
+  if (!host.leads()) {
+    EXPECT_LT(own_memory(), before + shared.memory() / 10);
+  }
+  MPI_Barrier(host.comm());
+}
+
+// What load_volumes() says, told to all.
+std::string wrong(const model::Case& c) {
+  try {
+    app::load_volumes(c, MPI_COMM_WORLD);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(MeshShared, VolumesOfACase) {
+  const model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
+  const auto own = app::load_volumes(c), shared = app::load_volumes(c, MPI_COMM_WORLD);
+  ASSERT_EQ(own.size(), shared.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    EXPECT_EQ(own[i].name, shared[i].name);
+    EXPECT_EQ(own[i].report, shared[i].report);
+    EXPECT_EQ(own[i].notes, shared[i].notes);
+    EXPECT_EQ(own[i].active, shared[i].active);
+    ASSERT_EQ(own[i].facets->triangles.size(), shared[i].facets->triangles.size());
+    expect_same(*own[i].surface, *shared[i].surface, 2000);
+  }
+}
+
+TEST(MeshShared, AllRanksTellWhatIsWrong) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
+  ASSERT_FALSE(c.volumes.empty());
+  // One the leading rank alone would find, and one with no mesh in it.
+  for (const bool there : {false, true}) {
+    c.volumes[0].mesh = (std::filesystem::temp_directory_path() / "hawser_shared_bad.stl").string();
+    if (rank == 0) {
+      std::filesystem::remove(c.volumes[0].mesh);
+      if (there) std::ofstream(c.volumes[0].mesh) << "solid nothing\nendsolid nothing\n";
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    const std::string told = wrong(c);
+    EXPECT_NE(told.find("hawser_shared_bad.stl"), std::string::npos) << told;
+    std::string first = told;
+    auto n = static_cast<int>(first.size());
+    MPI_Bcast(&n, 1, MPI_INT, 0, MPI_COMM_WORLD);
+    first.resize(static_cast<std::size_t>(n));
+    MPI_Bcast(first.data(), n, MPI_CHAR, 0, MPI_COMM_WORLD);
+    EXPECT_EQ(told, first);
+  }
+  if (rank == 0) std::filesystem::remove(c.volumes[0].mesh);
+}
+
+}  // namespace
+}  // namespace hawser::test
