@@ -114,7 +114,7 @@ void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& b
     bed.surface = grid, bed.file = source.absolute((*g)["file"].text);
   } else if (const Value* m = v.find("mesh")) {
     const auto mesh = read_mesh_bed(*m, key + "mesh", source);
-    const TriangleMesh& t = mesh->mesh();
+    const MeshView t = mesh->mesh();
     low = std::numeric_limits<double>::infinity(), high = -low;
     for (size_t i = 0; i < t.vertices.size() / 2; ++i)  // the other half is the floor
       low = std::min(low, t.vertices[i].z()), high = std::max(high, t.vertices[i].z());

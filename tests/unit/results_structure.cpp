@@ -33,9 +33,12 @@ ResultContents contents(int lines, int nodes) {
   c.fields = {{"position", "m", 3}, {"contact force", "N", 3}, {"penetration", "m", 1}};
   c.series = {{"time", {{"value", "", 1}}}};
   c.bodies = {"reel"};
-  c.volumes = {{"drum & flange", 0, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {1}},
-               {"drum / flange", 0, std::vector<Vec3>(30, Vec3(1, 2, 3)), {{0, 1, 2}, {3, 4, 5}}, {1, 0}},
-               {"deck", -1, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}}};
+  // Meshes are views of what is kept elsewhere.
+  static const std::vector<Vec3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, many(30, Vec3(1, 2, 3));
+  static const std::vector<std::array<int, 3>> one = {{0, 1, 2}}, two = {{0, 1, 2}, {3, 4, 5}};
+  c.volumes = {{"drum & flange", 0, corners, one, {1}, {}},
+               {"drum / flange", 0, many, two, {1, 0}, {}},
+               {"deck", -1, corners, one, {}, {}}};
   c.moving_vertices = 20;
   c.expected_outputs = 4;
   c.expected_steps = 4;
