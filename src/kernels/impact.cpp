@@ -6,7 +6,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kSteps = 6;      // in a period
+constexpr double kSteps = 6;     // in a period
 constexpr double kShort = 0.02;  // of such a step: nearer than that is there
 
 // Time until something `away` [m], which comes at `speed` [m/s, > 0] and is pushed back by `acceleration`
@@ -17,8 +17,8 @@ double until_touch(double away, double speed, double acceleration) {
   return 2 * away / (speed + std::sqrt(root));
 }
 
-// Time until what is `deep` in and leaves at `speed` is out. The contact pushes at the start of that step and no
-// more at its end: the trapezoid sees half of it.
+// Time until what is `deep` in and leaves at `speed` is out. The contact pushes at the start of that step and
+// no more at its end: the trapezoid sees half of it.
 double until_out(double deep, double speed, double acceleration) {
   return until_touch(deep, speed, -0.5 * acceleration);
 }
@@ -45,8 +45,7 @@ StepLimit impact_limit(double slowness, double seen, const Approach& at) {
   }
   if (at.closing > 0) {
     // Accelerations change on the way.
-    const double touch =
-        std::min(until_touch(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
+    const double touch = std::min(until_touch(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
     limit.longest = touch < step ? towards(touch, step) : touch;
   }
   // Not in touch, but shaking as fast as the contact would.

@@ -1,5 +1,5 @@
-// How long a step may be beside and in a contact, so that an impact is followed and its force makes no energy.
-// Scalars only. See docs/theory/contact.md, "Steps".
+// How long a step may be beside and in a contact, so that an impact is followed and its force makes no
+// energy. Scalars only. See docs/theory/contact.md, "Steps".
 #pragma once
 
 #include <limits>
@@ -26,8 +26,9 @@ struct Approach {
 };
 
 // slowness: s, sqrt(m/k) of the contact, its period over 2 pi. seen: m; what inertia takes deeper than that,
-// by speed or by acceleration, strikes. An impact has six steps in a period, and steps end at its touch and at
-// its end: across the touch the trapezoid takes half of force times gap of energy, across the end it makes that.
+// by speed or by acceleration, strikes. An impact has six steps in a period, and steps end at its touch and
+// at its end: across the touch the trapezoid takes half of force times gap of energy, across the end it makes
+// that.
 StepLimit impact_limit(double slowness, double seen, const Approach& at);
 
 }  // namespace hawser
