@@ -189,10 +189,20 @@ Penetration LineContact::largest_penetration() const {
   return p;
 }
 
+int LineContact::candidates() const {
+  return static_cast<int>(
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.slot == 0; }));
+}
+
 int LineContact::touching() const {
-  return static_cast<int>(std::count_if(pairs_.begin(), pairs_.end(), [this](const Pair& p) {
-    return !p.history.empty() && mesh_.elements[static_cast<size_t>(p.element)].counted;
-  }));
+  int count = 0;
+  const Pair* last = nullptr;  // walls of one volume count once
+  for (const Pair& p : pairs_) {
+    if (p.history.empty() || !mesh_.elements[static_cast<size_t>(p.element)].counted) continue;
+    count += !(last && last->element == p.element && last->volume == p.volume);
+    last = &p;
+  }
+  return count;
 }
 
 }  // namespace hawser
