@@ -23,9 +23,7 @@ class FacetBoxes {
   void near(const Box& box, Visit&& visit) const {
     if (!empty()) descend(bounds_of(box), levels_ - 1, 0, visit);
   }
-  std::size_t memory() const {
-    return ids_.capacity() * sizeof(int) + boxes_.capacity() * sizeof(Bounds);
-  }
+  std::size_t memory() const { return ids_.capacity() * sizeof(int) + boxes_.capacity() * sizeof(Bounds); }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
     p.value(self.levels_), p.value(self.first_);
@@ -45,7 +43,9 @@ class FacetBoxes {
   };
   static Bounds bounds_of(const Box& box);
   // The boxes of a level, finest first.
-  std::size_t count(int level) const { return first_[static_cast<std::size_t>(level) + 1] - first_[static_cast<std::size_t>(level)]; }
+  std::size_t count(int level) const {
+    return first_[static_cast<std::size_t>(level) + 1] - first_[static_cast<std::size_t>(level)];
+  }
   template <class Visit>
   void descend(const Bounds& box, int level, std::size_t parent, Visit& visit) const {
     const std::size_t last = std::min(kWide * (parent + 1), count(level));

@@ -85,9 +85,8 @@ bool MeshWalls::one(const Vec3& centre, double radius) const {
   });
   if (near.size() < 2) return true;
   mean.normalize();
-  if (std::all_of(near.begin(), near.end(), [&](const SurfaceWall::Facet& f) {
-        return normals_.face(f.triangle).dot(mean) > kCone;
-      }))
+  if (std::all_of(near.begin(), near.end(),
+                  [&](const SurfaceWall::Facet& f) { return normals_.face(f.triangle).dot(mean) > kCone; }))
     return true;
   std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
   parent.resize(near.size());
@@ -121,8 +120,10 @@ bool MeshWalls::cut(int t, int edge, int other) const {
   int k = 0;
   while (k < 2 && normals_.neighbour(other, k) != t) ++k;
   const auto a = on_edge(edge, 0.5), b = on_edge(k, 0.5);
-  return facets_.patch(t).normal(a[0], a[1]).normalized().dot(
-             facets_.patch(other).normal(b[0], b[1]).normalized()) <= kAlike;
+  return facets_.patch(t)
+             .normal(a[0], a[1])
+             .normalized()
+             .dot(facets_.patch(other).normal(b[0], b[1]).normalized()) <= kAlike;
 }
 
 // The nearest points of the flat facet and a chord.
@@ -147,7 +148,8 @@ MeshWalls::Approach MeshWalls::approach(int t, const Vec3& a, const Vec3& b) con
     offer(std::sqrt(closest_point_on_triangle(x, p, q, r).squared_distance), x);
   }
   for (int i = 0; i < 3; ++i) {
-    const SegmentPair s = closest_points_of_segments(a, b, facets_.corner(t, i), facets_.corner(t, (i + 1) % 3));
+    const SegmentPair s =
+        closest_points_of_segments(a, b, facets_.corner(t, i), facets_.corner(t, (i + 1) % 3));
     offer(s.distance, s.on_a);
   }
   return best;
@@ -253,7 +255,8 @@ void MeshWalls::join(std::span<const Vec3> axis, double reach, const std::vector
       const int u = normals_.neighbour(t, e), l = u > t ? place_of(facets, u) : -1;
       if (l < 0 || root(parent, k) == root(parent, l) || cut(t, e, u)) continue;
       const Vec3 &p = facets_.corner(t, e), &q = facets_.corner(t, (e + 1) % 3);
-      const double bent = facets_.curved(t) ? 0.25 * facets_.patch(t).c[static_cast<std::size_t>(e)].norm() : 0;
+      const double bent =
+          facets_.curved(t) ? 0.25 * facets_.patch(t).c[static_cast<std::size_t>(e)].norm() : 0;
       for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
         const Vec3 &a = axis[i], &b = axis[std::min(i + 1, axis.size() - 1)];
         if (closest_points_of_segments(a, b, p, q).distance > reach + bent) continue;
@@ -279,7 +282,8 @@ MeshWalls::Part MeshWalls::look(SurfaceWall wall, int nearest, const Vec3& from,
   const auto foot = this->nearest(wall, from, kFar);
   part.distance = std::sqrt(foot->foot.squared_distance);
   const Vec3 r = from - foot->foot.point;
-  part.direction = foot->front && part.distance > 0 ? Vec3(r / part.distance) : foot->pseudonormal.normalized();
+  part.direction =
+      foot->front && part.distance > 0 ? Vec3(r / part.distance) : foot->pseudonormal.normalized();
   if (part.direction.isZero(0)) part.direction = normals_.face(nearest);
   part.back = !foot->front;
   for (const Vec3& p : axis) part.back = part.back && !this->nearest(wall, p, kFar)->front;

@@ -74,20 +74,22 @@ void LineContact::prepare(const Kinematics& committed, double h) {
         // What was found on all of the surface is found again; of a wall it may be another.
         if (!was.walls) first.found = std::move(was.found);
       }
-      const bool one = histories.size() < 2 &&
-                       one_wall(first, shape, pose, h > 0 ? 2 * h * speed : std::numeric_limits<double>::max());
+      const bool one =
+          histories.size() < 2 &&
+          one_wall(first, shape, pose, h > 0 ? 2 * h * speed : std::numeric_limits<double>::max());
       if (one) {
         if (!histories.empty()) first.history = std::move(histories[0]);
         pairs_.push_back(std::move(first));
         continue;
       }
+      const size_t touched = std::max(histories.size(), size_t{1});
       histories.resize(SurfaceWalls::kMost);
       first.found = {};
       first.walls = std::make_shared<Walls>();
-      for (int slot = 0; slot < SurfaceWalls::kMost; ++slot) {
+      for (size_t slot = 0; slot < touched; ++slot) {
         Pair& pair = pairs_.emplace_back(first);
-        pair.slot = slot;
-        pair.history = histories[static_cast<size_t>(slot)];
+        pair.slot = static_cast<int>(slot);
+        pair.history = histories[slot];
       }
       first.walls->committed = std::move(histories);
     }
@@ -114,7 +116,8 @@ StepLimit LineContact::longest_step(const Kinematics& committed) const {
     const auto deepest = std::min_element(pair.history.begin(), pair.history.end(),
                                           [](const Point& a, const Point& b) { return a.gap < b.gap; });
     for (auto p = pair.history.begin(); p != pair.history.end(); ++p)
-      limit.take(trusted(pair, committed, p->xi, p->gap - pair.law.normal.smoothing, p->normal, p == deepest));
+      limit.take(
+          trusted(pair, committed, p->xi, p->gap - pair.law.normal.smoothing, p->normal, p == deepest));
     if (pair.slot > 0) continue;
     for (const double xi : {0.0, 0.5, 1.0}) {
       const Vec3 v = pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi));
@@ -206,6 +209,7 @@ void LineContact::find_all(const Kinematics& trial) {
   shapes_.clear(), renewed_.clear();
   middles_.assign(pairs_.size(), std::nullopt);
   SurfaceQuestion first;
+  bool open = false;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     Pair& pair = pairs_[i];
     if (pair.slot > 0)
@@ -215,6 +219,7 @@ void LineContact::find_all(const Kinematics& trial) {
     const RigidPose& pose = poses_[body(pair.volume)];
     if (pair.walls) {
       find(pair, shapes_[i], pose);
+      open = open || lacks_pairs(i);
       continue;
     }
     if (!renew(pair.found, shapes_[i], pose) || !middle(pair, shapes_[i], pose, first)) continue;
@@ -234,6 +239,9 @@ void LineContact::find_all(const Kinematics& trial) {
     if (p) pairs_[i].hint = p->triangle;
     pairs_[i].found.points.push_back(p ? *p : nothing());
   });
+  if (!open) return;
+  open_pairs();
+  find_all(trial);  // what was found is known
 }
 
 ContactTrial LineContact::trial(const Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi,

@@ -59,10 +59,11 @@ void LineContact::see_walls(Pair& pair, const AxisShape& shape, const RigidPose&
     if (!still_clear(w.clear, w.centre, y, half)) {
       const auto p = volumes_[k].surface->query(y, pair.touch + 2 * shape.reach(), w.hint);
       w.centre = y;
-      w.clear = p ? p->distance - pair.touch
-                  : std::min(2 * shape.reach(), distance(boxes_[k], y) - pair.touch);
+      w.clear =
+          p ? p->distance - pair.touch : std::min(2 * shape.reach(), distance(boxes_[k], y) - pair.touch);
       if (p) w.hint = p->triangle;
-      if (p && w.clear < half) volumes_[k].surface->walls(polyline(shape, pose, pair.touch), within, seen->walls);
+      if (p && w.clear < half)
+        volumes_[k].surface->walls(polyline(shape, pose, pair.touch), within, seen->walls);
     }
     assign_past(pair, *seen);
     w.seen = std::move(seen);
@@ -70,11 +71,38 @@ void LineContact::see_walls(Pair& pair, const AxisShape& shape, const RigidPose&
   pair.seen = w.seen;
 }
 
+bool LineContact::lacks_pairs(size_t i) const {
+  const Pair& p = pairs_[i];
+  const size_t last = i + p.seen->walls.of.size() - 1;
+  return p.slot == 0 && p.seen->walls.several() && (last >= pairs_.size() || pairs_[last].walls != p.walls);
+}
+
+void LineContact::open_pairs() {
+  std::vector<Pair> all;
+  for (size_t i = 0; i < pairs_.size();) {
+    const size_t wanted = pairs_[i].walls && lacks_pairs(i) ? pairs_[i].seen->walls.of.size() : 0;
+    Pair model;
+    if (wanted) model = pairs_[i];
+    size_t end = i + 1;
+    while (end < pairs_.size() && pairs_[end].slot > 0) ++end;
+    for (size_t k = i; k < end; ++k) all.push_back(std::move(pairs_[k]));
+    for (size_t slot = end - i; slot < wanted; ++slot) {
+      Pair& pair = all.emplace_back(model);
+      pair.slot = static_cast<int>(slot);
+      pair.history = pair.walls->committed[slot];
+      pair.found = {}, pair.seen = nullptr;
+    }
+    i = end;
+  }
+  pairs_ = std::move(all);
+}
+
 // A point of before lay on the wall whose normal there is most like its own. On the one wall there is: of
 // two that lay side by side, the more heavily pressed.
 void LineContact::assign_past(const Pair& pair, Seen& seen) const {
   const auto& committed = pair.walls->committed;
-  const bool more = std::any_of(committed.begin() + 1, committed.end(), [](const auto& h) { return !h.empty(); });
+  const bool more =
+      std::any_of(committed.begin() + 1, committed.end(), [](const auto& h) { return !h.empty(); });
   if (!seen.walls.several() && !more) return;
   seen.past.assign(committed.size(), {});
   const size_t walls = seen.walls.several() ? seen.walls.of.size() : 1;
@@ -88,8 +116,7 @@ void LineContact::assign_past(const Pair& pair, Seen& seen) const {
       double like = -2;
       const Vec3 y = pose.to_body(pair.start.point(p.xi));
       for (size_t w = 0; w < walls && walls > 1; ++w) {
-        const auto there =
-            surface.query_wall(seen.walls.of[w], y, std::numeric_limits<double>::max(), true);
+        const auto there = surface.query_wall(seen.walls.of[w], y, std::numeric_limits<double>::max(), true);
         if (there && there->normal.dot(p.normal) > like) like = there->normal.dot(p.normal), best = w;
       }
       of[best][slot].push_back(p);

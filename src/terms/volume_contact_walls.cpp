@@ -44,7 +44,8 @@ void VolumeContact::assign(const Pair& pair, const Vec3& y, Walls& w) const {
   const size_t walls = w.near.several() ? w.near.of.size() : 1;
   w.wall.fill(Walls::kNone);
   if (walls == 1) {
-    const bool more = std::any_of(w.committed.begin() + 1, w.committed.end(), [](const History& h) { return h.touches; });
+    const bool more =
+        std::any_of(w.committed.begin() + 1, w.committed.end(), [](const History& h) { return h.touches; });
     if (more && w.clear < 0) at[0] = surface.query(y, pair.touch, w.hint);
   }
   for (size_t i = 0; i < walls && walls > 1; ++i) at[i] = surface.query_wall(w.near.of[i], y, kFar, true);
@@ -56,7 +57,8 @@ void VolumeContact::assign(const Pair& pair, const Vec3& y, Walls& w) const {
     for (size_t i = 0; i < walls; ++i)
       for (size_t s = 0; s < w.committed.size(); ++s) {
         if (given[i] || !at[i] || !w.committed[s].touches || w.wall[s] != Walls::kNone) continue;
-        if (const double dot = at[i]->normal.dot(w.committed[s].normal); dot > like) like = dot, wall = i, slot = s;
+        if (const double dot = at[i]->normal.dot(w.committed[s].normal); dot > like)
+          like = dot, wall = i, slot = s;
       }
     if (wall == walls) break;
     given[wall] = true, w.wall[slot] = name(wall);
@@ -73,10 +75,11 @@ ContactStart VolumeContact::start(const Pair& pair, const Vec3& y) const {
   const int wall = see_wall(pair, y);
   if (wall == Walls::kNone) return s;
   const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
-  const auto p = wall == Walls::kAll
-                     ? surface.query(s.point, pair.touch + element_[static_cast<size_t>(pair.node)], pair.hint)
-                     : surface.query_wall(pair.walls->near.of[static_cast<size_t>(wall)], s.point,
-                                          std::numeric_limits<double>::max(), true);
+  const auto p =
+      wall == Walls::kAll
+          ? surface.query(s.point, pair.touch + element_[static_cast<size_t>(pair.node)], pair.hint)
+          : surface.query_wall(pair.walls->near.of[static_cast<size_t>(wall)], s.point,
+                               std::numeric_limits<double>::max(), true);
   if (p) s.gap = p->distance - nodes_[static_cast<size_t>(pair.node)].radius;
   return s;
 }

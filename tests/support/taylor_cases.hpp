@@ -436,12 +436,9 @@ inline std::vector<SuiteCase> water_cases() {
 
 inline std::vector<SuiteCase> contact_cases() {
   std::vector<SuiteCase> out;
-  constexpr std::pair<ContactOn, const char*> kinds[] = {{ContactOn::plane, "plane"},
-                                                         {ContactOn::cylinder, "cylinder"},
-                                                         {ContactOn::face, "face"},
-                                                         {ContactOn::edge, "edge"},
-                                                         {ContactOn::vertex, "vertex"},
-                                                         {ContactOn::corner, "corner"}};
+  constexpr std::pair<ContactOn, const char*> kinds[] = {
+      {ContactOn::plane, "plane"}, {ContactOn::cylinder, "cylinder"}, {ContactOn::face, "face"},
+      {ContactOn::edge, "edge"},   {ContactOn::vertex, "vertex"},     {ContactOn::corner, "corner"}};
   for (const auto& [on, name] : kinds)
     for (const auto& [axial, lateral, friction] :
          {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})

@@ -80,19 +80,20 @@ inline Gaps gaps(Under on) {
 
 // A channel along x, of one piece: a floor at z = 0 between walls at y = left and y = right.
 inline TriangleMesh channel_mesh(double left, double right) {
-  TriangleMesh m = testing::prism_mesh({{left - 1, -1},
-                                        {left, -1},
-                                        {right, -1},
-                                        {right + 1, -1},
-                                        {right + 1, 0},
-                                        {right + 1, 1},
-                                        {right, 1},
-                                        {right, 0},
-                                        {left, 0},
-                                        {left, 1},
-                                        {left - 1, 1},
-                                        {left - 1, 0}},
-                                       {{0, 1, 8, 11}, {1, 2, 7, 8}, {2, 3, 4, 7}, {11, 8, 9, 10}, {7, 4, 5, 6}}, 9);
+  TriangleMesh m =
+      testing::prism_mesh({{left - 1, -1},
+                           {left, -1},
+                           {right, -1},
+                           {right + 1, -1},
+                           {right + 1, 0},
+                           {right + 1, 1},
+                           {right, 1},
+                           {right, 0},
+                           {left, 0},
+                           {left, 1},
+                           {left - 1, 1},
+                           {left - 1, 0}},
+                          {{0, 1, 8, 11}, {1, 2, 7, 8}, {2, 3, 4, 7}, {11, 8, 9, 10}, {7, 4, 5, 6}}, 9);
   for (Vec3& v : m.vertices) v = Vec3(v.z() - 3, v.x(), v.y());
   return m;
 }
@@ -121,9 +122,9 @@ struct LineModel : SuiteModel {
       : SuiteModel(comm, at) {
     const LocalMesh& l = system->mesh();
     const SteadyLaw turning{at.rotation * Vec3(0.2, -0.1, 0.3), at.rotation * Vec3(1, 2, -2), 0.4};
-    bodies = std::make_shared<const Bodies>(
-        std::vector<RigidMotion>{{at.point({1, 2, 3}), log_so3(at.rotation * exp_so3({0.3, -0.2, 0.5})),
-                                  what.on == Under::plane || what.on == Under::corner ? MotionLaw() : MotionLaw(turning)}});
+    bodies = std::make_shared<const Bodies>(std::vector<RigidMotion>{
+        {at.point({1, 2, 3}), log_so3(at.rotation * exp_so3({0.3, -0.2, 0.5})),
+         what.on == Under::plane || what.on == Under::corner ? MotionLaw() : MotionLaw(turning)}});
     ContactVolume v;
     v.surface = surface_of(what.on);
     v.body = 0;

@@ -118,8 +118,7 @@ TEST(SurfaceWalls, BacksAreNoWalls) {
     }
     const double floor = y.y() - 1, wall = 4 - y.x();
     if (y.y() < 2) {
-      ASSERT_EQ(near.size(), static_cast<size_t>((floor < reach) + (wall < reach)))
-          << y.transpose();
+      ASSERT_EQ(near.size(), static_cast<size_t>((floor < reach) + (wall < reach))) << y.transpose();
     }
   }
 }

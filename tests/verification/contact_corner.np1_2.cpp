@@ -44,7 +44,8 @@ struct Rest {
 
 void look(Simulation& s, const Kinematics& at, Rest& r) {
   r.x.clear();
-  for (const Vec3& x : at.x.first(static_cast<size_t>(s.local().owned))) r.x.insert(r.x.end(), x.begin(), x.end());
+  for (const Vec3& x : at.x.first(static_cast<size_t>(s.local().owned)))
+    r.x.insert(r.x.end(), x.begin(), x.end());
   NodeField force(s, "contact_force"), friction(s, "friction_force");
   r.force = force.at(at), r.friction = friction.at(at);
   r.total.setZero();
@@ -85,9 +86,10 @@ double size(const std::vector<double>& a) {
 
 // The same within `part` of the largest force and of a radius of 0.1 m.
 void expect_same(const Rest& a, const Rest& b, double part, const std::string& what) {
-  std::printf("%s: one mesh %d steps, %d iterations; volumes %d, %d; forces differ by %.1e, places by %.1e m\n",
-              what.c_str(), a.steps, a.iterations, b.steps, b.iterations,
-              difference(a.force, b.force) / size(b.force), difference(a.x, b.x));
+  std::printf(
+      "%s: one mesh %d steps, %d iterations; volumes %d, %d; forces differ by %.1e, places by %.1e m\n",
+      what.c_str(), a.steps, a.iterations, b.steps, b.iterations,
+      difference(a.force, b.force) / size(b.force), difference(a.x, b.x));
   EXPECT_LT(difference(a.x, b.x), part * 0.1) << what;
   EXPECT_LT(difference(a.force, b.force), part * size(b.force)) << what;
   EXPECT_LT(difference(a.friction, b.friction), part * size(b.force)) << what;
@@ -112,7 +114,8 @@ volumes:
     end_b: {body: tug, at: [10, 0.4, 0.4]}
     loads: [{per_length: [0, -350, 0]}]
     start: {points: [[0, 0.4, 0.4], [1.5, 0.13, 0.13], [8.5, 0.13, 0.13], [10, 0.4, 0.4]]}
-contact: {method: )" + method + R"(}
+contact: {method: )" +
+         method + R"(}
 dynamics: {duration: 1.2}
 )";
 }
@@ -161,13 +164,15 @@ TEST(ContactCorner, FromOneWallToTwo) {
   put("length: 10.1", "length: 10");
   put("end_a: {body: tug, at: [0, 0.4, 0.4]}", "end_a: free");
   put("end_b: {body: tug, at: [10, 0.4, 0.4]}", "end_b: free");
-  put("[[0, 0.4, 0.4], [1.5, 0.13, 0.13], [8.5, 0.13, 0.13], [10, 0.4, 0.4]]", "[[0, 0.2, 0.11], [9.999, 0.34, 0.11]]");
-  put("dynamics: {duration: 1.2}", "statics: false\ndynamics: {duration: 0.7}");
+  put("[[0, 0.4, 0.4], [1.5, 0.13, 0.13], [8.5, 0.13, 0.13], [10, 0.4, 0.4]]",
+      "[[0, 0.2, 0.11], [9.999, 0.34, 0.11]]");
+  put("dynamics: {duration: 1.2}", "statics: false\ndynamics: {duration: 0.45}");
   const auto one = run(read("slides_one", text), {mesh(deck_and_bulwark())});
-  put("  ship:", "  bulwark: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, friction: 0.3}\n  ship:");
-  const auto two = run(read("slides_two", text),
-                       {mesh(testing::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 0, 1))),
-                        mesh(testing::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 3, 0)))});
+  put("  ship:",
+      "  bulwark: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, friction: 0.3}\n  ship:");
+  const auto two =
+      run(read("slides_two", text), {mesh(testing::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 0, 1))),
+                                     mesh(testing::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 3, 0)))});
   EXPECT_EQ(one[0].touching, 0) << "clear at first";
   EXPECT_GT(one[1].total.y(), 300);
   expect_same(one[1], two[1], 1e-6, "from one wall to two");

@@ -60,8 +60,8 @@ class Surface {
   virtual void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const;
   // Whether a ball is known to hold no more than one; quick.
   virtual bool one_wall(const Vec3& centre, double radius) const;
-  // query() of a wall alone. What is behind it gets no answer unless it is inside and the wall is the nearest of
-  // all; either_side: it does, with its distance from the wall, negative there.
+  // query() of a wall alone. What is behind it gets no answer unless it is inside and the wall is the nearest
+  // of all; either_side: it does, with its distance from the wall, negative there.
   virtual std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,
                                                  bool either_side = false) const;
 };

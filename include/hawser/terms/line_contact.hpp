@@ -64,8 +64,8 @@ class LineContact final : public Contact {
     std::vector<ContactStretch> panels;
     std::vector<SurfacePoint> points;
   };
-  // Where a surface may have several walls (surface_walls.hpp): what of them is near an axis, and which of the
-  // points of before lay on each.
+  // Where a surface may have several walls (surface_walls.hpp): what of them is near an axis, and which of
+  // the points of before lay on each.
   struct Seen {
     SurfaceWalls walls;
     std::vector<std::vector<Point>> past;  // of each wall, or of the one there is; empty: the pair's own
@@ -124,6 +124,9 @@ class LineContact final : public Contact {
   bool one_wall(Pair& pair, const AxisShape& shape, const RigidPose& pose, double motion) const;
   void see_walls(Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   void assign_past(const Pair& pair, Seen& seen) const;
+  // Pairs for walls that are seen, which have none until then. lacks_pairs: of the pair number i.
+  bool lacks_pairs(size_t i) const;
+  void open_pairs();
   // The axis as a polyline in the body's frame.
   static std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double touch);
   // What a pair sees of its volume.

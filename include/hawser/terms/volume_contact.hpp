@@ -73,7 +73,8 @@ class VolumeContact final : public Contact {
     Vec3 anchor = Vec3::Zero(), direction = Vec3::UnitZ();
   };
   // Of a node and a volume that may have several walls (surface_walls.hpp), shared by its pairs: those near a
-  // point, and which each pair is about. A wall stays with the pair whose normal of before is most like its own.
+  // point, and which each pair is about. A wall stays with the pair whose normal of before is most like its
+  // own.
   struct Walls {
     static constexpr int kNone = -1, kAll = -2;  // idle; the whole surface, which is one wall there
     std::array<History, SurfaceWalls::kMost> committed;
