@@ -77,7 +77,7 @@ bool MeshWalls::one(const Vec3& centre, double radius) const {
   thread_local std::vector<int> parent;
   near.clear();
   Vec3 mean = Vec3::Zero();
-  boxes_.near(Box{centre, centre}.grown(radius), [&](int t) {
+  boxes_.near({&centre, 1}, radius, [&](int t) {
     const SurfaceWall::Facet f = ball(t);
     if ((f.centre - centre).norm() > f.radius + radius) return;
     near.push_back(f);
@@ -224,23 +224,36 @@ std::optional<MeshWalls::Foot> MeshWalls::nearest(const SurfaceWall& wall, const
   return out;
 }
 
-// What comes within reach of the axis, by triangle.
+// What may come within reach of the axis, by triangle; nothing where all of it looks alike.
 std::vector<SurfaceWall::Facet> MeshWalls::around(std::span<const Vec3> axis, double reach) const {
-  Box box;
-  for (const Vec3& p : axis) box.add(p);
-  std::vector<SurfaceWall::Facet> out;
-  boxes_.near(box.grown(reach), [&](int t) {
-    if (normals_.face(t).isZero(0)) return;
+  thread_local std::vector<SurfaceWall::Facet> near;
+  near.clear();
+  Vec3 mean = Vec3::Zero();
+  boxes_.near(axis, reach, [&](int t) {
+    const Vec3& n = normals_.face(t);
+    if (n.isZero(0)) return;
     const SurfaceWall::Facet f = ball(t);
     const double far = f.radius + reach;
     for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
-      const Vec3 &a = axis[i], &b = axis[std::min(i + 1, axis.size() - 1)];
-      if (closest_point_on_segment(f.centre, a, b).squared_distance > far * far) continue;
-      if (approach(t, a, b).distance - bulge(t) > reach) continue;
-      out.push_back(f);
+      if (squared_distance_to_chord(f.centre, axis[i], axis[std::min(i + 1, axis.size() - 1)]) > far * far)
+        continue;
+      near.push_back(f);
+      mean += n;
       return;
     }
   });
+  mean.normalize();
+  std::vector<SurfaceWall::Facet> out;
+  if (std::all_of(near.begin(), near.end(),
+                  [&](const SurfaceWall::Facet& f) { return normals_.face(f.triangle).dot(mean) > kCone; }))
+    return out;
+  for (const SurfaceWall::Facet& f : near)
+    for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
+      const Approach a = approach(f.triangle, axis[i], axis[std::min(i + 1, axis.size() - 1)]);
+      if (a.distance - bulge(f.triangle) > reach) continue;
+      out.push_back(f);
+      break;
+    }
   std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
   return out;
 }
