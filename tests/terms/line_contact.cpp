@@ -36,7 +36,7 @@ TEST(LineContact, Situations) {
     const auto records = m.contact->save();
     int ramp = 0, full = 0, sliding = 0, stuck = 0, moving = 0;
     for (const HistoryRecord& r : records) {
-      if (r.key != 0) continue;  // once an element
+      if (r.key % 2 != 0) continue;  // once an element
       for (size_t i = 0; i < r.values.size(); i += 20) {
         const double gap = r.values[i + 7], normal = r.values[i + 4];
         const Vec3 friction = Eigen::Map<const Vec3>(r.values.data() + i + 17);
