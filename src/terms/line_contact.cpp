@@ -76,8 +76,7 @@ void LineContact::prepare(const Kinematics& committed, double h) {
   }
 }
 
-StepLimit LineContact::longest_step(const Kinematics& committed) const {
-  StepLimit limit;
+void LineContact::limit_step(const Kinematics& committed, Strikes& to) const {
   for (const Pair& pair : pairs_) {
     const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
     const RigidPose& pose = start_poses_[body(pair.volume)];
@@ -90,23 +89,35 @@ StepLimit LineContact::longest_step(const Kinematics& committed) const {
       return back * ((1 - xi) * committed.a[static_cast<size_t>(e.first)] +
                      xi * committed.a[static_cast<size_t>(e.second)]);
     };
-    const auto cap = [&](double gap, const Vec3& normal, double xi, bool last) {
-      limit.take(trusted_step(pair.law.normal, element.mass_per_length, element.radius,
-                              {gap, -normal.dot(velocity(xi)), normal.dot(acceleration(xi)), last}));
+    // share: m, of the line.
+    const auto look = [&](double gap, const Vec3& normal, double xi, double share, bool last) {
+      const Approach at{gap, -normal.dot(velocity(xi)), normal.dot(acceleration(xi)), last};
+      limit_depth(element.radius, at, to);
+      if (e.counted && share > 0)
+        to.add(strikes(pair.law.normal, element.mass_per_length, share, element.radius, at),
+               mesh_.mesh->elements[static_cast<size_t>(e.global)].line);
     };
     const auto deepest = std::min_element(pair.history.begin(), pair.history.end(),
                                           [](const Point& a, const Point& b) { return a.gap < b.gap; });
+    // All of the contact ends with the deepest place.
+    double all = 0;
+    for (const Point& p : pair.history) all += p.weight;
     for (auto p = pair.history.begin(); p != pair.history.end(); ++p)
-      cap(p->gap - pair.law.normal.smoothing, p->normal, p->xi, p == deepest);
+      look(p->gap - pair.law.normal.smoothing, p->normal, p->xi, p == deepest ? all : p->weight,
+           p == deepest);
     for (const double xi : {0.0, 0.5, 1.0}) {
       const Vec3 v = velocity(xi);
       // Look ahead as far as it gets in half a second.
       const auto p = volumes_[static_cast<size_t>(pair.volume)].surface->query(
           pose.to_body(pair.start.point(xi)), pair.touch + 0.5 * (pair.start.reach() + v.norm()), pair.hint);
-      if (p) cap(p->distance - pair.touch, p->normal, xi, false);
+      if (!p) continue;
+      // Simpson's rule; what touches has been looked at.
+      const double gap = p->distance - pair.touch,
+                   share =
+                       gap < 0 && !pair.history.empty() ? 0 : length(pair.element) * (xi == 0.5 ? 4 : 1) / 6;
+      look(gap, p->normal, xi, share, false);
     }
   }
-  return limit;
 }
 
 bool LineContact::middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose,

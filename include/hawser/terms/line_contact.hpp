@@ -30,8 +30,8 @@ class LineContact final : public Contact {
 
   std::string_view name() const override { return "line contact"; }
   void prepare(const Kinematics& committed, double h) override;
-  // As trusted_step says of the ends and the middle of each element and of what touches.
-  StepLimit longest_step(const Kinematics& committed) const override;
+  // As limit_depth and strikes say of the ends and the middle of each element and of what touches.
+  void limit_step(const Kinematics& committed, Strikes& to) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
