@@ -143,7 +143,7 @@ void LineContact::assign_past(const Pair& pair, Seen& seen) const {
 }
 
 // The farther walls of those that it may come to in half a second.
-void LineContact::cap_walls(const Pair& pair, const Kinematics& committed, StepLimit& limit) const {
+void LineContact::cap_walls(const Pair& pair, const Kinematics& committed, Strikes& to) const {
   const RigidPose& pose = start_poses_[body(pair.volume)];
   const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
   const auto speed = [&](double xi) {
@@ -156,7 +156,7 @@ void LineContact::cap_walls(const Pair& pair, const Kinematics& committed, StepL
     for (const double xi : {0.0, 0.5, 1.0}) {
       const auto p = surface.query_wall(w, pose.to_body(pair.start.point(xi)),
                                         pair.touch + 0.5 * pair.start.reach() + ahead);
-      if (p) limit.take(trusted(pair, committed, xi, p->distance - pair.touch, p->normal, false));
+      if (p) look_ahead(pair, committed, xi, !pair.history.empty(), *p, to);
     }
 }
 
