@@ -120,7 +120,8 @@ class System {
   std::vector<double> force_;
   std::vector<Mat3> retraction_;
   std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
-  std::vector<double> squares_;       // of the last residual(), by line: forces and moments in turn
+  std::vector<double> squares_;       // of what made up the last residual(), by block
+  size_t sums_ = 0;                   // that they are summed to
   double round_off_ = 0, longest_element_ = 0;
 };
 
