@@ -38,7 +38,7 @@ const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
 
 // Whether the facet u rises in front of t.
 bool rises(const Facets& facets, const Pseudonormals& normals, int t, int edge, int u) {
-  return normals.face(t).dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
+  return normals.face(facets, t).dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
 }
 
 int place_of(const std::vector<SurfaceWall::Facet>& facets, int triangle) {
@@ -55,7 +55,7 @@ bool MeshWalls::convex(const Facets& facets, const Pseudonormals& normals, int c
     for (int i = 0; i < 3; ++i) {
       const int u = normals.neighbour(t, i);
       if (u < 0) return false;
-      if (u < t || normals.face(t).dot(normals.face(u)) > 1 - kFlatEdge) continue;
+      if (u < t || normals.face(facets, t).dot(normals.face(facets, u)) > 1 - kFlatEdge) continue;
       if (rises(facets, normals, t, i, u)) return false;
     }
   return true;
@@ -81,12 +81,13 @@ bool MeshWalls::one(const Vec3& centre, double radius) const {
     const SurfaceWall::Facet f = ball(t);
     if ((f.centre - centre).norm() > f.radius + radius) return;
     near.push_back(f);
-    mean += normals_.face(t);
+    mean += normals_.face(facets_, t);
   });
   if (near.size() < 2) return true;
   mean.normalize();
-  if (std::all_of(near.begin(), near.end(),
-                  [&](const SurfaceWall::Facet& f) { return normals_.face(f.triangle).dot(mean) > kCone; }))
+  if (std::all_of(near.begin(), near.end(), [&](const SurfaceWall::Facet& f) {
+        return normals_.face(facets_, f.triangle).dot(mean) > kCone;
+      }))
     return true;
   std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
   parent.resize(near.size());
@@ -99,7 +100,7 @@ bool MeshWalls::one(const Vec3& centre, double radius) const {
       const int l = u > t ? place_of(near, u) : -1;
       if (l < 0) continue;
       parent[static_cast<std::size_t>(root(parent, k))] = root(parent, l);
-      const double off = 1 - normals_.face(t).dot(normals_.face(u));
+      const double off = 1 - normals_.face(facets_, t).dot(normals_.face(facets_, u));
       if (off <= kFlatEdge || !rises(facets_, normals_, t, i, u)) continue;
       concave += std::acos(std::clamp(1 - off, -1.0, 1.0));
       if (concave > kConcave) return false;
@@ -113,7 +114,7 @@ bool MeshWalls::one(const Vec3& centre, double radius) const {
 
 // Whether the edge is reentrant and sharp. Patches may meet smoothly where their facets do not.
 bool MeshWalls::cut(int t, int edge, int other) const {
-  const Vec3 &n = normals_.face(t), &m = normals_.face(other);
+  const Vec3 n = normals_.face(facets_, t), m = normals_.face(facets_, other);
   if (n.isZero(0) || m.isZero(0) || n.dot(m) > kAlike || !rises(facets_, normals_, t, edge, other))
     return false;
   if (!facets_.curved(t) && !facets_.curved(other)) return true;
@@ -141,7 +142,7 @@ MeshWalls::Approach MeshWalls::approach(int t, const Vec3& a, const Vec3& b) con
   offer(std::sqrt(closest_point_on_triangle(a, p, q, r).squared_distance), a);
   if (a == b) return best;
   offer(std::sqrt(closest_point_on_triangle(b, p, q, r).squared_distance), b);
-  const Vec3& n = normals_.face(t);
+  const Vec3 n = normals_.face(facets_, t);
   const double above = n.dot(a - p), below = n.dot(b - p);
   if (above * below < 0) {
     const Vec3 x = a + above / (above - below) * (b - a);
@@ -161,7 +162,8 @@ Vec3 MeshWalls::pseudonormal(const SurfaceWall& wall, const FacetSearch::Foot& f
   if (is_edge(foot.feature)) {
     const int u = normals_.neighbour(t, i);
     if (u >= 0 && place_of(wall.facets, u) >= 0) return normals_.at(facets_, t, foot);
-    return facets_.curved(t) ? Vec3(facets_.patch(t).normal(foot.u, foot.v).normalized()) : normals_.face(t);
+    return facets_.curved(t) ? Vec3(facets_.patch(t).normal(foot.u, foot.v).normalized())
+                             : normals_.face(facets_, t);
   }
   const int v = triangle(t)[static_cast<std::size_t>(i)];
   Vec3 sum = Vec3::Zero();
@@ -173,7 +175,7 @@ Vec3 MeshWalls::pseudonormal(const SurfaceWall& wall, const FacetSearch::Foot& f
     const std::size_t j = (at + 1) % 3, k = (at + 2) % 3;
     const Vec3 e = q.p[j] - q.p[at] + q.c[at], g = q.p[k] - q.p[at] + q.c[k], m = e.cross(g);
     const double angle = std::atan2(m.norm(), e.dot(g));
-    sum += angle * (q.flat() ? normals_.face(f.triangle) : Vec3(m.normalized()));
+    sum += angle * (q.flat() ? normals_.face(facets_, f.triangle) : Vec3(m.normalized()));
   }
   return sum;
 }
@@ -182,7 +184,7 @@ bool MeshWalls::through(const SurfaceWall& wall, const FacetSearch::Foot& foot, 
   const int i = feature_index(foot.feature);
   const auto back = [&](int t, int edge) {
     const int u = normals_.neighbour(t, edge);
-    return u >= 0 && place_of(wall.facets, u) < 0 && normals_.face(u).dot(y - foot.point) < 0;
+    return u >= 0 && place_of(wall.facets, u) < 0 && normals_.face(facets_, u).dot(y - foot.point) < 0;
   };
   if (foot.feature == Feature::face) return false;
   if (is_edge(foot.feature)) return back(foot.triangle, i);
@@ -230,7 +232,7 @@ std::vector<SurfaceWall::Facet> MeshWalls::around(std::span<const Vec3> axis, do
   for (const Vec3& p : axis) box.add(p);
   std::vector<SurfaceWall::Facet> out;
   boxes_.near(box.grown(reach), [&](int t) {
-    if (normals_.face(t).isZero(0)) return;
+    if (normals_.face(facets_, t).isZero(0)) return;
     const SurfaceWall::Facet f = ball(t);
     const double far = f.radius + reach;
     for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
@@ -284,7 +286,7 @@ MeshWalls::Part MeshWalls::look(SurfaceWall wall, int nearest, const Vec3& from,
   const Vec3 r = from - foot->foot.point;
   part.direction =
       foot->front && part.distance > 0 ? Vec3(r / part.distance) : foot->pseudonormal.normalized();
-  if (part.direction.isZero(0)) part.direction = normals_.face(nearest);
+  if (part.direction.isZero(0)) part.direction = normals_.face(facets_, nearest);
   part.back = !foot->front;
   for (const Vec3& p : axis) part.back = part.back && !this->nearest(wall, p, kFar)->front;
   part.wall = std::move(wall);
