@@ -55,9 +55,15 @@ struct MeshSurface::Data {
   FacetSearch::Foot nearest(const FacetSearch& among, const Vec3& y, double max_distance, int hint) const {
     return on_face_or_edge(among.nearest(facets, y, max_distance, hint), y);
   }
+  bool has_area(int t) const {
+    const Vec3 &a = facets.corner(t, 0), e = facets.corner(t, 1) - a, f = facets.corner(t, 2) - a;
+    const double longest2 = std::max(e.squaredNorm(), f.squaredNorm());
+    // Rounding is far below that.
+    return e.cross(f).squaredNorm() > 1e-16 * longest2 * longest2 || !normals.face(facets, t).isZero(0);
+  }
   FacetSearch::Foot on_face_or_edge(FacetSearch::Foot best, const Vec3& y) const {
     const int t = best.triangle;
-    if (t < 0 || best.feature != Feature::face || !normals.face(t).isZero(0)) return best;
+    if (t < 0 || best.feature != Feature::face || has_area(t)) return best;
     // No area, so no face: the nearest of its edges.
     for (int i = 0; i < 3; ++i) {
       ClosestPoint c = closest_point_on_segment(y, facets.corner(t, i), facets.corner(t, (i + 1) % 3));
@@ -73,11 +79,11 @@ struct MeshSurface::Data {
   std::optional<SurfacePoint> seen(const Vec3& y, double max_distance, const FacetSearch::Foot& c) const;
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
                         bool behind) const;
-  // Whether y is behind the surface at its closest point c.
+  // Whether y is behind the surface at its closest point c, with the pseudonormal there.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
     if (!unsure.empty() && unsure[static_cast<std::size_t>(c.triangle)]) return winding.inside(mesh(), y);
     if (c.feature == Feature::face && !facets.curved(c.triangle))
-      return normals.face(c.triangle).dot(y - facets.corner(c.triangle, 0)) < 0;
+      return pseudonormal.dot(y - facets.corner(c.triangle, 0)) < 0;
     if (pseudonormal.isZero(0)) return winding.inside(mesh(), y);
     return pseudonormal.dot(y - c.point) < 0;
   }
@@ -102,7 +108,7 @@ bool MeshSurface::Data::under_active(const FacetSearch::Foot& c, const Vec3& y) 
   }
   if (!border) return true;
   const Vec3 r = y - c.point;
-  return -normals.face(t).dot(r) >= std::sqrt(0.5) * r.norm();
+  return -normals.face(facets, t).dot(r) >= std::sqrt(0.5) * r.norm();
 }
 
 MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfaceOptions options) {
@@ -279,7 +285,7 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
   if (length > 1e-4 * d.small)
     s.normal = (behind ? -1 : 1) * r.normalized();
   else
-    s.normal = pseudonormal.isZero(0) ? d.normals.face(t) : pseudonormal.normalized();
+    s.normal = pseudonormal.isZero(0) ? d.normals.face(d.facets, t) : pseudonormal.normalized();
   if (is_edge(c.feature)) {
     const int i = feature_index(c.feature);
     const double at = i == 0 ? c.u : i == 1 ? c.v : 1 - c.v;
@@ -296,9 +302,9 @@ void MeshSurface::walls(std::span<const Vec3> axis, double reach, SurfaceWalls& 
   if (!data_->boxes.empty()) data_->walls().find(axis, reach, out);
 }
 
-bool MeshSurface::one_wall(const Vec3& centre, double radius) const {
+bool MeshSurface::one_wall(std::span<const Vec3> axis, double reach) const {
   if (data_->boxes.empty()) return true;
-  return radius < data_->bounds.diagonal() && data_->walls().one(centre, radius);
+  return reach < data_->bounds.diagonal() && data_->walls().one(axis, reach);
 }
 
 std::optional<SurfacePoint> MeshSurface::query_wall(const SurfaceWall& wall, const Vec3& y,

@@ -13,7 +13,7 @@ struct Local {
   bool damped;                  // the damping acts: taut, and tension not cut off at zero
 };
 
-Local local(const CableSection& s, const CableEnds& e) {
+inline Local local(const CableSection& s, const CableInPlace& e) {
   Local o;
   const Vec3 d = e.x2 - e.x1;
   o.l = d.norm();
@@ -38,33 +38,50 @@ void spread(const Mat3& k, double* out) {
   K.topRightCorner<3, 3>() = -k, K.bottomLeftCorner<3, 3>() = -k;
 }
 
-void pull(const Vec3& t, double* f) {
+CableInPlace in_place(const CableEnds& e) { return {e.x1, e.x2, e.v1, e.v2}; }
+
+void ends(const Vec3& t, double* f) {
   for (int i = 0; i < 3; ++i) f[i] = -t[i], f[3 + i] = t[i];
 }
 
 }  // namespace
 
-void cable_force(const CableSection& s, const CableEnds& e, double* f) {
+Vec3 cable_pull(const CableSection& s, const CableInPlace& e) {
   const Local o = local(s, e);
-  pull(o.tension * o.t, f);
+  return o.tension * o.t;
+}
+
+void cable_pull(const CableSection& s, const CableInPlace& e, bool convex, CablePull& out) {
+  const Local o = local(s, e);
+  out.force = o.tension * o.t;
+  const bool taut = o.tension > 0;
+  const double ea = s.EA / s.length, across = o.tension / o.l;
+  const double stiff = taut ? o.axial.slope / s.length : ea;
+  Vec3 along = (taut || convex ? stiff : 0.0) * o.t - across * o.t;
+  // rate = t.dv/L turns with the chord: its gradient is (dv - t (t.dv))/(l L)
+  if (o.damped) along += (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv));
+  const Vec3 damped = (o.damped ? ea * s.beta : 0.0) * o.t;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) {
+      out.k(i, j) = o.t[i] * along[j] + (i == j ? across : 0.0);
+      out.c(i, j) = o.t[i] * damped[j];
+    }
+}
+
+void cable_force(const CableSection& s, const CableEnds& e, double* f) {
+  ends(cable_pull(s, in_place(e)), f);
 }
 
 void cable_tangent(const CableSection& s, const CableEnds& e, bool convex, double* f, double* K, double* C) {
-  const Local o = local(s, e);
-  pull(o.tension * o.t, f);
-  const bool taut = o.tension > 0;
-  const double ea = s.EA / s.length, g = o.tension / o.l;
-  const double stiff = taut ? o.axial.slope / s.length : ea;
-  Mat3 k = g * (Mat3::Identity() - o.t * o.t.transpose());
-  if (taut || convex) k.noalias() += stiff * o.t * o.t.transpose();
-  // rate = t.dv/L turns with the chord: its gradient is (dv - t (t.dv))/(l L)
-  if (o.damped) k.noalias() += (ea * s.beta / o.l) * o.t * (o.dv - o.t * o.t.dot(o.dv)).transpose();
-  spread(k, K);
-  if (s.beta > 0 && C) spread((o.damped ? ea * s.beta : 0.0) * o.t * o.t.transpose(), C);
+  CablePull o;
+  cable_pull(s, in_place(e), convex, o);
+  ends(o.force, f);
+  spread(o.k, K);
+  if (s.beta > 0 && C) spread(o.c, C);
 }
 
 CableStress cable_stress(const CableSection& s, const CableEnds& e) {
-  const Local o = local(s, e);
+  const Local o = local(s, in_place(e));
   CableStress out;
   out.tension = o.tension;
   if (o.strain > 0) {

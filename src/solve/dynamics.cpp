@@ -20,21 +20,22 @@ constexpr double kCounted = 1e-5;
 constexpr int kMostAugmentations = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
-// With the old tangent the residual must fall so in an iteration, and reach the tolerance in so many; else a
-// new tangent is cheaper.
+// With the old tangent the residual must fall so in an iteration, and get where it is wanted in so many; else
+// a new tangent is cheaper.
 constexpr double kChordRate = 0.1;
-// Below this tolerance results are to be the same to rounding on every number of ranks, and the old tangent
-// does not get there: what it leaves is far smaller than the tolerance, but far above rounding.
-constexpr double kLoose = 1e-6;
-constexpr int kMostChords = 2;
+constexpr int kMostChords = 3;
+// What is this far below the tolerance shows in nothing, and needs no iteration more; nor do more than so
+// many within the tolerance.
+constexpr double kDeep = 1e-3;
+constexpr int kMostPolishes = 4;
 
 // Whether iterations with the old tangent, each for a fourth of the price, are expected to end it. Newton's
 // error falls as e1 = C e0², with the old tangent then as e2 = 2 C e0 e1 (chord method: Kelley 1995,
 // Iterative Methods for Linear and Nonlinear Equations, section 5.4). was_old: so was the iteration from
 // `before` to `now`.
-bool old_tangent_will_do(double before, double now, bool was_old, double tolerance) {
+bool old_tangent_will_do(double before, double now, bool was_old, double wanted) {
   const double rate = (was_old ? 1 : 2) * now / before;
-  return tolerance >= kLoose && rate < kChordRate && now * std::pow(rate, kMostChords) < tolerance;
+  return rate < kChordRate && now * std::pow(rate, kMostChords) < wanted;
 }
 
 }  // namespace
@@ -62,6 +63,7 @@ Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
 
 // What depends on ghosts and on the matrix's pattern.
 void Dynamics::build() {
+  copied_ = false;
   u_ = system_.create_vector();
   check(VecDuplicate(u_.get(), r_.out()));
   check(VecDuplicate(u_.get(), solution_.out()));
@@ -88,6 +90,7 @@ void Dynamics::prepare(double h) {
     reactions_.resize(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   }
   system_.prepare(committed_.s.view(last_step_), h);
+  expected_ = h;
 }
 
 void Dynamics::load(Vec u) {
@@ -151,21 +154,22 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
   const double tolerance = d.settings_.tolerance;
   if (d.counted_ < 0 && d.norms_.small(std::max(tolerance, kCounted))) d.counted_ = static_cast<int>(it);
   const bool small = it > 0 && d.norms_.small(tolerance);
-  if (fnorm == 0 || (small && d.polishing_)) {
+  const double now = d.norms_.relative(), wanted = kDeep * tolerance;
+  if (fnorm == 0 || (small && (now <= wanted || d.polishes_ == kMostPolishes))) {
     *reason = fnorm == 0 ? SNES_CONVERGED_FNORM_ABS : SNES_CONVERGED_FNORM_RELATIVE;
     PetscFunctionReturn(0);
   }
-  d.polishing_ = small;
+  d.polishes_ = small ? d.polishes_ + 1 : 0;
   PetscInt lag = 1;
   PetscCall(SNESGetLagJacobian(snes, &lag));
-  const bool keep = small || (it > 0 && old_tangent_will_do(before, d.norms_.relative(), lag < 0, tolerance));
+  const bool keep = small || (it > 0 && old_tangent_will_do(before, now, lag < 0, wanted));
   if (keep != (lag < 0)) PetscCall(SNESSetLagJacobian(snes, keep ? -1 : 1));
   PetscFunctionReturn(0);
 }
 
 // Newton from where u_ is. Iterations of all rounds of a try are counted by the worst of them.
 void Dynamics::solve_once(Attempt& a) {
-  polishing_ = false, counted_ = -1;
+  polishes_ = 0, counted_ = -1;
   check(SNESSetLagJacobian(snes_, 1));
   const PetscErrorCode code = SNESSolve(snes_, nullptr, u_.get());
   if (error_) std::rethrow_exception(error_);
@@ -181,8 +185,11 @@ void Dynamics::solve_once(Attempt& a) {
 
 Dynamics::Attempt Dynamics::attempt(double h) {
   h_ = h;
-  system_.expect(committed_.s.view(last_step_), h);
-  trial_ = committed_;
+  if (h != expected_) system_.expect(committed_.s.view(last_step_), h);
+  expected_ = h;
+  // What does not change in a step (rotations of cables) is in the trial of the step before.
+  if (!copied_) trial_ = committed_;
+  copied_ = true;
   alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
   PetscScalar* p = nullptr;
   check(VecGetArray(u_.get(), &p));
@@ -225,12 +232,13 @@ void Dynamics::accept(double h) {
   }
   reactions_ = now;
   std::swap(committed_, trial_);
-  last_step_ = h;
+  last_step_ = h, expected_ = -1;
   system_.commit(committed_.s.view(h));
 }
 
 void Dynamics::start(const State& state) {
   committed_.s = state;
+  copied_ = false;
   const size_t n = state.x.size();
   State& s = committed_.s;
   s.a.assign(n, Vec3::Zero()), s.alpha.assign(n, Vec3::Zero());
@@ -267,6 +275,7 @@ void Dynamics::start(const State& state) {
 
 void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried) {
   committed_ = state;
+  copied_ = false;
   reactions_ = std::move(reactions);
   control_.restore(carried.step_wish, carried.step_wait, carried.step_ringing, carried.step_calm);
   last_step_ = carried.last_step;

@@ -131,17 +131,15 @@ MatHandle System::create_matrix() const {
   check(MatSetBlockSize(A.get(), 3));
   check(MatXAIJSetPreallocation(A.get(), 3, own.data(), other.data(), nullptr, nullptr));
   check(MatSetOption(A.get(), MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
-  if (coupled_) {
-    // What is not written at the first assembly is lost, and candidates may touch later.
-    const double zero[9] = {};
-    for (const auto& [row, column] : entries) {
-      const PetscInt r = mesh_.global_block[static_cast<size_t>(row)],
-                     c = mesh_.global_block[static_cast<size_t>(column)];
-      check(MatSetValuesBlocked(A.get(), 1, &r, 1, &c, zero, INSERT_VALUES));
-    }
-    check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));
-    check(MatAssemblyEnd(A.get(), MAT_FINAL_ASSEMBLY));
+  // What is not written at the first assembly is lost, and candidates may touch later.
+  const double zero[9] = {};
+  for (const auto& [row, column] : entries) {
+    const PetscInt r = mesh_.global_block[static_cast<size_t>(row)],
+                   c = mesh_.global_block[static_cast<size_t>(column)];
+    check(MatSetValuesBlocked(A.get(), 1, &r, 1, &c, zero, INSERT_VALUES));
   }
+  check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(A.get(), MAT_FINAL_ASSEMBLY));
   return A;
 }
 

@@ -16,62 +16,115 @@ void turn_columns(const Mat3& T, int m, double* p) {
   }
 }
 
+// J = w A, J += w A for n x n blocks; the usual numbers of blocks with loops of known length.
+template <bool first, int n>
+void weigh(double w, const double* A, double* J) {
+  for (int i = 0; i < 9 * n * n; ++i) J[i] = (first ? 0 : J[i]) + w * A[i];
+}
+template <bool first>
+void weigh(int n, double w, const double* A, double* J) {
+  if (n == 2) return weigh<first, 2>(w, A, J);
+  if (n == 4) return weigh<first, 4>(w, A, J);
+  for (int i = 0; i < 9 * n * n; ++i) J[i] = (first ? 0 : J[i]) + w * A[i];
+}
+
 }  // namespace
+
+void Sink::add_force(int b, double x, double y, double z) {
+  if (b >= owned_blocks_) return;
+  double* out = force_->data() + 3 * b;
+  out[0] += x, out[1] += y, out[2] += z;
+  (*squares_)[static_cast<size_t>(b)] += x * x + y * y + z * z;
+}
+
+// Three rows of a row-major matrix with `stride` columns. Where the row is another rank's, that computes it.
+void Sink::add_block(int row, int column, const double* J, int stride) {
+  if (row >= owned_blocks_) return;
+  double* to = column < owned_blocks_ ? own_->at(row, column) : nullptr;
+  if (to) {
+    for (int c = 0; c < 3; ++c)
+      for (int r = 0; r < 3; ++r) to[3 * c + r] += J[r * stride + c];
+    return;
+  }
+  double block[9];
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) block[3 * r + c] = J[r * stride + c];
+  const PetscInt r = (*global_block_)[static_cast<size_t>(row)],
+                 c = (*global_block_)[static_cast<size_t>(column)];
+  check(MatSetValuesBlocked(matrix_, 1, &r, 1, &c, block, ADD_VALUES));
+}
 
 void Sink::add(std::span<const int> blocks, const double* f, const double* K, const double* C,
                const double* M) {
   const int n = static_cast<int>(blocks.size());
   assert(n <= kMaxBlocks);
-  if (force_ && f) {
-    double* out = force_->data();
-    for (int i = 0; i < n; ++i) {
-      const int b = blocks[static_cast<size_t>(i)];
-      if (b >= owned_blocks_) continue;
-      double square = 0;
-      for (int c = 0; c < 3; ++c) {
-        out[3 * b + c] += f[3 * i + c];
-        square += f[3 * i + c] * f[3 * i + c];
-      }
-      (*squares_)[static_cast<size_t>((*square_of_block_)[static_cast<size_t>(b)])] += square;
-    }
-  }
+  const int* block = blocks.data();
+  if (force_ && f)
+    for (int i = 0; i < n; ++i) add_force(block[i], f[3 * i], f[3 * i + 1], f[3 * i + 2]);
   if (!matrix_) return;
 
   const int m = 3 * n;
   double J[9 * kMaxBlocks * kMaxBlocks];
-  PetscInt rows[kMaxBlocks], columns[kMaxBlocks];
-  const double wC = C ? weights_.C : 0, wM = M ? weights_.M : 0;
   if (K && weights_.K != 0) {
-    for (int i = 0; i < m * m; ++i) J[i] = weights_.K * K[i];
-    if (!retraction_->empty())
-      for (int j = 0; j < n; ++j) {
-        const size_t b = static_cast<size_t>(blocks[static_cast<size_t>(j)]);
-        if ((*is_rotation_)[b]) turn_columns((*retraction_)[b], m, J + 3 * j);
-      }
+    weigh<true>(n, weights_.K, K, J);
+    for (int j = 0; j < n; ++j)
+      if ((*is_rotation_)[static_cast<size_t>(block[j])])
+        turn_columns((*retraction_)[static_cast<size_t>(block[j])], m, J + 3 * j);
   } else {
     std::fill(J, J + m * m, 0.0);
   }
-  if (wC != 0 && wM != 0)
-    for (int i = 0; i < m * m; ++i) J[i] += wC * C[i] + wM * M[i];
-  else if (wC != 0)
-    for (int i = 0; i < m * m; ++i) J[i] += wC * C[i];
-  else if (wM != 0)
-    for (int i = 0; i < m * m; ++i) J[i] += wM * M[i];
+  if (C && weights_.C != 0) weigh<false>(n, weights_.C, C, J);
+  if (M && weights_.M != 0) weigh<false>(n, weights_.M, M, J);
+  put(block, n, J);
+}
 
-  bool any_held = false;
+// Without what belongs to held components.
+void Sink::put(const int* block, int n, double* J) {
+  const int m = 3 * n;
   for (int i = 0; i < n; ++i) {
-    const int b = blocks[static_cast<size_t>(i)];
-    const size_t s = static_cast<size_t>(b);
-    columns[i] = (*global_block_)[s];
-    rows[i] = b < owned_blocks_ ? columns[i] : -1;  // negative rows are skipped: another rank computes them
-    any_held |= !held_->empty() && (*held_)[s];
+    const unsigned char held = (*held_)[static_cast<size_t>(block[i])];
+    if (!held) continue;
+    for (int c = 0; c < 3; ++c)
+      if (held >> c & 1)
+        for (int k = 0; k < m; ++k) J[(3 * i + c) * m + k] = J[k * m + 3 * i + c] = 0;
   }
-  if (any_held)
-    for (int i = 0; i < n; ++i)
-      for (int c = 0; c < 3; ++c)
-        if ((*held_)[static_cast<size_t>(blocks[static_cast<size_t>(i)])] >> c & 1)
-          for (int k = 0; k < m; ++k) J[(3 * i + c) * m + k] = J[k * m + 3 * i + c] = 0;
-  check(MatSetValuesBlocked(matrix_, n, rows, n, columns, J, ADD_VALUES));
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) add_block(block[i], block[j], J + 3 * i * m + 3 * j, m);
+}
+
+void Sink::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c) {
+  if (force_) add_force(a, -f[0], -f[1], -f[2]), add_force(b, f[0], f[1], f[2]);
+  if (!matrix_) return;
+  const int blocks[2] = {a, b};
+  double J[36];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double s = (k ? weights_.K * (*k)(i, j) : 0) + (c ? weights_.C * (*c)(i, j) : 0);
+      J[6 * i + j] = J[6 * i + 21 + j] = s;
+      J[6 * i + 3 + j] = J[6 * i + 18 + j] = -s;
+    }
+  put(blocks, 2, J);
+}
+
+void Sink::add_weighted(int a, int b, const double* f, const double* J) {
+  if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
+  if (!matrix_) return;
+  const int blocks[2] = {a, b};
+  double own[36];
+  std::copy(J, J + 36, own);
+  put(blocks, 2, own);
+}
+
+void Sink::add_masses(int a, int b, const double* f, double own, double shared) {
+  if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
+  if (!matrix_ || weights_.M == 0) return;
+  const int blocks[2] = {a, b};
+  double J[36] = {};
+  for (int i = 0; i < 6; ++i) {
+    J[7 * i] = weights_.M * own;
+    J[6 * i + (i + 3) % 6] = weights_.M * shared;
+  }
+  put(blocks, 2, J);
 }
 
 }  // namespace hawser

@@ -15,7 +15,7 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
   size_arrays();
   int lines = 1;
   for (const Node& n : mesh_.mesh->nodes) lines = std::max(lines, n.line + 1);
-  squares_.assign(2 * static_cast<size_t>(lines), 0);
+  sums_ = 2 * static_cast<size_t>(lines);
   supports_ = Supports(mesh_, {}, {});
   for (const Element& e : mesh_.mesh->elements) longest_element_ = std::max(longest_element_, e.length);
   // A moment of a floating body is judged as a force over a metre.
@@ -35,6 +35,7 @@ void System::size_arrays() {
     if (mesh_.rotates(n)) is_rotation_[b + 1] = 1, square_of_block_[b + 1] = 2 * line + 1;
   }
   force_.resize(3 * blocks, 0);
+  squares_.resize(blocks, 0);
   retraction_.assign(blocks, Mat3::Identity());
 }
 
@@ -83,9 +84,7 @@ void System::residual(const Kinematics& trial, Vec r) {
   sink.force_ = &force_;
   std::fill(squares_.begin(), squares_.end(), 0.0);
   sink.squares_ = &squares_;
-  sink.square_of_block_ = &square_of_block_;
   sink.owned_blocks_ = mesh_.owned_blocks;
-  sink.is_rotation_ = &is_rotation_;
   for (size_t i = 0; i < terms_.size(); ++i) {
     check(PetscLogEventBegin(residual_event_[i], nullptr, nullptr, nullptr, nullptr));
     terms_[i]->evaluate(trial, sink);
@@ -108,8 +107,10 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   for (size_t b = 0; b < is_rotation_.size(); ++b)
     if (is_rotation_[b]) retraction_[b] = right_jacobian(Eigen::Map<const Vec3>(u.data() + 3 * b));
   check(MatZeroEntries(J));
+  const OwnBlocks own(J);
   Sink sink;
   sink.matrix_ = J;
+  sink.own_ = &own;
   sink.weights_ = weights;
   sink.convex_ = convex;
   sink.owned_blocks_ = mesh_.owned_blocks;
@@ -128,30 +129,29 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
     const size_t i = static_cast<size_t>(b);
     if (!held[i] && !shifted) continue;
     const double shift = is_rotation_[i] ? weights.shift_rotation : weights.shift_position;
-    double diagonal[9] = {};
-    for (int c = 0; c < 3; ++c) diagonal[4 * c] = held[i] >> c & 1 ? 1 : shift;
-    const PetscInt row = mesh_.global_block[i];
-    check(MatSetValuesBlocked(J, 1, &row, 1, &row, diagonal, ADD_VALUES));
+    double* diagonal = own.at(b, b);
+    for (int c = 0; c < 3; ++c) diagonal[4 * c] += held[i] >> c & 1 ? 1 : shift;
   }
   check(MatAssemblyBegin(J, MAT_FINAL_ASSEMBLY));
   check(MatAssemblyEnd(J, MAT_FINAL_ASSEMBLY));
 }
 
 ResidualNorms System::norms(Vec r) const {
-  std::vector<double> s(2 * squares_.size(), 0);  // residuals, then what makes them up
+  std::vector<double> s(2 * sums_, 0);  // residuals, then what makes them up
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(r, &p));
-  for (int b = 0; b < mesh_.owned_blocks; ++b)
-    s[static_cast<size_t>(square_of_block_[static_cast<size_t>(b)])] +=
-        p[3 * b] * p[3 * b] + p[3 * b + 1] * p[3 * b + 1] + p[3 * b + 2] * p[3 * b + 2];
+  for (int b = 0; b < mesh_.owned_blocks; ++b) {
+    const size_t line = static_cast<size_t>(square_of_block_[static_cast<size_t>(b)]);
+    s[line] += p[3 * b] * p[3 * b] + p[3 * b + 1] * p[3 * b + 1] + p[3 * b + 2] * p[3 * b + 2];
+    s[sums_ + line] += squares_[static_cast<size_t>(b)];
+  }
   check(VecRestoreArrayRead(r, &p));
-  std::copy(squares_.begin(), squares_.end(), s.begin() + static_cast<std::ptrdiff_t>(squares_.size()));
   MPI_Allreduce(MPI_IN_PLACE, s.data(), static_cast<int>(s.size()), MPI_DOUBLE, MPI_SUM, comm_);
   ResidualNorms worst;
   double most = -1;
-  for (size_t l = 0; l < squares_.size() / 2; ++l) {
+  for (size_t l = 0; l < sums_ / 2; ++l) {
     const double* own = s.data() + 2 * l;
-    const double* scale = own + squares_.size();
+    const double* scale = own + sums_;
     const ResidualNorms n{std::sqrt(own[0]),
                           std::sqrt(own[1]),
                           std::sqrt(scale[0]),
@@ -204,12 +204,31 @@ double System::dead_load() const {
   return sum;
 }
 
-StepLimit System::longest_step(const Kinematics& committed) const {
-  StepLimit limit;
-  for (const auto& t : terms_) limit.take(t->longest_step(committed));
-  double both[2] = {limit.longest, limit.period};
+StepLimit System::longest_step(const Kinematics& committed, double most) {
+  Strikes strikes;
+  for (const auto& t : terms_) t->limit_step(committed, strikes);
+  double both[2] = {strikes.longest, strikes.list.empty() ? 1.0 : 0.0};
   MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MIN, comm_);
-  return {both[0], both[1]};
+  StepLimit limit;
+  limit.longest = both[0];
+  if (both[1] > 0) return limit;
+  const Sum sum = [&](std::span<double> values) {
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  };
+  std::vector<LineMotion> lines(squares_.size() / 2);
+  for (const auto& t : terms_) t->motion(committed, lines);
+  for (const Strike& s : strikes.list) {
+    lines[static_cast<size_t>(s.line)].striking += s.energy();
+    if (s.other >= 0) lines[static_cast<size_t>(s.other)].striking += s.energy();
+  }
+  static_assert(sizeof(LineMotion) == 6 * sizeof(double));
+  sum({reinterpret_cast<double*>(lines.data()), 6 * lines.size()});
+  const std::vector<double> energies = bearable(lines);
+  for (const auto& t : terms_) t->bear(energies);
+  const StepLimit struck = bounded_step(strikes.list, energies, std::min(most, limit.longest), sum);
+  limit.longest = std::min(limit.longest, struck.longest);
+  limit.period = struck.period;
+  return limit;
 }
 
 bool System::augment(const Kinematics& equilibrium) {

@@ -19,6 +19,7 @@ Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> 
     else
       p.blocks[0] = a, p.blocks[1] = b;
   }
+  group();
 }
 
 const std::vector<WaveMotion>& Hydrodynamics::waves(const Kinematics& at) const {
@@ -76,32 +77,38 @@ WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const std::ve
   return e;
 }
 
-void Hydrodynamics::evaluate(const Kinematics& trial, Sink& sink) {
-  look(trial, water_);
+void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Sink& sink) const {
   double f[12], K[144], C[144], M[144];
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
-  for (const Piece& p : pieces_) {
-    const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
-    const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
-    if (p.beam) {
-      const WaterEnds e = ends(p, trial, water_);
-      if (tangent)
-        beam_water_tangent(p.section, e, convex, f, K, C, M);
-      else
-        beam_water_force(p.section, e, f);
-    } else {
-      const CableInWater e{trial.x[i], trial.x[j], trial.v[i], trial.v[j],
-                           trial.a[i], trial.a[j], water_[i],  water_[j]};
-      if (tangent)
-        cable_in_water_tangent(p.section, e, convex, f, K, C, M);
-      else
-        cable_in_water_force(p.section, e, f);
-    }
+  const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
+  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  if (p.beam) {
+    const WaterEnds e = ends(p, trial, water_);
     if (tangent)
-      sink.add(blocks, f, K, C, M);
+      beam_water_tangent(p.section, e, convex, f, K, C, M);
     else
-      sink.add(blocks, f, nullptr, nullptr, nullptr);
+      beam_water_force(p.section, e, f);
+  } else {
+    const CableInWater e{trial.x[i], trial.x[j], trial.v[i], trial.v[j],
+                         trial.a[i], trial.a[j], water_[i],  water_[j]};
+    if (tangent)
+      cable_in_water_tangent(p.section, e, convex, f, K, C, M);
+    else
+      cable_in_water_force(p.section, e, f);
   }
+  if (tangent)
+    sink.add(blocks, f, K, C, M);
+  else
+    sink.add(blocks, f, nullptr, nullptr, nullptr);
+}
+
+void Hydrodynamics::evaluate(const Kinematics& trial, Sink& sink) {
+  look(trial, water_);
+  const bool tangent = sink.wants_tangent();
+  for (const Four& q : fours_)
+    if (!evaluate(q, trial, sink))
+      for (int i = 0; i < q.count; ++i) evaluate(pieces_[static_cast<size_t>(q.piece[i])], trial, sink);
+  for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, sink);
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
@@ -126,16 +133,28 @@ void Hydrodynamics::places(const Piece& p, const Kinematics& k, Vec3* out) const
   out[3] = p.beam ? Vec3(L * (k.q[j] * p.section.axis)) : Vec3::Zero();
 }
 
-// Balls after the pieces: a force at one place.
+// Cables, beams, balls: a force at one place.
 void Hydrodynamics::flow(const Kinematics& at, std::vector<Flow>& out) const {
   std::vector<Water>& water = seen_;
   look(at, water);
   out.clear();
-  for (const Piece& p : pieces_) {
-    if (!p.at.counted) continue;
+  const auto put = [&](const Piece& p, const WaterForce& force) {
     Flow& o = out.emplace_back();
-    o.force = water_force(p.section, ends(p, at, water), p.beam, sea_.surface);
+    o.force = force;
     places(p, at, o.place);
+  };
+  for (const Four& q : fours_) {
+    WaterForce all[4];
+    const bool known = flow(q, at, water, all);
+    for (int i = 0; i < q.count; ++i) {
+      const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
+      if (!p.at.counted) continue;
+      put(p, known ? all[i] : water_force(p.section, ends(p, at, water), false, sea_.surface));
+    }
+  }
+  for (const int b : beams_) {
+    const Piece& p = pieces_[static_cast<size_t>(b)];
+    if (p.at.counted) put(p, water_force(p.section, ends(p, at, water), true, sea_.surface));
   }
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);

@@ -70,7 +70,7 @@ void LineContact::prepare(const Kinematics& committed, double h) {
         histories.back() = std::move(was.history);
         if (was.slot > 0) continue;
         first.hint = was.hint;
-        first.one_centre = was.one_centre, first.one_radius = was.one_radius;
+        first.one_chord = was.one_chord, first.one_reach = was.one_reach, first.one = was.one;
         // What was found on all of the surface is found again; of a wall it may be another.
         if (!was.walls) first.found = std::move(was.found);
       }
@@ -96,8 +96,8 @@ void LineContact::prepare(const Kinematics& committed, double h) {
   }
 }
 
-StepLimit LineContact::trusted(const Pair& pair, const Kinematics& committed, double xi, double gap,
-                               const Vec3& normal, bool last) const {
+void LineContact::look(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
+                       const Vec3& normal, bool last, Strikes& to) const {
   const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
   const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
   const RigidPose& pose = start_poses_[body(pair.volume)];
@@ -105,30 +105,42 @@ StepLimit LineContact::trusted(const Pair& pair, const Kinematics& committed, do
   const Vec3 velocity = back * (pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi)));
   const Vec3 acceleration = back * ((1 - xi) * committed.a[static_cast<size_t>(e.first)] +
                                     xi * committed.a[static_cast<size_t>(e.second)]);
-  return trusted_step(pair.law.normal, element.mass_per_length, element.radius,
-                      {gap, -normal.dot(velocity), normal.dot(acceleration), last});
+  const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
+  limit_depth(element.radius, at, to);
+  if (e.counted && share > 0)
+    to.add(strikes(pair.law.normal, element.mass_per_length, share, element.radius, at),
+           mesh_.mesh->elements[static_cast<size_t>(e.global)].line);
 }
 
-StepLimit LineContact::longest_step(const Kinematics& committed) const {
-  StepLimit limit;
+void LineContact::look_ahead(const Pair& pair, const Kinematics& committed, double xi, bool touching,
+                             const SurfacePoint& p, Strikes& to) const {
+  // Simpson's rule; what touches has been looked at.
+  const double gap = p.distance - pair.touch;
+  const double share = gap < 0 && touching ? 0 : length(pair.element) * (xi == 0.5 ? 4 : 1) / 6;
+  look(pair, committed, xi, share, gap, p.normal, false, to);
+}
+
+void LineContact::limit_step(const Kinematics& committed, Strikes& to) const {
   for (const Pair& pair : pairs_) {
     const RigidPose& pose = start_poses_[body(pair.volume)];
     const auto deepest = std::min_element(pair.history.begin(), pair.history.end(),
                                           [](const Point& a, const Point& b) { return a.gap < b.gap; });
+    // All of the contact ends with the deepest place.
+    double all = 0;
+    for (const Point& p : pair.history) all += p.weight;
     for (auto p = pair.history.begin(); p != pair.history.end(); ++p)
-      limit.take(
-          trusted(pair, committed, p->xi, p->gap - pair.law.normal.smoothing, p->normal, p == deepest));
+      look(pair, committed, p->xi, p == deepest ? all : p->weight, p->gap - pair.law.normal.smoothing,
+           p->normal, p == deepest, to);
     if (pair.slot > 0) continue;
     for (const double xi : {0.0, 0.5, 1.0}) {
       const Vec3 v = pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi));
       // Look ahead as far as it gets in half a second.
       const auto p = volumes_[static_cast<size_t>(pair.volume)].surface->query(
           pose.to_body(pair.start.point(xi)), pair.touch + 0.5 * (pair.start.reach() + v.norm()), pair.hint);
-      if (p) limit.take(trusted(pair, committed, xi, p->distance - pair.touch, p->normal, false));
+      if (p) look_ahead(pair, committed, xi, !pair.history.empty(), *p, to);
     }
-    if (pair.walls) cap_walls(pair, committed, limit);
+    if (pair.walls) cap_walls(pair, committed, to);
   }
-  return limit;
 }
 
 bool LineContact::middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose,

@@ -99,8 +99,8 @@ void LineMassTerm::evaluate(const Kinematics& trial, Sink& sink) {
     if (!p.beam) {
       const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
-      if (sink.wants_tangent()) cable_mass_tangent(p.section, M);
-      sink.add(blocks, f, nullptr, nullptr, M);
+      const double twelfth = p.section.mass_per_length * p.section.length / 12;
+      sink.add_masses(p.blocks[0], p.blocks[1], f, 5 * twelfth, twelfth);
     } else if (sink.wants_tangent()) {
       beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
       sink.add(blocks, f, K, C, M);
@@ -145,6 +145,17 @@ double LineMassTerm::round_off(const Kinematics& at, double h) const {
   for (const Piece& p : pieces_)
     if (p.at.counted) sum += inertia_round_off(at, p.at, p.section.mass_per_length * p.section.length, h);
   return sum;
+}
+
+void LineMassTerm::motion(const Kinematics& at, std::span<LineMotion> lines) const {
+  for (const Piece& p : pieces_) {
+    if (!p.at.counted) continue;
+    LineMotion& line =
+        lines[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(p.at.global)].line)];
+    const double half = 0.5 * p.section.mass_per_length * p.section.length;
+    line.add(half, at.v[static_cast<size_t>(p.at.first)]);
+    line.add(half, at.v[static_cast<size_t>(p.at.second)]);
+  }
 }
 
 double LineMassTerm::dead_load() const {

@@ -23,6 +23,11 @@ CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k) {
   return {k.x[i], k.x[j], k.v[i], k.v[j]};
 }
 
+CableInPlace in_place(const StructureTerm::Cable& c, const Kinematics& k) {
+  const size_t i = static_cast<size_t>(c.at.first), j = static_cast<size_t>(c.at.second);
+  return {k.x[i], k.x[j], k.v[i], k.v[j]};
+}
+
 }  // namespace
 
 StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
@@ -83,8 +88,9 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
       sink.add(b.blocks, f, K, b.section.beta > 0 ? C : nullptr, nullptr);
     }
     for (const Cable& c : cables_) {
-      cable_tangent(c.section, ends(c, trial), sink.convex(), f, K, C);
-      sink.add(c.blocks, f, K, c.section.beta > 0 ? C : nullptr, nullptr);
+      CablePull o;
+      cable_pull(c.section, in_place(c, trial), sink.convex(), o);
+      sink.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
   }
@@ -94,8 +100,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
     sink.add(b.blocks, f, nullptr, nullptr, nullptr);
   }
   for (const Cable& c : cables_) {
-    cable_force(c.section, ends(c, trial), f);
-    sink.add(c.blocks, f, nullptr, nullptr, nullptr);
+    sink.add_between(c.blocks[0], c.blocks[1], cable_pull(c.section, in_place(c, trial)), nullptr, nullptr);
   }
 }
 

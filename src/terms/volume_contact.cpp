@@ -116,8 +116,7 @@ void VolumeContact::look_ahead(const Kinematics& at) {
   questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) { pairs_[i].seen = p; });
 }
 
-StepLimit VolumeContact::longest_step(const Kinematics& committed) const {
-  StepLimit limit;
+void VolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
   std::vector<SurfacePoint> met;
   for (const Pair& pair : pairs_) {
     if (pair.slot > 0) continue;
@@ -135,18 +134,14 @@ StepLimit VolumeContact::longest_step(const Kinematics& committed) const {
     else if (const auto p = volumes_[k].surface->query(y, ahead, pair.hint))
       met.push_back(*p);
     for (const SurfacePoint& p : met) {
-      const double a = p.normal.dot(pose.rotation.conjugate() * committed.a[n]);
-      if (model_ == NodeContact::rigid) {  // has no period
-        if (const double closing = -p.normal.dot(v); closing > 0)
-          limit.longest = std::min(
-              limit.longest, (std::max(p.distance - pair.touch, 0.0) + 0.5 * nodes_[n].radius) / closing);
-        continue;
-      }
-      limit.take(trusted_step(pair.law.normal, nodes_[n].mass, nodes_[n].radius,
-                              {p.distance - pair.touch, -p.normal.dot(v), a}));
+      const Approach at{p.distance - pair.touch, -p.normal.dot(v),
+                        p.normal.dot(pose.rotation.conjugate() * committed.a[n])};
+      limit_depth(nodes_[n].radius, at, to);
+      if (model_ == NodeContact::rigid) continue;  // has no period
+      to.add(strikes(pair.law.normal, nodes_[n].mass, 1, nodes_[n].radius, at),
+             mesh_.nodes[static_cast<size_t>(global_[n])].line);
     }
   }
-  return limit;
 }
 
 bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {

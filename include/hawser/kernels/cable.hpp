@@ -27,6 +27,17 @@ struct CableEnds {
   Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s
 };
 
+// The same where the nodes are: nothing is copied.
+struct CableInPlace {
+  const Vec3 &x1, &x2, &v1, &v2;
+};
+
+// What one end feels and minus what the other does, N, and its derivatives by x2 - x1 and v2 - v1.
+struct CablePull {
+  Vec3 force;
+  Mat3 k, c;  // c is zero unless it is damped
+};
+
 struct CableStress {
   double tension = 0;        // N, never negative
   double strain_energy = 0;  // J
@@ -39,6 +50,10 @@ void cable_force(const CableSection& s, const CableEnds& e, double* f);
 // Force and 6x6 row-major tangents by position and velocity (C untouched unless beta > 0). `convex` keeps the
 // axial stiffness of a slack element, so that statics far from the solution has something to pull with.
 void cable_tangent(const CableSection& s, const CableEnds& e, bool convex, double* f, double* K, double* C);
+
+// The force on the first end is -force, on the second force: residuals. `convex` as above.
+Vec3 cable_pull(const CableSection& s, const CableInPlace& e);
+void cable_pull(const CableSection& s, const CableInPlace& e, bool convex, CablePull& out);
 
 CableStress cable_stress(const CableSection& s, const CableEnds& e);
 

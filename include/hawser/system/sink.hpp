@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/math/types.hpp"
+#include "hawser/system/own_blocks.hpp"
 
 namespace hawser {
 
@@ -30,19 +31,30 @@ class Sink {
   // blocks: n local 3-blocks; f: 3n; K, C, M: (3n)x(3n) row-major or null. Configuration derivatives are
   // with respect to material rotation increments at the trial rotation; C and M by (v, w) and (a, alpha).
   void add(std::span<const int> blocks, const double* f, const double* K, const double* C, const double* M);
+  // The same for the positions a and b and forces that depend on their difference alone: -f at a, f at b; k
+  // and c: derivatives of f by x_b - x_a and v_b - v_a, or null.
+  void add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c);
+  // For masses that couple positions: f[6]; M is `own` times the identity on the diagonal, `shared` off it.
+  void add_masses(int a, int b, const double* f, double own, double shared);
+  // For kernels that weigh their own derivatives by weights(): f[6] and J[36] of two positions.
+  const Weights& weights() const { return weights_; }
+  void add_weighted(int a, int b, const double* f, const double* J);
 
  private:
   friend class System;
-  std::vector<double>* force_ = nullptr;  // 3 * local blocks
-  // Sums of squares of what was added to owned rows, by line: positions and rotations in turn.
-  std::vector<double>* squares_ = nullptr;
-  const std::vector<int>* square_of_block_ = nullptr;  // where a local block's rows are summed
+  void add_force(int block, double x, double y, double z);
+  void add_block(int row, int column, const double* J, int stride);
+  void put(const int* blocks, int n, double* J);
+
+  std::vector<double>* force_ = nullptr;    // 3 * local blocks
+  std::vector<double>* squares_ = nullptr;  // by block, sums of squares of what was added to owned rows
   Mat matrix_ = nullptr;
+  const OwnBlocks* own_ = nullptr;  // of the matrix
   Weights weights_;
   bool convex_ = false;
   int owned_blocks_ = 0;
   const std::vector<int>* global_block_ = nullptr;
-  const std::vector<Mat3>* retraction_ = nullptr;   // per local block; empty: identity everywhere
+  const std::vector<Mat3>* retraction_ = nullptr;   // per local block
   const std::vector<char>* is_rotation_ = nullptr;  // per local block
   const std::vector<unsigned char>* held_ =
       nullptr;  // per local block: bit c set when component c is prescribed

@@ -90,7 +90,8 @@ class System {
   void soften(double factor);
   double axial_stiffness() const;
   double dead_load() const;
-  StepLimit longest_step(const Kinematics& committed) const;
+  // Of a step of at most `most` [s]: what impacts allow is bounded by the energy they are about.
+  StepLimit longest_step(const Kinematics& committed, double most);
   bool augment(const Kinematics& equilibrium);  // true on all ranks: solve again
   void reset_multipliers();
 
@@ -119,7 +120,8 @@ class System {
   std::vector<double> force_;
   std::vector<Mat3> retraction_;
   std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
-  std::vector<double> squares_;       // of the last residual(), by line: forces and moments in turn
+  std::vector<double> squares_;       // of what made up the last residual(), by block
+  size_t sums_ = 0;                   // that they are summed to
   double round_off_ = 0, longest_element_ = 0;
 };
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hawser/kernels/current.hpp"
-#include "hawser/kernels/line_water.hpp"
+#include "hawser/kernels/submerged_cables.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
@@ -67,6 +67,19 @@ class Hydrodynamics final : public ForceTerm {
     WaterForce force;
     Vec3 place[4];
   };
+  // Cables that are taken together, where they are wholly wet; in the last some lanes repeat its last.
+  struct Four {
+    int count = 0;
+    int piece[4] = {};
+    int first[4] = {}, second[4] = {};  // local nodes
+    WaterSections4 sections;
+  };
+  void group();
+  CablesInWater4 motion(const Four& q, const Kinematics& k, const std::vector<Water>& water) const;
+  bool evaluate(const Four& q, const Kinematics& trial, Sink& sink) const;
+  void evaluate(const Piece& p, const Kinematics& trial, Sink& sink) const;
+  bool flow(const Four& q, const Kinematics& at, const std::vector<Water>& water, WaterForce* out) const;
+  bool moving() const { return !sea_.current.none() || !sea_.waves.none(); }
   Water water(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
   void look(const Kinematics& at, std::vector<Water>& out) const;
@@ -79,6 +92,8 @@ class Hydrodynamics final : public ForceTerm {
   Sea sea_;
   std::vector<Piece> pieces_;
   std::vector<Ball> balls_;
+  std::vector<Four> fours_;   // all cables
+  std::vector<int> beams_;    // pieces
   std::vector<Water> water_;  // of the trial, by local node
   // Waves are looked at once a step: at its end, where the nodes get with their speed at its start.
   double start_time_ = 0;                 // s

@@ -2,6 +2,7 @@
 // line, integrated over the stretches of each element's axis that touch. See docs/theory/line-contact.md.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -30,8 +31,8 @@ class LineContact final : public Contact {
 
   std::string_view name() const override { return "line contact"; }
   void prepare(const Kinematics& committed, double h) override;
-  // As trusted_step says of the ends and the middle of each element and of what touches.
-  StepLimit longest_step(const Kinematics& committed) const override;
+  // As limit_depth and strikes say of the ends and the middle of each element and of what touches.
+  void limit_step(const Kinematics& committed, Strikes& to) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
@@ -96,9 +97,10 @@ class LineContact final : public Contact {
     double clear = -1;
     int hint = -1;
     Found found;
-    // A ball that is known to hold one wall only.
-    Vec3 one_centre = Vec3::Zero();
-    double one_radius = -1;
+    // How far about a chord there is one wall only; or where that was asked in vain.
+    std::array<Vec3, 2> one_chord{Vec3::Zero(), Vec3::Zero()};
+    double one_reach = -1;
+    bool one = false;
     std::shared_ptr<Walls> walls;      // none: there is one wall in this step
     std::shared_ptr<const Seen> seen;  // of the axis of `found`
     // The wall it is about; none: all of the surface, and of a further pair nothing.
@@ -132,9 +134,12 @@ class LineContact final : public Contact {
   // What a pair sees of its volume.
   std::optional<SurfacePoint> see(const Pair& pair, const Vec3& y, double within,
                                   bool either_side = false) const;
-  void cap_walls(const Pair& pair, const Kinematics& committed, StepLimit& limit) const;
-  StepLimit trusted(const Pair& pair, const Kinematics& committed, double xi, double gap, const Vec3& normal,
-                    bool last) const;
+  void cap_walls(const Pair& pair, const Kinematics& committed, Strikes& to) const;
+  // What strikes at xi, `share` m of the line with it; what it may come to, which touches elsewhere already.
+  void look(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
+            const Vec3& normal, bool last, Strikes& to) const;
+  void look_ahead(const Pair& pair, const Kinematics& committed, double xi, bool touching,
+                  const SurfacePoint& p, Strikes& to) const;
   // What is first asked of an axis: how near its middle is. False when the middle of before still tells that
   // the axis is clear.
   bool middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose, SurfaceQuestion& ask) const;

@@ -32,7 +32,7 @@ class VolumeContact final : public Contact {
   std::string_view name() const override { return "volume contact"; }
   void prepare(const Kinematics& committed, double h) override;
   // So that no node gets deeper past a surface in a step than half its radius at its present speed.
-  StepLimit longest_step(const Kinematics& committed) const override;
+  void limit_step(const Kinematics& committed, Strikes& to) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   bool augments() const override { return model_ == NodeContact::augmented || model_ == NodeContact::rigid; }

@@ -1,0 +1,37 @@
+// The values of this rank's diagonal part of a BAIJ matrix in blocks of 3, to add to without PETSc's search,
+// copies and stash.
+#pragma once
+
+#include <petscmat.h>
+
+namespace hawser {
+
+class OwnBlocks {
+ public:
+  OwnBlocks() = default;
+  // Of a matrix whose pattern is known: assembled once.
+  explicit OwnBlocks(Mat J);
+  OwnBlocks(const OwnBlocks&) = delete;
+  OwnBlocks& operator=(const OwnBlocks&) = delete;
+  ~OwnBlocks();
+
+  // 3x3, column-major; rows and columns counted from the first of this rank. Null: not in the pattern.
+  double* at(int row, int column) const {
+    const PetscInt *from = columns_ + starts_[row], *to = columns_ + starts_[row + 1];
+    while (to - from > 8) {
+      const PetscInt* middle = from + (to - from) / 2;
+      (column < *middle ? to : from) = middle;
+    }
+    for (; from < to; ++from)
+      if (*from == column) return values_ + 9 * (from - columns_);
+    return nullptr;
+  }
+
+ private:
+  Mat own_ = nullptr;
+  PetscInt rows_ = 0;
+  const PetscInt *starts_ = nullptr, *columns_ = nullptr;
+  double* values_ = nullptr;
+};
+
+}  // namespace hawser

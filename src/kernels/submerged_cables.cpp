@@ -1,0 +1,178 @@
+#include "hawser/kernels/submerged_cables.hpp"
+
+#include <cmath>
+
+namespace hawser {
+namespace {
+
+using wide::Row;
+
+struct Vec {
+  Row c[3];
+};
+Vec operator+(const Vec& a, const Vec& b) { return {{a.c[0] + b.c[0], a.c[1] + b.c[1], a.c[2] + b.c[2]}}; }
+Vec operator-(const Vec& a, const Vec& b) { return {{a.c[0] - b.c[0], a.c[1] - b.c[1], a.c[2] - b.c[2]}}; }
+Vec operator*(Row s, const Vec& a) { return {{s * a.c[0], s * a.c[1], s * a.c[2]}}; }
+Vec operator*(double s, const Vec& a) { return {{s * a.c[0], s * a.c[1], s * a.c[2]}}; }
+Row dot(const Vec& a, const Vec& b) { return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2]; }
+Vec of(const Row* p) { return {{p[0], p[1], p[2]}}; }
+
+Row sqrt(Row a) {
+  Row r;
+  for (int i = 0; i < 4; ++i) r[i] = std::sqrt(a[i]);
+  return r;
+}
+Row abs(Row a) { return a < 0 ? -a : a; }
+
+// Gauss's two points.
+constexpr double kAt[2] = {0.21132486540518711775, 0.78867513459481288225};
+
+// A symmetric matrix: xx, yy, zz, xy, xz, yz.
+struct Symmetric {
+  Row c[6];
+};
+constexpr int kPlace[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+
+template <bool tangent, bool moving>
+void evaluate(const WaterSections4& s, const CablesInWater4& m, double wK, double wC, double wM,
+              double (*f)[6], double (*J)[36]) {
+  const Row zero{};
+  const Vec chord = of(m.x[1]) - of(m.x[0]);
+  const Row l2 = dot(chord, chord), l = sqrt(l2);
+  const Row inverse = l > 0 ? 1 / l : zero;
+  const Vec t = inverse * chord;
+  const Row ma = s.added_axial - s.added_normal;
+
+  // Added mass: the mean of lumped and consistent, as the cable's own. Froude-Krylov and the water's own
+  // acceleration are linear along the element.
+  Vec y[2], out[2];
+  Row ty[2];
+  for (int j = 0; j < 2; ++j) {
+    const int k = 1 - j;
+    y[j] = (s.length * (1. / 12)) * (5.0 * of(m.a[j]) + of(m.a[k]));
+    Vec water;
+    if constexpr (moving) {
+      water = (s.length * (1. / 6)) * (2.0 * of(m.acceleration[j]) + of(m.acceleration[k]));
+      y[j] = y[j] - water;
+    }
+    ty[j] = dot(t, y[j]);
+    out[j] = s.added_normal * y[j] + (ma * ty[j]) * t;
+    if constexpr (moving) out[j] = out[j] - s.displaced_mass * water;
+    out[j].c[2] -= 0.5 * s.length * s.buoyancy;
+  }
+
+  // Drag, its derivative D by the relative velocity and T by the chord's direction.
+  Symmetric C[3] = {};  // 00, 01, 11
+  Row by_un[2][3][3];   // of T = (...) un' + by_P P, for the two nodes
+  Row by_P[2] = {zero, zero};
+  if constexpr (tangent)
+    for (auto& node : by_un)
+      for (auto& row : node)
+        for (Row& entry : row) entry = zero;
+  for (int g = 0; g < 2; ++g) {
+    const double N[2] = {1 - kAt[g], kAt[g]};
+    const Row w = 0.5 * s.length;
+    Vec u = -N[0] * of(m.v[0]) - N[1] * of(m.v[1]);
+    if constexpr (moving) u = u + N[0] * of(m.velocity[0]) + N[1] * of(m.velocity[1]);
+    const Row along = dot(u, t);
+    const Vec un = u - along * t;
+    const Row speed = sqrt(dot(un, un)), size = abs(along);
+    const Row dn = s.drag_normal * speed, da = s.drag_axial * size;
+    const Vec drag = (w * dn) * un + (w * da * along) * t;
+    for (int j = 0; j < 2; ++j) out[j] = out[j] - N[j] * drag;
+    if constexpr (tangent) {
+      const Row over = speed > 0 ? s.drag_normal / speed : zero;
+      const Row tt = 2 * da - dn;
+      const Vec a = (w * over) * un, b = (w * tt) * t;
+      Symmetric D;  // over un un' + dn P + 2 da t t'
+      for (int i = 0; i < 3; ++i) {
+        D.c[i] = a.c[i] * un.c[i] + b.c[i] * t.c[i] + w * dn;
+        for (int k = i + 1; k < 3; ++k) D.c[kPlace[i][k]] = a.c[i] * un.c[k] + b.c[i] * t.c[k];
+      }
+      for (int e = 0; e < 6; ++e) {
+        C[0].c[e] += (N[0] * N[0]) * D.c[e];
+        C[1].c[e] += (N[0] * N[1]) * D.c[e];
+        C[2].c[e] += (N[1] * N[1]) * D.c[e];
+      }
+      const Vec first = b - along * a;
+      const Row p = w * along * (da - dn);
+      for (int j = 0; j < 2; ++j) {
+        by_P[j] += N[j] * p;
+        for (int i = 0; i < 3; ++i)
+          for (int k = 0; k < 3; ++k) by_un[j][i][k] += (N[j] * first.c[i]) * un.c[k];
+      }
+    }
+  }
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 3; ++i)
+      for (int lane = 0; lane < 4; ++lane) f[lane][3 * j + i] = out[j].c[i][lane];
+
+  if constexpr (tangent) {
+    const Row scale = wK * inverse;
+    for (int j = 0; j < 2; ++j) {
+      // K by x2 and minus K by x1: (-T + ma (t across' + (t.y) P)) / l, with P = I - t t'.
+      const Vec across = y[j] - ty[j] * t;
+      const Row onP = ma * ty[j] - by_P[j];
+      const Vec row = ma * across - onP * t;
+      Row chordwise[3][3];
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) {
+          chordwise[i][k] = scale * (t.c[i] * row.c[k] - by_un[j][i][k]);
+          if (i == k) chordwise[i][k] += scale * onP;
+        }
+      for (int n = 0; n < 2; ++n) {
+        const Symmetric& c = C[j + n];
+        const Row mass = (wM * (j == n ? 5. / 12 : 1. / 12)) * s.length, lengthwise = mass * ma;
+        for (int i = 0; i < 3; ++i) {
+          Row entry[3];
+          for (int k = 0; k < 3; ++k) {
+            const Row turned = n ? chordwise[i][k] : -chordwise[i][k];
+            entry[k] = turned + wC * c.c[kPlace[i][k]] + (lengthwise * t.c[i]) * t.c[k];
+          }
+          entry[i] += mass * s.added_normal;
+          if constexpr (moving) {
+            const Vec sheared{{c.c[kPlace[i][0]], c.c[kPlace[i][1]], c.c[kPlace[i][2]]}};
+            entry[2] -= wK * dot(sheared, of(m.by_height[n]));
+          }
+          for (int k = 0; k < 3; ++k)
+            for (int lane = 0; lane < 4; ++lane) J[lane][6 * (3 * j + i) + 3 * n + k] = entry[k][lane];
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void WaterSections4::set(int lane, const WaterSection& s) {
+  length[lane] = s.length, radius[lane] = s.radius, buoyancy[lane] = s.buoyancy;
+  displaced_mass[lane] = s.displaced_mass;
+  added_normal[lane] = s.added_normal, added_axial[lane] = s.added_axial;
+  drag_normal[lane] = s.drag_normal, drag_axial[lane] = s.drag_axial;
+}
+
+// The section gets wet in a band about the axis; see water_points.hpp.
+bool submerged(const WaterSections4& s, const CablesInWater4& m) {
+  const Row h[2] = {m.surface[0] - m.x[0][2], m.surface[1] - m.x[1][2]};
+  const Row least = h[0] < h[1] ? h[0] : h[1], rise = 0.25 * (m.x[1][2] - m.x[0][2]);
+  const Row band2 = s.radius * s.radius + rise * rise;
+  const auto dry = (least <= 0) | (least * least < band2);
+  return !(dry[0] | dry[1] | dry[2] | dry[3]);
+}
+
+void submerged_force(const WaterSections4& s, const CablesInWater4& m, bool moving, double (*f)[6]) {
+  if (moving)
+    evaluate<false, true>(s, m, 0, 0, 0, f, nullptr);
+  else
+    evaluate<false, false>(s, m, 0, 0, 0, f, nullptr);
+}
+
+void submerged_tangent(const WaterSections4& s, const CablesInWater4& m, bool moving, double wK, double wC,
+                       double wM, double (*f)[6], double (*J)[36]) {
+  if (moving)
+    evaluate<true, true>(s, m, wK, wC, wM, f, J);
+  else
+    evaluate<true, false>(s, m, wK, wC, wM, f, J);
+}
+
+}  // namespace hawser

@@ -1,0 +1,90 @@
+// Cables wholly under water, four at a time.
+#include <algorithm>
+
+#include "hawser/terms/hydrodynamics.hpp"
+
+namespace hawser {
+
+void Hydrodynamics::group() {
+  for (size_t p = 0; p < pieces_.size(); ++p) {
+    if (pieces_[p].beam) {
+      beams_.push_back(static_cast<int>(p));
+      continue;
+    }
+    if (fours_.empty() || fours_.back().count == 4) fours_.emplace_back();
+    Four& q = fours_.back();
+    for (int lane = q.count; lane < 4; ++lane) {
+      q.piece[lane] = static_cast<int>(p);
+      q.first[lane] = pieces_[p].at.first, q.second[lane] = pieces_[p].at.second;
+      q.sections.set(lane, pieces_[p].section);
+    }
+    ++q.count;
+  }
+}
+
+CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k,
+                                     const std::vector<Water>& water) const {
+  CablesInWater4 m;
+  const bool moves = moving();
+  for (int end = 0; end < 2; ++end) {
+    const int* node = end ? q.second : q.first;
+    const size_t n[4] = {static_cast<size_t>(node[0]), static_cast<size_t>(node[1]),
+                         static_cast<size_t>(node[2]), static_cast<size_t>(node[3])};
+    const auto take = [&n](const auto& of, wide::Row* to) {
+      const Vec3 &a = of(n[0]), &b = of(n[1]), &c = of(n[2]), &d = of(n[3]);
+      for (int i = 0; i < 3; ++i) to[i] = wide::Row{a[i], b[i], c[i], d[i]};
+    };
+    take([&](size_t i) -> const Vec3& { return k.x[i]; }, m.x[end]);
+    take([&](size_t i) -> const Vec3& { return k.v[i]; }, m.v[end]);
+    take([&](size_t i) -> const Vec3& { return k.a[i]; }, m.a[end]);
+    m.surface[end] = wide::all(sea_.surface);
+    if (!moves) continue;
+    take([&](size_t i) -> const Vec3& { return water[i].velocity; }, m.velocity[end]);
+    take([&](size_t i) -> const Vec3& { return water[i].by_height; }, m.by_height[end]);
+    take([&](size_t i) -> const Vec3& { return water[i].acceleration; }, m.acceleration[end]);
+    m.surface[end] =
+        wide::Row{water[n[0]].surface, water[n[1]].surface, water[n[2]].surface, water[n[3]].surface};
+  }
+  return m;
+}
+
+// False: not all of them are wholly wet, or statics is far from its solution.
+bool Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Sink& sink) const {
+  if (sink.convex()) return false;
+  const CablesInWater4 m = motion(q, trial, water_);
+  if (!submerged(q.sections, m)) return false;
+  double f[4][6], J[4][36];
+  const bool tangent = sink.wants_tangent();
+  const Weights& w = sink.weights();
+  if (tangent)
+    submerged_tangent(q.sections, m, moving(), w.K, w.C, w.M, f, J);
+  else
+    submerged_force(q.sections, m, moving(), f);
+  for (int i = 0; i < q.count; ++i) {
+    const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
+    if (tangent)
+      sink.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);
+    else
+      sink.add({p.blocks, 2}, f[i], nullptr, nullptr, nullptr);
+  }
+  return true;
+}
+
+// Where both the surface and the still water are above all of it buoyancy has nothing to give.
+bool Hydrodynamics::flow(const Four& q, const Kinematics& at, const std::vector<Water>& water,
+                         WaterForce* out) const {
+  CablesInWater4 m = motion(q, at, water);
+  for (wide::Row& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);
+  if (!submerged(q.sections, m)) return false;
+  double f[4][6];
+  submerged_force(q.sections, m, moving(), f);
+  for (int i = 0; i < q.count; ++i)
+    for (int end = 0; end < 2; ++end) {
+      out[i].force[2 * end + 1].setZero();
+      out[i].force[2 * end] = -Eigen::Map<const Vec3>(f[i] + 3 * end);
+      out[i].force[2 * end].z() -= 0.5 * q.sections.length[i] * q.sections.buoyancy[i];
+    }
+  return true;
+}
+
+}  // namespace hawser
