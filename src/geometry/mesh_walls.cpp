@@ -250,21 +250,30 @@ std::optional<MeshWalls::Foot> MeshWalls::nearest(const SurfaceWall& wall, const
   return out;
 }
 
-// What comes within reach of the axis, by triangle; nothing where all there looks alike.
+// What may come within reach of the axis, by triangle; nothing where all there looks alike.
 std::vector<SurfaceWall::Facet> MeshWalls::around(std::span<const Vec3> axis, double reach) const {
   thread_local std::vector<Near> near;
   std::vector<SurfaceWall::Facet> out;
   if (alike(axis, reach, near)) return out;
   for (const Near& f : near)
-    for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
-      if (f.normal.isZero(0)) break;
-      const Approach a = approach(f.facet.triangle, axis[i], axis[std::min(i + 1, axis.size() - 1)]);
-      if (a.distance - bulge(f.facet.triangle) > reach) continue;
-      out.push_back(f.facet);
-      break;
-    }
+    if (!f.normal.isZero(0)) out.push_back(f.facet);
   std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
   return out;
+}
+
+// Whether the segment from p to q comes within reach of the axis.
+bool MeshWalls::comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q) {
+  const Vec3 middle = 0.5 * (p + q);
+  const double far = reach + 0.5 * (p - q).norm();
+  for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
+    const Vec3 &a = axis[i], &b = axis[std::min(i + 1, axis.size() - 1)];
+    if (squared_distance_to_chord(middle, a, b) > far * far) continue;
+    if (squared_distance_to_chord(p, a, b) <= reach * reach ||
+        squared_distance_to_chord(q, a, b) <= reach * reach ||
+        closest_points_of_segments(a, b, p, q).distance <= reach)
+      return true;
+  }
+  return false;
 }
 
 void MeshWalls::join(std::span<const Vec3> axis, double reach, const std::vector<SurfaceWall::Facet>& facets,
@@ -279,12 +288,8 @@ void MeshWalls::join(std::span<const Vec3> axis, double reach, const std::vector
       const Vec3 &p = facets_.corner(t, e), &q = facets_.corner(t, (e + 1) % 3);
       const double bent =
           facets_.curved(t) ? 0.25 * facets_.patch(t).c[static_cast<std::size_t>(e)].norm() : 0;
-      for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
-        const Vec3 &a = axis[i], &b = axis[std::min(i + 1, axis.size() - 1)];
-        if (closest_points_of_segments(a, b, p, q).distance > reach + bent) continue;
+      if (comes_near(axis, reach + bent, p, q))
         parent[static_cast<std::size_t>(root(parent, k))] = root(parent, l);
-        break;
-      }
     }
   }
 }
@@ -338,6 +343,9 @@ void MeshWalls::find(std::span<const Vec3> axis, double reach, SurfaceWalls& out
         const Approach a = approach(facet.triangle, axis[i], axis[std::min(i + 1, axis.size() - 1)]);
         if (a.distance < f.at.distance) f.at = a, f.nearest = facet.triangle;
       }
+  // Whole facets were taken; those that do not come near are none of it.
+  std::erase_if(found, [&](const Found& f) { return f.at.distance - bulge(f.nearest) > reach; });
+  if (found.size() < 2) return;
   std::vector<Part> parts;
   for (Found& f : found) parts.push_back(look(std::move(f.wall), f.nearest, f.at.from, axis));
   std::stable_sort(parts.begin(), parts.end(),

@@ -42,6 +42,7 @@ class MeshWalls {
     SurfaceWall::Facet facet;
     Vec3 normal;
   };
+  static bool comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q);
   bool alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const;
   struct Approach;
   const std::array<int, 3>& triangle(int t) const {
