@@ -20,12 +20,12 @@ constexpr double kCounted = 1e-5;
 constexpr int kMostAugmentations = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
-// With the old tangent the residual must fall so in an iteration, and get where it is wanted in so many; else a
-// new tangent is cheaper.
+// With the old tangent the residual must fall so in an iteration, and get where it is wanted in so many; else
+// a new tangent is cheaper.
 constexpr double kChordRate = 0.1;
 constexpr int kMostChords = 3;
-// What is this far below the tolerance shows in nothing, and needs no iteration more; nor do more than so many
-// within the tolerance.
+// What is this far below the tolerance shows in nothing, and needs no iteration more; nor do more than so
+// many within the tolerance.
 constexpr double kDeep = 1e-3;
 constexpr int kMostPolishes = 4;
 
