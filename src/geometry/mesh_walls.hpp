@@ -43,6 +43,7 @@ class MeshWalls {
     Vec3 normal;
   };
   bool alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const;
+  bool bulging(std::vector<Near>& near) const;
   struct Approach;
   const std::array<int, 3>& triangle(int t) const {
     return facets_.mesh().triangles[static_cast<std::size_t>(t)];
