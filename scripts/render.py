@@ -251,7 +251,9 @@ def render(options):
     if lower[0] > upper[0]:
         raise SystemExit(f"render: {options.results} has no points; is its .h5 file beside it?")
     diagonal = math.dist(lower, upper) or 1.0
-    tubes = pv.Tube(Input=lines, Radius=(options.diameter or diagonal / 400) / 2, NumberofSides=24, Capping=1)
+    # ParaView 5.11 draws no tubes of radius 1, the filter's own default: hence not quite that.
+    radius = (options.diameter or diagonal / 400) / 2 * (1 + 1e-6)
+    tubes = pv.Tube(Input=lines, Radius=radius, NumberofSides=24, Capping=1)
     tubes.Scalars = ["POINTS", "shown"]
 
     view = pv.CreateRenderView(ViewSize=options.size)

@@ -10,6 +10,7 @@
 #include "defects.hpp"
 #include "hawser/geometry/packing.hpp"
 #include "hawser/geometry/winding_tree.hpp"
+#include "mesh_walls.hpp"
 #include "pseudonormals.hpp"
 
 namespace hawser {
@@ -32,6 +33,7 @@ struct MeshSurface::Data {
   std::vector<bool> unsure;  // facets near which the winding number decides; empty: none
   int curved = 0, sharp = 0, internal = 0;
   double bulge = 0;
+  detail::FacetBoxes boxes;  // of the active facets; none where the mesh is convex
 
   template <class Self, class P>
   static void pack(Self& self, P& p) {
@@ -46,14 +48,22 @@ struct MeshSurface::Data {
     WindingTree::pack(self.winding, p);
     p.flags(self.unsure);
     p.value(self.curved), p.value(self.sharp), p.value(self.internal), p.value(self.bulge);
+    detail::FacetBoxes::pack(self.boxes, p);
   }
+  detail::MeshWalls walls() const { return {facets, normals, boxes}; }
   MeshView mesh() const { return facets.mesh(); }
   FacetSearch::Foot nearest(const FacetSearch& among, const Vec3& y, double max_distance, int hint) const {
     return on_face_or_edge(among.nearest(facets, y, max_distance, hint), y);
   }
+  bool has_area(int t) const {
+    const Vec3 &a = facets.corner(t, 0), e = facets.corner(t, 1) - a, f = facets.corner(t, 2) - a;
+    const double longest2 = std::max(e.squaredNorm(), f.squaredNorm());
+    // Rounding is far below that.
+    return e.cross(f).squaredNorm() > 1e-16 * longest2 * longest2 || !normals.face(facets, t).isZero(0);
+  }
   FacetSearch::Foot on_face_or_edge(FacetSearch::Foot best, const Vec3& y) const {
     const int t = best.triangle;
-    if (t < 0 || best.feature != Feature::face || !normals.face(t).isZero(0)) return best;
+    if (t < 0 || best.feature != Feature::face || has_area(t)) return best;
     // No area, so no face: the nearest of its edges.
     for (int i = 0; i < 3; ++i) {
       ClosestPoint c = closest_point_on_segment(y, facets.corner(t, i), facets.corner(t, (i + 1) % 3));
@@ -67,11 +77,13 @@ struct MeshSurface::Data {
   // How far to search from y, m; negative: not at all.
   double reach(const Vec3& y, double max_distance) const;
   std::optional<SurfacePoint> seen(const Vec3& y, double max_distance, const FacetSearch::Foot& c) const;
-  // Whether y is behind the surface at its closest point c.
+  SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
+                        bool behind) const;
+  // Whether y is behind the surface at its closest point c, with the pseudonormal there.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
     if (!unsure.empty() && unsure[static_cast<std::size_t>(c.triangle)]) return winding.inside(mesh(), y);
     if (c.feature == Feature::face && !facets.curved(c.triangle))
-      return normals.face(c.triangle).dot(y - facets.corner(c.triangle, 0)) < 0;
+      return pseudonormal.dot(y - facets.corner(c.triangle, 0)) < 0;
     if (pseudonormal.isZero(0)) return winding.inside(mesh(), y);
     return pseudonormal.dot(y - c.point) < 0;
   }
@@ -96,7 +108,7 @@ bool MeshSurface::Data::under_active(const FacetSearch::Foot& c, const Vec3& y) 
   }
   if (!border) return true;
   const Vec3 r = y - c.point;
-  return -normals.face(t).dot(r) >= std::sqrt(0.5) * r.norm();
+  return -normals.face(facets, t).dot(r) >= std::sqrt(0.5) * r.norm();
 }
 
 MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfaceOptions options) {
@@ -145,6 +157,8 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   }
   d.active = FacetSearch(d.facets, met);
   d.partial = !active.empty();
+  if (!detail::MeshWalls::convex(d.facets, d.normals, topo.components))
+    d.boxes = detail::FacetBoxes(d.facets, met);
   if (d.partial) {
     d.whole = FacetSearch(d.facets, outer);
     d.border_vertex.assign(d.mesh().vertices.size(), false);
@@ -232,21 +246,26 @@ void MeshSurface::query(std::span<const SurfaceQuestion> questions,
 // What is seen from y of its nearest point.
 std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_distance,
                                                     const FacetSearch::Foot& c) const {
-  const Data& d = *this;
   const int t = c.triangle;
   if (t < 0) return std::nullopt;
+  const Vec3 pseudonormal = normals.at(facets, t, c);
+  const bool is_behind = behind(c, y, pseudonormal);
+  const double length = std::sqrt(c.squared_distance);
+  if (!is_behind && length > max_distance) return std::nullopt;
+  if (is_behind && partial &&
+      (coarse.about(y).outside || !inside_whole(y, length * (1 + 1e-6) + 1e-3 * small, t) ||
+       !under_active(c, y)))
+    return std::nullopt;
+  return point_at(y, c, pseudonormal, is_behind);
+}
 
+SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
+                                         bool behind) const {
+  const Data& d = *this;
+  const int t = c.triangle;
   const bool bent = d.facets.curved(t);
-  const Vec3 pseudonormal = d.normals.at(d.facets, t, c);
-  const bool behind = d.behind(c, y, pseudonormal);
   const Vec3 r = y - c.point;
   const double length = std::sqrt(c.squared_distance);
-  if (!behind && length > max_distance) return std::nullopt;
-  if (behind && d.partial &&
-      (d.coarse.about(y).outside || !d.inside_whole(y, length * (1 + 1e-6) + 1e-3 * d.small, t) ||
-       !d.under_active(c, y)))
-    return std::nullopt;
-
   SurfacePoint s;
   s.point = c.point;
   s.triangle = t;
@@ -266,7 +285,7 @@ std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_di
   if (length > 1e-4 * d.small)
     s.normal = (behind ? -1 : 1) * r.normalized();
   else
-    s.normal = pseudonormal.isZero(0) ? d.normals.face(t) : pseudonormal.normalized();
+    s.normal = pseudonormal.isZero(0) ? d.normals.face(d.facets, t) : pseudonormal.normalized();
   if (is_edge(c.feature)) {
     const int i = feature_index(c.feature);
     const double at = i == 0 ? c.u : i == 1 ? c.v : 1 - c.v;
@@ -276,6 +295,32 @@ std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_di
     s.curvature = (Mat3::Identity() - s.normal * s.normal.transpose()) / divisor;
   }
   return s;
+}
+
+void MeshSurface::walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const {
+  out.of.clear();
+  if (!data_->boxes.empty()) data_->walls().find(axis, reach, out);
+}
+
+bool MeshSurface::one_wall(const Vec3& centre, double radius) const {
+  if (data_->boxes.empty()) return true;
+  return radius < data_->bounds.diagonal() && data_->walls().one(centre, radius);
+}
+
+std::optional<SurfacePoint> MeshSurface::query_wall(const SurfaceWall& wall, const Vec3& y,
+                                                    double max_distance, bool either_side) const {
+  const auto near = data_->walls().nearest(wall, y, max_distance);
+  const bool front = near && near->front;
+  if (near && (either_side || (front && !data_->walls().through(wall, near->foot, y))))
+    return data_->point_at(y, near->foot, near->pseudonormal, !front);
+  if (!near && data_->coarse.about(y).outside) return std::nullopt;
+  auto all = query(y, max_distance, near ? near->foot.triangle : -1);
+  if (!all || all->distance > 0) return std::nullopt;
+  if (front) return data_->point_at(y, near->foot, near->pseudonormal, false);
+  const auto mine = std::lower_bound(wall.facets.begin(), wall.facets.end(), all->triangle,
+                                     [](const SurfaceWall::Facet& f, int t) { return f.triangle < t; });
+  if (mine == wall.facets.end() || mine->triangle != all->triangle) return std::nullopt;
+  return all;
 }
 
 Box MeshSurface::bounds() const { return data_->bounds; }
@@ -295,7 +340,7 @@ double MeshSurface::unsure() const {
 std::size_t MeshSurface::memory() const {
   const Data& d = *data_;
   return sizeof(Data) + d.facets.memory() + d.normals.memory() + d.active.memory() + d.whole.memory() +
-         d.coarse.memory() + d.winding.memory();
+         d.coarse.memory() + d.winding.memory() + d.boxes.memory();
 }
 
 std::vector<bool> active_by_part(const TriangleMesh& mesh, const std::vector<std::string>& names) {

@@ -48,10 +48,8 @@ Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo)
     : vertex_(facets.mesh().vertices.size(), Vec3::Zero()), neighbours_(large_copy(topo.neighbours)) {
   const MeshView mesh = facets.mesh();
   std::vector<bool> undefined = pinched(mesh, topo);
-  face_.reserve(mesh.triangles.size());
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    face_.push_back(triangle_normal(facets.corner(t, 0), facets.corner(t, 1), facets.corner(t, 2)));
-    const Vec3& n = face_.back();
+    const Vec3 n = face(facets, t);
     const SmoothPatch q = facets.patch(t);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto w = static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][i]);
@@ -66,9 +64,9 @@ Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo)
   }
   for (std::size_t v = 0; v < vertex_.size(); ++v)
     if (undefined[v] || vertex_[v].norm() < 1e-6) vertex_[v].setZero(), complete_ = false;
-  for (std::size_t t = 0; t < face_.size() && complete_; ++t)
-    for (const int u : neighbours_[t])
-      complete_ = complete_ && u >= 0 && (face_[t] + face_[static_cast<std::size_t>(u)]).norm() > 1e-3;
+  for (int t = 0; t < static_cast<int>(neighbours_.size()) && complete_; ++t)
+    for (const int u : neighbours_[static_cast<std::size_t>(t)])
+      complete_ = complete_ && u >= 0 && (face(facets, t) + face(facets, u)).norm() > 1e-3;
 }
 
 Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {
@@ -76,10 +74,12 @@ Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {
   if (is_vertex(p.feature))
     return vertex_[static_cast<std::size_t>(facets.mesh().triangles[static_cast<std::size_t>(t)][i])];
   const bool curved = facets.curved(t);
-  if (p.feature == Feature::face) return curved ? facets.patch(t).normal(p.u, p.v).normalized() : face(t);
+  if (p.feature == Feature::face)
+    return curved ? facets.patch(t).normal(p.u, p.v).normalized() : face(facets, t);
   const int other = neighbours_[static_cast<std::size_t>(t)][i];
-  if (other < 0 || face(t).isZero(0) || face(other).isZero(0)) return Vec3::Zero();
-  Vec3 own = face(t), across = face(other);
+  if (other < 0) return Vec3::Zero();
+  Vec3 own = face(facets, t), across = face(facets, other);
+  if (own.isZero(0) || across.isZero(0)) return Vec3::Zero();
   if (curved) own = facets.patch(t).normal(p.u, p.v).normalized();
   if (facets.curved(other)) {
     const int a = facets.mesh().triangles[static_cast<std::size_t>(t)][i];
@@ -105,8 +105,7 @@ Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {
 }
 
 std::size_t Pseudonormals::memory() const {
-  return (face_.capacity() + vertex_.capacity()) * sizeof(Vec3) +
-         neighbours_.capacity() * sizeof(neighbours_[0]);
+  return vertex_.capacity() * sizeof(Vec3) + neighbours_.capacity() * sizeof(neighbours_[0]);
 }
 
 }  // namespace hawser::detail

@@ -13,7 +13,11 @@ class Pseudonormals {
   Pseudonormals() = default;
   Pseudonormals(const Facets& facets, const Topology& topo);
 
-  const Vec3& face(int t) const { return face_[static_cast<std::size_t>(t)]; }  // unit; zero if no area
+  // Unit; zero if no area. Not kept: a search has just read the corners, and a normal of each would be a
+  // sixth of all that is known of a curved mesh.
+  static Vec3 face(const Facets& facets, int t) {
+    return triangle_normal(facets.corner(t, 0), facets.corner(t, 1), facets.corner(t, 2));
+  }
   int neighbour(int t, int edge) const {
     return neighbours_[static_cast<std::size_t>(t)][static_cast<std::size_t>(edge)];
   }
@@ -24,13 +28,13 @@ class Pseudonormals {
   bool complete() const { return complete_; }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
-    p.array(self.face_), p.array(self.vertex_), p.array(self.neighbours_);
+    p.array(self.vertex_), p.array(self.neighbours_);
     p.value(self.complete_);
   }
   std::size_t memory() const;
 
  private:
-  LargeVector<Vec3> face_, vertex_;
+  LargeVector<Vec3> vertex_;
   LargeVector<std::array<int, 3>> neighbours_;
   bool complete_ = true;
 };

@@ -1,11 +1,13 @@
 #include "hawser/kernels/impact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hawser {
 namespace {
 
+constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSteps = 6;     // in a period
 constexpr double kShort = 0.02;  // of such a step: nearer than that is there
 
@@ -13,43 +15,117 @@ constexpr double kShort = 0.02;  // of such a step: nearer than that is there
 // [m/s²], is there; infinite: it turns before.
 double until_touch(double away, double speed, double acceleration) {
   const double root = speed * speed - 2 * acceleration * away;
-  if (root < 0) return std::numeric_limits<double>::infinity();
+  if (root < 0) return kNever;
   return 2 * away / (speed + std::sqrt(root));
 }
 
-// Time until what is `deep` in and leaves at `speed` is out. The contact pushes at the start of that step and
-// no more at its end: the trapezoid sees half of it.
-double until_out(double deep, double speed, double acceleration) {
-  return until_touch(deep, speed, -0.5 * acceleration);
+// Relative to what is bearable for its line; of two lines for the one that bears less.
+double weight(const Strike& s, std::span<const double> bearable) {
+  double least = bearable[static_cast<size_t>(s.line)];
+  if (s.other >= 0) least = std::min(least, bearable[static_cast<size_t>(s.other)]);
+  return least > 0 ? 1 / least : 1 / std::numeric_limits<double>::min();
 }
 
-// Towards something that is `until` away: so far, or half way where a step does not reach it but two do.
-double towards(double until, double step) {
-  if (until < kShort * step || until >= 2 * step) return step;
-  return until <= step ? until : 0.5 * until;
+// Largest argument up to `most` where what(), which never falls and is summed over the ranks, is at most 1.
+template <class What>
+double largest(double most, const Sum& sum, const What& what) {
+  constexpr int kParts = 16, kRounds = 6;
+  double from = 0, part = most / kParts;
+  std::array<double, kParts> at{};
+  for (int round = 0; round < kRounds; ++round, part /= kParts) {
+    for (int i = 0; i < kParts; ++i) at[static_cast<size_t>(i)] = what(from + (i + 1) * part);
+    sum(at);
+    const auto end = std::find_if(at.begin(), at.end(), [](double e) { return !(e <= 1); });
+    from += static_cast<double>(end - at.begin()) * part;
+    if (end == at.end()) break;
+  }
+  return from;
 }
 
 }  // namespace
 
-StepLimit impact_limit(double slowness, double seen, const Approach& at) {
-  StepLimit limit;
+std::optional<Strike> strike(double slowness, double seen, double mass, const Approach& at) {
   const double by_speed = slowness * std::abs(at.closing),
                by_acceleration = slowness * slowness * std::abs(at.acceleration);
-  if (!(std::hypot(by_speed, by_acceleration) > seen)) return limit;
+  if (!(std::hypot(by_speed, by_acceleration) > seen)) return {};
   const double step = 2 * M_PI / kSteps * slowness;
+  Strike s;
+  s.at_ = at, s.slowness_ = slowness;
+  s.half_ = 0.5 * mass / (slowness * slowness);
+  s.energy_ = s.half_ * (by_speed * by_speed + by_acceleration * by_acceleration);
+  s.crossing_ = kNever;
+  s.resolved_ = (1 + 1e-6) * step;
   if (at.gap < 0) {
-    const bool leaves = at.last && at.closing < 0;
-    limit.longest = leaves ? towards(until_out(-at.gap, -at.closing, at.acceleration), step) : step;
-    limit.period = 2 * M_PI * slowness;
-    return limit;
-  }
-  if (at.closing > 0) {
+    // The contact pushes at the start of that step and no more at its end: the trapezoid sees half of it.
+    if (at.last && at.closing < 0) s.crossing_ = until_touch(-at.gap, -at.closing, -0.5 * at.acceleration);
+  } else if (at.closing > 0) {
     // Accelerations change on the way.
-    const double touch = std::min(until_touch(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
-    limit.longest = touch < step ? towards(touch, step) : touch;
+    s.crossing_ = std::min(until_touch(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
+    s.resolved_ += s.crossing_;
+  } else if (!(by_acceleration > seen)) {
+    return {};  // it leaves; else it shakes as fast as the contact would
   }
-  // Not in touch, but shaking as fast as the contact would.
-  if (by_acceleration > seen && !(at.closing > 0)) limit.longest = step;
+  if (s.crossing_ < kShort * step) s.crossing_ = kNever;
+  return s;
+}
+
+double Strike::crossed(double h) const {
+  if (!(h > crossing_)) return 0;
+  const double speed = std::abs(at_.closing);
+  h = std::min(h, resolved_ + 2 * M_PI / kSteps * slowness_);  // longer ones: unresolved()
+  if (at_.gap < 0) {
+    const double out = at_.gap + speed * h + 0.25 * at_.acceleration * h * h;
+    return std::min(-half_ * at_.gap * std::max(out, 0.0), energy_);
+  }
+  const double z = 0.5 * h / slowness_;
+  // If it would turn before, it is counted on as it comes.
+  const double root = speed * speed - 2 * at_.acceleration * at_.gap;
+  const double in =
+      -at_.gap + speed * h - (root < 0 ? speed * crossing_ - at_.gap : 0.5 * at_.acceleration * h * h);
+  return std::min(half_ * at_.gap * std::max(in, 0.0) / (1 + z * z), energy_);
+}
+
+double Strike::period() const { return at_.gap < 0 ? 2 * M_PI * slowness_ : kNever; }
+
+double LineMotion::energy() const {
+  const double whole = mass > 0 ? 0.5 * momentum.squaredNorm() / mass : 0;
+  return std::max(kinetic - whole, 0.0) + striking;
+}
+
+std::vector<double> bearable(std::span<const LineMotion> lines) {
+  int struck = 0;
+  for (const LineMotion& l : lines) struck += l.striking > kErrorOfStep * l.energy();
+  std::vector<double> out;
+  for (const LineMotion& l : lines) out.push_back(kErrorOfStep * std::max(struck, 1) * l.energy());
+  return out;
+}
+
+StepLimit bounded_step(std::span<const Strike> strikes, std::span<const double> bearable, double most,
+                       const Sum& sum) {
+  std::vector<double> weights;
+  for (const Strike& s : strikes) weights.push_back(weight(s, bearable));
+  const auto total = [&](const auto& error) {
+    double t = 0;
+    for (size_t i = 0; i < strikes.size(); ++i) t += weights[i] * error(strikes[i]);
+    return t;
+  };
+  StepLimit limit;
+  double all = total([](const Strike& s) { return s.energy(); });
+  sum({&all, 1});
+  if (!(all > 1)) return limit;
+  // Those longer than that make no step shorter.
+  const double longest = 6 * most;
+  limit.period = largest(longest, sum, [&](double period) {
+    return total([&](const Strike& s) { return s.period() < period ? s.energy() : 0; });
+  });
+  if (limit.period >= longest) limit.period = kNever;
+  const double step =
+      largest(most, sum, [&](double h) { return total([&](const Strike& s) { return s.unresolved(h); }); });
+  // Where one step does not get there but two do, each goes half the way.
+  const double until =
+      largest(2 * step, sum, [&](double h) { return total([&](const Strike& s) { return s.crossed(h); }); });
+  limit.longest = until <= step ? until : 0.5 * until;
+  if (limit.longest >= most) limit.longest = kNever;
   return limit;
 }
 

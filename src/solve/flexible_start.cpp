@@ -22,11 +22,6 @@ Vec3 bed_normal(const model::Seabed& bed) {
               std::cos(bed.slope));
 }
 
-double buoyancy(const model::Case& c, const model::LineType& t) {
-  const model::Water& w = c.environment.water;
-  return w.present ? w.density * c.environment.gravity * M_PI / 4 * t.displaced() * t.displaced() : 0;
-}
-
 // Of elements [first, last) of the mesh, as one.
 FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const Mesh& mesh, int first,
                           int last) {
@@ -102,6 +97,11 @@ std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& cu
 }
 
 }  // namespace
+
+double buoyancy(const model::Case& c, const model::LineType& t) {
+  const model::Water& w = c.environment.water;
+  return w.present ? w.density * c.environment.gravity * M_PI / 4 * t.displaced() * t.displaced() : 0;
+}
 
 bool streams(const model::Case& c, const model::Line& line) {
   const CurrentProfile current = current_of(c);

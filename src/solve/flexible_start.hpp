@@ -9,6 +9,9 @@
 
 namespace hawser {
 
+// N/m of a line under water.
+double buoyancy(const model::Case& c, const model::LineType& t);
+
 // m above the bed (of the case, which has one).
 double height_above_bed(const model::Case& c, const Vec3& x);
 

@@ -48,7 +48,7 @@ PetscErrorCode Dynamics::ts_step(TS ts) {
     prepare(control_.wish());  // tries can only be shorter
     StepLimit limit;
     if (control_.limited()) {
-      limit = system_.longest_step(committed_.s.view(last_step_));
+      limit = system_.longest_step(committed_.s.view(last_step_), control_.wish());
       control_.struck(t, limit.period);
     }
     for (bool again = false;;) {

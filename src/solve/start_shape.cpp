@@ -26,12 +26,6 @@ RigidPose frame(const model::Case& c, const Bodies& bodies, const model::End& e)
   return e.kind == model::EndKind::body ? bodies.pose(c.body_index(e.body), 0) : RigidPose{};
 }
 
-// N/m of a line under water.
-double buoyancy(const model::Case& c, const model::LineType& t) {
-  const model::Water& w = c.environment.water;
-  return w.present ? w.density * c.environment.gravity * M_PI / 4 * t.displaced() * t.displaced() : 0;
-}
-
 std::vector<CatenarySection> catenary_sections(const model::Case& c, const model::Line& line) {
   const model::Water& water = c.environment.water;
   double total = 0;

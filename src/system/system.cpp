@@ -204,12 +204,31 @@ double System::dead_load() const {
   return sum;
 }
 
-StepLimit System::longest_step(const Kinematics& committed) const {
-  StepLimit limit;
-  for (const auto& t : terms_) limit.take(t->longest_step(committed));
-  double both[2] = {limit.longest, limit.period};
+StepLimit System::longest_step(const Kinematics& committed, double most) {
+  Strikes strikes;
+  for (const auto& t : terms_) t->limit_step(committed, strikes);
+  double both[2] = {strikes.longest, strikes.list.empty() ? 1.0 : 0.0};
   MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MIN, comm_);
-  return {both[0], both[1]};
+  StepLimit limit;
+  limit.longest = both[0];
+  if (both[1] > 0) return limit;
+  const Sum sum = [&](std::span<double> values) {
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  };
+  std::vector<LineMotion> lines(squares_.size() / 2);
+  for (const auto& t : terms_) t->motion(committed, lines);
+  for (const Strike& s : strikes.list) {
+    lines[static_cast<size_t>(s.line)].striking += s.energy();
+    if (s.other >= 0) lines[static_cast<size_t>(s.other)].striking += s.energy();
+  }
+  static_assert(sizeof(LineMotion) == 6 * sizeof(double));
+  sum({reinterpret_cast<double*>(lines.data()), 6 * lines.size()});
+  const std::vector<double> energies = bearable(lines);
+  for (const auto& t : terms_) t->bear(energies);
+  const StepLimit struck = bounded_step(strikes.list, energies, std::min(most, limit.longest), sum);
+  limit.longest = std::min(limit.longest, struck.longest);
+  limit.period = struck.period;
+  return limit;
 }
 
 bool System::augment(const Kinematics& equilibrium) {

@@ -252,21 +252,17 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
 
 // A twentieth of the period of the contact spring under the bodies' mass, as soon as they touch or may touch
 // in a step of that length.
-StepLimit BodyContactTerm::longest_step(const Kinematics& committed) const {
-  double h = std::numeric_limits<double>::infinity();
+void BodyContactTerm::limit_step(const Kinematics& committed, Strikes& to) const {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const BodyFrame A = frame(sides_[p.a], committed), B = frame(sides_[p.b], committed);
     const double speed =
         (A.v - B.v).norm() + A.w.norm() * p.size + B.w.norm() * (p.size + (A.x - B.x).norm());
     if (p.stiffness > 0)
-      h = std::min(h, 2 * M_PI * std::sqrt(p.mass / p.stiffness) / kStepsAPeriod);
+      to.limit(2 * M_PI * std::sqrt(p.mass / p.stiffness) / kStepsAPeriod);
     else if (speed > 0)  // it must not go deeper at once than a first touch would
-      h = std::min(h, std::max(0.05 * p.size / speed, 1e-6));
+      to.limit(std::max(0.05 * p.size / speed, 1e-6));
   }
-  StepLimit limit;
-  limit.longest = h;
-  return limit;
 }
 
 // In dynamics of the committed state, in statics of trials.

@@ -50,13 +50,14 @@ ContactLaw Contact::law(const model::Volume& v, double share, double diameter, d
   return law;
 }
 
-StepLimit Contact::trusted_step(const NormalLaw& law, double mass, double radius, const Approach& at) {
+void Contact::limit_depth(double radius, const Approach& at, Strikes& to) {
+  if (at.closing > 0) to.limit((std::max(at.gap, 0.0) + 0.5 * radius) / at.closing);
+}
+
+std::optional<Strike> Contact::strikes(const NormalLaw& law, double mass, double share, double radius,
+                                       const Approach& at) {
   // The default ramp is as wide; a linear spring has none.
-  StepLimit limit =
-      impact_limit(std::sqrt(mass / law.stiffness), std::max(law.smoothing, 0.002 * radius), at);
-  if (at.closing > 0)
-    limit.longest = std::min(limit.longest, (std::max(at.gap, 0.0) + 0.5 * radius) / at.closing);
-  return limit;
+  return strike(std::sqrt(mass / law.stiffness), std::max(law.smoothing, 0.002 * radius), mass * share, at);
 }
 
 void Contact::pose_bodies(double time, std::vector<RigidPose>& poses) const {

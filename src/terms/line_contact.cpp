@@ -11,28 +11,23 @@ namespace hawser {
 // The gap along the axis less the smoothing, as the search for stretches sees it.
 class LineContact::Gap final : public AxisGapFunction {
  public:
-  Gap(const Surface& surface, const AxisShape& shape, const RigidPose& pose, double touch, int& hint)
-      : surface_(surface), shape_(shape), pose_(pose), touch_(touch), hint_(hint) {}
+  Gap(const LineContact& contact, Pair& pair, const AxisShape& shape, const RigidPose& pose)
+      : contact_(contact), pair_(pair), shape_(shape), pose_(pose) {}
 
-  std::optional<SurfacePoint> query(double xi, double within) {
-    const auto p = surface_.query(pose_.to_body(shape_.point(xi)), touch_ + within, hint_);
-    if (p) hint_ = p->triangle;
-    return p;
-  }
   AxisGap at(double xi, double within) override {
     if (xi == 0.5 && middle_) return *middle_;
-    const auto p = query(xi, within);
+    const auto p = contact_.see(pair_, pose_.to_body(shape_.point(xi)), pair_.touch + within);
     if (!p) return {within, 0};
-    return {p->distance - touch_, (pose_.rotation * p->normal).dot(shape_.slope(xi))};
+    pair_.hint = p->triangle;
+    return {p->distance - pair_.touch, (pose_.rotation * p->normal).dot(shape_.slope(xi))};
   }
   void set_middle(const AxisGap& m) { middle_ = m; }
 
  private:
-  const Surface& surface_;
+  const LineContact& contact_;
+  Pair& pair_;
   const AxisShape& shape_;
   const RigidPose& pose_;
-  double touch_;
-  int& hint_;
   std::optional<AxisGap> middle_;
 };
 
@@ -48,9 +43,10 @@ void LineContact::prepare(const Kinematics& committed, double h) {
     const AxisEnds at = ends(committed, e);
     const AxisShape shape(at);
     for (int k = 0; k < static_cast<int>(volumes_.size()); ++k) {
-      while (known < old.size() && std::pair(old[known].element, old[known].volume) < std::pair(e, k))
-        ++known;
-      const bool kept = known < old.size() && old[known].element == e && old[known].volume == k;
+      const auto key = [&](size_t i) { return std::pair(old[i].element, old[i].volume); };
+      while (known < old.size() && key(known) < std::pair(e, k)) ++known;
+      size_t end = known;
+      while (end < old.size() && key(end) == std::pair(e, k)) ++end;
       const RigidPose& pose = start_poses_[body(k)];
       const ContactLaw laws = element_law(static_cast<size_t>(e), volumes_[static_cast<size_t>(k)].settings);
       const double touch = element.radius + laws.normal.smoothing;
@@ -60,53 +56,91 @@ void LineContact::prepare(const Kinematics& committed, double h) {
       const double away = distance(boxes_[static_cast<size_t>(k)], pose.to_body(shape.point(0.5)));
       if (h > 0 && away > touch + margin + 0.5 * shape.reach()) continue;
 
-      Pair& pair = pairs_.emplace_back();
-      pair.element = e;
-      pair.volume = k;
-      pair.touch = touch;
-      pair.levels = contact_levels(length(e), element.radius);
-      pair.law = laws;
-      pair.start = shape;
-      if (kept) {
-        pair.history = std::move(old[known].history);
-        pair.hint = old[known].hint;
-        pair.found = std::move(old[known].found);
+      Pair first;
+      first.element = e;
+      first.volume = k;
+      first.touch = touch;
+      first.levels = contact_levels(length(e), element.radius);
+      first.law = laws;
+      first.start = shape;
+      std::vector<std::vector<Point>> histories;
+      for (size_t i = known; i < end; ++i) {
+        Pair& was = old[i];
+        histories.resize(static_cast<size_t>(was.slot) + 1);
+        histories.back() = std::move(was.history);
+        if (was.slot > 0) continue;
+        first.hint = was.hint;
+        first.one_centre = was.one_centre, first.one_radius = was.one_radius;
+        // What was found on all of the surface is found again; of a wall it may be another.
+        if (!was.walls) first.found = std::move(was.found);
       }
+      const bool one =
+          histories.size() < 2 &&
+          one_wall(first, shape, pose, h > 0 ? 2 * h * speed : std::numeric_limits<double>::max());
+      if (one) {
+        if (!histories.empty()) first.history = std::move(histories[0]);
+        pairs_.push_back(std::move(first));
+        continue;
+      }
+      const size_t touched = std::max(histories.size(), size_t{1});
+      histories.resize(SurfaceWalls::kMost);
+      first.found = {};
+      first.walls = std::make_shared<Walls>();
+      for (size_t slot = 0; slot < touched; ++slot) {
+        Pair& pair = pairs_.emplace_back(first);
+        pair.slot = static_cast<int>(slot);
+        pair.history = histories[slot];
+      }
+      first.walls->committed = std::move(histories);
     }
   }
 }
 
-StepLimit LineContact::longest_step(const Kinematics& committed) const {
-  StepLimit limit;
+void LineContact::look(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
+                       const Vec3& normal, bool last, Strikes& to) const {
+  const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
+  const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
+  const RigidPose& pose = start_poses_[body(pair.volume)];
+  const Quat back = pose.rotation.conjugate();
+  const Vec3 velocity = back * (pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi)));
+  const Vec3 acceleration = back * ((1 - xi) * committed.a[static_cast<size_t>(e.first)] +
+                                    xi * committed.a[static_cast<size_t>(e.second)]);
+  const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
+  limit_depth(element.radius, at, to);
+  if (e.counted && share > 0)
+    to.add(strikes(pair.law.normal, element.mass_per_length, share, element.radius, at),
+           mesh_.mesh->elements[static_cast<size_t>(e.global)].line);
+}
+
+void LineContact::look_ahead(const Pair& pair, const Kinematics& committed, double xi, bool touching,
+                             const SurfacePoint& p, Strikes& to) const {
+  // Simpson's rule; what touches has been looked at.
+  const double gap = p.distance - pair.touch;
+  const double share = gap < 0 && touching ? 0 : length(pair.element) * (xi == 0.5 ? 4 : 1) / 6;
+  look(pair, committed, xi, share, gap, p.normal, false, to);
+}
+
+void LineContact::limit_step(const Kinematics& committed, Strikes& to) const {
   for (const Pair& pair : pairs_) {
-    const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
     const RigidPose& pose = start_poses_[body(pair.volume)];
-    const Quat back = pose.rotation.conjugate();
-    const auto velocity = [&](double xi) -> Vec3 {
-      return back * (pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi)));
-    };
-    const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
-    const auto acceleration = [&](double xi) -> Vec3 {
-      return back * ((1 - xi) * committed.a[static_cast<size_t>(e.first)] +
-                     xi * committed.a[static_cast<size_t>(e.second)]);
-    };
-    const auto cap = [&](double gap, const Vec3& normal, double xi, bool last) {
-      limit.take(trusted_step(pair.law.normal, element.mass_per_length, element.radius,
-                              {gap, -normal.dot(velocity(xi)), normal.dot(acceleration(xi)), last}));
-    };
     const auto deepest = std::min_element(pair.history.begin(), pair.history.end(),
                                           [](const Point& a, const Point& b) { return a.gap < b.gap; });
+    // All of the contact ends with the deepest place.
+    double all = 0;
+    for (const Point& p : pair.history) all += p.weight;
     for (auto p = pair.history.begin(); p != pair.history.end(); ++p)
-      cap(p->gap - pair.law.normal.smoothing, p->normal, p->xi, p == deepest);
+      look(pair, committed, p->xi, p == deepest ? all : p->weight, p->gap - pair.law.normal.smoothing,
+           p->normal, p == deepest, to);
+    if (pair.slot > 0) continue;
     for (const double xi : {0.0, 0.5, 1.0}) {
-      const Vec3 v = velocity(xi);
+      const Vec3 v = pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi));
       // Look ahead as far as it gets in half a second.
       const auto p = volumes_[static_cast<size_t>(pair.volume)].surface->query(
           pose.to_body(pair.start.point(xi)), pair.touch + 0.5 * (pair.start.reach() + v.norm()), pair.hint);
-      if (p) cap(p->distance - pair.touch, p->normal, xi, false);
+      if (p) look_ahead(pair, committed, xi, !pair.history.empty(), *p, to);
     }
+    if (pair.walls) cap_walls(pair, committed, to);
   }
-  return limit;
 }
 
 bool LineContact::middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
@@ -122,16 +156,19 @@ std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& sha
   const Vec3 y = pose.to_body(shape.point(0.5));
   const size_t k = static_cast<size_t>(pair.volume);
   if (middle) pair.hint = middle->triangle;
-  Gap gap(*volumes_[k].surface, shape, pose, pair.touch, pair.hint);
+  Gap gap(*this, pair, shape, pose);
   pair.centre = y;
+  pair.clear = -1;  // of another axis it may be another wall
+  if (pair.wall() && !middle) return {};
   if (!middle) {
     // Out of reach, or inside but under an inactive part: only outside the box is nothing near for sure.
     pair.clear = std::min(2 * reach, distance(boxes_[k], y) - pair.touch);
     return {};
   }
-  pair.clear = middle->distance - pair.touch;
-  if (pair.clear >= 0.5 * reach) return {};
-  gap.set_middle({pair.clear, (pose.rotation * middle->normal).dot(shape.slope(0.5))});
+  const double middle_gap = middle->distance - pair.touch;
+  if (!pair.wall()) pair.clear = middle_gap;
+  if (middle_gap >= 0.5 * reach) return {};
+  gap.set_middle({middle_gap, (pose.rotation * middle->normal).dot(shape.slope(0.5))});
   return cut_stretches(contact_stretches(gap, {reach, pair.touch, shape.bend_bound()}, pair.levels),
                        pair.levels);
 }
@@ -163,14 +200,15 @@ void LineContact::gauss_points(const Pair& pair, const AxisShape& shape, const R
 const LineContact::Found& LineContact::find(Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   Found& f = pair.found;
   if (!renew(f, shape, pose)) return f;
+  if (pair.walls) see_walls(pair, shape, pose);
+  if (pair.idle()) return f;
   SurfaceQuestion first;
   if (!middle(pair, shape, pose, first)) return f;
-  const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
-  f.panels = locate(pair, shape, pose, surface.query(first.point, first.max_distance, first.hint));
+  f.panels = locate(pair, shape, pose, see(pair, first.point, first.max_distance));
   std::vector<SurfaceQuestion> ask;
   gauss_points(pair, shape, pose, ask);
   for (const SurfaceQuestion& q : ask) {
-    const auto p = surface.query(q.point, q.max_distance, pair.hint);
+    const auto p = see(pair, q.point, q.max_distance);
     if (p) pair.hint = p->triangle;
     f.points.push_back(p ? *p : nothing());
   }
@@ -183,10 +221,19 @@ void LineContact::find_all(const Kinematics& trial) {
   shapes_.clear(), renewed_.clear();
   middles_.assign(pairs_.size(), std::nullopt);
   SurfaceQuestion first;
+  bool open = false;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     Pair& pair = pairs_[i];
-    shapes_.emplace_back(ends(trial, pair.element));
+    if (pair.slot > 0)
+      shapes_.push_back(AxisShape(shapes_.back()));
+    else
+      shapes_.emplace_back(ends(trial, pair.element));
     const RigidPose& pose = poses_[body(pair.volume)];
+    if (pair.walls) {
+      find(pair, shapes_[i], pose);
+      open = open || lacks_pairs(i);
+      continue;
+    }
     if (!renew(pair.found, shapes_[i], pose) || !middle(pair, shapes_[i], pose, first)) continue;
     renewed_.push_back(i);
     questions_.add(pair.volume, i, first);
@@ -204,6 +251,9 @@ void LineContact::find_all(const Kinematics& trial) {
     if (p) pairs_[i].hint = p->triangle;
     pairs_[i].found.points.push_back(p ? *p : nothing());
   });
+  if (!open) return;
+  open_pairs();
+  find_all(trial);  // what was found is known
 }
 
 ContactTrial LineContact::trial(const Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi,
@@ -221,12 +271,11 @@ ContactTrial LineContact::trial(const Pair& pair, const AxisShape& shape, const 
 LineContact::Origin LineContact::origin(Pair& pair, double xi) const {
   Origin o;
   o.xi = xi;
-  for (const Point& p : pair.history)
+  for (const Point& p : pair.past())
     if (p.from <= xi && xi <= p.to) return o;
-  const size_t k = static_cast<size_t>(pair.volume);
   const double within = 2 * pair.start.reach() + length(pair.element);
   const Vec3 y = start_poses_[body(pair.volume)].to_body(pair.start.point(xi));
-  const auto p = volumes_[k].surface->query(y, pair.touch + within, pair.hint);
+  const auto p = see(pair, y, pair.touch + within, true);
   o.touched = false;
   o.gap = p ? p->distance - elements_[static_cast<size_t>(pair.element)].radius
             : within + pair.law.normal.smoothing;
@@ -252,10 +301,10 @@ ContactStart LineContact::start(const Pair& pair, const Origin& from, ContactRat
     if (rates) rates->start_gap = from.gradient.dot(slope);
     return s;
   }
-  const auto after =
-      std::find_if(pair.history.begin(), pair.history.end(), [&](const Point& p) { return p.xi > from.xi; });
-  const Point* b = after != pair.history.end() ? &*after : nullptr;
-  const Point* a = after != pair.history.begin() ? &*(after - 1) : nullptr;
+  const std::vector<Point>& past = pair.past();
+  const auto after = std::find_if(past.begin(), past.end(), [&](const Point& p) { return p.xi > from.xi; });
+  const Point* b = after != past.end() ? &*after : nullptr;
+  const Point* a = after != past.begin() ? &*(after - 1) : nullptr;
   if (a && b && a->from != b->from && a->to != b->from) (from.xi <= a->to ? b : a) = nullptr;
   if (!a || !b) {
     const Point& p = a ? *a : *b;
@@ -296,7 +345,6 @@ struct LineContact::Moving {
 void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, size_t panel, bool moves,
                         const Sink& sink, AxisShape::Generalised& g, Rolled& rolled) const {
   const ContactStretch& s = pair.found.panels[panel];
-  const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
   const double L = length(pair.element), span = s.to - s.from;
   const ContactLaw laws = applied(pair.law);
@@ -309,7 +357,7 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
   for (size_t i = 0; i < 2 && tangent && !convex; ++i) {
     if (!(i ? s.to_moves : s.from_moves)) continue;
     const double xi = i ? s.to : s.from;
-    const auto p = surface.query(pose.to_body(shape.point(xi)), pair.touch + 1e-9, pair.hint);
+    const auto p = see(pair, pose.to_body(shape.point(xi)), pair.touch + 1e-9);
     if (!p) continue;
     const Vec3 normal = R * p->normal;
     const double slope = normal.dot(shape.slope(xi));

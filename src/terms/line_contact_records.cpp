@@ -2,8 +2,10 @@
 //
 // Both ranks of a shared element need its history, and a rank gets the records of its own nodes only: so an
 // element's is kept twice, at either node. Keys: 2 v for the element behind a node, 2 v + 1 for the one
-// before it, v the volume; -1 for the sums of the element behind.
+// before it, v the volume, plus the number of volumes for the second of its walls, and so on; -1 for the sums
+// of the element behind.
 #include <algorithm>
+#include <array>
 #include <set>
 #include <stdexcept>
 #include <unordered_map>
@@ -43,7 +45,7 @@ std::vector<HistoryRecord> LineContact::save() const {
     for (const int node : {e.first, e.second}) {
       if (node >= mesh_.owned) continue;
       r.node = mesh_.global[static_cast<size_t>(node)];
-      r.key = 2 * pair.volume + (node == e.second);
+      r.key = 2 * (pair.volume + pair.slot * volumes()) + (node == e.second);
       records.push_back(r);
     }
   }
@@ -56,7 +58,7 @@ void LineContact::restore(const std::vector<HistoryRecord>& records) {
     behind[mesh_.global[static_cast<size_t>(mesh_.elements[i].first)]] = static_cast<int>(i);
     before[mesh_.global[static_cast<size_t>(mesh_.elements[i].second)]] = static_cast<int>(i);
   }
-  std::set<std::pair<int, int>> known;
+  std::set<std::array<int, 3>> known;
   pairs_.clear();
   accounts_.assign(accounts_.size(), {});
   for (const HistoryRecord& r : records) {
@@ -71,13 +73,14 @@ void LineContact::restore(const std::vector<HistoryRecord>& records) {
           v[0], v[1], v[2], v[3], v[4], static_cast<int>(v[5]), static_cast<int>(v[6])};
       continue;
     }
-    if (v.size() % kPoint || r.key < 0 || r.key / 2 >= static_cast<int>(volumes_.size()))
+    if (v.size() % kPoint || r.key < 0 || r.key / 2 >= SurfaceWalls::kMost * volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
-    const int element = found->second, volume = r.key / 2;
-    if (!known.emplace(element, volume).second) continue;  // from its other node
+    const int element = found->second, volume = r.key / 2 % volumes(), slot = r.key / 2 / volumes();
+    if (!known.insert({element, volume, slot}).second) continue;  // from its other node
     Pair& pair = pairs_.emplace_back();
     pair.element = element;
     pair.volume = volume;
+    pair.slot = slot;
     for (size_t at = 0; at < v.size(); at += kPoint) {
       Point& p = pair.history.emplace_back();
       p.xi = v[at], p.from = v[at + 1], p.to = v[at + 2], p.weight = v[at + 3];
@@ -89,7 +92,7 @@ void LineContact::restore(const std::vector<HistoryRecord>& records) {
     }
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
-    return std::pair(a.element, a.volume) < std::pair(b.element, b.volume);
+    return std::array{a.element, a.volume, a.slot} < std::array{b.element, b.volume, b.slot};
   });
 }
 

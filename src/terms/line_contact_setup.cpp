@@ -35,6 +35,14 @@ AxisEnds LineContact::ends(const Kinematics& at, int element) const {
 // Evaluated again at the accepted state, so that what is kept belongs to it and to no other trial.
 void LineContact::commit(const Kinematics& accepted) {
   pose_bodies(accepted.time, poses_);
+  bool open = false;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    Pair& pair = pairs_[i];
+    if (!pair.walls) continue;
+    find(pair, AxisShape(ends(accepted, pair.element)), poses_[body(pair.volume)]);
+    open = open || lacks_pairs(i);
+  }
+  if (open) open_pairs();
   for (Pair& pair : pairs_) {
     const AxisShape shape(ends(accepted, pair.element));
     const RigidPose& pose = poses_[body(pair.volume)];
@@ -119,19 +127,25 @@ Energy LineContact::energy(const Kinematics& at) const {
       for (const Point& q : p.history) e.strain += q.weight * q.potential;
       continue;
     }
+    if (p.slot > 0) continue;  // as the first has as many walls as it sees
     Pair pair = p;
     const AxisShape shape(ends(at, p.element));
     const RigidPose pose = bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time);
-    const Found& found = find(pair, shape, pose);
     const double radius = elements_[static_cast<size_t>(p.element)].radius;
-    for (size_t i = 0; i < found.panels.size(); ++i)
-      for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-        const SurfacePoint& there = found.points[ContactRule::kPoints * i + q];
-        if (!seen(p, there)) continue;
-        const ContactStretch& s = found.panels[i];
-        e.strain += length(p.element) * (s.to - s.from) * ContactRule::weight()[q] *
-                    normal_force(p.law.normal, there.distance - radius, 0).potential;
-      }
+    size_t walls = 1;
+    for (; pair.slot < static_cast<int>(walls); ++pair.slot) {
+      if (pair.slot > 0) pair.found = {};
+      const Found& found = find(pair, shape, pose);
+      if (pair.seen && pair.seen->walls.several()) walls = pair.seen->walls.of.size();
+      for (size_t i = 0; i < found.panels.size(); ++i)
+        for (size_t q = 0; q < ContactRule::kPoints; ++q) {
+          const SurfacePoint& there = found.points[ContactRule::kPoints * i + q];
+          if (!seen(p, there)) continue;
+          const ContactStretch& s = found.panels[i];
+          e.strain += length(p.element) * (s.to - s.from) * ContactRule::weight()[q] *
+                      normal_force(p.law.normal, there.distance - radius, 0).potential;
+        }
+    }
   }
   for (size_t i = 0; i < accounts_.size(); ++i) {
     if (!mesh_.elements[i].counted) continue;
@@ -189,10 +203,20 @@ Penetration LineContact::largest_penetration() const {
   return p;
 }
 
+int LineContact::candidates() const {
+  return static_cast<int>(
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.slot == 0; }));
+}
+
 int LineContact::touching() const {
-  return static_cast<int>(std::count_if(pairs_.begin(), pairs_.end(), [this](const Pair& p) {
-    return !p.history.empty() && mesh_.elements[static_cast<size_t>(p.element)].counted;
-  }));
+  int count = 0;
+  const Pair* last = nullptr;  // walls of one volume count once
+  for (const Pair& p : pairs_) {
+    if (p.history.empty() || !mesh_.elements[static_cast<size_t>(p.element)].counted) continue;
+    count += !(last && last->element == p.element && last->volume == p.volume);
+    last = &p;
+  }
+  return count;
 }
 
 }  // namespace hawser

@@ -147,6 +147,17 @@ double LineMassTerm::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
+void LineMassTerm::motion(const Kinematics& at, std::span<LineMotion> lines) const {
+  for (const Piece& p : pieces_) {
+    if (!p.at.counted) continue;
+    LineMotion& line =
+        lines[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(p.at.global)].line)];
+    const double half = 0.5 * p.section.mass_per_length * p.section.length;
+    line.add(half, at.v[static_cast<size_t>(p.at.first)]);
+    line.add(half, at.v[static_cast<size_t>(p.at.second)]);
+  }
+}
+
 double LineMassTerm::dead_load() const {
   double sum = 0;
   for (const Piece& p : pieces_)

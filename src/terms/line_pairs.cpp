@@ -234,31 +234,50 @@ double LinePairs::slowness(const Pair& p) const {
   return std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);
 }
 
-// A step in which they meet or part fast enough to press in beyond the ramp is no longer than a third of the
-// contact's period.
+// kg, of the two on their contact, and what their line bears, J. The stretch that touches is at most one of
+// the elements.
+double LinePairs::mass(const Pair& p) const {
+  const auto [i, j] = p.key;
+  const double ma = elements_[static_cast<size_t>(i)].mass_per_length,
+               mb = elements_[static_cast<size_t>(j)].mass_per_length;
+  const auto& e = mesh_.mesh->elements;
+  return ma * mb / (ma + mb) * std::min(e[static_cast<size_t>(i)].length, e[static_cast<size_t>(j)].length);
+}
+
+double LinePairs::bears(const Pair& p) const {
+  if (bearable_.empty()) return 0;
+  const auto& e = mesh_.mesh->elements;
+  return std::min(bearable_[static_cast<size_t>(e[static_cast<size_t>(p.key.first)].line)],
+                  bearable_[static_cast<size_t>(e[static_cast<size_t>(p.key.second)].line)]);
+}
+
+// A step in which they meet or part fast enough to press in beyond the ramp, and with more energy than can be
+// borne, is no longer than a third of the contact's period.
 bool LinePairs::resolved(const Pair& p, const Kinematics& trial, const std::vector<Rod>& is) const {
   const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
   const double slow = slowness(p);
   if (trial.step <= (1 + 1e-9) / kLeastSteps * 2 * M_PI * slow || (!p.history && !near(p, is))) return true;
   const double v0 = nearest(p, start_[i], start_[j]).speed,
                v1 = nearest(p, ends(trial, p.a), ends(trial, p.b)).speed;
-  return std::max(std::abs(v0), std::abs(v1)) * slow <= 2 * p.law.normal.smoothing;
+  const double v = std::max(std::abs(v0), std::abs(v1));
+  return v * slow <= 2 * p.law.normal.smoothing || 0.5 * mass(p) * v * v <= bears(p);
 }
 
 // An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
-StepLimit LinePairs::longest_step(const Kinematics& at) const {
-  StepLimit limit;
+void LinePairs::limit_step(const Kinematics& at, Strikes& to) const {
   for (const Pair& p : pairs_) {
     const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
     const Nearest c = nearest(p, start_[i], start_[j]);
     const double ramp = p.law.normal.smoothing,
                  apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
+    if (c.speed < 0) to.limit((apart + kDeep * p.law.reach) / -c.speed);
+    if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
     if (p.history) a.gap = -ramp - std::max(deepest_of((*p.history)[0]), deepest_of((*p.history)[3]));
-    limit.take(impact_limit(slowness(p), 2 * ramp, a));
-    if (c.speed < 0) limit.longest = std::min(limit.longest, (apart + kDeep * p.law.reach) / -c.speed);
+    const auto& e = mesh_.mesh->elements;
+    to.add(strike(slowness(p), 2 * ramp, mass(p), a), e[static_cast<size_t>(p.key.first)].line,
+           e[static_cast<size_t>(p.key.second)].line);
   }
-  return limit;
 }
 
 void LinePairs::commit(const Kinematics& accepted) {

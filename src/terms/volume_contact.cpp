@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hawser/math/so3.hpp"
 
@@ -21,8 +22,10 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
     if (!(nodes_[n].radius > 0)) continue;
     const Vec3 tangent = line_.tangent(committed, i);
     for (int k = 0; k < static_cast<int>(volumes_.size()); ++k) {
-      while (known < old.size() && std::pair(old[known].node, old[known].volume) < std::pair(i, k)) ++known;
-      const bool kept = known < old.size() && old[known].node == i && old[known].volume == k;
+      const auto key = [&](size_t at) { return std::pair(old[at].node, old[at].volume); };
+      while (known < old.size() && key(known) < std::pair(i, k)) ++known;
+      size_t end = known;
+      while (end < old.size() && key(end) == std::pair(i, k)) ++end;
       const RigidPose& pose = start_poses_[body(k)];
       const Vec3 &x = committed.x[n], y = pose.to_body(x);
       const ContactLaw laws = node_law(i, k);
@@ -32,26 +35,43 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
       const double away = distance(boxes_[static_cast<size_t>(k)], y);
       if (h > 0 && away > touch + margin && model_ != NodeContact::gap) continue;
 
-      Pair& pair = pairs_.emplace_back();
+      Pair pair;
       pair.node = i;
       pair.volume = k;
       pair.touch = touch;
       pair.law = laws;
-      if (kept) {
-        pair.history = old[known].history;
-        pair.multiplier = old[known].multiplier, pair.held = old[known].held;
-        pair.released = old[known].released;
+      std::array<History, SurfaceWalls::kMost> histories;
+      bool more = false;
+      for (size_t at = known; at < end; ++at) {
+        const Pair& was = old[at];
+        histories[static_cast<size_t>(was.slot)] = was.history;
+        more = more || (was.slot > 0 && was.history.touches);
+        if (was.slot > 0) continue;
+        pair.multiplier = was.multiplier, pair.held = was.held;
+        pair.released = was.released;
       }
+      pair.history = histories[0];
       if (model_ == NodeContact::gap && !pair.history.paired) choose_gap(pair, y);
-      pair.hint = pair.history.hint;
-      margins.push_back(margin);
       pair.start.gap = std::max(margin, away - touch) + laws.normal.smoothing;  // a bound
       pair.start.point = y;
       pair.start.tangent = pose.rotation.conjugate() * tangent;
-      pair.start.slip = pair.history.slip;
-      pair.start.normal = pair.history.normal;
-      if (model_ != NodeContact::gap)
-        questions_.add(k, pairs_.size() - 1, {y, pair.touch + margin, pair.hint});
+      if (model_ == NodeContact::elastic &&
+          (more || !one_wall(pair, y, h > 0 ? motion : std::numeric_limits<double>::max()))) {
+        pair.walls = std::make_shared<Walls>();
+        pair.walls->committed = histories;
+      }
+      for (int slot = 0; slot < (pair.walls ? SurfaceWalls::kMost : 1); ++slot) {
+        pair.slot = slot;
+        if (slot > 0) pair.history = histories[static_cast<size_t>(slot)];
+        pair.hint = pair.history.hint;
+        pair.start.slip = pair.history.slip;
+        pair.start.normal = pair.history.normal;
+        if (pair.walls && pair.history.touches) pair.start.gap = -pair.history.depth;
+        pairs_.push_back(pair);
+        margins.push_back(margin);
+        if (model_ != NodeContact::gap && !pair.walls)
+          questions_.add(k, pairs_.size() - 1, {y, pair.touch + margin, pair.hint});
+      }
     }
   }
   questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) {
@@ -60,6 +80,7 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
   });
   for (size_t i = 0; i < pairs_.size(); ++i) {
     Pair& pair = pairs_[i];
+    if (pair.walls) continue;  // which wall the gap is to be of, the trial says
     ContactTrial at;
     at.gap = pair.start.gap;
     locate(pair, pair.start.point, margins[i], at);
@@ -69,7 +90,14 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
 
 const std::optional<SurfacePoint>& VolumeContact::look(Pair& pair, const Vec3& y, double distance) const {
   if (distance == pair.asked_distance && y == pair.asked) return pair.seen;
-  pair.seen = volumes_[static_cast<size_t>(pair.volume)].surface->query(y, distance, pair.hint);
+  const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
+  const int wall = pair.walls ? see_wall(pair, y) : Walls::kAll;
+  if (wall == Walls::kNone)
+    pair.seen.reset();
+  else if (wall == Walls::kAll)
+    pair.seen = surface.query(y, distance, pair.hint);
+  else
+    pair.seen = surface.query_wall(pair.walls->near.of[static_cast<size_t>(wall)], y, distance);
   pair.asked = y, pair.asked_distance = distance;
   return pair.seen;
 }
@@ -81,36 +109,39 @@ void VolumeContact::look_ahead(const Kinematics& at) {
     const size_t n = static_cast<size_t>(pair.node);
     const Vec3 y = poses_[body(pair.volume)].to_body(at.x[n]);
     const double distance = pair.touch + 0.5 * element_[n];
-    if (clear_of(pair, y) || (distance == pair.asked_distance && y == pair.asked)) continue;
+    if (pair.walls || clear_of(pair, y) || (distance == pair.asked_distance && y == pair.asked)) continue;
     pair.asked = y, pair.asked_distance = distance;
     questions_.add(pair.volume, i, {y, distance, pair.hint});
   }
   questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) { pairs_[i].seen = p; });
 }
 
-StepLimit VolumeContact::longest_step(const Kinematics& committed) const {
-  StepLimit limit;
+void VolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
+  std::vector<SurfacePoint> met;
   for (const Pair& pair : pairs_) {
+    if (pair.slot > 0) continue;
     const size_t n = static_cast<size_t>(pair.node), k = static_cast<size_t>(pair.volume);
     const RigidPose& pose = start_poses_[body(pair.volume)];
     const Vec3 v = pose.rotation.conjugate() * (committed.v[n] - pose.velocity_at(committed.x[n]));
     const double speed = v.norm();
     if (speed == 0) continue;
     // Look ahead as far as the node gets in half a second.
-    const auto p = volumes_[k].surface->query(pose.to_body(committed.x[n]),
-                                              pair.touch + 0.5 * (element_[n] + speed), pair.hint);
-    if (!p) continue;
-    const double a = p->normal.dot(pose.rotation.conjugate() * committed.a[n]);
-    if (model_ == NodeContact::rigid) {  // has no period
-      if (const double closing = -p->normal.dot(v); closing > 0)
-        limit.longest = std::min(
-            limit.longest, (std::max(p->distance - pair.touch, 0.0) + 0.5 * nodes_[n].radius) / closing);
-      continue;
+    const Vec3 y = pose.to_body(committed.x[n]);
+    const double ahead = pair.touch + 0.5 * (element_[n] + speed);
+    met.clear();
+    if (pair.walls)
+      met = nearest_on_walls(*volumes_[k].surface, y, ahead);
+    else if (const auto p = volumes_[k].surface->query(y, ahead, pair.hint))
+      met.push_back(*p);
+    for (const SurfacePoint& p : met) {
+      const Approach at{p.distance - pair.touch, -p.normal.dot(v),
+                        p.normal.dot(pose.rotation.conjugate() * committed.a[n])};
+      limit_depth(nodes_[n].radius, at, to);
+      if (model_ == NodeContact::rigid) continue;  // has no period
+      to.add(strikes(pair.law.normal, nodes_[n].mass, 1, nodes_[n].radius, at),
+             mesh_.nodes[static_cast<size_t>(global_[n])].line);
     }
-    limit.take(trusted_step(pair.law.normal, nodes_[n].mass, nodes_[n].radius,
-                            {p->distance - pair.touch, -p->normal.dot(v), a}));
   }
-  return limit;
 }
 
 bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {
@@ -142,6 +173,8 @@ PointContact VolumeContact::contact(Pair& pair, const Kinematics& at, bool deriv
   if (!locate(pair, trial.point, 0.5 * element_[n], trial)) return {};
   if (at.step > 0) trial.velocity = pose.rotation.conjugate() * (at.v[n] - pose.velocity_at(x));
   if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
+  if (pair.walls)
+    return volume_contact(in_force(pair, at.step), start(pair, trial.point), trial, derivatives);
   return volume_contact(in_force(pair, at.step), pair.start, trial, derivatives);
 }
 
@@ -201,6 +234,7 @@ void VolumeContact::commit(const Kinematics& accepted) {
       next.hint = pair.hint;
     }
     accounts_[static_cast<size_t>(pair.node)].reaches(next.depth, accepted.time, pair.volume);
+    if (pair.walls && c.normal.elastic != 0) pair.start.gap = start(pair, at.point).gap;
     if (accepted.step > 0 && (next.touches || pair.history.touches)) account(pair, next, at.point);
     next.multiplier = pair.multiplier, next.held = pair.held;
     next.paired = pair.history.paired, next.anchor = pair.history.anchor;

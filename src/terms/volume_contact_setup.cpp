@@ -95,7 +95,7 @@ void VolumeContact::fields(FieldRegistry& registry) const {
 }
 
 namespace {
-constexpr int kAccount = -1;  // key of a node's sums; volumes count from 0
+constexpr int kAccount = -1;  // key of a node's sums; volumes count from 0, those of second walls behind them
 
 void put(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), v.begin(), v.end()); }
 }  // namespace
@@ -112,7 +112,7 @@ std::vector<HistoryRecord> VolumeContact::save() const {
   for (const Pair& p : pairs_) {
     const History& h = p.history;
     if (!h.touches && !h.paired && h.multiplier == 0) continue;
-    HistoryRecord r{global_[static_cast<size_t>(p.node)], p.volume, {}};
+    HistoryRecord r{global_[static_cast<size_t>(p.node)], p.volume + p.slot * volumes(), {}};
     for (const Vec3* v : {&h.slip, &h.normal, &h.force, &h.friction}) put(r.values, *v);
     r.values.insert(r.values.end(),
                     {h.normal_force, h.damping_force, h.potential, h.depth, static_cast<double>(h.hint)});
@@ -141,11 +141,11 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
       continue;
     }
     const bool more = model_ != NodeContact::elastic;
-    if (v.size() != (more ? 27U : 17U) || r.key < 0 || r.key >= static_cast<int>(volumes_.size()))
+    if (v.size() != (more ? 27U : 17U) || r.key < 0 || r.key >= SurfaceWalls::kMost * volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
     Pair& p = pairs_.emplace_back();
     p.node = found->second;
-    p.volume = r.key;
+    p.volume = r.key % volumes(), p.slot = r.key / volumes();
     History& h = p.history;
     int at = 0;
     for (Vec3* part : {&h.slip, &h.normal, &h.force, &h.friction})
@@ -160,7 +160,7 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
       h.anchor[c] = v[static_cast<size_t>(21 + c)], h.direction[c] = v[static_cast<size_t>(24 + c)];
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
-    return std::pair(a.node, a.volume) < std::pair(b.node, b.volume);
+    return std::array{a.node, a.volume, a.slot} < std::array{b.node, b.volume, b.slot};
   });
 }
 
@@ -170,11 +170,6 @@ Penetration VolumeContact::largest_penetration() const {
     if (accounts_[n].depth > p.depth)
       p = {accounts_[n].depth, global_[n], accounts_[n].volume, accounts_[n].time};
   return p;
-}
-
-int VolumeContact::touching() const {
-  return static_cast<int>(
-      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.history.touches; }));
 }
 
 }  // namespace hawser

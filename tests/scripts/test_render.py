@@ -78,6 +78,13 @@ class Render(unittest.TestCase):
                 self.assertGreater(len(found), 200)
                 self.assertAlmostEqual(sum(found) / len(found), 80 - 40 * (z - 1), delta=4)
 
+    def test_tube_of_the_filters_own_radius(self):
+        # ParaView's tube filter drew nothing at a radius of exactly 1.
+        with tempfile.TemporaryDirectory() as folder:
+            self.render(folder, "--at", "1", "--diameter", "2")
+            _, _, rows = read_png(Path(folder) / "out" / "small_0000.png")
+            self.assertGreater(len([y for y, x in coloured(rows) if 80 < x < 120]), 1000)
+
     def test_wanted_time_and_absent_field(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(self.render(folder, "--at", "1", "--field", "nothing"), ["small.png", "small_0000.png"])

@@ -27,7 +27,7 @@ struct SuiteCase {
 
 // Places of contact. Nodes are put on the surface, each in a state of its own (kStory), and one step of
 // history is laid down.
-enum class ContactOn { plane, cylinder, face, edge, vertex };
+enum class ContactOn { plane, cylinder, face, edge, vertex, corner };
 inline constexpr double kContactRadius = 0.1, kNormalStiffness = 1e5;
 
 inline const Vec3 kTurn(0.3, -0.4, 0.5);  // of element axes in node axes
@@ -121,6 +121,14 @@ inline void add_loads(SuiteModel& m, const Placement& at, bool gravity) {
   m.system->add(std::make_unique<PointMasses>(l, masses, gravity ? 9.81 : 0));
 }
 
+// Of one piece, the floor z = 0 and the wall y = 0 beside it.
+inline TriangleMesh floor_and_wall() {
+  TriangleMesh m = testing::prism_mesh({{-1, -1}, {0, -1}, {3, -1}, {3, 0}, {0, 0}, {0, 1}, {-1, 1}, {-1, 0}},
+                                       {{0, 1, 4, 7}, {1, 2, 3, 4}, {7, 4, 5, 6}}, 9);
+  for (Vec3& v : m.vertices) v = Vec3(v.z() - 3, v.x(), v.y());
+  return m;
+}
+
 // A place over the surface, body axes: `gap` from it, moved by `slip` along it from where node g begins.
 inline Vec3 place(ContactOn on, int g, double gap, double slip) {
   const double d = kContactRadius + gap, k = g;
@@ -138,6 +146,9 @@ inline Vec3 place(ContactOn on, int g, double gap, double slip) {
       const double angle = 0.7 + 0.03 * k + 0.6 * way;
       return Vec3(3, 0.3 + 0.3 * k + 0.8 * slip, 2) + d * Vec3(std::sin(angle), 0, std::cos(angle));
     }
+    // Floor z = 0 and wall y = 0 of one mesh: the farther from the one, the nearer to the other.
+    case ContactOn::corner:
+      return {0.4 * k + 0.8 * slip, kContactRadius - gap - 4.3e-3, d};
     case ContactOn::vertex:
       return Vec3(3, 3, 2) +
              d * (Vec3(1, 0.8 + 0.02 * k, 1.1).normalized() + way * Vec3(0.6, -0.8, 0)).normalized();
@@ -162,7 +173,7 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
                                   double lateral) {
   const LocalMesh& l = m.system->mesh();
   const Quat start = exp_so3({0.3, -0.2, 0.5});
-  const bool moves = on != ContactOn::plane;
+  const bool moves = on != ContactOn::plane && on != ContactOn::corner;
   const SteadyLaw turning{at.rotation * Vec3(0.2, -0.1, 0.3), at.rotation * Vec3(1, 2, -2), 0.4};
   const auto bodies = std::make_shared<const Bodies>(std::vector<RigidMotion>{
       {at.point({1, 2, 3}), log_so3(at.rotation * start), moves ? MotionLaw(turning) : MotionLaw()}});
@@ -179,6 +190,8 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
     v.surface = std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ());
   else if (on == ContactOn::cylinder)
     v.surface = std::make_shared<CylinderSurface>(Vec3(0, -5, 0), Vec3(0, 5, 0), 2);
+  else if (on == ContactOn::corner)
+    v.surface = std::make_shared<MeshSurface>(floor_and_wall());
   else
     v.surface = std::make_shared<MeshSurface>(testing::box_mesh(Vec3(0, 0, -1), Vec3(3, 3, 2)));
   auto term = std::make_unique<VolumeContact>(
@@ -423,11 +436,9 @@ inline std::vector<SuiteCase> water_cases() {
 
 inline std::vector<SuiteCase> contact_cases() {
   std::vector<SuiteCase> out;
-  constexpr std::pair<ContactOn, const char*> kinds[] = {{ContactOn::plane, "plane"},
-                                                         {ContactOn::cylinder, "cylinder"},
-                                                         {ContactOn::face, "face"},
-                                                         {ContactOn::edge, "edge"},
-                                                         {ContactOn::vertex, "vertex"}};
+  constexpr std::pair<ContactOn, const char*> kinds[] = {
+      {ContactOn::plane, "plane"}, {ContactOn::cylinder, "cylinder"}, {ContactOn::face, "face"},
+      {ContactOn::edge, "edge"},   {ContactOn::vertex, "vertex"},     {ContactOn::corner, "corner"}};
   for (const auto& [on, name] : kinds)
     for (const auto& [axial, lateral, friction] :
          {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})

@@ -14,7 +14,7 @@
 
 namespace hawser::test {
 
-enum class Under { plane, roller, drum, edge };
+enum class Under { plane, roller, drum, edge, corner };
 
 struct LineCase {
   std::string name;
@@ -29,7 +29,8 @@ inline std::vector<LineCase> line_cases() {
   for (const auto& [on, name] : {std::pair{Under::plane, "plane"},
                                  {Under::roller, "roller"},
                                  {Under::drum, "drum"},
-                                 {Under::edge, "edge"}}) {
+                                 {Under::edge, "edge"},
+                                 {Under::corner, "corner"}}) {
     out.push_back({std::string(name) + ", smooth", on});
     for (const bool far : {false, true}) {
       out.push_back({std::string(name) + (far ? ", slides" : ", sticks"), on, 0.3, 0.3, far});
@@ -49,6 +50,8 @@ inline void place_node(Under on, int g, double gap, double slip, Vec3& x, Quat& 
   const double k = g % 4, side = g < 4 ? 0 : 1.5;
   x = {1.2 * k + slip, side + 0.7 * slip, kLineRadius + gap};
   q = exp_so3(Vec3(0.2, 2e-3 * noise(g, 0, 1), 3e-3 * noise(g, 1, 1)));
+  // The farther from the floor, the nearer to the wall beside it: at y = -0.1 and 1.6.
+  if (on == Under::corner) x.y() = g < 4 ? -gap - 4.5e-3 : 1.5 + gap + 2.4e-3;
   if (on == Under::drum) {  // about y, radius 5
     const double r = 5 + x.z(), angle = x.x() / 5.1;
     x = {r * std::sin(angle), x.y(), r * std::cos(angle)};
@@ -65,6 +68,7 @@ inline Gaps gaps(Under on) {
   switch (on) {
     case Under::plane:
     case Under::drum:
+    case Under::corner:
       return {{-2, -5, -5, 8}, {3, -6, -4, -3}};
     case Under::roller:  // below the middle of the second element: it is 5 mm deep there
       return {{-5, -5.5, -4.5, -5}, {-6, -5.2, -4.4, -3}};
@@ -72,6 +76,26 @@ inline Gaps gaps(Under on) {
       return {{4, -4, -6, -30}, {6, -3.5, -7, -35}};
   }
   return {};
+}
+
+// A channel along x, of one piece: a floor at z = 0 between walls at y = left and y = right.
+inline TriangleMesh channel_mesh(double left, double right) {
+  TriangleMesh m =
+      testing::prism_mesh({{left - 1, -1},
+                           {left, -1},
+                           {right, -1},
+                           {right + 1, -1},
+                           {right + 1, 0},
+                           {right + 1, 1},
+                           {right, 1},
+                           {right, 0},
+                           {left, 0},
+                           {left, 1},
+                           {left - 1, 1},
+                           {left - 1, 0}},
+                          {{0, 1, 8, 11}, {1, 2, 7, 8}, {2, 3, 4, 7}, {11, 8, 9, 10}, {7, 4, 5, 6}}, 9);
+  for (Vec3& v : m.vertices) v = Vec3(v.z() - 3, v.x(), v.y());
+  return m;
 }
 
 inline std::shared_ptr<const Surface> surface_of(Under on) {
@@ -84,6 +108,8 @@ inline std::shared_ptr<const Surface> surface_of(Under on) {
       return std::make_shared<CylinderSurface>(Vec3(0, -8, 0), Vec3(0, 8, 0), 5);
     case Under::edge:
       return std::make_shared<MeshSurface>(testing::box_mesh(Vec3(-3, -4, -2), Vec3(1.8, 4, 0)));
+    case Under::corner:
+      return std::make_shared<MeshSurface>(channel_mesh(-kLineRadius, 1.5 + kLineRadius));
   }
   return {};
 }
@@ -96,9 +122,9 @@ struct LineModel : SuiteModel {
       : SuiteModel(comm, at) {
     const LocalMesh& l = system->mesh();
     const SteadyLaw turning{at.rotation * Vec3(0.2, -0.1, 0.3), at.rotation * Vec3(1, 2, -2), 0.4};
-    bodies = std::make_shared<const Bodies>(
-        std::vector<RigidMotion>{{at.point({1, 2, 3}), log_so3(at.rotation * exp_so3({0.3, -0.2, 0.5})),
-                                  what.on == Under::plane ? MotionLaw() : MotionLaw(turning)}});
+    bodies = std::make_shared<const Bodies>(std::vector<RigidMotion>{
+        {at.point({1, 2, 3}), log_so3(at.rotation * exp_so3({0.3, -0.2, 0.5})),
+         what.on == Under::plane || what.on == Under::corner ? MotionLaw() : MotionLaw(turning)}});
     ContactVolume v;
     v.surface = surface_of(what.on);
     v.body = 0;

@@ -24,17 +24,33 @@ double cpu_now() {
 // Counts what contact asks of a surface and times every sixteenth question (a clock costs more than some
 // answers).
 class CountedSurface final : public Surface {
+  template <class Ask>
+  auto timed(Ask&& ask) const {
+    if (++asked_ % 16) return ask();
+    const double start = cpu_now();
+    auto answer = ask();
+    seconds_ += cpu_now() - start;
+    ++timed_;
+    return answer;
+  }
+
  public:
   explicit CountedSurface(std::shared_ptr<const Surface> s) : s_(std::move(s)) {}
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint) const override {
-    if (++asked_ % 16) return s_->query(y, max_distance, hint);
-    const double start = cpu_now();
-    auto p = s_->query(y, max_distance, hint);
-    seconds_ += cpu_now() - start;
-    ++timed_;
-    return p;
+    return timed([&] { return s_->query(y, max_distance, hint); });
   }
   Box bounds() const override { return s_->bounds(); }
+  // Questions about walls count as well.
+  void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const override {
+    timed([&] { return s_->walls(axis, reach, out), 0; });
+  }
+  bool one_wall(const Vec3& centre, double radius) const override {
+    return timed([&] { return s_->one_wall(centre, radius); });
+  }
+  std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,
+                                         bool either_side) const override {
+    return timed([&] { return s_->query_wall(wall, y, max_distance, either_side); });
+  }
   long asked() const { return asked_; }
   double microseconds() const {  // less what reading the clock takes
     double clock = 0;

@@ -58,7 +58,7 @@ class Simulation {
  private:
   void lay_lines(StaticsSettings settings, StaticsReport& report);
 
-  const model::Case& case_;
+  const model::Case case_;  // its own: a caller may make it on the way
   std::unique_ptr<Mesh> mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::unique_ptr<System> system_;

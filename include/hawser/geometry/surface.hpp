@@ -10,9 +10,11 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "hawser/geometry/box.hpp"
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/geometry/surface_walls.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -51,7 +53,22 @@ class Surface {
 
   // Contains the surface that can be met and all points inside it; may be infinite.
   virtual Box bounds() const = 0;
+
+  // Walls that can be touched together, see surface_walls.hpp; only meshes that are not convex have several.
+  // Of those within `reach` [m] of a polyline (one point or more): none where query() says all there is. What
+  // is one wall and what are two depends on the place and on nothing else.
+  virtual void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const;
+  // Whether a ball is known to hold no more than one; quick.
+  virtual bool one_wall(const Vec3& centre, double radius) const;
+  // query() of a wall alone. What is behind it gets no answer unless it is inside and the wall is the nearest
+  // of all; either_side: it does, with its distance from the wall, negative there.
+  virtual std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,
+                                                 bool either_side = false) const;
 };
+
+// The nearest point of each wall within max_distance [m] of y, the nearest of all first; of a wall that is
+// behind y none. One at most where the surface is convex or smooth.
+std::vector<SurfacePoint> nearest_on_walls(const Surface& surface, const Vec3& y, double max_distance);
 
 // The half-space below a plane through `point` with outward `normal` (need not be unit, not zero).
 class PlaneSurface final : public Surface {

@@ -1,8 +1,15 @@
-// How long a step may be beside and in a contact, so that an impact is followed and its force makes no
-// energy. Scalars only. See docs/theory/contact.md, "Steps".
+// How long a step may be beside and in a contact, so that an impact that matters is followed and its force
+// makes no energy to speak of. No MPI: sums over the ranks are the caller's. See docs/theory/contact.md,
+// "Steps", and docs/decisions/006-step-control.md.
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hawser/math/types.hpp"
 
 namespace hawser {
 
@@ -11,11 +18,6 @@ struct StepLimit {
   double longest = std::numeric_limits<double>::infinity();  // s
   // s, shortest period of the contacts that strike now: what they set in motion is followed for some time.
   double period = std::numeric_limits<double>::infinity();
-
-  void take(const StepLimit& o) {
-    if (o.longest < longest) longest = o.longest;
-    if (o.period < period) period = o.period;
-  }
 };
 
 // What meets something: how far it is from where forces begin (m, negative: beyond), how fast it closes (m/s)
@@ -25,10 +27,73 @@ struct Approach {
   bool last = true;  // in touch: no other place of the same contact is deeper, so that it ends with this one
 };
 
+// A mass on the spring of a contact that strikes, or may before the step ends.
+class Strike {
+ public:
+  int line = 0, other = -1;  // that strikes; that is struck, if it is one
+
+  // J: of the mass along the normal, and of the spring out of its balance. No step makes or loses more by it
+  // where the impact is followed.
+  double energy() const { return energy_; }
+  // J, at stake in a step of h [s] that has more than a sixth of a period in it: energy() or none.
+  double unresolved(double h) const { return h > resolved_ ? energy_ : 0; }
+  // J, that the trapezoidal rule loses in a step of h across the touch or makes in one across the end.
+  double crossed(double h) const;
+  // s, of what is in touch; infinite: of what is not.
+  double period() const;
+
+ private:
+  friend std::optional<Strike> strike(double slowness, double seen, double mass, const Approach& at);
+  double slowness_ = 0, energy_ = 0;  // s, J
+  double resolved_ = 0;               // s
+  double crossing_ = 0;               // s, until the touch or the end; infinite: none
+  double half_ = 0;                   // N/m, half the stiffness
+  Approach at_;
+};
+
 // slowness: s, sqrt(m/k) of the contact, its period over 2 pi. seen: m; what inertia takes deeper than that,
-// by speed or by acceleration, strikes. An impact has six steps in a period, and steps end at its touch and
-// at its end: across the touch the trapezoid takes half of force times gap of energy, across the end it makes
-// that.
-StepLimit impact_limit(double slowness, double seen, const Approach& at);
+// by speed or by acceleration, strikes. mass: kg.
+std::optional<Strike> strike(double slowness, double seen, double mass, const Approach& at);
+
+// What terms find: strikes of what this rank counts, and a length [s] that steps keep to in any case.
+struct Strikes {
+  double longest = std::numeric_limits<double>::infinity();
+  std::vector<Strike> list;
+
+  void limit(double h) {
+    if (h < longest) longest = h;
+  }
+  void add(const std::optional<Strike>& s, int line, int other = -1) {
+    if (!s) return;
+    list.push_back(*s);
+    list.back().line = line, list.back().other = other;
+  }
+};
+
+// Of the masses of a line: kg, kg m/s, J. What moves as a whole has no energy() [J] that could be made, but
+// what strikes with it.
+struct LineMotion {
+  double mass = 0;
+  Vec3 momentum = Vec3::Zero();
+  double kinetic = 0, striking = 0;
+
+  void add(double m, const Vec3& velocity) {
+    mass += m, momentum += m * velocity, kinetic += 0.5 * m * velocity.squaredNorm();
+  }
+  double energy() const;
+};
+
+// Adds the numbers of all ranks, in place.
+using Sum = std::function<void(std::span<double>)>;
+
+// J by line: what impacts may make, lose or leave unresolved of it in a step: kErrorOfStep of its energy, as
+// many times as there are lines whose impacts come to more. `lines` are those of all ranks.
+constexpr double kErrorOfStep = 1e-4;
+std::vector<double> bearable(std::span<const LineMotion> lines);
+
+// The longest step of at most `most` [s] in which strikes, of all ranks, together stay within what is
+// bearable, and the period of those that matter. Collective.
+StepLimit bounded_step(std::span<const Strike> strikes, std::span<const double> bearable, double most,
+                       const Sum& sum);
 
 }  // namespace hawser

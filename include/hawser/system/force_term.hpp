@@ -51,9 +51,13 @@ class ForceTerm {
   // Once before a step of length h [s] is tried, from the last accepted state. May communicate.
   virtual void prepare(const Kinematics& committed, double h) { (void)committed, (void)h; }
 
-  // Longest step that this term can be trusted with from here, and what strikes; asked after prepare(). Steps
-  // that the user fixed are divided by it where impacts are to be resolved.
-  virtual StepLimit longest_step(const Kinematics& committed) const { return (void)committed, StepLimit{}; }
+  // Longest step that this term can be trusted with from here, and what strikes, each once over all ranks;
+  // asked after prepare(). Steps that the user fixed are divided by it where impacts are to be resolved.
+  virtual void limit_step(const Kinematics& committed, Strikes& to) const { (void)committed, (void)to; }
+  // What impacts may make, lose or leave unresolved in that step, J by line of the mesh.
+  virtual void bear(std::span<const double> energies) { (void)energies; }
+  // Adds what this rank counts of the masses that move, by line of the mesh.
+  virtual void motion(const Kinematics& at, std::span<LineMotion> lines) const { (void)at, (void)lines; }
 
   // Adds force and tangent at the trial state. Local, repeatable: reads committed history only.
   virtual void evaluate(const Kinematics& trial, Sink& sink) = 0;

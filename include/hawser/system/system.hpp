@@ -90,7 +90,8 @@ class System {
   void soften(double factor);
   double axial_stiffness() const;
   double dead_load() const;
-  StepLimit longest_step(const Kinematics& committed) const;
+  // Of a step of at most `most` [s]: what impacts allow is bounded by the energy they are about.
+  StepLimit longest_step(const Kinematics& committed, double most);
   bool augment(const Kinematics& equilibrium);  // true on all ranks: solve again
   void reset_multipliers();
 

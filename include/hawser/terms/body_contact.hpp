@@ -35,7 +35,7 @@ class BodyContactTerm final : public ForceTerm {
   bool recouple(const Kinematics&, double) override;
   void reghost() override;
   void prepare(const Kinematics& committed, double h) override;
-  StepLimit longest_step(const Kinematics& committed) const override;
+  void limit_step(const Kinematics& committed, Strikes& to) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;

@@ -82,10 +82,12 @@ class Contact : public ForceTerm {
     return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
   }
 
-  // Longest step that can be trusted with a place of a line and a surface; mass in the sense of law(). It may
-  // not get deeper than half its radius [m], and an impact is followed (kernels/impact.hpp): what inertia
-  // takes deeper than the ramp of the law and 0.2 % of the radius strikes.
-  static StepLimit trusted_step(const NormalLaw& law, double mass, double radius, const Approach& at);
+  // A step is not to get a place of a line deeper into a surface than half its radius [m].
+  static void limit_depth(double radius, const Approach& at, Strikes& to);
+  // Whether that place strikes (kernels/impact.hpp): what inertia takes deeper than the ramp of the law and
+  // 0.2 % of the radius. share: of the place, what turns mass, in the sense of law(), into kg.
+  static std::optional<Strike> strikes(const NormalLaw& law, double mass, double share, double radius,
+                                       const Approach& at);
 
   // Whether a ball of `radius` about y is as free as all was found to be within `clear` of `centre`. A Newton
   // iteration that diverges leaves these so far away that rounding is larger than the model: hence the

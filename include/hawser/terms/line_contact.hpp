@@ -30,8 +30,8 @@ class LineContact final : public Contact {
 
   std::string_view name() const override { return "line contact"; }
   void prepare(const Kinematics& committed, double h) override;
-  // As trusted_step says of the ends and the middle of each element and of what touches.
-  StepLimit longest_step(const Kinematics& committed) const override;
+  // As limit_depth and strikes say of the ends and the middle of each element and of what touches.
+  void limit_step(const Kinematics& committed, Strikes& to) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
@@ -42,7 +42,7 @@ class LineContact final : public Contact {
 
   // `node` is the nearer end of the element.
   Penetration largest_penetration() const override;
-  int candidates() const override { return static_cast<int>(pairs_.size()); }
+  int candidates() const override;
   // Pairs of an element and a volume that touch.
   int touching() const override;
   void touches(Touches& out) const override;
@@ -64,8 +64,27 @@ class LineContact final : public Contact {
     std::vector<ContactStretch> panels;
     std::vector<SurfacePoint> points;
   };
+  // Where a surface may have several walls (surface_walls.hpp): what of them is near an axis, and which of
+  // the points of before lay on each.
+  struct Seen {
+    SurfaceWalls walls;
+    std::vector<std::vector<Point>> past;  // of each wall, or of the one there is; empty: the pair's own
+  };
+  // Of an element and a volume, shared by its pairs, one a wall; what was seen of the last axis is kept.
+  struct Walls {
+    std::vector<std::vector<Point>> committed;  // of each pair
+    bool known = false;
+    AxisShape shape = nowhere();
+    Vec3 position;
+    Quat rotation;
+    std::shared_ptr<const Seen> seen;
+    Vec3 centre = Vec3::Zero();  // as of Pair, of all walls
+    double clear = -1;
+    int hint = -1;
+  };
+  // An element and a volume; or one of its walls, of which there may be as many as there are pairs.
   struct Pair {
-    int element = 0, volume = 0;
+    int element = 0, volume = 0, slot = 0;
     double touch = 0;  // m, distance below which there is a force: radius + smoothing
     int levels = 1;
     ContactLaw law;               // per length
@@ -77,6 +96,20 @@ class LineContact final : public Contact {
     double clear = -1;
     int hint = -1;
     Found found;
+    // A ball that is known to hold one wall only.
+    Vec3 one_centre = Vec3::Zero();
+    double one_radius = -1;
+    std::shared_ptr<Walls> walls;      // none: there is one wall in this step
+    std::shared_ptr<const Seen> seen;  // of the axis of `found`
+    // The wall it is about; none: all of the surface, and of a further pair nothing.
+    const SurfaceWall* wall() const {
+      const size_t k = static_cast<size_t>(slot);
+      return seen && seen->walls.several() && k < seen->walls.of.size() ? &seen->walls.of[k] : nullptr;
+    }
+    bool idle() const { return slot > 0 && !wall(); }
+    const std::vector<Point>& past() const {
+      return seen && !seen->past.empty() ? seen->past[static_cast<size_t>(slot)] : history;
+    }
   };
   // Of a point that touches in the trial, at the start of the step: from the history, or where it came from.
   struct Origin {
@@ -87,6 +120,24 @@ class LineContact final : public Contact {
   struct Moving;
   class Gap;
 
+  // What may be met of a volume in a step of h: whether it is one wall.
+  bool one_wall(Pair& pair, const AxisShape& shape, const RigidPose& pose, double motion) const;
+  void see_walls(Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  void assign_past(const Pair& pair, Seen& seen) const;
+  // Pairs for walls that are seen, which have none until then. lacks_pairs: of the pair number i.
+  bool lacks_pairs(size_t i) const;
+  void open_pairs();
+  // The axis as a polyline in the body's frame.
+  static std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double touch);
+  // What a pair sees of its volume.
+  std::optional<SurfacePoint> see(const Pair& pair, const Vec3& y, double within,
+                                  bool either_side = false) const;
+  void cap_walls(const Pair& pair, const Kinematics& committed, Strikes& to) const;
+  // What strikes at xi, `share` m of the line with it; what it may come to, which touches elsewhere already.
+  void look(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
+            const Vec3& normal, bool last, Strikes& to) const;
+  void look_ahead(const Pair& pair, const Kinematics& committed, double xi, bool touching,
+                  const SurfacePoint& p, Strikes& to) const;
   // What is first asked of an axis: how near its middle is. False when the middle of before still tells that
   // the axis is clear.
   bool middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose, SurfaceQuestion& ask) const;

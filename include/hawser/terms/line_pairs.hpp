@@ -48,7 +48,8 @@ class LinePairs final : public ForceTerm {
   bool covers(const Kinematics& trial) const override;
   bool outdated() const override { return candidates_.outdated(); }
   void prepare(const Kinematics& committed, double h) override;
-  StepLimit longest_step(const Kinematics& committed) const override;
+  void limit_step(const Kinematics& committed, Strikes& to) const override;
+  void bear(std::span<const double> energies) override { bearable_.assign(energies.begin(), energies.end()); }
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
@@ -111,6 +112,8 @@ class LinePairs final : public ForceTerm {
   Nearest nearest(const Pair& pair, const AxisEnds& a, const AxisEnds& b) const;
   double acceleration(const Pair& pair, const Kinematics& at) const;
   double slowness(const Pair& pair) const;
+  double mass(const Pair& pair) const;
+  double bears(const Pair& pair) const;
   bool resolved(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   bool passes(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);
@@ -128,6 +131,7 @@ class LinePairs final : public ForceTerm {
   std::vector<Rod> rods_;          // likewise
   std::vector<Account> accounts_;  // by owned node
   Deepest deepest_;
+  std::vector<double> bearable_;  // J by line; empty: none of it
   bool friction_on_ = true;
 };
 

@@ -2,6 +2,7 @@
 // friction between each node and the surface of each volume it can meet. See docs/theory/contact.md.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -31,7 +32,7 @@ class VolumeContact final : public Contact {
   std::string_view name() const override { return "volume contact"; }
   void prepare(const Kinematics& committed, double h) override;
   // So that no node gets deeper past a surface in a step than half its radius at its present speed.
-  StepLimit longest_step(const Kinematics& committed) const override;
+  void limit_step(const Kinematics& committed, Strikes& to) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   bool augments() const override { return model_ == NodeContact::augmented || model_ == NodeContact::rigid; }
@@ -45,7 +46,7 @@ class VolumeContact final : public Contact {
   void restore(const std::vector<HistoryRecord>& records) override;
 
   Penetration largest_penetration() const override;
-  int candidates() const override { return static_cast<int>(pairs_.size()); }
+  int candidates() const override;
   int touching() const override;
   void touches(Touches& out) const override;
 
@@ -71,8 +72,22 @@ class VolumeContact final : public Contact {
     bool paired = false;
     Vec3 anchor = Vec3::Zero(), direction = Vec3::UnitZ();
   };
+  // Of a node and a volume that may have several walls (surface_walls.hpp), shared by its pairs: those near a
+  // point, and which each pair is about. A wall stays with the pair whose normal of before is most like its
+  // own.
+  struct Walls {
+    static constexpr int kNone = -1, kAll = -2;  // idle; the whole surface, which is one wall there
+    std::array<History, SurfaceWalls::kMost> committed;
+    bool known = false;
+    Vec3 at = Vec3::Zero();
+    SurfaceWalls near;
+    std::array<int, SurfaceWalls::kMost> wall{};
+    Vec3 centre = Vec3::Zero();  // as of Pair, of all walls
+    double clear = -1;
+    int hint = -1;
+  };
   struct Pair {
-    int node = 0, volume = 0;
+    int node = 0, volume = 0, slot = 0;
     double touch = 0;  // m, distance below which there is a force: radius + smoothing
     ContactLaw law;
     ContactStart start;
@@ -89,13 +104,20 @@ class VolumeContact final : public Contact {
     // Of the try: multiplier, whether it is held, whether it was and is not to be again.
     double multiplier = 0;
     bool held = false, released = false;
+    std::shared_ptr<Walls> walls;  // none: there is one in this step
   };
 
+  bool one_wall(const Pair& pair, const Vec3& y, double motion) const;
+  // The wall that a pair is about where its node is at y, or kNone, kAll.
+  int see_wall(const Pair& pair, const Vec3& y) const;
+  void assign(const Pair& pair, const Vec3& y, Walls& w) const;
+  // Of the wall the trial is at, the gap at the start.
+  ContactStart start(const Pair& pair, const Vec3& y) const;
   // The surface from y (body frame) within a distance [m], and what all pairs are about to ask of it at once.
   const std::optional<SurfacePoint>& look(Pair& pair, const Vec3& y, double distance) const;
   void look_ahead(const Kinematics& at);
   bool clear_of(const Pair& pair, const Vec3& y) const {
-    return model_ == NodeContact::elastic && still_clear(pair.clear, pair.centre, y, 0);
+    return model_ == NodeContact::elastic && !pair.walls && still_clear(pair.clear, pair.centre, y, 0);
   }
   // The surface seen from y (body frame); false when it is out of touch. With the gap in `trial` when known.
   bool locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const;

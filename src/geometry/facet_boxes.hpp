@@ -1,0 +1,69 @@
+// All facets of a mesh near a place: a tree of boxes over runs of eight facets along a space-filling curve,
+// eight boxes to a box. About 8 bytes a facet.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "facets.hpp"
+
+namespace hawser::detail {
+
+class FacetBoxes {
+ public:
+  FacetBoxes() = default;
+  // Of the facets with their flag set; empty: all.
+  FacetBoxes(const Facets& facets, const std::vector<bool>& chosen);
+
+  bool empty() const { return ids_.empty(); }
+  // Calls visit(triangle) for every facet that overlaps the box, and for some beside it.
+  template <class Visit>
+  void near(const Box& box, Visit&& visit) const {
+    if (!empty()) descend(bounds_of(box), levels_ - 1, 0, visit);
+  }
+  std::size_t memory() const { return ids_.capacity() * sizeof(int) + boxes_.capacity() * sizeof(Bounds); }
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    p.value(self.levels_), p.value(self.first_);
+    p.array(self.ids_), p.array(self.boxes_);
+  }
+
+ private:
+  static constexpr std::size_t kWide = 8;
+  static constexpr int kMostLevels = 12;
+  struct Bounds {
+    float lo[3], hi[3];
+    bool overlaps(const Bounds& o) const {
+      bool out = false;
+      for (int a = 0; a < 3; ++a) out |= lo[a] > o.hi[a] || o.lo[a] > hi[a];
+      return !out;
+    }
+  };
+  static Bounds bounds_of(const Box& box);
+  // The boxes of a level, finest first.
+  std::size_t count(int level) const {
+    return first_[static_cast<std::size_t>(level) + 1] - first_[static_cast<std::size_t>(level)];
+  }
+  template <class Visit>
+  void descend(const Bounds& box, int level, std::size_t parent, Visit& visit) const {
+    const std::size_t last = std::min(kWide * (parent + 1), count(level));
+    for (std::size_t i = kWide * parent; i < last; ++i) {
+      if (!boxes_[first_[static_cast<std::size_t>(level)] + i].overlaps(box)) continue;
+      if (level > 0) {
+        descend(box, level - 1, i, visit);
+        continue;
+      }
+      const std::size_t end = std::min(kWide * (i + 1), ids_.size());
+      for (std::size_t k = kWide * i; k < end; ++k) visit(ids_[k]);
+    }
+  }
+
+  int levels_ = 0;
+  std::array<std::uint32_t, kMostLevels + 1> first_{};
+  LargeVector<int> ids_;
+  LargeVector<Bounds> boxes_;
+};
+
+}  // namespace hawser::detail

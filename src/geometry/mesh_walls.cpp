@@ -1,0 +1,353 @@
+#include "mesh_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "hawser/geometry/segment_distance.hpp"
+
+namespace hawser::detail {
+namespace {
+
+constexpr double kAlike = 0.9;       // cosine: directions nearer than that are of one wall
+constexpr double kCone = 0.974;      // of half that angle
+constexpr double kConcave = 0.2;     // rad, in all: less makes no second wall
+constexpr double kFlatEdge = 1e-10;  // 1 - cosine of an edge that counts as flat
+
+int root(std::vector<int>& parent, int i) {
+  while (parent[static_cast<std::size_t>(i)] != i) {
+    int& p = parent[static_cast<std::size_t>(i)];
+    p = parent[static_cast<std::size_t>(p)];
+    i = p;
+  }
+  return i;
+}
+
+// The corner of u that is on no edge with t.
+const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
+  const auto& triangles = facets.mesh().triangles;
+  const auto& mine = triangles[static_cast<std::size_t>(t)];
+  const int a = mine[static_cast<std::size_t>(edge)], b = mine[static_cast<std::size_t>((edge + 1) % 3)];
+  int k = 0;
+  while (k < 2 && (triangles[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)] == a ||
+                   triangles[static_cast<std::size_t>(u)][static_cast<std::size_t>(k)] == b))
+    ++k;
+  return facets.corner(u, k);
+}
+
+// Whether the facet u rises in front of t.
+bool rises(const Facets& facets, const Pseudonormals& normals, int t, int edge, int u) {
+  return normals.face(facets, t).dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
+}
+
+int place_of(const std::vector<SurfaceWall::Facet>& facets, int triangle) {
+  const auto at = std::lower_bound(facets.begin(), facets.end(), triangle,
+                                   [](const SurfaceWall::Facet& f, int t) { return f.triangle < t; });
+  return at != facets.end() && at->triangle == triangle ? static_cast<int>(at - facets.begin()) : -1;
+}
+
+}  // namespace
+
+bool MeshWalls::convex(const Facets& facets, const Pseudonormals& normals, int components) {
+  if (components != 1) return false;
+  for (int t = 0; t < static_cast<int>(facets.mesh().triangles.size()); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const int u = normals.neighbour(t, i);
+      if (u < 0) return false;
+      if (u < t || normals.face(facets, t).dot(normals.face(facets, u)) > 1 - kFlatEdge) continue;
+      if (rises(facets, normals, t, i, u)) return false;
+    }
+  return true;
+}
+
+SurfaceWall::Facet MeshWalls::ball(int t) const {
+  SurfaceWall::Facet f;
+  f.triangle = t;
+  Box box;
+  for (int i = 0; i < 3; ++i) box.add(facets_.corner(t, i));
+  f.centre = box.centre();
+  for (int i = 0; i < 3; ++i) f.radius = std::max(f.radius, (facets_.corner(t, i) - f.centre).norm());
+  f.radius += bulge(t);
+  return f;
+}
+
+bool MeshWalls::one(const Vec3& centre, double radius) const {
+  thread_local std::vector<SurfaceWall::Facet> near;
+  thread_local std::vector<int> parent;
+  near.clear();
+  Vec3 mean = Vec3::Zero();
+  boxes_.near(Box{centre, centre}.grown(radius), [&](int t) {
+    const SurfaceWall::Facet f = ball(t);
+    if ((f.centre - centre).norm() > f.radius + radius) return;
+    near.push_back(f);
+    mean += normals_.face(facets_, t);
+  });
+  if (near.size() < 2) return true;
+  mean.normalize();
+  if (std::all_of(near.begin(), near.end(), [&](const SurfaceWall::Facet& f) {
+        return normals_.face(facets_, f.triangle).dot(mean) > kCone;
+      }))
+    return true;
+  std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+  parent.resize(near.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  double concave = 0;
+  for (int k = 0; k < static_cast<int>(near.size()); ++k) {
+    const int t = near[static_cast<std::size_t>(k)].triangle;
+    for (int i = 0; i < 3; ++i) {
+      const int u = normals_.neighbour(t, i);
+      const int l = u > t ? place_of(near, u) : -1;
+      if (l < 0) continue;
+      parent[static_cast<std::size_t>(root(parent, k))] = root(parent, l);
+      const double off = 1 - normals_.face(facets_, t).dot(normals_.face(facets_, u));
+      if (off <= kFlatEdge || !rises(facets_, normals_, t, i, u)) continue;
+      concave += std::acos(std::clamp(1 - off, -1.0, 1.0));
+      if (concave > kConcave) return false;
+    }
+  }
+  const int first = root(parent, 0);
+  for (int k = 1; k < static_cast<int>(near.size()); ++k)
+    if (root(parent, k) != first) return false;
+  return true;
+}
+
+// Whether the edge is reentrant and sharp. Patches may meet smoothly where their facets do not.
+bool MeshWalls::cut(int t, int edge, int other) const {
+  const Vec3 n = normals_.face(facets_, t), m = normals_.face(facets_, other);
+  if (n.isZero(0) || m.isZero(0) || n.dot(m) > kAlike || !rises(facets_, normals_, t, edge, other))
+    return false;
+  if (!facets_.curved(t) && !facets_.curved(other)) return true;
+  int k = 0;
+  while (k < 2 && normals_.neighbour(other, k) != t) ++k;
+  const auto a = on_edge(edge, 0.5), b = on_edge(k, 0.5);
+  return facets_.patch(t)
+             .normal(a[0], a[1])
+             .normalized()
+             .dot(facets_.patch(other).normal(b[0], b[1]).normalized()) <= kAlike;
+}
+
+// The nearest points of the flat facet and a chord.
+struct MeshWalls::Approach {
+  double distance = std::numeric_limits<double>::infinity();  // m
+  Vec3 from = Vec3::Zero();                                   // on the chord
+};
+
+MeshWalls::Approach MeshWalls::approach(int t, const Vec3& a, const Vec3& b) const {
+  Approach best;
+  const Vec3 &p = facets_.corner(t, 0), &q = facets_.corner(t, 1), &r = facets_.corner(t, 2);
+  const auto offer = [&](double distance, const Vec3& from) {
+    if (distance < best.distance) best = {distance, from};
+  };
+  offer(std::sqrt(closest_point_on_triangle(a, p, q, r).squared_distance), a);
+  if (a == b) return best;
+  offer(std::sqrt(closest_point_on_triangle(b, p, q, r).squared_distance), b);
+  const Vec3 n = normals_.face(facets_, t);
+  const double above = n.dot(a - p), below = n.dot(b - p);
+  if (above * below < 0) {
+    const Vec3 x = a + above / (above - below) * (b - a);
+    offer(std::sqrt(closest_point_on_triangle(x, p, q, r).squared_distance), x);
+  }
+  for (int i = 0; i < 3; ++i) {
+    const SegmentPair s =
+        closest_points_of_segments(a, b, facets_.corner(t, i), facets_.corner(t, (i + 1) % 3));
+    offer(s.distance, s.on_a);
+  }
+  return best;
+}
+
+Vec3 MeshWalls::pseudonormal(const SurfaceWall& wall, const FacetSearch::Foot& foot) const {
+  const int t = foot.triangle, i = feature_index(foot.feature);
+  if (foot.feature == Feature::face) return normals_.at(facets_, t, foot);
+  if (is_edge(foot.feature)) {
+    const int u = normals_.neighbour(t, i);
+    if (u >= 0 && place_of(wall.facets, u) >= 0) return normals_.at(facets_, t, foot);
+    return facets_.curved(t) ? Vec3(facets_.patch(t).normal(foot.u, foot.v).normalized())
+                             : normals_.face(facets_, t);
+  }
+  const int v = triangle(t)[static_cast<std::size_t>(i)];
+  Vec3 sum = Vec3::Zero();
+  for (const SurfaceWall::Facet& f : wall.facets) {
+    const auto& corners = triangle(f.triangle);
+    const auto at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+    if (at == 3) continue;
+    const SmoothPatch q = facets_.patch(f.triangle);
+    const std::size_t j = (at + 1) % 3, k = (at + 2) % 3;
+    const Vec3 e = q.p[j] - q.p[at] + q.c[at], g = q.p[k] - q.p[at] + q.c[k], m = e.cross(g);
+    const double angle = std::atan2(m.norm(), e.dot(g));
+    sum += angle * (q.flat() ? normals_.face(facets_, f.triangle) : Vec3(m.normalized()));
+  }
+  return sum;
+}
+
+bool MeshWalls::through(const SurfaceWall& wall, const FacetSearch::Foot& foot, const Vec3& y) const {
+  const int i = feature_index(foot.feature);
+  const auto back = [&](int t, int edge) {
+    const int u = normals_.neighbour(t, edge);
+    return u >= 0 && place_of(wall.facets, u) < 0 && normals_.face(facets_, u).dot(y - foot.point) < 0;
+  };
+  if (foot.feature == Feature::face) return false;
+  if (is_edge(foot.feature)) return back(foot.triangle, i);
+  const int v = triangle(foot.triangle)[static_cast<std::size_t>(i)];
+  for (const SurfaceWall::Facet& f : wall.facets) {
+    const auto& corners = triangle(f.triangle);
+    const int k = static_cast<int>(std::find(corners.begin(), corners.end(), v) - corners.begin());
+    if (k < 3 && (back(f.triangle, k) || back(f.triangle, (k + 2) % 3))) return true;
+  }
+  return false;
+}
+
+std::optional<MeshWalls::Foot> MeshWalls::nearest(const SurfaceWall& wall, const Vec3& y,
+                                                  double within) const {
+  Foot out;
+  FacetSearch::Foot& best = out.foot;
+  best.squared_distance = within * within;
+  const auto test = [&](int t) {
+    const PatchPoint p = facets_.closest(t, y);
+    if (p.squared_distance > best.squared_distance) return;
+    if (p.squared_distance == best.squared_distance && best.triangle >= 0 && t > best.triangle) return;
+    static_cast<PatchPoint&>(best) = p;
+    best.triangle = t;
+  };
+  // The most promising first; then most of the others are out of reach.
+  const SurfaceWall::Facet* first = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const SurfaceWall::Facet& f : wall.facets)
+    if (const double squared = (f.centre - y).squaredNorm(); squared < least) least = squared, first = &f;
+  if (first) test(first->triangle);
+  for (const SurfaceWall::Facet& f : wall.facets) {
+    const double far = std::sqrt(best.squared_distance) + f.radius;
+    if (&f != first && (f.centre - y).squaredNorm() <= far * far * (1 + 1e-12)) test(f.triangle);
+  }
+  if (best.triangle < 0) return std::nullopt;
+  out.pseudonormal = pseudonormal(wall, best);
+  const bool flat = best.feature == Feature::face && !facets_.curved(best.triangle);
+  out.front = out.pseudonormal.dot(y - (flat ? facets_.corner(best.triangle, 0) : best.point)) >= 0;
+  return out;
+}
+
+// What comes within reach of the axis, by triangle.
+std::vector<SurfaceWall::Facet> MeshWalls::around(std::span<const Vec3> axis, double reach) const {
+  Box box;
+  for (const Vec3& p : axis) box.add(p);
+  std::vector<SurfaceWall::Facet> out;
+  boxes_.near(box.grown(reach), [&](int t) {
+    if (normals_.face(facets_, t).isZero(0)) return;
+    const SurfaceWall::Facet f = ball(t);
+    const double far = f.radius + reach;
+    for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
+      const Vec3 &a = axis[i], &b = axis[std::min(i + 1, axis.size() - 1)];
+      if (closest_point_on_segment(f.centre, a, b).squared_distance > far * far) continue;
+      if (approach(t, a, b).distance - bulge(t) > reach) continue;
+      out.push_back(f);
+      return;
+    }
+  });
+  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+  return out;
+}
+
+void MeshWalls::join(std::span<const Vec3> axis, double reach, const std::vector<SurfaceWall::Facet>& facets,
+                     std::vector<int>& parent) const {
+  parent.resize(facets.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  for (int k = 0; k < static_cast<int>(facets.size()); ++k) {
+    const int t = facets[static_cast<std::size_t>(k)].triangle;
+    for (int e = 0; e < 3; ++e) {
+      const int u = normals_.neighbour(t, e), l = u > t ? place_of(facets, u) : -1;
+      if (l < 0 || root(parent, k) == root(parent, l) || cut(t, e, u)) continue;
+      const Vec3 &p = facets_.corner(t, e), &q = facets_.corner(t, (e + 1) % 3);
+      const double bent =
+          facets_.curved(t) ? 0.25 * facets_.patch(t).c[static_cast<std::size_t>(e)].norm() : 0;
+      for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
+        const Vec3 &a = axis[i], &b = axis[std::min(i + 1, axis.size() - 1)];
+        if (closest_points_of_segments(a, b, p, q).distance > reach + bent) continue;
+        parent[static_cast<std::size_t>(root(parent, k))] = root(parent, l);
+        break;
+      }
+    }
+  }
+}
+
+struct MeshWalls::Part {
+  SurfaceWall wall;
+  double distance = 0;  // m
+  Vec3 direction;       // to where the axis is nearest
+  bool back = false;    // all of the axis is behind it
+};
+
+// The nearest facet is number `nearest`, seen from a place on the axis.
+MeshWalls::Part MeshWalls::look(SurfaceWall wall, int nearest, const Vec3& from,
+                                std::span<const Vec3> axis) const {
+  Part part;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const auto foot = this->nearest(wall, from, kFar);
+  part.distance = std::sqrt(foot->foot.squared_distance);
+  const Vec3 r = from - foot->foot.point;
+  part.direction =
+      foot->front && part.distance > 0 ? Vec3(r / part.distance) : foot->pseudonormal.normalized();
+  if (part.direction.isZero(0)) part.direction = normals_.face(facets_, nearest);
+  part.back = !foot->front;
+  for (const Vec3& p : axis) part.back = part.back && !this->nearest(wall, p, kFar)->front;
+  part.wall = std::move(wall);
+  return part;
+}
+
+void MeshWalls::find(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const {
+  out.of.clear();
+  const std::vector<SurfaceWall::Facet> facets = around(axis, reach);
+  if (facets.size() < 2) return;
+  std::vector<int> parent;
+  join(axis, reach, facets, parent);
+  struct Found {
+    SurfaceWall wall;
+    int nearest = -1;
+    Approach at;
+  };
+  std::vector<Found> found;
+  std::vector<int> number(facets.size(), -1);
+  for (int k = 0; k < static_cast<int>(facets.size()); ++k) {
+    int& n = number[static_cast<std::size_t>(root(parent, k))];
+    if (n < 0) n = static_cast<int>(found.size()), found.emplace_back();
+    found[static_cast<std::size_t>(n)].wall.facets.push_back(facets[static_cast<std::size_t>(k)]);
+  }
+  if (found.size() < 2) return;
+  for (Found& f : found)
+    for (const SurfaceWall::Facet& facet : f.wall.facets)
+      for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
+        const Approach a = approach(facet.triangle, axis[i], axis[std::min(i + 1, axis.size() - 1)]);
+        if (a.distance < f.at.distance) f.at = a, f.nearest = facet.triangle;
+      }
+  std::vector<Part> parts;
+  for (Found& f : found) parts.push_back(look(std::move(f.wall), f.nearest, f.at.from, axis));
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const Part& a, const Part& b) { return a.distance < b.distance; });
+  parts.front().back = false;  // the nearest is met from either side
+  const auto add = [](SurfaceWall& to, const SurfaceWall& from) {
+    to.facets.insert(to.facets.end(), from.facets.begin(), from.facets.end());
+  };
+  std::vector<Part> walls;
+  SurfaceWall backs;
+  for (Part& p : parts) {
+    if (p.back) {
+      add(backs, p.wall);
+      continue;
+    }
+    const auto alike = std::max_element(walls.begin(), walls.end(), [&](const Part& a, const Part& b) {
+      return a.direction.dot(p.direction) < b.direction.dot(p.direction);
+    });
+    if (alike != walls.end() && (alike->direction.dot(p.direction) > kAlike ||
+                                 static_cast<int>(walls.size()) == SurfaceWalls::kMost - 1))
+      add(alike->wall, p.wall);
+    else
+      walls.push_back(std::move(p));
+  }
+  if (walls.size() < 2) return;
+  for (Part& p : walls) out.of.push_back(std::move(p.wall));
+  if (!backs.facets.empty()) out.of.push_back(std::move(backs));
+  for (SurfaceWall& w : out.of)
+    std::sort(w.facets.begin(), w.facets.end(),
+              [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+}
+
+}  // namespace hawser::detail

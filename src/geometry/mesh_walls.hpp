@@ -1,0 +1,58 @@
+// The walls of a mesh near a place (surface_walls.hpp).
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "facet_boxes.hpp"
+#include "facets.hpp"
+#include "hawser/geometry/surface_walls.hpp"
+#include "pseudonormals.hpp"
+
+namespace hawser::detail {
+
+class MeshWalls {
+ public:
+  MeshWalls(const Facets& facets, const Pseudonormals& normals, const FacetBoxes& boxes)
+      : facets_(facets), normals_(normals), boxes_(boxes) {}
+
+  // Whether the facets form a convex body, which has no two walls anywhere.
+  static bool convex(const Facets& facets, const Pseudonormals& normals, int components);
+  // Whether a ball holds one wall only: its facets all look alike, or hang together and are convex.
+  bool one(const Vec3& centre, double radius) const;
+  // As of Surface::walls().
+  void find(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const;
+
+  struct Foot {
+    FacetSearch::Foot foot;
+    Vec3 pseudonormal = Vec3::Zero();  // of the wall alone: beyond its border it goes on as it ends
+    bool front = false;
+  };
+  // Nearest point of a wall within a distance [m] of y.
+  std::optional<Foot> nearest(const SurfaceWall& wall, const Vec3& y, double within) const;
+  // Whether the wall goes on, where its nearest point is on its border, in what turns its back on y: then the
+  // way to it leads through a body.
+  bool through(const SurfaceWall& wall, const FacetSearch::Foot& foot, const Vec3& y) const;
+
+ private:
+  struct Part;
+  struct Approach;
+  const std::array<int, 3>& triangle(int t) const {
+    return facets_.mesh().triangles[static_cast<std::size_t>(t)];
+  }
+  SurfaceWall::Facet ball(int t) const;
+  double bulge(int t) const { return facets_.curved(t) ? facets_.patch(t).bulge() : 0; }
+  bool cut(int t, int edge, int other) const;
+  Approach approach(int t, const Vec3& a, const Vec3& b) const;
+  Vec3 pseudonormal(const SurfaceWall& wall, const FacetSearch::Foot& foot) const;
+  std::vector<SurfaceWall::Facet> around(std::span<const Vec3> axis, double reach) const;
+  void join(std::span<const Vec3> axis, double reach, const std::vector<SurfaceWall::Facet>& facets,
+            std::vector<int>& parent) const;
+  Part look(SurfaceWall wall, int nearest, const Vec3& from, std::span<const Vec3> axis) const;
+
+  const Facets& facets_;
+  const Pseudonormals& normals_;
+  const FacetBoxes& boxes_;
+};
+
+}  // namespace hawser::detail
