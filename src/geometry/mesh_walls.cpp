@@ -94,11 +94,13 @@ bool MeshWalls::alike(std::span<const Vec3> axis, double reach, std::vector<Near
   Vec3 mean = Vec3::Zero();
   boxes_.near(axis, reach, [&](int t) {
     const SurfaceWall::Facet f = ball(t);
-    const double far = f.radius + reach;
+    const double far = f.radius + reach, off = bulge(t) + reach;
     for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
-      if (squared_distance_to_chord(f.centre, axis[i], axis[std::min(i + 1, axis.size() - 1)]) > far * far)
-        continue;
+      const Vec3 &p = axis[i], &q = axis[std::min(i + 1, axis.size() - 1)];
+      if (squared_distance_to_chord(f.centre, p, q) > far * far) continue;
       const Vec3 n = quick_normal(facets_, t);
+      const double from = n.dot(p - facets_.corner(t, 0)), to = n.dot(q - facets_.corner(t, 0));
+      if (std::min(from, to) > off || std::max(from, to) < -off) continue;  // beyond its plane
       out.push_back({f, n});
       mean += n;
       return;
@@ -108,10 +110,10 @@ bool MeshWalls::alike(std::span<const Vec3> axis, double reach, std::vector<Near
   return std::all_of(out.begin(), out.end(), [&](const Near& f) { return f.normal.dot(mean) > kCone; });
 }
 
-bool MeshWalls::one(std::span<const Vec3> axis, double reach) const {
-  thread_local std::vector<Near> near;
+// Whether facets hang together and are convex, or nearly. Sorts them.
+bool MeshWalls::bulging(std::vector<Near>& near) const {
   thread_local std::vector<int> parent;
-  if (alike(axis, reach, near) || near.size() < 2) return true;
+  if (near.size() < 2) return true;
   std::sort(near.begin(), near.end(),
             [](const Near& a, const Near& b) { return a.facet.triangle < b.facet.triangle; });
   parent.resize(near.size());
@@ -135,6 +137,11 @@ bool MeshWalls::one(std::span<const Vec3> axis, double reach) const {
   for (int k = 1; k < static_cast<int>(near.size()); ++k)
     if (root(parent, k) != first) return false;
   return true;
+}
+
+bool MeshWalls::one(std::span<const Vec3> axis, double reach) const {
+  thread_local std::vector<Near> near;
+  return alike(axis, reach, near) || bulging(near);
 }
 
 // Whether the edge is reentrant and sharp. Patches may meet smoothly where their facets do not.
@@ -250,14 +257,13 @@ std::optional<MeshWalls::Foot> MeshWalls::nearest(const SurfaceWall& wall, const
   return out;
 }
 
-// What may come within reach of the axis, by triangle; nothing where all there looks alike.
+// What may come within reach of the axis, by triangle; nothing where all there is one wall for sure.
 std::vector<SurfaceWall::Facet> MeshWalls::around(std::span<const Vec3> axis, double reach) const {
   thread_local std::vector<Near> near;
   std::vector<SurfaceWall::Facet> out;
-  if (alike(axis, reach, near)) return out;
+  if (alike(axis, reach, near) || bulging(near)) return out;
   for (const Near& f : near)
     if (!f.normal.isZero(0)) out.push_back(f.facet);
-  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
   return out;
 }
 

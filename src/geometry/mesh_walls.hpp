@@ -44,6 +44,7 @@ class MeshWalls {
   };
   static bool comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q);
   bool alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const;
+  bool bulging(std::vector<Near>& near) const;
   struct Approach;
   const std::array<int, 3>& triangle(int t) const {
     return facets_.mesh().triangles[static_cast<std::size_t>(t)];
