@@ -116,7 +116,7 @@ volumes:
     start: {points: [[0, 0.4, 0.4], [1.5, 0.13, 0.13], [8.5, 0.13, 0.13], [10, 0.4, 0.4]]}
 contact: {method: )" +
          method + R"(}
-dynamics: {duration: 1.2}
+dynamics: {duration: 1.2, step: 0.012, resolve_impacts: false}
 )";
 }
 
@@ -166,7 +166,7 @@ TEST(ContactCorner, FromOneWallToTwo) {
   put("end_b: {body: tug, at: [10, 0.4, 0.4]}", "end_b: free");
   put("[[0, 0.4, 0.4], [1.5, 0.13, 0.13], [8.5, 0.13, 0.13], [10, 0.4, 0.4]]",
       "[[0, 0.2, 0.11], [9.999, 0.34, 0.11]]");
-  put("dynamics: {duration: 1.2}", "statics: false\ndynamics: {duration: 0.45}");
+  put("dynamics: {duration: 1.2, step: 0.012,", "statics: false\ndynamics: {duration: 0.45, step: 0.002,");
   const auto one = run(read("slides_one", text), {mesh(deck_and_bulwark())});
   put("  ship:",
       "  bulwark: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, friction: 0.3}\n  ship:");
@@ -204,7 +204,7 @@ volumes:
       const double a = M_PI * i / 24;
       t += ", [" + std::to_string(1.1 * std::cos(a)) + ", " + std::to_string(1.1 * std::sin(a)) + ", -0.9]";
     }
-    return t + ", [-1.1, -3, -0.9]]}\ndynamics: {duration: 1}\n";
+    return t + ", [-1.1, -3, -0.9]]}\ndynamics: {duration: 1, step: 0.01, resolve_impacts: false}\n";
   };
   const TriangleMesh drum = testing::flanged_drum_mesh(24, 1, 2, 1.6, 0.1);
   const auto disc = [](double from) {
