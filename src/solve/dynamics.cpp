@@ -20,25 +20,21 @@ constexpr double kCounted = 1e-5;
 constexpr int kMostAugmentations = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
-// With the old tangent the residual must fall so in an iteration, and get where it is wanted in so many; else
-// a new tangent is cheaper.
+// With the old tangent the residual must fall so in an iteration, and reach the tolerance in so many; else a
+// new tangent is cheaper.
 constexpr double kChordRate = 0.1;
-constexpr int kMostChords = 3;
-// Below this tolerance results are to be the same to rounding on every number of ranks.
+// Below this tolerance results are to be the same to rounding on every number of ranks, and the old tangent
+// does not get there: what it leaves is far smaller than the tolerance, but far above rounding.
 constexpr double kLoose = 1e-6;
-// Within the tolerance no more than so many iterations, each with the factors at hand.
-constexpr int kMostPolishes = 4;
-
-// The residual that shows in nothing, and needs no iteration more.
-double wanted_residual(double tolerance) { return (tolerance >= kLoose ? 1e-2 : 1e-6) * tolerance; }
+constexpr int kMostChords = 2;
 
 // Whether iterations with the old tangent, each for a fourth of the price, are expected to end it. Newton's
 // error falls as e1 = C e0², with the old tangent then as e2 = 2 C e0 e1 (chord method: Kelley 1995,
 // Iterative Methods for Linear and Nonlinear Equations, section 5.4). was_old: so was the iteration from
 // `before` to `now`.
-bool old_tangent_will_do(double before, double now, bool was_old, double wanted) {
+bool old_tangent_will_do(double before, double now, bool was_old, double tolerance) {
   const double rate = (was_old ? 1 : 2) * now / before;
-  return rate < kChordRate && now * std::pow(rate, kMostChords) < wanted;
+  return tolerance >= kLoose && rate < kChordRate && now * std::pow(rate, kMostChords) < tolerance;
 }
 
 }  // namespace
@@ -157,25 +153,21 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
   const double tolerance = d.settings_.tolerance;
   if (d.counted_ < 0 && d.norms_.small(std::max(tolerance, kCounted))) d.counted_ = static_cast<int>(it);
   const bool small = it > 0 && d.norms_.small(tolerance);
-  const double now = d.norms_.relative(), wanted = wanted_residual(tolerance);
-  ResidualNorms bare = d.norms_;  // what is noise counts
-  bare.round_off = 0;
-  const bool done = bare.small(wanted) || (now <= wanted && d.polishes_ > 0) || d.polishes_ == kMostPolishes;
-  if (fnorm == 0 || (small && done)) {
+  if (fnorm == 0 || (small && d.polishing_)) {
     *reason = fnorm == 0 ? SNES_CONVERGED_FNORM_ABS : SNES_CONVERGED_FNORM_RELATIVE;
     PetscFunctionReturn(0);
   }
-  d.polishes_ = small ? d.polishes_ + 1 : 0;
+  d.polishing_ = small;
   PetscInt lag = 1;
   PetscCall(SNESGetLagJacobian(snes, &lag));
-  const bool keep = small || (it > 0 && old_tangent_will_do(before, now, lag < 0, wanted));
+  const bool keep = small || (it > 0 && old_tangent_will_do(before, d.norms_.relative(), lag < 0, tolerance));
   if (keep != (lag < 0)) PetscCall(SNESSetLagJacobian(snes, keep ? -1 : 1));
   PetscFunctionReturn(0);
 }
 
 // Newton from where u_ is. Iterations of all rounds of a try are counted by the worst of them.
 void Dynamics::solve_once(Attempt& a) {
-  polishes_ = 0, counted_ = -1;
+  polishing_ = false, counted_ = -1;
   check(SNESSetLagJacobian(snes_, 1));
   const PetscErrorCode code = SNESSolve(snes_, nullptr, u_.get());
   if (error_) std::rethrow_exception(error_);
