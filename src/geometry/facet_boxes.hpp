@@ -5,11 +5,18 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "facets.hpp"
 
 namespace hawser::detail {
+
+inline double squared_distance_to_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 e = b - a, r = p - a;
+  const double length2 = e.squaredNorm();
+  return length2 > 0 ? (r - std::clamp(r.dot(e) / length2, 0.0, 1.0) * e).squaredNorm() : r.squaredNorm();
+}
 
 class FacetBoxes {
  public:
@@ -18,10 +25,13 @@ class FacetBoxes {
   FacetBoxes(const Facets& facets, const std::vector<bool>& chosen);
 
   bool empty() const { return ids_.empty(); }
-  // Calls visit(triangle) for every facet that overlaps the box, and for some beside it.
+  // Calls visit(triangle) for every facet within `reach` of a polyline, and for some farther away.
   template <class Visit>
-  void near(const Box& box, Visit&& visit) const {
-    if (!empty()) descend(bounds_of(box), levels_ - 1, 0, visit);
+  void near(std::span<const Vec3> axis, double reach, Visit&& visit) const {
+    if (empty()) return;
+    Box box;
+    for (const Vec3& p : axis) box.add(p);
+    descend({bounds_of(box.grown(reach)), axis, reach}, levels_ - 1, 0, visit);
   }
   std::size_t memory() const { return ids_.capacity() * sizeof(int) + boxes_.capacity() * sizeof(Bounds); }
   template <class Self, class P>
@@ -41,18 +51,27 @@ class FacetBoxes {
       return !out;
     }
   };
+  struct Tube {
+    Bounds box;
+    std::span<const Vec3> axis;
+    double reach;
+    // Whether the ball around a box comes into it.
+    bool meets(const Bounds& b) const;
+  };
   static Bounds bounds_of(const Box& box);
   // The boxes of a level, finest first.
   std::size_t count(int level) const {
     return first_[static_cast<std::size_t>(level) + 1] - first_[static_cast<std::size_t>(level)];
   }
   template <class Visit>
-  void descend(const Bounds& box, int level, std::size_t parent, Visit& visit) const {
+  void descend(const Tube& tube, int level, std::size_t parent, Visit& visit) const {
     const std::size_t last = std::min(kWide * (parent + 1), count(level));
     for (std::size_t i = kWide * parent; i < last; ++i) {
-      if (!boxes_[first_[static_cast<std::size_t>(level)] + i].overlaps(box)) continue;
+      if (!boxes_[first_[static_cast<std::size_t>(level)] + i].overlaps(tube.box) ||
+          !tube.meets(boxes_[first_[static_cast<std::size_t>(level)] + i]))
+        continue;
       if (level > 0) {
-        descend(box, level - 1, i, visit);
+        descend(tube, level - 1, i, visit);
         continue;
       }
       const std::size_t end = std::min(kWide * (i + 1), ids_.size());

@@ -302,9 +302,9 @@ void MeshSurface::walls(std::span<const Vec3> axis, double reach, SurfaceWalls& 
   if (!data_->boxes.empty()) data_->walls().find(axis, reach, out);
 }
 
-bool MeshSurface::one_wall(const Vec3& centre, double radius) const {
+bool MeshSurface::one_wall(std::span<const Vec3> axis, double reach) const {
   if (data_->boxes.empty()) return true;
-  return radius < data_->bounds.diagonal() && data_->walls().one(centre, radius);
+  return reach < data_->bounds.diagonal() && data_->walls().one(axis, reach);
 }
 
 std::optional<SurfacePoint> MeshSurface::query_wall(const SurfaceWall& wall, const Vec3& y,

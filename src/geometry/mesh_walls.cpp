@@ -36,15 +36,30 @@ const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
   return facets.corner(u, k);
 }
 
-// Whether the facet u rises in front of t.
-bool rises(const Facets& facets, const Pseudonormals& normals, int t, int edge, int u) {
-  return normals.face(facets, t).dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
+// Whether the facet u rises in front of t, whose normal is n.
+bool rises(const Facets& facets, const Vec3& n, int t, int edge, int u) {
+  return n.dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
 }
 
-int place_of(const std::vector<SurfaceWall::Facet>& facets, int triangle) {
+// Of a facet of sound shape without the care that others need.
+Vec3 quick_normal(const Facets& facets, int t) {
+  const Vec3 e = facets.corner(t, 1) - facets.corner(t, 0), f = facets.corner(t, 2) - facets.corner(t, 0);
+  const Vec3 n = e.cross(f);
+  const double area2 = n.squaredNorm(), longest2 = std::max(e.squaredNorm(), f.squaredNorm());
+  return area2 > 1e-8 * longest2 * longest2 ? Vec3(n / std::sqrt(area2)) : Pseudonormals::face(facets, t);
+}
+
+int index_of(const SurfaceWall::Facet& f) { return f.triangle; }
+template <class F>
+int index_of(const F& f) {
+  return f.facet.triangle;
+}
+// Of a facet in a list by triangle; -1: it is not there.
+template <class F>
+int place_of(const std::vector<F>& facets, int triangle) {
   const auto at = std::lower_bound(facets.begin(), facets.end(), triangle,
-                                   [](const SurfaceWall::Facet& f, int t) { return f.triangle < t; });
-  return at != facets.end() && at->triangle == triangle ? static_cast<int>(at - facets.begin()) : -1;
+                                   [](const F& f, int t) { return index_of(f) < t; });
+  return at != facets.end() && index_of(*at) == triangle ? static_cast<int>(at - facets.begin()) : -1;
 }
 
 }  // namespace
@@ -55,8 +70,9 @@ bool MeshWalls::convex(const Facets& facets, const Pseudonormals& normals, int c
     for (int i = 0; i < 3; ++i) {
       const int u = normals.neighbour(t, i);
       if (u < 0) return false;
-      if (u < t || normals.face(facets, t).dot(normals.face(facets, u)) > 1 - kFlatEdge) continue;
-      if (rises(facets, normals, t, i, u)) return false;
+      if (u < t) continue;
+      const Vec3 n = normals.face(facets, t);
+      if (n.dot(normals.face(facets, u)) < 1 - kFlatEdge && rises(facets, n, t, i, u)) return false;
     }
   return true;
 }
@@ -72,36 +88,47 @@ SurfaceWall::Facet MeshWalls::ball(int t) const {
   return f;
 }
 
-bool MeshWalls::one(const Vec3& centre, double radius) const {
-  thread_local std::vector<SurfaceWall::Facet> near;
-  thread_local std::vector<int> parent;
-  near.clear();
+// What may come within reach of the axis, with its normals; true if all of it looks alike.
+bool MeshWalls::alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const {
+  out.clear();
   Vec3 mean = Vec3::Zero();
-  boxes_.near(Box{centre, centre}.grown(radius), [&](int t) {
+  boxes_.near(axis, reach, [&](int t) {
     const SurfaceWall::Facet f = ball(t);
-    if ((f.centre - centre).norm() > f.radius + radius) return;
-    near.push_back(f);
-    mean += normals_.face(facets_, t);
+    const double far = f.radius + reach, off = bulge(t) + reach;
+    for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
+      const Vec3 &p = axis[i], &q = axis[std::min(i + 1, axis.size() - 1)];
+      if (squared_distance_to_chord(f.centre, p, q) > far * far) continue;
+      const Vec3 n = quick_normal(facets_, t);
+      const double from = n.dot(p - facets_.corner(t, 0)), to = n.dot(q - facets_.corner(t, 0));
+      if (std::min(from, to) > off || std::max(from, to) < -off) continue;  // beyond its plane
+      out.push_back({f, n});
+      mean += n;
+      return;
+    }
   });
-  if (near.size() < 2) return true;
   mean.normalize();
-  if (std::all_of(near.begin(), near.end(), [&](const SurfaceWall::Facet& f) {
-        return normals_.face(facets_, f.triangle).dot(mean) > kCone;
-      }))
-    return true;
-  std::sort(near.begin(), near.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+  return std::all_of(out.begin(), out.end(), [&](const Near& f) { return f.normal.dot(mean) > kCone; });
+}
+
+// Whether facets hang together and are convex, or nearly. Sorts them.
+bool MeshWalls::bulging(std::vector<Near>& near) const {
+  thread_local std::vector<int> parent;
+  if (near.size() < 2) return true;
+  std::sort(near.begin(), near.end(),
+            [](const Near& a, const Near& b) { return a.facet.triangle < b.facet.triangle; });
   parent.resize(near.size());
   std::iota(parent.begin(), parent.end(), 0);
   double concave = 0;
   for (int k = 0; k < static_cast<int>(near.size()); ++k) {
-    const int t = near[static_cast<std::size_t>(k)].triangle;
+    const Near& f = near[static_cast<std::size_t>(k)];
+    const int t = f.facet.triangle;
     for (int i = 0; i < 3; ++i) {
       const int u = normals_.neighbour(t, i);
       const int l = u > t ? place_of(near, u) : -1;
       if (l < 0) continue;
       parent[static_cast<std::size_t>(root(parent, k))] = root(parent, l);
-      const double off = 1 - normals_.face(facets_, t).dot(normals_.face(facets_, u));
-      if (off <= kFlatEdge || !rises(facets_, normals_, t, i, u)) continue;
+      const double off = 1 - f.normal.dot(near[static_cast<std::size_t>(l)].normal);
+      if (off <= kFlatEdge || !rises(facets_, f.normal, t, i, u)) continue;
       concave += std::acos(std::clamp(1 - off, -1.0, 1.0));
       if (concave > kConcave) return false;
     }
@@ -112,11 +139,15 @@ bool MeshWalls::one(const Vec3& centre, double radius) const {
   return true;
 }
 
+bool MeshWalls::one(std::span<const Vec3> axis, double reach) const {
+  thread_local std::vector<Near> near;
+  return alike(axis, reach, near) || bulging(near);
+}
+
 // Whether the edge is reentrant and sharp. Patches may meet smoothly where their facets do not.
 bool MeshWalls::cut(int t, int edge, int other) const {
-  const Vec3 n = normals_.face(facets_, t), m = normals_.face(facets_, other);
-  if (n.isZero(0) || m.isZero(0) || n.dot(m) > kAlike || !rises(facets_, normals_, t, edge, other))
-    return false;
+  const Vec3 n = quick_normal(facets_, t), m = quick_normal(facets_, other);
+  if (n.isZero(0) || m.isZero(0) || n.dot(m) > kAlike || !rises(facets_, n, t, edge, other)) return false;
   if (!facets_.curved(t) && !facets_.curved(other)) return true;
   int k = 0;
   while (k < 2 && normals_.neighbour(other, k) != t) ++k;
@@ -142,7 +173,7 @@ MeshWalls::Approach MeshWalls::approach(int t, const Vec3& a, const Vec3& b) con
   offer(std::sqrt(closest_point_on_triangle(a, p, q, r).squared_distance), a);
   if (a == b) return best;
   offer(std::sqrt(closest_point_on_triangle(b, p, q, r).squared_distance), b);
-  const Vec3 n = normals_.face(facets_, t);
+  const Vec3 n = quick_normal(facets_, t);
   const double above = n.dot(a - p), below = n.dot(b - p);
   if (above * below < 0) {
     const Vec3 x = a + above / (above - below) * (b - a);
@@ -226,24 +257,19 @@ std::optional<MeshWalls::Foot> MeshWalls::nearest(const SurfaceWall& wall, const
   return out;
 }
 
-// What comes within reach of the axis, by triangle.
+// What comes within reach of the axis, by triangle; nothing where all there is one wall for sure.
 std::vector<SurfaceWall::Facet> MeshWalls::around(std::span<const Vec3> axis, double reach) const {
-  Box box;
-  for (const Vec3& p : axis) box.add(p);
+  thread_local std::vector<Near> near;
   std::vector<SurfaceWall::Facet> out;
-  boxes_.near(box.grown(reach), [&](int t) {
-    if (normals_.face(facets_, t).isZero(0)) return;
-    const SurfaceWall::Facet f = ball(t);
-    const double far = f.radius + reach;
+  if (alike(axis, reach, near) || bulging(near)) return out;
+  for (const Near& f : near)
     for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
-      const Vec3 &a = axis[i], &b = axis[std::min(i + 1, axis.size() - 1)];
-      if (closest_point_on_segment(f.centre, a, b).squared_distance > far * far) continue;
-      if (approach(t, a, b).distance - bulge(t) > reach) continue;
-      out.push_back(f);
-      return;
+      if (f.normal.isZero(0)) break;
+      const Approach a = approach(f.facet.triangle, axis[i], axis[std::min(i + 1, axis.size() - 1)]);
+      if (a.distance - bulge(f.facet.triangle) > reach) continue;
+      out.push_back(f.facet);
+      break;
     }
-  });
-  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
   return out;
 }
 

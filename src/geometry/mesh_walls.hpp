@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "facet_boxes.hpp"
 #include "facets.hpp"
@@ -18,8 +19,9 @@ class MeshWalls {
 
   // Whether the facets form a convex body, which has no two walls anywhere.
   static bool convex(const Facets& facets, const Pseudonormals& normals, int components);
-  // Whether a ball holds one wall only: its facets all look alike, or hang together and are convex.
-  bool one(const Vec3& centre, double radius) const;
+  // Whether what is within reach of a polyline is one wall: its facets all look alike, or hang together and
+  // are convex.
+  bool one(std::span<const Vec3> axis, double reach) const;
   // As of Surface::walls().
   void find(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const;
 
@@ -36,6 +38,12 @@ class MeshWalls {
 
  private:
   struct Part;
+  struct Near {
+    SurfaceWall::Facet facet;
+    Vec3 normal;
+  };
+  bool alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const;
+  bool bulging(std::vector<Near>& near) const;
   struct Approach;
   const std::array<int, 3>& triangle(int t) const {
     return facets_.mesh().triangles[static_cast<std::size_t>(t)];

@@ -6,7 +6,7 @@ namespace hawser {
 
 void Surface::walls(std::span<const Vec3>, double, SurfaceWalls& out) const { out.of.clear(); }
 
-bool Surface::one_wall(const Vec3&, double) const { return true; }
+bool Surface::one_wall(std::span<const Vec3>, double) const { return true; }
 
 std::optional<SurfacePoint> Surface::query_wall(const SurfaceWall&, const Vec3& y, double max_distance,
                                                 bool) const {
@@ -15,7 +15,7 @@ std::optional<SurfacePoint> Surface::query_wall(const SurfaceWall&, const Vec3& 
 
 std::vector<SurfacePoint> nearest_on_walls(const Surface& surface, const Vec3& y, double max_distance) {
   SurfaceWalls walls;
-  if (!surface.one_wall(y, max_distance)) surface.walls({&y, 1}, max_distance, walls);
+  if (!surface.one_wall({&y, 1}, max_distance)) surface.walls({&y, 1}, max_distance, walls);
   std::vector<SurfacePoint> out;
   if (!walls.several()) {
     if (const auto p = surface.query(y, max_distance)) out.push_back(*p);

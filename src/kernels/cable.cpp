@@ -68,7 +68,9 @@ void cable_pull(const CableSection& s, const CableInPlace& e, bool convex, Cable
     }
 }
 
-void cable_force(const CableSection& s, const CableEnds& e, double* f) { ends(cable_pull(s, in_place(e)), f); }
+void cable_force(const CableSection& s, const CableEnds& e, double* f) {
+  ends(cable_pull(s, in_place(e)), f);
+}
 
 void cable_tangent(const CableSection& s, const CableEnds& e, bool convex, double* f, double* K, double* C) {
   CablePull o;

@@ -20,14 +20,17 @@ constexpr double kCounted = 1e-5;
 constexpr int kMostAugmentations = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
-// With the old tangent the residual must fall so in an iteration, and get where it is wanted in so many; else a
-// new tangent is cheaper.
+// With the old tangent the residual must fall so in an iteration, and get where it is wanted in so many; else
+// a new tangent is cheaper.
 constexpr double kChordRate = 0.1;
 constexpr int kMostChords = 3;
-// What is this far below the tolerance shows in nothing, and needs no iteration more; nor do more than so many
-// within the tolerance.
-constexpr double kDeep = 1e-3;
+// Below this tolerance results are to be the same to rounding on every number of ranks.
+constexpr double kLoose = 1e-6;
+// Within the tolerance no more than so many iterations, each with the factors at hand.
 constexpr int kMostPolishes = 4;
+
+// The residual that shows in nothing, and needs no iteration more.
+double wanted_residual(double tolerance) { return (tolerance >= kLoose ? 1e-2 : 1e-6) * tolerance; }
 
 // Whether iterations with the old tangent, each for a fourth of the price, are expected to end it. Newton's
 // error falls as e1 = C e0², with the old tangent then as e2 = 2 C e0 e1 (chord method: Kelley 1995,
@@ -154,8 +157,11 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
   const double tolerance = d.settings_.tolerance;
   if (d.counted_ < 0 && d.norms_.small(std::max(tolerance, kCounted))) d.counted_ = static_cast<int>(it);
   const bool small = it > 0 && d.norms_.small(tolerance);
-  const double now = d.norms_.relative(), wanted = kDeep * tolerance;
-  if (fnorm == 0 || (small && (now <= wanted || d.polishes_ == kMostPolishes))) {
+  const double now = d.norms_.relative(), wanted = wanted_residual(tolerance);
+  ResidualNorms bare = d.norms_;  // what is noise counts
+  bare.round_off = 0;
+  const bool done = bare.small(wanted) || (now <= wanted && d.polishes_ > 0) || d.polishes_ == kMostPolishes;
+  if (fnorm == 0 || (small && done)) {
     *reason = fnorm == 0 ? SNES_CONVERGED_FNORM_ABS : SNES_CONVERGED_FNORM_RELATIVE;
     PetscFunctionReturn(0);
   }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 
 #include "hawser/base/handle.hpp"
+#include "hawser/math/wide3.hpp"
 
 namespace hawser {
 namespace {
@@ -14,6 +16,29 @@ void turn_columns(const Mat3& T, int m, double* p) {
     const double a0 = p[0], a1 = p[1], a2 = p[2];
     for (int c = 0; c < 3; ++c) p[c] = a0 * T(0, c) + a1 * T(1, c) + a2 * T(2, c);
   }
+}
+
+using wide::Row;
+
+inline Row load4(const double* p) {
+  Row r;
+  std::memcpy(&r, p, sizeof r);
+  return r;
+}
+inline void add4(double* p, Row a) {
+  a += load4(p);
+  std::memcpy(p, &a, sizeof a);
+}
+
+// Three rows of a row-major matrix of m columns to a column-major block; reads one entry beyond.
+inline void add_transposed(const double* J, int m, double* to) {
+  using Index = long long __attribute__((vector_size(32)));
+  const Row r0 = load4(J), r1 = load4(J + m), r2 = load4(J + 2 * m);
+  const Row a = __builtin_shuffle(r0, r1, Index{0, 4, 0, 1}),
+            b = __builtin_shuffle(r1, r2, Index{1, 5, 1, 2});
+  add4(to, __builtin_shuffle(a, r2, Index{0, 1, 4, 3}));
+  add4(to + 4, __builtin_shuffle(b, r0, Index{0, 1, 6, 3}));
+  to[8] += r2[2];
 }
 
 // J = w A, J += w A for n x n blocks; the usual numbers of blocks with loops of known length.
@@ -37,23 +62,6 @@ void Sink::add_force(int b, double x, double y, double z) {
   (*squares_)[static_cast<size_t>(b)] += x * x + y * y + z * z;
 }
 
-// Three rows of a row-major matrix with `stride` columns. Where the row is another rank's, that computes it.
-void Sink::add_block(int row, int column, const double* J, int stride) {
-  if (row >= owned_blocks_) return;
-  double* to = column < owned_blocks_ ? own_->at(row, column) : nullptr;
-  if (to) {
-    for (int c = 0; c < 3; ++c)
-      for (int r = 0; r < 3; ++r) to[3 * c + r] += J[r * stride + c];
-    return;
-  }
-  double block[9];
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) block[3 * r + c] = J[r * stride + c];
-  const PetscInt r = (*global_block_)[static_cast<size_t>(row)],
-                 c = (*global_block_)[static_cast<size_t>(column)];
-  check(MatSetValuesBlocked(matrix_, 1, &r, 1, &c, block, ADD_VALUES));
-}
-
 void Sink::add(std::span<const int> blocks, const double* f, const double* K, const double* C,
                const double* M) {
   const int n = static_cast<int>(blocks.size());
@@ -64,7 +72,7 @@ void Sink::add(std::span<const int> blocks, const double* f, const double* K, co
   if (!matrix_) return;
 
   const int m = 3 * n;
-  double J[9 * kMaxBlocks * kMaxBlocks];
+  double J[9 * kMaxBlocks * kMaxBlocks + 1];
   if (K && weights_.K != 0) {
     weigh<true>(n, weights_.K, K, J);
     for (int j = 0; j < n; ++j)
@@ -78,7 +86,7 @@ void Sink::add(std::span<const int> blocks, const double* f, const double* K, co
   put(block, n, J);
 }
 
-// Without what belongs to held components.
+// J has an entry more than its n x n blocks. Without what belongs to held components.
 void Sink::put(const int* block, int n, double* J) {
   const int m = 3 * n;
   for (int i = 0; i < n; ++i) {
@@ -88,15 +96,36 @@ void Sink::put(const int* block, int n, double* J) {
       if (held >> c & 1)
         for (int k = 0; k < m; ++k) J[(3 * i + c) * m + k] = J[k * m + 3 * i + c] = 0;
   }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) add_block(block[i], block[j], J + 3 * i * m + 3 * j, m);
+  for (int i = 0; i < n; ++i) {
+    const int row = block[i];
+    if (row >= owned_blocks_) continue;  // another rank computes it
+    double* to = nullptr;
+    for (int j = 0; j < n; ++j) {
+      const double* from = J + 3 * i * m + 3 * j;
+      to = block[j] < owned_blocks_ ? own_->at(row, block[j], to) : nullptr;
+      if (to)
+        add_transposed(from, m, to);
+      else
+        add_elsewhere(row, block[j], from, m);
+    }
+  }
+}
+
+// In a column of another rank.
+void Sink::add_elsewhere(int row, int column, const double* J, int m) {
+  double block[9];
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) block[3 * r + c] = J[r * m + c];
+  const PetscInt r = (*global_block_)[static_cast<size_t>(row)],
+                 c = (*global_block_)[static_cast<size_t>(column)];
+  check(MatSetValuesBlocked(matrix_, 1, &r, 1, &c, block, ADD_VALUES));
 }
 
 void Sink::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c) {
   if (force_) add_force(a, -f[0], -f[1], -f[2]), add_force(b, f[0], f[1], f[2]);
   if (!matrix_) return;
   const int blocks[2] = {a, b};
-  double J[36];
+  double J[37];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const double s = (k ? weights_.K * (*k)(i, j) : 0) + (c ? weights_.C * (*c)(i, j) : 0);
@@ -110,7 +139,7 @@ void Sink::add_weighted(int a, int b, const double* f, const double* J) {
   if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
   if (!matrix_) return;
   const int blocks[2] = {a, b};
-  double own[36];
+  double own[37];
   std::copy(J, J + 36, own);
   put(blocks, 2, own);
 }
@@ -119,7 +148,7 @@ void Sink::add_masses(int a, int b, const double* f, double own, double shared) 
   if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
   if (!matrix_ || weights_.M == 0) return;
   const int blocks[2] = {a, b};
-  double J[36] = {};
+  double J[37] = {};
   for (int i = 0; i < 6; ++i) {
     J[7 * i] = weights_.M * own;
     J[6 * i + (i + 3) % 6] = weights_.M * shared;

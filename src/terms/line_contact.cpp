@@ -70,7 +70,7 @@ void LineContact::prepare(const Kinematics& committed, double h) {
         histories.back() = std::move(was.history);
         if (was.slot > 0) continue;
         first.hint = was.hint;
-        first.one_centre = was.one_centre, first.one_radius = was.one_radius;
+        first.one_chord = was.one_chord, first.one_reach = was.one_reach, first.one = was.one;
         // What was found on all of the surface is found again; of a wall it may be another.
         if (!was.walls) first.found = std::move(was.found);
       }

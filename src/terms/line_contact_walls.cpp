@@ -13,7 +13,7 @@ namespace {
 // which contact begins: so walls part and come together while the farther of them is out of touch.
 constexpr double kTogether = 1.1;
 constexpr double kSagitta = 0.05;  // of the same distance: how far the axis is from its polyline
-constexpr double kRoom = 0.5;      // the same: how much larger a ball is looked at than is needed now
+constexpr double kRoom = 0.25;     // the same: how much more is looked at than is needed now
 
 }  // namespace
 
@@ -34,15 +34,15 @@ std::vector<Vec3> LineContact::polyline(const AxisShape& shape, const RigidPose&
 
 bool LineContact::one_wall(Pair& pair, const AxisShape& shape, const RigidPose& pose, double motion) const {
   const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
-  const Vec3 centre = pose.to_body(shape.point(0.5));
-  const double need = 0.5 * shape.reach() + kTogether * pair.touch + motion;
-  if ((centre - pair.one_centre).norm() + need <= pair.one_radius) return true;
-  for (const double radius : {need + kRoom * pair.touch, need})
-    if (surface.one_wall(centre, radius)) {
-      pair.one_centre = centre, pair.one_radius = radius;
-      return true;
-    }
-  return false;
+  const std::array<Vec3, 2> chord{pose.to_body(shape.point(0)), pose.to_body(shape.point(1))};
+  const double need = kTogether * pair.touch + motion + shape.bend_bound() / 8;
+  const double moved = std::max((chord[0] - pair.one_chord[0]).norm(), (chord[1] - pair.one_chord[1]).norm());
+  if (pair.one_reach > 0 && pair.one && need + moved <= pair.one_reach) return true;
+  if (pair.one_reach > 0 && !pair.one && need >= pair.one_reach && moved < kRoom * pair.touch) return false;
+  const double reach = need + kRoom * pair.touch;
+  pair.one = surface.one_wall(chord, reach);
+  pair.one_chord = chord, pair.one_reach = pair.one ? reach : need;
+  return pair.one;
 }
 
 // Walls of the trial alone: of the axis, and of what was left by the last step.

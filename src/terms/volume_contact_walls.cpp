@@ -15,7 +15,8 @@ constexpr double kSame = 0.5;  // cosine: a wall whose normal is no more like th
 }  // namespace
 
 bool VolumeContact::one_wall(const Pair& pair, const Vec3& y, double motion) const {
-  return volumes_[static_cast<size_t>(pair.volume)].surface->one_wall(y, kTogether * pair.touch + motion);
+  return volumes_[static_cast<size_t>(pair.volume)].surface->one_wall({&y, 1},
+                                                                      kTogether * pair.touch + motion);
 }
 
 int VolumeContact::see_wall(const Pair& pair, const Vec3& y) const {

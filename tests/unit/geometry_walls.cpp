@@ -151,7 +151,7 @@ TEST(SurfaceWalls, OneInALargeBallIsOneInSmallOnes) {
     int one = 0, several = 0;
     for (int i = 0; i < 4000; ++i) {
       const Vec3 y = random_in(s.bounds().grown(0.3), gen);
-      const bool alone = s.one_wall(y, 0.5);
+      const bool alone = s.one_wall({&y, 1}, 0.5);
       const Vec3 x = y + 0.25 * Vec3(u(gen), u(gen), u(gen)).normalized();
       SurfaceWalls walls;
       s.walls({&x, 1}, 0.25, walls);

@@ -87,6 +87,11 @@ TEST(SubmergedCables, AreNotWhereOneGetsDry) {
   EXPECT_TRUE(submerged(q.sections, q.motion));
   q.motion.x[1][2][2] = -0.999 * q.section[2].radius;
   EXPECT_FALSE(submerged(q.sections, q.motion));
+  // A steep one gets wet over a quarter of its rise.
+  for (const double top : {-0.9, -1.3}) {
+    q.motion.x[0][2][2] = top, q.motion.x[1][2][2] = top - 4;
+    EXPECT_EQ(submerged(q.sections, q.motion), top < -1.1);
+  }
   for (int k = 0; k < 2; ++k) q.motion.x[k][2][2] = 20;
   EXPECT_FALSE(submerged(q.sections, q.motion));
 }

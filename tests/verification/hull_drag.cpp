@@ -44,8 +44,8 @@ class CountedSurface final : public Surface {
   void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const override {
     timed([&] { return s_->walls(axis, reach, out), 0; });
   }
-  bool one_wall(const Vec3& centre, double radius) const override {
-    return timed([&] { return s_->one_wall(centre, radius); });
+  bool one_wall(std::span<const Vec3> axis, double reach) const override {
+    return timed([&] { return s_->one_wall(axis, reach); });
   }
   std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,
                                          bool either_side) const override {

@@ -53,7 +53,7 @@ class MeshSurface final : public Surface {
              std::span<std::optional<SurfacePoint>> answers) const override;
   Box bounds() const override;  // of the active part and all inside the mesh
   void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const override;
-  bool one_wall(const Vec3& centre, double radius) const override;
+  bool one_wall(std::span<const Vec3> axis, double reach) const override;
   std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,
                                          bool either_side = false) const override;
 

@@ -58,8 +58,8 @@ class Surface {
   // Of those within `reach` [m] of a polyline (one point or more): none where query() says all there is. What
   // is one wall and what are two depends on the place and on nothing else.
   virtual void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const;
-  // Whether a ball is known to hold no more than one; quick.
-  virtual bool one_wall(const Vec3& centre, double radius) const;
+  // Whether no more than one is known to be there; quicker.
+  virtual bool one_wall(std::span<const Vec3> axis, double reach) const;
   // query() of a wall alone. What is behind it gets no answer unless it is inside and the wall is the nearest
   // of all; either_side: it does, with its distance from the wall, negative there.
   virtual std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,

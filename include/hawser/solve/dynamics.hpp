@@ -94,12 +94,12 @@ class Dynamics {
   AlphaState committed_, trial_;
   double h_ = 0, last_step_ = 0;
   std::vector<double> local_u_, gathered_, reactions_;
-  double expected_ = -1;    // s, the step that the system was last told to expect
-  bool copied_ = false;     // trial_ has all that a step leaves alone
-  bool loaded_ = false;     // trial_ belongs to local_u_
-  int polishes_ = 0;        // iterations within the tolerance, with the old factors
-  double first_ = 0;        // N, size of the first residual of this Newton solution, and of what makes it up
-  int counted_ = -1;        // iterations to a residual far above rounding; < 0: not there yet
+  double expected_ = -1;  // s, the step that the system was last told to expect
+  bool copied_ = false;   // trial_ has all that a step leaves alone
+  bool loaded_ = false;   // trial_ belongs to local_u_
+  int polishes_ = 0;      // iterations within the tolerance, with the old factors
+  double first_ = 0;      // N, size of the first residual of this Newton solution, and of what makes it up
+  int counted_ = -1;      // iterations to a residual far above rounding; < 0: not there yet
   VecHandle u_, r_, solution_;
   MatHandle J_;
   Handle<TS, TSDestroy> ts_;

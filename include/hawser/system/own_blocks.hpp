@@ -16,8 +16,13 @@ class OwnBlocks {
   ~OwnBlocks();
 
   // 3x3, column-major; rows and columns counted from the first of this rank. Null: not in the pattern.
-  double* at(int row, int column) const {
+  // `before`: what was last found in this row, or null; the block after it is looked at first.
+  double* at(int row, int column, const double* before = nullptr) const {
     const PetscInt *from = columns_ + starts_[row], *to = columns_ + starts_[row + 1];
+    if (before) {
+      const PetscInt* next = columns_ + (before - values_) / 9 + 1;
+      if (next < to && *next == column) return values_ + 9 * (next - columns_);
+    }
     while (to - from > 8) {
       const PetscInt* middle = from + (to - from) / 2;
       (column < *middle ? to : from) = middle;

@@ -43,8 +43,8 @@ class Sink {
  private:
   friend class System;
   void add_force(int block, double x, double y, double z);
-  void add_block(int row, int column, const double* J, int stride);
   void put(const int* blocks, int n, double* J);
+  void add_elsewhere(int row, int column, const double* J, int m);
 
   std::vector<double>* force_ = nullptr;    // 3 * local blocks
   std::vector<double>* squares_ = nullptr;  // by block, sums of squares of what was added to owned rows

@@ -2,6 +2,7 @@
 // line, integrated over the stretches of each element's axis that touch. See docs/theory/line-contact.md.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -96,9 +97,10 @@ class LineContact final : public Contact {
     double clear = -1;
     int hint = -1;
     Found found;
-    // A ball that is known to hold one wall only.
-    Vec3 one_centre = Vec3::Zero();
-    double one_radius = -1;
+    // How far about a chord there is one wall only; or where that was asked in vain.
+    std::array<Vec3, 2> one_chord{Vec3::Zero(), Vec3::Zero()};
+    double one_reach = -1;
+    bool one = false;
     std::shared_ptr<Walls> walls;      // none: there is one wall in this step
     std::shared_ptr<const Seen> seen;  // of the axis of `found`
     // The wall it is about; none: all of the surface, and of a further pair nothing.
