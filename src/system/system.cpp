@@ -215,7 +215,7 @@ StepLimit System::longest_step(const Kinematics& committed, double most) {
   const Sum sum = [&](std::span<double> values) {
     MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
   };
-  std::vector<LineMotion> lines(squares_.size() / 2);
+  std::vector<LineMotion> lines(sums_ / 2);
   for (const auto& t : terms_) t->motion(committed, lines);
   for (const Strike& s : strikes.list) {
     lines[static_cast<size_t>(s.line)].striking += s.energy();
