@@ -13,6 +13,9 @@ namespace {
 // Of the blocks of the whole, at least so many must be shared before gathering all of it is thought of: farms
 // on many ranks never do.
 constexpr int kManyShared = 8;
+// Models of so many blocks that are cut or touch are gathered all the same: it costs no more than the
+// messages, and the answer is that of one rank to the last bit.
+constexpr double kSmall = 2000;
 // Costs in multiplications of blocks: to send a block to all; one of a dense system, of which caches see
 // more; what MUMPS does beside multiplying, a block of the matrix, and how much of the ranks it uses.
 constexpr double kSend = 4, kDense = 1.0 / 3, kMumpsBlock = 40, kMumpsShare = 1.0 / 3;
@@ -56,9 +59,11 @@ Direct choose(const System& system, std::vector<int>& order) {
   const double shared = shared_blocks(system),
                whole = over_ranks(system, system.mesh().owned_blocks, MPI_SUM);
   const Direct chains = 3 * shared <= kMaxShared ? Direct::substructuring : Direct::mumps;
-  if (!system.coupled() || kManyShared * shared < whole) return chains;
+  const bool small = whole <= kSmall && (shared > 0 || system.coupled());
+  if (!small && (!system.coupled() || kManyShared * shared < whole)) return chains;
   const BlockGraph g = gather_graph(system);
   order = cheapest_order(g);
+  if (small) return Direct::gathered;
   const double work = factorisation_work(g, order), blocks = static_cast<double>(g.next.size()) + g.size();
   const double gathered = work + kSend * blocks;
   const double other = chains == Direct::substructuring

@@ -137,7 +137,9 @@ class Search : StaticTrial {
 
   // A tension's worth of stiffness over an element for a unit of shift.
   void set_shift(double shift, const ResidualNorms& norms, Weights& w) const {
-    const double unit = norms.force_scale / std::sqrt(static_cast<double>(zero_.size())) / length_;
+    PetscInt unknowns = 0;
+    check(VecGetSize(u_.get(), &unknowns));
+    const double unit = norms.force_scale / std::sqrt(static_cast<double>(unknowns)) / length_;
     w.shift_position = shift * unit;
     w.shift_rotation = shift * unit * length_ * length_;
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/steady.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -152,10 +153,10 @@ ResidualNorms System::norms(Vec r) const {
   for (size_t l = 0; l < sums_ / 2; ++l) {
     const double* own = s.data() + 2 * l;
     const double* scale = own + sums_;
-    const ResidualNorms n{std::sqrt(own[0]),
-                          std::sqrt(own[1]),
-                          std::sqrt(scale[0]),
-                          std::sqrt(scale[1]),
+    const ResidualNorms n{steady(std::sqrt(own[0])),
+                          steady(std::sqrt(own[1])),
+                          steady(std::sqrt(scale[0])),
+                          steady(std::sqrt(scale[1])),
                           round_off_,
                           longest_element_,
                           l < mesh_.mesh->lines.size() ? mesh_.mesh->lines[l].length : 1};
@@ -201,7 +202,7 @@ double System::dead_load() const {
   double sum = 0;
   for (const auto& t : terms_) sum += t->dead_load();
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
-  return sum;
+  return steady(sum);
 }
 
 StepLimit System::longest_step(const Kinematics& committed, double most) {
@@ -255,7 +256,7 @@ void System::expect(const Kinematics& committed, double h) {
   double square = 0;
   for (const auto& t : terms_) square += t->round_off(committed, h);
   MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_SUM, comm_);
-  round_off_ = std::sqrt(square);
+  round_off_ = steady(std::sqrt(square));
 }
 
 void System::commit(const Kinematics& accepted) {

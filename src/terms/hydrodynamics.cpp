@@ -105,9 +105,7 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Sink& sink
 void Hydrodynamics::evaluate(const Kinematics& trial, Sink& sink) {
   look(trial, water_);
   const bool tangent = sink.wants_tangent();
-  for (const Four& q : fours_)
-    if (!evaluate(q, trial, sink))
-      for (int i = 0; i < q.count; ++i) evaluate(pieces_[static_cast<size_t>(q.piece[i])], trial, sink);
+  for (const Four& q : fours_) evaluate(q, trial, sink);
   for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, sink);
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   for (const Ball& b : balls_) {
@@ -145,11 +143,11 @@ void Hydrodynamics::flow(const Kinematics& at, std::vector<Flow>& out) const {
   };
   for (const Four& q : fours_) {
     WaterForce all[4];
-    const bool known = flow(q, at, water, all);
+    const unsigned known = flow(q, at, water, all);
     for (int i = 0; i < q.count; ++i) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
       if (!p.at.counted) continue;
-      put(p, known ? all[i] : water_force(p.section, ends(p, at, water), false, sea_.surface));
+      put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at, water), false, sea_.surface));
     }
   }
   for (const int b : beams_) {

@@ -48,34 +48,36 @@ CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k,
   return m;
 }
 
-// False: not all of them are wholly wet, or statics is far from its solution.
-bool Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Sink& sink) const {
-  if (sink.convex()) return false;
+// What is not wholly wet goes one by one, and all of it while statics is far from its solution: how an
+// element is computed must not depend on its company, which is another on another rank.
+void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Sink& sink) const {
   const CablesInWater4 m = motion(q, trial, water_);
-  if (!submerged(q.sections, m)) return false;
+  const unsigned wet = sink.convex() ? 0 : submerged(q.sections, m);
   double f[4][6], J[4][36];
   const bool tangent = sink.wants_tangent();
   const Weights& w = sink.weights();
-  if (tangent)
+  if (wet && tangent)
     submerged_tangent(q.sections, m, moving(), w.K, w.C, w.M, f, J);
-  else
+  else if (wet)
     submerged_force(q.sections, m, moving(), f);
   for (int i = 0; i < q.count; ++i) {
     const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
-    if (tangent)
+    if (!(wet >> i & 1))
+      evaluate(p, trial, sink);
+    else if (tangent)
       sink.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);
     else
       sink.add({p.blocks, 2}, f[i], nullptr, nullptr, nullptr);
   }
-  return true;
 }
 
 // Where both the surface and the still water are above all of it buoyancy has nothing to give.
-bool Hydrodynamics::flow(const Four& q, const Kinematics& at, const std::vector<Water>& water,
-                         WaterForce* out) const {
+unsigned Hydrodynamics::flow(const Four& q, const Kinematics& at, const std::vector<Water>& water,
+                             WaterForce* out) const {
   CablesInWater4 m = motion(q, at, water);
   for (wide::Row& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);
-  if (!submerged(q.sections, m)) return false;
+  const unsigned wet = submerged(q.sections, m);
+  if (!wet) return 0;
   double f[4][6];
   submerged_force(q.sections, m, moving(), f);
   for (int i = 0; i < q.count; ++i)
@@ -84,7 +86,7 @@ bool Hydrodynamics::flow(const Four& q, const Kinematics& at, const std::vector<
       out[i].force[2 * end] = -Eigen::Map<const Vec3>(f[i] + 3 * end);
       out[i].force[2 * end].z() -= 0.5 * q.sections.length[i] * q.sections.buoyancy[i];
     }
-  return true;
+  return wet;
 }
 
 }  // namespace hawser

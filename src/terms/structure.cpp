@@ -106,13 +106,15 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
 
 double StructureTerm::round_off(const Kinematics& at, double) const {
   // A strain is a difference of positions: each is known to eps |x|.
-  double far = 0, sum = 0;
-  for (const Vec3& x : at.x) far = std::max(far, x.cwiseAbs().maxCoeff());
-  const double eps = std::numeric_limits<double>::epsilon() * far;
-  for (const Beam& b : beams_)
-    if (b.at.counted) sum += std::pow(b.section.EA / b.section.length * eps, 2);
-  for (const Cable& c : cables_)
-    if (c.at.counted) sum += std::pow(c.section.EA / c.section.length * eps, 2);
+  double sum = 0;
+  const auto add = [&](const auto& e) {
+    if (!e.at.counted) return;
+    const Vec3 &a = at.x[static_cast<size_t>(e.at.first)], &b = at.x[static_cast<size_t>(e.at.second)];
+    const double far = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+    sum += std::pow(e.section.EA / e.section.length * std::numeric_limits<double>::epsilon() * far, 2);
+  };
+  for (const Beam& b : beams_) add(b);
+  for (const Cable& c : cables_) add(c);
   return sum;
 }
 

@@ -30,11 +30,11 @@ model::Case coil() {
 }
 
 // Long lines side by side, of which two cross.
-model::Case farm() {
+model::Case farm(int lines) {
   model::Case c;
   model::LineType type = beam_type(1e6, 1e3, 1e3, 5);
   c.line_types = {type};
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < lines; ++i) {
     const bool across = i == 1;
     const Vec3 from = across ? Vec3(10, -10, 0.105) : Vec3(0, 10.0 * i, 0);
     const Vec3 to = from + (across ? Vec3(0, 40, 0) : Vec3(40, 0, 0));
@@ -140,13 +140,21 @@ TEST_F(ParallelSolvers, ACoilIsGathered) {
   }
 }
 
+// To the last bit the answer of one rank.
+TEST_F(ParallelSolvers, SmallModelsAreGathered) {
+  const Solved one = solve(PETSC_COMM_SELF, farm(12), configured);
+  const Solved all = solve(PETSC_COMM_WORLD, farm(12), configured);
+  EXPECT_EQ(all.solver, expected("gathered on every rank"));
+  EXPECT_EQ(difference(all, one), 0);
+}
+
 TEST_F(ParallelSolvers, LinesThatHardlyTouchAreCut) {
-  const Solved one = solve(PETSC_COMM_SELF, farm(), configured);
-  const Solved all = solve(PETSC_COMM_WORLD, farm(), configured);
+  const Solved one = solve(PETSC_COMM_SELF, farm(30), configured);
+  const Solved all = solve(PETSC_COMM_WORLD, farm(30), configured);
   EXPECT_EQ(all.solver, expected("chains cut between ranks"));
   EXPECT_LT(difference(all, one), 1e-10);
   if (ranks_ > 1) {
-    EXPECT_LT(difference(solve(PETSC_COMM_WORLD, farm(), gathered), one), 1e-10);
+    EXPECT_LT(difference(solve(PETSC_COMM_WORLD, farm(30), gathered), one), 1e-10);
   }
 }
 

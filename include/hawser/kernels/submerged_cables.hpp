@@ -20,8 +20,10 @@ struct CablesInWater4 {
   wide::Row velocity[2][3], by_height[2][3], acceleration[2][3], surface[2];  // of the water
 };
 
-// Whether each element lies so far below the surface that all of it is wet.
-bool submerged(const WaterSections4& s, const CablesInWater4& m);
+// Which of the elements lie so far below the surface that all of them is wet, as bits. The others are no
+// matter of submerged_force() and submerged_tangent(), whose answers for an element do not depend on the
+// rest.
+unsigned submerged(const WaterSections4& s, const CablesInWater4& m);
 
 // Residuals f[lane][6]. moving: the water has a velocity, or accelerations; else those of it are not read.
 void submerged_force(const WaterSections4& s, const CablesInWater4& m, bool moving, double (*f)[6]);

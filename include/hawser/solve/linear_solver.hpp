@@ -1,6 +1,7 @@
 // The linear solver of a Newton step: direct on one rank; on several, chains by LU a rank and the cuts by an
 // exact small system (substructure.hpp), or, where the cuts are long, the whole on every rank
-// (gathered_solver.hpp) or MUMPS, whichever is estimated cheapest. PETSc options under the prefix override.
+// (gathered_solver.hpp) or MUMPS, whichever is estimated cheapest. Small models that are cut are gathered.
+// PETSc options under the prefix override.
 #pragma once
 
 #include <petscksp.h>

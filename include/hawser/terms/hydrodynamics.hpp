@@ -76,9 +76,9 @@ class Hydrodynamics final : public ForceTerm {
   };
   void group();
   CablesInWater4 motion(const Four& q, const Kinematics& k, const std::vector<Water>& water) const;
-  bool evaluate(const Four& q, const Kinematics& trial, Sink& sink) const;
+  void evaluate(const Four& q, const Kinematics& trial, Sink& sink) const;
   void evaluate(const Piece& p, const Kinematics& trial, Sink& sink) const;
-  bool flow(const Four& q, const Kinematics& at, const std::vector<Water>& water, WaterForce* out) const;
+  unsigned flow(const Four& q, const Kinematics& at, const std::vector<Water>& water, WaterForce* out) const;
   bool moving() const { return !sea_.current.none() || !sea_.waves.none(); }
   Water water(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
