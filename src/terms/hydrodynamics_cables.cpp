@@ -54,18 +54,14 @@ bool Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Sink& sink)
   const CablesInWater4 m = motion(q, trial, water_);
   if (!submerged(q.sections, m)) return false;
   double f[4][6], J[4][36];
-  const bool tangent = sink.wants_tangent();
   const Weights& w = sink.weights();
-  if (tangent)
+  if (sink.wants_tangent())
     submerged_tangent(q.sections, m, moving(), w.K, w.C, w.M, f, J);
   else
     submerged_force(q.sections, m, moving(), f);
   for (int i = 0; i < q.count; ++i) {
     const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
-    if (tangent)
-      sink.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);
-    else
-      sink.add({p.blocks, 2}, f[i], nullptr, nullptr, nullptr);
+    sink.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);
   }
   return true;
 }
