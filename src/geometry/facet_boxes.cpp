@@ -22,10 +22,9 @@ bool FacetBoxes::Tube::meets(const Bounds& b) const {
   const Vec3 lo(b.lo[0], b.lo[1], b.lo[2]), hi(b.hi[0], b.hi[1], b.hi[2]);
   const Vec3 centre = 0.5 * (lo + hi);
   const double far = 0.5 * (hi - lo).norm() + reach;
-  for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i)
-    if (squared_distance_to_chord(centre, axis[i], axis[std::min(i + 1, axis.size() - 1)]) <= far * far)
-      return true;
-  return false;
+  return any_chord(axis, [&](const Vec3& p, const Vec3& q) {
+    return squared_distance_to_chord(centre, p, q) <= far * far;
+  });
 }
 
 FacetBoxes::FacetBoxes(const Facets& facets, const std::vector<bool>& chosen) {

@@ -18,6 +18,14 @@ inline double squared_distance_to_chord(const Vec3& p, const Vec3& a, const Vec3
   return length2 > 0 ? (r - std::clamp(r.dot(e) / length2, 0.0, 1.0) * e).squaredNorm() : r.squaredNorm();
 }
 
+// Whether it is so for any chord of a polyline; of a single place there is one, of no length.
+template <class Is>
+bool any_chord(std::span<const Vec3> axis, Is&& is) {
+  for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i)
+    if (is(axis[i], axis[std::min(i + 1, axis.size() - 1)])) return true;
+  return false;
+}
+
 class FacetBoxes {
  public:
   FacetBoxes() = default;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "groups.hpp"
 #include "hawser/geometry/smooth_patch.hpp"
 #include "planar_regions.hpp"
 
@@ -73,22 +74,18 @@ class Bends {
     bend_.assign(ends_.size(), Vec3::Zero());
   }
 
-  int root(int c) {
-    while (group_[at(c)] != c) c = group_[at(c)] = group_[at(group_[at(c)])];
-    return c;
-  }
+  int root(int c) { return detail::root_of(group_, c); }
 
   // One normal for the corners at a vertex that smooth edges join; zero where it would not serve.
   void corner_normals() {
-    group_.resize(3 * mesh_.triangles.size());
-    std::iota(group_.begin(), group_.end(), 0);
+    detail::separate(group_, 3 * mesh_.triangles.size());
     for (int t = 0; t < static_cast<int>(edge_.size()); ++t)
       for (int i = 0; i < 3; ++i) {
         const int u = topo_.neighbours[at(t)][at(i)];
         if (u < t || kind_[at(edge_[at(t)][at(i)])] != Kind::smooth) continue;
         const int k = edge_in(u, t, i);
-        group_[at(root(3 * t + i))] = root(3 * u + (k + 1) % 3);
-        group_[at(root(3 * t + (i + 1) % 3))] = root(3 * u + k);
+        detail::unite(group_, 3 * t + i, 3 * u + (k + 1) % 3);
+        detail::unite(group_, 3 * t + (i + 1) % 3, 3 * u + k);
       }
     const std::vector<double> width = detail::planar_widths(mesh_, topo_, normal_);
     std::vector<double> widest(group_.size(), 0);

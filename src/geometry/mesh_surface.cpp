@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -55,15 +54,9 @@ struct MeshSurface::Data {
   FacetSearch::Foot nearest(const FacetSearch& among, const Vec3& y, double max_distance, int hint) const {
     return on_face_or_edge(among.nearest(facets, y, max_distance, hint), y);
   }
-  bool has_area(int t) const {
-    const Vec3 &a = facets.corner(t, 0), e = facets.corner(t, 1) - a, f = facets.corner(t, 2) - a;
-    const double longest2 = std::max(e.squaredNorm(), f.squaredNorm());
-    // Rounding is far below that.
-    return e.cross(f).squaredNorm() > 1e-16 * longest2 * longest2 || !normals.face(facets, t).isZero(0);
-  }
   FacetSearch::Foot on_face_or_edge(FacetSearch::Foot best, const Vec3& y) const {
     const int t = best.triangle;
-    if (t < 0 || best.feature != Feature::face || has_area(t)) return best;
+    if (t < 0 || best.feature != Feature::face || normals.has_area(facets, t)) return best;
     // No area, so no face: the nearest of its edges.
     for (int i = 0; i < 3; ++i) {
       ClosestPoint c = closest_point_on_segment(y, facets.corner(t, i), facets.corner(t, (i + 1) % 3));
@@ -317,9 +310,7 @@ std::optional<SurfacePoint> MeshSurface::query_wall(const SurfaceWall& wall, con
   auto all = query(y, max_distance, near ? near->foot.triangle : -1);
   if (!all || all->distance > 0) return std::nullopt;
   if (front) return data_->point_at(y, near->foot, near->pseudonormal, false);
-  const auto mine = std::lower_bound(wall.facets.begin(), wall.facets.end(), all->triangle,
-                                     [](const SurfaceWall::Facet& f, int t) { return f.triangle < t; });
-  if (mine == wall.facets.end() || mine->triangle != all->triangle) return std::nullopt;
+  if (!detail::MeshWalls::holds(wall, all->triangle)) return std::nullopt;
   return all;
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
+#include "groups.hpp"
 #include "hawser/geometry/segment_distance.hpp"
 
 namespace hawser::detail {
@@ -14,15 +14,6 @@ constexpr double kAlike = 0.9;       // cosine: directions nearer than that are 
 constexpr double kCone = 0.974;      // of half that angle
 constexpr double kConcave = 0.2;     // rad, in all: less makes no second wall
 constexpr double kFlatEdge = 1e-10;  // 1 - cosine of an edge that counts as flat
-
-int root(std::vector<int>& parent, int i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    int& p = parent[static_cast<std::size_t>(i)];
-    p = parent[static_cast<std::size_t>(p)];
-    i = p;
-  }
-  return i;
-}
 
 // The corner of u that is on no edge with t.
 const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
@@ -39,14 +30,6 @@ const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
 // Whether the facet u rises in front of t, whose normal is n.
 bool rises(const Facets& facets, const Vec3& n, int t, int edge, int u) {
   return n.dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
-}
-
-// Of a facet of sound shape without the care that others need.
-Vec3 quick_normal(const Facets& facets, int t) {
-  const Vec3 e = facets.corner(t, 1) - facets.corner(t, 0), f = facets.corner(t, 2) - facets.corner(t, 0);
-  const Vec3 n = e.cross(f);
-  const double area2 = n.squaredNorm(), longest2 = std::max(e.squaredNorm(), f.squaredNorm());
-  return area2 > 1e-8 * longest2 * longest2 ? Vec3(n / std::sqrt(area2)) : Pseudonormals::face(facets, t);
 }
 
 int index_of(const SurfaceWall::Facet& f) { return f.triangle; }
@@ -66,13 +49,20 @@ int place_of(const std::vector<F>& facets, int triangle) {
 
 bool MeshWalls::convex(const Facets& facets, const Pseudonormals& normals, int components) {
   if (components != 1) return false;
+  // Computed up to the last asked for: most meshes turn out not to be convex within a few facets.
+  std::vector<Vec3> known;
+  const auto normal = [&](int t) {
+    while (static_cast<int>(known.size()) <= t)
+      known.push_back(normals.face(facets, static_cast<int>(known.size())));
+    return known[static_cast<std::size_t>(t)];
+  };
   for (int t = 0; t < static_cast<int>(facets.mesh().triangles.size()); ++t)
     for (int i = 0; i < 3; ++i) {
       const int u = normals.neighbour(t, i);
       if (u < 0) return false;
       if (u < t) continue;
-      const Vec3 n = normals.face(facets, t);
-      if (n.dot(normals.face(facets, u)) < 1 - kFlatEdge && rises(facets, n, t, i, u)) return false;
+      const Vec3 n = normal(t);
+      if (n.dot(normal(u)) < 1 - kFlatEdge && rises(facets, n, t, i, u)) return false;
     }
   return true;
 }
@@ -95,16 +85,15 @@ bool MeshWalls::alike(std::span<const Vec3> axis, double reach, std::vector<Near
   boxes_.near(axis, reach, [&](int t) {
     const SurfaceWall::Facet f = ball(t);
     const double far = f.radius + reach, off = bulge(t) + reach;
-    for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
-      const Vec3 &p = axis[i], &q = axis[std::min(i + 1, axis.size() - 1)];
-      if (squared_distance_to_chord(f.centre, p, q) > far * far) continue;
-      const Vec3 n = quick_normal(facets_, t);
+    any_chord(axis, [&](const Vec3& p, const Vec3& q) {
+      if (squared_distance_to_chord(f.centre, p, q) > far * far) return false;
+      const Vec3 n = normals_.quick_face(facets_, t);
       const double from = n.dot(p - facets_.corner(t, 0)), to = n.dot(q - facets_.corner(t, 0));
-      if (std::min(from, to) > off || std::max(from, to) < -off) continue;  // beyond its plane
+      if (std::min(from, to) > off || std::max(from, to) < -off) return false;  // beyond its plane
       out.push_back({f, n});
       mean += n;
-      return;
-    }
+      return true;
+    });
   });
   mean.normalize();
   return std::all_of(out.begin(), out.end(), [&](const Near& f) { return f.normal.dot(mean) > kCone; });
@@ -112,12 +101,11 @@ bool MeshWalls::alike(std::span<const Vec3> axis, double reach, std::vector<Near
 
 // Whether facets hang together and are convex, or nearly. Sorts them.
 bool MeshWalls::bulging(std::vector<Near>& near) const {
-  thread_local std::vector<int> parent;
+  thread_local std::vector<int> group;
   if (near.size() < 2) return true;
   std::sort(near.begin(), near.end(),
             [](const Near& a, const Near& b) { return a.facet.triangle < b.facet.triangle; });
-  parent.resize(near.size());
-  std::iota(parent.begin(), parent.end(), 0);
+  separate(group, near.size());
   double concave = 0;
   for (int k = 0; k < static_cast<int>(near.size()); ++k) {
     const Near& f = near[static_cast<std::size_t>(k)];
@@ -126,16 +114,16 @@ bool MeshWalls::bulging(std::vector<Near>& near) const {
       const int u = normals_.neighbour(t, i);
       const int l = u > t ? place_of(near, u) : -1;
       if (l < 0) continue;
-      parent[static_cast<std::size_t>(root(parent, k))] = root(parent, l);
+      unite(group, k, l);
       const double off = 1 - f.normal.dot(near[static_cast<std::size_t>(l)].normal);
       if (off <= kFlatEdge || !rises(facets_, f.normal, t, i, u)) continue;
       concave += std::acos(std::clamp(1 - off, -1.0, 1.0));
       if (concave > kConcave) return false;
     }
   }
-  const int first = root(parent, 0);
+  const int first = root_of(group, 0);
   for (int k = 1; k < static_cast<int>(near.size()); ++k)
-    if (root(parent, k) != first) return false;
+    if (root_of(group, k) != first) return false;
   return true;
 }
 
@@ -146,7 +134,7 @@ bool MeshWalls::one(std::span<const Vec3> axis, double reach) const {
 
 // Whether the edge is reentrant and sharp. Patches may meet smoothly where their facets do not.
 bool MeshWalls::cut(int t, int edge, int other) const {
-  const Vec3 n = quick_normal(facets_, t), m = quick_normal(facets_, other);
+  const Vec3 n = normals_.quick_face(facets_, t), m = normals_.quick_face(facets_, other);
   if (n.isZero(0) || m.isZero(0) || n.dot(m) > kAlike || !rises(facets_, n, t, edge, other)) return false;
   if (!facets_.curved(t) && !facets_.curved(other)) return true;
   int k = 0;
@@ -173,7 +161,7 @@ MeshWalls::Approach MeshWalls::approach(int t, const Vec3& a, const Vec3& b) con
   offer(std::sqrt(closest_point_on_triangle(a, p, q, r).squared_distance), a);
   if (a == b) return best;
   offer(std::sqrt(closest_point_on_triangle(b, p, q, r).squared_distance), b);
-  const Vec3 n = quick_normal(facets_, t);
+  const Vec3 n = normals_.quick_face(facets_, t);
   const double above = n.dot(a - p), below = n.dot(b - p);
   if (above * below < 0) {
     const Vec3 x = a + above / (above - below) * (b - a);
@@ -187,12 +175,14 @@ MeshWalls::Approach MeshWalls::approach(int t, const Vec3& a, const Vec3& b) con
   return best;
 }
 
+bool MeshWalls::holds(const SurfaceWall& wall, int triangle) { return place_of(wall.facets, triangle) >= 0; }
+
 Vec3 MeshWalls::pseudonormal(const SurfaceWall& wall, const FacetSearch::Foot& foot) const {
   const int t = foot.triangle, i = feature_index(foot.feature);
   if (foot.feature == Feature::face) return normals_.at(facets_, t, foot);
   if (is_edge(foot.feature)) {
     const int u = normals_.neighbour(t, i);
-    if (u >= 0 && place_of(wall.facets, u) >= 0) return normals_.at(facets_, t, foot);
+    if (u >= 0 && holds(wall, u)) return normals_.at(facets_, t, foot);
     return facets_.curved(t) ? Vec3(facets_.patch(t).normal(foot.u, foot.v).normalized())
                              : normals_.face(facets_, t);
   }
@@ -215,7 +205,7 @@ bool MeshWalls::through(const SurfaceWall& wall, const FacetSearch::Foot& foot, 
   const int i = feature_index(foot.feature);
   const auto back = [&](int t, int edge) {
     const int u = normals_.neighbour(t, edge);
-    return u >= 0 && place_of(wall.facets, u) < 0 && normals_.face(facets_, u).dot(y - foot.point) < 0;
+    return u >= 0 && !holds(wall, u) && normals_.face(facets_, u).dot(y - foot.point) < 0;
   };
   if (foot.feature == Feature::face) return false;
   if (is_edge(foot.feature)) return back(foot.triangle, i);
@@ -271,31 +261,26 @@ std::vector<SurfaceWall::Facet> MeshWalls::around(std::span<const Vec3> axis, do
 bool MeshWalls::comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q) {
   const Vec3 middle = 0.5 * (p + q);
   const double far = reach + 0.5 * (p - q).norm();
-  for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
-    const Vec3 &a = axis[i], &b = axis[std::min(i + 1, axis.size() - 1)];
-    if (squared_distance_to_chord(middle, a, b) > far * far) continue;
-    if (squared_distance_to_chord(p, a, b) <= reach * reach ||
-        squared_distance_to_chord(q, a, b) <= reach * reach ||
-        closest_points_of_segments(a, b, p, q).distance <= reach)
-      return true;
-  }
-  return false;
+  return any_chord(axis, [&](const Vec3& a, const Vec3& b) {
+    return squared_distance_to_chord(middle, a, b) <= far * far &&
+           (squared_distance_to_chord(p, a, b) <= reach * reach ||
+            squared_distance_to_chord(q, a, b) <= reach * reach ||
+            closest_points_of_segments(a, b, p, q).distance <= reach);
+  });
 }
 
 void MeshWalls::join(std::span<const Vec3> axis, double reach, const std::vector<SurfaceWall::Facet>& facets,
-                     std::vector<int>& parent) const {
-  parent.resize(facets.size());
-  std::iota(parent.begin(), parent.end(), 0);
+                     std::vector<int>& group) const {
+  separate(group, facets.size());
   for (int k = 0; k < static_cast<int>(facets.size()); ++k) {
     const int t = facets[static_cast<std::size_t>(k)].triangle;
     for (int e = 0; e < 3; ++e) {
       const int u = normals_.neighbour(t, e), l = u > t ? place_of(facets, u) : -1;
-      if (l < 0 || root(parent, k) == root(parent, l) || cut(t, e, u)) continue;
+      if (l < 0 || root_of(group, k) == root_of(group, l) || cut(t, e, u)) continue;
       const Vec3 &p = facets_.corner(t, e), &q = facets_.corner(t, (e + 1) % 3);
       const double bent =
           facets_.curved(t) ? 0.25 * facets_.patch(t).c[static_cast<std::size_t>(e)].norm() : 0;
-      if (comes_near(axis, reach + bent, p, q))
-        parent[static_cast<std::size_t>(root(parent, k))] = root(parent, l);
+      if (comes_near(axis, reach + bent, p, q)) unite(group, k, l);
     }
   }
 }
@@ -328,8 +313,8 @@ void MeshWalls::find(std::span<const Vec3> axis, double reach, SurfaceWalls& out
   out.of.clear();
   const std::vector<SurfaceWall::Facet> facets = around(axis, reach);
   if (facets.size() < 2) return;
-  std::vector<int> parent;
-  join(axis, reach, facets, parent);
+  std::vector<int> group;
+  join(axis, reach, facets, group);
   struct Found {
     SurfaceWall wall;
     int nearest = -1;
@@ -338,17 +323,18 @@ void MeshWalls::find(std::span<const Vec3> axis, double reach, SurfaceWalls& out
   std::vector<Found> found;
   std::vector<int> number(facets.size(), -1);
   for (int k = 0; k < static_cast<int>(facets.size()); ++k) {
-    int& n = number[static_cast<std::size_t>(root(parent, k))];
+    int& n = number[static_cast<std::size_t>(root_of(group, k))];
     if (n < 0) n = static_cast<int>(found.size()), found.emplace_back();
     found[static_cast<std::size_t>(n)].wall.facets.push_back(facets[static_cast<std::size_t>(k)]);
   }
   if (found.size() < 2) return;
   for (Found& f : found)
     for (const SurfaceWall::Facet& facet : f.wall.facets)
-      for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i) {
-        const Approach a = approach(facet.triangle, axis[i], axis[std::min(i + 1, axis.size() - 1)]);
+      any_chord(axis, [&](const Vec3& p, const Vec3& q) {
+        const Approach a = approach(facet.triangle, p, q);
         if (a.distance < f.at.distance) f.at = a, f.nearest = facet.triangle;
-      }
+        return f.at.distance == 0;  // none is nearer
+      });
   // Whole facets were taken; those that do not come near are none of it.
   std::erase_if(found, [&](const Found& f) { return f.at.distance - bulge(f.nearest) > reach; });
   if (found.size() < 2) return;

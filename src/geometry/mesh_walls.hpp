@@ -25,6 +25,9 @@ class MeshWalls {
   // As of Surface::walls().
   void find(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const;
 
+  // Whether a triangle is of a wall.
+  static bool holds(const SurfaceWall& wall, int triangle);
+
   struct Foot {
     FacetSearch::Foot foot;
     Vec3 pseudonormal = Vec3::Zero();  // of the wall alone: beyond its border it goes on as it ends
@@ -56,7 +59,7 @@ class MeshWalls {
   Vec3 pseudonormal(const SurfaceWall& wall, const FacetSearch::Foot& foot) const;
   std::vector<SurfaceWall::Facet> around(std::span<const Vec3> axis, double reach) const;
   void join(std::span<const Vec3> axis, double reach, const std::vector<SurfaceWall::Facet>& facets,
-            std::vector<int>& parent) const;
+            std::vector<int>& group) const;
   Part look(SurfaceWall wall, int nearest, const Vec3& from, std::span<const Vec3> axis) const;
 
   const Facets& facets_;

@@ -1,7 +1,8 @@
 #include "pseudonormals.hpp"
 
 #include <cmath>
-#include <numeric>
+
+#include "groups.hpp"
 
 namespace hawser::detail {
 namespace {
@@ -9,16 +10,8 @@ namespace {
 // Vertices whose triangles do not form one fan: the surface touches itself there.
 std::vector<bool> pinched(const MeshView& mesh, const Topology& topo) {
   // Corners (3 t + i) joined across the edges beside them.
-  std::vector<int> parent(3 * mesh.triangles.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int i) {
-    while (parent[static_cast<std::size_t>(i)] != i) {
-      auto& p = parent[static_cast<std::size_t>(i)];
-      p = parent[static_cast<std::size_t>(p)];
-      i = p;
-    }
-    return i;
-  };
+  std::vector<int> group;
+  separate(group, 3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const int other = topo.neighbours[t][i];
@@ -27,15 +20,14 @@ std::vector<bool> pinched(const MeshView& mesh, const Topology& topo) {
       for (const std::size_t mine : {i, (i + 1) % 3})
         for (std::size_t k = 0; k < 3; ++k)
           if (mesh.triangles[u][k] == mesh.triangles[t][mine])
-            parent[static_cast<std::size_t>(root(static_cast<int>(3 * t + mine)))] =
-                root(static_cast<int>(3 * u + k));
+            unite(group, static_cast<int>(3 * t + mine), static_cast<int>(3 * u + k));
     }
   std::vector<int> fan(mesh.vertices.size(), -1);
   std::vector<bool> out(mesh.vertices.size(), false);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const auto v = static_cast<std::size_t>(mesh.triangles[t][i]);
-      const int r = root(static_cast<int>(3 * t + i));
+      const int r = root_of(group, static_cast<int>(3 * t + i));
       if (fan[v] < 0) fan[v] = r;
       if (fan[v] != r) out[v] = true;
     }
@@ -48,8 +40,9 @@ Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo)
     : vertex_(facets.mesh().vertices.size(), Vec3::Zero()), neighbours_(large_copy(topo.neighbours)) {
   const MeshView mesh = facets.mesh();
   std::vector<bool> undefined = pinched(mesh, topo);
+  std::vector<Vec3> faces(mesh.triangles.size());
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const Vec3 n = face(facets, t);
+    const Vec3& n = faces[static_cast<std::size_t>(t)] = face(facets, t);
     const SmoothPatch q = facets.patch(t);
     for (std::size_t i = 0; i < 3; ++i) {
       const auto w = static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][i]);
@@ -64,9 +57,9 @@ Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo)
   }
   for (std::size_t v = 0; v < vertex_.size(); ++v)
     if (undefined[v] || vertex_[v].norm() < 1e-6) vertex_[v].setZero(), complete_ = false;
-  for (int t = 0; t < static_cast<int>(neighbours_.size()) && complete_; ++t)
-    for (const int u : neighbours_[static_cast<std::size_t>(t)])
-      complete_ = complete_ && u >= 0 && (face(facets, t) + face(facets, u)).norm() > 1e-3;
+  for (std::size_t t = 0; t < neighbours_.size() && complete_; ++t)
+    for (const int u : neighbours_[t])
+      complete_ = complete_ && u >= 0 && (faces[t] + faces[static_cast<std::size_t>(u)]).norm() > 1e-3;
 }
 
 Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {

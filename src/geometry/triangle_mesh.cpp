@@ -9,6 +9,7 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "groups.hpp"
 #include "hawser/geometry/closest_point.hpp"
 #include "nesting.hpp"
 
@@ -36,15 +37,6 @@ std::vector<Use> edge_uses(const TriangleMesh& mesh) {
     return a.edge != b.edge ? a.edge < b.edge : a.where < b.where;
   });
   return uses;
-}
-
-int find_root(std::vector<int>& parent, int i) {
-  while (parent[static_cast<std::size_t>(i)] != i) {
-    auto& p = parent[static_cast<std::size_t>(i)];
-    p = parent[static_cast<std::size_t>(p)];
-    i = p;
-  }
-  return i;
 }
 
 // Coordinates, or the cube of the grid that holds them, as a key.
@@ -103,16 +95,14 @@ Topology topology(const TriangleMesh& mesh) {
   Topology out;
   const std::size_t n = mesh.triangles.size();
   out.neighbours.assign(n, {kOpenEdge, kOpenEdge, kOpenEdge});
-  std::vector<int> parent(n);
-  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<int> group;
+  detail::separate(group, n);
   const auto uses = edge_uses(mesh);
   for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
     int balance = 0;
     for (j = i; j < uses.size() && uses[j].edge == uses[i].edge; ++j) {
       balance += uses[j].forward ? 1 : -1;
-      const int a = find_root(parent, static_cast<int>(uses[i].where / 3));
-      const int b = find_root(parent, static_cast<int>(uses[j].where / 3));
-      parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      detail::unite(group, static_cast<int>(uses[i].where / 3), static_cast<int>(uses[j].where / 3));
     }
     const std::size_t count = j - i;
     if (count == 1) ++out.open_edges;
@@ -129,7 +119,7 @@ Topology topology(const TriangleMesh& mesh) {
   }
   out.component.assign(n, -1);
   for (std::size_t t = 0; t < n; ++t) {
-    const auto root = static_cast<std::size_t>(find_root(parent, static_cast<int>(t)));
+    const auto root = static_cast<std::size_t>(detail::root_of(group, static_cast<int>(t)));
     if (root == t)
       out.component[t] = out.components++;
     else

@@ -13,7 +13,7 @@ struct Local {
   bool damped;                  // the damping acts: taut, and tension not cut off at zero
 };
 
-inline Local local(const CableSection& s, const CableInPlace& e) {
+inline Local local(const CableSection& s, const CableEnds& e) {
   Local o;
   const Vec3 d = e.x2 - e.x1;
   o.l = d.norm();
@@ -32,26 +32,14 @@ inline Local local(const CableSection& s, const CableInPlace& e) {
   return o;
 }
 
-void spread(const Mat3& k, double* out) {
-  Eigen::Map<Eigen::Matrix<double, 6, 6, Eigen::RowMajor>> K(out);
-  K.topLeftCorner<3, 3>() = k, K.bottomRightCorner<3, 3>() = k;
-  K.topRightCorner<3, 3>() = -k, K.bottomLeftCorner<3, 3>() = -k;
-}
-
-CableInPlace in_place(const CableEnds& e) { return {e.x1, e.x2, e.v1, e.v2}; }
-
-void ends(const Vec3& t, double* f) {
-  for (int i = 0; i < 3; ++i) f[i] = -t[i], f[3 + i] = t[i];
-}
-
 }  // namespace
 
-Vec3 cable_pull(const CableSection& s, const CableInPlace& e) {
+Vec3 cable_pull(const CableSection& s, const CableEnds& e) {
   const Local o = local(s, e);
   return o.tension * o.t;
 }
 
-void cable_pull(const CableSection& s, const CableInPlace& e, bool convex, CablePull& out) {
+void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePull& out) {
   const Local o = local(s, e);
   out.force = o.tension * o.t;
   const bool taut = o.tension > 0;
@@ -68,20 +56,8 @@ void cable_pull(const CableSection& s, const CableInPlace& e, bool convex, Cable
     }
 }
 
-void cable_force(const CableSection& s, const CableEnds& e, double* f) {
-  ends(cable_pull(s, in_place(e)), f);
-}
-
-void cable_tangent(const CableSection& s, const CableEnds& e, bool convex, double* f, double* K, double* C) {
-  CablePull o;
-  cable_pull(s, in_place(e), convex, o);
-  ends(o.force, f);
-  spread(o.k, K);
-  if (s.beta > 0 && C) spread(o.c, C);
-}
-
 CableStress cable_stress(const CableSection& s, const CableEnds& e) {
-  const Local o = local(s, in_place(e));
+  const Local o = local(s, e);
   CableStress out;
   out.tension = o.tension;
   if (o.strain > 0) {

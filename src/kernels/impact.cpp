@@ -114,7 +114,7 @@ StepLimit bounded_step(std::span<const Strike> strikes, std::span<const double> 
   sum({&all, 1});
   if (!(all > 1)) return limit;
   // Those longer than that make no step shorter.
-  const double longest = 6 * most;
+  const double longest = kSteps * most;
   limit.period = largest(longest, sum, [&](double period) {
     return total([&](const Strike& s) { return s.period() < period ? s.energy() : 0; });
   });

@@ -1,7 +1,5 @@
 #include "hawser/kernels/line_mass.hpp"
 
-#include <algorithm>
-
 #include "hawser/math/wide3.hpp"
 
 namespace hawser {
@@ -140,20 +138,16 @@ double beam_load_work(const MassSection& s, const Vec3& x1, const Quat& q1, cons
   return load.dot((0.5 * L) * (x1 + x2) + (L * L / 12) * (q1 * c - q2 * c));
 }
 
+CableMass cable_mass(const MassSection& s) {
+  const double twelfth = s.mass_per_length * s.length / 12;
+  return {5 * twelfth, twelfth};
+}
+
 void cable_mass_force(const MassSection& s, const Vec3& a1, const Vec3& a2, const Vec3& load, double* f) {
-  const double m = s.mass_per_length * s.length / 12;
+  const double m = cable_mass(s).shared;
   const Vec3 half = (0.5 * s.length) * load;
   Eigen::Map<Vec3>(f + 0) = m * (5 * a1 + a2) - half;
   Eigen::Map<Vec3>(f + 3) = m * (a1 + 5 * a2) - half;
-}
-
-void cable_mass_tangent(const MassSection& s, double* M) {
-  const double m = s.mass_per_length * s.length / 12;
-  std::fill(M, M + 36, 0.0);
-  for (int i = 0; i < 6; ++i) {
-    M[7 * i] = 5 * m;
-    M[6 * i + (i + 3) % 6] = m;
-  }
 }
 
 double cable_kinetic_energy(const MassSection& s, const Vec3& v1, const Vec3& v2) {

@@ -20,15 +20,23 @@ inline Key make(Type type, std::string name, std::string about) {
   return k;
 }
 
-inline Key number(std::string name, Dimension unit, std::string about = "") {
-  Key k = make(Type::number, std::move(name), std::move(about));
+// With a unit; put together from other keys.
+inline Key make(Type type, std::string name, Dimension unit, std::string about) {
+  Key k = make(type, std::move(name), std::move(about));
   k.unit = unit;
   return k;
 }
-inline Key vec3(std::string name, Dimension unit, std::string about = "") {
-  Key k = make(Type::vec3, std::move(name), std::move(about));
-  k.unit = unit;
+inline Key make(Type type, std::string name, std::vector<Key> keys, std::string about) {
+  Key k = make(type, std::move(name), std::move(about));
+  k.keys = std::move(keys);
   return k;
+}
+
+inline Key number(std::string name, Dimension unit, std::string about = "") {
+  return make(Type::number, std::move(name), unit, std::move(about));
+}
+inline Key vec3(std::string name, Dimension unit, std::string about = "") {
+  return make(Type::vec3, std::move(name), unit, std::move(about));
 }
 inline Key integer(std::string name, std::string about) {
   return make(Type::integer, std::move(name), std::move(about));
@@ -50,24 +58,16 @@ inline Key reference(std::string name, std::string to, std::string about = "") {
   return k;
 }
 inline Key list(std::string name, Key item, std::string about) {
-  Key k = make(Type::list, std::move(name), std::move(about));
-  k.keys.push_back(std::move(item));
-  return k;
+  return make(Type::list, std::move(name), std::vector{std::move(item)}, std::move(about));
 }
 inline Key map(std::string name, std::vector<Key> keys, std::string about) {
-  Key k = make(Type::map, std::move(name), std::move(about));
-  k.keys = std::move(keys);
-  return k;
+  return make(Type::map, std::move(name), std::move(keys), std::move(about));
 }
 inline Key names(std::string name, Key item, std::string about) {
-  Key k = make(Type::names, std::move(name), std::move(about));
-  k.keys.push_back(std::move(item));
-  return k;
+  return make(Type::names, std::move(name), std::vector{std::move(item)}, std::move(about));
 }
 inline Key one_of(std::string name, std::vector<Key> alternatives, std::string about) {
-  Key k = make(Type::one_of, std::move(name), std::move(about));
-  k.keys = std::move(alternatives);
-  return k;
+  return make(Type::one_of, std::move(name), std::move(alternatives), std::move(about));
 }
 
 // An arc length of a line.

@@ -6,6 +6,7 @@
 #include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
 #include "hawser/solve/linear_solver.hpp"
+#include "shell.hpp"
 
 namespace hawser {
 namespace {
@@ -165,14 +166,6 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode destroy(PC pc) {
-  PetscFunctionBegin;
-  Gathered* g = nullptr;
-  PetscCall(PCShellGetContext(pc, &g));
-  delete g;
-  PetscFunctionReturn(0);
-}
-
 }  // namespace
 
 BlockGraph gather_graph(const System& system) {
@@ -205,17 +198,12 @@ BlockGraph gather_graph(const System& system) {
 }
 
 void use_gathered(PC pc, const LocalMesh& mesh, const std::vector<int>& order) {
-  auto* g = new Gathered;
+  auto g = std::make_unique<Gathered>();
   std::vector<int> position(order.size());
   for (size_t k = 0; k < order.size(); ++k) position[static_cast<size_t>(order[k])] = static_cast<int>(k);
   g->place = file_order(mesh);
   for (int& p : g->place) p = position[static_cast<size_t>(p)];
-  check(PCSetType(pc, PCSHELL));
-  check(PCShellSetName(pc, "gathered on every rank"));
-  check(PCShellSetContext(pc, g));
-  check(PCShellSetSetUp(pc, setup));
-  check(PCShellSetApply(pc, apply));
-  check(PCShellSetDestroy(pc, destroy));
+  use_shell(pc, "gathered on every rank", std::move(g), setup, apply);
 }
 
 }  // namespace hawser

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hawser/base/handle.hpp"
+#include "shell.hpp"
 
 namespace hawser {
 namespace {
@@ -139,25 +140,12 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
   PetscFunctionReturn(0);
 }
 
-PetscErrorCode destroy(PC pc) {
-  PetscFunctionBegin;
-  Substructure* s = nullptr;
-  PetscCall(PCShellGetContext(pc, &s));
-  delete s;
-  PetscFunctionReturn(0);
-}
-
 }  // namespace
 
 void use_substructuring(PC pc, MatOrderingType order) {
-  check(PCSetType(pc, PCSHELL));
-  check(PCShellSetName(pc, "chains cut between ranks"));
-  auto* s = new Substructure;
+  auto s = std::make_unique<Substructure>();
   s->order = order;
-  check(PCShellSetContext(pc, s));
-  check(PCShellSetSetUp(pc, setup));
-  check(PCShellSetApply(pc, apply));
-  check(PCShellSetDestroy(pc, destroy));
+  use_shell(pc, "chains cut between ranks", std::move(s), setup, apply);
 }
 
 }  // namespace hawser

@@ -54,20 +54,17 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Sink& sink)
   const CablesInWater4 m = motion(q, trial, water_);
   const unsigned wet = sink.convex() ? 0 : submerged(q.sections, m);
   double f[4][6], J[4][36];
-  const bool tangent = sink.wants_tangent();
   const Weights& w = sink.weights();
-  if (wet && tangent)
+  if (wet && sink.wants_tangent())
     submerged_tangent(q.sections, m, moving(), w.K, w.C, w.M, f, J);
   else if (wet)
     submerged_force(q.sections, m, moving(), f);
   for (int i = 0; i < q.count; ++i) {
     const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
-    if (!(wet >> i & 1))
-      evaluate(p, trial, sink);
-    else if (tangent)
+    if (wet >> i & 1)
       sink.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);
     else
-      sink.add({p.blocks, 2}, f[i], nullptr, nullptr, nullptr);
+      evaluate(p, trial, sink);
   }
 }
 

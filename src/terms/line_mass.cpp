@@ -99,8 +99,8 @@ void LineMassTerm::evaluate(const Kinematics& trial, Sink& sink) {
     if (!p.beam) {
       const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
-      const double twelfth = p.section.mass_per_length * p.section.length / 12;
-      sink.add_masses(p.blocks[0], p.blocks[1], f, 5 * twelfth, twelfth);
+      const CableMass m = cable_mass(p.section);
+      sink.add_masses(p.blocks[0], p.blocks[1], f, m.own, m.shared);
     } else if (sink.wants_tangent()) {
       beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
       sink.add(blocks, f, K, C, M);

@@ -23,11 +23,6 @@ CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k) {
   return {k.x[i], k.x[j], k.v[i], k.v[j]};
 }
 
-CableInPlace in_place(const StructureTerm::Cable& c, const Kinematics& k) {
-  const size_t i = static_cast<size_t>(c.at.first), j = static_cast<size_t>(c.at.second);
-  return {k.x[i], k.x[j], k.v[i], k.v[j]};
-}
-
 }  // namespace
 
 StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
@@ -89,7 +84,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
     }
     for (const Cable& c : cables_) {
       CablePull o;
-      cable_pull(c.section, in_place(c, trial), sink.convex(), o);
+      cable_pull(c.section, ends(c, trial), sink.convex(), o);
       sink.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
@@ -100,7 +95,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
     sink.add(b.blocks, f, nullptr, nullptr, nullptr);
   }
   for (const Cable& c : cables_) {
-    sink.add_between(c.blocks[0], c.blocks[1], cable_pull(c.section, in_place(c, trial)), nullptr, nullptr);
+    sink.add_between(c.blocks[0], c.blocks[1], cable_pull(c.section, ends(c, trial)), nullptr, nullptr);
   }
 }
 

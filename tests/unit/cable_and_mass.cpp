@@ -1,4 +1,4 @@
-// Cable element and the consistent mass of beams: tangents against differences, exact sums.
+// Cable element and the consistent mass of beams and cables: tangents against differences, exact sums.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -6,13 +6,13 @@
 #include "hawser/kernels/cable.hpp"
 #include "hawser/kernels/line_mass.hpp"
 #include "hawser/math/so3.hpp"
+#include "support/cable.hpp"
 
 using namespace hawser;
+using namespace hawser::test;
 
 namespace {
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
 
@@ -36,21 +36,18 @@ TEST(Cable, TangentsAreDerivatives) {
   Random r(4);
   for (double beta : {0.0, 0.1}) {
     const CableSection s{1.1, 300, beta};
-    CableEnds e{r.vec(), Vec3::Zero(), r.vec(), r.vec()};
+    CableState e{r.vec(), Vec3::Zero(), r.vec(), r.vec()};
     e.x2 = e.x1 + 1.4 * r.vec().normalized();
-    Mat6 K, C = Mat6::Zero(), Kd, Cd;
-    Vec6 f, a, b;
-    cable_tangent(s, e, false, f.data(), K.data(), C.data());
+    CableMatrix K, C, Kd, Cd;
+    cable_tangent(s, e, K, C);
     for (int j = 0; j < 6; ++j) {
-      auto at = [&](double h, bool speed, Vec6& out) {
-        CableEnds m = e;
+      auto at = [&](double h, bool speed) {
+        CableState m = e;
         (j < 3 ? (speed ? m.v1 : m.x1) : (speed ? m.v2 : m.x2))[j % 3] += h;
-        cable_force(s, m, out.data());
+        return cable_force(s, m);
       };
-      at(1e-5, false, a), at(-1e-5, false, b);
-      Kd.col(j) = (a - b) / 2e-5;
-      at(1e-5, true, a), at(-1e-5, true, b);
-      Cd.col(j) = (a - b) / 2e-5;
+      Kd.col(j) = (at(1e-5, false) - at(-1e-5, false)) / 2e-5;
+      Cd.col(j) = (at(1e-5, true) - at(-1e-5, true)) / 2e-5;
     }
     EXPECT_LT((K - Kd).norm(), 1e-8 * Kd.norm());
     EXPECT_LT((C - Cd).norm(), 1e-8 * (1 + Cd.norm()));
@@ -59,11 +56,25 @@ TEST(Cable, TangentsAreDerivatives) {
 
 TEST(Cable, SlackCarriesNothing) {
   const CableSection s{1.0, 300, 0.1};
-  CableEnds e{Vec3::Zero(), Vec3(0.9, 0, 0)};
+  CableState e{Vec3::Zero(), Vec3(0.9, 0, 0)};
   e.v2 = Vec3(50, 0, 0);  // closing the slack fast must not pull yet
   EXPECT_EQ(cable_stress(s, e).tension, 0);
   e.x2.x() = 1.01, e.v2.x() = -50;  // damping must not push
   EXPECT_EQ(cable_stress(s, e).tension, 0);
+}
+
+TEST(CableMass, IsTheForceOfUnitAccelerations) {
+  const MassSection s{2.0, 3.0, Vec3::Zero(), Mat3::Identity()};
+  const CableMass m = cable_mass(s);
+  EXPECT_NEAR(2 * (m.own + m.shared), 6, 1e-12);  // its mass
+  for (int j = 0; j < 6; ++j) {
+    Eigen::Matrix<double, 6, 1> f, expected = Eigen::Matrix<double, 6, 1>::Zero();
+    const Vec3 a1 = j < 3 ? Vec3(Vec3::Unit(j)) : Vec3(Vec3::Zero()),
+               a2 = j < 3 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(j - 3));
+    cable_mass_force(s, a1, a2, Vec3::Zero(), f.data());
+    expected[j] = m.own, expected[(j + 3) % 6] = m.shared;
+    EXPECT_LT((f - expected).norm(), 1e-12);
+  }
 }
 
 TEST(BeamMass, TangentsAreDerivatives) {

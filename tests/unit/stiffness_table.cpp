@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "hawser/kernels/beam.hpp"
-#include "hawser/kernels/cable.hpp"
 #include "hawser/math/so3.hpp"
+#include "support/cable.hpp"
 
 namespace hawser {
 namespace {
@@ -138,17 +138,16 @@ TEST(StiffnessTable, CableTangentAndEnergyBelongToItsForce) {
   const StiffnessTable rope(kRope, false);
   for (double strain : {-0.01, 0.005, 0.02, 0.045, 0.2}) {
     const CableSection s{2, rope.initial(), 0, &rope};
-    CableEnds e{Vec3(1, 1, 1), Vec3::Zero()};
+    test::CableState e{Vec3(1, 1, 1), Vec3::Zero()};
     e.x2 = e.x1 + 2 * (1 + strain) * Vec3(0.6, 0, 0.8);
-    Eigen::Matrix<double, 6, 6, Eigen::RowMajor> K;
-    Eigen::Matrix<double, 6, 1> f, a, b;
-    cable_tangent(s, e, false, f.data(), K.data(), nullptr);
+    test::CableMatrix K, C;
+    const test::CableForce f = cable_tangent(s, e, K, C);
     EXPECT_NEAR(f.tail<3>().norm(), strain > 0 ? rope.at(strain).force : 0, 1e-9);
     for (int j = 0; j < 3; ++j) {
-      CableEnds p = e, m = e;
+      test::CableState p = e, m = e;
       p.x2[j] += 1e-6, m.x2[j] -= 1e-6;
-      cable_force(s, p, a.data()), cable_force(s, m, b.data());
-      EXPECT_LT((K.col(3 + j) - (a - b) / 2e-6).norm(), 1e-5 * (1 + K.norm()));
+      const test::CableForce rise = cable_force(s, p) - cable_force(s, m);
+      EXPECT_LT((K.col(3 + j) - rise / 2e-6).norm(), 1e-5 * (1 + K.norm()));
       EXPECT_NEAR(f[3 + j], (cable_stress(s, p).strain_energy - cable_stress(s, m).strain_energy) / 2e-6,
                   1e-6 * (1 + f.norm()));
     }

@@ -4,7 +4,7 @@
 #include "hawser/geometry/height_grid.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/terms/seabed.hpp"
-#include "support/rig.hpp"
+#include "support/mooring.hpp"
 
 namespace hawser::test {
 namespace {
@@ -45,33 +45,9 @@ std::shared_ptr<const MeshSurface> mesh(const Heights& f, double step) {
 }
 
 model::Case chain(const Vec3& from) {
-  model::LineType t = cable_type(7.536e8, 113.35);
-  t.outer_diameter = t.contact_diameter = 0.0766;
-  model::Case c = one_line(t, 835, 200, anchor(from), {});
-  c.environment.gravity = 9.80665;
-  c.environment.water.present = true, c.environment.water.depth = 200;
-  model::Seabed& bed = c.environment.seabed;
-  bed.present = true, bed.depth = 200, bed.normal_stiffness = 1e6, bed.damping = 1e5;
-  bed.friction.axial = 0.6, bed.friction.lateral = 0.9, bed.friction.mobilisation_length = 0.01;
-  model::Body b;
-  b.name = "ship";
-  b.position = {795, 0, -14};
-  model::HarmonicMotion m;
-  m.amplitude = Vec3(1, 2, 2), m.period = 8;
-  b.motion = m, b.ramp = 4;
-  c.bodies.push_back(b);
-  model::End e;
-  e.kind = model::EndKind::body, e.body = "ship";
-  c.lines[0].end_b = e;
-  c.dynamics.enabled = true;
-  c.dynamics.duration = 8, c.dynamics.step = 0.1;
+  model::Case c = moored_chain(from, 200, 1e6, {1, 2, 2});
+  c.dynamics.duration = 8;
   return c;
-}
-
-void run(Simulation& s) {
-  s.dynamics().start(s.state());
-  s.dynamics().run(
-      8, [](double) { return 8.0; }, [](const StepInfo&) { return true; });
 }
 
 double apart(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -93,7 +69,7 @@ TEST(SeabedShapes, ASlopeIsASlope) {
   c.statics.tolerance = 1e-12;
   Simulation formula(PETSC_COMM_SELF, c);
   formula.solve_statics();
-  run(formula);
+  run(formula, 8);
   for (const bool of_grid : {true, false}) {
     model::Case d = c;
     if (of_grid)
@@ -103,7 +79,7 @@ TEST(SeabedShapes, ASlopeIsASlope) {
     Simulation other(PETSC_COMM_SELF, d);
     other.solve_statics();
     const double at_rest = apart(other.state().x, formula.state().x);
-    run(other);
+    run(other, 8);
     const Kinematics a = other.dynamics().kinematics(), b = formula.dynamics().kinematics();
     const double later = apart({a.x.begin(), a.x.end()}, {b.x.begin(), b.x.end()});
     printf("  %s: %.1e m apart at rest, %.1e m after 8 s; %d and %d nodes lie\n", of_grid ? "grid" : "mesh",
@@ -124,18 +100,8 @@ TEST(SeabedShapes, OnARidge) {
   const auto bed = grid(ridge, 5);
   c.environment.seabed.surface = bed;
   Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
-  const auto compare = [&](const Kinematics& a, const Kinematics& b, double most, const char* when) {
-    double off = 0;
-    for (int n = 0; n < all.local().owned; ++n)
-      off = std::max(off, (a.x[static_cast<size_t>(n)] -
-                           b.x[static_cast<size_t>(all.local().global[static_cast<size_t>(n)])])
-                              .norm());
-    MPI_Allreduce(MPI_IN_PLACE, &off, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
-    EXPECT_LT(off, most) << when;
-    printf("  %s: %.1e m apart\n", when, off);
-  };
   all.solve_statics(), one.solve_statics();
-  compare(all.state().view(0), one.state().view(0), 1e-7, "statics");
+  expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-7, "statics");
   // It lies before the ridge and on it and spans the ground between. The crest carries what the tension turns
   // by, and the chain sinks in there by some diameters on this soil.
   double deepest = 0, highest = 0;
@@ -150,8 +116,8 @@ TEST(SeabedShapes, OnARidge) {
   EXPECT_GT(lies, 20);
   EXPECT_GT(spans, 5);
   EXPECT_GT(deepest, -0.4);
-  run(all), run(one);
-  compare(all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-6, "after 8 s");
+  run(all, 8), run(one, 8);
+  expect_same_positions(all, all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-6, "after 8 s");
   // The bed does what friction and dampers took, and no more.
   const Energy e = one.system().energy(one.dynamics().kinematics());
   printf("  friction took %.4g J, dampers %.4g J\n", e.friction, e.damping);

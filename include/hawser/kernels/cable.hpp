@@ -22,13 +22,8 @@ struct CableSection {
   }
 };
 
+// Where the nodes are: nothing is copied. m, m/s.
 struct CableEnds {
-  Vec3 x1, x2;                                // m
-  Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s
-};
-
-// The same where the nodes are: nothing is copied.
-struct CableInPlace {
   const Vec3 &x1, &x2, &v1, &v2;
 };
 
@@ -44,16 +39,11 @@ struct CableStress {
   double dissipation = 0;    // W
 };
 
-// Internal force f[6] = (x1, x2) from T = EA max(0, e + beta e'), e = l/L - 1, for e > 0.
-void cable_force(const CableSection& s, const CableEnds& e, double* f);
-
-// Force and 6x6 row-major tangents by position and velocity (C untouched unless beta > 0). `convex` keeps the
-// axial stiffness of a slack element, so that statics far from the solution has something to pull with.
-void cable_tangent(const CableSection& s, const CableEnds& e, bool convex, double* f, double* K, double* C);
-
-// The force on the first end is -force, on the second force: residuals. `convex` as above.
-Vec3 cable_pull(const CableSection& s, const CableInPlace& e);
-void cable_pull(const CableSection& s, const CableInPlace& e, bool convex, CablePull& out);
+// T = EA max(0, e + beta e'), e = l/L - 1, for e > 0. The force on the first end is -force, on the second
+// force: residuals. `convex` keeps the axial stiffness of a slack element, so that statics far from the
+// solution has something to pull with.
+Vec3 cable_pull(const CableSection& s, const CableEnds& e);
+void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePull& out);
 
 CableStress cable_stress(const CableSection& s, const CableEnds& e);
 

@@ -48,9 +48,14 @@ double beam_kinetic_energy(const MassSection& s, const MassEnds& e);
 double beam_load_work(const MassSection& s, const Vec3& x1, const Quat& q1, const Vec3& x2, const Quat& q2,
                       const Vec3& load);
 
-// The cable's f[6] and constant 6x6 M; kinetic energy.
+// The cable's mass matrix, kg: `own` times the identity for each end, `shared` times it between them.
+struct CableMass {
+  double own, shared;
+};
+CableMass cable_mass(const MassSection& s);
+
+// The cable's f[6]; kinetic energy.
 void cable_mass_force(const MassSection& s, const Vec3& a1, const Vec3& a2, const Vec3& load, double* f);
-void cable_mass_tangent(const MassSection& s, double* M);
 double cable_kinetic_energy(const MassSection& s, const Vec3& v1, const Vec3& v2);
 
 }  // namespace hawser

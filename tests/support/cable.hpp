@@ -1,0 +1,35 @@
+// A cable element by itself, all of its force and tangents as differences check them.
+#pragma once
+
+#include "hawser/kernels/cable.hpp"
+
+namespace hawser::test {
+
+struct CableState {
+  Vec3 x1, x2;                                // m
+  Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s
+  operator CableEnds() const { return {x1, x2, v1, v2}; }
+};
+
+using CableForce = Eigen::Matrix<double, 6, 1>;  // on (x1, x2)
+using CableMatrix = Eigen::Matrix<double, 6, 6>;
+
+inline CableForce cable_force(const CableSection& s, const CableState& e) {
+  const Vec3 pull = cable_pull(s, e);
+  CableForce f;
+  f << -pull, pull;
+  return f;
+}
+
+// Force, and its derivatives by positions and by velocities.
+inline CableForce cable_tangent(const CableSection& s, const CableState& e, CableMatrix& K, CableMatrix& C) {
+  CablePull o;
+  cable_pull(s, e, false, o);
+  K << o.k, -o.k, -o.k, o.k;
+  C << o.c, -o.c, -o.c, o.c;
+  CableForce f;
+  f << -o.force, o.force;
+  return f;
+}
+
+}  // namespace hawser::test
