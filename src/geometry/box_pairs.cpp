@@ -1,146 +1,242 @@
 // Cells are sorted by their coordinates, and neighbours are found by walking along the sorted lists together:
-// memory is read in order, so that a box costs hardly more among many than among few.
+// memory is read in order, and nothing but the last of a row asks for a branch, so that a box costs hardly
+// more among many than among few.
 #include "hawser/geometry/box_pairs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstdint>
+
+#include "box_pairs_lanes.hpp"
 
 namespace hawser {
 namespace {
 
 constexpr int kLevels = 24, kBits = 20;           // most of a coordinate
 constexpr std::int64_t kLast = (1 << kBits) - 4;  // cells of the finest level across everything
+constexpr std::size_t kLanes = detail::kPairLanes;
 
-using Key = std::uint64_t;
+bool usable(const Box& b) { return b.lo.allFinite() && b.hi.allFinite() && !b.empty(); }
 
-// Coordinates of a level's cells as one number, sorted by x, then y, then z.
-struct Keys {
-  int bits;  // of a coordinate, so that sorting takes no more rounds than needed
-  Key operator()(std::int64_t x, std::int64_t y, std::int64_t z) const {
-    // One more: neighbours of the first cell have keys too.
-    return static_cast<Key>(((x + 1) << 2 * bits) + ((y + 1) << bits) + z + 1);
+// Memory only ever grows: what was written before may stay.
+template <class V>
+void at_least(V& v, std::size_t size) {
+  if (v.size() < size) v.resize(size);
+}
+
+}  // namespace
+
+// Cells of one level: their coordinates as one number, sorted by x, then y, then z.
+struct BoxPairs::Grid {
+  Box all;
+  std::array<double, kLevels> cell{};  // m, of a level: the coarsest / 2^level
+  int finest = 0;
+  double scale = 1;           // 1/m, of the level in hand
+  std::array<int, 3> bits{};  // of a coordinate, so that sorting takes no more rounds than needed
+
+  void take(int level) {
+    scale = 1 / cell[static_cast<std::size_t>(level)];
+    for (std::size_t k = 0; k < 3; ++k)
+      bits[k] = static_cast<int>(
+          std::bit_width(static_cast<Key>(scale * all.extent()[static_cast<Eigen::Index>(k)]) + 3));
+  }
+  Key key(const Box& b) const {
+    const Vec3 p = scale * (b.centre() - all.lo);
+    const auto c = [&](Eigen::Index k) {
+      // One more: neighbours of the first cell have keys too.
+      return static_cast<Key>(std::clamp(static_cast<std::int64_t>(p[k]), std::int64_t{0}, kLast) + 1);
+    };
+    return (c(0) << bits[1] | c(1)) << bits[2] | c(2);
   }
   Key shift(int dx, int dy) const {
-    return static_cast<Key>((static_cast<std::int64_t>(dx) << 2 * bits) +
-                            (static_cast<std::int64_t>(dy) << bits));
+    return static_cast<Key>(((static_cast<std::int64_t>(dx) << bits[1]) + static_cast<std::int64_t>(dy)) *
+                            (1 << bits[2]));
   }
+  int key_bits() const { return bits[0] + bits[1] + bits[2]; }
 };
-
-struct Entry {
-  Key key;
-  int number;
-};
-
-// By key, stable: least significant digits first.
-void sort_by_key(std::vector<Entry>& entries, std::vector<Entry>& scratch, int bits) {
-  constexpr int kDigit = 8;
-  scratch.resize(entries.size());
-  for (int shift = 0; shift < bits; shift += kDigit) {
-    std::array<size_t, (1 << kDigit) + 1> start{};
-    const auto digit = [&](const Entry& e) { return e.key >> shift & ((1 << kDigit) - 1); };
-    for (const Entry& e : entries) ++start[digit(e) + 1];
-    for (size_t d = 1; d < start.size(); ++d) start[d] += start[d - 1];
-    for (const Entry& e : entries) scratch[start[digit(e)]++] = e;
-    entries.swap(scratch);
-  }
-}
-
-struct Placed {
-  Box box;
-  Key key;
-  int number;
-};
-
-using Pairs = std::vector<std::pair<int, int>>;
-
-void test(const Placed& p, const Placed& q, Pairs& out) {
-  if (p.box.overlaps(q.box)) out.emplace_back(std::min(p.number, q.number), std::max(p.number, q.number));
-}
 
 // A column of cells beside that of a box, from one below to one above, as the boxes are gone through in
 // order.
 struct Column {
-  Key shift;
-  size_t first = 0;
-  void test_with(const Placed& a, const std::vector<Placed>& q, Pairs& out) {
-    const Key low = a.key + shift - 1, high = a.key + shift + 1;
-    while (first < q.size() && q[first].key < low) ++first;
-    for (size_t i = first; i < q.size() && q[i].key <= high; ++i) test(a, q[i], out);
-  }
+  std::uint64_t shift;
+  std::size_t first = 0;
 };
 
-bool usable(const Box& b) { return b.lo.allFinite() && b.hi.allFinite() && !b.empty(); }
-
-}  // namespace
-
-std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes) {
-  Pairs out;
-  Box all;
-  double largest = 0;
-  for (const Box& b : boxes) {
-    if (!usable(b)) continue;
-    all.add(b);
-    largest = std::max(largest, b.extent().maxCoeff());
+// Boxes of one list tested against those of another, or of the same.
+struct BoxPairs::Walk {
+  Walk(const Placed& boxes, LargeVector<std::uint64_t>& pairs, std::size_t found)
+      : key(boxes.key.data()), number(boxes.number.data()), out(pairs), to(pairs.data() + found) {
+    for (std::size_t f = 0; f < 6; ++f) face[f] = boxes.face[f].data();
   }
-  if (all.empty()) return out;
-
-  // Cells of level l are coarsest / 2^l; a box is at the finest level whose cells are not smaller than it.
-  const double across = std::max(all.extent().maxCoeff(), 1e-300);
-  const double coarsest = std::max(largest, across / static_cast<double>(kLast));
-  const auto cell = [&](int level) { return std::ldexp(coarsest, -level); };
-  int finest = 0;
-  while (finest + 1 < kLevels && across / cell(finest + 1) < static_cast<double>(kLast)) ++finest;
-  std::vector<std::vector<int>> members(static_cast<size_t>(finest) + 1);
-  for (size_t i = 0; i < boxes.size(); ++i) {
-    if (!usable(boxes[i])) continue;
-    const double size = boxes[i].extent().maxCoeff();
-    int level = 0;
-    while (level < finest && cell(level + 1) >= size) ++level;
-    members[static_cast<size_t>(level)].push_back(static_cast<int>(i));
+  [[gnu::always_inline]] void column(const detail::BoxProbe& p, Column& c, Key of) {
+    const Key low = of + c.shift - 1, high = of + c.shift + 1;
+    detail::KeyRange in = detail::key_range(key + c.first, low, high);
+    while (in.below == kLanes) in = detail::key_range(key + (c.first += kLanes), low, high);
+    c.first += in.below;
+    if (in.below + in.within < kLanes)
+      test(p, c.first, in.within);
+    else
+      rest(p, c.first, high);
   }
+  [[gnu::always_inline]] void row(const detail::BoxProbe& p, std::size_t from, Key high) {
+    const detail::KeyRange in = detail::key_range(key + from, 0, high);
+    if (in.within < kLanes)
+      test(p, from, in.within);
+    else
+      rest(p, from, high);
+  }
+  std::size_t found() const { return static_cast<std::size_t>(to - out.data()); }
 
-  std::vector<Entry> entries, scratch;
-  const auto place = [&](const std::vector<int>& numbers, int level, const Keys& keys) {
-    entries.clear();
-    const double scale = 1 / cell(level);
-    for (int i : numbers) {
-      const Vec3 p = scale * (boxes[static_cast<size_t>(i)].centre() - all.lo);
-      std::array<std::int64_t, 3> c;
-      for (size_t k = 0; k < 3; ++k)
-        c[k] = std::clamp(static_cast<std::int64_t>(p[static_cast<Eigen::Index>(k)]), std::int64_t{0}, kLast);
-      entries.push_back({keys(c[0], c[1], c[2]), i});
+ private:
+  [[gnu::always_inline]] void test(const detail::BoxProbe& p, std::size_t from, std::size_t count) {
+    to += p.test(face, number, from, count, to);
+  }
+  // Of a cell with many.
+  [[gnu::noinline]] void rest(const detail::BoxProbe& p, std::size_t from, Key high) {
+    for (;; from += kLanes) {
+      make_room();
+      const std::size_t n = detail::key_range(key + from, 0, high).within;
+      test(p, from, n);
+      if (n < kLanes) return;
     }
-    sort_by_key(entries, scratch, 3 * keys.bits);
-    std::vector<Placed> placed;
-    placed.reserve(entries.size());
-    for (const Entry& e : entries) placed.push_back({boxes[static_cast<size_t>(e.number)], e.key, e.number});
-    return placed;
+  }
+
+ public:
+  // For as many pairs as a box has in its columns and row, where there are few in each.
+  void make_room() {
+    const std::size_t n = found();
+    if (n + 10 * kLanes <= out.size()) return;
+    out.resize(2 * out.size() + 64 * kLanes);
+    to = out.data() + n;
+  }
+
+ private:
+  const Key* key;
+  const std::uint32_t* number;
+  std::array<const float*, 6> face;
+  LargeVector<std::uint64_t>& out;
+  std::uint64_t* to;
+};
+
+// Levels, and the boxes of each: at the finest level whose cells are not smaller than the box.
+bool BoxPairs::survey(std::span<const Box> boxes, Grid& grid) {
+  sizes_.resize(boxes.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& b = boxes[i];
+    sizes_[i] = -1;
+    if (!usable(b)) continue;
+    grid.all.add(b);
+    sizes_[i] = b.extent().maxCoeff();
+    largest = std::max(largest, sizes_[i]);
+  }
+  if (grid.all.empty()) return false;
+  const double across = std::max(grid.all.extent().maxCoeff(), 1e-300);
+  grid.cell[0] = std::max(largest, across / static_cast<double>(kLast));
+  for (std::size_t l = 1; l < grid.cell.size(); ++l) grid.cell[l] = 0.5 * grid.cell[l - 1];
+  const auto cell = [&](int level) { return grid.cell[static_cast<std::size_t>(level)]; };
+  while (grid.finest + 1 < kLevels && across / cell(grid.finest + 1) < static_cast<double>(kLast))
+    ++grid.finest;
+  members_.resize(kLevels);
+  for (auto& m : members_) m.clear();
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    if (sizes_[i] < 0) continue;
+    int level = 0;
+    while (level < grid.finest && cell(level + 1) >= sizes_[i]) ++level;
+    members_[static_cast<std::size_t>(level)].push_back(static_cast<int>(i));
+  }
+  return true;
+}
+
+// By key, stable: least significant digits first.
+void BoxPairs::sort(int bits) {
+  constexpr int kDigit = 11;
+  const int rounds = (bits + kDigit - 1) / kDigit, width = (bits + rounds - 1) / rounds;
+  scratch_.resize(entries_.size());
+  std::array<std::uint32_t, (1 << kDigit) + 1> start;
+  for (int shift = 0; shift < bits; shift += width) {
+    const auto digit = [&](const Entry& e) { return e.key >> shift & ((Key{1} << width) - 1); };
+    std::fill_n(start.begin(), (std::size_t{1} << width) + 1, 0u);
+    for (const Entry& e : entries_) ++start[digit(e) + 1];
+    for (std::size_t d = 0; d < std::size_t{1} << width; ++d) start[d + 1] += start[d];
+    for (const Entry& e : entries_) scratch_[start[digit(e)]++] = e;
+    entries_.swap(scratch_);
+  }
+}
+
+void BoxPairs::place(std::span<const Box> boxes, const std::vector<int>& numbers, const Grid& grid,
+                     Placed& to) {
+  entries_.clear();
+  for (int i : numbers) entries_.push_back({grid.key(boxes[static_cast<std::size_t>(i)]), i});
+  sort(grid.key_bits());
+  to.size = entries_.size();
+  const std::size_t room = to.size + 2 * kLanes;
+  at_least(to.key, room), at_least(to.number, room);
+  for (auto& f : to.face) at_least(f, room);
+  for (std::size_t i = 0; i < to.size; ++i) {
+    const Box& b = boxes[static_cast<std::size_t>(entries_[i].number)];
+    to.key[i] = entries_[i].key, to.number[i] = static_cast<std::uint32_t>(entries_[i].number);
+    // Rounding keeps the order of numbers: what overlaps overlaps rounded too.
+    const Eigen::Vector3f lo = (b.lo - grid.all.lo).cast<float>(), hi = (b.hi - grid.all.lo).cast<float>();
+    for (std::size_t k = 0; k < 3; ++k) {
+      to.face[k][i] = lo[static_cast<Eigen::Index>(k)];
+      to.face[k + 3][i] = hi[static_cast<Eigen::Index>(k)];
+    }
+  }
+  std::fill_n(to.key.begin() + static_cast<std::ptrdiff_t>(to.size), 2 * kLanes, ~Key{0});
+}
+
+std::span<const std::uint64_t> BoxPairs::find(std::span<const Box> boxes) {
+  Grid grid;
+  if (!survey(boxes, grid)) return {};
+  std::size_t found = 0;
+  const auto probe = [](const Placed& p, std::size_t i) {
+    return detail::BoxProbe({p.face[0][i], p.face[1][i], p.face[2][i]},
+                            {p.face[3][i], p.face[4][i], p.face[5][i]}, p.number[i]);
   };
-  // Boxes of a finer level are looked for from the cells of the coarser that hold their centres.
-  for (int level = 0; level <= finest; ++level) {
-    const auto& here = members[static_cast<size_t>(level)];
+  for (int level = 0; level <= grid.finest; ++level) {
+    const auto& here = members_[static_cast<std::size_t>(level)];
     if (here.empty()) continue;
-    const Keys keys{static_cast<int>(std::bit_width(static_cast<Key>(across / cell(level)) + 3))};
-    const std::vector<Placed> own = place(here, level, keys);
+    grid.take(level);
+    place(boxes, here, grid, own_);
     // Each two cells of a level once.
     std::array<Column, 4> beside{
-        {{keys.shift(0, 1)}, {keys.shift(1, -1)}, {keys.shift(1, 0)}, {keys.shift(1, 1)}}};
-    for (size_t i = 0; i < own.size(); ++i) {
-      for (size_t j = i + 1; j < own.size() && own[j].key <= own[i].key + 1; ++j) test(own[i], own[j], out);
-      for (Column& c : beside) c.test_with(own[i], own, out);
+        {{grid.shift(0, 1)}, {grid.shift(1, -1)}, {grid.shift(1, 0)}, {grid.shift(1, 1)}}};
+    Walk walk(own_, pairs_, found);
+    for (std::size_t i = 0; i < own_.size; ++i) {
+      const auto p = probe(own_, i);
+      const Key key = own_.key[i];
+      walk.make_room();
+      walk.row(p, i + 1, key + 1);
+      for (Column& c : beside) walk.column(p, c, key);
     }
-    for (int finer = level + 1; finer <= finest; ++finer) {
-      const auto& others = members[static_cast<size_t>(finer)];
+    found = walk.found();
+    // Boxes of a finer level are looked for from the cells of the coarser that hold their centres.
+    for (int finer = level + 1; finer <= grid.finest; ++finer) {
+      const auto& others = members_[static_cast<std::size_t>(finer)];
       if (others.empty()) continue;
-      std::vector<Column> around;
-      for (int dx = -1; dx <= 1; ++dx)
-        for (int dy = -1; dy <= 1; ++dy) around.push_back({keys.shift(dx, dy)});
-      for (const Placed& a : place(others, level, keys))
-        for (Column& c : around) c.test_with(a, own, out);
+      place(boxes, others, grid, finer_);
+      std::array<Column, 9> around;
+      for (int c = 0; c < 9; ++c) around[static_cast<std::size_t>(c)] = {grid.shift(c / 3 - 1, c % 3 - 1)};
+      Walk across(own_, pairs_, found);
+      for (std::size_t i = 0; i < finer_.size; ++i) {
+        const auto p = probe(finer_, i);
+        across.make_room();
+        for (Column& c : around) across.column(p, c, finer_.key[i]);
+      }
+      found = across.found();
     }
+  }
+  return {pairs_.data(), found};
+}
+
+std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes) {
+  BoxPairs search;
+  std::vector<std::pair<int, int>> out;
+  for (const std::uint64_t p : search.find(boxes)) {
+    const int i = static_cast<int>(p >> 32), j = static_cast<int>(p & 0xffffffffu);
+    if (boxes[static_cast<std::size_t>(i)].overlaps(boxes[static_cast<std::size_t>(j)]))
+      out.emplace_back(i, j);
   }
   return out;
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hawser/geometry/box_pairs.hpp"
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/math/so3.hpp"
 
@@ -21,7 +20,7 @@ struct Middle {
   double thickness = 0;  // m, radius and skin
 };
 
-Middle middle(const SweptAxis& s, double skin) {
+Middle middle(const SweptAxis& s) {
   std::array<Vec3, 4> p, d;
   Middle m;
   m.shift = Vec3::Zero();
@@ -34,7 +33,7 @@ Middle middle(const SweptAxis& s, double skin) {
   // The two inner Bernstein polynomials never sum to more than 3/4.
   m.bulge = 0.75 * std::max((p[1] - (2 * m.a + m.b) / 3).norm(), (p[2] - (m.a + 2 * m.b) / 3).norm());
   m.around = 0.5 * (m.b - m.a).norm() + m.bulge;
-  m.thickness = s.radius + skin;
+  m.thickness = s.radius + s.skin;
   return m;
 }
 
@@ -48,11 +47,11 @@ bool near(const Middle& p, const Middle& q) {
 
 }  // namespace
 
-Box swept_box(const SweptAxis& s, double skin) {
+Box swept_box(const SweptAxis& s) {
   Box b;
   for (const auto* end : {&s.from, &s.to})
     for (const Vec3& p : *end) b.add(p);
-  return b.grown(s.radius + skin);
+  return b.grown(s.radius + s.skin);
 }
 
 LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
@@ -65,7 +64,23 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
   std::sort(settings_.excluded.begin(), settings_.excluded.end());
   for (const LocalElement& e : mesh.elements)
     if (radius_[static_cast<size_t>(e.global)] > 0) local_.push_back(e);
+  for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
+  // Most boxes that overlap are those of neighbours along a line: these are told from their numbers alone.
+  constexpr size_t kMost = 15;
+  unseen_.resize(built_.size());
+  for (size_t i = 0; i < built_.size(); ++i)
+    for (size_t j = i + 1; j < std::min(built_.size(), i + 1 + kMost) && excluded(built_[i], built_[j]); ++j)
+      ++unseen_[i];
   locate();
+}
+
+// All but where it is.
+SweptAxis LineCandidates::at_rest(int element) const {
+  const Element& e = mesh_.mesh->elements[static_cast<size_t>(element)];
+  const double radius = radius_[static_cast<size_t>(element)];
+  const auto arc = [&](int n) { return mesh_.mesh->nodes[static_cast<size_t>(n)].arc; };
+  const double skin = std::max(settings_.skin_diameters * 2 * radius, settings_.skin_lengths * e.length);
+  return {element, e.line, e.first, e.second, {arc(e.first), arc(e.second)}, radius, skin, {}, {}};
 }
 
 // Of Hermite's cubic (kernels/axis_shape.hpp) after a time h at the present rates.
@@ -85,15 +100,10 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
   return {a, a + element.length / 3 * tangent(i), b - element.length / 3 * tangent(j), b};
 }
 
-double LineCandidates::skin(const SweptAxis& a) const {
-  return std::max(settings_.skin_diameters * 2 * a.radius,
-                  settings_.skin_lengths * mesh_.mesh->elements[static_cast<size_t>(a.element)].length);
-}
-
 // Every axis within its skin of some place on its path: as the difference of two cubics is one with the
 // differences of the Bézier points, which bound it.
 bool LineCandidates::holds(const Kinematics& at, double h) const {
-  if (built_.size() != local_.size()) return false;
+  if (builds_ == 0 && !local_.empty()) return false;
   for (size_t i = 0; i < local_.size(); ++i) {
     const SweptAxis& s = built_[i];
     const std::array<Vec3, 4> p = axis(local_[i], at, h);
@@ -103,7 +113,7 @@ bool LineCandidates::holds(const Kinematics& at, double h) const {
       along += d.dot(p[k] - s.from[k]), length += d.squaredNorm();
     }
     const double tau = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
-    const double limit = skin(s) * skin(s);
+    const double limit = s.skin * s.skin;
     for (size_t k = 0; k < 4; ++k)
       if (!((p[k] - s.from[k] - tau * (s.to[k] - s.from[k])).squaredNorm() <= limit)) return false;
   }
@@ -122,53 +132,64 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
   if (good) return false;
   ++builds_;
   outdated_ = false;
-  built_.clear();
-  for (const LocalElement& e : local_)
-    built_.push_back({e.global, radius_[static_cast<size_t>(e.global)], axis(e, committed, 0),
-                      axis(e, committed, settings_.steps * h)});
-  std::vector<std::pair<int, int>> found = search(from_others(built_));
+  boxes_.resize(built_.size());
+  for (size_t i = 0; i < built_.size(); ++i) {
+    built_[i].from = axis(local_[i], committed, 0);
+    built_[i].to = axis(local_[i], committed, settings_.steps * h);
+    boxes_[i] = swept_box(built_[i]);
+  }
+  std::vector<std::pair<int, int>> found = search(from_others());
   if (found == list_) return false;
   list_ = std::move(found);
   return true;
 }
 
-std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptAxis>& others) const {
-  const auto axis_of = [&](int i) -> const SweptAxis& {
-    const size_t k = static_cast<size_t>(i);
-    return k < built_.size() ? built_[k] : others[k - built_.size()];
+std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptAxis>& others) {
+  for (const SweptAxis& s : others) boxes_.push_back(swept_box(s));
+  const size_t own = built_.size();
+  const auto first = [](std::uint64_t pair) { return static_cast<size_t>(pair >> 32); };
+  const auto second = [](std::uint64_t pair) { return static_cast<size_t>(pair & 0xffffffffu); };
+  const std::span<const std::uint64_t> overlapping = box_pairs_.find(boxes_);
+  if (near_.size() < overlapping.size()) near_.resize(overlapping.size());
+  size_t count = 0;
+  for (const std::uint64_t pair : overlapping) {
+    const size_t i = first(pair);
+    if (i >= own) continue;  // and so is the second
+    near_[count] = pair;
+    count += second(pair) - i > unseen_[i];
+  }
+  const auto axis_of = [&](size_t i) { return i < own ? &built_[i] : &others[i - own]; };
+  const auto fetch = [&](const SweptAxis* s) {
+    for (size_t at = 0; at < sizeof(SweptAxis); at += 64)
+      __builtin_prefetch(reinterpret_cast<const char*>(s) + at);
   };
-  std::vector<Box> boxes;
-  boxes.reserve(built_.size() + others.size());
-  for (const auto* from : {&built_, &others})
-    for (const SweptAxis& s : *from) boxes.push_back(swept_box(s, skin(s)));
-  const int own = static_cast<int>(built_.size());
+  constexpr size_t kAhead = 6;  // pairs; their axes are anywhere in memory
   std::vector<std::pair<int, int>> out;
-  for (const auto& [i, j] : overlapping_pairs(boxes)) {
-    if (i >= own) continue;  // and so is j
-    const SweptAxis *p = &axis_of(i), *q = &axis_of(j);
+  for (size_t k = 0; k < count; ++k) {
+    if (k + kAhead < count)
+      fetch(axis_of(first(near_[k + kAhead]))), fetch(axis_of(second(near_[k + kAhead])));
+    const size_t i = first(near_[k]), j = second(near_[k]);
+    const SweptAxis *p = axis_of(i), *q = axis_of(j);
     if (p->element > q->element) std::swap(p, q);  // on every rank the same answer to the last bit
-    if (excluded(p->element, q->element) || !near(middle(*p, skin(*p)), middle(*q, skin(*q)))) continue;
-    out.emplace_back(p->element, q->element);
+    if (!excluded(*p, *q) && near(middle(*p), middle(*q)) && boxes_[i].overlaps(boxes_[j]))
+      out.emplace_back(p->element, q->element);
   }
   std::sort(out.begin(), out.end());
   return out;
 }
 
-bool LineCandidates::excluded(int a, int b) const {
-  const Element &p = mesh_.mesh->elements[static_cast<size_t>(a)],
-                &q = mesh_.mesh->elements[static_cast<size_t>(b)];
+bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
   if (!settings_.excluded.empty() && std::binary_search(settings_.excluded.begin(), settings_.excluded.end(),
                                                         std::pair<int, int>(std::minmax(p.line, q.line))))
     return true;
-  const auto& nodes = mesh_.mesh->nodes;
-  const auto arc = [&](int n) { return nodes[static_cast<size_t>(n)].arc; };
-  const double apart =
-      settings_.exclusion_diameters * (radius_[static_cast<size_t>(a)] + radius_[static_cast<size_t>(b)]);
+  const double apart = settings_.exclusion_diameters * (p.radius + q.radius);
   if (p.line == q.line)
     return p.second == q.first || q.second == p.first ||
-           std::max(arc(q.first) - arc(p.second), arc(p.first) - arc(q.second)) < apart;
-  const auto from = [&](const Element& e, int node) {
-    return std::min(std::abs(arc(e.first) - arc(node)), std::abs(arc(e.second) - arc(node)));
+           std::max(q.arc[0] - p.arc[1], p.arc[0] - q.arc[1]) < apart;
+  const auto& nodes = mesh_.mesh->nodes;
+  const auto from = [&](const SweptAxis& s, int node) {
+    const double arc = nodes[static_cast<size_t>(node)].arc;
+    return std::min(std::abs(s.arc[0] - arc), std::abs(s.arc[1] - arc));
   };
   for (const auto& [m, n] : settings_.joined) {
     const int line = nodes[static_cast<size_t>(m)].line, other = nodes[static_cast<size_t>(n)].line;

@@ -15,7 +15,7 @@ namespace {
 constexpr size_t kChunk = 64, kBox = 7, kAxis = 25;  // elements; doubles of a box and of an axis
 constexpr int kTag = 73;
 
-std::vector<double> pack(const std::vector<SweptAxis>& own, const std::set<size_t>& chunks) {
+std::vector<double> pack(const LargeVector<SweptAxis>& own, const std::set<size_t>& chunks) {
   std::vector<double> out;
   for (size_t c : chunks)
     for (size_t i = kChunk * c; i < std::min(kChunk * (c + 1), own.size()); ++i) {
@@ -28,16 +28,17 @@ std::vector<double> pack(const std::vector<SweptAxis>& own, const std::set<size_
 
 }  // namespace
 
-std::vector<SweptAxis> LineCandidates::from_others(const std::vector<SweptAxis>& own) const {
+std::vector<SweptAxis> LineCandidates::from_others() const {
   int size = 1, rank = 0;
   MPI_Comm_size(comm_, &size);
   MPI_Comm_rank(comm_, &rank);
   if (size == 1) return {};
+  const LargeVector<SweptAxis>& own = built_;
   std::vector<double> mine;
   for (size_t first = 0; first < own.size(); first += kChunk) {
     const size_t last = std::min(first + kChunk, own.size());
     Box b;
-    for (size_t i = first; i < last; ++i) b.add(swept_box(own[i], skin(own[i])));
+    for (size_t i = first; i < last; ++i) b.add(boxes_[i]);
     mine.insert(mine.end(), b.lo.begin(), b.lo.end());
     mine.insert(mine.end(), b.hi.begin(), b.hi.end());
     mine.push_back(static_cast<double>(last - first));
@@ -87,9 +88,7 @@ std::vector<SweptAxis> LineCandidates::from_others(const std::vector<SweptAxis>&
   for (const auto& [r, t] : trades)
     for (size_t i = 0; i < t.in.size(); i += kAxis) {
       const double* d = t.in.data() + i;
-      SweptAxis& s = out.emplace_back();
-      s.element = static_cast<int>(d[0]);
-      s.radius = radius_[static_cast<size_t>(s.element)];
+      SweptAxis& s = out.emplace_back(at_rest(static_cast<int>(d[0])));
       for (size_t k = 0; k < 4; ++k) {
         s.from[k] = Eigen::Map<const Vec3>(d + 1 + 3 * k);
         s.to[k] = Eigen::Map<const Vec3>(d + 13 + 3 * k);

@@ -1,5 +1,5 @@
 // Candidates of lines: making the list and finding that it still holds, from 10^3 to 10^5 segments of a
-// tangle of the same density, and the list of a bundle.
+// tangle of the same density; and pairs of boxes where these lie unevenly.
 #include "hawser/system/line_candidates.hpp"
 
 #include <benchmark/benchmark.h>
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "hawser/geometry/box_pairs.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/state/state.hpp"
 
@@ -76,6 +77,28 @@ void Hold(benchmark::State& b) {
       n * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(Hold)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMillisecond);
+
+// Boxes of 1 m: 0, a spool, each with hundreds of neighbours; 1, all at one place; 2, a tangle with one box
+// across all of it; 3, four tangles 1 km apart.
+void Uneven(benchmark::State& b) {
+  std::mt19937_64 rng(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const int kind = static_cast<int>(b.range(0)), n = kind == 1 ? 1000 : 20000;
+  const double room = kind == 0 ? 10 : kind == 1 ? 1e-3 : kind == 2 ? 54 : 34;
+  std::vector<Box> boxes;
+  for (int i = 0; i < n; ++i) {
+    const Vec3 at = room * Vec3(unit(rng), unit(rng), unit(rng)) +
+                    (kind == 3 ? 1000 * Vec3(i % 4 == 1, i % 4 == 2, i % 4 == 3) : Vec3::Zero());
+    boxes.push_back({at, at + Vec3::Ones()});
+  }
+  if (kind == 2) boxes.push_back({Vec3(-10, 27, 27), Vec3(100, 28, 28)});
+  size_t pairs = 0;
+  for (auto _ : b) pairs = overlapping_pairs(boxes).size();
+  b.counters["pairs a box"] = static_cast<double>(pairs) / n;
+  b.counters["ns a box"] = benchmark::Counter(
+      n * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(Uneven)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 

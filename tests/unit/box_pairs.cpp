@@ -56,6 +56,66 @@ TEST(BoxPairs, FarApart) {
   EXPECT_EQ(sorted(overlapping_pairs(boxes)), every_pair(boxes));
 }
 
+// Set-ups far from an even spread, one after the other in the same memory: what one leaves there must not be
+// seen by the next.
+TEST(BoxPairs, UnevenSetUpsInTheSameMemory) {
+  std::mt19937_64 rng(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto moved = [](std::vector<Box> boxes, const Vec3& by) {
+    for (Box& b : boxes) b.lo += by, b.hi += by;
+    return boxes;
+  };
+  std::vector<std::vector<Box>> set_ups;
+  // A wound line: hundreds of neighbours each.
+  set_ups.push_back(random_boxes(900, 0, 0.7, 21));
+  // All at one place, in one cell.
+  set_ups.emplace_back(300, Box{Vec3(1, 2, 3), Vec3(1.5, 2.5, 3.5)});
+  // Few in the memory of many.
+  set_ups.push_back(random_boxes(9, 0, 1, 22));
+  // A long one among short ones, and one as large as everything.
+  auto among = random_boxes(600, 0, 5, 23);
+  among.push_back({Vec3(-1, 2, 2), Vec3(1000, 2.1, 2.1)});
+  among.push_back({Vec3::Constant(-2), Vec3::Constant(6)});
+  set_ups.push_back(among);
+  // Clusters a kilometre apart, one of them at negative coordinates.
+  auto apart = random_boxes(150, 0, 2, 24);
+  for (const Vec3& by : {Vec3(1000, 0, 0), Vec3(0, 1000, -1000), Vec3(-1000, -1000, 1000)})
+    for (const Box& b : moved(random_boxes(150, 1, 2, 25), by)) apart.push_back(b);
+  set_ups.push_back(apart);
+  // All in a row along each axis, one box beside the next: corners touch.
+  for (int axis = 0; axis < 3; ++axis) {
+    auto& row = set_ups.emplace_back();
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 lo = i * Vec3::Unit(axis);
+      row.push_back({lo, lo + Vec3::Ones()});
+    }
+    std::shuffle(row.begin(), row.end(), rng);
+  }
+  // Gaps and overlaps that single precision does not tell from touching.
+  auto& close = set_ups.emplace_back();
+  for (int i = 0; i < 400; ++i) {
+    const Vec3 lo(i + (unit(rng) - 0.5) * 1e-9, 0, 5000);
+    close.push_back({lo, lo + Vec3::Ones()});
+  }
+
+  BoxPairs search;
+  for (size_t round = 0; round < 2 * set_ups.size(); ++round) {
+    const auto& boxes = set_ups[round % set_ups.size()];
+    const Pairs expected = every_pair(boxes);
+    EXPECT_FALSE(expected.empty());
+    EXPECT_EQ(sorted(overlapping_pairs(boxes)), expected) << round;
+    Pairs found;
+    for (const std::uint64_t p : search.find(boxes))
+      found.emplace_back(static_cast<int>(p >> 32), static_cast<int>(p & 0xffffffffu));
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << round;  // each once
+    EXPECT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end())) << round;
+    // What is there too overlaps but for rounding.
+    for (const auto& [i, j] : found)
+      EXPECT_LT(distance(boxes[static_cast<size_t>(i)], boxes[static_cast<size_t>(j)]), 1e-3);
+  }
+}
+
 TEST(BoxPairs, PointsTouchingFacesAndNothing) {
   const Vec3 o = Vec3::Zero(), e = Vec3::Ones();
   EXPECT_TRUE(overlapping_pairs({}).empty());

@@ -16,10 +16,13 @@
 #include <mpi.h>
 
 #include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
 #include "hawser/geometry/box.hpp"
+#include "hawser/geometry/box_pairs.hpp"
+#include "hawser/geometry/large_vector.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/couplings.hpp"
@@ -53,14 +56,18 @@ struct CandidateSettings {
   std::vector<std::pair<int, int>> joined;
 };
 
-// An element's axis as four Bézier points, now and at the end of the path foreseen.
-struct SweptAxis {
-  int element = 0;    // index into Mesh::elements
-  double radius = 0;  // m
+// An element's axis as four Bézier points, now and at the end of the path foreseen, together with all that is
+// asked of an element when it may be half of a pair: one place in memory, in whole lines of the cache.
+struct alignas(64) SweptAxis {
+  int element = 0;              // index into Mesh::elements
+  int line = 0;                 // what follows is that element's
+  int first = 0, second = 0;    // nodes of the mesh
+  double arc[2] = {0, 0};       // m, of the two
+  double radius = 0, skin = 0;  // m
   std::array<Vec3, 4> from, to;
 };
-// Holds the line along it anywhere on its path and as far as `skin` off it.
-Box swept_box(const SweptAxis& s, double skin);
+// Holds the line along it anywhere on its path and as far as its skin off it.
+Box swept_box(const SweptAxis& s);
 
 class LineCandidates {
  public:
@@ -95,17 +102,21 @@ class LineCandidates {
  private:
   std::array<Vec3, 4> axis(const LocalElement& e, const Kinematics& at, double h) const;
   bool holds(const Kinematics& at, double h) const;
-  double skin(const SweptAxis& a) const;
-  bool excluded(int a, int b) const;
-  std::vector<SweptAxis> from_others(const std::vector<SweptAxis>& own) const;
-  std::vector<std::pair<int, int>> search(const std::vector<SweptAxis>& others) const;
+  SweptAxis at_rest(int element) const;
+  bool excluded(const SweptAxis& p, const SweptAxis& q) const;
+  std::vector<SweptAxis> from_others() const;
+  std::vector<std::pair<int, int>> search(const std::vector<SweptAxis>& others);
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   std::vector<double> radius_;
   CandidateSettings settings_;
-  std::vector<LocalElement> local_;        // elements of this rank with a radius
-  std::vector<SweptAxis> built_;           // of local_, when the list was made
+  std::vector<LocalElement> local_;   // elements of this rank with a radius
+  std::vector<std::uint8_t> unseen_;  // of local_: how many that follow it are excluded, at the least
+  LargeVector<SweptAxis> built_;      // of local_, when the list was made
+  LargeVector<Box> boxes_;            // theirs, then those of other ranks' axes
+  BoxPairs box_pairs_;
+  std::vector<std::uint64_t> near_;        // pairs of boxes
   std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
   std::vector<ContactSegment> segments_;
   std::vector<CandidatePair> pairs_;
