@@ -19,29 +19,45 @@ CoarseDistance::CoarseDistance(const Box& box, std::size_t triangles,
   cells_.reserve(static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) *
                  static_cast<std::size_t>(n_[2]));
   int hint = -1;
+  LargeVector<float> closed;
+  bool open = false;
   for (int k = 0; k < n_[2]; ++k)
     for (int j = 0; j < n_[1]; ++j)
       for (int i = 0; i < n_[0]; ++i) {
         const Sample s = sample(box.lo + side_ * Vec3(i + 0.5, j + 0.5, k + 0.5), hint);
         hint = s.triangle;
         cells_.push_back({static_cast<float>(s.active), static_cast<float>(s.whole)});
+        closed.push_back(static_cast<float>(s.closed));
+        open = open || std::isfinite(s.closed);
       }
+  if (open) closed_ = std::move(closed);
 }
 
 CoarseDistance::About CoarseDistance::about(const Vec3& y) const {
   if (!box_.contains(y)) return {true, 0, std::numeric_limits<double>::infinity()};
-  int at[3];
+  double way = 0;
+  const Cell& c = cells_[cell(y, way)];
+  return {c.whole > way, c.active - way, c.active + way};
+}
+
+double CoarseDistance::closed_within(const Vec3& y) const {
+  if (closed_.empty()) return std::numeric_limits<double>::infinity();
+  if (!y.allFinite()) return 0;
+  double way = 0;
+  const std::size_t c = cell(y, way);
+  return closed_[c] - way;
+}
+
+std::size_t CoarseDistance::cell(const Vec3& y, double& way) const {
+  std::size_t at[3];
   Vec3 centre;
   for (int a = 0; a < 3; ++a) {
-    at[a] = std::min(static_cast<int>((y[a] - box_.lo[a]) / side_), n_[a] - 1);
-    centre[a] = box_.lo[a] + side_ * (at[a] + 0.5);
+    const double i = std::clamp(std::floor((y[a] - box_.lo[a]) / side_), 0.0, n_[a] - 1.0);
+    at[a] = static_cast<std::size_t>(i);
+    centre[a] = box_.lo[a] + side_ * (i + 0.5);
   }
-  const Cell& c = cells_[(static_cast<std::size_t>(at[2]) * static_cast<std::size_t>(n_[1]) +
-                          static_cast<std::size_t>(at[1])) *
-                             static_cast<std::size_t>(n_[0]) +
-                         static_cast<std::size_t>(at[0])];
-  const double way = (y - centre).norm() + rounding_;
-  return {c.whole > way, c.active - way, c.active + way};
+  way = (y - centre).norm() + rounding_;
+  return (at[2] * static_cast<std::size_t>(n_[1]) + at[1]) * static_cast<std::size_t>(n_[0]) + at[0];
 }
 
 }  // namespace hawser::detail

@@ -17,6 +17,7 @@ class CoarseDistance {
     int triangle;   // nearest active, hint for the next
     double active;  // m, to the active part, >= 0
     double whole;   // m, signed, to the whole mesh
+    double closed;  // m, to where the body begins without an active facet; infinite: nowhere
   };
   struct About {
     bool outside;              // certainly
@@ -27,12 +28,16 @@ class CoarseDistance {
   CoarseDistance(const Box& box, std::size_t triangles,
                  const std::function<Sample(const Vec3&, int hint)>& sample);
   About about(const Vec3& y) const;
+  // m: the body begins nowhere nearer to y than that without an active facet.
+  double closed_within(const Vec3& y) const;
   template <class Self, class P>
   static void pack(Self& self, P& p) {
     p.value(self.box_), p.value(self.side_), p.value(self.rounding_), p.value(self.n_);
-    p.array(self.cells_);
+    p.array(self.cells_), p.array(self.closed_);
   }
-  std::size_t memory() const { return cells_.capacity() * sizeof(cells_[0]); }
+  std::size_t memory() const {
+    return cells_.capacity() * sizeof(cells_[0]) + closed_.capacity() * sizeof(closed_[0]);
+  }
 
  private:
   struct Cell {
@@ -41,7 +46,10 @@ class CoarseDistance {
   Box box_;
   double side_ = 1, rounding_ = 0;
   int n_[3] = {1, 1, 1};
+  // The cell nearest to y, and how far y is from its centre, m.
+  std::size_t cell(const Vec3& y, double& way) const;
   LargeVector<Cell> cells_;
+  LargeVector<float> closed_;  // m, of the cells; empty: infinite
 };
 
 }  // namespace hawser::detail

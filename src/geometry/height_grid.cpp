@@ -132,10 +132,14 @@ HeightGrid::Height HeightGrid::at(double x, double y) const {
   return h;
 }
 
+// A cone of the steepest slope below the point straight under y holds no ground nearer.
+double HeightGrid::free_radius(const Vec3& y, double distance) const {
+  return std::min(distance, (y.z() - at(y.x(), y.y()).z) / std::sqrt(1 + steepest_ * steepest_));
+}
+
 std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance, int) const {
   Vec2 p = y.head<2>();
   Height f = at(p.x(), p.y());
-  // A cone of the steepest slope below the point straight under it holds no ground nearer.
   if (y.z() - f.z > max_distance * std::sqrt(1 + steepest_ * steepest_)) return std::nullopt;
   // Least (|p - y|² + (f(p) - z)²)/2 by Newton, by Gauss and Newton where that is not convex.
   const auto square = [&](const Vec2& q, const Height& g) {

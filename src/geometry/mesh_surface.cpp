@@ -167,11 +167,12 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
     const auto near = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
     const double away = std::sqrt(near.squared_distance);
     const auto all = d.partial ? d.nearest(d.whole, y, away * (1 + 1e-6) + d.small, near.triangle) : near;
-    double whole = std::sqrt(all.squared_distance);
+    double whole = std::sqrt(all.squared_distance), closed = std::numeric_limits<double>::infinity();
     // The sign may change where no facet is: in the holes.
-    for (const auto& hole : defects.holes) whole = std::min(whole, hole.distance(y));
-    return detail::CoarseDistance::Sample{
-        near.triangle, away, d.behind(all, y, d.normals.at(d.facets, all.triangle, all)) ? -whole : whole};
+    for (const auto& hole : defects.holes) closed = std::min(closed, hole.distance(y));
+    whole = std::min(whole, closed);
+    if (d.behind(all, y, d.normals.at(d.facets, all.triangle, all))) whole = -whole;
+    return detail::CoarseDistance::Sample{near.triangle, away, whole, d.partial ? whole : closed};
   });
   data_ = std::move(data);
 }
@@ -288,6 +289,12 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
     s.curvature = (Mat3::Identity() - s.normal * s.normal.transpose()) / divisor;
   }
   return s;
+}
+
+// Beyond a centre of curvature of a patch the point that is found need not be its nearest; both are as near
+// to the flat facet as it bulges.
+double MeshSurface::free_radius(const Vec3& y, double distance) const {
+  return std::min(distance - 2 * data_->bulge, data_->coarse.closed_within(y));
 }
 
 void MeshSurface::walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const {

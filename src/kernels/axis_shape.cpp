@@ -60,6 +60,11 @@ Vec3 AxisShape::combine(const Weights& w, const std::array<Vec3, kMost>& v) cons
   return s;
 }
 
+std::array<Vec3, 4> AxisShape::bezier() const {
+  if (count_ == 2) return {X_[0], (2 * X_[0] + X_[1]) / 3, (X_[0] + 2 * X_[1]) / 3, X_[1]};
+  return {X_[0], X_[0] + X_[1] / 3, X_[2] - X_[3] / 3, X_[2]};
+}
+
 void AxisShape::to_nodes(const Generalised& g, double* f, double* K, double* C) const {
   const int m = 3 * count_;
   auto block = [m](double* to, int i, int j, const Mat3& b) {

@@ -44,6 +44,11 @@ double largest(double most, const Sum& sum, const What& what) {
 
 }  // namespace
 
+bool may_strike(double slowness, double seen, double speed, double acceleration) {
+  const double rounding = 1 + 1e-9;
+  return std::hypot(slowness * speed, slowness * slowness * acceleration) * rounding > seen;
+}
+
 std::optional<Strike> strike(double slowness, double seen, double mass, const Approach& at) {
   const double by_speed = slowness * std::abs(at.closing),
                by_acceleration = slowness * slowness * std::abs(at.acceleration);

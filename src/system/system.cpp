@@ -207,6 +207,7 @@ double System::dead_load() const {
 
 StepLimit System::longest_step(const Kinematics& committed, double most) {
   Strikes strikes;
+  strikes.most = most;
   for (const auto& t : terms_) t->limit_step(committed, strikes);
   double both[2] = {strikes.longest, strikes.list.empty() ? 1.0 : 0.0};
   MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MIN, comm_);

@@ -5,6 +5,12 @@
 #include <stdexcept>
 
 namespace hawser {
+namespace {
+
+// The default ramp is as wide; a linear spring has none.
+double width(const NormalLaw& law, double radius) { return std::max(law.smoothing, 0.002 * radius); }
+
+}  // namespace
 
 NormalLaw normal_law(const model::Volume& v, double share, double smoothing, double mass) {
   NormalLaw law;
@@ -54,10 +60,14 @@ void Contact::limit_depth(double radius, const Approach& at, Strikes& to) {
   if (at.closing > 0) to.limit((std::max(at.gap, 0.0) + 0.5 * radius) / at.closing);
 }
 
+bool Contact::may_strike(const NormalLaw& law, double mass, double radius, double speed,
+                         double acceleration) {
+  return hawser::may_strike(std::sqrt(mass / law.stiffness), width(law, radius), speed, acceleration);
+}
+
 std::optional<Strike> Contact::strikes(const NormalLaw& law, double mass, double share, double radius,
                                        const Approach& at) {
-  // The default ramp is as wide; a linear spring has none.
-  return strike(std::sqrt(mass / law.stiffness), std::max(law.smoothing, 0.002 * radius), mass * share, at);
+  return strike(std::sqrt(mass / law.stiffness), width(law, radius), mass * share, at);
 }
 
 void Contact::pose_bodies(double time, std::vector<RigidPose>& poses) const {

@@ -8,26 +8,48 @@
 
 namespace hawser {
 
-// The gap along the axis less the smoothing, as the search for stretches sees it.
+namespace {
+
+// What is found free is looked at in up to so many places more to keep that much of it.
+constexpr int kPlaces = 4;
+constexpr double kRoom = 0.5;
+
+}  // namespace
+
+// The gap along the axis less the smoothing, as the search for stretches sees it, and how far the volume is.
 class LineContact::Gap final : public AxisGapFunction {
  public:
-  Gap(const LineContact& contact, Pair& pair, const AxisShape& shape, const RigidPose& pose)
-      : contact_(contact), pair_(pair), shape_(shape), pose_(pose) {}
+  Gap(const LineContact& contact, Pair& pair, const AxisShape& shape, const RigidPose& pose,
+      std::vector<FreePlace>& places)
+      : contact_(contact), pair_(pair), shape_(shape), pose_(pose), places_(places) {
+    places_.clear();
+  }
 
   AxisGap at(double xi, double within) override {
     if (xi == 0.5 && middle_) return *middle_;
-    const auto p = contact_.see(pair_, pose_.to_body(shape_.point(xi)), pair_.touch + within);
+    const Vec3 y = pose_.to_body(shape_.point(xi));
+    const auto p = contact_.see(pair_, y, pair_.touch + within);
+    const double gap = p ? p->distance - pair_.touch : within;
+    keep(xi, y, gap);
     if (!p) return {within, 0};
     pair_.hint = p->triangle;
-    return {p->distance - pair_.touch, (pose_.rotation * p->normal).dot(shape_.slope(xi))};
+    return {gap, (pose_.rotation * p->normal).dot(shape_.slope(xi))};
   }
-  void set_middle(const AxisGap& m) { middle_ = m; }
+  void set_middle(double gap, const std::optional<SurfacePoint>& p) {
+    middle_ = {gap, p ? (pose_.rotation * p->normal).dot(shape_.slope(0.5)) : 0};
+    keep(0.5, pose_.to_body(shape_.point(0.5)), gap);
+  }
 
  private:
+  void keep(double xi, const Vec3& y, double gap) {
+    const Surface& surface = *contact_.volumes_[static_cast<size_t>(pair_.volume)].surface;
+    places_.push_back({xi, surface.free_radius(y, gap + pair_.touch)});
+  }
   const LineContact& contact_;
   Pair& pair_;
   const AxisShape& shape_;
   const RigidPose& pose_;
+  std::vector<FreePlace>& places_;
   std::optional<AxisGap> middle_;
 };
 
@@ -69,7 +91,7 @@ void LineContact::prepare(const Kinematics& committed, double h) {
         histories.resize(static_cast<size_t>(was.slot) + 1);
         histories.back() = std::move(was.history);
         if (was.slot > 0) continue;
-        first.hint = was.hint;
+        first.hint = was.hint, first.ahead = was.ahead, first.free = was.room();
         first.one_chord = was.one_chord, first.one_reach = was.one_reach, first.one = was.one;
         // What was found on all of the surface is found again; of a wall it may be another.
         if (!was.walls) first.found = std::move(was.found);
@@ -86,6 +108,7 @@ void LineContact::prepare(const Kinematics& committed, double h) {
       histories.resize(SurfaceWalls::kMost);
       first.found = {};
       first.walls = std::make_shared<Walls>();
+      first.walls->free = first.free;
       for (size_t slot = 0; slot < touched; ++slot) {
         Pair& pair = pairs_.emplace_back(first);
         pair.slot = static_cast<int>(slot);
@@ -96,81 +119,58 @@ void LineContact::prepare(const Kinematics& committed, double h) {
   }
 }
 
-void LineContact::look(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
-                       const Vec3& normal, bool last, Strikes& to) const {
-  const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
-  const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
-  const RigidPose& pose = start_poses_[body(pair.volume)];
-  const Quat back = pose.rotation.conjugate();
-  const Vec3 velocity = back * (pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi)));
-  const Vec3 acceleration = back * ((1 - xi) * committed.a[static_cast<size_t>(e.first)] +
-                                    xi * committed.a[static_cast<size_t>(e.second)]);
-  const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
-  limit_depth(element.radius, at, to);
-  if (e.counted && share > 0)
-    to.add(strikes(pair.law.normal, element.mass_per_length, share, element.radius, at),
-           mesh_.mesh->elements[static_cast<size_t>(e.global)].line);
+AxisPoints LineContact::points(const AxisShape& shape, const RigidPose& pose) {
+  AxisPoints b = shape.bezier();
+  for (Vec3& p : b) p = pose.to_body(p);
+  return b;
 }
 
-void LineContact::look_ahead(const Pair& pair, const Kinematics& committed, double xi, bool touching,
-                             const SurfacePoint& p, Strikes& to) const {
-  // Simpson's rule; what touches has been looked at.
-  const double gap = p.distance - pair.touch;
-  const double share = gap < 0 && touching ? 0 : length(pair.element) * (xi == 0.5 ? 4 : 1) / 6;
-  look(pair, committed, xi, share, gap, p.normal, false, to);
+bool LineContact::clear(Pair& pair, const AxisShape& shape, const RigidPose& pose) {
+  if (!(pair.room().left(points(shape, pose)) > 0)) return false;
+  pair.found.known = false;
+  pair.found.panels.clear(), pair.found.points.clear();
+  pair.seen = nullptr;
+  return true;
 }
 
-void LineContact::limit_step(const Kinematics& committed, Strikes& to) const {
-  for (const Pair& pair : pairs_) {
-    const RigidPose& pose = start_poses_[body(pair.volume)];
-    const auto deepest = std::min_element(pair.history.begin(), pair.history.end(),
-                                          [](const Point& a, const Point& b) { return a.gap < b.gap; });
-    // All of the contact ends with the deepest place.
-    double all = 0;
-    for (const Point& p : pair.history) all += p.weight;
-    for (auto p = pair.history.begin(); p != pair.history.end(); ++p)
-      look(pair, committed, p->xi, p == deepest ? all : p->weight, p->gap - pair.law.normal.smoothing,
-           p->normal, p == deepest, to);
-    if (pair.slot > 0) continue;
-    for (const double xi : {0.0, 0.5, 1.0}) {
-      const Vec3 v = pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi));
-      // Look ahead as far as it gets in half a second.
-      const auto p = volumes_[static_cast<size_t>(pair.volume)].surface->query(
-          pose.to_body(pair.start.point(xi)), pair.touch + 0.5 * (pair.start.reach() + v.norm()), pair.hint);
-      if (p) look_ahead(pair, committed, xi, !pair.history.empty(), *p, to);
-    }
-    if (pair.walls) cap_walls(pair, committed, to);
+void LineContact::keep_free(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
+                            std::vector<FreePlace>& places) const {
+  const auto by_xi = [](const FreePlace& a, const FreePlace& b) { return a.xi < b.xi; };
+  std::sort(places.begin(), places.end(), by_xi);
+  double least = std::numeric_limits<double>::infinity(), worst = 0;
+  for (const FreePlace& p : places) least = std::min(least, p.distance - pair.touch);
+  if (!(least > 0)) return;
+  const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
+  double free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.touch;
+  for (int i = 0; i < kPlaces && free < kRoom * least; ++i) {
+    const Vec3 y = pose.to_body(shape.point(worst));
+    const double within = pair.touch + 2 * least;
+    const auto p = surface.query(y, within, pair.hint);
+    const FreePlace more{worst, surface.free_radius(y, p ? p->distance : within)};
+    places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
+    least = std::min(least, more.distance - pair.touch);
+    free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.touch;
   }
+  pair.room().offer(points(shape, pose), free);
 }
 
-bool LineContact::middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
-                         SurfaceQuestion& ask) const {
-  const double reach = shape.reach();
-  ask = {pose.to_body(shape.point(0.5)), pair.touch + 2 * reach, pair.hint};
-  return !still_clear(pair.clear, pair.centre, ask.point, 0.5 * reach);
+SurfaceQuestion LineContact::middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
+  return {pose.to_body(shape.point(0.5)), pair.touch + 2 * shape.reach(), pair.hint};
 }
 
 std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& shape, const RigidPose& pose,
                                                 const std::optional<SurfacePoint>& middle) const {
   const double reach = shape.reach();
-  const Vec3 y = pose.to_body(shape.point(0.5));
-  const size_t k = static_cast<size_t>(pair.volume);
   if (middle) pair.hint = middle->triangle;
-  Gap gap(*this, pair, shape, pose);
-  pair.centre = y;
-  pair.clear = -1;  // of another axis it may be another wall
-  if (pair.wall() && !middle) return {};
-  if (!middle) {
-    // Out of reach, or inside but under an inactive part: only outside the box is nothing near for sure.
-    pair.clear = std::min(2 * reach, distance(boxes_[k], y) - pair.touch);
-    return {};
-  }
-  const double middle_gap = middle->distance - pair.touch;
-  if (!pair.wall()) pair.clear = middle_gap;
-  if (middle_gap >= 0.5 * reach) return {};
-  gap.set_middle({middle_gap, (pose.rotation * middle->normal).dot(shape.slope(0.5))});
-  return cut_stretches(contact_stretches(gap, {reach, pair.touch, shape.bend_bound()}, pair.levels),
-                       pair.levels);
+  Gap gap(*this, pair, shape, pose, places_);
+  const double middle_gap = middle ? middle->distance - pair.touch : 2 * reach;
+  gap.set_middle(middle_gap, middle);
+  std::vector<ContactStretch> stretches;
+  if (middle_gap < 0.5 * reach)
+    stretches = contact_stretches(gap, {reach, pair.touch, shape.bend_bound()}, pair.levels);
+  // Of one wall alone it says nothing of the others.
+  if (stretches.empty() && !pair.wall()) keep_free(pair, shape, pose, places_);
+  return cut_stretches(stretches, pair.levels);
 }
 
 SurfacePoint LineContact::nothing() {
@@ -199,11 +199,10 @@ void LineContact::gauss_points(const Pair& pair, const AxisShape& shape, const R
 
 const LineContact::Found& LineContact::find(Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   Found& f = pair.found;
-  if (!renew(f, shape, pose)) return f;
+  if (clear(pair, shape, pose) || !renew(f, shape, pose)) return f;
   if (pair.walls) see_walls(pair, shape, pose);
   if (pair.idle()) return f;
-  SurfaceQuestion first;
-  if (!middle(pair, shape, pose, first)) return f;
+  const SurfaceQuestion first = middle(pair, shape, pose);
   f.panels = locate(pair, shape, pose, see(pair, first.point, first.max_distance));
   std::vector<SurfaceQuestion> ask;
   gauss_points(pair, shape, pose, ask);
@@ -218,34 +217,34 @@ const LineContact::Found& LineContact::find(Pair& pair, const AxisShape& shape, 
 // The same as find() of each: the search between middle and Gauss points goes from answer to answer, and is
 // of the few elements that touch or may.
 void LineContact::find_all(const Kinematics& trial) {
-  shapes_.clear(), renewed_.clear();
-  middles_.assign(pairs_.size(), std::nullopt);
-  SurfaceQuestion first;
+  near_.clear(), shapes_.clear(), renewed_.clear();
   bool open = false;
-  for (size_t i = 0; i < pairs_.size(); ++i) {
-    Pair& pair = pairs_[i];
-    if (pair.slot > 0)
-      shapes_.push_back(AxisShape(shapes_.back()));
-    else
-      shapes_.emplace_back(ends(trial, pair.element));
-    const RigidPose& pose = poses_[body(pair.volume)];
-    if (pair.walls) {
-      find(pair, shapes_[i], pose);
-      open = open || lacks_pairs(i);
-      continue;
+  for (size_t i = 0, next = 0; i < pairs_.size(); i = next) {
+    const AxisShape shape(ends(trial, pairs_[i].element));
+    const RigidPose& pose = poses_[body(pairs_[i].volume)];
+    for (next = i; next < pairs_.size() && (next == i || pairs_[next].slot > 0); ++next) {
+      Pair& pair = pairs_[next];
+      if (clear(pair, shape, pose)) continue;
+      const size_t me = near_.size();
+      near_.push_back(next), shapes_.push_back(shape);
+      if (pair.walls) {
+        find(pair, shape, pose);
+        open = open || lacks_pairs(next);
+      } else if (renew(pair.found, shape, pose)) {
+        renewed_.push_back(me);
+        questions_.add(pair.volume, me, middle(pair, shape, pose));
+      }
     }
-    if (!renew(pair.found, shapes_[i], pose) || !middle(pair, shapes_[i], pose, first)) continue;
-    renewed_.push_back(i);
-    questions_.add(pair.volume, i, first);
   }
+  middles_.assign(near_.size(), std::nullopt);
   questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) { middles_[i] = p; });
   std::vector<SurfaceQuestion> ask;
   for (const size_t i : renewed_) {
-    Pair& pair = pairs_[i];
+    Pair& pair = pairs_[near_[i]];
     const RigidPose& pose = poses_[body(pair.volume)];
     pair.found.panels = locate(pair, shapes_[i], pose, middles_[i]);
     gauss_points(pair, shapes_[i], pose, ask);
-    for (const SurfaceQuestion& q : ask) questions_.add(pair.volume, i, q);
+    for (const SurfaceQuestion& q : ask) questions_.add(pair.volume, near_[i], q);
   }
   questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) {
     if (p) pairs_[i].hint = p->triangle;
@@ -450,8 +449,8 @@ void LineContact::evaluate(const Kinematics& trial, Sink& sink) {
   const bool tangent = sink.wants_tangent();
   double f[12], K[144], C[144];
   find_all(trial);
-  for (size_t k = 0; k < pairs_.size(); ++k) {
-    Pair& pair = pairs_[k];
+  for (size_t k = 0; k < near_.size(); ++k) {
+    Pair& pair = pairs_[near_[k]];
     const AxisShape& shape = shapes_[k];
     const RigidPose& pose = poses_[body(pair.volume)];
     const size_t panels = pair.found.panels.size();

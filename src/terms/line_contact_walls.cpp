@@ -54,17 +54,11 @@ void LineContact::see_walls(Pair& pair, const AxisShape& shape, const RigidPose&
     w.known = true, w.shape = shape, w.position = pose.position, w.rotation = pose.rotation;
     auto seen = std::make_shared<Seen>();
     const size_t k = static_cast<size_t>(pair.volume);
-    const double half = 0.5 * shape.reach(), within = kTogether * pair.touch;
-    const Vec3 y = pose.to_body(shape.point(0.5));
-    if (!still_clear(w.clear, w.centre, y, half)) {
-      const auto p = volumes_[k].surface->query(y, pair.touch + 2 * shape.reach(), w.hint);
-      w.centre = y;
-      w.clear =
-          p ? p->distance - pair.touch : std::min(2 * shape.reach(), distance(boxes_[k], y) - pair.touch);
-      if (p) w.hint = p->triangle;
-      if (p && w.clear < half)
-        volumes_[k].surface->walls(polyline(shape, pose, pair.touch), within, seen->walls);
-    }
+    const SurfaceQuestion first = middle(pair, shape, pose);
+    const auto p = volumes_[k].surface->query(first.point, first.max_distance, w.hint);
+    if (p) w.hint = p->triangle;
+    if (p && p->distance - pair.touch < 0.5 * shape.reach())
+      volumes_[k].surface->walls(polyline(shape, pose, pair.touch), kTogether * pair.touch, seen->walls);
     assign_past(pair, *seen);
     w.seen = std::move(seen);
   }
@@ -73,8 +67,9 @@ void LineContact::see_walls(Pair& pair, const AxisShape& shape, const RigidPose&
 
 bool LineContact::lacks_pairs(size_t i) const {
   const Pair& p = pairs_[i];
+  if (p.slot > 0 || !p.seen || !p.seen->walls.several()) return false;
   const size_t last = i + p.seen->walls.of.size() - 1;
-  return p.slot == 0 && p.seen->walls.several() && (last >= pairs_.size() || pairs_[last].walls != p.walls);
+  return last >= pairs_.size() || pairs_[last].walls != p.walls;
 }
 
 void LineContact::open_pairs() {

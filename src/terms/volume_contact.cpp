@@ -7,6 +7,11 @@
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
+namespace {
+
+constexpr double kRounding = 1e-12;  // of coordinates, far above that of a distance
+
+}  // namespace
 
 // Candidates are the pairs whose box comes within the margin: twice what node and body move towards each
 // other in the step at their present speed, and at least half an element. In statics (h = 0) a Newton
@@ -16,7 +21,6 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
   std::vector<Pair> old;
   old.swap(pairs_);
   size_t known = 0;
-  std::vector<double> margins;
   for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
     const size_t n = static_cast<size_t>(i);
     if (!(nodes_[n].radius > 0)) continue;
@@ -49,8 +53,10 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
         if (was.slot > 0) continue;
         pair.multiplier = was.multiplier, pair.held = was.held;
         pair.released = was.released;
+        pair.centre = was.centre, pair.clear = was.clear;
       }
       pair.history = histories[0];
+      pair.margin = margin;
       if (model_ == NodeContact::gap && !pair.history.paired) choose_gap(pair, y);
       pair.start.gap = std::max(margin, away - touch) + laws.normal.smoothing;  // a bound
       pair.start.point = y;
@@ -67,25 +73,38 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
         pair.start.slip = pair.history.slip;
         pair.start.normal = pair.history.normal;
         if (pair.walls && pair.history.touches) pair.start.gap = -pair.history.depth;
+        pair.start_known = !clear_of(pair, y);
         pairs_.push_back(pair);
-        margins.push_back(margin);
-        if (model_ != NodeContact::gap && !pair.walls)
+        if (model_ != NodeContact::gap && !pair.walls && pair.start_known)
           questions_.add(k, pairs_.size() - 1, {y, pair.touch + margin, pair.hint});
       }
     }
   }
   questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) {
     Pair& pair = pairs_[i];
-    pair.asked = pair.start.point, pair.asked_distance = pair.touch + margins[i], pair.seen = p;
+    pair.asked = pair.start.point, pair.asked_distance = pair.touch + pair.margin, pair.seen = p;
   });
-  for (size_t i = 0; i < pairs_.size(); ++i) {
-    Pair& pair = pairs_[i];
-    if (pair.walls) continue;  // which wall the gap is to be of, the trial says
+  for (Pair& pair : pairs_) {
+    if (pair.walls || !pair.start_known) continue;  // which wall the gap is to be of, the trial says
     ContactTrial at;
     at.gap = pair.start.gap;
-    locate(pair, pair.start.point, margins[i], at);
+    locate(pair, pair.start.point, pair.margin, at);
     pair.start.gap = at.gap;
   }
+}
+
+// Of what was clear at the start, and touches all the same.
+void VolumeContact::know_start(Pair& pair) const {
+  if (pair.start_known) return;
+  pair.start_known = true;
+  const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
+  const auto p = surface.query(pair.start.point, pair.touch + pair.margin, pair.hint);
+  if (p) pair.start.gap = p->distance - nodes_[static_cast<size_t>(pair.node)].radius;
+}
+
+double VolumeContact::clear_about(const Pair& pair, const Vec3& y, double distance) const {
+  return volumes_[static_cast<size_t>(pair.volume)].surface->free_radius(y, distance) - pair.touch -
+         kRounding * y.cwiseAbs().maxCoeff();
 }
 
 const std::optional<SurfacePoint>& VolumeContact::look(Pair& pair, const Vec3& y, double distance) const {
@@ -128,11 +147,22 @@ void VolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
     // Look ahead as far as the node gets in half a second.
     const Vec3 y = pose.to_body(committed.x[n]);
     const double ahead = pair.touch + 0.5 * (element_[n] + speed);
+    // Nothing is there, or nothing could come of it.
+    const double radius = nodes_[n].radius,
+                 room = pair.walls ? 0 : std::max(pair.clear - (y - pair.centre).norm(), 0.0);
+    if (room * (1 - 1e-9) > ahead - pair.touch ||
+        (!may_limit(radius, room, speed, to) &&
+         (model_ == NodeContact::rigid ||
+          !may_strike(pair.law.normal, nodes_[n].mass, radius, speed, committed.a[n].norm()))))
+      continue;
     met.clear();
-    if (pair.walls)
+    if (pair.walls) {
       met = nearest_on_walls(*volumes_[k].surface, y, ahead);
-    else if (const auto p = volumes_[k].surface->query(y, ahead, pair.hint))
+    } else if (pair.asked_distance >= ahead && pair.asked == y) {  // prepare() did
+      if (pair.seen && pair.seen->distance <= ahead) met.push_back(*pair.seen);
+    } else if (const auto p = volumes_[k].surface->query(y, ahead, pair.hint)) {
       met.push_back(*p);
+    }
     for (const SurfacePoint& p : met) {
       const Approach at{p.distance - pair.touch, -p.normal.dot(v),
                         p.normal.dot(pose.rotation.conjugate() * committed.a[n])};
@@ -147,21 +177,16 @@ void VolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
 bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {
   if (model_ != NodeContact::elastic) return locate_held(pair, y, reach, trial);
   if (clear_of(pair, y)) return false;
-  const size_t k = static_cast<size_t>(pair.volume);
   const auto& p = look(pair, y, pair.touch + reach);
   pair.centre = y;
-  if (!p) {
-    // Out of reach, or inside but under an inactive part: only outside the box is nothing near for sure.
-    pair.clear = std::min(reach, distance(boxes_[k], y) - pair.touch);
-    return false;
-  }
+  pair.clear = clear_about(pair, y, p ? p->distance : pair.touch + reach);
+  if (!p) return false;
   pair.hint = p->triangle;
-  pair.clear = p->distance - pair.touch;
   trial.point = y;
   trial.gap = p->distance - nodes_[static_cast<size_t>(pair.node)].radius;
   trial.normal = p->normal;
   trial.curvature = p->curvature;
-  return pair.clear < 0;
+  return p->distance < pair.touch;
 }
 
 PointContact VolumeContact::contact(Pair& pair, const Kinematics& at, bool derivatives, bool convex,
@@ -171,6 +196,7 @@ PointContact VolumeContact::contact(Pair& pair, const Kinematics& at, bool deriv
   const Vec3& x = at.x[n];
   trial.point = pose.to_body(x);
   if (!locate(pair, trial.point, 0.5 * element_[n], trial)) return {};
+  know_start(pair);
   if (at.step > 0) trial.velocity = pose.rotation.conjugate() * (at.v[n] - pose.velocity_at(x));
   if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
   if (pair.walls)

@@ -29,9 +29,9 @@ int VolumeContact::see_wall(const Pair& pair, const Vec3& y) const {
       const double reach = 0.5 * element_[static_cast<size_t>(pair.node)];
       const auto p = volumes_[k].surface->query(y, pair.touch + reach, w.hint);
       w.centre = y;
-      w.clear = p ? p->distance - pair.touch : std::min(reach, distance(boxes_[k], y) - pair.touch);
+      w.clear = clear_about(pair, y, p ? p->distance : pair.touch + reach);
       if (p) w.hint = p->triangle;
-      if (p && w.clear < 0) volumes_[k].surface->walls({&y, 1}, kTogether * pair.touch, w.near);
+      if (p && p->distance < pair.touch) volumes_[k].surface->walls({&y, 1}, kTogether * pair.touch, w.near);
     }
     assign(pair, y, w);
   }

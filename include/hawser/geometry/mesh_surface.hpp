@@ -51,6 +51,7 @@ class MeshSurface final : public Surface {
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   void query(std::span<const SurfaceQuestion> questions,
              std::span<std::optional<SurfacePoint>> answers) const override;
+  double free_radius(const Vec3& y, double distance) const override;
   Box bounds() const override;  // of the active part and all inside the mesh
   void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const override;
   bool one_wall(std::span<const Vec3> axis, double reach) const override;

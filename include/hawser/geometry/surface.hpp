@@ -51,6 +51,11 @@ class Surface {
   virtual void query(std::span<const SurfaceQuestion> questions,
                      std::span<std::optional<SurfacePoint>> answers) const;
 
+  // m: no point of the body is nearer to y than that, where query() says it is `distance` away or farther.
+  // Less than `distance` where query() may take a near place for the nearest, and where the body begins
+  // without a surface: at the holes of an open mesh, at an inactive part.
+  virtual double free_radius(const Vec3& y, double distance) const { return (void)y, distance; }
+
   // Contains the surface that can be met and all points inside it; may be infinite.
   virtual Box bounds() const = 0;
 

@@ -48,6 +48,9 @@ class AxisShape {
   // The largest |d²x/dxi²|, m: it is linear in xi.
   double bend_bound() const { return count_ == 2 ? 0 : std::max(bend(0).norm(), bend(1).norm()); }
 
+  // The Bézier points of the axis, m.
+  std::array<Vec3, 4> bezier() const;
+
   // Forces F_j conjugate to X_j, with dF_j/dX_k and dF_j/dV_k, to the nodes' blocks (x1, theta1, x2, theta2)
   // or (x1, x2): f[3n], K and C (3n)x(3n) row-major, n = count(). Adds. K and C may be null together.
   struct Generalised {

@@ -54,10 +54,13 @@ class Strike {
 // slowness: s, sqrt(m/k) of the contact, its period over 2 pi. seen: m; what inertia takes deeper than that,
 // by speed or by acceleration, strikes. mass: kg.
 std::optional<Strike> strike(double slowness, double seen, double mass, const Approach& at);
+// Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
+bool may_strike(double slowness, double seen, double speed, double acceleration);
 
 // What terms find: strikes of what this rank counts, and a length [s] that steps keep to in any case.
 struct Strikes {
   double longest = std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();  // s, no step is longer: need not be told of
   std::vector<Strike> list;
 
   void limit(double h) {

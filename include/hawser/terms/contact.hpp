@@ -3,6 +3,7 @@
 // of looking are VolumeContact (at nodes) and LineContact (along elements). See docs/theory/contact.md.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -88,6 +89,12 @@ class Contact : public ForceTerm {
   // 0.2 % of the radius. share: of the place, what turns mass, in the sense of law(), into kg.
   static std::optional<Strike> strikes(const NormalLaw& law, double mass, double share, double radius,
                                        const Approach& at);
+  // Whether it can, and whether limit_depth can tell of it, at that speed and acceleration, `gap` [m] away or
+  // more.
+  static bool may_strike(const NormalLaw& law, double mass, double radius, double speed, double acceleration);
+  static bool may_limit(double radius, double gap, double speed, const Strikes& to) {
+    return speed * to.most > (1 - 1e-9) * (std::max(gap, 0.0) + 0.5 * radius);
+  }
 
   // Whether a ball of `radius` about y is as free as all was found to be within `clear` of `centre`. A Newton
   // iteration that diverges leaves these so far away that rounding is larger than the model: hence the

@@ -9,6 +9,7 @@
 
 #include "hawser/kernels/axis_shape.hpp"
 #include "hawser/kernels/contact_along.hpp"
+#include "hawser/kernels/free_tube.hpp"
 #include "hawser/kernels/line_contact.hpp"
 #include "hawser/terms/contact.hpp"
 
@@ -79,8 +80,7 @@ class LineContact final : public Contact {
     Vec3 position;
     Quat rotation;
     std::shared_ptr<const Seen> seen;
-    Vec3 centre = Vec3::Zero();  // as of Pair, of all walls
-    double clear = -1;
+    FreeTube free;  // as of Pair
     int hint = -1;
   };
   // An element and a volume; or one of its walls, of which there may be as many as there are pairs.
@@ -91,11 +91,11 @@ class LineContact final : public Contact {
     ContactLaw law;               // per length
     AxisShape start = nowhere();  // the axis at the start of the step
     std::vector<Point> history;   // by xi
-    // Cache of this step, changes the time and never the answer: no contact nearer than `clear` to `centre`;
-    // nearest triangle of the last query.
-    Vec3 centre = Vec3::Zero();
-    double clear = -1;
+    // Kept from step to step, changes the time and never the answer: where nothing of the volume is within
+    // `touch`; nearest triangles of the last query and of those of limit_step.
+    mutable FreeTube free;
     int hint = -1;
+    mutable std::array<int, 3> ahead{-1, -1, -1};
     Found found;
     // How far about a chord there is one wall only; or where that was asked in vain.
     std::array<Vec3, 2> one_chord{Vec3::Zero(), Vec3::Zero()};
@@ -108,6 +108,7 @@ class LineContact final : public Contact {
       const size_t k = static_cast<size_t>(slot);
       return seen && seen->walls.several() && k < seen->walls.of.size() ? &seen->walls.of[k] : nullptr;
     }
+    FreeTube& room() const { return walls ? walls->free : free; }
     bool idle() const { return slot > 0 && !wall(); }
     const std::vector<Point>& past() const {
       return seen && !seen->past.empty() ? seen->past[static_cast<size_t>(slot)] : history;
@@ -140,9 +141,20 @@ class LineContact final : public Contact {
             const Vec3& normal, bool last, Strikes& to) const;
   void look_ahead(const Pair& pair, const Kinematics& committed, double xi, bool touching,
                   const SurfacePoint& p, Strikes& to) const;
-  // What is first asked of an axis: how near its middle is. False when the middle of before still tells that
-  // the axis is clear.
-  bool middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose, SurfaceQuestion& ask) const;
+  class Ahead;
+  void foresee(const Pair& pair, const Kinematics& committed, const Strikes& to, Ahead& ahead) const;
+  void limit_by_touch(const Pair& pair, const Kinematics& committed, Strikes& to) const;
+  // By what its places come to, of which the first is number `place`.
+  void limit_by(const Pair& pair, const Kinematics& committed, const Ahead& ahead, size_t place,
+                Strikes& to) const;
+  static AxisPoints points(const AxisShape& shape, const RigidPose& pose);
+  // Whether the axis is out of touch for sure; then nothing is found.
+  static bool clear(Pair& pair, const AxisShape& shape, const RigidPose& pose);
+  // What is known free of the volume at places of the axis goes for the tube about it.
+  void keep_free(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
+                 std::vector<FreePlace>& places) const;
+  // What is first asked of an axis: how near its middle is.
+  SurfaceQuestion middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   std::vector<ContactStretch> locate(Pair& pair, const AxisShape& shape, const RigidPose& pose,
                                      const std::optional<SurfacePoint>& middle) const;
   // All pairs, their first and their last questions in one call a volume.
@@ -188,9 +200,11 @@ class LineContact final : public Contact {
   std::vector<Account> accounts_;  // of the elements
   // While a trial is looked at.
   Questions questions_;
-  std::vector<AxisShape> shapes_;
-  std::vector<size_t> renewed_;
+  std::vector<size_t> near_;       // pairs that are not clear
+  std::vector<AxisShape> shapes_;  // of those
+  std::vector<size_t> renewed_;    // of those, what was not known
   std::vector<std::optional<SurfacePoint>> middles_;
+  mutable std::vector<FreePlace> places_;
 };
 
 }  // namespace hawser

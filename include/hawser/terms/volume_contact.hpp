@@ -92,8 +92,10 @@ class VolumeContact final : public Contact {
     ContactLaw law;
     ContactStart start;
     History history;
-    // Cache of this step, changes the time and never the answer: no contact nearer than `clear` to `centre`
-    // (the signed distance is 1-Lipschitz); nearest triangle of the last query.
+    double margin = 0;        // m, how far its start was looked at
+    bool start_known = true;  // the gap at the start; else it was clear there and is asked for at a touch
+    // Kept from step to step, changes the time and never the answer: no contact nearer than `clear` to
+    // `centre` (the signed distance is 1-Lipschitz). Nearest triangle of the last query.
     Vec3 centre = Vec3::Zero();
     double clear = -1;
     int hint = -1;
@@ -119,6 +121,9 @@ class VolumeContact final : public Contact {
   bool clear_of(const Pair& pair, const Vec3& y) const {
     return model_ == NodeContact::elastic && !pair.walls && still_clear(pair.clear, pair.centre, y, 0);
   }
+  void know_start(Pair& pair) const;
+  // m, how far y may move for sure before it touches, if the surface says it is `distance` away or farther.
+  double clear_about(const Pair& pair, const Vec3& y, double distance) const;
   // The surface seen from y (body frame); false when it is out of touch. With the gap in `trial` when known.
   bool locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const;
   bool locate_held(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const;  // other models

@@ -1,0 +1,55 @@
+#include "hawser/kernels/free_tube.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser {
+namespace {
+
+constexpr double kRounding = 1e-12;  // of coordinates
+constexpr double kMargin = 1e-9;     // of distances
+
+// Between two places w apart.
+double least_between(double w, double a, double b, double reach, double bend) {
+  const double span = reach * w, straight = 0.5 * (a + b - span);
+  if (!(a > 0 && b > 0)) return straight;
+  const double p = a * a, q = b * b;
+  const double c = span * span + (std::max(a, b) + span) * bend * w * w;
+  if (!(c > 0)) return std::min(a, b);
+  const double t = std::clamp(0.5 - (q - p) / (2 * c), 0.0, 1.0);
+  const double square = (1 - t) * p + t * q - c * t * (1 - t);
+  return square > 0 ? std::max(straight, std::sqrt(square)) : straight;
+}
+
+}  // namespace
+
+void FreeTube::set(const AxisPoints& axis, double free) {
+  double size = 0;
+  for (const Vec3& p : axis) size = std::max(size, p.cwiseAbs().maxCoeff());
+  at_ = axis;
+  free_ = (1 - kMargin) * free - kRounding * size;
+}
+
+double FreeTube::left(const AxisPoints& axis) const {
+  if (!(free_ > 0)) return -1;
+  double squared = 0;
+  for (std::size_t i = 0; i < axis.size(); ++i) squared = std::max(squared, (axis[i] - at_[i]).squaredNorm());
+  return free_ - (1 + kMargin) * std::sqrt(squared);
+}
+
+double least_distance(const std::vector<FreePlace>& places, double reach, double bend, double& worst) {
+  double least = std::numeric_limits<double>::infinity();
+  const auto take = [&](double distance, double xi) {
+    if (!(distance >= least)) least = distance, worst = xi;
+  };
+  take(places.front().distance - reach * places.front().xi, 0);
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const FreePlace &a = places[i], &b = places[i + 1];
+    take(least_between(b.xi - a.xi, a.distance, b.distance, reach, bend), 0.5 * (a.xi + b.xi));
+  }
+  take(places.back().distance - reach * (1 - places.back().xi), 1);
+  return least;
+}
+
+}  // namespace hawser
