@@ -10,6 +10,24 @@
 
 namespace hawser {
 
+namespace {
+
+// The time a scope takes, for -log_view.
+class Logged {
+ public:
+  explicit Logged(PetscLogEvent event) : event_(event) {
+    check(PetscLogEventBegin(event_, nullptr, nullptr, nullptr, nullptr));
+  }
+  ~Logged() { (void)PetscLogEventEnd(event_, nullptr, nullptr, nullptr, nullptr); }
+  Logged(const Logged&) = delete;
+  Logged& operator=(const Logged&) = delete;
+
+ private:
+  PetscLogEvent event_;
+};
+
+}  // namespace
+
 System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mesh)) {
   if (mesh_.chain == 0) mesh_.chain = mesh_.nodes(), mesh_.chain_blocks = mesh_.blocks();
   exchange_ = GhostExchange(comm_, mesh_);
@@ -47,11 +65,11 @@ void System::add(std::unique_ptr<ForceTerm> term) {
     return c;
   }();
   const std::string name(term->name());
-  PetscLogEvent event = 0;
-  check(PetscLogEventRegister(("f " + name).c_str(), id, &event));
-  residual_event_.push_back(event);
-  check(PetscLogEventRegister(("J " + name).c_str(), id, &event));
-  tangent_event_.push_back(event);
+  Events& e = events_.emplace_back();
+  check(PetscLogEventRegister(("f " + name).c_str(), id, &e.force));
+  check(PetscLogEventRegister(("J " + name).c_str(), id, &e.tangent));
+  check(PetscLogEventRegister(("prepare " + name).c_str(), id, &e.prepare));
+  check(PetscLogEventRegister(("limit " + name).c_str(), id, &e.limit));
   terms_.push_back(std::move(term));
 }
 
@@ -87,9 +105,8 @@ void System::residual(const Kinematics& trial, Vec r) {
   sink.squares_ = &squares_;
   sink.owned_blocks_ = mesh_.owned_blocks;
   for (size_t i = 0; i < terms_.size(); ++i) {
-    check(PetscLogEventBegin(residual_event_[i], nullptr, nullptr, nullptr, nullptr));
+    const Logged logged(events_[i].force);
     terms_[i]->evaluate(trial, sink);
-    check(PetscLogEventEnd(residual_event_[i], nullptr, nullptr, nullptr, nullptr));
   }
   PetscScalar* p = nullptr;
   check(VecGetArray(r, &p));
@@ -120,9 +137,8 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   sink.is_rotation_ = &is_rotation_;
   sink.held_ = &supports_.held();
   for (size_t i = 0; i < terms_.size(); ++i) {
-    check(PetscLogEventBegin(tangent_event_[i], nullptr, nullptr, nullptr, nullptr));
+    const Logged logged(events_[i].tangent);
     terms_[i]->evaluate(trial, sink);
-    check(PetscLogEventEnd(tangent_event_[i], nullptr, nullptr, nullptr, nullptr));
   }
   const auto& held = supports_.held();
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;
@@ -208,7 +224,10 @@ double System::dead_load() const {
 StepLimit System::longest_step(const Kinematics& committed, double most) {
   Strikes strikes;
   strikes.most = most;
-  for (const auto& t : terms_) t->limit_step(committed, strikes);
+  for (size_t i = 0; i < terms_.size(); ++i) {
+    const Logged logged(events_[i].limit);
+    terms_[i]->limit_step(committed, strikes);
+  }
   double both[2] = {strikes.longest, strikes.list.empty() ? 1.0 : 0.0};
   MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MIN, comm_);
   StepLimit limit;
@@ -249,7 +268,10 @@ void System::reset_multipliers() {
 }
 
 void System::prepare(const Kinematics& committed, double h) {
-  for (auto& t : terms_) t->prepare(committed, h);
+  for (size_t i = 0; i < terms_.size(); ++i) {
+    const Logged logged(events_[i].prepare);
+    terms_[i]->prepare(committed, h);
+  }
   expect(committed, h);
 }
 

@@ -56,6 +56,9 @@ class LineContact::Gap final : public AxisGapFunction {
 // Candidates as in the `nodes` method, from the element's middle. In statics (h = 0) every pair is one.
 void LineContact::prepare(const Kinematics& committed, double h) {
   pose_bodies(committed.time, start_poses_);
+  start_x_.assign(committed.x.begin(), committed.x.end());
+  start_q_.assign(committed.q.begin(), committed.q.end());
+  groups_.clear();
   std::vector<Pair> old;
   old.swap(pairs_);
   size_t known = 0;
@@ -212,47 +215,6 @@ const LineContact::Found& LineContact::find(Pair& pair, const AxisShape& shape, 
     f.points.push_back(p ? *p : nothing());
   }
   return f;
-}
-
-// The same as find() of each: the search between middle and Gauss points goes from answer to answer, and is
-// of the few elements that touch or may.
-void LineContact::find_all(const Kinematics& trial) {
-  near_.clear(), shapes_.clear(), renewed_.clear();
-  bool open = false;
-  for (size_t i = 0, next = 0; i < pairs_.size(); i = next) {
-    const AxisShape shape(ends(trial, pairs_[i].element));
-    const RigidPose& pose = poses_[body(pairs_[i].volume)];
-    for (next = i; next < pairs_.size() && (next == i || pairs_[next].slot > 0); ++next) {
-      Pair& pair = pairs_[next];
-      if (clear(pair, shape, pose)) continue;
-      const size_t me = near_.size();
-      near_.push_back(next), shapes_.push_back(shape);
-      if (pair.walls) {
-        find(pair, shape, pose);
-        open = open || lacks_pairs(next);
-      } else if (renew(pair.found, shape, pose)) {
-        renewed_.push_back(me);
-        questions_.add(pair.volume, me, middle(pair, shape, pose));
-      }
-    }
-  }
-  middles_.assign(near_.size(), std::nullopt);
-  questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) { middles_[i] = p; });
-  std::vector<SurfaceQuestion> ask;
-  for (const size_t i : renewed_) {
-    Pair& pair = pairs_[near_[i]];
-    const RigidPose& pose = poses_[body(pair.volume)];
-    pair.found.panels = locate(pair, shapes_[i], pose, middles_[i]);
-    gauss_points(pair, shapes_[i], pose, ask);
-    for (const SurfaceQuestion& q : ask) questions_.add(pair.volume, near_[i], q);
-  }
-  questions_.ask(volumes_, [&](size_t i, std::optional<SurfacePoint>& p) {
-    if (p) pairs_[i].hint = p->triangle;
-    pairs_[i].found.points.push_back(p ? *p : nothing());
-  });
-  if (!open) return;
-  open_pairs();
-  find_all(trial);  // what was found is known
 }
 
 ContactTrial LineContact::trial(const Pair& pair, const AxisShape& shape, const RigidPose& pose, double xi,

@@ -90,6 +90,7 @@ void LineContact::open_pairs() {
     i = end;
   }
   pairs_ = std::move(all);
+  groups_.clear();
 }
 
 // A point of before lay on the wall whose normal there is most like its own. On the one wall there is: of

@@ -115,7 +115,11 @@ class System {
   GhostExchange exchange_;
   Supports supports_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
-  std::vector<PetscLogEvent> residual_event_, tangent_event_;  // -log_view names time by term
+  // -log_view names time by term: forces, tangents, what is done before a step, and how long that may be.
+  struct Events {
+    PetscLogEvent force = 0, tangent = 0, prepare = 0, limit = 0;
+  };
+  std::vector<Events> events_;
   std::vector<char> is_rotation_;
   std::vector<double> force_;
   std::vector<Mat3> retraction_;

@@ -157,6 +157,21 @@ class LineContact final : public Contact {
   SurfaceQuestion middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   std::vector<ContactStretch> locate(Pair& pair, const AxisShape& shape, const RigidPose& pose,
                                      const std::optional<SurfacePoint>& middle) const;
+  // The pairs of an element and a volume, few bytes of what is asked of each in every trial: whether it is
+  // clear for certain by how little its nodes have moved.
+  struct Group {
+    size_t first = 0, end = 0, body = 0;
+    int nodes[2] = {};
+    double turn = 0;   // m: how far a point of the axis gets where |q - q0| = 1
+    double room = -1;  // m, of the tube about the axis at the start of the step
+  };
+  struct Moved {
+    double way = 0, turn = 0;  // m; |q - q0|
+  };
+  void group_pairs();
+  double room_at_start(const Group& g) const;
+  void look_at_nodes(const Kinematics& trial);
+  bool quiet(const Group& g) const;
   // All pairs, their first and their last questions in one call a volume.
   void find_all(const Kinematics& trial);
   static bool renew(Found& f, const AxisShape& shape, const RigidPose& pose);
@@ -198,8 +213,13 @@ class LineContact final : public Contact {
   std::vector<double> lengths_;    // m, of the elements, unstretched
   std::vector<Pair> pairs_;        // sorted by element and volume
   std::vector<Account> accounts_;  // of the elements
+  std::vector<Vec3> start_x_;      // m, of the nodes at the start of the step
+  std::vector<Quat> start_q_;
+  std::vector<Group> groups_;  // of pairs_; none: to be made anew
   // While a trial is looked at.
   Questions questions_;
+  std::vector<Moved> moved_;       // by node
+  std::vector<char> still_;        // by body
   std::vector<size_t> near_;       // pairs that are not clear
   std::vector<AxisShape> shapes_;  // of those
   std::vector<size_t> renewed_;    // of those, what was not known
