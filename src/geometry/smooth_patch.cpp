@@ -1,7 +1,5 @@
 #include "hawser/geometry/smooth_patch.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -136,27 +134,27 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
 }
 
 Mat3 curvature_over_patch(const SmoothPatch& q, double u, double v, const Vec3& n, double d) {
-  Eigen::Matrix<double, 3, 2> A;
-  A << q.by_u(u, v), q.by_v(u, v);
-  const Eigen::Matrix2d first = A.transpose() * A;
-  Eigen::Matrix2d second;
-  const double cross = n.dot(q.c[0] + q.c[2] - q.c[1]);
-  second << 2 * n.dot(q.c[0]), cross, cross, 2 * n.dot(q.c[2]);
-  const double area2 = first.determinant();
+  const Vec3 a = q.by_u(u, v), b = q.by_v(u, v);
+  const double aa = a.dot(a), ab = a.dot(b), bb = b.dot(b), area2 = aa * bb - ab * ab;
   if (!(area2 > 0)) return Mat3::Zero();
-  // In an orthonormal basis of the tangent plane the curvatures are a symmetric 2 x 2 matrix.
-  const Eigen::Matrix2d root = first.llt().matrixL();
-  const Eigen::Matrix2d inverse = root.inverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> own(inverse * second * inverse.transpose());
-  const Eigen::Matrix<double, 3, 2> axes = A * inverse.transpose() * own.eigenvectors();
-  Mat3 H = Mat3::Zero();
-  for (int i = 0; i < 2; ++i) {
-    const double k = own.eigenvalues()[i];
+  // In the orthonormal basis (e, f) of the tangent plane the curvatures are a symmetric 2 x 2 matrix.
+  const double length = std::sqrt(aa), height = std::sqrt(area2) / length, shear = ab / length;
+  const Vec3 e = a / length, f = (b - shear * e) / height;
+  const double uu = 2 * n.dot(q.c[0]), uv = n.dot(q.c[0] + q.c[2] - q.c[1]), vv = 2 * n.dot(q.c[2]);
+  const double ee = uu / aa, ef = (uv - shear * uu / length) / (length * height),
+               ff = (vv - 2 * shear * uv / length + shear * shear * uu / aa) / (height * height);
+  const double mean = 0.5 * (ee + ff), half = std::hypot(0.5 * (ee - ff), ef);
+  const auto carried = [&](double k) {
     const double stretch = 1 + d * k;
-    H +=
-        k / std::copysign(std::max(std::abs(stretch), 1e-3), stretch) * axes.col(i) * axes.col(i).transpose();
-  }
-  return H;
+    return k / std::copysign(std::max(std::abs(stretch), 1e-3), stretch);
+  };
+  const double most = carried(mean + half), least = carried(mean - half);
+  // The matrix with the same axes whose own values are those two.
+  const double middle = 0.5 * (most + least), ratio = half > 0 ? 0.5 * (most - least) / half : 0;
+  const double across = ratio * ef;
+  return (middle + ratio * (ee - mean)) * e * e.transpose() +
+         (middle + ratio * (ff - mean)) * f * f.transpose() +
+         across * (e * f.transpose() + f * e.transpose());
 }
 
 Mat3 curvature_over_edge(const SmoothPatch& q, int i, double s, const Vec3& n, double d, double small) {

@@ -61,6 +61,7 @@ void LineContact::prepare(const Kinematics& committed, double h) {
   groups_.clear();
   std::vector<Pair> old;
   old.swap(pairs_);
+  pairs_.reserve(old.size());
   size_t known = 0;
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
     const LineContactElement& element = elements_[static_cast<size_t>(e)];
