@@ -26,7 +26,18 @@ Key current() {
                   .items(1),
               number("ramp", time, "starts smoothly over this time in dynamics; 0: acts in statics already")
                   .at_least(0)
-                  .or_else("0")},
+                  .or_else("0"),
+              map("time_factor",
+                  {text("file",
+                        "text file beside the case: columns t [s] and factor; blanks or commas between, `#` "
+                        "starts a comment"),
+                   list("rows", list("", number("", none), "").items(2, 2),
+                        "the same, written here: `[[t, factor], ...]`")
+                       .items(2)},
+                  "multiplies the current, below 0 turning it round, beside `ramp`: straight lines between "
+                  "rows, constant beyond them; in statics what it is at t = 0")
+                  .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true)
+                  .or_else_note("1 at all times")},
              "current; needs `water`")
       .either({{{"speed", "direction_deg", "exponent"}, {"speed"}}, {{"profile"}, {"profile"}}}, true);
 }

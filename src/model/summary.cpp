@@ -151,6 +151,9 @@ void describe_sea(const Case& c, std::string& s) {
                                                       : "");
     const Waves& v = w.waves;
     if (v.kind == Waves::Kind::spectrum)
+    if (const auto& rows = w.current.time_factor.rows(); !rows.empty())
+      s += fmt::format(", times a factor by {} rows from {:g} to {:g} s", rows.size(), rows.front().first,
+                       rows.back().first);
       s += fmt::format(", waves of Hs {:g} m, Tp {:g} s in {} components, seed {}", v.height, v.peak_period,
                        v.count, v.seed);
     else if (v.kind == Waves::Kind::regular)

@@ -399,7 +399,7 @@ inline void add_water(SuiteModel& m, const Placement& at, double surface, bool t
   sea.surface = surface;
   sea.current = CurrentProfile(
       {{surface - 20, at.rotation * Vec3(0.5, 1, 0)}, {surface + 20, at.rotation * Vec3(-1.5, 3, 0)}});
-  sea.current_ramp = 1.5;
+  sea.current_ramp = 1.5, sea.current_factor = TimeFactor({{0, 0.4}, {2, 1.6}});
   if (waves) {
     std::vector<WaveComponent> components;
     for (const Vec3& omega_and_way : {Vec3(0.9, 0.6, 0.8), Vec3(1.4, -1, 0)}) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hawser/kernels/current.hpp"
+#include "hawser/kernels/force_table.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "hawser/model/stiffness.hpp"
 
@@ -27,7 +29,8 @@ struct CurrentRow {
 struct Current {
   std::vector<CurrentRow> profile;  // empty: no current
   double exponent = 0;
-  double ramp = 0;  // s, smooth start in dynamics; 0: acts from statics on
+  double ramp = 0;         // s, smooth start in dynamics; 0: acts from statics on
+  TimeFactor time_factor;  // multiplies it too
 };
 
 // Linear waves: one, the components of a spectrum (by formula or by rows), or given ones; or one wave of
