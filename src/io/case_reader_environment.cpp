@@ -165,7 +165,13 @@ model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& 
     source.bad(v, key + ".depth", "required key is missing: the depth, here or of the water");
   b.slope = v["slope_deg"].number, b.direction = v["slope_direction_deg"].number;
   b.normal_stiffness = 1e5;
-  if (const Value* k = v.find("normal_stiffness")) {
+  if (const Value* k = v.find("normal_stiffness"); k && k->has("table")) {
+    b.force_table = read_force_table((*k)["table"], key + ".normal_stiffness.table", source);
+    b.normal_stiffness = b.force_table->largest_slope();
+    b.basis = (*k)["per"].is("length") ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
+    if (v.has("smoothing"))
+      source.bad(v["smoothing"], key + ".smoothing", "a table of forces brings its own smooth start");
+  } else if (k) {
     b.basis = k->has("per_length") ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
     b.normal_stiffness = (*k)[k->has("per_length") ? "per_length" : "per_area"].number;
   }

@@ -165,10 +165,17 @@ Key seabed() {
               map("normal_stiffness",
                   {number("per_length", line_stiffness, "per length of line").above(0),
                    number("per_area", area_stiffness, "per projected area (length times contact diameter)")
-                       .above(0)},
+                       .above(0),
+                   force_rows(),
+                   word("per", {"length", "area"},
+                        "what the forces of the table are of: N/m of line, N/m² of projected area")},
                   "of the soil against penetration; without it 100 kN/m³")
-                  .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true),
-              number("damping", none, "of the soil, in the unit of `normal_stiffness` times s")
+                  .either({{{"per_length"}, {}}, {{"per_area"}, {}}, {{"table", "per"}, {"table", "per"}}},
+                          true),
+              number(
+                  "damping", none,
+                  "of the soil, in the unit of `normal_stiffness` times s; with a table it is that where the "
+                  "table is steepest, and goes with its slope")
                   .at_least(0)
                   .or_else("0"),
               number("smoothing", length, "half width of the smooth start of the soil's force")

@@ -43,5 +43,19 @@ TEST(CaseSea, TimeFactorOfTheCurrent) {
   EXPECT_TRUE(read("{water: {}, current: {speed: 1}}").environment.water.current.time_factor.rows().empty());
 }
 
+TEST(CaseSea, SeabedByTable) {
+  for (const bool by_length : {false, true}) {
+    const std::string per = by_length ? "length" : "area";
+    const model::Case c = read(
+        "{seabed: {depth: 90, normal_stiffness: {table: [[0.01, 100], [0.05, 2e3]], per: " + per + "}}}");
+    const model::Seabed& bed = c.environment.seabed;
+    EXPECT_EQ(bed.basis, by_length ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area);
+    ASSERT_TRUE(bed.force_table);
+    EXPECT_NEAR(bed.force_table->at(0.01).force, 100, 1e-9);
+    EXPECT_EQ(bed.normal_stiffness, bed.force_table->largest_slope());
+    expect_part(c, ("force by a table of 2 rows up to 0.05 m per " + per).c_str());
+  }
+}
+
 }  // namespace
 }  // namespace hawser
