@@ -18,10 +18,39 @@ double number(const Value& v, const char* key, double otherwise = 0) {
   return x ? x->number : otherwise;
 }
 
+// Rows of t and factor, from a file or written there.
+TimeFactor read_time_factor(const Value& v, const std::string& key, const CaseSource& source) {
+  const bool from_file = v.has("file");
+  const Value& at = v[from_file ? "file" : "rows"];
+  const std::string where = key + (from_file ? ".file" : ".rows");
+  std::vector<std::vector<double>> rows;
+  if (from_file)
+    rows = read_rows(source.absolute(at.text), at, where, source);
+  else
+    for (const Value& r : at.items) rows.push_back({r.items[0].number, r.items[1].number});
+  if (rows.size() < 2)
+    source.bad(at, where, fmt::format("a table of factors needs at least 2 rows, found {}", rows.size()));
+  std::vector<TimeFactor::Row> out;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double>& r = rows[i];
+    if (r.size() != 2)
+      source.bad(at, where,
+                 fmt::format("a row has 2 numbers, t and factor, but row {} has {}", i + 1, r.size()));
+    if (i > 0 && !(r[0] > out.back().first))
+      source.bad(at, where,
+                 fmt::format("times must increase, but row {} has t = {:g} s after {:g} s", i + 1, r[0],
+                             out.back().first));
+    out.emplace_back(r[0], r[1]);
+  }
+  return TimeFactor(std::move(out));
+}
+
 model::Current read_current(const Value& v, double water_depth, const CaseSource& source) {
   const std::string key = "environment.current";
   model::Current c;
   c.ramp = v["ramp"].number;
+  if (const Value* f = v.find("time_factor"))
+    c.time_factor = read_time_factor(*f, key + ".time_factor", source);
   if (v.has("speed")) {
     c.profile.push_back({0, v["speed"].number, v["direction_deg"].number});
     c.exponent = number(v, "exponent");
@@ -136,7 +165,13 @@ model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& 
     source.bad(v, key + ".depth", "required key is missing: the depth, here or of the water");
   b.slope = v["slope_deg"].number, b.direction = v["slope_direction_deg"].number;
   b.normal_stiffness = 1e5;
-  if (const Value* k = v.find("normal_stiffness")) {
+  if (const Value* k = v.find("normal_stiffness"); k && k->has("table")) {
+    b.force_table = read_force_table((*k)["table"], key + ".normal_stiffness.table", source);
+    b.normal_stiffness = b.force_table->largest_slope();
+    b.basis = (*k)["per"].is("length") ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
+    if (v.has("smoothing"))
+      source.bad(v["smoothing"], key + ".smoothing", "a table of forces brings its own smooth start");
+  } else if (k) {
     b.basis = k->has("per_length") ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
     b.normal_stiffness = (*k)[k->has("per_length") ? "per_length" : "per_area"].number;
   }

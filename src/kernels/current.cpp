@@ -50,4 +50,19 @@ void CurrentProfile::at(double depth, Vec3& velocity, Vec3& by_depth) const {
   }
 }
 
+TimeFactor::TimeFactor(std::vector<Row> rows) : rows_(std::move(rows)) {
+  for (size_t i = 1; i < rows_.size(); ++i)
+    if (!(rows_[i].first > rows_[i - 1].first)) throw std::invalid_argument("times of a factor must grow");
+}
+
+double TimeFactor::at(double time) const {
+  if (rows_.empty()) return 1;
+  if (time <= rows_.front().first) return rows_.front().second;
+  if (time >= rows_.back().first) return rows_.back().second;
+  const auto after =
+      std::upper_bound(rows_.begin(), rows_.end(), time, [](double t, const Row& r) { return t < r.first; });
+  const Row &b = *after, &a = *(after - 1);
+  return a.second + (time - a.first) / (b.first - a.first) * (b.second - a.second);
+}
+
 }  // namespace hawser

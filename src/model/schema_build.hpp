@@ -81,6 +81,7 @@ inline constexpr const char* kZero = "[0, 0, 0]";
 Key volumes();                // with their shapes, contact laws and friction
 Key between_lines();          // of contact
 Key friction();               // coefficients and springs of it, of volumes and the seabed
+Key force_rows();             // `table` of force against penetration, of volumes and the seabed
 Key environment();            // the sea and its bed
 std::vector<Key> in_water();  // of line types
 Key output();

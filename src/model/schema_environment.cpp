@@ -26,7 +26,18 @@ Key current() {
                   .items(1),
               number("ramp", time, "starts smoothly over this time in dynamics; 0: acts in statics already")
                   .at_least(0)
-                  .or_else("0")},
+                  .or_else("0"),
+              map("time_factor",
+                  {text("file",
+                        "text file beside the case: columns t [s] and factor; blanks or commas between, `#` "
+                        "starts a comment"),
+                   list("rows", list("", number("", none), "").items(2, 2),
+                        "the same, written here: `[[t, factor], ...]`")
+                       .items(2)},
+                  "multiplies the current, below 0 turning it round, beside `ramp`: straight lines between "
+                  "rows, constant beyond them; in statics what it is at t = 0")
+                  .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true)
+                  .or_else_note("1 at all times")},
              "current; needs `water`")
       .either({{{"speed", "direction_deg", "exponent"}, {"speed"}}, {{"profile"}, {"profile"}}}, true);
 }
@@ -154,10 +165,17 @@ Key seabed() {
               map("normal_stiffness",
                   {number("per_length", line_stiffness, "per length of line").above(0),
                    number("per_area", area_stiffness, "per projected area (length times contact diameter)")
-                       .above(0)},
+                       .above(0),
+                   force_rows(),
+                   word("per", {"length", "area"},
+                        "what the forces of the table are of: N/m of line, N/m² of projected area")},
                   "of the soil against penetration; without it 100 kN/m³")
-                  .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true),
-              number("damping", none, "of the soil, in the unit of `normal_stiffness` times s")
+                  .either({{{"per_length"}, {}}, {{"per_area"}, {}}, {{"table", "per"}, {"table", "per"}}},
+                          true),
+              number(
+                  "damping", none,
+                  "of the soil, in the unit of `normal_stiffness` times s; with a table it is that where the "
+                  "table is steepest, and goes with its slope")
                   .at_least(0)
                   .or_else("0"),
               number("smoothing", length, "half width of the smooth start of the soil's force")

@@ -59,6 +59,14 @@ Key friction() {
       .or_else("0");
 }
 
+Key force_rows() {
+  return list(
+             "table", list("", number("", none), "").items(2, 2),
+             "force against penetration, `[[penetration, force], ...]`: a monotone cubic from no force at no "
+             "penetration through the rows, straight beyond the last")
+      .items(1);
+}
+
 namespace {
 
 Key shape() {
@@ -110,11 +118,7 @@ Key volumes() {
                 number("allowed_penetration", length,
                        "as `auto`, for this penetration instead of 0.5 % of the line's radius")
                     .above(0),
-                list("table", list("", number("", none), "").items(2, 2),
-                     "force against penetration, `[[penetration, force], ...]`: a monotone cubic from no "
-                     "force "
-                     "at no penetration through the rows, straight beyond the last")
-                    .items(1),
+                force_rows(),
                 word(
                     "per", {"point", "length", "area"},
                     "what the forces of the table are of: N of a node, N/m of line, N/m² of projected area")},

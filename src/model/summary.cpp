@@ -82,10 +82,12 @@ struct ShapeText {
   }
 };
 
+std::string table_text(const ForceTable& t) {
+  return fmt::format("force by a table of {} rows up to {:g} m", t.rows().size() - 1, t.rows().back().first);
+}
+
 std::string stiffness_text(const Volume& v) {
-  if (v.force_table)
-    return fmt::format("force by a table of {} rows up to {:g} m", v.force_table->rows().size() - 1,
-                       v.force_table->rows().back().first);
+  if (v.force_table) return table_text(*v.force_table);
   switch (v.basis) {
     case StiffnessBasis::automatic:
       return v.allowed_penetration > 0
@@ -149,6 +151,9 @@ void describe_sea(const Case& c, std::string& s) {
                        w.current.exponent > 0         ? ", power law"
                        : w.current.profile.size() > 1 ? fmt::format(", {} rows", w.current.profile.size())
                                                       : "");
+    if (const auto& rows = w.current.time_factor.rows(); !rows.empty())
+      s += fmt::format(", times a factor by {} rows from {:g} to {:g} s", rows.size(), rows.front().first,
+                       rows.back().first);
     const Waves& v = w.waves;
     if (v.kind == Waves::Kind::spectrum)
       s += fmt::format(", waves of Hs {:g} m, Tp {:g} s in {} components, seed {}", v.height, v.peak_period,
@@ -173,8 +178,12 @@ void describe_sea(const Case& c, std::string& s) {
     s += fmt::format("seabed: at {:g} m", b.depth);
   if (b.slope > 0)
     s += fmt::format(", sloping {:g} deg towards {:g} deg", b.slope * 180 / M_PI, b.direction * 180 / M_PI);
-  s += fmt::format(", stiffness {:g} {}, {}\n", b.normal_stiffness,
-                   b.basis == StiffnessBasis::per_length ? "N/m²" : "N/m³", friction_text(b.friction));
+  const bool by_length = b.basis == StiffnessBasis::per_length;
+  s += fmt::format(", {}, {}\n",
+                   b.force_table
+                       ? fmt::format("{} per {}", table_text(*b.force_table), by_length ? "length" : "area")
+                       : fmt::format("stiffness {:g} {}", b.normal_stiffness, by_length ? "N/m²" : "N/m³"),
+                   friction_text(b.friction));
 }
 
 }  // namespace

@@ -51,7 +51,9 @@ FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const M
 // The current that acts in statics.
 CurrentProfile current_of(const model::Case& c) {
   const model::Water& w = c.environment.water;
-  return w.present && w.current.ramp == 0 ? current_profile(w) : CurrentProfile();
+  if (!w.present || w.current.ramp > 0) return {};
+  const double factor = w.current.time_factor.at(0);
+  return factor == 0 ? CurrentProfile() : current_profile(w, factor);
 }
 
 // What drag is made of, a piece: half the density, coefficient and diameter across, and along the skin;
@@ -109,6 +111,7 @@ bool streams(const model::Case& c, const model::Line& line) {
   const model::Water& w = c.environment.water;
   double speed = 0;
   for (const model::CurrentRow& r : w.current.profile) speed = std::max(speed, r.speed);
+  speed *= w.current.time_factor.at(0);
   double pull = 0, weight = 0;
   for (const auto& s : line.sections) {
     const auto& t = c.line_type(s.type);

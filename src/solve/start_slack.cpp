@@ -27,10 +27,10 @@ double half_angle(double chord, double length) {
 Vec3 bulge(const model::Environment& sea, const Vec3& chord) {
   const Vec3 left(-chord.y(), chord.x(), 0);
   const model::Current& current = sea.water.current;
-  if (sea.water.present && current.ramp == 0 && !current.profile.empty() &&
-      current.profile.front().speed > 0) {
-    const double b = current.profile.front().direction;
-    if (left.dot(Vec3(std::cos(b), std::sin(b), 0)) < 0) return -left;
+  if (sea.water.present && current.ramp == 0 && !current.profile.empty()) {
+    const double b = current.profile.front().direction,
+                 speed = current.profile.front().speed * current.time_factor.at(0);
+    if (speed * left.dot(Vec3(std::cos(b), std::sin(b), 0)) < 0) return -left;
   }
   return left;
 }

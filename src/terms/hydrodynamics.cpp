@@ -42,7 +42,8 @@ Water Hydrodynamics::water(const Kinematics& at, size_t node) const {
   if (!sea_.current.none()) {
     sea_.current.at(sea_.surface - at.x[node].z(), w.velocity, w.by_height);
     const double ramp = sea_.current_ramp > 0 ? quintic_ramp(at.time, sea_.current_ramp).value : 1;
-    w.velocity *= ramp, w.by_height *= -ramp;
+    const double factor = ramp * sea_.current_factor.at(at.time);
+    w.velocity *= factor, w.by_height *= -factor;
   }
   if (sea_.waves.none() || !(at.step > 0)) return w;
   const WaveMotion& wave = waves(at)[node];

@@ -8,9 +8,10 @@
 
 namespace hawser {
 
-CurrentProfile current_profile(const model::Water& w) {
-  const auto vector = [](const model::CurrentRow& r) {
-    return Vec3(r.speed * std::cos(r.direction), r.speed * std::sin(r.direction), 0);
+CurrentProfile current_profile(const model::Water& w, double factor) {
+  const auto vector = [factor](const model::CurrentRow& r) {
+    const double speed = factor * r.speed;
+    return Vec3(speed * std::cos(r.direction), speed * std::sin(r.direction), 0);
   };
   const model::Current& current = w.current;
   if (current.exponent > 0) return CurrentProfile(vector(current.profile.front()), current.exponent, w.depth);
@@ -24,7 +25,7 @@ Sea sea_of(const model::Case& c) {
   Sea sea;
   sea.density = w.density, sea.gravity = c.environment.gravity, sea.surface = w.surface;
   sea.current = current_profile(w);
-  sea.current_ramp = w.current.ramp;
+  sea.current_ramp = w.current.ramp, sea.current_factor = w.current.time_factor;
   sea.waves = model::wave_field(c.environment);
   sea.wave_ramp = w.waves.ramp;
   return sea;

@@ -79,9 +79,11 @@ std::vector<SeabedTerm::NodeLaw> laws_of(const LocalMesh& mesh, const model::Cas
     NormalLaw& normal = o.law.normal;
     normal.stiffness = k;
     normal.damping = bed.damping * share;
+    normal.table = bed.force_table.get(), normal.table_factor = share;
     // A fifth of what the line at rest sinks in: what rests lies beyond the ramp, what touches down is soft.
-    normal.smoothing =
-        bed.smoothing >= 0 ? bed.smoothing : std::max(0.002 * s.radius, 0.2 * std::max(s.weight, 0.0) / k);
+    if (!normal.table)
+      normal.smoothing =
+          bed.smoothing >= 0 ? bed.smoothing : std::max(0.002 * s.radius, 0.2 * std::max(s.weight, 0.0) / k);
     const model::Friction& f = bed.friction;
     FrictionLaw& friction = o.law.friction;
     friction.axial = f.axial, friction.lateral = f.lateral;
@@ -100,7 +102,7 @@ std::vector<SeabedTerm::NodeLaw> laws_of(const LocalMesh& mesh, const model::Cas
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held)
     : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
-  surface_ = c.environment.seabed.surface;
+  surface_ = c.environment.seabed.surface, table_ = c.environment.seabed.force_table;
   if (surface_) bounds_ = surface_->bounds();
 }
 

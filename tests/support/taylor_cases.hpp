@@ -256,9 +256,12 @@ inline std::shared_ptr<const HeightGrid> hilly() {
   return std::make_shared<const HeightGrid>(x, x, z);
 }
 
-// A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory).
+// A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
+// table, through whose bends and steep parts they go.
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
-                              bool curved = false) {
+                              bool curved = false, bool by_table = false) {
+  static const std::vector<ForceTable::Row> rows{{2 * mm, 60}, {4.5 * mm, 500}, {20 * mm, 1000}};
+  static const ForceTable table(rows);
   const LocalMesh& l = m.system->mesh();
   const Quat slope = at.rotation * exp_so3({0.2, -0.1, 0.4});
   const Vec3 origin = at.point({1, 2, 3});
@@ -268,6 +271,7 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   law.radius = kContactRadius;
   law.law.normal.stiffness = kNormalStiffness, law.law.normal.smoothing = 1 * mm,
   law.law.normal.damping = 500;
+  if (by_table) law.law.normal = {0.7 * table.largest_slope(), 0, 500, &table, 0.7};
   FrictionLaw& friction = law.law.friction;
   friction.axial = axial, friction.lateral = lateral;
   friction.axial_length = 2 * mm, friction.lateral_length = 3 * mm;
@@ -305,12 +309,14 @@ inline std::vector<SuiteCase> seabed_cases() {
   for (const bool curved : {false, true})
     for (const auto& [axial, lateral, friction] :
          {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
-      out.push_back({std::string("seabed, ") + (curved ? "grid, " : "") + friction,
-                     [axial = axial, lateral = lateral, curved](MPI_Comm comm, const Placement& at) {
-                       auto m = std::make_unique<SuiteModel>(comm, at);
-                       add_seabed(*m, at, axial, lateral, curved);
-                       return m;
-                     }});
+      for (const bool by_table : {false, true})
+        out.push_back(
+            {std::string("seabed, ") + (curved ? "grid, " : "") + (by_table ? "table, " : "") + friction,
+             [axial = axial, lateral = lateral, curved, by_table](MPI_Comm comm, const Placement& at) {
+               auto m = std::make_unique<SuiteModel>(comm, at);
+               add_seabed(*m, at, axial, lateral, curved, by_table);
+               return m;
+             }});
   return out;
 }
 
@@ -399,7 +405,7 @@ inline void add_water(SuiteModel& m, const Placement& at, double surface, bool t
   sea.surface = surface;
   sea.current = CurrentProfile(
       {{surface - 20, at.rotation * Vec3(0.5, 1, 0)}, {surface + 20, at.rotation * Vec3(-1.5, 3, 0)}});
-  sea.current_ramp = 1.5;
+  sea.current_ramp = 1.5, sea.current_factor = TimeFactor({{0, 0.4}, {2, 1.6}});
   if (waves) {
     std::vector<WaveComponent> components;
     for (const Vec3& omega_and_way : {Vec3(0.9, 0.6, 0.8), Vec3(1.4, -1, 0)}) {

@@ -6,6 +6,7 @@
 #include "hawser/geometry/ground.hpp"
 #include "hawser/geometry/height_grid.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/model/case.hpp"
 #include "support/taylor_cases.hpp"
 
 namespace hawser::test {
@@ -80,6 +81,44 @@ TEST(SeabedFriction, PaperFormula) {
     const Vec3 f = n.go({r[0], r[1], kDeep});
     EXPECT_NEAR(f.x(), -r[2], 1e-10) << r[0] << ' ' << r[1];
     EXPECT_NEAR(f.y(), -r[3], 1e-10) << r[0] << ' ' << r[1];
+  }
+}
+
+// A case's table per area and per length: of a node its share of it, with the potential beside it.
+TEST(SeabedTable, ForceAndPotentialOfANode) {
+  Mesh mesh;
+  mesh.nodes = {{0, 0, 1, false}, {0, 2, 1, false}};
+  mesh.elements = {{0, 0, 1, 0, 2, false}};
+  mesh.lines = {{0, 2, 0, 1, 2, "one"}};
+  const LocalMesh local = local_mesh(mesh, {0, 0}, 0, 1);
+  const std::vector<ForceTable::Row> rows{{0.01, 100}, {0.05, 900}, {0.1, 1000}};
+  for (const bool by_length : {false, true}) {
+    model::Case c;
+    model::LineType& t = c.line_types.emplace_back();
+    t.outer_diameter = t.contact_diameter = 0.4, t.mass_per_length = 50;
+    model::Seabed& bed = c.environment.seabed;
+    bed.present = true, bed.depth = 90;
+    bed.basis = by_length ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
+    bed.force_table = std::make_shared<const ForceTable>(rows);
+    bed.normal_stiffness = bed.force_table->largest_slope();
+    const double share = by_length ? 1 : 0.4;  // half the element
+    SeabedTerm term(local, c, {1});
+    bed.force_table.reset();  // it is the term's as well
+    const auto at = [&](double deep, double step) {
+      State s(2);
+      s.x = {Vec3(0, 0, -90 + 0.2 - deep), Vec3(2, 0, 0)};
+      term.prepare(s.view(step), step);
+      term.commit(s.view(step));
+      return std::pair(term.node_force(s.view(step), 0).z(), term.energy(s.view(step)).strain);
+    };
+    EXPECT_EQ(at(-1e-6, 0).first, 0);
+    for (const auto& [deep, force] : rows) EXPECT_NEAR(at(deep, 0.1).first, share * force, 1e-9);
+    for (const double deep : {0.004, 0.03, 0.07, 0.2}) {
+      const double h = 1e-5;
+      EXPECT_NEAR(at(deep, 0).first, (at(deep + h, 0).second - at(deep - h, 0).second) / (2 * h), 1e-4)
+          << deep;
+      EXPECT_EQ(at(deep, 0).second, at(deep, 0.1).second);
+    }
   }
 }
 

@@ -176,5 +176,17 @@ TEST(Current, TableAndPowerLaw) {
   EXPECT_THROW(CurrentProfile({{10, Vec3(1, 0, 0)}, {10, Vec3(1, 0, 0)}}), std::invalid_argument);
 }
 
+TEST(Current, FactorByTime) {
+  EXPECT_EQ(TimeFactor().at(17), 1);
+  const TimeFactor f({{-10, 0.5}, {30, 2}, {40, -1}});
+  EXPECT_EQ(f.at(-20), 0.5);
+  EXPECT_EQ(f.at(-10), 0.5);
+  EXPECT_NEAR(f.at(0), 0.875, 1e-15);
+  EXPECT_EQ(f.at(30), 2);
+  EXPECT_NEAR(f.at(38), -0.4, 1e-15);
+  EXPECT_EQ(f.at(1e9), -1);
+  EXPECT_THROW(TimeFactor({{1, 1}, {1, 2}}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace hawser

@@ -1,6 +1,7 @@
-// Current by depth: straight lines between rows of a table, or a power law.
+// Current by depth: straight lines between rows of a table, or a power law. A factor of it by time.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "hawser/math/types.hpp"
@@ -26,6 +27,22 @@ class CurrentProfile {
  private:
   std::vector<Row> rows_;
   double exponent_ = 0, water_depth_ = 0;
+};
+
+// A number by time: straight lines between rows, constant before the first and after the last; 1 without
+// rows.
+class TimeFactor {
+ public:
+  using Row = std::pair<double, double>;  // s, factor
+  TimeFactor() = default;
+  // Rows with growing time; std::invalid_argument otherwise.
+  explicit TimeFactor(std::vector<Row> rows);
+
+  double at(double time) const;
+  const std::vector<Row>& rows() const { return rows_; }
+
+ private:
+  std::vector<Row> rows_;
 };
 
 }  // namespace hawser

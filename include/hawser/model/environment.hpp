@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hawser/kernels/current.hpp"
+#include "hawser/kernels/force_table.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "hawser/model/stiffness.hpp"
 
@@ -27,7 +29,8 @@ struct CurrentRow {
 struct Current {
   std::vector<CurrentRow> profile;  // empty: no current
   double exponent = 0;
-  double ramp = 0;  // s, smooth start in dynamics; 0: acts from statics on
+  double ramp = 0;         // s, smooth start in dynamics; 0: acts from statics on
+  TimeFactor time_factor;  // multiplies it too
 };
 
 // Linear waves: one, the components of a spectrum (by formula or by rows), or given ones; or one wave of
@@ -68,9 +71,10 @@ struct Seabed {
   double depth = 0;                        // m
   double slope = 0, direction = 0;         // rad
   StiffnessBasis basis = StiffnessBasis::per_area;
-  double normal_stiffness = 0;  // N/m² or N/m³ by basis
-  double damping = 0;           // N s/m² or N s/m³ by basis
-  double smoothing = -1;        // m, half width of the C1 ramp; < 0: default
+  double normal_stiffness = 0;                    // N/m² or N/m³ by basis; of a table its largest slope
+  std::shared_ptr<const ForceTable> force_table;  // N/m or N/m² by basis; null: by stiffness
+  double damping = 0;                             // N s/m² or N s/m³ by basis
+  double smoothing = -1;                          // m, half width of the C1 ramp; < 0: default
   Friction friction;
   bool as_laid = true;  // in statics friction acts against what pulled the line from where it was laid
 };

@@ -24,11 +24,12 @@ struct Sea {
   double surface = 0;                        // m, z of the still water
   CurrentProfile current;
   double current_ramp = 0;  // s, smooth start; 0: always there
+  TimeFactor current_factor;
   WaveField waves;
   double wave_ramp = 0;  // s
 };
 Sea sea_of(const model::Case& c);
-CurrentProfile current_profile(const model::Water& w);
+CurrentProfile current_profile(const model::Water& w, double factor = 1);
 
 class Hydrodynamics final : public ForceTerm {
  public:

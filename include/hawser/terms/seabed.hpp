@@ -87,8 +87,9 @@ class SeabedTerm final : public ForceTerm {
 
   const LocalMesh& mesh_;
   Plane plane_;
-  std::shared_ptr<const Surface> surface_;  // null: the plane
-  Box bounds_ = Box::everything();          // of the surface
+  std::shared_ptr<const Surface> surface_;   // null: the plane
+  std::shared_ptr<const ForceTable> table_;  // that laws point to; may be null
+  Box bounds_ = Box::everything();           // of the surface
   std::vector<Point> points_;
   std::vector<double> element_;  // m, longest at a local node
   LineNeighbours line_;

@@ -1,0 +1,61 @@
+// Good case files of the sea and its bed: tables of them, from a file or written there.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "hawser/io/case_reader.hpp"
+#include "hawser/model/summary.hpp"
+
+namespace hawser {
+namespace {
+
+namespace fs = std::filesystem;
+
+model::Case read(const std::string& environment,
+                 const fs::path& folder = HAWSER_SOURCE_DIR "/tests/data/bad") {
+  return io::read_case_text("hawser: 1\nenvironment: " + environment +
+                                "\nline_types: {hose: {outer_diameter: 0.2, mass_per_length: 50, EA: 1e8, "
+                                "EI: 1e4, GJ: 1e4}}\nlines: {a: {sections: [{type: hose, length: 10, "
+                                "elements: 2}], end_a: {anchor: [0, 0, 0]}, end_b: free}}\n",
+                            (folder / "text.yaml").string());
+}
+
+void expect_part(const model::Case& c, const char* part) {
+  const std::string s = model::summary(c);
+  EXPECT_NE(s.find(part), std::string::npos) << part << "\n" << s;
+}
+
+TEST(CaseSea, TimeFactorOfTheCurrent) {
+  const fs::path folder = fs::path(testing::TempDir()) / "hawser_factor";
+  fs::create_directories(folder);
+  std::ofstream(folder / "tide.txt") << "# t factor\n0 1\n\n3600, -0.5  # back\n";
+  const std::vector<TimeFactor::Row> rows{{0, 1}, {3600, -0.5}};
+  for (const char* table : {"{file: tide.txt}", "{rows: [[0, 1], [3600, -0.5]]}"}) {
+    const model::Case c =
+        read(std::string("{water: {}, current: {speed: 1, ramp: 5, time_factor: ") + table + "}}", folder);
+    const model::Current& current = c.environment.water.current;
+    EXPECT_EQ(current.time_factor.rows(), rows);
+    EXPECT_EQ(current.ramp, 5);
+    expect_part(c, "times a factor by 2 rows from 0 to 3600 s");
+  }
+  EXPECT_TRUE(read("{water: {}, current: {speed: 1}}").environment.water.current.time_factor.rows().empty());
+}
+
+TEST(CaseSea, SeabedByTable) {
+  for (const bool by_length : {false, true}) {
+    const std::string per = by_length ? "length" : "area";
+    const model::Case c = read(
+        "{seabed: {depth: 90, normal_stiffness: {table: [[0.01, 100], [0.05, 2e3]], per: " + per + "}}}");
+    const model::Seabed& bed = c.environment.seabed;
+    EXPECT_EQ(bed.basis, by_length ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area);
+    ASSERT_TRUE(bed.force_table);
+    EXPECT_NEAR(bed.force_table->at(0.01).force, 100, 1e-9);
+    EXPECT_EQ(bed.normal_stiffness, bed.force_table->largest_slope());
+    expect_part(c, ("force by a table of 2 rows up to 0.05 m per " + per).c_str());
+  }
+}
+
+}  // namespace
+}  // namespace hawser
