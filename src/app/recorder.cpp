@@ -71,7 +71,8 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       if (fields_[i].name == name) return static_cast<int>(i);
     return -1;
   };
-  tension_ = find("effective_tension"), moment_ = find("bending_moment"), curvature_ = find("curvature");
+  tension_ = find("effective_tension"), wall_ = find("wall_tension"), moment_ = find("bending_moment"),
+  curvature_ = find("curvature");
   penetration_ = find("penetration"), contact_ = find("contact_force");
 
   io::ResultContents contents;
@@ -141,7 +142,7 @@ void Recorder::fill(const Kinematics& at) {
 }
 
 // An element's tension is that of its middle. At a line's end it is what balances the support, if there is
-// one, and what else acts at the node.
+// one, and what else acts at the node. The wall's goes with it: the pressures are those of the node already.
 void Recorder::correct_ends(const Kinematics& at) {
   if (tension_ < 0) return;
   const LocalMesh& local = sim_.local();
@@ -167,7 +168,8 @@ void Recorder::correct_ends(const Kinematics& at) {
         force += Eigen::Map<const Vec3>(values_[static_cast<size_t>(contact_)].data() + 3 * n);
       const Vec3 tangent = g.beam ? Vec3(at.q[n] * Vec3::UnitX()) : Vec3((at.x[j] - at.x[i]).normalized());
       const double pull = (first ? -1 : 1) * force.dot(tangent);
-      tension[n] = g.beam ? pull : std::max(pull, 0.0);
+      const double middle = std::exchange(tension[n], g.beam ? pull : std::max(pull, 0.0));
+      if (wall_ >= 0) values_[static_cast<size_t>(wall_)][n] += tension[n] - middle;
     }
   }
 }

@@ -209,6 +209,23 @@ void check_stokes(const Value& v, const model::Environment& e, const CaseSource&
                     ".current: lines feel it beside 'environment.current', which does not change the wave");
 }
 
+// Linear theory goes on where a wave would break (Miche 1944).
+void check_steepness(const model::Environment& e, std::vector<std::string>& notes) {
+  const model::Waves& w = e.water.waves;
+  if (w.kind != model::Waves::Kind::regular && w.kind != model::Waves::Kind::components) return;
+  if (!(e.gravity > 0)) return;
+  for (size_t i = 0; i < w.rows.size(); ++i) {
+    const double k = wave_number(2 * M_PI / w.rows[i].period, e.water.depth, e.gravity);
+    const double length = 2 * M_PI / k;
+    const double highest = 0.142 * length * (e.water.depth > 0 ? std::tanh(k * e.water.depth) : 1);
+    if (w.rows[i].height > highest)
+      notes.push_back(fmt::format(
+          "environment.waves.{}: a wave of {:g} m would break: {:.3g} m long, it gets {:.3g} m high (Miche)",
+          w.kind == model::Waves::Kind::regular ? "regular" : fmt::format("components[{}]", i),
+          w.rows[i].height, length, highest));
+  }
+}
+
 }  // namespace
 
 model::Environment read_environment(const Value& v, const CaseSource& source,
@@ -237,6 +254,7 @@ model::Environment read_environment(const Value& v, const CaseSource& source,
                  "over a bed of a grid or a mesh waves need 'depth' of the water, which is one for all");
     e.water.waves = read_waves(*w, source);
     if (e.water.waves.kind == model::Waves::Kind::stokes) check_stokes(*w, e, source, notes);
+    check_steepness(e, notes);
   }
   return e;
 }
@@ -253,10 +271,10 @@ void read_in_water(const Value& v, const std::string& key, const CaseSource& sou
   if (const Value* c = v.find("contents")) {
     t.inner_diameter = (*c)["inner_diameter"].number;
     t.contents_density = (*c)["density"].number, t.contents_pressure = (*c)["pressure"].number;
-    if (t.inner_diameter >= t.displaced_diameter)
+    if (t.inner_diameter >= t.outer_diameter)
       source.bad(
           (*c)["inner_diameter"], key + ".contents.inner_diameter",
-          fmt::format("{:g} m is not inside the outside of {:g} m", t.inner_diameter, t.displaced_diameter));
+          fmt::format("{:g} m is not inside the outside of {:g} m", t.inner_diameter, t.outer_diameter));
     t.mass_per_length += t.contents_density * M_PI / 4 * t.inner_diameter * t.inner_diameter;
   }
   if (const Value* g = v.find("marine_growth")) {

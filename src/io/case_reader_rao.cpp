@@ -41,6 +41,12 @@ RaoTable read_table(const model::Value& rao, const std::string& key, const CaseS
                       i + 1, r.size()));
     if (!(r[0] > 0))
       source.bad(at, where, fmt::format("periods must be above 0, but row {} has {:g} s", i + 1, r[0]));
+    for (size_t k = 2; k < 14; k += 2)
+      if (!(r[k] >= 0))
+        source.bad(
+            at, where,
+            fmt::format("amplitudes must not be negative, but row {} has {:g}: turn its phase by 180 deg",
+                        i + 1, r[k]));
     RaoTable::Row& row = table.emplace_back();
     row.omega = 2 * M_PI / r[0], row.direction = r[1] * kDegree;
     for (size_t k = 0; k < 6; ++k)

@@ -137,12 +137,13 @@ double direction_of(double mean, double spreading, Random& random) {
   return mean;
 }
 
-// A bin of a spectrum as a component: its energy [m²] exactly, a frequency [rad/s] anywhere in it.
+// A bin of a spectrum as a component: its energy [m²] exactly, a frequency [rad/s] in the middle half of it.
+// Anywhere in it two neighbours could come so near to each other that three hours are short for their beat.
 WaveComponent component_of(double energy, double from, double to, double direction, double spreading,
                            Random& random) {
   WaveComponent c;
   c.amplitude = std::sqrt(2 * energy);
-  c.omega = from + random.next() * (to - from);
+  c.omega = from + (0.25 + 0.5 * random.next()) * (to - from);
   c.phase = 2 * M_PI * random.next();
   const double theta = direction_of(direction, spreading, random);
   c.x = std::cos(theta), c.y = std::sin(theta);

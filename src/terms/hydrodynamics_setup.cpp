@@ -55,7 +55,8 @@ std::vector<Hydrodynamics::Piece> pieces_of(const LocalMesh& mesh, const model::
     Hydrodynamics::Piece& p = out.emplace_back();
     p.at = e, p.beam = g.beam;
     p.section = water_section(c, g.type, g.length);
-    p.outside = M_PI / 4 * t.displaced() * t.displaced();
+    // The pressure of the sea goes through floats and marine growth; the pipe under them bears it.
+    p.outside = M_PI / 4 * t.outer_diameter * t.outer_diameter;
     p.inside = M_PI / 4 * t.inner_diameter * t.inner_diameter;
     p.contents = t.contents_density, p.pressure = t.contents_pressure;
   }

@@ -33,6 +33,32 @@ Case read_line(const std::string& line) {
 
 bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-14; }
 
+// Linear waves that are steeper than waves can be are run, with a word about it; Miche's limit is 0.142 of
+// the length in deep water, 0.142 tanh(kd) else.
+TEST(CaseReader, WavesThatWouldBreak) {
+  const auto notes = [](const std::string& sea) {
+    return read(
+               kTypes + std::string("environment: {") + sea +
+               "}\n"
+               "lines: {a: {sections: [{type: chain, length: 100, elements: 2}], end_a: {anchor: [0, 0, 0]}, "
+               "end_b: {anchor: [90, 0, 0]}}}\n")
+        .notes;
+  };
+  // 9 s: 126.4 m long, 17.95 m; in 10 m of water 81.7 m and 7.50 m.
+  EXPECT_TRUE(notes("water: {}, waves: {regular: {height: 17.9, period: 9}}").empty());
+  const auto deep = notes("water: {}, waves: {regular: {height: 19, period: 9}}");
+  ASSERT_EQ(deep.size(), 1U);
+  EXPECT_NE(deep[0].find("waves.regular: a wave of 19 m would break: 126 m long, it gets 18 m high"),
+            std::string::npos)
+      << deep[0];
+  EXPECT_TRUE(notes("water: {depth: 10}, waves: {regular: {height: 7.4, period: 9}}").empty());
+  EXPECT_EQ(notes("water: {depth: 10}, waves: {regular: {height: 7.6, period: 9}}").size(), 1U);
+  const auto second =
+      notes("water: {}, waves: {components: [{height: 1, period: 9}, {height: 2, period: 2}]}");
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_NE(second[0].find("components[1]"), std::string::npos);
+}
+
 TEST(CaseReader, Reel) {
   const Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
   EXPECT_EQ(c.title, "Marlim Sul hose reel");

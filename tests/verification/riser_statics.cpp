@@ -198,6 +198,14 @@ TEST(RiserStatics, StiffenedCatenary) {
     const model::End b = r.clamped ? clamp({100, 0, 0}, {1, 0, 0}) : anchor({100, 0, 0});
     model::Case c = one_line(t, 120, 240, a, b);
     c.environment.gravity = 9.80665;
+    // Near the clamps it bends within sqrt(EI/H) = 1.5 m: elements of 0.1 m there, of up to 2 m in the
+    // middle.
+    if (r.clamped)
+      c.lines[0].sections = {{t.name, 6, 60, 1},
+                             {t.name, 12, 30, 1},
+                             {t.name, 84, 60, 1},
+                             {t.name, 12, 30, 1},
+                             {t.name, 6, 60, 1}};
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
     const Bend bend = r.clamped ? largest(sim) : largest(sim, 59, 61);
@@ -207,7 +215,7 @@ TEST(RiserStatics, StiffenedCatenary) {
            100 * (bend.moment / r.moment - 1));
     EXPECT_NEAR(H, r.H, 1e-3 * r.H);
     EXPECT_NEAR(sag, r.sag, 1e-4 * r.sag);
-    EXPECT_NEAR(bend.moment, r.moment, 1e-2 * r.moment);
+    EXPECT_NEAR(bend.moment, r.moment, 5e-3 * r.moment);
     EXPECT_LT(report.iterations, 80);
   }
 }

@@ -68,5 +68,43 @@ TEST(WaterMotion, SinkingRodReachesItsTerminalVelocity) {
   }
 }
 
+// A ball on a taut string without mass, x'' + b |x'| x' + omega² x = 0 with b = 0.05/m: seven peaks, from a
+// start 2 m aside.
+TEST(WaterMotion, QuadraticDragDampsAnOscillation) {
+  model::LineType t = cable_type(1e7, 1e-3);
+  t.outer_diameter = t.contact_diameter = 1e-4;
+  t.Cd_normal = t.Ca_normal = 0;
+  model::Case c = one_line(t, 1904.7619047619, 2, anchor({0, 0, -500}), anchor({2000, 0, -500}));
+  c.environment.water.present = true, c.environment.water.depth = 1000;
+  model::PointMass ball;
+  ball.at = 952.38095, ball.mass = 1000, ball.drag_area = 0.0975609756;
+  c.lines[0].masses = {ball};
+  c.lines[0].start = model::Start::points;
+  c.lines[0].points = {Vec3(0, 0, -500), Vec3(1000, 2, -500), Vec3(2000, 0, -500)};
+  c.statics.enabled = false;
+  c.dynamics.enabled = true;
+  c.dynamics.step = 0.01, c.dynamics.duration = 20, c.dynamics.rho_infinity = 1;
+  Simulation sim(PETSC_COMM_SELF, c);
+  sim.dynamics().start(sim.state());
+  std::vector<double> peaks{2};
+  double before = 2, last = 2;
+  sim.dynamics().run(
+      20, [](double) { return 20.0; },
+      [&](const StepInfo&) {
+        const double y = std::abs(sim.dynamics().kinematics().x[1].y());
+        if (last > before && last >= y) peaks.push_back(last);
+        before = last, last = y;
+        return true;
+      });
+  const double exact[] = {2, 1.764379972, 1.578480641, 1.42805304, 1.303821813, 1.199488061, 1.110623482};
+  ASSERT_GE(peaks.size(), 7U);
+  double off = 0;
+  for (size_t i = 0; i < 7; ++i) {
+    off = std::max(off, std::abs(peaks[i] / exact[i] - 1));
+    EXPECT_NEAR(peaks[i], exact[i], 1e-3 * exact[i]) << i;
+  }
+  printf("  seven peaks within %.4f %%\n", 100 * off);
+}
+
 }  // namespace
 }  // namespace hawser::test

@@ -68,7 +68,8 @@ class Recorder {
   FieldRegistry registry_;
   std::vector<std::vector<double>> values_;  // position, velocity, then the registry's fields
   std::vector<io::ResultField> fields_;
-  int tension_ = -1, moment_ = -1, curvature_ = -1, penetration_ = -1, contact_ = -1;  // among values_
+  int tension_ = -1, wall_ = -1, moment_ = -1, curvature_ = -1, penetration_ = -1,
+      contact_ = -1;  // among values_
   struct Point {
     int owned = -1;  // local node when this rank has it
     int body = -1;   // of the case, when it is one

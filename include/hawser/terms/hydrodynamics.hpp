@@ -38,7 +38,7 @@ class Hydrodynamics final : public ForceTerm {
     bool beam = true;
     int blocks[4] = {};
     WaterSection section;
-    // For the wall tension: areas of bore and outside, density and pressure of the contents.
+    // For the wall tension: areas of the bore and of the bare pipe, density and pressure of the contents.
     double inside = 0, outside = 0;     // m²
     double contents = 0, pressure = 0;  // kg/m³, Pa at the still water level
   };
