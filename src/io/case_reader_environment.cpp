@@ -177,6 +177,8 @@ model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& 
   }
   b.damping = v["damping"].number;
   b.smoothing = number(v, "smoothing", -1);
+  if (const Value* s = v.find("suction"))
+    b.suction = (*s)["limit"].number, b.suction_length = (*s)["length"].number;
   const Value& f = v["friction"];
   if (f.kind == Value::Kind::map)
     b.friction = read_friction(f, key + ".friction", source);

@@ -181,6 +181,15 @@ Key seabed() {
               number("smoothing", length, "half width of the smooth start of the soil's force")
                   .at_least(0)
                   .or_else_note("a fifth of what the line at rest sinks in"),
+              map("suction",
+                  {number("limit", none, "largest pull, in the unit of `normal_stiffness` times m")
+                       .above(0)
+                       .is_required(),
+                   number("length", length, "how far above its deepest place it lets go")
+                       .above(0)
+                       .is_required()},
+                  "pull of the soil in dynamics on what is lifted out of it: 16 limit s²(1 - s)², s the lift "
+                  "over `length`; it takes hold again of what goes deeper or lands anew"),
               friction(),
               word(
                   "friction_in_statics", {"as_laid", "none"},

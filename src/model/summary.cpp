@@ -184,6 +184,9 @@ void describe_sea(const Case& c, std::string& s) {
                        ? fmt::format("{} per {}", table_text(*b.force_table), by_length ? "length" : "area")
                        : fmt::format("stiffness {:g} {}", b.normal_stiffness, by_length ? "N/m²" : "N/m³"),
                    friction_text(b.friction));
+  if (b.suction > 0)
+    s += fmt::format("  suction up to {:g} {} over {:g} m\n", b.suction, by_length ? "N/m" : "N/m²",
+                     b.suction_length);
 }
 
 }  // namespace

@@ -38,10 +38,22 @@ double SeabedTerm::gap(const Vec3& x, double most) const {
   return s ? s->distance : std::numeric_limits<double>::infinity();
 }
 
+// Only what the soil held at the start of the step is pulled, and nothing in statics, which has no way back.
+// A little further, so that round-off does not keep what is let go.
+double SeabedTerm::reach(const Point& p, double step) const {
+  if (!(step > 0) || !p.history.held) return 0;
+  return std::max(0.0, 1.01 * p.suction.length - p.history.deepest - p.law.normal.smoothing);
+}
+
+Pull SeabedTerm::pull(const Point& p, const ContactTrial& trial, double step) const {
+  if (!(step > 0) || !p.history.held) return {};
+  return pull_of(p.suction, p.history.deepest + trial.gap);
+}
+
 PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives,
                                  ContactTrial& t) const {
   const size_t n = static_cast<size_t>(p.node);
-  if (!locate(p, at.x[n], 0, t)) return {};
+  if (!locate(p, at.x[n], reach(p, at.step), t)) return {};
   if (at.step > 0) t.velocity = at.v[n];
   if (friction_on_) return volume_contact(p.law, p.start, t, derivatives);
   return volume_contact({p.law.normal, FrictionLaw{}}, p.start, t, derivatives);
@@ -74,20 +86,34 @@ void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
   for (const Point& p : points_) {
     ContactTrial at;
     const size_t n = static_cast<size_t>(p.node);
-    if (!locate(p, trial.x[n], 0, at)) continue;
+    const bool touches = locate(p, trial.x[n], reach(p, trial.step), at);
+    const Pull pulled = pull(p, at, trial.step);
+    if (!touches && pulled.force == 0) continue;
     if (trial.step > 0) at.velocity = trial.v[n];
     if (convex) at.curvature.setZero();  // of a hollow: negative stiffness
     const ContactLaw law{p.law.normal, friction_on_ ? p.law.friction : FrictionLaw{}};
     const PointContact c = volume_contact(law, p.start, at, tangent);
-    if (c.normal.force == 0) continue;
-    const Vec3 residual = -c.force;
+    if (c.normal.force == 0 && pulled.force == 0) continue;
+    const Vec3 residual = pulled.force * at.normal - c.force;
     if (!tangent) {
       sink.add({&p.block, 1}, residual.data(), nullptr, nullptr, nullptr);
       continue;
     }
-    const RowMajor K = -c.by_point, C = -c.by_velocity;
+    const RowMajor K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
+                       c.by_point,
+                   C = -c.by_velocity;
     sink.add({&p.block, 1}, residual.data(), K.data(), trial.step > 0 ? C.data() : nullptr, nullptr);
   }
+}
+
+// The soil takes hold of what goes deeper than it was since it landed, and lets go of what is lifted too far;
+// it forgets what has left. At rest it holds what lies in it.
+void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) const {
+  if (!(p.suction.limit > 0)) return;
+  if (moves) next.deepest = p.history.deepest, next.held = p.history.held;
+  if (-gap > next.deepest) next.deepest = -gap, next.held = true;
+  if (next.deepest + gap >= p.suction.length) next.held = false;
+  if (!next.held && gap >= 0) next.deepest = 0;
 }
 
 // Evaluated again at the accepted state. Energies: trapezoid over the step.
@@ -97,8 +123,13 @@ void SeabedTerm::commit(const Kinematics& accepted) {
     const PointContact c = contact(p, accepted, false, at);
     History next;
     if (c.normal.elastic > 0) next = History(c, at.normal), next.touches = true;
+    if (const double pulled = pull(p, at, accepted.step).force; pulled > 0) {
+      next.normal = at.normal;
+      next.force -= pulled * at.normal, next.damping_force -= pulled;
+    }
+    hold(p, at.gap, accepted.step > 0, next);
     next.friction_work = p.history.friction_work, next.damping_work = p.history.damping_work;
-    if (accepted.step > 0 && (next.touches || p.history.touches)) {
+    if (accepted.step > 0 && (next.touches || p.history.touches || p.history.held)) {
       const Vec3 moved = accepted.x[static_cast<size_t>(p.node)] - p.start.point;
       next.friction_work -= 0.5 * (next.friction + p.history.friction).dot(moved);
       next.damping_work -=

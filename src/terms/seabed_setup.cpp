@@ -31,7 +31,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
     if (nodes[n].radius < 0 || !(nodes[n].law.normal.stiffness > 0)) continue;
     Point& p = points_.emplace_back();
     p.node = static_cast<int>(n), p.block = mesh.block[n];
-    p.radius = nodes[n].radius, p.law = nodes[n].law;
+    p.radius = nodes[n].radius, p.law = nodes[n].law, p.suction = nodes[n].suction;
     has_friction_ |= p.law.friction.active();
   }
 }
@@ -79,6 +79,7 @@ std::vector<SeabedTerm::NodeLaw> laws_of(const LocalMesh& mesh, const model::Cas
     NormalLaw& normal = o.law.normal;
     normal.stiffness = k;
     normal.damping = bed.damping * share;
+    o.suction = {bed.suction * share, bed.suction_length};
     normal.table = bed.force_table.get(), normal.table_factor = share;
     // A fifth of what the line at rest sinks in: what rests lies beyond the ramp, what touches down is soft.
     if (!normal.table)
@@ -176,12 +177,13 @@ std::vector<HistoryRecord> SeabedTerm::save() const {
   std::vector<HistoryRecord> records;
   for (const Point& p : points_) {
     const History& h = p.history;
-    if (!h.touches && h.friction_work == 0 && h.damping_work == 0) continue;
+    if (!h.touches && h.deepest == 0 && h.friction_work == 0 && h.damping_work == 0) continue;
     HistoryRecord r{mesh_.global[static_cast<size_t>(p.node)], 0, {h.touches ? 1.0 : 0}};
     for (const Vec3* v : {&h.slip, &h.normal, &h.force, &h.friction})
       r.values.insert(r.values.end(), v->begin(), v->end());
     r.values.insert(r.values.end(),
                     {h.normal_force, h.damping_force, h.potential, h.friction_work, h.damping_work});
+    if (p.suction.limit > 0) r.values.insert(r.values.end(), {h.deepest, h.held ? 1.0 : 0});
     records.push_back(std::move(r));
   }
   return records;
@@ -195,7 +197,8 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
     const auto found = at.find(r.node);
     if (found == at.end()) continue;
     const std::vector<double>& v = r.values;
-    if (v.size() != 18) throw std::invalid_argument("a seabed record of the checkpoint has the wrong size");
+    if (v.size() != 18 && v.size() != 20)
+      throw std::invalid_argument("a seabed record of the checkpoint has the wrong size");
     History& h = points_[found->second].history;
     h.touches = v[0] != 0;
     size_t i = 1;
@@ -203,6 +206,7 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
       for (int c = 0; c < 3; ++c) (*part)[c] = v[i++];
     h.normal_force = v[13], h.damping_force = v[14], h.potential = v[15];
     h.friction_work = v[16], h.damping_work = v[17];
+    if (v.size() == 20) h.deepest = v[18], h.held = v[19] != 0;
   }
 }
 

@@ -257,9 +257,10 @@ inline std::shared_ptr<const HeightGrid> hilly() {
 }
 
 // A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
-// table, through whose bends and steep parts they go.
+// table, through whose bends and steep parts they go, or with suction, which holds those that rise.
+enum class Soil { spring, table, sticky };
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
-                              bool curved = false, bool by_table = false) {
+                              bool curved = false, Soil soil = Soil::spring) {
   static const std::vector<ForceTable::Row> rows{{2 * mm, 60}, {4.5 * mm, 500}, {20 * mm, 1000}};
   static const ForceTable table(rows);
   const LocalMesh& l = m.system->mesh();
@@ -271,7 +272,8 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   law.radius = kContactRadius;
   law.law.normal.stiffness = kNormalStiffness, law.law.normal.smoothing = 1 * mm,
   law.law.normal.damping = 500;
-  if (by_table) law.law.normal = {0.7 * table.largest_slope(), 0, 500, &table, 0.7};
+  if (soil == Soil::sticky) law.suction = {300, 10 * mm};
+  if (soil == Soil::table) law.law.normal = {0.7 * table.largest_slope(), 0, 500, &table, 0.7};
   FrictionLaw& friction = law.law.friction;
   friction.axial = axial, friction.lateral = lateral;
   friction.axial_length = 2 * mm, friction.lateral_length = 3 * mm;
@@ -309,12 +311,13 @@ inline std::vector<SuiteCase> seabed_cases() {
   for (const bool curved : {false, true})
     for (const auto& [axial, lateral, friction] :
          {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
-      for (const bool by_table : {false, true})
+      for (const auto& [soil, kind] :
+           {std::pair{Soil::spring, ""}, {Soil::table, "table, "}, {Soil::sticky, "suction, "}})
         out.push_back(
-            {std::string("seabed, ") + (curved ? "grid, " : "") + (by_table ? "table, " : "") + friction,
-             [axial = axial, lateral = lateral, curved, by_table](MPI_Comm comm, const Placement& at) {
+            {std::string("seabed, ") + (curved ? "grid, " : "") + kind + friction,
+             [axial = axial, lateral = lateral, curved, soil = soil](MPI_Comm comm, const Placement& at) {
                auto m = std::make_unique<SuiteModel>(comm, at);
-               add_seabed(*m, at, axial, lateral, curved, by_table);
+               add_seabed(*m, at, axial, lateral, curved, soil);
                return m;
              }});
   return out;

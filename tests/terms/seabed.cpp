@@ -122,6 +122,49 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
   }
 }
 
+// Pressed in by 4 mm, lifted, let go 10 mm above that, landed again: the pull of 500 N at most, its work, and
+// the same from a checkpoint on.
+template <class Bed>
+void expect_suction(const Bed& shape) {
+  SeabedTerm::NodeLaw law;
+  law.radius = 0.1;
+  law.law.normal.stiffness = 1e5;
+  law.suction = {500, 0.01};
+  OneNode n(shape, law), copy(shape, law);
+  const auto force = [&](double gap, OneNode& of) {
+    of.go({0, 0, 0.1 + gap});
+    return of.bed->node_force(of.state.view(of.h), 0).z();
+  };
+  EXPECT_NEAR(force(-0.004, n), 400, 1e-9);
+  EXPECT_NEAR(force(-0.003, n), 300 - 500 * 16 * 0.01 * 0.81, 1e-9);
+  copy.bed->restore(n.bed->save());
+  copy.state = n.state;
+  for (OneNode* of : {&n, &copy}) {
+    EXPECT_NEAR(force(0.001, *of), -500, 1e-9);
+    EXPECT_NEAR(force(0.004, *of), -500 * 16 * 0.64 * 0.04, 1e-9);
+    EXPECT_NEAR(force(-0.004, *of), 400, 1e-9);  // back on the same way
+    EXPECT_EQ(force(0.0061, *of), 0);            // lets go
+    EXPECT_EQ(force(0.001, *of), 0);             // and has forgotten
+    EXPECT_NEAR(force(-0.002, *of), 200, 1e-9);  // lands anew
+    EXPECT_NEAR(force(0.003, *of), -500, 1e-9);
+    EXPECT_EQ(force(0.6, *of), 0);
+    EXPECT_EQ(force(0.0001, *of), 0);
+  }
+  const double before = n.bed->energy(n.state.view(n.h)).damping;
+  EXPECT_NEAR(force(-0.004, n), 400, 1e-9);
+  const double landed = n.bed->energy(n.state.view(n.h)).damping;
+  EXPECT_EQ(landed, before);
+  for (int i = 1; i <= 1000; ++i) force(-0.004 + i * 1.2e-5, n);
+  EXPECT_NEAR(n.bed->energy(n.state.view(n.h)).damping - landed, 8. / 15 * 500 * 0.01, 1e-6);
+}
+
+TEST(SeabedSuction, HoldsWhatIsLiftedUntilItIsFarEnough) {
+  expect_suction(kFlat);
+  const std::vector<double> at{-2, 0, 2};
+  expect_suction(std::shared_ptr<const Surface>(
+      std::make_shared<const HeightGrid>(at, at, std::vector<double>(9, 0.0))));
+}
+
 struct Leg {
   double x, y, fx, fy, work;
 };

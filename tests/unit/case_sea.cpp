@@ -57,5 +57,12 @@ TEST(CaseSea, SeabedByTable) {
   }
 }
 
+TEST(CaseSea, SuctionOfTheSeabed) {
+  const model::Case c = read("{seabed: {depth: 90, suction: {limit: 2e3, length: 50 mm}}}");
+  EXPECT_EQ(c.environment.seabed.suction, 2000);
+  EXPECT_EQ(c.environment.seabed.suction_length, 0.05);
+  expect_part(c, "suction up to 2000 N/m² over 0.05 m");
+}
+
 }  // namespace
 }  // namespace hawser

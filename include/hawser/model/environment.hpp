@@ -75,6 +75,8 @@ struct Seabed {
   std::shared_ptr<const ForceTable> force_table;  // N/m or N/m² by basis; null: by stiffness
   double damping = 0;                             // N s/m² or N s/m³ by basis
   double smoothing = -1;                          // m, half width of the C1 ramp; < 0: default
+  double suction = 0;         // N/m or N/m² by basis, largest pull on what leaves; in dynamics
+  double suction_length = 0;  // m above the deepest place, where it lets go
   Friction friction;
   bool as_laid = true;  // in statics friction acts against what pulled the line from where it was laid
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/geometry/surface.hpp"
+#include "hawser/kernels/suction.hpp"
 #include "hawser/kernels/volume_contact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
@@ -29,6 +30,7 @@ class SeabedTerm final : public ForceTerm {
   struct NodeLaw {
     double radius = 0;  // m; of a node that takes no part < 0
     ContactLaw law;     // of the node: N/m
+    Suction suction;
   };
 
   // nodes: one for each owned node. A surface is in axes of space, the ground inside.
@@ -61,12 +63,16 @@ class SeabedTerm final : public ForceTerm {
   struct History : ContactHistory {
     using ContactHistory::ContactHistory;
     bool touches = false;
-    double friction_work = 0, damping_work = 0;  // J, taken out so far
+    double friction_work = 0, damping_work = 0;  // J, taken out so far; suction's is damping's
+    // How deep it has been since it landed [m], and whether the soil holds it: until it is lifted too far.
+    double deepest = 0;
+    bool held = false;
   };
   struct Point {
     int node = 0, block = 0;
     double radius = 0;
     ContactLaw law;
+    Suction suction;
     ContactStart start;
     History history;
     double pressed = 0;  // N, at the last prepare() of statics
@@ -83,6 +89,10 @@ class SeabedTerm final : public ForceTerm {
   // Signed distance of x when less than `most` [m], infinite else.
   double gap(const Vec3& x, double most) const;
   PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial) const;
+  // How far above where springs touch suction goes [m].
+  double reach(const Point& p, double step) const;
+  Pull pull(const Point& p, const ContactTrial& trial, double step) const;
+  void hold(const Point& p, double gap, bool moves, History& next) const;
   double friction_potential(const Point& p, const Vec3& x, const Vec3& normal) const;
 
   const LocalMesh& mesh_;
