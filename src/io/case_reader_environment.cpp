@@ -20,14 +20,8 @@ double number(const Value& v, const char* key, double otherwise = 0) {
 
 // Rows of t and factor, from a file or written there.
 TimeFactor read_time_factor(const Value& v, const std::string& key, const CaseSource& source) {
-  const bool from_file = v.has("file");
-  const Value& at = v[from_file ? "file" : "rows"];
-  const std::string where = key + (from_file ? ".file" : ".rows");
-  std::vector<std::vector<double>> rows;
-  if (from_file)
-    rows = read_rows(source.absolute(at.text), at, where, source);
-  else
-    for (const Value& r : at.items) rows.push_back({r.items[0].number, r.items[1].number});
+  const GivenRows given = read_given_rows(v, key, source);
+  const auto& [at, where, rows] = given;
   if (rows.size() < 2)
     source.bad(at, where, fmt::format("a table of factors needs at least 2 rows, found {}", rows.size()));
   std::vector<TimeFactor::Row> out;
@@ -36,10 +30,7 @@ TimeFactor read_time_factor(const Value& v, const std::string& key, const CaseSo
     if (r.size() != 2)
       source.bad(at, where,
                  fmt::format("a row has 2 numbers, t and factor, but row {} has {}", i + 1, r.size()));
-    if (i > 0 && !(r[0] > out.back().first))
-      source.bad(at, where,
-                 fmt::format("times must increase, but row {} has t = {:g} s after {:g} s", i + 1, r[0],
-                             out.back().first));
+    check_time(given, i, source);
     out.emplace_back(r[0], r[1]);
   }
   return TimeFactor(std::move(out));
@@ -77,14 +68,7 @@ void read_components(const Value& s, model::Waves& w) {
 
 // Rows of a spectrum; the period [s] of its peak.
 double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) {
-  const bool from_file = s.has("file");
-  const Value& at = s[from_file ? "file" : "rows"];
-  const std::string where = std::string("environment.waves.spectrum.") + (from_file ? "file" : "rows");
-  std::vector<std::vector<double>> rows;
-  if (from_file)
-    rows = read_rows(source.absolute(at.text), at, where, source);
-  else
-    for (const Value& r : at.items) rows.push_back({r.items[0].number, r.items[1].number});
+  const auto [at, where, rows] = read_given_rows(s, "environment.waves.spectrum", source);
   const double unit = s["frequency"].is("hz") ? 2 * M_PI : 1;
   double energy = 0;
   SpectrumRow peak;

@@ -114,19 +114,32 @@ Primitive read_shape(const Value& shape, const std::string& key, const CaseSourc
   return CylinderShape{vec("from"), vec("to"), number("radius")};
 }
 
-model::TableMotion read_motion_table(const Value& table, const std::string& key, const CaseSource& source) {
-  const bool from_file = table.has("file");
-  const Value& at = table[from_file ? "file" : "rows"];
-  const std::string where = key + (from_file ? ".file" : ".rows");
-  std::vector<std::vector<double>> rows;
+GivenRows read_given_rows(const Value& v, const std::string& key, const CaseSource& source) {
+  const bool from_file = v.has("file");
+  GivenRows given{v[from_file ? "file" : "rows"], key + (from_file ? ".file" : ".rows"), {}};
   if (from_file) {
-    rows = read_rows(source.absolute(at.text), at, where, source);
-  } else {
-    for (const Value& r : at.items) {
-      rows.emplace_back();
-      for (const Value& x : r.items) rows.back().push_back(x.number);
-    }
+    given.rows = read_rows(source.absolute(given.at.text), given.at, given.key, source);
+    return given;
   }
+  for (const Value& r : given.at.items) {
+    std::vector<double>& row = given.rows.emplace_back();
+    for (const Value& x : r.items) row.push_back(x.number);
+  }
+  return given;
+}
+
+void check_time(const GivenRows& given, size_t i, const CaseSource& source) {
+  if (i == 0) return;
+  const double before = given.rows[i - 1][0], now = given.rows[i][0];
+  if (!(now > before))
+    source.bad(
+        given.at, given.key,
+        fmt::format("times must increase, but row {} has t = {:g} s after {:g} s", i + 1, now, before));
+}
+
+model::TableMotion read_motion_table(const Value& table, const std::string& key, const CaseSource& source) {
+  const GivenRows given = read_given_rows(table, key, source);
+  const auto& [at, where, rows] = given;
   if (rows.size() < 2)
     source.bad(at, where, fmt::format("a table of motion needs at least 2 rows, found {}", rows.size()));
   const std::size_t columns = rows.front().size();
@@ -140,10 +153,7 @@ model::TableMotion read_motion_table(const Value& table, const std::string& key,
     const std::vector<double>& r = rows[i];
     if (r.size() != columns)
       source.bad(at, where, fmt::format("row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns));
-    if (i > 0 && !(r[0] > m.time.back()))
-      source.bad(at, where,
-                 fmt::format("times must increase, but row {} has t = {:g} s after {:g} s", i + 1, r[0],
-                             m.time.back()));
+    check_time(given, i, source);
     m.time.push_back(r[0]);
     m.offset.emplace_back(r[1], r[2], r[3]);
     if (columns == 7) m.rotation.push_back(Vec3(r[4], r[5], r[6]) * (std::numbers::pi / 180));

@@ -17,18 +17,7 @@ namespace {
 constexpr double kDegree = M_PI / 180;
 
 RaoTable read_table(const model::Value& rao, const std::string& key, const CaseSource& source) {
-  const bool from_file = rao.has("file");
-  const model::Value& at = rao[from_file ? "file" : "rows"];
-  const std::string where = key + (from_file ? ".file" : ".rows");
-  std::vector<std::vector<double>> rows;
-  if (from_file) {
-    rows = read_rows(source.absolute(at.text), at, where, source);
-  } else {
-    for (const model::Value& r : at.items) {
-      rows.emplace_back();
-      for (const model::Value& x : r.items) rows.back().push_back(x.number);
-    }
-  }
+  const auto [at, where, rows] = read_given_rows(rao, key, source);
   const double sign = rao["phase"].is("lead") ? 1 : -1;
   std::vector<RaoTable::Row> table;
   for (size_t i = 0; i < rows.size(); ++i) {

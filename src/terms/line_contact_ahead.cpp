@@ -9,7 +9,7 @@ namespace hawser {
 namespace {
 
 constexpr std::array<double, 3> kPlaces{0, 0.5, 1};  // of an element
-constexpr size_t kTogether = 2048;                   // pairs that ask in one call
+constexpr size_t kBatch = 2048;                      // pairs that ask in one call
 
 }  // namespace
 
@@ -100,7 +100,7 @@ void LineContact::foresee(const Pair& pair, const Kinematics& committed, const S
   const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
   const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
   const RigidPose& pose = start_poses_[body(pair.volume)];
-  const double room = pair.room().left(points(pair.start, pose));
+  const double room = room_at_start(pair);
   for (size_t i = 0; i < kPlaces.size(); ++i) {
     const double xi = kPlaces[i];
     const Vec3 x = pair.start.point(xi);
@@ -125,7 +125,7 @@ void LineContact::limit_step(const Kinematics& committed, Strikes& to) const {
   Ahead ahead(*this);
   for (size_t from = 0, end = 0; from < pairs_.size(); from = end) {
     ahead.clear();
-    for (size_t pairs = 0; end < pairs_.size() && (pairs < kTogether || pairs_[end].slot > 0); ++end) {
+    for (size_t pairs = 0; end < pairs_.size() && (pairs < kBatch || pairs_[end].slot > 0); ++end) {
       if (pairs_[end].slot > 0) continue;
       foresee(pairs_[end], committed, to, ahead);
       ++pairs;

@@ -16,12 +16,11 @@ void LineContact::group_pairs() {
     // Bézier's inner points are a third of the length along the tangents.
     if (mesh_.mesh->elements[static_cast<size_t>(e.global)].beam)
       g.turn = 2.0 / 3 * length(pairs_[i].element);
-    g.room = room_at_start(g);
+    g.room = room_at_start(pairs_[i]);
   }
 }
 
-double LineContact::room_at_start(const Group& g) const {
-  const Pair& pair = pairs_[g.first];
+double LineContact::room_at_start(const Pair& pair) const {
   return pair.room().left(points(pair.start, start_poses_[body(pair.volume)]));
 }
 
@@ -60,7 +59,7 @@ void LineContact::find_all(const Kinematics& trial) {
     for (size_t i = g.first; i < g.end; ++i) {
       Pair& pair = pairs_[i];
       if (clear(pair, shape, pose)) {
-        if (i == g.first) g.room = room_at_start(g);  // it may have grown
+        if (i == g.first) g.room = room_at_start(pair);  // it may have grown
         continue;
       }
       const size_t me = near_.size();

@@ -9,11 +9,9 @@
 namespace hawser {
 namespace {
 
-// Parts of a surface are one wall where they hang together no farther away than this, times the distance at
-// which contact begins: so walls part and come together while the farther of them is out of touch.
-constexpr double kTogether = 1.1;
-constexpr double kSagitta = 0.05;  // of the same distance: how far the axis is from its polyline
-constexpr double kRoom = 0.25;     // the same: how much more is looked at than is needed now
+constexpr double kSagitta =
+    0.05;  // of the distance at which contact begins: how far the axis is from its polyline
+constexpr double kRoom = 0.25;  // the same: how much more is looked at than is needed now
 
 }  // namespace
 

@@ -8,8 +8,6 @@
 namespace hawser {
 namespace {
 
-// As of contact along lines.
-constexpr double kTogether = 1.1;
 constexpr double kSame = 0.5;  // cosine: a wall whose normal is no more like that of before is another one
 
 }  // namespace

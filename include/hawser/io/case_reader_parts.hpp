@@ -36,6 +36,16 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const model:
                                            const std::string& key, const CaseSource& source,
                                            std::vector<int>* lines = nullptr);
 
+// Rows of a map that has them written there (`rows`) or in a text file (`file`), and where that is.
+struct GivenRows {
+  const model::Value& at;
+  std::string key;  // dotted
+  std::vector<std::vector<double>> rows;
+};
+GivenRows read_given_rows(const model::Value& v, const std::string& key, const CaseSource& source);
+// Refuses row i when its first number, a time, is not above that of the row before.
+void check_time(const GivenRows& given, size_t i, const CaseSource& source);
+
 // `rao: {...}`: the motion of a body in the waves of the case as a dense table over `duration` [s].
 model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
                             const model::Body& body, double duration, const CaseSource& source);

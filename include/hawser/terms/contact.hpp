@@ -72,6 +72,10 @@ class Contact : public ForceTerm {
   }
 
  protected:
+  // Parts of a surface are one wall where they hang together no farther away than this, times the distance at
+  // which contact begins: so walls part and come together while the farther of them is out of touch.
+  static constexpr double kTogether = 1.1;
+
   // std::invalid_argument when a volume has no surface, no such body or no stiffness.
   Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes);
 

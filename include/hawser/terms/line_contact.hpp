@@ -169,7 +169,7 @@ class LineContact final : public Contact {
     double way = 0, turn = 0;  // m; |q - q0|
   };
   void group_pairs();
-  double room_at_start(const Group& g) const;
+  double room_at_start(const Pair& pair) const;
   void look_at_nodes(const Kinematics& trial);
   bool quiet(const Group& g) const;
   // All pairs, their first and their last questions in one call a volume.
