@@ -81,8 +81,10 @@ void Dynamics::build() {
   configure_linear_solver(ksp.get(), system_, "dynamics_");
 }
 
-void Dynamics::prepare(double h) {
-  if (system_.couple(committed_.s.view(last_step_), h) == Coupled::anew) {
+void Dynamics::prepare(double h, const State* end) {
+  const auto couple = [&](const State& s) { return system_.couple(s.view(last_step_), h); };
+  if ((end ? couple(straight_way(system_.mesh(), committed_.s, *end, h)) : couple(committed_.s)) ==
+      Coupled::anew) {
     build();
     system_.spread(committed_.s);
     system_.spread(committed_.ax), system_.spread(committed_.aw), system_.spread(committed_.ad);

@@ -63,7 +63,7 @@ PetscErrorCode Dynamics::ts_step(TS ts) {
       // How old a list of candidates is must not show in the steps: a restart makes a new one.
       if (a.missed && !again && system_.outdated()) {
         again = true;
-        prepare(h);
+        prepare(h, &trial_.s);
         continue;
       }
       ++info.rejected;

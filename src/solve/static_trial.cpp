@@ -83,13 +83,9 @@ bool StaticTrial::clear() {
   if (system_.covers(trial_.view(0))) return true;
   if (!system_.outdated()) return false;
   const LocalMesh& m = system_.mesh();
-  State way = state_;
-  for (size_t n = 0; n < way.x.size(); ++n) {
-    way.v[n] = trial_.x[n] - state_.x[n];
-    if (m.rotates(static_cast<int>(n))) way.w[n] = log_so3(state_.q[n].conjugate() * trial_.q[n]);
-  }
   // So that the way foreseen ends at the trial.
-  if (system_.couple(way.view(0), 1 / CandidateSettings{}.steps) == Coupled::anew) {
+  if (system_.couple(straight_way(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
+      Coupled::anew) {
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
     build();
     system_.spread(state_), system_.spread(trial_);

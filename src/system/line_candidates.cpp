@@ -65,6 +65,7 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
   for (const LocalElement& e : mesh.elements)
     if (radius_[static_cast<size_t>(e.global)] > 0) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
+  bend_.resize(built_.size());
   // Most boxes that overlap are those of neighbours along a line: these are told from their numbers alone.
   constexpr size_t kMost = 15;
   unseen_.resize(built_.size());
@@ -74,13 +75,17 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
   locate();
 }
 
+double LineCandidates::skin(int element) const {
+  return std::max(settings_.skin_diameters * 2 * radius_[static_cast<size_t>(element)],
+                  settings_.skin_lengths * mesh_.mesh->elements[static_cast<size_t>(element)].length);
+}
+
 // All but where it is.
 SweptAxis LineCandidates::at_rest(int element) const {
   const Element& e = mesh_.mesh->elements[static_cast<size_t>(element)];
-  const double radius = radius_[static_cast<size_t>(element)];
   const auto arc = [&](int n) { return mesh_.mesh->nodes[static_cast<size_t>(n)].arc; };
-  const double skin = std::max(settings_.skin_diameters * 2 * radius, settings_.skin_lengths * e.length);
-  return {element, e.line, e.first, e.second, {arc(e.first), arc(e.second)}, radius, skin, {}, {}};
+  return {element, e.line, e.first, e.second, {arc(e.first), arc(e.second)},
+          radius_[static_cast<size_t>(element)], skin(element), {}, {}};
 }
 
 // Of Hermite's cubic (kernels/axis_shape.hpp) after a time h at the present rates.
@@ -100,22 +105,32 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
   return {a, a + element.length / 3 * tangent(i), b - element.length / 3 * tangent(j), b};
 }
 
-// Every axis within its skin of some place on its path: as the difference of two cubics is one with the
-// differences of the Bézier points, which bound it.
+// Every axis within its skin of where it was foreseen to be then: as the difference of two cubics is one with
+// the differences of the Bézier points, which bound it. All are asked for the same time, as pairs are left out
+// for what two axes do together: one that stops on its way is run into by the next. Where no time passes
+// (statics), each may be anywhere on its way.
 bool LineCandidates::holds(const Kinematics& at, double h) const {
   if (builds_ == 0 && !local_.empty()) return false;
+  const double passed = at.time + h - made_;
   for (size_t i = 0; i < local_.size(); ++i) {
     const SweptAxis& s = built_[i];
     const std::array<Vec3, 4> p = axis(local_[i], at, h);
-    double along = 0, length = 0;
-    for (size_t k = 0; k < 4; ++k) {
-      const Vec3 d = s.to[k] - s.from[k];
-      along += d.dot(p[k] - s.from[k]), length += d.squaredNorm();
+    double tau = 0;
+    if (passed > 0) {
+      tau = span_ > 0 ? std::min(passed / span_, 1.0) : 0;
+    } else {
+      double along = 0, length = 0;
+      for (size_t k = 0; k < 4; ++k) {
+        const Vec3 d = s.to[k] - s.from[k];
+        along += d.dot(p[k] - s.from[k]), length += d.squaredNorm();
+      }
+      tau = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
     }
-    const double tau = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
-    const double limit = s.skin * s.skin;
-    for (size_t k = 0; k < 4; ++k)
-      if (!((p[k] - s.from[k] - tau * (s.to[k] - s.from[k])).squaredNorm() <= limit)) return false;
+    const double skin_i = skin(s.element), limit = skin_i * skin_i, bend = 4 * tau * (1 - tau);
+    for (size_t k = 0; k < 4; ++k) {
+      const Vec3 d = p[k] - s.from[k] - tau * (s.to[k] - s.from[k]) - bend * bend_[i][k];
+      if (!(d.squaredNorm() <= limit)) return false;
+    }
   }
   return true;
 }
@@ -132,16 +147,45 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
   if (good) return false;
   ++builds_;
   outdated_ = false;
-  boxes_.resize(built_.size());
-  for (size_t i = 0; i < built_.size(); ++i) {
-    built_[i].from = axis(local_[i], committed, 0);
-    built_[i].to = axis(local_[i], committed, settings_.steps * h);
-    boxes_[i] = swept_box(built_[i]);
-  }
+  foresee(committed, h);
   std::vector<std::pair<int, int>> found = search(from_others());
   if (found == list_) return false;
   list_ = std::move(found);
   return true;
+}
+
+// The paths are parabolas in time. Those that bend (a line that is swung, a long step) are foreseen for fewer
+// steps, so that the bend is no more than a skin; for one step at least, whatever it takes.
+void LineCandidates::foresee(const Kinematics& committed, double h) {
+  made_ = committed.time;
+  double steps = settings_.steps;
+  const auto go = [&] {
+    span_ = steps * h;
+    double worst = 0;
+    for (size_t i = 0; i < built_.size(); ++i) {
+      SweptAxis& s = built_[i];
+      const double own = skin(s.element);
+      double bend = 0;
+      s.to = axis(local_[i], committed, span_);
+      const std::array<Vec3, 4> half = axis(local_[i], committed, 0.5 * span_);
+      for (size_t k = 0; k < 4; ++k) {
+        bend_[i][k] = half[k] - 0.5 * (s.from[k] + s.to[k]);
+        bend = std::max(bend, bend_[i][k].norm());
+      }
+      s.skin = own + bend;
+      worst = std::max(worst, bend / own);
+    }
+    return worst;
+  };
+  for (size_t i = 0; i < built_.size(); ++i) built_[i].from = axis(local_[i], committed, 0);
+  double worst = go();
+  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  if (worst > 1) {
+    steps = std::max(1.0, std::floor(steps / std::sqrt(worst)));
+    go();
+  }
+  boxes_.resize(built_.size());
+  for (size_t i = 0; i < built_.size(); ++i) boxes_[i] = swept_box(built_[i]);
 }
 
 std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptAxis>& others) {

@@ -12,7 +12,7 @@
 namespace hawser {
 namespace {
 
-constexpr size_t kChunk = 64, kBox = 7, kAxis = 25;  // elements; doubles of a box and of an axis
+constexpr size_t kChunk = 64, kBox = 7, kAxis = 26;  // elements; doubles of a box and of an axis
 constexpr int kTag = 73;
 
 std::vector<double> pack(const LargeVector<SweptAxis>& own, const std::set<size_t>& chunks) {
@@ -20,6 +20,7 @@ std::vector<double> pack(const LargeVector<SweptAxis>& own, const std::set<size_
   for (size_t c : chunks)
     for (size_t i = kChunk * c; i < std::min(kChunk * (c + 1), own.size()); ++i) {
       out.push_back(own[i].element);
+      out.push_back(own[i].skin);
       for (const auto* end : {&own[i].from, &own[i].to})
         for (const Vec3& p : *end) out.insert(out.end(), p.begin(), p.end());
     }
@@ -89,9 +90,10 @@ std::vector<SweptAxis> LineCandidates::from_others() const {
     for (size_t i = 0; i < t.in.size(); i += kAxis) {
       const double* d = t.in.data() + i;
       SweptAxis& s = out.emplace_back(at_rest(static_cast<int>(d[0])));
+      s.skin = d[1];
       for (size_t k = 0; k < 4; ++k) {
-        s.from[k] = Eigen::Map<const Vec3>(d + 1 + 3 * k);
-        s.to[k] = Eigen::Map<const Vec3>(d + 13 + 3 * k);
+        s.from[k] = Eigen::Map<const Vec3>(d + 2 + 3 * k);
+        s.to[k] = Eigen::Map<const Vec3>(d + 14 + 3 * k);
       }
     }
   // An element cut between ranks is known to both.

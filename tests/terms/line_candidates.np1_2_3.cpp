@@ -240,6 +240,63 @@ TEST(LineCandidates, NothingToDoForOneStraightLine) {
   EXPECT_FALSE(m.sim.system().coupled());
 }
 
+// Two lines side by side that go sideways together: while they do they do not see each other. When the first
+// stops, still on its way, the second comes on: the list does not hold, or it has them.
+TEST(LineCandidates, OneStopsTheNextComesOn) {
+  model::Case c = one_line(cable_type(1e6, 1), 10, 10, anchor({0, 0, 0}), anchor({10, 0, 0}));
+  c.lines.push_back(c.lines[0]);
+  c.lines[1].name = "behind";
+  for (model::End* e : {&c.lines[1].end_a, &c.lines[1].end_b}) e->at.y() = -1;
+  const double radius = 0.1, h = 0.1;
+  for (const bool stops : {false, true}) {
+    Model m(PETSC_COMM_WORLD, c, radius, 1);
+    State& s = m.sim.state();
+    const LocalMesh& l = m.sim.local();
+    const auto first = [&](size_t n) { return l.global[n] < 11; };
+    for (Vec3& v : s.v) v = Vec3(0, 4, 0);
+    m.sim.system().couple(s.view(h), h);
+    EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
+    bool foreseen = true;
+    for (int step = 0; step < 2 && foreseen; ++step) {
+      // After the first step it stands where it is.
+      for (size_t n = 0; n < s.x.size(); ++n) s.x[n].y() += stops && step > 0 && first(n) ? 0 : 0.4;
+      s.time += h;
+      foreseen = m.sim.system().covers(s.view(h));
+    }
+    EXPECT_EQ(foreseen, !stops);
+    for (size_t n = 0; n < s.v.size(); ++n)
+      if (stops && first(n)) s.v[n] = Vec3::Zero();
+    m.sim.system().couple(s.view(h), h);
+    EXPECT_EQ(sum(static_cast<long>(m.pairs(true).size())) >= 10, stops);
+  }
+}
+
+// A line swung about its end in few steps a turn: its way bends out of the skin in one step, and the list for
+// it holds all the same.
+TEST(LineCandidates, WayThatBends) {
+  const model::Case c = one_line(beam_type(1e6, 1, 1, 1), 10, 10, clamp(Vec3::Zero(), Vec3::UnitX()), {});
+  Model m(PETSC_COMM_WORLD, c, 0.02, 1);
+  State& s = m.sim.state();
+  const LocalMesh& l = m.sim.local();
+  const double rate = 6, h = 0.04;  // a quarter of a radian a step
+  const auto turn = [&](double t) {
+    const Quat q = exp_so3(rate * t * Vec3::UnitZ());
+    for (size_t n = 0; n < s.x.size(); ++n) {
+      const Vec3 arm(l.mesh->nodes[static_cast<size_t>(l.global[n])].arc, 0, 0);
+      s.x[n] = q * arm, s.q[n] = q;
+      s.w[n] = rate * Vec3::UnitZ(), s.alpha[n] = Vec3::Zero();
+      s.v[n] = q * (rate * Vec3::UnitZ().cross(arm)), s.a[n] = -rate * rate * s.x[n];
+    }
+    s.time = t;
+  };
+  turn(0);
+  for (int step = 1; step <= 25; ++step) {
+    m.sim.system().couple(s.view(h), h);
+    turn(step * h);
+    EXPECT_TRUE(m.sim.system().covers(s.view(h))) << step;
+  }
+}
+
 // Forces and the tangent's product with a vector.
 TEST(LineCandidates, ResidualAndTangent) {
   const model::Case c = tangle(6, 12);

@@ -39,6 +39,7 @@ constexpr double kSteady = 0.0005143174550426011;
 struct Spin {
   double u2 = 0, u1 = 0;  // m, largest error
   double steady = 0;      // m, mean u1 from 15 s on
+  int rejected = 0;       // steps
 };
 
 Spin spin_up(int elements, double h, double rho) {
@@ -63,6 +64,9 @@ Spin spin_up(int elements, double h, double rho) {
     const Quat& q = d.committed().s.q.front();  // what is prescribed is exact
     EXPECT_LT(log_so3(q.conjugate() * root(i.time).rotation).norm(), 1e-13);
     EXPECT_LT((d.committed().s.w.front() - root(i.time).angular_velocity).norm(), 1e-12);
+    // Nothing can touch: the steps are those asked for.
+    EXPECT_NEAR(i.h, h, 1e-9 * h);
+    out.rejected += i.rejected;
     if (i.time > 15 - 1e-9) out.steady += u.x(), ++count;
     if (next < std::size(kTip) && std::abs(i.time - kTip[next][0]) < 1e-6) {
       out.u1 = std::max(out.u1, std::abs(u.x() - kTip[next][1]));
@@ -81,6 +85,7 @@ TEST(Dynamics, SpinUp) {
     printf(
         "spin-up, 20 elements, h = %.3f s: u2 off by %.2f %% of 0.571 m, u1 by %.2e m, steady u1 %+.2f %%\n",
         h, s.u2 / 0.571 * 100, s.u1, (s.steady / kSteady - 1) * 100);
+    EXPECT_EQ(s.rejected, 0);
     EXPECT_LT(s.u2, 0.01 * 0.571);
     EXPECT_LT(s.u1, 0.01 * 0.571);
     EXPECT_NEAR(s.steady / kSteady, 1, 0.01);

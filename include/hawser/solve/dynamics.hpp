@@ -74,8 +74,9 @@ class Dynamics {
   void accept(double h);
   PetscErrorCode ts_step(TS ts);
   // Before a step of h: terms say who sees whom, and where that is new vectors, matrix, solver and ghosts of
-  // the committed state are made anew; then the terms are prepared. Collective.
-  void prepare(double h);
+  // the committed state are made anew; then the terms are prepared. Where a step went another way than the
+  // rates foretell, `end` is where it led. Collective.
+  void prepare(double h, const State* end = nullptr);
 
  private:
   void build();

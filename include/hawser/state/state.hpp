@@ -31,4 +31,7 @@ struct State {
 // Configuration x + u_x, R exp(u_theta) from a local block vector u[3 * blocks] (ghosts included).
 void retract(const LocalMesh& mesh, const State& from, const double* u, State& to);
 
+// `from` with the constant rates that lead to `to` in a time h [s]: x + h v, R exp(h w).
+State straight_way(const LocalMesh& mesh, const State& from, const State& to, double h);
+
 }  // namespace hawser

@@ -1,9 +1,9 @@
 // Which pairs of elements may touch before the list is made again: a Verlet list over all ranks.
 //
 // An element is the convex hull of the Bézier points of its axis, now and where its rates take it within a
-// few steps. A pair is in the list when the hulls, swept along that straight path, come nearer than both
-// radii and both skins. The list holds as long as no axis leaves its path by more than its skin, whatever the
-// elements' shape. See docs/theory/line-candidates.md.
+// few steps. A pair is in the list when the hulls, swept along that path, come nearer than both radii and both
+// skins. The list holds as long as every axis is within its skin of where it was foreseen to be at that time,
+// whatever the elements' shape. See docs/theory/line-candidates.md.
 //
 // How a term uses it:
 //   bool recouple(k, h) { return candidates.update(k, h); }       // collective; the pairs are not the old
@@ -46,10 +46,11 @@ struct CandidateSettings {
   // Of one line, what is nearer along it than this many diameters (mean of the two) is no contact, nor are
   // elements that share a node.
   double exclusion_diameters = 2;
-  // How far an axis may leave the path foreseen before the list is made again: the larger of this many of its
-  // diameters and this part of its length.
+  // How far an axis may be from its place foreseen before the list is made again: the larger of this many of
+  // its diameters and this part of its length.
   double skin_diameters = 0.1, skin_lengths = 0.05;
-  double steps = 4;  // how many steps the path is foreseen for
+  // How many steps the path is foreseen for, at the most: fewer where it would bend out of a skin.
+  double steps = 4;
   // Pairs of lines (indices, any order; a line with itself too) that do not see each other.
   std::vector<std::pair<int, int>> excluded;
   // Mesh nodes of different lines that are one point (ends at one fairlead): arc lengths go on through it.
@@ -63,10 +64,10 @@ struct alignas(64) SweptAxis {
   int line = 0;                 // what follows is that element's
   int first = 0, second = 0;    // nodes of the mesh
   double arc[2] = {0, 0};       // m, of the two
-  double radius = 0, skin = 0;  // m
+  double radius = 0, skin = 0;  // m; here the skin is about the straight way, so it has the path's bend in it
   std::array<Vec3, 4> from, to;
 };
-// Holds the line along it anywhere on its path and as far as its skin off it.
+// Holds the line along it anywhere on its straight way and as far as its skin off it.
 Box swept_box(const SweptAxis& s);
 
 class LineCandidates {
@@ -102,6 +103,8 @@ class LineCandidates {
  private:
   std::array<Vec3, 4> axis(const LocalElement& e, const Kinematics& at, double h) const;
   bool holds(const Kinematics& at, double h) const;
+  void foresee(const Kinematics& committed, double h);
+  double skin(int element) const;
   SweptAxis at_rest(int element) const;
   bool excluded(const SweptAxis& p, const SweptAxis& q) const;
   std::vector<SweptAxis> from_others() const;
@@ -114,6 +117,9 @@ class LineCandidates {
   std::vector<LocalElement> local_;   // elements of this rank with a radius
   std::vector<std::uint8_t> unseen_;  // of local_: how many that follow it are excluded, at the least
   LargeVector<SweptAxis> built_;      // of local_, when the list was made
+  // Of local_: what half way in time is off the middle of the straight way.
+  LargeVector<std::array<Vec3, 4>> bend_;
+  double made_ = 0, span_ = 0;  // s, when that was and the time to the end of the paths
   LargeVector<Box> boxes_;            // theirs, then those of other ranks' axes
   BoxPairs box_pairs_;
   std::vector<std::uint64_t> near_;        // pairs of boxes
