@@ -84,8 +84,15 @@ double LineCandidates::skin(int element) const {
 SweptAxis LineCandidates::at_rest(int element) const {
   const Element& e = mesh_.mesh->elements[static_cast<size_t>(element)];
   const auto arc = [&](int n) { return mesh_.mesh->nodes[static_cast<size_t>(n)].arc; };
-  return {element, e.line, e.first, e.second, {arc(e.first), arc(e.second)},
-          radius_[static_cast<size_t>(element)], skin(element), {}, {}};
+  return {element,
+          e.line,
+          e.first,
+          e.second,
+          {arc(e.first), arc(e.second)},
+          radius_[static_cast<size_t>(element)],
+          skin(element),
+          {},
+          {}};
 }
 
 // Of Hermite's cubic (kernels/axis_shape.hpp) after a time h at the present rates.
@@ -106,8 +113,8 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
 }
 
 // Every axis within its skin of where it was foreseen to be then: as the difference of two cubics is one with
-// the differences of the Bézier points, which bound it. All are asked for the same time, as pairs are left out
-// for what two axes do together: one that stops on its way is run into by the next. Where no time passes
+// the differences of the Bézier points, which bound it. All are asked for the same time, as pairs are left
+// out for what two axes do together: one that stops on its way is run into by the next. Where no time passes
 // (statics), each may be anywhere on its way.
 bool LineCandidates::holds(const Kinematics& at, double h) const {
   if (builds_ == 0 && !local_.empty()) return false;

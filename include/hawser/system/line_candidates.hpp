@@ -1,9 +1,9 @@
 // Which pairs of elements may touch before the list is made again: a Verlet list over all ranks.
 //
 // An element is the convex hull of the Bézier points of its axis, now and where its rates take it within a
-// few steps. A pair is in the list when the hulls, swept along that path, come nearer than both radii and both
-// skins. The list holds as long as every axis is within its skin of where it was foreseen to be at that time,
-// whatever the elements' shape. See docs/theory/line-candidates.md.
+// few steps. A pair is in the list when the hulls, swept along that path, come nearer than both radii and
+// both skins. The list holds as long as every axis is within its skin of where it was foreseen to be at that
+// time, whatever the elements' shape. See docs/theory/line-candidates.md.
 //
 // How a term uses it:
 //   bool recouple(k, h) { return candidates.update(k, h); }       // collective; the pairs are not the old
@@ -120,7 +120,7 @@ class LineCandidates {
   // Of local_: what half way in time is off the middle of the straight way.
   LargeVector<std::array<Vec3, 4>> bend_;
   double made_ = 0, span_ = 0;  // s, when that was and the time to the end of the paths
-  LargeVector<Box> boxes_;            // theirs, then those of other ranks' axes
+  LargeVector<Box> boxes_;      // theirs, then those of other ranks' axes
   BoxPairs box_pairs_;
   std::vector<std::uint64_t> near_;        // pairs of boxes
   std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
