@@ -370,5 +370,68 @@ TEST(SeabedShapes, RefusesWhatIsNoSheet) {
   EXPECT_NE(refusal(m).find("more than two triangles"), std::string::npos);
 }
 
+// The point half way along an element whose nodes are on two ranks: both have its history, from what either
+// keeps or from what one rank kept; one counts it.
+TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
+  Mesh mesh;
+  for (int i = 0; i < 2; ++i) mesh.nodes.push_back({0, 1.0 * i, 0.5, false});
+  mesh.elements.push_back({0, 0, 1, 0, 1.0, false});
+  mesh.lines = {{0, 2, 0, 1, 1, "one"}};
+  SeabedTerm::PointLaw none;
+  none.radius = -1;
+  const double h = 0.1;
+  struct Part {
+    LocalMesh local;
+    std::unique_ptr<SeabedTerm> bed;
+    State state{2};
+    // The middle to x, pressed by 1000 N.
+    void go(double x) {
+      bed->prepare(state.view(0.1), 0.1);
+      for (size_t n = 0; n < 2; ++n) state.x[n] = Vec3(x + local.global[n], 0, kDeep);
+      bed->commit(state.view(0.1));
+    }
+    Vec3 force(int node) const { return bed->node_force(state.view(0.1), local.find(node)); }
+  };
+  const auto part = [&](const std::vector<int>& owner, int rank) {
+    Part p;
+    p.local = local_mesh(mesh, owner, rank, owner[1] + 1);
+    return p;
+  };
+  Part all = part({0, 0}, 0), two[] = {part({0, 1}, 0), part({0, 1}, 1)};
+  for (Part* p : {&all, &two[0], &two[1]})
+    p->bed = std::make_unique<SeabedTerm>(
+        p->local, kFlat,
+        SeabedTerm::PointLaws{std::vector(static_cast<size_t>(p->local.owned), none), {paper()}});
+  for (Part* p : {&all, &two[0], &two[1]})
+    for (const double x : {0.0, 0.004, 0.02, 0.017}) p->go(x);
+  const std::vector<HistoryRecord> whole = all.bed->save();
+  EXPECT_EQ(whole.size(), 2u);
+  EXPECT_GT(all.bed->energy(all.state.view(h)).friction, 1);
+  EXPECT_EQ(
+      two[0].bed->energy(two[0].state.view(h)).friction + two[1].bed->energy(two[1].state.view(h)).friction,
+      all.bed->energy(all.state.view(h)).friction);
+  for (int rank = 0; rank < 2; ++rank) {
+    Part& p = two[rank];
+    EXPECT_EQ(p.force(rank), all.force(rank));
+    EXPECT_NEAR(p.force(rank).z(), 500, 1e-9);
+    const std::vector<HistoryRecord> own = p.bed->save();
+    ASSERT_EQ(own.size(), 1u);
+    std::vector<HistoryRecord> of_whole;
+    for (const HistoryRecord& r : whole)
+      if (r.node == rank) of_whole.push_back(r);
+    ASSERT_EQ(of_whole.size(), 1u);
+    EXPECT_EQ(own[0].key, of_whole[0].key);
+    EXPECT_EQ(own[0].values, of_whole[0].values);
+    const Vec3 before = p.force(rank);
+    p.bed->restore({});
+    EXPECT_EQ(p.force(rank), Vec3(0, 0, 0));
+    p.bed->restore(of_whole);
+    EXPECT_EQ(p.force(rank), before);
+    p.go(0.018);
+  }
+  all.go(0.018);
+  for (int rank = 0; rank < 2; ++rank) EXPECT_EQ(two[rank].force(rank), all.force(rank));
+}
+
 }  // namespace
 }  // namespace hawser::test
