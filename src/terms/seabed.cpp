@@ -6,6 +6,13 @@
 
 namespace hawser {
 
+Vec3 SeabedTerm::tangent(const Point& p, const Kinematics& at) const {
+  if (p.second < 0) return line_.tangent(at, p.node);
+  const Vec3 chord = at.x[static_cast<size_t>(p.second)] - at.x[static_cast<size_t>(p.node)];
+  const double length = chord.norm();
+  return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
+}
+
 bool SeabedTerm::locate(const Point& p, const Vec3& x, double reach, ContactTrial& trial) const {
   const double smoothing = p.law.normal.smoothing;
   trial.point = x;
@@ -52,9 +59,8 @@ Pull SeabedTerm::pull(const Point& p, const ContactTrial& trial, double step) co
 
 PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives,
                                  ContactTrial& t) const {
-  const size_t n = static_cast<size_t>(p.node);
-  if (!locate(p, at.x[n], reach(p, at.step), t)) return {};
-  if (at.step > 0) t.velocity = at.v[n];
+  if (!locate(p, of_nodes(p, at.x), reach(p, at.step), t)) return {};
+  if (at.step > 0) t.velocity = of_nodes(p, at.v);
   if (friction_on_) return volume_contact(p.law, p.start, t, derivatives);
   return volume_contact({p.law.normal, FrictionLaw{}}, p.start, t, derivatives);
 }
@@ -64,45 +70,67 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
   const bool statics = h <= 0;
   if (!statics) laid_ = false;
   for (Point& p : points_) {
-    const size_t n = static_cast<size_t>(p.node);
     if (!(statics && laid_)) {
+      const Vec3 x = of_nodes(p, committed.x);
       ContactTrial at;
       // So far that what it lands from in this step is known.
-      locate(p, committed.x[n], std::max(2 * h * committed.v[n].norm(), 0.5 * element_[n]), at);
-      p.start.point = committed.x[n];
+      locate(p, x,
+             std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[static_cast<size_t>(p.node)]),
+             at);
+      p.start.point = x;
       p.start.gap = at.gap;
       p.start.slip = p.history.slip;
       p.start.normal = p.history.normal;
     }
-    if (p.law.friction.active()) p.start.tangent = line_.tangent(committed, p.node);
+    if (p.law.friction.active()) p.start.tangent = tangent(p, committed);
     ContactTrial unused;
     if (statics && friction_on_) p.pressed = contact(p, committed, false, unused).normal.force;
   }
 }
 
-void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
+// Half of what is half way along an element goes to either node.
+void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Sink& sink) const {
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  const int first = mesh_.block[static_cast<size_t>(p.node)];
+  if (p.second < 0) {
+    RowMajor k, c;
+    if (K) k = *K;
+    if (C) c = *C;
+    sink.add({&first, 1}, residual.data(), K ? k.data() : nullptr, C ? c.data() : nullptr, nullptr);
+    return;
+  }
+  const Vec3 half = 0.5 * residual;
+  const double f[6] = {half[0], half[1], half[2], half[0], half[1], half[2]};
+  double J[36] = {};
+  if (K)
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j)
+        J[6 * i + j] =
+            0.25 * (sink.weights().K * (*K)(i % 3, j % 3) + (C ? sink.weights().C * (*C)(i % 3, j % 3) : 0));
+  sink.add_weighted(first, mesh_.block[static_cast<size_t>(p.second)], f, J);
+}
+
+void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
   for (const Point& p : points_) {
     ContactTrial at;
-    const size_t n = static_cast<size_t>(p.node);
-    const bool touches = locate(p, trial.x[n], reach(p, trial.step), at);
+    const bool touches = locate(p, of_nodes(p, trial.x), reach(p, trial.step), at);
     const Pull pulled = pull(p, at, trial.step);
     if (!touches && pulled.force == 0) continue;
-    if (trial.step > 0) at.velocity = trial.v[n];
+    if (trial.step > 0) at.velocity = of_nodes(p, trial.v);
     if (convex) at.curvature.setZero();  // of a hollow: negative stiffness
     const ContactLaw law{p.law.normal, friction_on_ ? p.law.friction : FrictionLaw{}};
     const PointContact c = volume_contact(law, p.start, at, tangent);
     if (c.normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
     if (!tangent) {
-      sink.add({&p.block, 1}, residual.data(), nullptr, nullptr, nullptr);
+      add(p, residual, nullptr, nullptr, sink);
       continue;
     }
-    const RowMajor K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
-                       c.by_point,
-                   C = -c.by_velocity;
-    sink.add({&p.block, 1}, residual.data(), K.data(), trial.step > 0 ? C.data() : nullptr, nullptr);
+    const Mat3 K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
+                   c.by_point,
+               C = -c.by_velocity;
+    add(p, residual, &K, trial.step > 0 ? &C : nullptr, sink);
   }
 }
 
@@ -130,7 +158,7 @@ void SeabedTerm::commit(const Kinematics& accepted) {
     hold(p, at.gap, accepted.step > 0, next);
     next.friction_work = p.history.friction_work, next.damping_work = p.history.damping_work;
     if (accepted.step > 0 && (next.touches || p.history.touches || p.history.held)) {
-      const Vec3 moved = accepted.x[static_cast<size_t>(p.node)] - p.start.point;
+      const Vec3 moved = of_nodes(p, accepted.x) - p.start.point;
       next.friction_work -= 0.5 * (next.friction + p.history.friction).dot(moved);
       next.damping_work -=
           0.5 * (next.damping_force * next.normal + p.history.damping_force * p.history.normal).dot(moved);
@@ -161,6 +189,7 @@ double SeabedTerm::friction_potential(const Point& p, const Vec3& x, const Vec3&
 Energy SeabedTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Point& p : points_) {
+    if (!p.counted) continue;
     e.friction += p.history.friction_work, e.damping += p.history.damping_work;
     if (at.step > 0) {
       e.strain += p.history.potential;
@@ -170,20 +199,21 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
     const PointContact c = contact(p, at, false, trial);
     e.strain += c.normal.potential;
     if (friction_on_ && laid_ && p.law.friction.active() && p.pressed > 0)
-      e.strain += friction_potential(p, at.x[static_cast<size_t>(p.node)], trial.normal);
+      e.strain += friction_potential(p, of_nodes(p, at.x), trial.normal);
   }
   return e;
 }
 
 Vec3 SeabedTerm::node_force(const Kinematics&, int node) const {
+  Vec3 sum = Vec3::Zero();
   for (const Point& p : points_)
-    if (p.node == node) return p.history.force;
-  return Vec3::Zero();
+    if (const double part = share(p, node); part > 0) sum += part * p.history.force;
+  return sum;
 }
 
 int SeabedTerm::touching() const {
-  return static_cast<int>(
-      std::count_if(points_.begin(), points_.end(), [](const Point& p) { return p.history.touches; }));
+  return static_cast<int>(std::count_if(points_.begin(), points_.end(),
+                                        [](const Point& p) { return p.counted && p.history.touches; }));
 }
 
 }  // namespace hawser

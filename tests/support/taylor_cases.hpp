@@ -257,10 +257,11 @@ inline std::shared_ptr<const HeightGrid> hilly() {
 }
 
 // A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
-// table, through whose bends and steep parts they go, or with suction, which holds those that rise.
+// table, through whose bends and steep parts they go, or with suction, which holds those that rise; with
+// points half way along the elements as well, which come to be between their nodes' situations.
 enum class Soil { spring, table, sticky };
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
-                              bool curved = false, Soil soil = Soil::spring) {
+                              bool curved = false, Soil soil = Soil::spring, bool between = false) {
   static const std::vector<ForceTable::Row> rows{{2 * mm, 60}, {4.5 * mm, 500}, {20 * mm, 1000}};
   static const ForceTable table(rows);
   const LocalMesh& l = m.system->mesh();
@@ -268,7 +269,7 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   const Vec3 origin = at.point({1, 2, 3});
   const SeabedTerm::Plane plane{origin, slope * Vec3::UnitZ()};
   const auto bed = hilly();
-  SeabedTerm::NodeLaw law;
+  SeabedTerm::PointLaw law;
   law.radius = kContactRadius;
   law.law.normal.stiffness = kNormalStiffness, law.law.normal.smoothing = 1 * mm,
   law.law.normal.damping = 500;
@@ -277,7 +278,8 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   FrictionLaw& friction = law.law.friction;
   friction.axial = axial, friction.lateral = lateral;
   friction.axial_length = 2 * mm, friction.lateral_length = 3 * mm;
-  const std::vector<SeabedTerm::NodeLaw> laws(static_cast<size_t>(l.owned), law);
+  const SeabedTerm::PointLaws laws{std::vector<SeabedTerm::PointLaw>(static_cast<size_t>(l.owned), law),
+                                   std::vector<SeabedTerm::PointLaw>(between ? l.elements.size() : 0, law)};
   auto term = curved ? std::make_unique<SeabedTerm>(
                            l, std::make_shared<const PlacedSurface>(bed, origin, slope), laws)
                      : std::make_unique<SeabedTerm>(l, plane, laws);
@@ -320,6 +322,15 @@ inline std::vector<SuiteCase> seabed_cases() {
                add_seabed(*m, at, axial, lateral, curved, soil);
                return m;
              }});
+  // Some come to lie just where a table begins and suction lets go, which has no tangent: springs only.
+  for (const auto& [axial, lateral, friction] :
+       {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
+    out.push_back({std::string("seabed, half way along too, ") + friction,
+                   [axial = axial, lateral = lateral](MPI_Comm comm, const Placement& at) {
+                     auto m = std::make_unique<SuiteModel>(comm, at);
+                     add_seabed(*m, at, axial, lateral, false, Soil::spring, true);
+                     return m;
+                   }});
   return out;
 }
 

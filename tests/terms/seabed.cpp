@@ -21,16 +21,16 @@ struct OneNode {
   double h = 0.1;
 
   template <class Bed>
-  OneNode(const Bed& shape, const SeabedTerm::NodeLaw& law) {
+  OneNode(const Bed& shape, const SeabedTerm::PointLaw& law) {
     for (int i = 0; i < 2; ++i) mesh.nodes.push_back({0, 1.0 * i, 0.5, false});
     mesh.elements.push_back({0, 0, 1, 0, 1.0, false});
     LineSpan span;
     span.nodes = 2, span.elements = 1, span.length = 1;
     mesh.lines.push_back(span);
     local = local_mesh(mesh, {0, 0}, 0, 1);
-    SeabedTerm::NodeLaw none;
+    SeabedTerm::PointLaw none;
     none.radius = -1;
-    bed = std::make_unique<SeabedTerm>(local, shape, std::vector<SeabedTerm::NodeLaw>{law, none});
+    bed = std::make_unique<SeabedTerm>(local, shape, SeabedTerm::PointLaws{{law, none}, {}});
     state = State(2);
   }
   // A step to x, committed: friction on the node.
@@ -51,8 +51,8 @@ struct OneNode {
 
 // 1000 N pressed, coefficients 0.3 and 0.8, mobilisation lengths 0.01 and 0.04 m, as the paper has it
 // (OMAE2006-92155, eqs 6-10: Michalopoulos' spring, return along the radius).
-SeabedTerm::NodeLaw paper() {
-  SeabedTerm::NodeLaw law;
+SeabedTerm::PointLaw paper() {
+  SeabedTerm::PointLaw law;
   law.radius = 0.1;
   law.law.normal.stiffness = 1e6;
   FrictionLaw& f = law.law.friction;
@@ -88,7 +88,7 @@ TEST(SeabedFriction, PaperFormula) {
 TEST(SeabedTable, ForceAndPotentialOfANode) {
   Mesh mesh;
   mesh.nodes = {{0, 0, 1, false}, {0, 2, 1, false}};
-  mesh.elements = {{0, 0, 1, 0, 2, false}};
+  mesh.elements = {{0, 0, 1, 0, 2, true}};
   mesh.lines = {{0, 2, 0, 1, 2, "one"}};
   const LocalMesh local = local_mesh(mesh, {0, 0}, 0, 1);
   const std::vector<ForceTable::Row> rows{{0.01, 100}, {0.05, 900}, {0.1, 1000}};
@@ -126,7 +126,7 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
 // the same from a checkpoint on.
 template <class Bed>
 void expect_suction(const Bed& shape) {
-  SeabedTerm::NodeLaw law;
+  SeabedTerm::PointLaw law;
   law.radius = 0.1;
   law.law.normal.stiffness = 1e5;
   law.suction = {500, 0.01};
@@ -232,7 +232,7 @@ TEST(SeabedFriction, PaperPathInTheLimit) {
 // Back and forth by 3 mobilisation lengths: 4 mu N (D - d) a cycle. Round and round in a circle: force lags
 // by asin(d/rho), 2 pi rho mu N sqrt(1 - (d/rho)²) a turn.
 TEST(SeabedFriction, CyclesAndCircles) {
-  SeabedTerm::NodeLaw law = paper();
+  SeabedTerm::PointLaw law = paper();
   law.law.friction.axial = law.law.friction.lateral = 0.3;
   law.law.friction.lateral_length = 0.01;
   OneNode n(kFlat, law);
@@ -264,7 +264,7 @@ TEST(SeabedFriction, CyclesAndCircles) {
 TEST(SeabedFriction, LandsElsewhere) {
   for (const bool grid : {false, true}) {
     std::vector<double> at{-10, 0, 10}, z(9, 0);
-    SeabedTerm::NodeLaw law = paper();
+    SeabedTerm::PointLaw law = paper();
     law.law.normal.smoothing = 1e-4;
     const auto run = [&](auto& n) {
       n.go({0, 0, kDeep});
@@ -329,7 +329,7 @@ TEST(SeabedShapes, SlopesAreTheSame) {
 // asked before.
 TEST(SeabedShapes, AnswersDoNotDependOnTheWay) {
   const auto bed = hilly();
-  SeabedTerm::NodeLaw law = paper();
+  SeabedTerm::PointLaw law = paper();
   law.law.friction = {};
   OneNode walker(std::shared_ptr<const Surface>(bed), law);
   int touching = 0;
@@ -368,6 +368,69 @@ TEST(SeabedShapes, RefusesWhatIsNoSheet) {
   EXPECT_NE(refusal(m).find("folded over itself"), std::string::npos);
   m.triangles = {{0, 1, 2}, {0, 1, 4}, {1, 0, 2}};
   EXPECT_NE(refusal(m).find("more than two triangles"), std::string::npos);
+}
+
+// The point half way along an element whose nodes are on two ranks: both have its history, from what either
+// keeps or from what one rank kept; one counts it.
+TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
+  Mesh mesh;
+  for (int i = 0; i < 2; ++i) mesh.nodes.push_back({0, 1.0 * i, 0.5, false});
+  mesh.elements.push_back({0, 0, 1, 0, 1.0, false});
+  mesh.lines = {{0, 2, 0, 1, 1, "one"}};
+  SeabedTerm::PointLaw none;
+  none.radius = -1;
+  const double h = 0.1;
+  struct Part {
+    LocalMesh local;
+    std::unique_ptr<SeabedTerm> bed;
+    State state{2};
+    // The middle to x, pressed by 1000 N.
+    void go(double x) {
+      bed->prepare(state.view(0.1), 0.1);
+      for (size_t n = 0; n < 2; ++n) state.x[n] = Vec3(x + local.global[n], 0, kDeep);
+      bed->commit(state.view(0.1));
+    }
+    Vec3 force(int node) const { return bed->node_force(state.view(0.1), local.find(node)); }
+  };
+  const auto part = [&](const std::vector<int>& owner, int rank) {
+    Part p;
+    p.local = local_mesh(mesh, owner, rank, owner[1] + 1);
+    return p;
+  };
+  Part all = part({0, 0}, 0), two[] = {part({0, 1}, 0), part({0, 1}, 1)};
+  for (Part* p : {&all, &two[0], &two[1]})
+    p->bed = std::make_unique<SeabedTerm>(
+        p->local, kFlat,
+        SeabedTerm::PointLaws{std::vector(static_cast<size_t>(p->local.owned), none), {paper()}});
+  for (Part* p : {&all, &two[0], &two[1]})
+    for (const double x : {0.0, 0.004, 0.02, 0.017}) p->go(x);
+  const std::vector<HistoryRecord> whole = all.bed->save();
+  EXPECT_EQ(whole.size(), 2u);
+  EXPECT_GT(all.bed->energy(all.state.view(h)).friction, 1);
+  EXPECT_EQ(
+      two[0].bed->energy(two[0].state.view(h)).friction + two[1].bed->energy(two[1].state.view(h)).friction,
+      all.bed->energy(all.state.view(h)).friction);
+  for (int rank = 0; rank < 2; ++rank) {
+    Part& p = two[rank];
+    EXPECT_EQ(p.force(rank), all.force(rank));
+    EXPECT_NEAR(p.force(rank).z(), 500, 1e-9);
+    const std::vector<HistoryRecord> own = p.bed->save();
+    ASSERT_EQ(own.size(), 1u);
+    std::vector<HistoryRecord> of_whole;
+    for (const HistoryRecord& r : whole)
+      if (r.node == rank) of_whole.push_back(r);
+    ASSERT_EQ(of_whole.size(), 1u);
+    EXPECT_EQ(own[0].key, of_whole[0].key);
+    EXPECT_EQ(own[0].values, of_whole[0].values);
+    const Vec3 before = p.force(rank);
+    p.bed->restore({});
+    EXPECT_EQ(p.force(rank), Vec3(0, 0, 0));
+    p.bed->restore(of_whole);
+    EXPECT_EQ(p.force(rank), before);
+    p.go(0.018);
+  }
+  all.go(0.018);
+  for (int rank = 0; rank < 2; ++rank) EXPECT_EQ(two[rank].force(rank), all.force(rank));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
-// The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node, shared
-// out by the length of line that belongs to it. See docs/theory/seabed.md.
+// The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node and
+// half way along cables' elements, shared out by the length of line that belongs to each. See
+// docs/theory/seabed.md.
 #pragma once
 
 #include <mpi.h>
@@ -27,15 +28,20 @@ class SeabedTerm final : public ForceTerm {
     Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();
     double gap(const Vec3& x) const { return normal.dot(x - point); }
   };
-  struct NodeLaw {
-    double radius = 0;  // m; of a node that takes no part < 0
-    ContactLaw law;     // of the node: N/m
+  struct PointLaw {
+    double radius = 0;  // m; of a point that takes no part < 0
+    ContactLaw law;     // of the point: N/m
     Suction suction;
   };
+  // One for each owned node, and one for each local element, of the point half way between its nodes, or
+  // none.
+  struct PointLaws {
+    std::vector<PointLaw> nodes, middles;
+  };
 
-  // nodes: one for each owned node. A surface is in axes of space, the ground inside.
-  SeabedTerm(const LocalMesh& mesh, const Plane& plane, std::vector<NodeLaw> nodes);
-  SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, std::vector<NodeLaw> nodes);
+  // A surface is in axes of space, the ground inside.
+  SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws);
+  SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws);
   // held: local nodes that are supported, which the bed leaves alone.
   SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held);
 
@@ -69,7 +75,9 @@ class SeabedTerm final : public ForceTerm {
     bool held = false;
   };
   struct Point {
-    int node = 0, block = 0;
+    int node = 0, second = -1;  // local; second: of the element it is half way along, -1 at a node
+    int element = -1;           // local
+    bool counted = true;        // this rank counts it in sums
     double radius = 0;
     ContactLaw law;
     Suction suction;
@@ -82,6 +90,17 @@ class SeabedTerm final : public ForceTerm {
     mutable double clear = -1;
     mutable int hint = -1;
   };
+  // What nodes have, at the point; and what of a force on the point a node bears.
+  static Vec3 of_nodes(const Point& p, std::span<const Vec3> values) {
+    const Vec3& first = values[static_cast<size_t>(p.node)];
+    return p.second < 0 ? first : Vec3(0.5 * (first + values[static_cast<size_t>(p.second)]));
+  }
+  static double share(const Point& p, int node) {
+    if (p.second < 0) return p.node == node ? 1 : 0;
+    return p.node == node || p.second == node ? 0.5 : 0;
+  }
+  Vec3 tangent(const Point& p, const Kinematics& at) const;
+  void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Sink& sink) const;
   double touch(const Point& p) const { return p.radius + p.law.normal.smoothing; }
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
   // is then cut to `reach` [m] more than where it touches.

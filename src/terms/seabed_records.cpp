@@ -1,0 +1,79 @@
+// What the seabed shows, and its history through a checkpoint.
+//
+// Both ranks of a shared element need the history of the point half way along it, and a rank gets the records
+// of its own nodes only: so it is kept twice, at either node. Keys: 0 for a node, 1 for the element behind
+// it, 2 for the one before it.
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+
+#include "hawser/terms/seabed.hpp"
+
+namespace hawser {
+
+// A point half way along an element shows at its nodes, half at either.
+void SeabedTerm::fields(FieldRegistry& registry) const {
+  const auto vector = [this](auto value) {
+    return [this, value](const Kinematics&, std::span<double> out) {
+      std::fill(out.begin(), out.end(), 0.0);
+      for (const Point& p : points_)
+        for (const int node : {p.node, p.second}) {
+          if (node < 0 || node >= mesh_.owned) continue;
+          const Vec3 part = share(p, node) * value(p.history);
+          for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * node + c)] += part[c];
+        }
+    };
+  };
+  registry.add({"seabed_force", "N", 3, vector([](const History& h) { return h.force; })});
+  registry.add({"seabed_friction", "N", 3, vector([](const History& h) { return h.friction; })});
+}
+
+std::vector<HistoryRecord> SeabedTerm::save() const {
+  std::vector<HistoryRecord> records;
+  for (const Point& p : points_) {
+    const History& h = p.history;
+    if (!h.touches && h.deepest == 0 && h.friction_work == 0 && h.damping_work == 0) continue;
+    HistoryRecord r;
+    r.values = {h.touches ? 1.0 : 0};
+    for (const Vec3* v : {&h.slip, &h.normal, &h.force, &h.friction})
+      r.values.insert(r.values.end(), v->begin(), v->end());
+    r.values.insert(r.values.end(),
+                    {h.normal_force, h.damping_force, h.potential, h.friction_work, h.damping_work});
+    if (p.suction.limit > 0) r.values.insert(r.values.end(), {h.deepest, h.held ? 1.0 : 0});
+    for (const int node : {p.node, p.second}) {
+      if (node < 0 || node >= mesh_.owned) continue;
+      r.node = mesh_.global[static_cast<size_t>(node)];
+      r.key = p.second < 0 ? 0 : node == p.node ? 1 : 2;
+      records.push_back(r);
+    }
+  }
+  return records;
+}
+
+void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
+  std::map<std::pair<int, int>, size_t> at;  // by node of the mesh and key
+  for (size_t i = 0; i < points_.size(); ++i) {
+    Point& p = points_[i];
+    p.history = {};
+    const auto global = [this](int node) { return mesh_.global[static_cast<size_t>(node)]; };
+    at[{global(p.node), p.second < 0 ? 0 : 1}] = i;
+    if (p.second >= 0) at[{global(p.second), 2}] = i;
+  }
+  for (const HistoryRecord& r : records) {
+    const auto found = at.find({r.node, r.key});
+    if (found == at.end()) continue;
+    const std::vector<double>& v = r.values;
+    if (v.size() != 18 && v.size() != 20)
+      throw std::invalid_argument("a seabed record of the checkpoint has the wrong size");
+    History& h = points_[found->second].history;
+    h.touches = v[0] != 0;
+    size_t i = 1;
+    for (Vec3* part : {&h.slip, &h.normal, &h.force, &h.friction})
+      for (int c = 0; c < 3; ++c) (*part)[c] = v[i++];
+    h.normal_force = v[13], h.damping_force = v[14], h.potential = v[15];
+    h.friction_work = v[16], h.damping_work = v[17];
+    if (v.size() == 20) h.deepest = v[18], h.held = v[19] != 0;
+  }
+}
+
+}  // namespace hawser
