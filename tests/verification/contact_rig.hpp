@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "hawser/geometry/mesh_surface.hpp"
+#include "support/cpu_time.hpp"
 #include "support/rig.hpp"
 #include "support/shapes.hpp"
 
@@ -107,7 +107,5 @@ class NodeField {
   FieldSource source_;
   std::vector<double> values_;
 };
-
-inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 }  // namespace hawser::test

@@ -107,8 +107,18 @@ TEST(HoseOnWall, AgainstTheWall) {
       EXPECT_NEAR(f.curvature, r.curvature, 1e-2 * r.curvature);
       EXPECT_NEAR(f.first, r.first, 1);
       EXPECT_NEAR(f.last, r.last, 1);
+      EXPECT_NEAR(f.last - f.first, r.last - r.first, 1);
       EXPECT_NEAR(f.force, r.force, 5e-3 * r.force);
     }
+}
+
+// Without bending it comes to the wall in a catenary of the constant tension, tangential to it.
+TEST(HoseOnWall, AgainstTheWallWithoutBending) {
+  const Found f = hose(100, 1e10, 1e6, 600, model::Relaxation::automatic);
+  tell("on the wall, EI 100", f);
+  EXPECT_NEAR(f.tension, 2347.288037826, 5e-3 * 2347.3);
+  EXPECT_NEAR(f.last - f.first, 2 * 65.9522941, 1);
+  EXPECT_NEAR(f.force, 20960.81358, 5e-3 * 20960.8);
 }
 
 }  // namespace

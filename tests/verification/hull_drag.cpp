@@ -2,7 +2,6 @@
 // at 320 m, 130 000 triangles as they are found, with open and non-manifold edges.
 #include <fmt/format.h>
 
-#include <ctime>
 #include <fstream>
 
 #include "hawser/app/volumes.hpp"
@@ -15,21 +14,15 @@ namespace {
 
 constexpr double kRadius = 0.249;  // m, of the hose
 
-double cpu_now() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 // Counts what contact asks of a surface and times every sixteenth question (a clock costs more than some
 // answers).
 class CountedSurface final : public Surface {
   template <class Ask>
   auto timed(Ask&& ask) const {
     if (++asked_ % 16) return ask();
-    const double start = cpu_now();
+    const double start = cpu_seconds();
     auto answer = ask();
-    seconds_ += cpu_now() - start;
+    seconds_ += cpu_seconds() - start;
     ++timed_;
     return answer;
   }
@@ -54,7 +47,7 @@ class CountedSurface final : public Surface {
   long asked() const { return asked_; }
   double microseconds() const {  // less what reading the clock takes
     double clock = 0;
-    for (int i = 0; i < 1000; ++i) clock -= cpu_now() - cpu_now();
+    for (int i = 0; i < 1000; ++i) clock -= cpu_seconds() - cpu_seconds();
     return timed_ ? 1e6 * (seconds_ / static_cast<double>(timed_) - clock / 1000) : 0;
   }
 
@@ -117,7 +110,7 @@ Outcome drag(const Drag& d) {
   Outcome out;
   long steps = 0, iterations = 0;
   const long before = counted->asked();
-  const double cpu = cpu_now();
+  const double cpu = cpu_seconds();
   dynamics.run(
       d.duration, [](double t) { return t + 1000; },
       [&](const StepInfo& i) {
@@ -125,7 +118,7 @@ Outcome drag(const Drag& d) {
         out.most_touching = std::max(out.most_touching, s.contact()->touching());
         return true;
       });
-  const double seconds = cpu_now() - cpu;
+  const double seconds = cpu_seconds() - cpu;
   const long asked = counted->asked() - before;
   out.deepest = s.contact()->largest_penetration().depth;
   const MeshView& mesh = *volumes[0].facets;

@@ -73,7 +73,8 @@ TEST(Joints, DeltaLineOfMap) {
   const model::Case c = delta();
   Simulation sim(PETSC_COMM_WORLD, c);
   const StaticsReport report = sim.solve_statics();
-  const Vec3 node = place(sim, 0, true), A = reaction(sim, 0, false), B = reaction(sim, 1, true);
+  const Vec3 node = place(sim, 0, true), A = reaction(sim, 0, false), B = reaction(sim, 1, true),
+             C = reaction(sim, 2, true);
   const Vec3 exact(31.583396712889662, 0, -77.37019188090699);
   printf("  %d iterations, joint %.2f mm off, H %+.4f %%, V at the anchor %+.4f %%, bridle %+.4f %%\n",
          report.iterations, 1e3 * (node - exact).norm(), 100 * (std::abs(A.x()) / 1501931.2036468408 - 1),
@@ -83,6 +84,9 @@ TEST(Joints, DeltaLineOfMap) {
   EXPECT_NEAR(std::abs(A.x()), 1501931.2036, 1e-3 * 1501931);
   EXPECT_NEAR(std::abs(A.z()), 491199.8739, 1e-3 * 491200);
   EXPECT_NEAR(B.head<2>().norm(), 759963.1168, 1e-3 * 759963);
+  // What the leg pulls the joint with upright, carried by both bridles less their own buoyancy.
+  const double lift = (1025 * M_PI / 4 * 0.285 * 0.285 - 3.8) * 9.81 * 30;
+  EXPECT_NEAR(std::abs(B.z() + C.z()), 400068.769 - 2 * lift, 1e-3 * 400069);
   EXPECT_LT(report.iterations, 60);
 }
 

@@ -1,10 +1,9 @@
 // Risers and cables at rest, with bending, from the automatic start shape: lazy wave, catenary riser,
 // stiffened catenary, a model cable with discrete modules.
-#include <ctime>
-
 #include "hawser/kernels/beam.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/terms/seabed.hpp"
+#include "support/cpu_time.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test {
@@ -71,7 +70,42 @@ Bend largest(Simulation& sim, double from = 0, double to = HUGE_VAL) {
   return most;
 }
 
-double cpu_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double cpu_ms() { return 1e3 * cpu_seconds(); }
+
+struct Place {
+  double arc = 0, x = 0, z = 0;  // m
+};
+
+// Where the line turns between two arc lengths, a parabola through the nodes about the lowest (way -1) or
+// the highest (way 1).
+Place turn(Simulation& sim, double from, double to, int way) {
+  const auto& nodes = sim.mesh().nodes;
+  const auto& x = sim.state().x;
+  size_t k = 0;
+  for (size_t i = 1; i + 1 < nodes.size(); ++i)
+    if (nodes[i].arc >= from && nodes[i].arc <= to && (k == 0 || way * (x[i].z() - x[k].z()) > 0)) k = i;
+  // Lagrange's parabola by arc length, of even or uneven elements.
+  const double a = nodes[k - 1].arc - nodes[k].arc, b = nodes[k + 1].arc - nodes[k].arc;
+  const auto at = [&](int c, double s) {
+    const double da = (x[k - 1][c] - x[k][c]) / a, db = (x[k + 1][c] - x[k][c]) / b;
+    const double second = (db - da) / (b - a);
+    return x[k][c] + s * (da - second * a) + s * s * second;
+  };
+  const double da = (x[k - 1].z() - x[k].z()) / a, db = (x[k + 1].z() - x[k].z()) / b;
+  const double second = (db - da) / (b - a), s = -(da - second * a) / (2 * second);
+  return {nodes[k].arc + s, at(0, s), at(2, s)};
+}
+
+// Where the line comes down to a level first, beyond an arc length.
+Place down_to(Simulation& sim, double level, double beyond) {
+  const auto& nodes = sim.mesh().nodes;
+  const auto& x = sim.state().x;
+  size_t i = 1;
+  while (i + 1 < nodes.size() && (nodes[i].arc < beyond || x[i].z() > level)) ++i;
+  const double part = (x[i - 1].z() - level) / (x[i - 1].z() - x[i].z());
+  return {nodes[i - 1].arc + part * (nodes[i].arc - nodes[i - 1].arc),
+          x[i - 1].x() + part * (x[i].x() - x[i - 1].x()), level};
+}
 
 // Power cable of Lozon et al. (2025) in 80 m: own multiple shooting of 10^-10, which OrcaFlex 11.6d agrees
 // with (0.0968 1/m, 9.32 kN). Pinned ends, bed without friction.
@@ -87,28 +121,64 @@ model::Case lazy_wave(double element) {
 }
 
 TEST(RiserStatics, LazyWaveFromTheAutomaticStart) {
+#if defined(__OPTIMIZE__) && defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
+  constexpr bool kTimed = true;
+#else
+  constexpr bool kTimed = false;
+#endif
   for (const double element : {1.0, 0.5}) {
     const model::Case c = lazy_wave(element);
     Simulation warm(PETSC_COMM_SELF, c);  // the first use of a solver loads it
     warm.solve_statics();
-    const double t0 = cpu_ms();
+    // Set-up, start shape and statics: the least of some, since other work on the machine only adds.
+    double set_up = 0, statics = 0, least = 1e9;
+    for (int i = 0; i < 10 && (i < 3 || least > 50); ++i) {
+      const double t0 = cpu_ms();
+      Simulation again(PETSC_COMM_SELF, c);
+      const double t1 = cpu_ms();
+      again.solve_statics();
+      const double t2 = cpu_ms();
+      if (t2 - t0 < least) least = t2 - t0, set_up = t1 - t0, statics = t2 - t1;
+    }
     Simulation sim(PETSC_COMM_SELF, c);
-    const double t1 = cpu_ms();
     const StaticsReport report = sim.solve_statics();
-    const double t2 = cpu_ms();
-    const double T = reaction(sim, false).norm();
+    const Vec3 A = reaction(sim, false), B = reaction(sim, true);
     const Bend sag = largest(sim, 0, 70), hog = largest(sim, 70, 105), touchdown = largest(sim, 110);
+    const Place low = turn(sim, 40, 75, -1), high = turn(sim, 75, 105, 1), down = down_to(sim, -80, 110);
     printf("  %.1f m: %d iterations, CPU %.1f ms set up with start shape, %.1f ms statics\n", element,
-           report.iterations, t1 - t0, t2 - t1);
-    printf("    tension %+.3f %%, curvature sag %+.3f %% at %.1f m, hog %+.3f %%, touchdown %+.3f %%\n",
-           100 * (T / 9320.174661 - 1), 100 * (sag.curvature / 0.09683001959 - 1), sag.at,
-           100 * (hog.curvature / 0.05588367082 - 1), 100 * (touchdown.curvature / 0.07607148236 - 1));
-    EXPECT_NEAR(T, 9320.174661, 5e-3 * 9320);
-    EXPECT_NEAR(reaction(sim, true).norm(), 1332.712551, 5e-3 * 9320);
-    EXPECT_NEAR(reaction(sim, true).x(), 1326.902425, 5e-3 * 1327);
+           report.iterations, set_up, statics);
+    printf(
+        "    tension %+.3f %%, at the anchor %+.3f %%, H %+.3f %%, V %+.3f %%; curvature sag %+.3f %% at "
+        "%.1f "
+        "m, hog %+.3f %%, touchdown %+.3f %%\n",
+        100 * (A.norm() / 9320.174661 - 1), 100 * (B.norm() / 1332.712551 - 1),
+        100 * (B.x() / 1326.902425 - 1), 100 * (A.z() / 9225.236348 - 1),
+        100 * (sag.curvature / 0.09683001959 - 1), sag.at, 100 * (hog.curvature / 0.05588367082 - 1),
+        100 * (touchdown.curvature / 0.07607148236 - 1));
+    EXPECT_NEAR(A.norm(), 9320.174661, 5e-3 * 9320);
+    EXPECT_NEAR(A.z(), 9225.236348, 5e-3 * 9225);
+    EXPECT_NEAR(B.norm(), 1332.712551, 5e-3 * 1332);
+    EXPECT_NEAR(B.x(), 1326.902425, 5e-3 * 1326);
     EXPECT_NEAR(sag.curvature, 0.09683001959, 1e-2 * 0.09683);
-    EXPECT_NEAR(hog.curvature, 0.05588367082, 1e-2 * 0.09683);
-    EXPECT_NEAR(touchdown.curvature, 0.07607148236, 1e-2 * 0.09683);
+    EXPECT_NEAR(hog.curvature, 0.05588367082, 1e-2 * 0.05588);
+    EXPECT_NEAR(touchdown.curvature, 0.07607148236, 1e-2 * 0.07607);
+    // Arc length, x, z [m] of the sag and the hog, and of where it comes down to the bed's level.
+    const struct {
+      const char* name;
+      Place is, expected;
+    } turns[] = {{"sag", low, {58.54472337, 27.82937405, -64.06528999}},
+                 {"hog", high, {87.10297059, 53.21977036, -52.48431597}},
+                 {"touchdown", down, {135.945838, 90.73096337, -80}}};
+    for (const auto& t : turns) {
+      printf("    %s off by %+.3f m along, %+.3f m in x, %+.4f m in z\n", t.name, t.is.arc - t.expected.arc,
+             t.is.x - t.expected.x, t.is.z - t.expected.z);
+      EXPECT_NEAR(t.is.arc, t.expected.arc, 0.1) << t.name;
+      EXPECT_NEAR(t.is.x, t.expected.x, 0.1) << t.name;
+      EXPECT_NEAR(t.is.z, t.expected.z, 0.02) << t.name;
+    }
+    if (kTimed && element == 1) {
+      EXPECT_LT(least, 50);
+    }
     EXPECT_LE(report.negative_eigenvalues, 0);
     EXPECT_LT(report.iterations, 40);
     // Places on the way: x, z at arc lengths of the reference.
@@ -214,6 +284,8 @@ TEST(RiserStatics, StiffenedCatenary) {
            r.clamped ? "clamped" : "pinned", report.iterations, 100 * (H / r.H - 1), 100 * (sag / r.sag - 1),
            100 * (bend.moment / r.moment - 1));
     EXPECT_NEAR(H, r.H, 1e-3 * r.H);
+    EXPECT_NEAR(reaction(sim, false).norm(), std::hypot(r.H, 60000), 1e-3 * std::hypot(r.H, 60000));
+    EXPECT_NEAR(bend.curvature, r.curvature, 5e-3 * r.curvature);
     EXPECT_NEAR(sag, r.sag, 1e-4 * r.sag);
     EXPECT_NEAR(bend.moment, r.moment, 5e-3 * r.moment);
     EXPECT_LT(report.iterations, 80);
