@@ -100,6 +100,8 @@ void LineContact::prepare(const Kinematics& committed, double h) {
         // What was found on all of the surface is found again; of a wall it may be another.
         if (!was.walls) first.found = std::move(was.found);
       }
+      // Pairs that did not touch are in no checkpoint.
+      while (!histories.empty() && histories.back().empty()) histories.pop_back();
       const bool one =
           histories.size() < 2 &&
           one_wall(first, shape, pose, h > 0 ? 2 * h * speed : std::numeric_limits<double>::max());

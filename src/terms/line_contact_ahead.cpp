@@ -156,19 +156,19 @@ void LineContact::limit_by(const Pair& pair, const Kinematics& committed, const 
                            Strikes& to) const {
   std::vector<FreePlace>& free = places_;
   free.clear();
+  const bool walls = pair.walls && look_ahead_at_walls(pair, committed, to);
   for (size_t i = 0; i < kPlaces.size(); ++i) {
     if (const double f = ahead.free(place + i); f > 0) free.push_back({kPlaces[i], f});
     const SurfacePoint* p = ahead.answer(place + i);
     if (!p) continue;
     pair.ahead[i] = p->triangle;
-    look_ahead(pair, committed, kPlaces[i], !pair.history.empty(), *p, to);
+    if (!walls) look_ahead(pair, committed, kPlaces[i], !pair.history.empty(), *p, to);
   }
   if (free.size() == kPlaces.size()) {
     double worst = 0;
     pair.room().offer(points(pair.start, start_poses_[body(pair.volume)]),
                       least_distance(free, pair.start.reach(), pair.start.bend_bound(), worst) - pair.touch);
   }
-  if (pair.walls) cap_walls(pair, committed, to);
 }
 
 }  // namespace hawser

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSagitta =
     0.05;  // of the distance at which contact begins: how far the axis is from its polyline
-constexpr double kRoom = 0.25;  // the same: how much more is looked at than is needed now
+constexpr double kGrid = 0.125;  // the same: of places that are asked whether there is one wall
 
 }  // namespace
 
@@ -30,16 +30,18 @@ std::vector<Vec3> LineContact::polyline(const AxisShape& shape, const RigidPose&
   return points;
 }
 
+// Asked of a chord and a reach on a grid: what is remembered of another step is then what would be answered
+// now, and a run that goes on from a checkpoint decides as the one that made it.
 bool LineContact::one_wall(Pair& pair, const AxisShape& shape, const RigidPose& pose, double motion) const {
-  const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
-  const std::array<Vec3, 2> chord{pose.to_body(shape.point(0)), pose.to_body(shape.point(1))};
+  const double grid = kGrid * pair.touch;
+  std::array<Vec3, 2> chord{pose.to_body(shape.point(0)), pose.to_body(shape.point(1))};
+  for (Vec3& end : chord)
+    for (double& x : end) x = grid * std::round(x / grid);
   const double need = kTogether * pair.touch + motion + shape.bend_bound() / 8;
-  const double moved = std::max((chord[0] - pair.one_chord[0]).norm(), (chord[1] - pair.one_chord[1]).norm());
-  if (pair.one_reach > 0 && pair.one && need + moved <= pair.one_reach) return true;
-  if (pair.one_reach > 0 && !pair.one && need >= pair.one_reach && moved < kRoom * pair.touch) return false;
-  const double reach = need + kRoom * pair.touch;
-  pair.one = surface.one_wall(chord, reach);
-  pair.one_chord = chord, pair.one_reach = pair.one ? reach : need;
+  const double reach = grid * std::ceil(need / grid + 0.5 * std::sqrt(3.0));
+  if (reach == pair.one_reach && chord == pair.one_chord) return pair.one;
+  pair.one = volumes_[static_cast<size_t>(pair.volume)].surface->one_wall(chord, reach);
+  pair.one_chord = chord, pair.one_reach = reach;
   return pair.one;
 }
 
@@ -136,22 +138,22 @@ void LineContact::assign_past(const Pair& pair, Seen& seen) const {
   }
 }
 
-// The farther walls of those that it may come to in half a second.
-void LineContact::cap_walls(const Pair& pair, const Kinematics& committed, Strikes& to) const {
+bool LineContact::look_ahead_at_walls(const Pair& pair, const Kinematics& committed, Strikes& to) const {
   const RigidPose& pose = start_poses_[body(pair.volume)];
   const Surface& surface = *volumes_[static_cast<size_t>(pair.volume)].surface;
   const auto speed = [&](double xi) {
     return (pair.start.velocity(xi) - pose.velocity_at(pair.start.point(xi))).norm();
   };
-  const double ahead = 0.5 * std::max({speed(0), speed(0.5), speed(1)});
+  const double ahead = std::min(0.5, 2 * to.most) * std::max({speed(0), speed(0.5), speed(1)});
   SurfaceWalls walls;
   surface.walls(polyline(pair.start, pose, pair.touch), kTogether * pair.touch + ahead, walls);
   for (const SurfaceWall& w : walls.of)
     for (const double xi : {0.0, 0.5, 1.0}) {
       const auto p = surface.query_wall(w, pose.to_body(pair.start.point(xi)),
-                                        pair.touch + 0.5 * pair.start.reach() + ahead);
+                                        pair.touch + 0.5 * (pair.start.reach() + speed(xi)));
       if (p) look_ahead(pair, committed, xi, !pair.history.empty(), *p, to);
     }
+  return walls.several();
 }
 
 }  // namespace hawser

@@ -1,6 +1,7 @@
-// Runs whose lines touch each other, and runs with every model of contact at the nodes, stopped and gone on
-// with: the same bit for bit on the same number of ranks, to rounding on another.
+// Runs whose lines touch each other, a run in a slit that moves, and runs with every model of contact at the
+// nodes, stopped and gone on with: the same bit for bit on the same number of ranks, to rounding on another.
 #include "regression/runs.hpp"
+#include "support/shapes.hpp"
 
 namespace hawser::runs {
 namespace {
@@ -48,6 +49,39 @@ statics: false
 dynamics: {duration: 1, step: auto, max_step: 0.005}
 output: {every: 0.1, histories: [{line: bar, at: 3}]}
 )";
+
+// A taut rope in a slit that narrows, whose walls are of one mesh and come and go.
+const char* const kSlit = R"(hawser: 1
+environment: {gravity: 0}
+line_types:
+  rope: {outer_diameter: 0.2, mass_per_length: 10, EA: 1.0e6, EI: 5.0e2, GJ: 5.0e2, stiffness_damping: 0.005}
+bodies:
+  ship:
+    position: [0, 0.07, -0.73]
+    motion: {harmonic: {amplitude: [0.01, 0.05, 0.29], period: 2.63, phase_deg: [0, 162, 178]}}
+volumes:
+  slit: {mesh: slit.obj, body: ship, friction: 0.2, smooth: false, relative_damping: 0.1,
+         normal_stiffness: {per_length: 2.04e4}}
+lines:
+  rope:
+    sections: [{type: rope, length: 8, elements: 6}]
+    end_a: {anchor: [-4, 0, 0]}
+    end_b: {anchor: [4, 0, 0]}
+    start: straight
+dynamics: {duration: 2.5, step: auto, max_step: 0.05}
+output: {every: 0.125, histories: [{line: rope, at: 4}]}
+)";
+
+// Along x, open upwards.
+void write_slit(const std::string& path) {
+  if (rank_of(MPI_COMM_WORLD) > 0) return;
+  const TriangleMesh m = testing::prism_mesh(
+      {{-1.5, -0.8}, {1.5, -0.8}, {1.5, 0.9}, {0.28, 0.9}, {0.02, 0}, {-0.02, 0}, {-0.28, 0.9}, {-1.5, 0.9}},
+      {{0, 1, 4, 5}, {1, 2, 3, 4}, {0, 5, 6, 7}}, 10);
+  std::ofstream out(path);
+  for (const Vec3& v : m.vertices) out << "v " << v.z() - 5 << ' ' << v.x() << ' ' << v.y() << '\n';
+  for (const auto& t : m.triangles) out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+}
 
 void expect_same(const Results& whole, const Results& rest, double tolerance) {
   ASSERT_GT(rest.output_times.size(), 1u);
@@ -106,6 +140,23 @@ void compare(const std::string& name, const std::string& text, const Edits& edit
   expect_same(whole, rest, 0);
   const Results fewer = read(path + "/fewer.h5");
   only_alike ? expect_alike(whole, fewer, other_ranks) : expect_same(whole, fewer, other_ranks);
+}
+
+// Stopped where one wall is near, where both are and where the second comes near.
+TEST(RestartContact, InASlit) {
+  const std::string path = folder("restart_slit"), input = path + "/case.yaml";
+  write_slit(path + "/slit.obj");
+  write_case(input, kSlit, {});
+  run_on_all({input, path + "/whole.h5"});
+  for (const double half : {0.5, 1.5, 1.75, 2.125}) {
+    run_on_all({input, path + "/half.h5", "", half});
+    run_on_all({input, path + "/rest.h5", path + "/half.h5"});
+    if (rank_of(MPI_COMM_WORLD) > 0) continue;
+    SCOPED_TRACE("stopped at " + std::to_string(half) + " s");
+    expect_same(read(path + "/whole.h5"), read(path + "/rest.h5"), 0);
+  }
+  if (rank_of(MPI_COMM_WORLD) > 0) return;
+  EXPECT_GT(touches_at(read(path + "/whole.h5"), "contact_force", 1), 0);
 }
 
 TEST(RestartContact, LinesThatTouch) { compare("lines", kLines, {}, 0.5, "line_contact_force", 1e-7); }

@@ -102,7 +102,10 @@ std::vector<Scene> scenes() {
   const auto ball = std::make_shared<MeshSurface>(testing::sphere_mesh(3, 2), std::vector<bool>(),
                                                   MeshSurfaceOptions{true});
   TriangleMesh channel = testing::u_channel_mesh();  // its slit along x, as wide as the line
+  TriangleMesh wide = channel, wedge = channel;
   for (Vec3& v : channel.vertices) v = Vec3(v.z() - 2, 0.21 * (v.x() - 1.5), 0.5 * (v.y() - 1));
+  for (Vec3& v : wide.vertices) v = Vec3(3 * (v.z() - 2), 0.6 * (v.x() - 1.5), 0.7 * v.y());
+  for (Vec3& v : wedge.vertices) v = Vec3(3 * (v.z() - 2), (0.1 + 0.25 * v.y()) * (v.x() - 1.5), 0.7 * v.y());
   std::vector<bool> sides(box.triangles.size());
   for (size_t t = 0; t < sides.size(); ++t) sides[t] = t == 2;
   MeshSurfaceOptions open;
@@ -112,6 +115,8 @@ std::vector<Scene> scenes() {
           {"ball", ball, 2.05},
           {"ball that moves", ball, 2.05, true},
           {"slit", std::make_shared<MeshSurface>(channel), 0.05},
+          {"slit that moves", std::make_shared<MeshSurface>(wide), 0.9, true},
+          {"wedge that moves", std::make_shared<MeshSurface>(wedge), 0.9, true},
           {"open box", std::make_shared<MeshSurface>(without_top(box, 0), std::vector<bool>(), open), -0.1},
           {"part of a box", std::make_shared<MeshSurface>(box, sides), -0.5}};
 }

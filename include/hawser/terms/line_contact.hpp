@@ -97,9 +97,9 @@ class LineContact final : public Contact {
     int hint = -1;
     mutable std::array<int, 3> ahead{-1, -1, -1};
     Found found;
-    // How far about a chord there is one wall only; or where that was asked in vain.
+    // Whether there is one wall only about a chord, where that was asked.
     std::array<Vec3, 2> one_chord{Vec3::Zero(), Vec3::Zero()};
-    double one_reach = -1;
+    double one_reach = -1;  // m
     bool one = false;
     std::shared_ptr<Walls> walls;      // none: there is one wall in this step
     std::shared_ptr<const Seen> seen;  // of the axis of `found`
@@ -135,12 +135,13 @@ class LineContact final : public Contact {
   // What a pair sees of its volume.
   std::optional<SurfacePoint> see(const Pair& pair, const Vec3& y, double within,
                                   bool either_side = false) const;
-  void cap_walls(const Pair& pair, const Kinematics& committed, Strikes& to) const;
   // What strikes at xi, `share` m of the line with it; what it may come to, which touches elsewhere already.
   void look(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
             const Vec3& normal, bool last, Strikes& to) const;
   void look_ahead(const Pair& pair, const Kinematics& committed, double xi, bool touching,
                   const SurfacePoint& p, Strikes& to) const;
+  // The same at each of the walls it may come to in the step, if there are several.
+  bool look_ahead_at_walls(const Pair& pair, const Kinematics& committed, Strikes& to) const;
   class Ahead;
   void foresee(const Pair& pair, const Kinematics& committed, const Strikes& to, Ahead& ahead) const;
   void limit_by_touch(const Pair& pair, const Kinematics& committed, Strikes& to) const;
