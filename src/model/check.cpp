@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "hawser/model/bed.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/body_pairs.hpp"
 
@@ -94,7 +95,7 @@ class LineCheck {
         if (ends == 0)
           issue("", "both ends are free: give start: {{points: [[x, y, z], ...]}} to say where it lies");
     }
-    if (ends == 0 && c_.statics.enabled)
+    if (ends == 0 && c_.statics.enabled && !laid_with_friction(c_, line_))
       issue("", "both ends are free, so there is no static equilibrium; give statics: false");
   }
 
@@ -111,7 +112,7 @@ class LineCheck {
             length_, 100 * kLargestStrain);
     check_point(line_.end_a, line_.points.front(), 0);
     check_point(line_.end_b, line_.points.back(), line_.points.size() - 1);
-    if (!held(line_.end_a) && !held(line_.end_b) && c_.statics.enabled)
+    if (!held(line_.end_a) && !held(line_.end_b) && c_.statics.enabled && !laid_with_friction(c_, line_))
       issue("", "both ends are free, so there is no static equilibrium; give statics: false");
   }
 

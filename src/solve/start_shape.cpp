@@ -11,6 +11,7 @@
 #include "hawser/kernels/catenary_on_bed.hpp"
 #include "hawser/kernels/motion.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/bed.hpp"
 #include "hawser/solve/start_slack.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
@@ -88,7 +89,8 @@ std::optional<Shape> on_bed(const model::Case& c, const Vec3& xa, const Vec3& xb
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return {};
   const double near = 1e-3 * std::abs(bed.depth);
-  const bool a = std::abs(height_above_bed(c, xa)) < near, b = std::abs(height_above_bed(c, xb)) < near;
+  const bool a = std::abs(model::height_above_bed(bed, xa)) < near,
+             b = std::abs(model::height_above_bed(bed, xb)) < near;
   if (a == b) return {};
   if (b) {  // from B to A; a load at a joint goes to the section that ends there now
     std::reverse(sections.begin(), sections.end());
@@ -186,7 +188,7 @@ bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sectio
   floats = c.environment.water.present && all(1);
   if (!floats && (!bed.present || bed.surface || !all(-1))) return false;
   const auto off = [&](const Vec3& x) {
-    return std::abs(floats ? x.z() - c.environment.water.surface : height_above_bed(c, x));
+    return std::abs(floats ? x.z() - c.environment.water.surface : model::height_above_bed(bed, x));
   };
   const Vec3 &from = s.x.front(), &to = s.x.back();
   return length > std::hypot(to.x() - from.x(), to.y() - from.y()) + off(from) + off(to);
@@ -296,6 +298,14 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }
     bool twist_held = line.end_a.clamped || line.end_b.clamped;
+    // Friction of the bed holds a line without held ends; nothing holds its twist.
+    if (line.end_a.kind == model::EndKind::free && line.end_b.kind == model::EndKind::free &&
+        c.statics.enabled && g.nodes[static_cast<size_t>(span.first_node)].rotates)
+      if (const int here = mesh.find(span.first_node); here >= 0) {
+        Support s;
+        s.position_mask = 0, s.rotation_mask = 1, s.node = here;
+        out.supports.push_back(s);
+      }
     // Twist is held at a joint only where no other end is held.
     const bool joint_first = line.end_a.kind == model::EndKind::joint;
     for (int k = 0; k < 2; ++k) {

@@ -86,6 +86,13 @@ void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
   for (const Point& p : points_) {
     ContactTrial at;
     const size_t n = static_cast<size_t>(p.node);
+    if (kept(p, trial.step)) {
+      const double k = p.law.normal.stiffness;
+      const Vec3& normal = p.origin->normal;
+      const Vec3 residual = k * strayed(p, trial.x[n]);
+      const RowMajor K = k * (Mat3::Identity() - normal * normal.transpose());
+      sink.add({&p.block, 1}, residual.data(), tangent ? K.data() : nullptr, nullptr, nullptr);
+    }
     const bool touches = locate(p, trial.x[n], reach(p, trial.step), at);
     const Pull pulled = pull(p, at, trial.step);
     if (!touches && pulled.force == 0) continue;
@@ -114,6 +121,11 @@ void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) con
   if (-gap > next.deepest) next.deepest = -gap, next.held = true;
   if (next.deepest + gap >= p.suction.length) next.held = false;
   if (!next.held && gap >= 0) next.deepest = 0;
+}
+
+Vec3 SeabedTerm::strayed(const Point& p, const Vec3& x) {
+  const Vec3 d = x - p.origin->point;
+  return d - p.origin->normal * p.origin->normal.dot(d);
 }
 
 // Evaluated again at the accepted state. Energies: trapezoid over the step.
@@ -169,6 +181,8 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
     ContactTrial trial;
     const PointContact c = contact(p, at, false, trial);
     e.strain += c.normal.potential;
+    if (kept(p, at.step))
+      e.strain += 0.5 * p.law.normal.stiffness * strayed(p, at.x[static_cast<size_t>(p.node)]).squaredNorm();
     if (friction_on_ && laid_ && p.law.friction.active() && p.pressed > 0)
       e.strain += friction_potential(p, at.x[static_cast<size_t>(p.node)], trial.normal);
   }

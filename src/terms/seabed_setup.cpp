@@ -1,4 +1,4 @@
-// What SeabedTerm is made from, how lines are laid, what it shows and keeps.
+// What SeabedTerm is made from, what it shows and keeps.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -105,60 +105,6 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::v
     : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
   surface_ = c.environment.seabed.surface, table_ = c.environment.seabed.force_table;
   if (surface_) bounds_ = surface_->bounds();
-}
-
-// The whole line's positions on every rank: once in a run, and 24 bytes a node.
-void SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held) {
-  const Mesh& mesh = *mesh_.mesh;
-  std::vector<double> x(3 * mesh.nodes.size(), 0), reach(mesh.nodes.size(), -1);
-  for (int n = 0; n < mesh_.owned; ++n)
-    for (int c = 0; c < 3; ++c)
-      x[static_cast<size_t>(3 * mesh_.global[static_cast<size_t>(n)] + c)] = at.x[static_cast<size_t>(n)][c];
-  for (const Point& p : points_)
-    reach[static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)])] = p.radius + p.law.normal.smoothing;
-  MPI_Allreduce(MPI_IN_PLACE, x.data(), static_cast<int>(x.size()), MPI_DOUBLE, MPI_SUM, comm);
-  MPI_Allreduce(MPI_IN_PLACE, reach.data(), static_cast<int>(reach.size()), MPI_DOUBLE, MPI_MAX, comm);
-  const auto place = [&](int node) { return Vec3(Eigen::Map<const Vec3>(x.data() + 3 * node)); };
-
-  std::unordered_map<int, double> pulled;  // by node of the mesh: m, away from the end, signed from A to B
-  for (const LineSpan& line : mesh.lines)
-    for (const bool from_a : {true, false}) {
-      const int first = from_a ? line.first_node : line.first_node + line.nodes - 1, way = from_a ? 1 : -1;
-      if (!std::binary_search(held.begin(), held.end(), first)) continue;
-      const int next = first + way;
-      const double near = 2 * std::abs(reach[static_cast<size_t>(next)]);
-      if (gap(place(first), near) > near) continue;
-      double sum = 0;
-      std::vector<std::pair<int, double>> walked;
-      int node = first;
-      for (int i = 1; i < line.nodes; ++i) {
-        const int to = first + i * way;
-        const int element = line.first_element + (from_a ? i - 1 : line.elements - i);
-        const double most = reach[static_cast<size_t>(to)];
-        if (most < 0 || gap(place(to), most) >= most) break;
-        sum += std::max(
-            0.0, (place(to) - place(node)).norm() - mesh.elements[static_cast<size_t>(element)].length);
-        walked.emplace_back(to, way * sum);
-        node = to;
-      }
-      // On the bed from end to end: nothing says where it was pulled from.
-      if (static_cast<int>(walked.size()) >= line.nodes - 2) continue;
-      for (const auto& [n, s] : walked) pulled[n] = s;
-    }
-  for (Point& p : points_) {
-    const size_t n = static_cast<size_t>(p.node);
-    ContactTrial seen;
-    locate(p, at.x[n], 0, seen);
-    p.start.point = at.x[n];
-    p.start.gap = seen.gap;
-    p.start.normal = seen.normal;
-    p.start.slip.setZero();
-    const auto found = pulled.find(mesh_.global[n]);
-    if (found == pulled.end()) continue;
-    const Vec3 t = line_.tangent(at, p.node);
-    p.start.slip = found->second * (t - seen.normal * seen.normal.dot(t));
-  }
-  laid_ = true;
 }
 
 void SeabedTerm::fields(FieldRegistry& registry) const {

@@ -257,8 +257,9 @@ inline std::shared_ptr<const HeightGrid> hilly() {
 }
 
 // A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
-// table, through whose bends and steep parts they go, or with suction, which holds those that rise.
-enum class Soil { spring, table, sticky };
+// table, through whose bends and steep parts they go, or with suction, which holds those that rise; or in the
+// first stage of statics, in which springs keep them where they were laid.
+enum class Soil { spring, table, sticky, laid };
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
                               bool curved = false, Soil soil = Soil::spring) {
   static const std::vector<ForceTable::Row> rows{{2 * mm, 60}, {4.5 * mm, 500}, {20 * mm, 1000}};
@@ -301,6 +302,11 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   }
   m.system->prepare(before.view(t.h), t.h);
   m.system->commit(t.from.view(t.h));
+  if (soil == Soil::laid) {
+    t.h = 0;
+    seabed.enable_friction(false);
+    seabed.lay_at_start(m.system->comm(), t.from.view(0), std::vector<double>(l.mesh->lines.size(), 100.0));
+  }
   m.system->prepare(t.from.view(t.h), t.h);
   t.length = 0.2 * mm;
   return seabed;
@@ -311,8 +317,10 @@ inline std::vector<SuiteCase> seabed_cases() {
   for (const bool curved : {false, true})
     for (const auto& [axial, lateral, friction] :
          {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
-      for (const auto& [soil, kind] :
-           {std::pair{Soil::spring, ""}, {Soil::table, "table, "}, {Soil::sticky, "suction, "}})
+      for (const auto& [soil, kind] : {std::pair{Soil::spring, ""},
+                                       {Soil::table, "table, "},
+                                       {Soil::sticky, "suction, "},
+                                       {Soil::laid, "laid, "}})
         out.push_back(
             {std::string("seabed, ") + (curved ? "grid, " : "") + kind + friction,
              [axial = axial, lateral = lateral, curved, soil = soil](MPI_Comm comm, const Placement& at) {

@@ -1,0 +1,109 @@
+// Where friction of statics is reckoned from: how lines were laid.
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "hawser/terms/seabed.hpp"
+
+namespace hawser {
+
+// 32 bytes a node, a few times in a run.
+SeabedTerm::Lying SeabedTerm::lying(MPI_Comm comm, const Kinematics& at) const {
+  const size_t n = mesh_.mesh->nodes.size();
+  Lying all{std::vector<double>(3 * n, 0), std::vector<double>(n, -1)};
+  for (int i = 0; i < mesh_.owned; ++i)
+    for (int c = 0; c < 3; ++c)
+      all.x[static_cast<size_t>(3 * mesh_.global[static_cast<size_t>(i)] + c)] =
+          at.x[static_cast<size_t>(i)][c];
+  for (const Point& p : points_)
+    all.reach[static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)])] = touch(p);
+  MPI_Allreduce(MPI_IN_PLACE, all.x.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
+  MPI_Allreduce(MPI_IN_PLACE, all.reach.data(), static_cast<int>(n), MPI_DOUBLE, MPI_MAX, comm);
+  return all;
+}
+
+void SeabedTerm::lay_at_start(MPI_Comm comm, const Kinematics& start,
+                                          const std::vector<double>& near) {
+  const Mesh& mesh = *mesh_.mesh;
+  const Lying all = lying(comm, start);
+  laid_at_start_.assign(mesh.lines.size(), false);
+  for (size_t l = 0; l < mesh.lines.size(); ++l) {
+    if (near[l] < 0) continue;
+    const LineSpan& line = mesh.lines[l];
+    bool lies = true;
+    for (int i = line.first_node; lies && i < line.first_node + line.nodes; ++i) {
+      const double most = near[l] + std::max(0.0, all.reach[static_cast<size_t>(i)]);
+      lies = gap(all.place(i), most) < most;
+    }
+    laid_at_start_[l] = lies;
+  }
+  for (Point& p : points_) {
+    const size_t n = static_cast<size_t>(p.node);
+    const Node& node = mesh.nodes[static_cast<size_t>(mesh_.global[n])];
+    p.origin.reset();
+    if (node.body >= 0 || !laid_at_start_[static_cast<size_t>(node.line)]) continue;
+    ContactTrial seen;
+    locate(p, start.x[n], near[static_cast<size_t>(node.line)], seen);
+    p.origin = Origin{start.x[n], seen.normal};
+  }
+}
+
+std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held) {
+  const Mesh& mesh = *mesh_.mesh;
+  const Lying all = lying(comm, at);
+  const auto lies = [&](int node) {
+    const double most = all.reach[static_cast<size_t>(node)];
+    return most >= 0 && gap(all.place(node), most) < most;
+  };
+  std::vector<int> unsaid;
+  std::unordered_map<int, double> pulled;  // by node of the mesh: m, away from the end, signed from A to B
+  for (size_t l = 0; l < mesh.lines.size(); ++l) {
+    if (!laid_at_start_.empty() && laid_at_start_[l]) continue;
+    const LineSpan& line = mesh.lines[l];
+    int resting = 0, off = 0;
+    for (int i = line.first_node; i < line.first_node + line.nodes; ++i)
+      (lies(i) ? resting : off) += lies(i) || all.reach[static_cast<size_t>(i)] >= 0;
+    if (resting > 0 && off == 0) {
+      unsaid.push_back(static_cast<int>(l));
+      continue;
+    }
+    for (const bool from_a : {true, false}) {
+      const int first = from_a ? line.first_node : line.first_node + line.nodes - 1, way = from_a ? 1 : -1;
+      if (!std::binary_search(held.begin(), held.end(), first)) continue;
+      const double near = 2 * std::abs(all.reach[static_cast<size_t>(first + way)]);
+      if (gap(all.place(first), near) > near) continue;
+      double sum = 0;
+      int node = first;
+      for (int i = 1; i < line.nodes && lies(first + i * way); ++i) {
+        const int to = first + i * way;
+        const int element = line.first_element + (from_a ? i - 1 : line.elements - i);
+        sum += std::max(0.0, (all.place(to) - all.place(node)).norm() -
+                                 mesh.elements[static_cast<size_t>(element)].length);
+        pulled[to] = way * sum;
+        node = to;
+      }
+    }
+  }
+  for (Point& p : points_) {
+    const size_t n = static_cast<size_t>(p.node);
+    ContactTrial seen;
+    locate(p, at.x[n], 0, seen);
+    p.start.point = at.x[n];
+    p.start.gap = seen.gap;
+    p.start.normal = seen.normal;
+    p.start.slip.setZero();
+    if (p.origin) {  // all of the way from there counts, also that down to the bed
+      p.start.point = p.origin->point, p.start.normal = p.origin->normal;
+      p.start.gap = 0;
+      continue;
+    }
+    const auto found = pulled.find(mesh_.global[n]);
+    if (found == pulled.end()) continue;
+    const Vec3 t = line_.tangent(at, p.node);
+    p.start.slip = found->second * (t - seen.normal * seen.normal.dot(t));
+  }
+  laid_ = true;
+  return unsaid;
+}
+
+}  // namespace hawser
