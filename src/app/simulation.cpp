@@ -12,6 +12,7 @@
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/solve/unilateral.hpp"
 #include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/buried.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
@@ -128,6 +129,8 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     auto seabed = std::make_unique<SeabedTerm>(local, c, held);
     seabed_ = seabed.get();
     system_->add(std::move(seabed));
+    if (std::any_of(c.lines.begin(), c.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
+      system_->add(std::make_unique<BuriedTerm>(local, c, start.state.view(0), held));
   }
   std::vector<ContactVolume> volumes;
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
@@ -217,7 +220,14 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
     if (fixed(case_.lines[l].end_b)) held.push_back(span.first_node + span.nodes - 1);
   }
   seabed_->enable_friction(true);
-  for (const int l : seabed_->lay(system_->comm(), state_.view(0), held))
+  std::vector<double> tension;
+  if (case_.environment.seabed.full) {
+    tension.resize(state_.x.size());
+    const FieldRegistry fields = system_->fields();
+    for (const FieldSource& f : fields.sources())
+      if (f.name == "effective_tension") f.fill(state_.view(0), tension);
+  }
+  for (const int l : seabed_->lay(system_->comm(), state_.view(0), held, tension))
     notes_.push_back(
         fmt::format("lines.{}: lies on the bed from end to end and nothing says where it was laid, so that "
                     "statics has no friction on it; 'start: straight' or points on the bed say where",

@@ -22,8 +22,7 @@ SeabedTerm::Lying SeabedTerm::lying(MPI_Comm comm, const Kinematics& at) const {
   return all;
 }
 
-void SeabedTerm::lay_at_start(MPI_Comm comm, const Kinematics& start,
-                                          const std::vector<double>& near) {
+void SeabedTerm::lay_at_start(MPI_Comm comm, const Kinematics& start, const std::vector<double>& near) {
   const Mesh& mesh = *mesh_.mesh;
   const Lying all = lying(comm, start);
   laid_at_start_.assign(mesh.lines.size(), false);
@@ -48,13 +47,40 @@ void SeabedTerm::lay_at_start(MPI_Comm comm, const Kinematics& start,
   }
 }
 
-std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held) {
+SeabedTerm::Full SeabedTerm::full(MPI_Comm comm, const Kinematics& at,
+                                  const std::vector<double>& tension) const {
+  const size_t n = mesh_.mesh->nodes.size();
+  std::vector<double> all(3 * n, 0);
+  for (int i = 0; i < mesh_.owned; ++i)
+    all[static_cast<size_t>(mesh_.global[static_cast<size_t>(i)])] = tension[static_cast<size_t>(i)];
+  for (const Point& p : points_) {
+    ContactTrial trial;
+    const FrictionLaw& f = p.law.friction;
+    const double limit = f.axial * contact(p, at, false, trial).normal.force;
+    const size_t node = static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)]);
+    all[n + node] = limit;
+    all[2 * n + node] = f.stiffness > 0 ? limit / f.stiffness : f.axial_length;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
+  const auto part = [&](size_t k) {
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * n);
+    return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(n));
+  };
+  return {part(0), part(1), part(2)};
+}
+
+std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held,
+                                 const std::vector<double>& tension) {
   const Mesh& mesh = *mesh_.mesh;
   const Lying all = lying(comm, at);
-  const auto lies = [&](int node) {
+  const auto rests = [&](int node) {
     const double most = all.reach[static_cast<size_t>(node)];
     return most >= 0 && gap(all.place(node), most) < most;
   };
+  const auto lies = [&](int node) { return buried_[static_cast<size_t>(node)] || rests(node); };
+  int everywhere = !tension.empty();  // a rank may own no node
+  MPI_Allreduce(MPI_IN_PLACE, &everywhere, 1, MPI_INT, MPI_MAX, comm);
+  const Full most = everywhere ? full(comm, at, tension) : Full{};
   std::vector<int> unsaid;
   std::unordered_map<int, double> pulled;  // by node of the mesh: m, away from the end, signed from A to B
   for (size_t l = 0; l < mesh.lines.size(); ++l) {
@@ -62,7 +88,7 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
     const LineSpan& line = mesh.lines[l];
     int resting = 0, off = 0;
     for (int i = line.first_node; i < line.first_node + line.nodes; ++i)
-      (lies(i) ? resting : off) += lies(i) || all.reach[static_cast<size_t>(i)] >= 0;
+      (rests(i) ? resting : off) += all.reach[static_cast<size_t>(i)] >= 0;
     if (resting > 0 && off == 0) {
       unsaid.push_back(static_cast<int>(l));
       continue;
@@ -74,13 +100,24 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
       if (gap(all.place(first), near) > near) continue;
       double sum = 0;
       int node = first;
+      std::vector<int> walked;
       for (int i = 1; i < line.nodes && lies(first + i * way); ++i) {
         const int to = first + i * way;
         const int element = line.first_element + (from_a ? i - 1 : line.elements - i);
+        walked.push_back(to);
         sum += std::max(0.0, (all.place(to) - all.place(node)).norm() -
                                  mesh.elements[static_cast<size_t>(element)].length);
         pulled[to] = way * sum;
         node = to;
+      }
+      // Back from where it touches down, as far as the tension that is left goes.
+      double taken = 0;
+      for (size_t i = walked.size(); everywhere && i-- > 0;) {
+        const size_t n = static_cast<size_t>(walked[i]);
+        if (!(most.limit[n] > 0)) continue;
+        const double share = std::clamp((most.tension[n] - taken) / most.limit[n], 0.0, 1.0);
+        taken += share * most.limit[n];
+        pulled[walked[i]] += way * share * most.length[n];
       }
     }
   }

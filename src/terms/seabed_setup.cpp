@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "hawser/model/case.hpp"
+#include "hawser/terms/buried.hpp"
 #include "hawser/terms/seabed.hpp"
 
 namespace hawser {
@@ -17,7 +18,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, std::vector<No
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface,
                        std::vector<NodeLaw> nodes)
-    : mesh_(mesh), surface_(std::move(surface)), line_(mesh) {
+    : mesh_(mesh), surface_(std::move(surface)), buried_(mesh.mesh->nodes.size(), false), line_(mesh) {
   if (surface_) bounds_ = surface_->bounds();
   element_.assign(static_cast<size_t>(mesh.nodes()), 0);
   for (const LocalElement& e : mesh.elements)
@@ -49,6 +50,17 @@ struct Share {
   double radius = -1, length = 0, area = 0, weight = 0;  // m, m, m², N under water
 };
 
+// Whether a node is in the soil, and not where the line comes out of it.
+bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
+  const Node& n = mesh.nodes[static_cast<size_t>(node)];
+  if (n.body >= 0) return false;
+  const double length = mesh.lines[static_cast<size_t>(n.line)].length, near = 1e-9 * length;
+  const auto& stretches = c.lines[static_cast<size_t>(n.line)].buried;
+  return std::any_of(stretches.begin(), stretches.end(), [&](const model::Buried& b) {
+    return (b.from <= near || n.arc > b.from + near) && (b.to >= length - near || n.arc < b.to - near);
+  });
+}
+
 std::vector<SeabedTerm::NodeLaw> laws_of(const LocalMesh& mesh, const model::Case& c,
                                          const std::vector<int>& held) {
   const model::Seabed& bed = c.environment.seabed;
@@ -59,12 +71,18 @@ std::vector<SeabedTerm::NodeLaw> laws_of(const LocalMesh& mesh, const model::Cas
     const model::LineType& t = c.line_types[static_cast<size_t>(g.type)];
     const double A = M_PI / 4 * t.displaced() * t.displaced();
     const double w = c.environment.gravity * (t.mass_per_length - (water.present ? water.density * A : 0));
+    const model::Line& line = c.lines[static_cast<size_t>(g.line)];
     for (const int node : {e.first, e.second}) {
       if (node >= mesh.owned) continue;
+      // Of its half of the element, what the soil does not hold.
+      const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc, half = 0.5 * g.length,
+                   start = from + (node == e.first ? 0 : half);
+      const double bare = half - buried_length(line, start, start + half);
+      if (!(bare > 0) || in_soil(*mesh.mesh, c, mesh.global[static_cast<size_t>(node)])) continue;
       Share& s = shares[static_cast<size_t>(node)];
       s.radius = std::max(s.radius, 0.5 * t.contact_diameter);
-      s.length += 0.5 * g.length, s.area += 0.5 * g.length * t.contact_diameter;
-      s.weight += 0.5 * g.length * w;
+      s.length += bare, s.area += bare * t.contact_diameter;
+      s.weight += bare * w;
     }
   }
   for (const int node : held)
@@ -105,6 +123,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::v
     : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
   surface_ = c.environment.seabed.surface, table_ = c.environment.seabed.force_table;
   if (surface_) bounds_ = surface_->bounds();
+  for (size_t n = 0; n < buried_.size(); ++n) buried_[n] = in_soil(*mesh.mesh, c, static_cast<int>(n));
 }
 
 void SeabedTerm::fields(FieldRegistry& registry) const {

@@ -8,6 +8,7 @@
 
 #include "hawser/geometry/height_grid.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/terms/buried.hpp"
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
@@ -328,6 +329,28 @@ inline std::vector<SuiteCase> seabed_cases() {
                add_seabed(*m, at, axial, lateral, curved, soil);
                return m;
              }});
+  // Nodes that the soil holds, yields along, yields across, and yields to both ways, after a step that left
+  // some slip.
+  out.push_back({"buried", [](MPI_Comm comm, const Placement& at) {
+                   auto m = std::make_unique<SuiteModel>(comm, at);
+                   const LocalMesh& l = m->system->mesh();
+                   Trial& t = m->trial;
+                   State laid = t.from;
+                   laid.time = t.from.time - t.h;
+                   std::vector<BuriedTerm::Place> places;
+                   for (int n = 0; n < l.nodes(); ++n) {
+                     const size_t i = static_cast<size_t>(n);
+                     const int g = l.global[i];
+                     laid.x[i] -= 1 * mm * (at.rotation * noise3(g, 11));
+                     if (n < l.owned)
+                       places.push_back({n, {200, 300, g % 2 ? 0.01 : 1.0, g % 4 < 2 ? 0.02 : 1.0}});
+                   }
+                   m->system->add(std::make_unique<BuriedTerm>(l, laid.view(t.h), places));
+                   m->system->prepare(laid.view(t.h), t.h);
+                   m->system->commit(t.from.view(t.h));
+                   m->system->prepare(t.from.view(t.h), t.h);
+                   return m;
+                 }});
   return out;
 }
 

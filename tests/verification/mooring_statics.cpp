@@ -45,10 +45,13 @@ struct Reference {
   double H, V, grounded, H_anchor;  // N, N, m, N
   double tolerance;
   int iterations = 40;
+  double mobilisation = 0;  // m: full friction with it; 0: as laid, with next to none
 };
 
 void expect(const Reference& r) {
   model::Case c = mooring(r.parts, r.x, r.z, r.friction);
+  if (r.mobilisation > 0)
+    c.environment.seabed.full = true, c.environment.seabed.friction.mobilisation_length = r.mobilisation;
   Simulation sim(PETSC_COMM_SELF, c);
   const StaticsReport report = sim.solve_statics();
   const auto& reactions = sim.system().reactions();
@@ -126,6 +129,26 @@ TEST(MooringStatics, UnitTestsOfMapAndMoorPy) {
           1e-3});
   const std::vector<Part> line = {{800, 500, 7.51e12, 200}};
   expect({"MoorPy, no friction", line, 400, 200, 0, 96643.45355, 237751.768, 202.81, 96643.45355, 1e-3, 250});
+  // Full friction whatever the mobilisation length: nothing to tune, though it is a million times the
+  // stretch.
+  for (const double length : {1e-6, 1e-3, 0.1}) {
+    printf("  mobilisation length %g m\n", length);
+    expect({"MAP++ base",
+            {{1327.647744, 125, 545000000, 100}},
+            50,
+            100,
+            1,
+            17449.66817,
+            149176.9239,
+            12.638,
+            670.624,
+            1e-3,
+            60,
+            length});
+    expect({"MoorPy, C_B 0.1", line, 400, 200, 0.1, 96643.45416, 237751.7684, 202.8102894, 80418.631, 1e-3,
+            250, length});
+    expect({"MoorPy, C_B 5", line, 400, 200, 5, 96643.4604, 237751.7726, 202.8102842, 0, 1e-3, 250, length});
+  }
 }
 
 // Chain, chain and polyester: Lozon et al. 2025, closed form of their lines.

@@ -56,11 +56,14 @@ class SeabedTerm final : public ForceTerm {
   // Before statics: lines whose nodes are all nearer to the bed than `near` [m, one a line; < 0: never] were
   // laid there. Until lay(), while friction is off, springs keep them about there. Collective.
   void lay_at_start(MPI_Comm comm, const Kinematics& start, const std::vector<double>& near);
-  // From a static state without friction: the slip that pulling the line out of where it was laid has brought;
-  // friction of the next statics is reckoned from there. A line was laid where it started, or without tension
-  // from a held end on the bed on. held: nodes of the mesh that are lines' ends, supported. Returns the lines
-  // of the mesh that lie from end to end and were not laid at the start: they have no friction. Collective.
-  std::vector<int> lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held);
+  // From a static state without friction: the slip that pulling the line out of where it was laid has
+  // brought; friction of the next statics is reckoned from there. A line was laid where it started, or
+  // without tension from a held end on the bed or in it on. held: nodes of the mesh that are lines' ends,
+  // supported. tension: by local node [N]; with it friction is full from where the line lies on, as far as
+  // what there is of tension goes, however little the line was pulled. Returns the lines of the mesh that lie
+  // from end to end and were not laid at the start: they have no friction. Collective.
+  std::vector<int> lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held,
+                       const std::vector<double>& tension = {});
 
   int touching() const;
 
@@ -98,6 +101,11 @@ class SeabedTerm final : public ForceTerm {
     Vec3 place(int node) const { return Eigen::Map<const Vec3>(x.data() + 3 * node); }
   };
   Lying lying(MPI_Comm comm, const Kinematics& at) const;
+  // Adds to what nodes were pulled by the slip of full friction: along `walked`, from an end of a line on.
+  struct Full {
+    std::vector<double> tension, limit, length;  // N, N, m; by node of the mesh
+  };
+  Full full(MPI_Comm comm, const Kinematics& at, const std::vector<double>& tension) const;
   // Off the bed's normal, from where the node was laid: what its spring is stretched by in the first stage of
   // statics. Nothing of other nodes and later.
   bool kept(const Point& p, double step) const { return p.origin && !friction_on_ && !(step > 0); }
@@ -122,6 +130,7 @@ class SeabedTerm final : public ForceTerm {
   Box bounds_ = Box::everything();           // of the surface
   std::vector<Point> points_;
   std::vector<double> element_;  // m, longest at a local node
+  std::vector<bool> buried_;     // by node of the mesh: the soil holds it (terms/buried.hpp), not the bed
   LineNeighbours line_;
   std::vector<bool> laid_at_start_;  // by line of the mesh
   bool friction_on_ = true, has_friction_ = false, laid_ = false;
