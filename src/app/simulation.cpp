@@ -7,10 +7,12 @@
 #include "hawser/app/line_pairs.hpp"
 #include "hawser/app/share_nodes.hpp"
 #include "hawser/mesh/partition.hpp"
+#include "hawser/model/bed.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/solve/unilateral.hpp"
 #include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/buried.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
@@ -122,10 +124,13 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   StartShape start = start_shape(c, local, *bodies_);
   if (c.environment.seabed.present) {
     std::vector<int> held;
-    for (const Support& s : start.supports) held.push_back(s.node);
+    for (const Support& s : start.supports)
+      if (s.position_mask != 0) held.push_back(s.node);
     auto seabed = std::make_unique<SeabedTerm>(local, c, held);
     seabed_ = seabed.get();
     system_->add(std::move(seabed));
+    if (std::any_of(c.lines.begin(), c.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
+      system_->add(std::make_unique<BuriedTerm>(local, c, start.state.view(0), held));
   }
   std::vector<ContactVolume> volumes;
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
@@ -186,9 +191,25 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) c
   return floating_pose(floating_state(at, n), case_.bodies[static_cast<size_t>(body)].mass->centre);
 }
 
+bool Simulation::lays_lines() const {
+  return seabed_ && seabed_->has_friction() && case_.environment.seabed.as_laid;
+}
+
+// A line whose start shape the case gives, on the bed from end to end, was laid there.
+void Simulation::lay_at_start() {
+  if (!lays_lines()) return;
+  std::vector<double> near;
+  for (const model::Line& line : case_.lines) {
+    const bool given = line.start == model::Start::straight || line.start == model::Start::points ||
+                       line.start == model::Start::other_run;
+    near.push_back(given ? model::laying_reach(case_, line) : -1);
+  }
+  seabed_->lay_at_start(system_->comm(), state_.view(0), near);
+}
+
 // Friction of the bed holds against the stretch that the equilibrium without it has brought.
 void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
-  if (!seabed_ || !seabed_->has_friction() || !case_.environment.seabed.as_laid) return;
+  if (!lays_lines()) return;
   std::vector<int> held;  // ends, of the mesh
   for (size_t l = 0; l < case_.lines.size(); ++l) {
     const LineSpan& span = mesh_->lines[l];
@@ -199,11 +220,22 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
     if (fixed(case_.lines[l].end_b)) held.push_back(span.first_node + span.nodes - 1);
   }
   seabed_->enable_friction(true);
-  seabed_->lay(system_->comm(), state_.view(0), held);
+  std::vector<double> tension;
+  if (case_.environment.seabed.full) {
+    tension.resize(state_.x.size());
+    const FieldRegistry fields = system_->fields();
+    for (const FieldSource& f : fields.sources())
+      if (f.name == "effective_tension") f.fill(state_.view(0), tension);
+  }
+  for (const int l : seabed_->lay(system_->comm(), state_.view(0), held, tension))
+    notes_.push_back(
+        fmt::format("lines.{}: lies on the bed from end to end and nothing says where it was laid, so that "
+                    "statics has no friction on it; 'start: straight' or points on the bed say where",
+                    mesh_->lines[static_cast<size_t>(l)].name));
   settings.near = true;
   const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
   report.iterations += more.iterations, report.escapes += more.escapes;
-  report.negative_eigenvalues = more.negative_eigenvalues, report.norms = more.norms;
+  report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
 }
 
 StaticsReport Simulation::solve_statics() {
@@ -213,6 +245,7 @@ StaticsReport Simulation::solve_statics() {
     if (seabed_) seabed_->enable_friction(on);
   };
   enable_friction(false);
+  lay_at_start();
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
   if (floating_) floating_->hold(true);
   StaticsSettings settings;

@@ -227,6 +227,8 @@ class Reader {
                 : start.is("straight") ? model::Start::straight
                                        : model::Start::automatic;
     }
+    for (std::size_t i = 0; i < v["buried"].items.size(); ++i)
+      l.buried.push_back(buried(v["buried"].items[i], length, l));
     for (const Value& m : v["masses"].items)
       l.masses.push_back({arc(m.find("at"), 0, length), m["mass"].number, m["volume"].number,
                           m["drag_area"].number, m["Ca"].number});
@@ -237,6 +239,20 @@ class Reader {
     for (std::size_t i = 0; i < v["loads"].items.size(); ++i)
       load(v["loads"].items[i], fmt::format("{}.loads[{}]", path, i), static_cast<int>(i), length, l);
     return l;
+  }
+
+  model::Buried buried(const Value& v, double length, const model::Line& l) const {
+    model::Buried b;
+    b.from = arc(v.find("from"), 0, length), b.to = arc(v.find("to"), length, length);
+    double end = 0, thick = 0;
+    for (const model::Section& s : l.sections) {
+      if (end <= b.from) thick = c_.line_type(s.type).contact_diameter;
+      end += s.length;
+    }
+    b.axial = v["resistance"]["axial"].number, b.normal = v["resistance"]["normal"].number;
+    const Value& m = v["mobilisation_length"];
+    b.axial_length = number(m, "axial", 0.01 * thick), b.normal_length = number(m, "normal", 0.1 * thick);
+    return b;
   }
 
   model::Section section(const Value& v, const std::string& path) const {
@@ -411,7 +427,7 @@ model::Case read_case_text(const std::string& text, const std::string& path) {
   const CaseSource source{path, c.directory};
   Reader(root, source, c).read();
   for (const model::Issue& i : model::check(c)) model::fail(path, root.line_of(i.key), i.key, i.text);
-  check_bed(c, c.notes);
+  check_bed(root, source, c);
   check_meshes(root, source, c);
   return c;
 }

@@ -12,7 +12,9 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/io/case_reader_parts.hpp"
 #include "hawser/io/mesh_reader.hpp"
+#include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/schema.hpp"
 
 namespace hawser::io {
 namespace {
@@ -125,27 +127,117 @@ void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& b
   bed.depth = -0.5 * (low + high);
 }
 
-void check_bed(const model::Case& c, std::vector<std::string>& notes) {
-  const model::Seabed& bed = c.environment.seabed;
-  if (!bed.surface) return;
-  const auto* grid = dynamic_cast<const HeightGrid*>(bed.surface.get());
-  const Box box = bed.surface->bounds();
-  const auto look = [&](const model::Line& line, const model::End& end, const char* name) {
-    if (end.kind == model::EndKind::free) return;
-    const Vec3 x = model::end_position(c, end);
-    const bool inside =
-        grid ? grid->covers(x)
-             : x.x() >= box.lo.x() && x.x() <= box.hi.x() && x.y() >= box.lo.y() && x.y() <= box.hi.y();
-    if (!inside) {
-      notes.push_back(fmt::format("lines.{}.{}: lies beyond the edge of the bed of {}, {}", line.name, name,
-                                  bed.file, grid ? "which goes on straight there" : "where there is none"));
-      return;
+namespace {
+
+// How deep the soil lets a force [N/m] press a line of this diameter: m.
+double sunk(const model::Seabed& bed, double force, double diameter) {
+  const double share = bed.basis == model::StiffnessBasis::per_length ? 1 : diameter;
+  if (!bed.force_table) return force / (share * bed.normal_stiffness);
+  constexpr double kDeep = 1e3;
+  double low = 0, high = kDeep;
+  for (int i = 0; i < 60; ++i) {
+    const double d = 0.5 * (low + high);
+    (share * bed.force_table->at(d).force < force ? low : high) = d;
+  }
+  return high;
+}
+
+// How deep the axis of a line may start [m]: on or in the soil that it may be pressed into, and what a bed's
+// height is known to.
+double deepest_start(const model::Case& c, const model::LineType& t) {
+  constexpr double kKnown = 0.1, kPressed = 3;  // m; times the weight
+  return kKnown + t.contact_diameter +
+         sunk(c.environment.seabed, kPressed * c.environment.gravity * t.mass_per_length, t.contact_diameter);
+}
+
+// Places of a line that the case gives, against the bed.
+class BedCheck {
+ public:
+  BedCheck(const Value& root, const CaseSource& source, model::Case& c)
+      : root_(root), source_(source), c_(c), bed_(c.environment.seabed) {}
+
+  void run() {
+    if (bed_.surface) {
+      grid_ = dynamic_cast<const HeightGrid*>(bed_.surface.get());
+      box_ = bed_.surface->bounds();
     }
-    if (const auto s = bed.surface->query(x, 0); s && s->distance < -1)
-      notes.push_back(fmt::format("lines.{}.{}: is {:.3g} m under the bed of {}", line.name, name,
-                                  -s->distance, bed.file));
-  };
-  for (const model::Line& line : c.lines) look(line, line.end_a, "end_a"), look(line, line.end_b, "end_b");
+    for (const model::Line& line : c_.lines) {
+      end(line, line.end_a, line.sections.front(), "end_a");
+      end(line, line.end_b, line.sections.back(), "end_b");
+      if (line.start == model::Start::points) points(line);
+    }
+  }
+
+ private:
+  // Whether a share of the line's length is in the soil or where it comes out of it.
+  static bool buried(const model::Line& line, double share) {
+    const double length = model::length_of(line), s = share * length, near = 1e-3 * length;
+    return std::any_of(line.buried.begin(), line.buried.end(),
+                       [&](const model::Buried& b) { return s > b.from - near && s < b.to + near; });
+  }
+  void points(const model::Line& line) const {
+    std::vector<double> laid{0};
+    for (size_t i = 1; i < line.points.size(); ++i)
+      laid.push_back(laid.back() + (line.points[i] - line.points[i - 1]).norm());
+    for (size_t i = 0; i < line.points.size(); ++i)
+      if (!buried(line, laid[i] / laid.back()))
+        place(fmt::format("lines.{}.start.points[{}]", line.name, i), line.points[i],
+              c_.line_type(line.sections.front().type));
+  }
+  bool covers(const Vec3& x) const {
+    if (!bed_.surface) return true;
+    return grid_
+               ? grid_->covers(x)
+               : x.x() >= box_.lo.x() && x.x() <= box_.hi.x() && x.y() >= box_.lo.y() && x.y() <= box_.hi.y();
+  }
+  void end(const model::Line& line, const model::End& e, const model::Section& section, const char* name) {
+    if (e.kind == model::EndKind::free) return;
+    const std::string key = fmt::format("lines.{}.{}", line.name, name);
+    const Vec3 x = model::end_position(c_, e);
+    if (!covers(x))
+      return c_.notes.push_back(fmt::format("{}: lies beyond the edge of the bed of {}, {}", key, bed_.file,
+                                            grid_ ? "which goes on straight there" : "where there is none"));
+    if (buried(line, &e == &line.end_a ? 0 : 1)) return reaches(line, e, x);
+    place(key + (e.kind == model::EndKind::anchor  ? ".anchor"
+                 : e.kind == model::EndKind::joint ? ".joint"
+                                                   : ".at"),
+          x, c_.line_type(section.type));
+  }
+  // A line that starts by itself goes straight from its end in the soil to the bed.
+  void reaches(const model::Line& line, const model::End& e, const Vec3& x) const {
+    if (line.start != model::Start::automatic && line.start != model::Start::catenary) return;
+    const bool a = &e == &line.end_a;
+    const size_t i = a ? 0 : line.buried.size() - 1;
+    const double length = line.buried[i].to - line.buried[i].from, deep = -model::height_above_bed(bed_, x);
+    const std::string key = fmt::format("lines.{}.buried[{}].{}", line.name, i, a ? "to" : "from");
+    if (deep >= length)
+      model::fail(source_.file, root_.line_of(key), key,
+                  fmt::format("{:.4g} m of line do not reach the seabed, which is {:.4g} m above its end",
+                              length, deep));
+  }
+  // The bed would throw it out.
+  void place(const std::string& key, const Vec3& x, const model::LineType& type) const {
+    const double deep = -model::height_above_bed(bed_, x), most = deepest_start(c_, type);
+    if (covers(x) && deep > most)
+      model::fail(
+          source_.file, root_.line_of(key), key,
+          fmt::format("is {:.3g} m under the seabed, which would throw the line out; a line of '{}' may "
+                      "start {:.2g} m deep at most where it is not 'buried'",
+                      deep, type.name, most));
+  }
+
+  const Value& root_;
+  const CaseSource& source_;
+  model::Case& c_;
+  const model::Seabed& bed_;
+  const HeightGrid* grid_ = nullptr;
+  Box box_;
+};
+
+}  // namespace
+
+void check_bed(const Value& root, const CaseSource& source, model::Case& c) {
+  if (c.environment.seabed.present) BedCheck(root, source, c).run();
 }
 
 }  // namespace hawser::io

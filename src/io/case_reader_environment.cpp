@@ -168,7 +168,8 @@ model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& 
     b.friction = read_friction(f, key + ".friction", source);
   else
     b.friction.axial = b.friction.lateral = f.number;
-  b.as_laid = v["friction_in_statics"].is("as_laid");
+  b.full = v["friction_in_statics"].is("full");
+  b.as_laid = b.full || v["friction_in_statics"].is("as_laid");
   return b;
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "hawser/model/bed.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/body_pairs.hpp"
 
@@ -33,6 +34,7 @@ class LineCheck {
     check_loads();
     for (std::size_t i = 0; i < line_.bend_stiffeners.size(); ++i)
       check_stiffener(line_.bend_stiffeners[i], fmt::format("bend_stiffeners[{}]", i));
+    for (std::size_t i = 0; i < line_.buried.size(); ++i) check_buried(i, fmt::format("buried[{}]", i));
   }
 
  private:
@@ -94,7 +96,7 @@ class LineCheck {
         if (ends == 0)
           issue("", "both ends are free: give start: {{points: [[x, y, z], ...]}} to say where it lies");
     }
-    if (ends == 0 && c_.statics.enabled)
+    if (ends == 0 && c_.statics.enabled && !laid_with_friction(c_, line_))
       issue("", "both ends are free, so there is no static equilibrium; give statics: false");
   }
 
@@ -111,7 +113,7 @@ class LineCheck {
             length_, 100 * kLargestStrain);
     check_point(line_.end_a, line_.points.front(), 0);
     check_point(line_.end_b, line_.points.back(), line_.points.size() - 1);
-    if (!held(line_.end_a) && !held(line_.end_b) && c_.statics.enabled)
+    if (!held(line_.end_a) && !held(line_.end_b) && c_.statics.enabled && !laid_with_friction(c_, line_))
       issue("", "both ends are free, so there is no static equilibrium; give statics: false");
   }
 
@@ -151,6 +153,29 @@ class LineCheck {
         return issue(key, "it is on a section of '{}', which does not resist bending", s.type);
       start += s.length;
     }
+  }
+
+  void check_buried(std::size_t i, const std::string& key) {
+    const Buried& b = line_.buried[i];
+    const double near = kArcTolerance * length_;
+    if (!c_.environment.seabed.present)
+      issue(key, "a line lies in the soil of a seabed, but there is no 'environment.seabed'");
+    check_arc(b.from, key + ".from");
+    check_arc(b.to, key + ".to");
+    if (b.to <= b.from)
+      issue(key + ".to", "a stretch from {:.6g} m to {:.6g} m is none; 'to' must be beyond 'from'", b.from,
+            b.to);
+    else if (i > 0 && b.from < line_.buried[i - 1].to - near)
+      issue(key + ".from", "{:.6g} m is within the stretch before, which goes to {:.6g} m", b.from,
+            line_.buried[i - 1].to);
+    if (line_.start != Start::automatic && line_.start != Start::catenary && line_.start != Start::hanging)
+      return;
+    const bool at_a = b.from <= near, at_b = b.to >= length_ - near;
+    if (!held(line_.end_a) || !held(line_.end_b) || line_.start == Start::hanging || at_a == at_b)
+      issue(
+          key,
+          "nothing says where this stretch lies: give 'start' as straight or as points, or two held ends of "
+          "which it begins at one");
   }
 
   const LineType& type_at(double s) const {

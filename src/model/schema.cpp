@@ -256,6 +256,31 @@ Key lines() {
            "from end A to end B")
           .is_required()
           .items(1);
+  Key buried =
+      list("buried",
+           map("",
+               {arc("from", "from this arc length ...").or_else_note("`end_a`"),
+                arc("to", "... to this one").or_else_note("`end_b`"),
+                map("resistance",
+                    {number("axial", force_per_length, "along the line").above(0).is_required(),
+                     number("normal", force_per_length, "across it, to all sides").above(0).is_required()},
+                    "of the soil at most, per length")
+                    .is_required(),
+                map("mobilisation_length",
+                    {number("axial", length, "along the line")
+                         .above(0)
+                         .or_else_note("1 % of the contact diameter"),
+                     number("normal", length, "across it")
+                         .above(0)
+                         .or_else_note("10 % of the contact diameter")},
+                    "after which the soil resists with all of it")
+                    .or_else("{}")},
+               ""),
+           "stretches in the soil, which holds them where they start until it yields: an anchor's end below "
+           "the "
+           "bed (a line that starts by itself goes straight from it to the bed), a pipe in a trench (`start` "
+           "says where); the bed does not act on them, nor drag")
+          .or_else("[]");
   Key loads =
       list(
           "loads",
@@ -325,7 +350,7 @@ Key lines() {
                            ""),
                        "bend stiffeners, and whatever else makes the bending stiffness vary along the line")
                       .or_else("[]"),
-                  std::move(loads)},
+                  std::move(buried), std::move(loads)},
                  ""),
              "Lines, by name. Arc lengths are unstretched and count from end A.")
       .or_else("{}");

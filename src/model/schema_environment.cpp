@@ -192,9 +192,13 @@ Key seabed() {
                   "over `length`; it takes hold again of what goes deeper or lands anew"),
               friction(),
               word(
-                  "friction_in_statics", {"as_laid", "none"},
+                  "friction_in_statics", {"as_laid", "full", "none"},
                   "what friction does before anything moves: it holds against the stretch of a line that was "
-                  "laid without tension from its anchor on, or nothing")
+                  "laid without tension from its anchor on (from its start shape, where the case gives one "
+                  "on "
+                  "the bed from end to end); all of it from where the line touches down, as far as the "
+                  "tension "
+                  "goes; or nothing")
                   .or_else("as_laid")},
              "what lines lie on: level, sloping, or of a grid or mesh")
       .either(

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "hawser/geometry/surface.hpp"
 #include "hawser/kernels/flexible_shape.hpp"
+#include "hawser/model/bed.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 
 namespace hawser {
@@ -16,11 +15,6 @@ constexpr double kStreams = 0.1;  // drag over weight that a catenary does not d
 constexpr int kDragRounds = 8;
 constexpr double kSettled = 5e-3;  // of the length: the drag's shape is good enough
 constexpr double kFold = 0.2;      // cosine between neighbouring pieces below which drag has folded a line up
-
-Vec3 bed_normal(const model::Seabed& bed) {
-  return Vec3(std::sin(bed.slope) * std::cos(bed.direction), std::sin(bed.slope) * std::sin(bed.direction),
-              std::cos(bed.slope));
-}
 
 // Of elements [first, last) of the mesh, as one.
 FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const Mesh& mesh, int first,
@@ -121,21 +115,13 @@ bool streams(const model::Case& c, const model::Line& line) {
   return pull > kStreams * weight;
 }
 
-double height_above_bed(const model::Case& c, const Vec3& x) {
-  const model::Seabed& bed = c.environment.seabed;
-  if (!bed.surface) return bed_normal(bed).dot(x + Vec3(0, 0, bed.depth));
-  constexpr double kNowhere = std::numeric_limits<double>::infinity();
-  const auto nearest = bed.surface->query(x, kNowhere);
-  return nearest ? nearest->distance : kNowhere;
-}
-
 bool goes_through(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x) {
   const model::Seabed& bed = c.environment.seabed;
   const model::Water& water = c.environment.water;
   double thick = 0;
   for (const auto& s : line.sections) thick = std::max(thick, c.line_type(s.type).outer_diameter);
   const auto through = [&](const Vec3& p) {
-    return (bed.present && height_above_bed(c, p) < -thick) ||
+    return (bed.present && model::height_above_bed(bed, p) < -thick) ||
            (water.present && p.z() > water.surface + thick);
   };
   // Ends stand where they are held.
@@ -149,7 +135,7 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   FlexibleLine f;
   f.held_a = line.end_a.kind != model::EndKind::free, f.held_b = line.end_b.kind != model::EndKind::free;
   f.bed = bed.present && !bed.surface;  // on a measured bed the shape is lifted afterwards
-  f.bed_point = Vec3(0, 0, -bed.depth), f.bed_normal = bed_normal(bed);
+  f.bed_point = Vec3(0, 0, -bed.depth), f.bed_normal = model::bed_normal(bed);
   f.water = water.present, f.surface = water.surface;
 
   std::vector<double> s{0};

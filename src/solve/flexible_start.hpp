@@ -12,9 +12,6 @@ namespace hawser {
 // N/m of a line under water.
 double buoyancy(const model::Case& c, const model::LineType& t);
 
-// m above the bed (of the case, which has one).
-double height_above_bed(const model::Case& c, const Vec3& x);
-
 // Whether a line with its nodes at x goes through the bed, or through the water's surface.
 bool goes_through(const model::Case& c, const model::Line& line, const std::vector<Vec3>& x);
 

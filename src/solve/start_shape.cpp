@@ -11,6 +11,7 @@
 #include "hawser/kernels/catenary_on_bed.hpp"
 #include "hawser/kernels/motion.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/bed.hpp"
 #include "hawser/solve/start_slack.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
@@ -88,7 +89,8 @@ std::optional<Shape> on_bed(const model::Case& c, const Vec3& xa, const Vec3& xb
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return {};
   const double near = 1e-3 * std::abs(bed.depth);
-  const bool a = std::abs(height_above_bed(c, xa)) < near, b = std::abs(height_above_bed(c, xb)) < near;
+  const bool a = std::abs(model::height_above_bed(bed, xa)) < near,
+             b = std::abs(model::height_above_bed(bed, xb)) < near;
   if (a == b) return {};
   if (b) {  // from B to A; a load at a joint goes to the section that ends there now
     std::reverse(sections.begin(), sections.end());
@@ -186,7 +188,7 @@ bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sectio
   floats = c.environment.water.present && all(1);
   if (!floats && (!bed.present || bed.surface || !all(-1))) return false;
   const auto off = [&](const Vec3& x) {
-    return std::abs(floats ? x.z() - c.environment.water.surface : height_above_bed(c, x));
+    return std::abs(floats ? x.z() - c.environment.water.surface : model::height_above_bed(bed, x));
   };
   const Vec3 &from = s.x.front(), &to = s.x.back();
   return length > std::hypot(to.x() - from.x(), to.y() - from.y()) + off(from) + off(to);
@@ -249,6 +251,92 @@ Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies,
   return through(flexible_start(c, line, mesh, span, shape ? shape->x : straight().x));
 }
 
+// Where `length` [m] of line that goes straight from `from`, in the soil, comes out of it on the way to `to`.
+Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, double length) {
+  Vec3 way(to.x() - from.x(), to.y() - from.y(), 0);
+  way = way.norm() > 0 ? Vec3(way.normalized()) : Vec3::UnitX();
+  Vec3 x = from;
+  double low = 0, high = length;
+  for (int i = 0; i < 60; ++i) {
+    const double off = 0.5 * (low + high);
+    x = Vec3(from.x() + off * way.x(), from.y() + off * way.y(), x.z());
+    for (int k = 0; k < 20; ++k) {  // straight up or down to the bed
+      const double height = model::height_above_bed(bed, x);
+      if (!std::isfinite(height)) break;
+      x.z() -= height;
+      if (std::abs(height) < 1e-12 * length) break;
+    }
+    ((x - from).norm() < length ? low : high) = off;
+  }
+  return x;
+}
+
+// Ends in the soil go straight out of it; between them the line is one that starts on the bed. What is buried
+// ends at a node here.
+Shape out_of_soil(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
+                  const LineSpan& span) {
+  const double near = 1e-9 * span.length;
+  const auto arc = [&](int i) { return mesh.nodes[static_cast<size_t>(span.first_node + i)].arc; };
+  int first = 0, last = span.nodes - 1;  // of what is not buried
+  for (const model::Buried& b : line.buried) {
+    if (b.from <= near)
+      while (first + 1 < span.nodes && arc(first + 1) <= b.to + near) ++first;
+    else
+      while (last > 0 && arc(last - 1) >= b.from - near) --last;
+  }
+  const model::Seabed& bed = c.environment.seabed;
+  const Vec3 xa = frame(c, bodies, line.end_a).to_space(line.end_a.at),
+             xb = frame(c, bodies, line.end_b).to_space(line.end_b.at);
+  model::Line rest = line;
+  rest.buried.clear();
+  Mesh part = mesh;
+  LineSpan between = span;
+  const double from = arc(first), to = arc(last);
+  const auto anchor = [](const Vec3& at) {
+    model::End e;
+    e.kind = model::EndKind::anchor, e.at = at;
+    return e;
+  };
+  if (first > 0) rest.end_a = anchor(exit_of_soil(bed, xa, xb, from));
+  if (last < span.nodes - 1) rest.end_b = anchor(exit_of_soil(bed, xb, xa, span.length - to));
+  rest.sections.clear();
+  double start = 0;
+  for (model::Section s : line.sections) {
+    const double in = std::min(start + s.length, to) - std::max(start, from);
+    start += s.length;
+    s.length = in;
+    if (in > near) rest.sections.push_back(s);
+  }
+  const auto outside = [&](const auto& p) { return p.at < from || p.at > to; };
+  std::erase_if(rest.masses, outside), std::erase_if(rest.point_loads, outside);
+  std::erase_if(rest.loads, [&](const auto& q) { return q.to >= 0 && q.to <= from; });
+  for (auto& m : rest.masses) m.at -= from;
+  for (auto& p : rest.point_loads) p.at -= from;
+  for (auto& q : rest.loads) q.from = std::max(0.0, q.from - from), q.to = q.to < 0 ? q.to : q.to - from;
+  for (int i = first; i <= last; ++i) part.nodes[static_cast<size_t>(span.first_node + i)].arc -= from;
+  between.first_node += first, between.nodes = last - first + 1;
+  between.first_element += first, between.elements = last - first;
+  between.length = to - from;
+  Shape free = place(c, rest, bodies, part, between);
+  lift(bed, free);
+  Shape out;
+  for (int i = 0; i < span.nodes; ++i) {
+    const auto straight = [&](const Vec3& a, const Vec3& b, double share) {
+      out.x.push_back(a + share * (b - a));
+      out.tangent.push_back((b - a).normalized());
+    };
+    if (i < first) {
+      straight(xa, rest.end_a.at, arc(i) / from);
+    } else if (i > last) {
+      straight(rest.end_b.at, xb, (arc(i) - to) / (span.length - to));
+    } else {
+      const size_t k = static_cast<size_t>(i - first);
+      out.x.push_back(free.x[k]), out.tangent.push_back(free.tangent[k]);
+    }
+  }
+  return out;
+}
+
 // Axes with the first along t and the second horizontal.
 Quat axes_along(const Vec3& t) {
   const Vec3 side = std::abs(t.z()) > 0.999 ? Vec3::UnitY() : Vec3::UnitZ();
@@ -268,10 +356,11 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
     const LineSpan& span = g.lines[l];
-    Shape shape = place(c, line, bodies, g, span);
+    const bool by_itself = line.start == model::Start::automatic || line.start == model::Start::catenary;
+    Shape shape = by_itself && !line.buried.empty() ? out_of_soil(c, line, bodies, g, span)
+                                                    : place(c, line, bodies, g, span);
     mend(shape);
-    if (line.start == model::Start::automatic || line.start == model::Start::catenary)
-      lift(c.environment.seabed, shape);
+    if (by_itself && line.buried.empty()) lift(c.environment.seabed, shape);
     auto clamp_direction = [&](const model::End& e, size_t node) {
       if (e.clamped && e.direction)
         shape.tangent[node] = frame(c, bodies, e).rotation * e.direction->normalized();
@@ -296,6 +385,14 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }
     bool twist_held = line.end_a.clamped || line.end_b.clamped;
+    // Friction of the bed holds a line without held ends; nothing holds its twist.
+    if (line.end_a.kind == model::EndKind::free && line.end_b.kind == model::EndKind::free &&
+        c.statics.enabled && g.nodes[static_cast<size_t>(span.first_node)].rotates)
+      if (const int here = mesh.find(span.first_node); here >= 0) {
+        Support s;
+        s.position_mask = 0, s.rotation_mask = 1, s.node = here;
+        out.supports.push_back(s);
+      }
     // Twist is held at a joint only where no other end is held.
     const bool joint_first = line.end_a.kind == model::EndKind::joint;
     for (int k = 0; k < 2; ++k) {

@@ -19,7 +19,10 @@ constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at
 constexpr int kMostAugmentations = 100;
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
-    1e-7;                      // shift that eigenvalues of what lies slack, nothing but round-off, stay below
+    1e-7;  // shift that eigenvalues of what lies slack, nothing but round-off, stay below
+// Iterations after which energies that differ by round-off alone no longer pass for going down: a slack chain
+// whose elements tighten and loosen in turn would go round for ever.
+constexpr int kRound = 20;
 constexpr int kMostCut = 100;  // steps of a descent that lines in their way may cut short
 
 class Search : StaticTrial {
@@ -94,7 +97,7 @@ class Search : StaticTrial {
         const ResidualNorms n = system_.norms(r_.get());
         if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
         const bool flat = std::abs(e - energy) <= 1e-10 * std::abs(energy);
-        const bool down = slope < 0 && e <= energy + kArmijo * factor * slope;
+        const bool down = slope < 0 && e <= energy + kArmijo * factor * slope && !(flat && it >= kRound);
         if (down || ((flat || close) && n.relative() < norms.relative()) || n.small(tolerance)) {
           taken = true;
           take();

@@ -4,6 +4,7 @@
 
 #include "hawser/model/case.hpp"
 #include "hawser/model/wave_components.hpp"
+#include "hawser/terms/buried.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 
 namespace hawser {
@@ -55,6 +56,10 @@ std::vector<Hydrodynamics::Piece> pieces_of(const LocalMesh& mesh, const model::
     Hydrodynamics::Piece& p = out.emplace_back();
     p.at = e, p.beam = g.beam;
     p.section = water_section(c, g.type, g.length);
+    const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc;
+    const double bare =
+        1 - buried_length(c.lines[static_cast<size_t>(g.line)], from, from + g.length) / g.length;
+    p.section.drag_normal *= bare, p.section.drag_axial *= bare;
     // The pressure of the sea goes through floats and marine growth; the pipe under them bears it.
     p.outside = M_PI / 4 * t.outer_diameter * t.outer_diameter;
     p.inside = M_PI / 4 * t.inner_diameter * t.inner_diameter;

@@ -114,7 +114,14 @@ void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
   for (const Point& p : points_) {
     ContactTrial at;
-    const bool touches = locate(p, of_nodes(p, trial.x), reach(p, trial.step), at);
+    const Vec3 x = of_nodes(p, trial.x);
+    if (kept(p, trial.step)) {
+      const double k = p.law.normal.stiffness;
+      const Vec3& normal = p.origin->normal;
+      const Mat3 K = k * (Mat3::Identity() - normal * normal.transpose());
+      add(p, k * strayed(p, x), tangent ? &K : nullptr, nullptr, sink);
+    }
+    const bool touches = locate(p, x, reach(p, trial.step), at);
     const Pull pulled = pull(p, at, trial.step);
     if (!touches && pulled.force == 0) continue;
     if (trial.step > 0) at.velocity = of_nodes(p, trial.v);
@@ -142,6 +149,11 @@ void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) con
   if (-gap > next.deepest) next.deepest = -gap, next.held = true;
   if (next.deepest + gap >= p.suction.length) next.held = false;
   if (!next.held && gap >= 0) next.deepest = 0;
+}
+
+Vec3 SeabedTerm::strayed(const Point& p, const Vec3& x) {
+  const Vec3 d = x - p.origin->point;
+  return d - p.origin->normal * p.origin->normal.dot(d);
 }
 
 // Evaluated again at the accepted state. Energies: trapezoid over the step.
@@ -198,6 +210,8 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
     ContactTrial trial;
     const PointContact c = contact(p, at, false, trial);
     e.strain += c.normal.potential;
+    if (kept(p, at.step))
+      e.strain += 0.5 * p.law.normal.stiffness * strayed(p, of_nodes(p, at.x)).squaredNorm();
     if (friction_on_ && laid_ && p.law.friction.active() && p.pressed > 0)
       e.strain += friction_potential(p, of_nodes(p, at.x), trial.normal);
   }

@@ -1,10 +1,11 @@
-// What SeabedTerm is made from, how lines are laid, what it shows and keeps.
+// What SeabedTerm is made from, what it shows and keeps.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <unordered_map>
 
 #include "hawser/model/case.hpp"
+#include "hawser/terms/buried.hpp"
 #include "hawser/terms/seabed.hpp"
 
 namespace hawser {
@@ -16,7 +17,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws
 }
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws)
-    : mesh_(mesh), surface_(std::move(surface)), line_(mesh) {
+    : mesh_(mesh), surface_(std::move(surface)), buried_(mesh.mesh->nodes.size(), false), line_(mesh) {
   if (surface_) bounds_ = surface_->bounds();
   element_.assign(static_cast<size_t>(mesh.nodes()), 0);
   for (const LocalElement& e : mesh.elements)
@@ -90,8 +91,20 @@ SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
   return o;
 }
 
+// Whether a node is in the soil, and not where the line comes out of it.
+bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
+  const Node& n = mesh.nodes[static_cast<size_t>(node)];
+  if (n.body >= 0) return false;
+  const double length = mesh.lines[static_cast<size_t>(n.line)].length, near = 1e-9 * length;
+  const auto& stretches = c.lines[static_cast<size_t>(n.line)].buried;
+  return std::any_of(stretches.begin(), stretches.end(), [&](const model::Buried& b) {
+    return (b.from <= near || n.arc > b.from + near) && (b.to >= length - near || n.arc < b.to - near);
+  });
+}
+
 // A beam has its share of the bed at its nodes; a cable by Simpson's rule, for it has nothing to bridge the
-// way from one node that touches to the next (docs/theory/seabed.md).
+// way from one node that touches to the next (docs/theory/seabed.md). Of an element partly in the soil
+// the node outside has what is bare of its half.
 SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held) {
   const model::Water& water = c.environment.water;
   std::vector<Share> nodes(static_cast<size_t>(mesh.owned)), middles(mesh.elements.size());
@@ -101,9 +114,16 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
     const model::LineType& t = c.line_types[static_cast<size_t>(g.type)];
     const double A = M_PI / 4 * t.displaced() * t.displaced();
     const double w = c.environment.gravity * (t.mass_per_length - (water.present ? water.density * A : 0));
-    for (const int node : {e.first, e.second})
-      if (node < mesh.owned) nodes[static_cast<size_t>(node)].add(t, g.length / (g.beam ? 2 : 6), w);
-    if (!g.beam) middles[i].add(t, g.length / 1.5, w);
+    const model::Line& line = c.lines[static_cast<size_t>(g.line)];
+    const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc, half = 0.5 * g.length;
+    const auto bare = [&](double a, double b) { return b - a - buried_length(line, a, b); };
+    const bool cut = in_soil(*mesh.mesh, c, g.first) || in_soil(*mesh.mesh, c, g.second);
+    for (const int node : {e.first, e.second}) {
+      if (node >= mesh.owned || in_soil(*mesh.mesh, c, mesh.global[static_cast<size_t>(node)])) continue;
+      const double start = from + (node == e.first ? 0 : half), part = bare(start, start + half);
+      if (part > 0) nodes[static_cast<size_t>(node)].add(t, g.beam || cut ? part : part / 3, w);
+    }
+    if (!g.beam && !cut) middles[i].add(t, g.length / 1.5, w);
   }
   for (const int node : held)
     if (node < mesh.owned) nodes[static_cast<size_t>(node)].radius = -1;
@@ -119,69 +139,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::v
     : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
   surface_ = c.environment.seabed.surface, table_ = c.environment.seabed.force_table;
   if (surface_) bounds_ = surface_->bounds();
-}
-
-// The whole line's positions on every rank: once in a run, and 24 bytes a node.
-void SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held) {
-  const Mesh& mesh = *mesh_.mesh;
-  std::vector<double> x(3 * mesh.nodes.size(), 0), reach(mesh.nodes.size(), -1);
-  for (int n = 0; n < mesh_.owned; ++n)
-    for (int c = 0; c < 3; ++c)
-      x[static_cast<size_t>(3 * mesh_.global[static_cast<size_t>(n)] + c)] = at.x[static_cast<size_t>(n)][c];
-  for (const Point& p : points_)
-    if (p.second < 0)
-      reach[static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)])] =
-          p.radius + p.law.normal.smoothing;
-  MPI_Allreduce(MPI_IN_PLACE, x.data(), static_cast<int>(x.size()), MPI_DOUBLE, MPI_SUM, comm);
-  MPI_Allreduce(MPI_IN_PLACE, reach.data(), static_cast<int>(reach.size()), MPI_DOUBLE, MPI_MAX, comm);
-  const auto place = [&](int node) { return Vec3(Eigen::Map<const Vec3>(x.data() + 3 * node)); };
-
-  // By node and by element of the mesh: m, away from the end, signed from A to B.
-  std::unordered_map<int, double> pulled, pulled_between;
-  for (const LineSpan& line : mesh.lines)
-    for (const bool from_a : {true, false}) {
-      const int first = from_a ? line.first_node : line.first_node + line.nodes - 1, way = from_a ? 1 : -1;
-      if (!std::binary_search(held.begin(), held.end(), first)) continue;
-      const int next = first + way;
-      const double near = 2 * std::abs(reach[static_cast<size_t>(next)]);
-      if (gap(place(first), near) > near) continue;
-      double sum = 0;
-      std::vector<std::pair<int, double>> walked, walked_between;
-      int node = first;
-      for (int i = 1; i < line.nodes; ++i) {
-        const int to = first + i * way;
-        const int element = line.first_element + (from_a ? i - 1 : line.elements - i);
-        const double stretch = std::max(
-            0.0, (place(to) - place(node)).norm() - mesh.elements[static_cast<size_t>(element)].length);
-        walked_between.emplace_back(element, way * (sum + 0.5 * stretch));
-        const double most = reach[static_cast<size_t>(to)];
-        if (most < 0 || gap(place(to), most) >= most) break;
-        sum += stretch;
-        walked.emplace_back(to, way * sum);
-        node = to;
-      }
-      // On the bed from end to end: nothing says where it was pulled from.
-      if (static_cast<int>(walked.size()) >= line.nodes - 2) continue;
-      for (const auto& [n, s] : walked) pulled[n] = s;
-      for (const auto& [e, s] : walked_between) pulled_between[e] = s;
-    }
-  for (Point& p : points_) {
-    const Vec3 here = of_nodes(p, at.x);
-    ContactTrial seen;
-    locate(p, here, 0, seen);
-    p.start.point = here;
-    p.start.gap = seen.gap;
-    p.start.normal = seen.normal;
-    p.start.slip.setZero();
-    const bool between = p.second >= 0;
-    const auto& from = between ? pulled_between : pulled;
-    const auto found = from.find(between ? mesh_.elements[static_cast<size_t>(p.element)].global
-                                         : mesh_.global[static_cast<size_t>(p.node)]);
-    if (found == from.end()) continue;
-    const Vec3 t = tangent(p, at);
-    p.start.slip = found->second * (t - seen.normal * seen.normal.dot(t));
-  }
-  laid_ = true;
+  for (size_t n = 0; n < buried_.size(); ++n) buried_[n] = in_soil(*mesh.mesh, c, static_cast<int>(n));
 }
 
 }  // namespace hawser

@@ -8,6 +8,7 @@
 
 #include "hawser/geometry/height_grid.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/terms/buried.hpp"
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
@@ -257,9 +258,11 @@ inline std::shared_ptr<const HeightGrid> hilly() {
 }
 
 // A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
-// table, through whose bends and steep parts they go, or with suction, which holds those that rise; with
-// points half way along the elements as well, which come to be between their nodes' situations.
-enum class Soil { spring, table, sticky };
+// A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
+// table, through whose bends and steep parts they go, or with suction, which holds those that rise; or in the
+// first stage of statics, in which springs keep them where they were laid; with points half way along the
+// elements as well, which come to be between their nodes' situations.
+enum class Soil { spring, table, sticky, laid };
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
                               bool curved = false, Soil soil = Soil::spring, bool between = false) {
   static const std::vector<ForceTable::Row> rows{{2 * mm, 60}, {4.5 * mm, 500}, {20 * mm, 1000}};
@@ -303,6 +306,11 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   }
   m.system->prepare(before.view(t.h), t.h);
   m.system->commit(t.from.view(t.h));
+  if (soil == Soil::laid) {
+    t.h = 0;
+    seabed.enable_friction(false);
+    seabed.lay_at_start(m.system->comm(), t.from.view(0), std::vector<double>(l.mesh->lines.size(), 100.0));
+  }
   m.system->prepare(t.from.view(t.h), t.h);
   t.length = 0.2 * mm;
   return seabed;
@@ -313,8 +321,10 @@ inline std::vector<SuiteCase> seabed_cases() {
   for (const bool curved : {false, true})
     for (const auto& [axial, lateral, friction] :
          {std::tuple{0.0, 0.0, "smooth"}, {0.3, 0.3, "isotropic"}, {0.2, 0.5, "anisotropic"}})
-      for (const auto& [soil, kind] :
-           {std::pair{Soil::spring, ""}, {Soil::table, "table, "}, {Soil::sticky, "suction, "}})
+      for (const auto& [soil, kind] : {std::pair{Soil::spring, ""},
+                                       {Soil::table, "table, "},
+                                       {Soil::sticky, "suction, "},
+                                       {Soil::laid, "laid, "}})
         out.push_back(
             {std::string("seabed, ") + (curved ? "grid, " : "") + kind + friction,
              [axial = axial, lateral = lateral, curved, soil = soil](MPI_Comm comm, const Placement& at) {
@@ -331,6 +341,28 @@ inline std::vector<SuiteCase> seabed_cases() {
                      add_seabed(*m, at, axial, lateral, false, Soil::spring, true);
                      return m;
                    }});
+  // Nodes that the soil holds, yields along, yields across, and yields to both ways, after a step that left
+  // some slip.
+  out.push_back({"buried", [](MPI_Comm comm, const Placement& at) {
+                   auto m = std::make_unique<SuiteModel>(comm, at);
+                   const LocalMesh& l = m->system->mesh();
+                   Trial& t = m->trial;
+                   State laid = t.from;
+                   laid.time = t.from.time - t.h;
+                   std::vector<BuriedTerm::Place> places;
+                   for (int n = 0; n < l.nodes(); ++n) {
+                     const size_t i = static_cast<size_t>(n);
+                     const int g = l.global[i];
+                     laid.x[i] -= 1 * mm * (at.rotation * noise3(g, 11));
+                     if (n < l.owned)
+                       places.push_back({n, {200, 300, g % 2 ? 0.01 : 1.0, g % 4 < 2 ? 0.02 : 1.0}});
+                   }
+                   m->system->add(std::make_unique<BuriedTerm>(l, laid.view(t.h), places));
+                   m->system->prepare(laid.view(t.h), t.h);
+                   m->system->commit(t.from.view(t.h));
+                   m->system->prepare(t.from.view(t.h), t.h);
+                   return m;
+                 }});
   return out;
 }
 

@@ -49,7 +49,8 @@ struct Reference {
   double H, V, grounded, H_anchor;  // N, N, m, N
   double tolerance;
   int iterations = 40;
-  double slip = 1e-8;  // that mobilises friction, of x
+  double slip = 1e-8;       // that mobilises friction, of x
+  double mobilisation = 0;  // m: full friction with it; 0: as laid, with `slip`
 };
 
 // Grounded as far as the bed carries the line: of the last node that it carries, the part of the weight.
@@ -67,6 +68,8 @@ double grounded_length(Simulation& sim, const Reference& r) {
 
 void expect(const Reference& r) {
   model::Case c = mooring(r.parts, r.x, r.z, r.friction, r.slip);
+  if (r.mobilisation > 0)
+    c.environment.seabed.full = true, c.environment.seabed.friction.mobilisation_length = r.mobilisation;
   Simulation sim(PETSC_COMM_SELF, c);
   const StaticsReport report = sim.solve_statics();
   const auto& reactions = sim.system().reactions();
@@ -145,6 +148,18 @@ TEST(MooringStatics, UnitTestsOfMapAndMoorPy) {
   expect({"MoorPy, friction 0.1", line, 400, 200, 0.1, 96643.45416, 237751.7684, 202.8102894, 80418.631, 1e-3,
           40, 1e-11});
   expect({"MoorPy, friction 5", line, 400, 200, 5, 96643.4604, 237751.7726, 202.8102842, 0, 1e-3, 100, 1e-9});
+  // Full friction whatever the mobilisation length: nothing to tune, though it is a million times the
+  // stretch.
+  const std::vector<Part> map = fine_at_anchor({1327.647744, 125, 545000000, 800}, 5e-4);
+  for (const double length : {1e-6, 1e-3, 0.1}) {
+    printf("  mobilisation length %g m\n", length);
+    expect({"MAP++ base", map, 50, 100, 1, 17449.66817, 149176.9239, 12.63817471, 670.6240176, 1e-3, 250, 0,
+            length});
+    expect({"MoorPy, C_B 0.1", line, 400, 200, 0.1, 96643.45416, 237751.7684, 202.8102894, 80418.631, 1e-3,
+            250, 0, length});
+    expect(
+        {"MoorPy, C_B 5", line, 400, 200, 5, 96643.4604, 237751.7726, 202.8102842, 0, 1e-3, 250, 0, length});
+  }
 }
 
 // Chain, chain and polyester: Lozon et al. 2025, closed form of their lines.

@@ -168,17 +168,13 @@ TEST(SeabedStatics, PullOut) {
     model::Case c = on_bed(t, 1200, 1200, {}, {}, 1e6);
     c.environment.seabed.friction.axial = c.environment.seabed.friction.lateral = 0.5;
     c.environment.seabed.friction.mobilisation_length = 0.005;
-    c.statics.enabled = false;
     c.lines[0].start = model::Start::points;
     c.lines[0].points = {Vec3(0, 0, -50.001), Vec3(1200, 0, -50.001)};
     model::PointLoad load;
     load.at = 1200, load.force = Vec3(r.F, 0, 0);
     c.lines[0].point_loads.push_back(load);
     Simulation sim(PETSC_COMM_SELF, c);
-    sim.seabed()->lay(PETSC_COMM_SELF, sim.state().view(0), {});
-    StaticsSettings settings;
-    settings.near = true;
-    solve_statics(sim.system(), settings, sim.state());
+    sim.solve_statics();
     const double u = sim.state().x[1200].x() - 1200;
     const auto moved = [&](int n) { return sim.state().x[static_cast<size_t>(n)].x() - n; };
     int sliding = 0;
@@ -213,15 +209,11 @@ TEST(SeabedStatics, Heating) {
     model::Case c = on_bed(t, half * (1 + strain), elements, clamp({0, 0, -50.001}, {1, 0, 0}), {}, 1e6);
     model::Friction& f = c.environment.seabed.friction;
     f.axial = f.lateral = 0.5, f.mobilisation_length = 0.005;
-    c.statics.enabled = false;
     c.lines[0].start = model::Start::points;
     c.lines[0].points = {Vec3(0, 0, -50.001), Vec3(half, 0, -50.001)};
     Simulation sim(PETSC_COMM_SELF, c);
-    sim.seabed()->lay(PETSC_COMM_SELF, sim.state().view(0), {});
-    StaticsSettings settings;
-    settings.near = true;
     const std::vector<Vec3> before = sim.state().x;
-    solve_statics(sim.system(), settings, sim.state());
+    sim.solve_statics();
     const auto moved = [&](int n) {
       return sim.state().x[static_cast<size_t>(n)].x() - before[static_cast<size_t>(n)].x();
     };

@@ -51,11 +51,13 @@ class Simulation {
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
   int cut_elements() const { return cut_; }
 
-  // Static equilibrium of the state: without friction first, then friction starts where the lines lie.
+  // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
   StaticsReport solve_statics();
   DynamicsSettings dynamics_settings() const;
 
  private:
+  bool lays_lines() const;  // whether statics has friction of the bed
+  void lay_at_start();
   void lay_lines(StaticsSettings settings, StaticsReport& report);
 
   const model::Case case_;  // its own: a caller may make it on the way

@@ -73,8 +73,8 @@ void read_bend_stiffener(const model::Value& v, const std::string& path, double 
 
 // `grid` or `mesh` of the seabed; nothing without.
 void read_bed_surface(const model::Value& seabed, const CaseSource& source, model::Seabed& bed);
-// Line ends beyond the edge of such a bed or under it.
-void check_bed(const model::Case& c, std::vector<std::string>& notes);
+// Refuses line ends and points of start shapes that are deep under the bed; notes of ends beyond its edge.
+void check_bed(const model::Value& root, const CaseSource& source, model::Case& c);
 
 // Lines as other runs left them; each results file is read once.
 class OtherRuns {

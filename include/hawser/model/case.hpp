@@ -177,6 +177,14 @@ struct PointLoad {
   int order = 0;               // place in the file's list of loads, for messages
 };
 
+// A stretch of a line in the soil. It stays where it starts, until the soil yields: a spring along the line
+// and one across it, either way, up to a resistance.
+struct Buried {
+  double from = 0, to = 0;                     // m, arc length
+  double axial = 0, normal = 0;                // N/m, that the soil resists with at most
+  double axial_length = 0, normal_length = 0;  // m, after which it does
+};
+
 // other_run: as another run left it.
 enum class Start { automatic, catenary, hanging, straight, points, other_run };
 
@@ -196,6 +204,7 @@ struct Line {
   std::vector<BendStiffener> bend_stiffeners;
   std::vector<DistributedLoad> loads;
   std::vector<PointLoad> point_loads;
+  std::vector<Buried> buried;  // in order of arc length, apart from each other
   Start start = Start::automatic;
   std::vector<Vec3> points;               // for Start::points: polyline the line is laid along
   std::shared_ptr<const LeftShape> left;  // for Start::other_run

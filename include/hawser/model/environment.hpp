@@ -78,7 +78,8 @@ struct Seabed {
   double suction = 0;         // N/m or N/m² by basis, largest pull on what leaves; in dynamics
   double suction_length = 0;  // m above the deepest place, where it lets go
   Friction friction;
-  bool as_laid = true;  // in statics friction acts against what pulled the line from where it was laid
+  bool as_laid = true;  // in statics friction acts against what pulled the line from where it was laid,
+  bool full = false;    // ... all of it as far as the tension goes, however little it was pulled
 };
 
 struct Environment {

@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hawser/geometry/surface.hpp"
@@ -58,10 +59,17 @@ class SeabedTerm final : public ForceTerm {
   // Off in the first stage of statics. While off no slip is kept.
   void enable_friction(bool on) { friction_on_ = on; }
   bool has_friction() const { return has_friction_; }
-  // From a static state without friction: the slip that pulling the line out of where it was laid without
-  // tension, from a held end on the bed on, has brought; friction of the next statics is reckoned from there.
-  // held: nodes of the mesh that are lines' ends, supported. Collective.
-  void lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held);
+  // Before statics: lines whose nodes are all nearer to the bed than `near` [m, one a line; < 0: never] were
+  // laid there. Until lay(), while friction is off, springs keep them about there. Collective.
+  void lay_at_start(MPI_Comm comm, const Kinematics& start, const std::vector<double>& near);
+  // From a static state without friction: the slip that pulling the line out of where it was laid has
+  // brought; friction of the next statics is reckoned from there. A line was laid where it started, or
+  // without tension from a held end on the bed or in it on. held: nodes of the mesh that are lines' ends,
+  // supported. tension: by local node [N]; with it friction is full from where the line lies on, as far as
+  // what there is of tension goes, however little the line was pulled. Returns the lines of the mesh that lie
+  // from end to end and were not laid at the start: they have no friction. Collective.
+  std::vector<int> lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held,
+                       const std::vector<double>& tension = {});
 
   int touching() const;
 
@@ -74,6 +82,10 @@ class SeabedTerm final : public ForceTerm {
     double deepest = 0;
     bool held = false;
   };
+  // Where a point was laid.
+  struct Origin {
+    Vec3 point, normal;
+  };
   struct Point {
     int node = 0, second = -1;  // local; second: of the element it is half way along, -1 at a node
     int element = -1;           // local
@@ -84,6 +96,7 @@ class SeabedTerm final : public ForceTerm {
     ContactStart start;
     History history;
     double pressed = 0;  // N, at the last prepare() of statics
+    std::optional<Origin> origin;
     // Cache, changes the time and never the answer: no force nearer than `clear` to `centre` (the signed
     // distance is 1-Lipschitz); nearest triangle of the last query.
     mutable Vec3 centre = Vec3::Zero();
@@ -101,6 +114,23 @@ class SeabedTerm final : public ForceTerm {
   }
   Vec3 tangent(const Point& p, const Kinematics& at) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Sink& sink) const;
+  // Of all nodes of the mesh, on every rank.
+  struct Lying {
+    std::vector<double> x, reach;  // m; < 0 of what the bed leaves alone
+    Vec3 place(int node) const { return Eigen::Map<const Vec3>(x.data() + 3 * node); }
+  };
+  Lying lying(MPI_Comm comm, const Kinematics& at) const;
+  // A point's number on all ranks: its node of the mesh, or behind all of these its element of the mesh.
+  size_t number(const Point& p) const;
+  // What full friction is reckoned from.
+  struct Full {
+    std::vector<double> tension, limit, length;  // N, N, m; by number of a point
+  };
+  Full full(MPI_Comm comm, const Kinematics& at, const std::vector<double>& tension) const;
+  // Off the bed's normal, from where the point was laid: what its spring is stretched by in the first stage
+  // of statics. Nothing of other points and later.
+  bool kept(const Point& p, double step) const { return p.origin && !friction_on_ && !(step > 0); }
+  static Vec3 strayed(const Point& p, const Vec3& x);
   double touch(const Point& p) const { return p.radius + p.law.normal.smoothing; }
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
   // is then cut to `reach` [m] more than where it touches.
@@ -121,7 +151,9 @@ class SeabedTerm final : public ForceTerm {
   Box bounds_ = Box::everything();           // of the surface
   std::vector<Point> points_;
   std::vector<double> element_;  // m, longest at a local node
+  std::vector<bool> buried_;     // by node of the mesh: the soil holds it (terms/buried.hpp), not the bed
   LineNeighbours line_;
+  std::vector<bool> laid_at_start_;  // by line of the mesh
   bool friction_on_ = true, has_friction_ = false, laid_ = false;
 };
 

@@ -1,0 +1,46 @@
+// Soil round a buried piece of line: elastic-plastic springs along it and across it, either way.
+#pragma once
+
+#include <cmath>
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct Embedment {
+  double axial = 0, normal = 0;                // N, resistances
+  double axial_length = 0, normal_length = 0;  // m, slip at which they are reached
+};
+
+struct Embedded {
+  Vec3 force = Vec3::Zero();  // N, on the line
+  Vec3 slip = Vec3::Zero();   // m, elastic slip that is left
+  double stored = 0;          // J, in the springs
+  double potential = 0;       // J, with what yields on the way from no slip: convex, its gradient is -force
+  Mat3 stiffness = Mat3::Zero();  // N/m, -d force / d slip; symmetric, never negative
+};
+
+// slip [m]: of the trial; tangent: unit. Along and across are apart: f_a = -k_a s_a, cut at the resistance,
+// and f_n = -k_n s_n in the plane across, cut along its radius.
+inline Embedded embedded(const Embedment& soil, const Vec3& slip, const Vec3& tangent) {
+  Embedded r;
+  const Mat3 along = tangent * tangent.transpose(), across = Mat3::Identity() - along;
+  const auto add = [&r](double resistance, double length, const Vec3& part, const Mat3& plane) {
+    const double k = resistance / length, s = part.norm();
+    if (s <= length) {
+      r.force -= k * part, r.slip += part;
+      r.stored += 0.5 * k * s * s, r.potential += 0.5 * k * s * s;
+      r.stiffness += k * plane;
+      return;
+    }
+    const Vec3 way = part / s;
+    r.force -= resistance * way, r.slip += length * way;
+    r.stored += 0.5 * resistance * length, r.potential += resistance * (s - 0.5 * length);
+    r.stiffness += resistance / s * (plane - way * way.transpose());
+  };
+  add(soil.axial, soil.axial_length, tangent * tangent.dot(slip), along);
+  add(soil.normal, soil.normal_length, across * slip, across);
+  return r;
+}
+
+}  // namespace hawser

@@ -1,0 +1,59 @@
+// Stretches of lines in the soil, node by node: springs from where they were laid that yield at the soil's
+// resistance. See docs/theory/seabed.md.
+#pragma once
+
+#include <vector>
+
+#include "hawser/kernels/embedment.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/line_neighbours.hpp"
+
+namespace hawser {
+
+// How much of the arc [from, to] of a line lies in the soil [m].
+double buried_length(const model::Line& line, double from, double to);
+
+class BuriedTerm final : public ForceTerm {
+ public:
+  struct Place {
+    int node = 0;  // local, owned
+    Embedment soil;
+  };
+
+  // Laid as `start` has them.
+  BuriedTerm(const LocalMesh& mesh, const Kinematics& start, std::vector<Place> places);
+  // held: local nodes that are supported, which the soil leaves alone.
+  BuriedTerm(const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
+             const std::vector<int>& held);
+
+  std::string_view name() const override { return "buried"; }
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  Vec3 node_force(const Kinematics& at, int node) const override;
+  void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
+
+ private:
+  struct Point {
+    int node = 0, block = 0;
+    Embedment soil;
+    Vec3 tangent = Vec3::UnitX();  // of the line at the start of the step
+    // Committed.
+    Vec3 at = Vec3::Zero(), slip = Vec3::Zero(), force = Vec3::Zero();  // m, m, N
+    double stored = 0, friction_work = 0;                               // J
+  };
+  Embedded pull(const Point& p, const Kinematics& at) const {
+    return embedded(p.soil, p.slip + (at.x[static_cast<size_t>(p.node)] - p.at), p.tangent);
+  }
+
+  const LocalMesh& mesh_;
+  std::vector<Point> points_;
+  LineNeighbours line_;
+};
+
+}  // namespace hawser

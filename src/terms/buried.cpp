@@ -1,0 +1,140 @@
+#include "hawser/terms/buried.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace hawser {
+namespace {
+
+// Of an owned node, what its halves of the elements have in the soil.
+std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Case& c,
+                                         const std::vector<int>& held) {
+  std::vector<Embedment> soil(static_cast<size_t>(mesh.owned));
+  std::vector<double> length(soil.size(), 0);
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const model::Line& line = c.lines[static_cast<size_t>(g.line)];
+    const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc, half = 0.5 * g.length;
+    for (const bool second : {false, true}) {
+      const int node = second ? e.second : e.first;
+      if (node >= mesh.owned) continue;
+      const size_t n = static_cast<size_t>(node);
+      for (const model::Buried& b : line.buried) {
+        const double start = from + (second ? half : 0);
+        const double in = std::min(start + half, b.to) - std::max(start, b.from);
+        if (!(in > 0)) continue;
+        soil[n].axial += in * b.axial, soil[n].normal += in * b.normal;
+        soil[n].axial_length += in * b.axial_length, soil[n].normal_length += in * b.normal_length;
+        length[n] += in;
+      }
+    }
+  }
+  for (const int n : held)
+    if (n < mesh.owned) length[static_cast<size_t>(n)] = 0;
+  std::vector<BuriedTerm::Place> out;
+  for (size_t n = 0; n < soil.size(); ++n) {
+    if (!(length[n] > 0)) continue;
+    soil[n].axial_length /= length[n], soil[n].normal_length /= length[n];
+    out.push_back({static_cast<int>(n), soil[n]});
+  }
+  return out;
+}
+
+}  // namespace
+
+double buried_length(const model::Line& line, double from, double to) {
+  double in = 0;
+  for (const model::Buried& b : line.buried) in += std::max(0.0, std::min(to, b.to) - std::max(from, b.from));
+  return in;
+}
+
+BuriedTerm::BuriedTerm(const LocalMesh& mesh, const Kinematics& start, std::vector<Place> places)
+    : mesh_(mesh), line_(mesh) {
+  for (const Place& place : places) {
+    Point& p = points_.emplace_back();
+    p.node = place.node, p.block = mesh.block[static_cast<size_t>(place.node)];
+    p.soil = place.soil;
+    p.at = start.x[static_cast<size_t>(place.node)];
+  }
+}
+
+BuriedTerm::BuriedTerm(const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
+                       const std::vector<int>& held)
+    : BuriedTerm(mesh, start, places_of(mesh, c, held)) {}
+
+void BuriedTerm::prepare(const Kinematics& committed, double) {
+  for (Point& p : points_) p.tangent = line_.tangent(committed, p.node);
+}
+
+void BuriedTerm::evaluate(const Kinematics& trial, Sink& sink) {
+  for (const Point& p : points_) {
+    const Embedded s = pull(p, trial);
+    const Vec3 residual = -s.force;
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s.stiffness;
+    sink.add({&p.block, 1}, residual.data(), sink.wants_tangent() ? K.data() : nullptr, nullptr, nullptr);
+  }
+}
+
+// What yields in a step is the work of the trapezoid less what the springs keep.
+void BuriedTerm::commit(const Kinematics& accepted) {
+  for (Point& p : points_) {
+    const Embedded s = pull(p, accepted);
+    const Vec3& x = accepted.x[static_cast<size_t>(p.node)];
+    if (accepted.step > 0) p.friction_work -= 0.5 * (s.force + p.force).dot(x - p.at) + (s.stored - p.stored);
+    p.at = x, p.slip = s.slip, p.force = s.force, p.stored = s.stored;
+  }
+}
+
+// In statics of trials: the line search goes down this.
+Energy BuriedTerm::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Point& p : points_) {
+    e.friction += p.friction_work;
+    e.strain += at.step > 0 ? p.stored : pull(p, at).potential;
+  }
+  return e;
+}
+
+Vec3 BuriedTerm::node_force(const Kinematics&, int node) const {
+  for (const Point& p : points_)
+    if (p.node == node) return p.force;
+  return Vec3::Zero();
+}
+
+void BuriedTerm::fields(FieldRegistry& registry) const {
+  registry.add({"soil_force", "N", 3, [this](const Kinematics&, std::span<double> out) {
+                  std::fill(out.begin(), out.end(), 0.0);
+                  for (const Point& p : points_)
+                    for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * p.node + c)] = p.force[c];
+                }});
+}
+
+std::vector<HistoryRecord> BuriedTerm::save() const {
+  std::vector<HistoryRecord> records;
+  for (const Point& p : points_) {
+    HistoryRecord r{mesh_.global[static_cast<size_t>(p.node)], 0, {}};
+    for (const Vec3* v : {&p.at, &p.slip, &p.force}) r.values.insert(r.values.end(), v->begin(), v->end());
+    r.values.insert(r.values.end(), {p.stored, p.friction_work});
+    records.push_back(std::move(r));
+  }
+  return records;
+}
+
+void BuriedTerm::restore(const std::vector<HistoryRecord>& records) {
+  std::unordered_map<int, size_t> at;
+  for (size_t i = 0; i < points_.size(); ++i) at[mesh_.global[static_cast<size_t>(points_[i].node)]] = i;
+  for (const HistoryRecord& r : records) {
+    const auto found = at.find(r.node);
+    if (found == at.end()) continue;
+    const std::vector<double>& v = r.values;
+    if (v.size() != 11) throw std::invalid_argument("a record of buried line has the wrong size");
+    Point& p = points_[found->second];
+    size_t i = 0;
+    for (Vec3* part : {&p.at, &p.slip, &p.force})
+      for (int c = 0; c < 3; ++c) (*part)[c] = v[i++];
+    p.stored = v[9], p.friction_work = v[10];
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,162 @@
+// Where friction of statics is reckoned from: how lines were laid.
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "hawser/terms/seabed.hpp"
+
+namespace hawser {
+
+size_t SeabedTerm::number(const Point& p) const {
+  if (p.second < 0) return static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)]);
+  return mesh_.mesh->nodes.size() +
+         static_cast<size_t>(mesh_.elements[static_cast<size_t>(p.element)].global);
+}
+
+// 32 bytes a node, a few times in a run.
+SeabedTerm::Lying SeabedTerm::lying(MPI_Comm comm, const Kinematics& at) const {
+  const size_t n = mesh_.mesh->nodes.size();
+  Lying all{std::vector<double>(3 * n, 0), std::vector<double>(n, -1)};
+  for (int i = 0; i < mesh_.owned; ++i)
+    for (int c = 0; c < 3; ++c)
+      all.x[static_cast<size_t>(3 * mesh_.global[static_cast<size_t>(i)] + c)] =
+          at.x[static_cast<size_t>(i)][c];
+  for (const Point& p : points_)
+    if (p.second < 0) all.reach[number(p)] = touch(p);
+  MPI_Allreduce(MPI_IN_PLACE, all.x.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
+  MPI_Allreduce(MPI_IN_PLACE, all.reach.data(), static_cast<int>(n), MPI_DOUBLE, MPI_MAX, comm);
+  return all;
+}
+
+void SeabedTerm::lay_at_start(MPI_Comm comm, const Kinematics& start, const std::vector<double>& near) {
+  const Mesh& mesh = *mesh_.mesh;
+  const Lying all = lying(comm, start);
+  laid_at_start_.assign(mesh.lines.size(), false);
+  for (size_t l = 0; l < mesh.lines.size(); ++l) {
+    if (near[l] < 0) continue;
+    const LineSpan& line = mesh.lines[l];
+    bool lies = true;
+    for (int i = line.first_node; lies && i < line.first_node + line.nodes; ++i) {
+      const double most = near[l] + std::max(0.0, all.reach[static_cast<size_t>(i)]);
+      lies = gap(all.place(i), most) < most;
+    }
+    laid_at_start_[l] = lies;
+  }
+  for (Point& p : points_) {
+    const Vec3 here = of_nodes(p, start.x);
+    const Node& node = mesh.nodes[static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)])];
+    p.origin.reset();
+    if (node.body >= 0 || !laid_at_start_[static_cast<size_t>(node.line)]) continue;
+    ContactTrial seen;
+    locate(p, here, near[static_cast<size_t>(node.line)], seen);
+    p.origin = Origin{here, seen.normal};
+  }
+}
+
+SeabedTerm::Full SeabedTerm::full(MPI_Comm comm, const Kinematics& at,
+                                  const std::vector<double>& tension) const {
+  const size_t nodes = mesh_.mesh->nodes.size(), n = nodes + mesh_.mesh->elements.size();
+  std::vector<double> all(3 * n, 0);
+  for (int i = 0; i < mesh_.owned; ++i)
+    all[static_cast<size_t>(mesh_.global[static_cast<size_t>(i)])] = tension[static_cast<size_t>(i)];
+  for (const Point& p : points_) {
+    if (!p.counted) continue;
+    ContactTrial trial;
+    const FrictionLaw& f = p.law.friction;
+    const double limit = f.axial * contact(p, at, false, trial).normal.force;
+    all[n + number(p)] = limit;
+    all[2 * n + number(p)] = f.stiffness > 0 ? limit / f.stiffness : f.axial_length;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
+  for (size_t e = 0; e < n - nodes; ++e) {
+    const Element& g = mesh_.mesh->elements[e];
+    all[nodes + e] = 0.5 * (all[static_cast<size_t>(g.first)] + all[static_cast<size_t>(g.second)]);
+  }
+  const auto part = [&](size_t k) {
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * n);
+    return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(n));
+  };
+  return {part(0), part(1), part(2)};
+}
+
+std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held,
+                                 const std::vector<double>& tension) {
+  const Mesh& mesh = *mesh_.mesh;
+  const Lying all = lying(comm, at);
+  const auto rests = [&](int node) {
+    const double most = all.reach[static_cast<size_t>(node)];
+    return most >= 0 && gap(all.place(node), most) < most;
+  };
+  const auto lies = [&](int node) { return buried_[static_cast<size_t>(node)] || rests(node); };
+  int everywhere = !tension.empty();  // a rank may own no node
+  MPI_Allreduce(MPI_IN_PLACE, &everywhere, 1, MPI_INT, MPI_MAX, comm);
+  const Full most = everywhere ? full(comm, at, tension) : Full{};
+  std::vector<int> unsaid;
+  // By number of a point: m, away from the end, signed from A to B.
+  std::unordered_map<size_t, double> pulled;
+  for (size_t l = 0; l < mesh.lines.size(); ++l) {
+    if (!laid_at_start_.empty() && laid_at_start_[l]) continue;
+    const LineSpan& line = mesh.lines[l];
+    int resting = 0, off = 0;
+    for (int i = line.first_node; i < line.first_node + line.nodes; ++i)
+      (rests(i) ? resting : off) += all.reach[static_cast<size_t>(i)] >= 0;
+    if (resting > 0 && off == 0) {
+      unsaid.push_back(static_cast<int>(l));
+      continue;
+    }
+    for (const bool from_a : {true, false}) {
+      const int first = from_a ? line.first_node : line.first_node + line.nodes - 1, way = from_a ? 1 : -1;
+      if (!std::binary_search(held.begin(), held.end(), first)) continue;
+      const double near = 2 * std::abs(all.reach[static_cast<size_t>(first + way)]);
+      if (gap(all.place(first), near) > near) continue;
+      double sum = 0;
+      int node = first;
+      std::vector<size_t> walked;
+      const auto walk = [&](size_t point, double slipped) {
+        walked.push_back(point), pulled[point] = way * slipped;
+      };
+      for (int i = 1; i < line.nodes; ++i) {
+        const int to = first + i * way;
+        const size_t element = static_cast<size_t>(line.first_element + (from_a ? i - 1 : line.elements - i));
+        const double stretch =
+            std::max(0.0, (all.place(to) - all.place(node)).norm() - mesh.elements[element].length);
+        walk(mesh.nodes.size() + element, sum + 0.5 * stretch);
+        if (!lies(to)) break;
+        sum += stretch;
+        walk(static_cast<size_t>(to), sum);
+        node = to;
+      }
+      // Back from where it touches down, as far as the tension that is left goes.
+      double taken = 0;
+      for (size_t i = walked.size(); everywhere && i-- > 0;) {
+        const size_t n = walked[i];
+        if (!(most.limit[n] > 0)) continue;
+        const double share = std::clamp((most.tension[n] - taken) / most.limit[n], 0.0, 1.0);
+        taken += share * most.limit[n];
+        pulled[n] += way * share * most.length[n];
+      }
+    }
+  }
+  for (Point& p : points_) {
+    const Vec3 here = of_nodes(p, at.x);
+    ContactTrial seen;
+    locate(p, here, 0, seen);
+    p.start.point = here;
+    p.start.gap = seen.gap;
+    p.start.normal = seen.normal;
+    p.start.slip.setZero();
+    if (p.origin) {  // all of the way from there counts, also that down to the bed
+      p.start.point = p.origin->point, p.start.normal = p.origin->normal;
+      p.start.gap = 0;
+      continue;
+    }
+    const auto found = pulled.find(number(p));
+    if (found == pulled.end()) continue;
+    const Vec3 t = tangent(p, at);
+    p.start.slip = found->second * (t - seen.normal * seen.normal.dot(t));
+  }
+  laid_ = true;
+  return unsaid;
+}
+
+}  // namespace hawser
