@@ -99,7 +99,7 @@ void ClashReport::collect() {
 
 io::ClashTables ClashReport::take() {
   collect();
-  return {log_.take_ended(), log_.open()};
+  return log_.take();
 }
 
 // A record belongs to a node of the rank that gives it; rank 0 need not own any.

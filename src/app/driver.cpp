@@ -140,10 +140,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
 
   const bool append = restarted && same_file(options.restart, c.output.file);
   Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes), run_info(c, options, size),
-                    append, checkpoint.time);
+                    restarted ? &checkpoint : nullptr, append);
   if (restarted) {
     restore(checkpoint, sim);
-    recorder.restore(checkpoint);
     // A new file begins with the state the run goes on from.
     if (!append) recorder.output(checkpoint.time, sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {

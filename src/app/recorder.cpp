@@ -55,8 +55,8 @@ const std::string kClashRecords = "clash report";
 }  // namespace
 
 Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes,
-                   std::vector<std::shared_ptr<const Surface>> surfaces, const io::RunInfo& run, bool append,
-                   double time)
+                   std::vector<std::shared_ptr<const Surface>> surfaces, const io::RunInfo& run,
+                   const io::Checkpoint* from, bool append)
     : comm_(comm),
       sim_(simulation),
       registry_(simulation.system().fields()),
@@ -122,10 +122,13 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   const double every = c.output.every > 0 ? c.output.every : std::max(c.dynamics.duration / 100, 1e-9);
   contents.expected_outputs = c.dynamics.enabled ? static_cast<int>(c.dynamics.duration / every) + 3 : 2;
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
-  file_ = std::make_unique<io::ResultsFile>(
-      append ? io::ResultsFile::resume(comm, c.output.file, std::move(contents), std::move(owned), time)
-             : io::ResultsFile::create(comm, c.output.file, std::move(contents), std::move(owned)));
   extremes_.resize(mesh.lines.size());
+  if (from) restore(*from);
+  if (clashes_ && !append) clashes_->begin_file();
+  file_ = std::make_unique<io::ResultsFile>(
+      append ? io::ResultsFile::resume(comm, c.output.file, std::move(contents), std::move(owned), from->time,
+                                       clashes_ ? clashes_->told() : io::ClashesTold{})
+             : io::ResultsFile::create(comm, c.output.file, std::move(contents), std::move(owned)));
 }
 
 void Recorder::fill(const Kinematics& at) {

@@ -58,13 +58,13 @@ struct ResultsFile::Impl {
   bool root() const { return file.rank() == 0; }
 
   // Rank 0 makes the file anew, everybody opens it.
-  void build(const ResultRoom& wanted, const std::string& from, const ResultEnd* end = nullptr) {
+  void build(const ResultRoom& wanted, const std::string& from, const ResultLast* last = nullptr) {
     file.close();
     bool input = false;
     if (root()) {
       file.attempt([&] {
         try {
-          build_results(file.path(), contents, wanted, from, count, clashes, end);
+          build_results(file.path(), contents, wanted, from, count, clashes, last);
         } catch (const InputError&) {
           input = true;
           throw;
@@ -79,7 +79,7 @@ struct ResultsFile::Impl {
       throw;
     }
     room = wanted;
-    if (end) return;
+    if (last && last->summary) return;
     std::vector<std::string> names{"written"};
     for (const auto& set : row_sets(contents)) names.push_back(set.name);
     if (contents.clashes) names.insert(names.end(), {kClashesEnded, kClashesOpen});
@@ -259,7 +259,7 @@ ResultsFile ResultsFile::create(MPI_Comm comm, const std::string& path, ResultCo
 }
 
 ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultContents contents,
-                                std::vector<int> owned, double time) {
+                                std::vector<int> owned, double time, const ClashesTold& told) {
   ResultProgress progress;
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
@@ -280,14 +280,18 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
     return static_cast<long long>(std::upper_bound(t.begin(), t.end(), last) - t.begin());
   };
   const ResultRoom& had = progress.room;
-  long long n[6] = {until(progress.output_times),
+  long long n[7] = {until(progress.output_times),
                     until(progress.step_times),
                     had.slot_doubles,
                     had.slot_text,
                     progress.sequence,
-                    0};
-  if (n[0] > 0 && !progress.clashes.empty()) n[5] = progress.clashes[static_cast<size_t>(n[0] - 1)];
-  MPI_Bcast(n, 6, MPI_LONG_LONG, 0, comm);
+                    0,
+                    static_cast<long long>(told.open.size())};
+  // A run that failed left with its last output also what ended later; older checkpoints do not know what
+  // went to another file.
+  if (n[0] > 0 && !progress.clashes.empty())
+    n[5] = std::min(told.ended, progress.clashes[static_cast<size_t>(n[0] - 1)]);
+  MPI_Bcast(n, 7, MPI_LONG_LONG, 0, comm);
   progress.output_times.resize(static_cast<size_t>(n[0]));
   MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
 
@@ -299,18 +303,14 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
     for (const double t : m.times) m.xdmf->add(t);
   m.sequence = n[4];
   m.clashes = n[5];
+  const ClashTables clashes{{}, told.open};
+  const ResultLast kept{clashes};
   m.build({std::max<long long>(m.contents.expected_outputs, n[0] + 1),
            std::max<long long>(m.contents.expected_steps, n[1] + 1),
            n[2],
            n[3],
-           {std::max<long long>(64, 2 * n[5]), 64}},
-          path);
-  if (m.contents.clashes && n[0] > 0) {
-    // Those that went on at the last output left may have made place for those of one that is dropped.
-    const long long counts[2] = {m.clashes, 0};
-    m.file.write_rows(kClashCounts, H5T_NATIVE_LLONG, n[0] - 1, 1, m.root(), counts);
-    m.file.agree();
-  }
+           {std::max<long long>(64, 2 * n[5]), std::max<long long>(64, 2 * n[6])}},
+          path, &kept);
   m.save_xdmf(true);
   return ResultsFile(std::move(impl));
 }
@@ -387,7 +387,7 @@ void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTabl
   m.forget_steps();
   ClashRoom rows{0, 0};
   if (m.contents.clashes) rows = m.rows_of(clashes);
-  const ResultEnd end{summary, clashes};
+  const ResultLast end{clashes, &summary};
   m.build({std::max<long long>(m.count.outputs, 1),
            std::max<long long>(m.count.steps, 1),
            m.room.slot_doubles,

@@ -315,7 +315,7 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
 
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
                    const std::string& from, const ResultCount& kept, long long clashes,
-                   const ResultEnd* end) {
+                   const ResultLast* last) {
   const std::string made = path + ".new";
   try {
     const h5::Id file = h5::create(made);
@@ -334,8 +334,8 @@ void build_results(const std::string& path, const ResultContents& contents, cons
       make_clash_tables(file, room.clashes, volumes);
     }
     if (!from.empty()) copy_earlier(from, file, contents, room, kept, clashes);
-    if (end) write_summary(file, end->summary);
-    if (end && contents.clashes) write_last_clashes(file, end->clashes, clashes, kept.outputs - 1);
+    if (last && last->summary) write_summary(file, *last->summary);
+    if (last && contents.clashes) write_last_clashes(file, last->clashes, clashes, kept.outputs - 1);
     h5::check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot write " + made);
   } catch (...) {
     std::remove(made.c_str());

@@ -34,7 +34,7 @@ void BM_ClashStep(benchmark::State& state) {
     time += 0.01;
     log.step(time, put_together(steps[s], merge));
     s = (s + 1) % steps.size();
-    benchmark::DoNotOptimize(log.take_ended());
+    benchmark::DoNotOptimize(log.take());
   }
   state.SetComplexityN(n);
   state.counters["open"] = static_cast<double>(log.open().size());

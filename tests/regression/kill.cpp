@@ -52,6 +52,7 @@ void expect_beginning(const Results& whole, const Results& part) {
   EXPECT_TRUE(begins(whole.step_times, part.step_times));
   for (const auto& [name, values] : whole.fields) EXPECT_TRUE(begins(values, part.fields.at(name))) << name;
   for (const auto& [name, values] : whole.series) EXPECT_TRUE(begins(values, part.series.at(name))) << name;
+  EXPECT_TRUE(begins(whole.clash_counts, part.clash_counts));
 }
 
 TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
@@ -103,6 +104,8 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
       EXPECT_EQ(part.output_times.size(), whole.output_times.size());
       EXPECT_EQ(part.step_times.size(), whole.step_times.size());
       EXPECT_EQ(part.summary, whole.summary);
+      EXPECT_EQ(part.ended, whole.ended);
+      EXPECT_EQ(part.open, whole.open);
       std::remove(file.c_str());
     }
     if (HasFailure()) FAIL() << "after kill " << kills;

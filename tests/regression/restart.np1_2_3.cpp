@@ -34,6 +34,7 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
     EXPECT_LE(largest_difference(here, there), tolerance * (c == 2 ? largest(here) : brought_in))
         << "energy " << c;
   }
+  expect_same_clashes(whole, rest, tolerance);
   ASSERT_EQ(whole.summary.size(), rest.summary.size());
   EXPECT_LE(largest_difference(whole.summary, rest.summary), tolerance * largest(whole.summary));
 }
@@ -76,6 +77,7 @@ TEST_P(Restart, InTheSameFile) {
   const Results whole = read(path + "/whole.h5"), on = read(path + "/on.h5");
   EXPECT_EQ(on.output_times.front(), 0);
   EXPECT_EQ(on.output_times.size(), whole.output_times.size());
+  EXPECT_GT(largest(on.clash_counts), 0);
   expect_same(whole, on, 0);
 }
 

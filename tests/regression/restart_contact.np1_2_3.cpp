@@ -100,6 +100,7 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
       const double within = name == "energy" ? std::max(tolerance, 1e-14) : tolerance;
       EXPECT_LE(largest_difference(here, there), within * scale) << name << ' ' << c;
     }
+  expect_same_clashes(whole, rest, tolerance);
   ASSERT_EQ(whole.summary.size(), rest.summary.size());
   EXPECT_LE(largest_difference(whole.summary, rest.summary), tolerance * largest(whole.summary));
 }
@@ -133,11 +134,15 @@ void compare(const std::string& name, const std::string& text, const Edits& edit
   run_on_all({input, path + "/half.h5", "", half});
   run_on_all({input, path + "/rest.h5", path + "/half.h5"});
   run_on_one({input, path + "/fewer.h5", path + "/half.h5"});
+  run_on_all({input, path + "/half.h5", path + "/half.h5"});
   if (rank_of(MPI_COMM_WORLD) > 0) return;
   const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
   std::printf("%s: stopped at %.1f s of %.1f s\n", name.c_str(), half, whole.output_times.back());
   EXPECT_EQ(rest.output_times.front(), half);
   expect_same(whole, rest, 0);
+  const Results on = read(path + "/half.h5");
+  EXPECT_EQ(on.output_times.size(), whole.output_times.size());
+  expect_same(whole, on, 0);
   const Results fewer = read(path + "/fewer.h5");
   only_alike ? expect_alike(whole, fewer, other_ranks) : expect_same(whole, fewer, other_ranks);
 }

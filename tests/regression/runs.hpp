@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "hawser/app/driver.hpp"
+#include "hawser/io/clash_rows.hpp"
 #include "hawser/io/hdf5.hpp"
 
 namespace hawser::runs {
@@ -97,6 +98,8 @@ struct Results {
   std::map<std::string, std::vector<double>> series;  // steps, then columns
   std::map<std::string, size_t> columns;              // of series
   std::vector<double> summary;                        // value, time, arc length, row after row
+  std::vector<double> clash_counts;                   // outputs, then ended and open; empty: no clash report
+  std::vector<double> ended, open;                    // clashes at the last output, row after row
 
   // Column `c` of series `name`.
   std::vector<double> column(const std::string& name, size_t c) const {
@@ -129,6 +132,16 @@ inline std::pair<size_t, size_t> written(hid_t file) {
   return {static_cast<size_t>(n[0]), static_cast<size_t>(n[1])};
 }
 
+inline std::vector<double> numbers(const std::vector<io::ClashRow>& rows) {
+  std::vector<double> out;
+  for (const io::ClashRow& r : rows) {
+    for (const int i : {r.line, r.other_line, r.volume, r.other_volume}) out.push_back(i);
+    out.insert(out.end(), {r.start, r.end, r.from, r.to, r.other_from, r.other_to, r.peak_force, r.peak_time,
+                           r.peak_from, r.peak_to, r.impulse, r.peak_energy, r.penetration});
+  }
+  return out;
+}
+
 inline Results read(const std::string& path) {
   using io::h5::read_array;
   const auto file = io::h5::open_read(path);
@@ -151,6 +164,12 @@ inline Results read(const std::string& path) {
     } else {
       r.series[name] = take(a.values, a.shape[0], steps), r.columns[name] = a.shape[1];
     }
+  }
+  if (io::h5::exists(file, io::kClashCounts)) {
+    const auto a = read_array(file, io::kClashCounts);
+    r.clash_counts = take(a.values, a.shape[0], outputs);
+    const io::ClashTables clashes = io::read_clashes(path);
+    r.ended = numbers(clashes.ended), r.open = numbers(clashes.open);
   }
   if (io::h5::exists(file, "summary")) {
     const auto set = io::h5::open_dataset(file, "summary");
@@ -182,6 +201,25 @@ inline double largest_difference(const std::vector<double>& a, const std::vector
 inline std::vector<double> tail(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() < b.size()) return {};
   return {a.end() - static_cast<std::ptrdiff_t>(b.size()), a.end()};
+}
+
+// The clashes of `rest`, which goes on in a file of its own (or in that it goes on from), are those of
+// `whole`.
+inline void expect_same_clashes(const Results& whole, const Results& rest, double tolerance) {
+  const auto here = tail(whole.clash_counts, rest.clash_counts);
+  ASSERT_EQ(here.size(), rest.clash_counts.size());
+  ASSERT_FALSE(here.empty());
+  // Those that ended before are not in another file.
+  const double before = here[0] - rest.clash_counts[0];
+  for (size_t i = 0; i < here.size(); ++i)
+    EXPECT_EQ(here[i], rest.clash_counts[i] + (i % 2 ? 0 : before)) << "clashes of output " << i / 2;
+  for (const auto& [all, some] :
+       {std::pair{tail(whole.ended, rest.ended), rest.ended}, {whole.open, rest.open}}) {
+    ASSERT_EQ(all.size(), some.size());
+    for (size_t i = 0; i < all.size(); ++i)
+      EXPECT_LE(std::abs(all[i] - some[i]), tolerance * std::max(std::abs(all[i]), 0.01))
+          << "clash number " << i;
+  }
 }
 
 }  // namespace hawser::runs

@@ -40,10 +40,10 @@ TEST(ClashLog, OneClash) {
   step(log, 0.3, {touch(0, 0, 2.1, 2.5, 30, 0.03)});
   step(log, 0.4, {touch(0, 0, 2.2, 2.4, 20, 0.02)});
   ASSERT_EQ(log.open().size(), 1u);
-  EXPECT_TRUE(log.take_ended().empty());
+  EXPECT_TRUE(log.take().ended.empty());
   step(log, 0.6, {});
   EXPECT_TRUE(log.open().empty());
-  const auto ended = log.take_ended();
+  const auto ended = log.take().ended;
   ASSERT_EQ(ended.size(), 1u);
   const io::ClashRow& r = ended[0];
   EXPECT_EQ(r.line, 0);
@@ -60,7 +60,7 @@ TEST(ClashLog, OneClash) {
   EXPECT_DOUBLE_EQ(r.peak_energy, 3);
   // Trapezoids: 0 to 10 to 30 to 20 to 0.
   EXPECT_NEAR(r.impulse, 0.5 + 4 + 2.5 + 2, 1e-12);
-  EXPECT_TRUE(log.take_ended().empty());
+  EXPECT_TRUE(log.take().ended.empty());
 }
 
 TEST(ClashLog, FlutterIsOneClashAndABounceAreTwo) {
@@ -126,6 +126,27 @@ TEST(ClashLog, GoesOnFromItsRecord) {
   EXPECT_GT(whole.count(), 10);
   EXPECT_THROW(rest.restore({1, 2, 3}), std::invalid_argument);
   EXPECT_THROW(rest.restore({1, 2, -3}), std::invalid_argument);
+}
+
+// Of a file it is known what its last output holds, also when the checkpoint is of a later time.
+TEST(ClashLog, KnowsWhatItTold) {
+  ClashLog log(settings());
+  step(log, 0, {touch(0, 0, 1, 2, 3), touch(1, 0, 1, 2, 3)});
+  step(log, 1, {touch(0, 0, 1, 2, 3)});
+  EXPECT_EQ(log.take().ended.size(), 1u);
+  step(log, 2, {touch(0, 0, 1, 2, 9)});
+  step(log, 3, {});
+  ClashLog rest(settings());
+  rest.restore(log.save());
+  EXPECT_TRUE(rest.open().empty());
+  EXPECT_EQ(rest.told().ended, 1);
+  ASSERT_EQ(rest.told().open.size(), 1u);
+  EXPECT_EQ(rest.told().open[0].peak_force, 3);
+  EXPECT_EQ(rest.take().ended.size(), 1u);
+  EXPECT_EQ(rest.told().ended, 2);
+  rest.begin_file();
+  EXPECT_EQ(rest.told().ended, 0);
+  EXPECT_TRUE(rest.told().open.empty());
 }
 
 TEST(ClashLog, TheLargestAreKept) {

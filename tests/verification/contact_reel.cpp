@@ -136,7 +136,7 @@ void expect_wound(const char* method, const Reeled& r) {
   int off = 0;
   for (const double m : r.moment) moment.add(m), off += std::abs(m - 1) > 0.02;
   std::printf(
-      "reel, %s: moment on the drum %.4f EI/(R+r), rms %.4f, between %.4f and %.4f, %d of %zu nodes off by 3 "
+      "reel, %s: moment on the drum %.4f EI/(R+r), rms %.4f, between %.4f and %.4f, %d of %zu nodes off by 2 "
       "%%\n",
       method, moment.mean(), moment.rms(), moment.least, moment.most, off, r.moment.size());
   EXPECT_GT(r.moment.size(), 100u);

@@ -31,9 +31,13 @@ class ClashLog {
   // that finds it touching and ends with the last one.
   void step(double time, std::span<const Touch> touches);
 
-  // Still going on, by start; those that ended since the last call.
+  // Still going on, by start.
   std::vector<io::ClashRow> open() const;
-  std::vector<io::ClashRow> take_ended();
+  // For an output: those that ended since the last call, and open().
+  io::ClashTables take();
+  // What all calls have given the file that is being written. Another one begins with nothing.
+  const io::ClashesTold& told() const { return told_; }
+  void begin_file() { told_ = {}; }
   // Of all so far, the ended ones first: how many, and those with the largest peak forces.
   long long count() const { return ended_count_ + static_cast<long long>(open_.size()); }
   std::vector<io::ClashRow> largest(size_t most) const;
@@ -65,7 +69,8 @@ class ClashLog {
   ClashSettings settings_;
   double time_ = std::numeric_limits<double>::quiet_NaN();  // of the last step
   std::vector<Open> open_;
-  std::vector<io::ClashRow> ended_, largest_;  // since take_ended(); of all ended, at most kKept
+  std::vector<io::ClashRow> ended_, largest_;  // since take(); of all ended, at most kKept
+  io::ClashesTold told_;
   long long ended_count_ = 0;
 };
 

@@ -23,6 +23,9 @@ class ClashReport {
   void step(double time);
   // Of rank 0: what an output is to hold. Collective.
   io::ClashTables take();
+  // Of rank 0: what outputs have given the file so far. Another one begins with nothing.
+  const io::ClashesTold& told() const { return log_.told(); }
+  void begin_file() { log_.begin_file(); }
 
   // The share of a checkpoint, as records of the first node. Collective both; restore() wants all that is in
   // the checkpoint.

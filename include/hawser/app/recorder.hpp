@@ -29,11 +29,11 @@ struct Audit {
 
 class Recorder {
  public:
-  // Starts a new results file, or goes on with the one at `resume_path` from `time`.
-  // surfaces: one for each volume of the case.
+  // Starts a new results file. `from`: the checkpoint the run goes on from, if it does; `append`: in the file
+  // that holds it, else in a new one. surfaces: one for each volume of the case.
   Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes,
-           std::vector<std::shared_ptr<const Surface>> surfaces, const io::RunInfo& run, bool append,
-           double time);
+           std::vector<std::shared_ptr<const Surface>> surfaces, const io::RunInfo& run,
+           const io::Checkpoint* from = nullptr, bool append = false);
 
   // The state from which energies count.
   void start(double time, const Kinematics& at);
@@ -54,9 +54,9 @@ class Recorder {
 
   // The recorder's own share of a checkpoint. Collective.
   void save(io::Checkpoint& to);
-  void restore(const io::Checkpoint& from);
 
  private:
+  void restore(const io::Checkpoint& from);
   void fill(const Kinematics& at);
   void correct_ends(const Kinematics& at);
   std::vector<io::SummaryRow> summary() const;

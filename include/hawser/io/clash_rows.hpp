@@ -28,6 +28,13 @@ struct ClashTables {
   std::vector<ClashRow> open;   // now
 };
 
+// What outputs so far have put into a file: how many that ended, and those that went on at the last one. That
+// of rank 0 counts.
+struct ClashesTold {
+  long long ended = 0;
+  std::vector<ClashRow> open;
+};
+
 // Rows the tables have room for.
 struct ClashRoom {
   long long ended = 64, open = 64;

@@ -93,9 +93,10 @@ class ResultsFile {
                             std::vector<int> owned);
 
   // Go on with the file of an earlier run of the same contents: outputs and series rows later than
-  // `time` [s] are dropped. Throws InputError when lines, fields or series differ.
+  // `time` [s] are dropped. `told`: the clashes of the last output that stays; those of a dropped one may
+  // have taken their place in the file. Throws InputError when lines, fields or series differ.
   static ResultsFile resume(MPI_Comm comm, const std::string& path, ResultContents contents,
-                            std::vector<int> owned, double time);
+                            std::vector<int> owned, double time, const ClashesTold& told = {});
 
   ResultsFile(ResultsFile&&) noexcept;
   ResultsFile& operator=(ResultsFile&&) noexcept;

@@ -20,10 +20,11 @@ struct ResultRoom {
   ClashRoom clashes = {};
 };
 
-// What the file gets when it is made for the last time.
-struct ResultEnd {
-  const std::vector<SummaryRow>& summary;
+// What the file gets beside the rows it keeps: with the last of them these clashes, and the table of the
+// summary when it is made for the last time.
+struct ResultLast {
   const ClashTables& clashes;
+  const std::vector<SummaryRow>* summary = nullptr;
 };
 
 // The counter that makes rows count. One small aligned write, after the rows are written.
@@ -58,7 +59,8 @@ DrawnMesh drawn_mesh(const VolumeMesh& volume, int limit);
 // are taken over, or empty. Serial. Throws InputError when `from` does not hold the same things,
 // std::runtime_error when the disk fails; the file at `path` is then as it was.
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
-                   const std::string& from, const ResultCount& kept, long long clashes, const ResultEnd* end);
+                   const std::string& from, const ResultCount& kept, long long clashes,
+                   const ResultLast* last);
 
 // How far the file at `path` got. Serial. Throws InputError when it is no results file.
 struct ResultProgress {

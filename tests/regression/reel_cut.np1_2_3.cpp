@@ -1,0 +1,69 @@
+// The hose reel with so many elements that several ranks really cut it (smaller models are solved by every
+// rank as one would, docs/decisions/005): on one rank, on all, and gone on with on other ranks. The answers
+// differ by rounding only.
+#include "regression/runs.hpp"
+
+namespace hawser::runs {
+namespace {
+
+// The hose lies on the drum with friction from 2 s on. Solved whole are models of up to 1000 nodes.
+constexpr double kHalf = 9, kEnd = 14;  // s
+const Edits kFine = {{"length: 250, elements: 250", "length: 250, elements: 1200"}};
+
+// Largest difference of the tensions in all rows that `b` has, over the largest tension. The free end carries
+// next to nothing, and what it does carry is known no better than what the line does.
+double tension_apart(const Results& a, const Results& b) {
+  const double most = largest(a.column("fairlead", kTension));
+  double apart = 0;
+  for (const char* point : {"fairlead", "lower_end"}) {
+    const auto there = b.column(point, kTension);
+    apart = std::max(apart, largest_difference(tail(a.column(point, kTension), there), there));
+  }
+  const auto &f = a.fields.at("effective_tension"), &g = b.fields.at("effective_tension");
+  return std::max(apart, largest_difference(tail(f, g), g)) / most;
+}
+
+void expect_same_steps(const Results& a, const Results& b) {
+  EXPECT_GT(b.step_times.size(), 15u);
+  EXPECT_EQ(tail(a.step_times, b.step_times), b.step_times);
+  EXPECT_EQ(tail(a.output_times, b.output_times), b.output_times);
+  const auto iterations = b.column("solver", 1);
+  EXPECT_EQ(tail(a.column("solver", 1), iterations), iterations) << "Newton iterations";
+}
+
+void compare(const std::string& name, Edits edits, double tolerance) {
+  edits.insert(edits.begin(), kFine.begin(), kFine.end());
+  const std::string path = folder(name), here = reel(path + "/reel.yaml", edits);
+  run_on_one({here, path + "/one.h5", "", kEnd});
+  run_on_all({here, path + "/all.h5", "", kEnd});
+  run_on_all({here, path + "/half.h5", "", kHalf});
+  run_on_one({here, path + "/fewer.h5", path + "/half.h5", kEnd});
+  run_on_one({here, path + "/half_one.h5", "", kHalf});
+  run_on_all({here, path + "/more.h5", path + "/half_one.h5", kEnd});
+  if (rank_of(MPI_COMM_WORLD) > 0) return;
+  const Results one = read(path + "/one.h5"), all = read(path + "/all.h5"), fewer = read(path + "/fewer.h5"),
+                more = read(path + "/more.h5");
+  ASSERT_GT(one.fields.at("effective_tension").size() / one.output_times.size(), 1000u);
+  EXPECT_NEAR(largest(one.column("fairlead", kTension)), 670e3, 20e3);
+  EXPECT_GT(largest(one.fields.at("contact_force")), 1e3);
+  expect_same_steps(one, all);
+  // So do those that were stopped, since that was at a time of output.
+  expect_same_steps(one, fewer), expect_same_steps(one, more);
+  const double ranks = tension_apart(one, all), down = tension_apart(all, fewer),
+               up = tension_apart(one, more);
+  std::printf(
+      "%s, 1200 elements: tensions on 1 and %d ranks differ by %.1e of the largest; gone on with on fewer "
+      "ranks %.1e, on more %.1e\n",
+      name.c_str(), size_of(MPI_COMM_WORLD), ranks, down, up);
+  EXPECT_LE(ranks, tolerance);
+  EXPECT_LE(down, 1e-9);
+  EXPECT_LE(up, 1e-9);
+  EXPECT_EQ(ranks > 0, size_of(MPI_COMM_WORLD) > 1) << "to the last bit only if nothing was cut";
+}
+
+TEST(ReelCut, WithFriction) { compare("reel_cut", {}, 1e-6); }
+
+TEST(ReelCut, WithoutFriction) { compare("reel_cut_frictionless", {{"friction: 0.3", "friction: 0"}}, 1e-9); }
+
+}  // namespace
+}  // namespace hawser::runs

@@ -1,0 +1,41 @@
+"""Bad case files through the whole program: one sentence on stderr, exit code 2, nothing written.
+
+That it is the right sentence for each of them is tested without the program (tests/unit/case_bad_files.cpp). Here it
+is every third; all of them with HAWSER_FULL in the environment.
+"""
+import os
+import shutil
+import tempfile
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from support import ROOT, run
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+BAD = ROOT / "tests/data/bad"
+
+
+class BadFiles(unittest.TestCase):
+    def test_one_sentence_and_nothing_written(self):
+        folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        shutil.copytree(BAD, folder / "bad")
+        files = sorted((folder / "bad").glob("*.yaml"))
+        self.assertGreaterEqual(len(files), 100)
+        files = files[:: 1 if os.environ.get("HAWSER_FULL") else 3]
+        before = sorted(folder.rglob("*"))
+        with ThreadPoolExecutor(2) as pool:
+            results = list(pool.map(lambda file: run(HAWSER, "run", file, cwd=folder, timeout=60), files))
+        for file, result in zip(files, results):
+            with self.subTest(file=file.name):
+                self.assertEqual(result.returncode, 2, result.stderr)
+                self.assertRegex(result.stderr, r"\Ahawser: [^\n]*\b" + file.name.replace(".", r"\.") + r":\d+: [^\n]+\n\Z")
+                self.assertEqual(result.stdout, "")
+                expected = file.read_text("utf-8").splitlines()[0].removeprefix("# expect: ")
+                self.assertIn(expected, result.stderr.replace(f"{folder / 'bad'}/", ""))
+        self.assertEqual(sorted(folder.rglob("*")), before, "something was written")
+
+
+if __name__ == "__main__":
+    unittest.main()
