@@ -53,6 +53,37 @@ class EdgeGap final : public AxisGapFunction {
   double touch_;
 };
 
+// Places and weights of the Gauss points of a panel follow its ends, and these the bodies, where they are
+// roots of the gap: what that adds to the tangent. length [m]: of the edge, times the share of the force.
+void add_moving_ends(const BodyFrame& A, const SkeletonEdge& e, const BodyFrame& B, const BodyFrame& Bs,
+                     const Surface& surface, const NormalLaw& law, double length, const ContactStretch& s,
+                     Mat12& K) {
+  const Vec3 way = e.to - e.from;
+  const double touch = e.radius + law.smoothing, span = s.to - s.from;
+  const auto at = [&](double xi) { return Vec3(e.from + xi * way); };
+  const auto see = [&](const Vec3& y, double within) {
+    return surface.query(Bs.to_body(A.to_space(y)), within);
+  };
+  for (const bool last : {false, true}) {
+    if (!(last ? s.to_moves : s.from_moves)) continue;
+    const Vec3 end = at(last ? s.to : s.from);
+    const auto there = see(end, touch + 1e-9);
+    if (!there) continue;
+    const double slope = (B.R * there->normal).dot(A.R * way);
+    if (std::abs(slope) < 1e-9 * way.norm()) continue;
+    Vec12 by_end = Vec12::Zero();
+    for (size_t k = 0; k < ContactRule::kPoints; ++k) {
+      const double place = ContactRule::place()[k], weight = ContactRule::weight()[k];
+      const Vec3 y = at(s.from + span * place);
+      const auto p = see(y, touch);
+      if (!p) continue;
+      const BodyContactAlong c = body_contact_along(A, y, way, e.radius, B, *p, law);
+      by_end += length * weight * ((last ? 1.0 : -1.0) * c.f + span * (last ? place : 1 - place) * c.slope);
+    }
+    K -= by_end * body_gap_gradient(A, end, B, *there).transpose() / slope;
+  }
+}
+
 }  // namespace
 
 BodyContactTerm::BodyContactTerm(const model::Case& c, const LocalMesh& mesh,
@@ -175,12 +206,14 @@ BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Kinematics& 
         const double length = (e.to - e.from).norm();
         EdgeGap gap(A, Bs, e, surface, e.radius + d);
         const auto panels = cut_stretches(contact_stretches(gap, {length}, kEdgeLevels), kEdgeLevels);
-        for (const ContactStretch& s : panels)
+        for (const ContactStretch& s : panels) {
           for (size_t k = 0; k < ContactRule::kPoints; ++k) {
             const double xi = s.from + (s.to - s.from) * ContactRule::place()[k];
             meet(e.from + xi * (e.to - e.from), e.radius,
                  pair.share * length * (s.to - s.from) * ContactRule::weight()[k]);
           }
+          if (tangent) add_moving_ends(A, e, B, Bs, surface, pair.law, pair.share * length, s, sum.contact.K);
+        }
       }
   return sum;
 }

@@ -170,8 +170,12 @@ inline constexpr NodeStory kStory[8] = {
     {-5 * mm, -4 * mm, 20 * mm, 0.1}, {-0.3 * mm, 0.2 * mm, 5 * mm, 0.02},    {10 * mm, -4 * mm, 1 * mm, 0.1},
     {10 * mm, -5 * mm, 40 * mm, 0.1}, {-3 * mm, 5 * mm, 1 * mm, 0.1}};
 
+// How a node is kept out; with multipliers or held, those of the start of the step. The last: by multipliers
+// alone, as the exact statics does it.
+enum class Kept { elastic, augmented, rigid, gap, exact };
+
 inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn on, double axial,
-                                  double lateral) {
+                                  double lateral, Kept kept = Kept::elastic) {
   const LocalMesh& l = m.system->mesh();
   const Quat start = exp_so3({0.3, -0.2, 0.5});
   const bool moves = on != ContactOn::plane && on != ContactOn::corner;
@@ -195,9 +199,16 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
     v.surface = std::make_shared<MeshSurface>(floor_and_wall());
   else
     v.surface = std::make_shared<MeshSurface>(testing::box_mesh(Vec3(0, 0, -1), Vec3(3, 3, 2)));
+  // What holds a node in motion goes by its mass: one that asks for no more than the spring.
+  const double mass = kept == Kept::elastic || kept == Kept::gap ? 50 : 0.02;
+  v.settings.relative_damping *= std::sqrt(50 / mass);
+  const NodeContact model = kept == Kept::gap       ? NodeContact::gap
+                            : kept == Kept::rigid   ? NodeContact::rigid
+                            : kept == Kept::elastic ? NodeContact::elastic
+                                                    : NodeContact::augmented;
   auto term = std::make_unique<VolumeContact>(
       l, bodies, std::vector<ContactVolume>{v},
-      std::vector<ContactNode>(static_cast<size_t>(l.owned), {kContactRadius, 50}));
+      std::vector<ContactNode>(static_cast<size_t>(l.owned), {kContactRadius, mass}), model);
   VolumeContact& contact = *term;
   m.system->add(std::move(term));
 
@@ -221,6 +232,19 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
   m.system->commit(t.from.view(t.h));
   m.system->prepare(t.from.view(t.h), t.h);
   t.length = 0.2 * mm;
+  if (kept == Kept::augmented) contact.augment(t.from.view(t.h));
+  if (kept == Kept::rigid) {  // held where it is deep at the start, then with its force, or deep in the trial
+    for (int i = 0; i < 2; ++i) contact.augment(t.from.view(t.h));
+    contact.augment(state_of(l, t).view(t.h));
+  }
+  if (kept == Kept::exact) {
+    std::vector<double> forces;
+    for (int n = 0; n < l.owned; ++n) {
+      const NodeStory& s = kStory[l.global[static_cast<size_t>(n)]];
+      forces.push_back(std::max(0.0, -kNormalStiffness * s.before));
+    }
+    contact.set_multipliers(forces);
+  }
   return contact;
 }
 
@@ -500,6 +524,20 @@ inline std::vector<SuiteCase> contact_cases() {
                        add_contact(*m, at, on, axial, lateral);
                        return m;
                      }});
+  for (const auto& [kept, how] : {std::pair(Kept::augmented, "augmented"),
+                                  {Kept::rigid, "rigid"},
+                                  {Kept::gap, "gap"},
+                                  {Kept::exact, "exact"}})
+    for (const auto& [on, name] : kinds)
+      for (const double friction : {0.0, 0.3}) {
+        if (kept == Kept::exact && friction == 0) continue;  // on a plane there is no tangent
+        out.push_back({std::string("contact, ") + how + ", " + name + (friction > 0 ? "" : ", smooth"),
+                       [on = on, kept = kept, friction](MPI_Comm comm, const Placement& at) {
+                         auto m = std::make_unique<SuiteModel>(comm, at);
+                         add_contact(*m, at, on, friction, friction, kept);
+                         return m;
+                       }});
+      }
   return out;
 }
 

@@ -14,7 +14,7 @@
 
 namespace hawser::test {
 
-enum class Under { plane, roller, drum, edge, corner };
+enum class Under { plane, roller, drum, edge, vertex, corner };
 
 struct LineCase {
   std::string name;
@@ -30,6 +30,7 @@ inline std::vector<LineCase> line_cases() {
                                  {Under::roller, "roller"},
                                  {Under::drum, "drum"},
                                  {Under::edge, "edge"},
+                                 {Under::vertex, "vertex"},
                                  {Under::corner, "corner"}}) {
     out.push_back({std::string(name) + ", smooth", on});
     for (const bool far : {false, true}) {
@@ -71,6 +72,7 @@ inline Gaps gaps(Under on) {
     case Under::corner:
       return {{-2, -5, -5, 8}, {3, -6, -4, -3}};
     case Under::roller:  // below the middle of the second element: it is 5 mm deep there
+    case Under::vertex:
       return {{-5, -5.5, -4.5, -5}, {-6, -5.2, -4.4, -3}};
     case Under::edge:  // at x = 1.8 the box ends
       return {{4, -4, -6, -30}, {6, -3.5, -7, -35}};
@@ -98,6 +100,18 @@ inline TriangleMesh channel_mesh(double left, double right) {
   return m;
 }
 
+// Of one piece, two pyramids side by side with their points below the lines, at z = 0.
+inline TriangleMesh pyramids_mesh() {
+  TriangleMesh m;
+  for (const double y : {-1.0, 0.75, 2.5})
+    for (const double x : {0.8, 2.8}) m.vertices.push_back({x, y, -1});
+  const Vec3 first(1.83, 0.01, 0), second(1.81, 1.52, 0), below(1.8, 0.75, -3);
+  for (const Vec3& v : {first, second, below}) m.vertices.push_back(v);
+  m.triangles = {{0, 1, 6}, {1, 3, 6}, {3, 2, 6}, {2, 0, 6}, {2, 3, 7}, {3, 5, 7}, {5, 4, 7},
+                 {4, 2, 7}, {1, 0, 8}, {3, 1, 8}, {5, 3, 8}, {4, 5, 8}, {2, 4, 8}, {0, 2, 8}};
+  return m;
+}
+
 inline std::shared_ptr<const Surface> surface_of(Under on) {
   switch (on) {
     case Under::plane:
@@ -108,6 +122,8 @@ inline std::shared_ptr<const Surface> surface_of(Under on) {
       return std::make_shared<CylinderSurface>(Vec3(0, -8, 0), Vec3(0, 8, 0), 5);
     case Under::edge:
       return std::make_shared<MeshSurface>(testing::box_mesh(Vec3(-3, -4, -2), Vec3(1.8, 4, 0)));
+    case Under::vertex:
+      return std::make_shared<MeshSurface>(pyramids_mesh());
     case Under::corner:
       return std::make_shared<MeshSurface>(channel_mesh(-kLineRadius, 1.5 + kLineRadius));
   }

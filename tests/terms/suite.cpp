@@ -58,6 +58,25 @@ TEST(Suite, ContactSituations) {
   }
 }
 
+// Held nodes push, slide and pull.
+TEST(Suite, HeldSituations) {
+  SuiteModel m;
+  VolumeContact& contact = add_contact(m, {}, ContactOn::plane, 0.3, 0.3, Kept::rigid);
+  const State s = state_of(m.system->mesh(), m.trial);
+  for (int n = 0; n < 8; ++n) {
+    const auto f = contact.force(s.view(m.trial.h), n, false);
+    const double normal = (f.total - f.friction).dot(exp_so3({0.3, -0.2, 0.5}) * Vec3::UnitZ());
+    EXPECT_EQ(f.touches, n != 0) << n;
+    if (n == 1 || n == 4 || n == 7) {
+      EXPECT_LT(normal, -1) << n;
+      EXPECT_EQ(f.friction.norm(), 0) << n;
+    } else if (n > 0) {
+      EXPECT_GT(normal, 100) << n;
+      EXPECT_EQ(f.friction.norm() > 0.2999 * normal, n == 3 || n == 6) << n;
+    }
+  }
+}
+
 TEST(Suite, EvaluatingLeavesNoTrace) {
   for (const SuiteCase& c : all_cases()) {
     const auto m = c.build(PETSC_COMM_SELF, {});

@@ -15,7 +15,9 @@
 namespace hawser::test {
 
 // Equilibrium near `state` at state.time; returns the iterations. Throws std::runtime_error when it fails.
-inline int newton(System& system, State& state, double tolerance = 1e-12) {
+// residuals: those of all iterates, of the size of their contributions.
+inline int newton(System& system, State& state, double tolerance = 1e-12,
+                  std::vector<double>* residuals = nullptr) {
   VecHandle u = system.create_vector(), r = system.create_vector();
   MatHandle J = system.create_matrix();
   KspHandle ksp;
@@ -28,6 +30,7 @@ inline int newton(System& system, State& state, double tolerance = 1e-12) {
   for (int it = 0; it < 40; ++it) {
     system.prepare(state.view(0), 0);
     system.residual(state.view(0), r.get());
+    if (residuals) residuals->push_back(system.norms(r.get()).relative());
     if (last) return it;
     last = it > 0 && system.norms(r.get()).small(tolerance);  // one more step to polish
     system.tangent(state.view(0), {}, zero, false, J.get());
@@ -42,6 +45,21 @@ inline int newton(System& system, State& state, double tolerance = 1e-12) {
     std::swap(state, next);
   }
   throw std::runtime_error("Newton does not converge");
+}
+
+// Whether the last iterations are quadratic: the largest r2/r1² of residuals, of the size of their
+// contributions, that follow each other, r1 below 1e-2 and r2 above round-off. Linear ones, were it by a
+// hundred each, make it as large as 1e3 on their way. Infinite when there were none.
+inline double newton_square(const std::vector<double>& r, double round_off = 1e-10) {
+  double most = 0;
+  for (size_t i = 1; i < r.size(); ++i)
+    if (r[i - 1] < 1e-2 && r[i] > round_off) most = std::max(most, r[i] / (r[i - 1] * r[i - 1]));
+  return most > 0 ? most : HUGE_VAL;
+}
+inline void print_residuals(const std::vector<double>& r) {
+  printf("    residuals");
+  for (const double x : r) printf(" %.1e", x);
+  printf(": squared within %.2f\n", newton_square(r));
 }
 
 // Raises loads with a ramp of 1 s from time 0 to 1 in `steps`, halved where Newton fails, and follows the

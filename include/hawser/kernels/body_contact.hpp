@@ -43,4 +43,14 @@ BodyContactPoint body_contact(const BodyFrame& A, const Vec3& y, double radius, 
                               const SurfacePoint& surface, const NormalLaw& law, double weight, bool tangent,
                               BodyContact& sum);
 
+// The gap by the motion of the two bodies.
+Vec12 body_gap_gradient(const BodyFrame& A, const Vec3& y, const BodyFrame& B, const SurfacePoint& surface);
+
+// The residual at y of a unit of weight, and how it changes when y goes on by dy.
+struct BodyContactAlong {
+  Vec12 f = Vec12::Zero(), slope = Vec12::Zero();
+};
+BodyContactAlong body_contact_along(const BodyFrame& A, const Vec3& y, const Vec3& dy, double radius,
+                                    const BodyFrame& B, const SurfacePoint& surface, const NormalLaw& law);
+
 }  // namespace hawser

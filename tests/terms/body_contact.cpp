@@ -1,0 +1,190 @@
+// Contact of bodies with bodies: exact tangents of what leads (balls, corners, edges, faces) on what it meets
+// (faces, edges, vertices, round things), open, in the ramp and beyond, with one body floating or both.
+#include "hawser/terms/body_contact.hpp"
+
+#include "hawser/app/volumes.hpp"
+#include "hawser/mesh/partition.hpp"
+#include "support/taylor.hpp"
+
+namespace hawser::test {
+namespace {
+
+using model::StiffnessBasis;
+
+// The box that is met: its top is z = 0.45, an edge of it x = 0.5 there.
+const BoxShape kMet{{0, 0, 0}, {1, 1.2, 0.9}};
+const Vec3 kEdge(0.5, 0.1, 0.45), kVertex(0.5, 0.6, 0.45), kTop(0.1, -0.2, 0.45);
+constexpr double kGapSmoothing = 1e-3;
+
+struct TouchCase {
+  std::string name;
+  Primitive shape, met = kMet;
+  StiffnessBasis basis;
+  Quat turn = Quat::Identity();  // of the body that leads in the axes of the other
+  Vec3 at = Vec3::Zero();        // of its shape, body frame: what is nearest
+  double radius = 0;             // m, about it
+  Vec3 on = kTop;                // of the other, and which way is out there
+  Vec3 out = Vec3::UnitZ();
+  StiffnessBasis met_basis = StiffnessBasis::per_area;
+  double slack = 2e-3;  // m, about as much deeper is it elsewhere
+};
+
+Quat axes(const Vec3& x, const Vec3& y) {
+  Mat3 m;
+  m.col(0) = x.normalized(), m.col(1) = y.normalized(), m.col(2) = m.col(0).cross(m.col(1));
+  return Quat(m);
+}
+
+std::vector<TouchCase> touch_cases() {
+  const SphereShape ball{{0.1, 0.2, -0.1}, 0.3};
+  const BoxShape box{{0.05, 0, 0.1}, {0.8, 1, 0.6}};
+  const CapsuleShape bar{{-0.3, 0.1, 0}, {0.3, 0.1, 0}, 0.2};
+  const Vec3 low(-0.35, 0, -0.2);  // on an edge of `box`, which is along y
+  const Vec3 over_edge = Vec3(0.8, 0, 0.6), across = Vec3(-0.6, 0.5, 0.8).normalized();
+  const Quat on_edge = Quat::FromTwoVectors(Vec3(-1, 0, -1), -Vec3::UnitZ());  // stands on that edge
+  const StiffnessBasis point = StiffnessBasis::per_point, length = StiffnessBasis::per_length,
+                       area = StiffnessBasis::per_area;
+  return {
+      {"ball, face", ball, kMet, point, exp_so3({1, 2, 3}), ball.centre, 0.3},
+      {"ball, edge", ball, kMet, point, exp_so3({1, 2, 3}), ball.centre, 0.3, kEdge, over_edge},
+      {"ball, vertex", ball, kMet, point, exp_so3({1, 2, 3}), ball.centre, 0.3, kVertex, {0.6, 0.5, 0.6}},
+      {"ball, ball", ball, SphereShape{{0, 0, 0.1}, 0.7}, point, exp_so3({1, 2, 3}), ball.centre, 0.3,
+       Vec3(0, 0, 0.1) + 0.7 * over_edge, over_edge, point},
+      {"ball, cylinder", ball, CylinderShape{{0, -1, 0}, {0, 1, 0}, 0.7}, point, exp_so3({1, 2, 3}),
+       ball.centre, 0.3, 0.7 * over_edge, over_edge},
+      {"corner, face",
+       box,
+       kMet,
+       point,
+       Quat::FromTwoVectors(Vec3(-4, -5, -3), -Vec3::UnitZ()),
+       {-0.35, -0.5, -0.2}},
+      {"edge along a face", box, kMet, length, on_edge, low},
+      {"edge along a cylinder",
+       box,
+       CylinderShape{{0, -1, 0}, {0, 1, 0}, 0.7},
+       length,
+       on_edge,
+       low,
+       0,
+       {0, 0, 0.7}},
+      {"edge on a face, askew", box, kMet, length, exp_so3({0.016, 0, 0}) * on_edge, low, 0, kTop,
+       Vec3::UnitZ(), area, 9e-3},
+      {"edge on a ball",
+       box,
+       SphereShape{{0, 0, 0.1}, 0.7},
+       length,
+       exp_so3({0.1, 0, 0.4}) * on_edge,
+       low + Vec3(0, 0.13, 0),
+       0,
+       {0, 0, 0.8},
+       Vec3::UnitZ(),
+       area,
+       4e-3},
+      {"edge across an edge", box, kMet, length, axes(across.cross(over_edge) + over_edge, across), low, 0,
+       kEdge, over_edge, length},
+      {"bar along a face", bar, kMet, length, exp_so3({0, 0, 0.7}), {0, 0.1, 0}, 0.2},
+      {"bar across an edge",
+       bar,
+       kMet,
+       length,
+       axes(across, over_edge.cross(across)),
+       {0.07, 0.1, 0},
+       0.2,
+       kEdge,
+       over_edge},
+      {"faces", box, PlaneShape{}, area, exp_so3({5e-4, -4e-4, 0.4}), {0.05, 0, -0.2}, 0, {0.3, 0.2, 0}},
+  };
+}
+
+struct BodyModel {
+  model::Case c;
+  std::vector<app::LoadedVolume> volumes;
+  Mesh mesh;
+  std::shared_ptr<const Bodies> bodies;
+  std::unique_ptr<System> system;
+  BodyContactTerm* contact = nullptr;
+  Trial trial;
+
+  // gap [m] between the two in the trial; closing [m/s] as they come together.
+  BodyModel(const TouchCase& what, double gap, bool floats, double closing) {
+    const auto volume = [&](const char* body, const Primitive& shape, StiffnessBasis basis) {
+      model::Volume v;
+      v.name = v.body = body, v.shape = shape, v.basis = basis;
+      v.normal_stiffness = 1e5, v.smoothing = kGapSmoothing, v.relative_damping = 0.2;
+      c.volumes.push_back(v);
+      c.bodies.emplace_back().name = body;
+    };
+    volume("leads", what.shape, what.basis), volume("met", what.met, what.met_basis);
+    c.bodies[0].mass.emplace(), c.bodies[0].mass->mass = 40, c.bodies[0].mass->centre = {0.03, -0.05, 0.1};
+    c.bodies[0].mass->inertia = {4, 5, 6};
+    model::Body& other = c.bodies[1];
+    other.position = {1, 2, 3}, other.rotation = {0.5, -0.4, 0.8};
+    if (floats) {
+      other.mass = c.bodies[0].mass;
+      other.mass->mass = 70, other.mass->centre = {-0.1, 0.02, 0.05};
+    }
+    volumes = app::load_volumes(c);
+    mesh = build_mesh(c);
+    bodies = std::make_shared<const Bodies>(std::vector<RigidMotion>{
+        {},
+        {other.position, other.rotation,
+         floats ? MotionLaw() : MotionLaw(SteadyLaw{{0.2, -0.1, 0.3}, {1, 2, -2}, 0.4})}});
+    system = std::make_unique<System>(PETSC_COMM_SELF,
+                                      local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1));
+    std::vector<TouchingVolume> touching;
+    auto skeletons = app::skeletons(c, volumes);
+    const auto faces = app::surfaces(volumes);
+    for (size_t v = 0; v < 2; ++v) touching.push_back({faces[v], skeletons[v]});
+    auto term = std::make_unique<BodyContactTerm>(c, system->mesh(), bodies, touching);
+    contact = term.get();
+    system->add(std::move(term));
+
+    const LocalMesh& l = system->mesh();
+    trial.h = 0.01, trial.length = trial.angle = 1e-4;
+    trial.from = trial.rates = State(l.nodes());
+    trial.from.time = 1;
+    trial.u.assign(3 * static_cast<size_t>(l.blocks()), 0);
+    const RigidPose met = bodies->pose(1, floats ? 0 : trial.from.time + trial.h);
+    const Quat q = met.rotation * what.turn;
+    const Vec3 out = what.out.normalized();
+    const Vec3 x = met.to_space(what.on + (what.radius + gap) * out) - q * what.at;
+    const auto put = [&](int body, const Vec3& origin, const Quat& turn, const Vec3& v, const Vec3& w) {
+      const int node = l.find(mesh.body_node(body));
+      const size_t i = static_cast<size_t>(node);
+      const Vec3 at = origin + turn * c.bodies[static_cast<size_t>(body)].mass->centre;
+      const Vec3 u = 0.02 * noise3(body, 1), turned = 0.3 * noise3(body, 2);
+      trial.from.x[i] = at - u, trial.from.q[i] = turn * exp_so3(-turned);
+      double* to = trial.u.data() + 3 * l.block[i];
+      Eigen::Map<Vec3>(to, 3) = u, Eigen::Map<Vec3>(to + 3, 3) = turned;
+      trial.rates.v[i] = v, trial.rates.w[i] = w;
+    };
+    put(0, x, q, met.velocity_at(x) - closing * (met.rotation * out) + 0.05 * noise3(0, 3),
+        0.05 * noise3(0, 4));
+    if (floats) put(1, met.position, met.rotation, 0.05 * noise3(1, 3), 0.05 * noise3(1, 4));
+    system->couple(trial.from.view(trial.h), trial.h);
+    system->prepare(trial.from.view(trial.h), trial.h);
+  }
+};
+
+TEST(BodyContactTerm, Tangents) {
+  for (const TouchCase& c : touch_cases())
+    for (const bool floats : {true, false})
+      for (const auto& [gap, name] : {std::pair(4e-3 + c.slack, "open"), {0.2e-3, "ramp"}, {-5e-3, "full"}}) {
+        BodyModel m(c, gap, floats, 0.1);
+        const std::string what = c.name + ", " + name + (floats ? ", two" : ", one");
+        const State s = state_of(m.system->mesh(), m.trial);
+        double size = 0;
+        for (const double f : residual(*m.system, s, m.trial.h)) size = std::max(size, std::abs(f));
+        if (gap > kGapSmoothing) {
+          EXPECT_EQ(size, 0) << what;
+          continue;
+        }
+        EXPECT_GT(size, 1e-3) << what;
+        m.system->commit(s.view(m.trial.h));
+        EXPECT_NEAR(m.contact->largest_penetration(), std::max(-gap, 0.0), c.slack) << what;
+        expect_tangent(*m.system, m.trial, what);
+      }
+}
+
+}  // namespace
+}  // namespace hawser::test
