@@ -112,9 +112,13 @@ void expect_ratio(const char* what, double parameter, const Drawn& d, double exa
 // C01: the line lifts off where 1 - cos a = B/(2 T), B = EI/rho²; there it presses with a single force T sin
 // a, whose friction counts, and its legs become straight EI/(2 T rho) beside the drum.
 TEST(LineCapstanVariants, BendingStiffness) {
-  for (const auto& [B, exact] :
-       {std::pair(0.02, 2.550233535), std::pair(0.1, 2.491762757), std::pair(0.5, 2.259254705)}) {
+  for (const auto& [mu, wrap, B, exact] : {std::tuple(0.3, M_PI, 1e-4, 2.566247378),
+                                           {0.3, M_PI, 0.02, 2.550233535},
+                                           {0.3, M_PI, 0.1, 2.491762757},
+                                           {0.3, M_PI, 0.5, 2.259254705},
+                                           {0.2, M_PI / 2, 0.1, 1.354779408}}) {
     Rope r;
+    r.mu = mu, r.wrap = wrap;
     r.EI = B * r.load * kRho * kRho;
     r.leg = 6 * std::sqrt(B) + 1;
     r.beside = r.EI / (2 * exact * r.load * kRho);
@@ -124,9 +128,12 @@ TEST(LineCapstanVariants, BendingStiffness) {
 
 // C11: T = C e^(mu a) + w rho ((1 - mu²) sin a - 2 mu cos a)/(1 + mu²).
 TEST(LineCapstanVariants, HeavyRope) {
-  for (const auto& [weight, exact] : {std::pair(100.0, 2.76264427), std::pair(500.0, 3.54789177)}) {
+  for (const auto& [mu, weight, exact] : {std::tuple(0.2, 100.0, 1.985012091),
+                                          {0.2, 500.0, 2.427236104},
+                                          {0.3, 100.0, 2.76264427},
+                                          {0.3, 500.0, 3.54789177}}) {
     Rope r;
-    r.weight = weight, r.way = 0.03, r.speed = 0.01;
+    r.mu = mu, r.weight = weight, r.way = 0.03, r.speed = 0.01;
     expect_ratio("w N/m", weight, draw(r), exact, 0.005);
   }
 }

@@ -121,6 +121,7 @@ TEST_P(Roller, ReactionIsSmooth) {
   const Ridden r = ride(GetParam(), model::ContactMethod::line);
   tell("line", GetParam(), r);
   EXPECT_LT(r.ripple, 1e-3);
+  EXPECT_LT(r.worst, 1e-3);
   EXPECT_LE(r.most_iterations, 5);
   EXPECT_EQ(r.lost, 0);
 }
