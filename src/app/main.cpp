@@ -1,8 +1,11 @@
 // hawser: the command line.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <petsclog.h>
 #include <petscsys.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -14,6 +17,7 @@
 #include "hawser/app/version.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/line_library.hpp"
+#include "hawser/io/write_error.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace {
@@ -31,8 +35,31 @@ struct Petsc {
   }
   // No rank ends before the others are here: mpirun kills the rest when one ends with an error, and rank 0
   // has something to say.
-  ~Petsc() { PetscFinalize(); }
+  ~Petsc() {
+    // PETSc has a stage that is not used here; -log_view would show it, as "Unknown".
+    PetscStageLog log = nullptr;
+    if (PetscLogGetStageLog(&log) == 0)
+      for (int s = 0; s < log->numStages; ++s)
+        if (!log->stageInfo[s].used) PetscLogStageSetVisible(s, PETSC_FALSE);
+    PetscFinalize();
+  }
 };
+
+// Of the options given to PETSc, in the order they were given, those that nothing has asked for. One is asked
+// for after the end of the run.
+std::vector<std::string> unused(const std::vector<char*>& given) {
+  PetscInt n = 0;
+  char **names = nullptr, **values = nullptr;
+  if (PetscOptionsLeftGet(nullptr, &n, &names, &values)) return {};
+  std::vector<std::string> out;
+  for (const char* word : given)
+    for (PetscInt i = 0; word && i < n; ++i)
+      if (std::string(word) == std::string("-") + names[i] && std::string(word) != "-options_left" &&
+          std::count(out.begin(), out.end(), word) == 0)
+        out.push_back(word);
+  PetscOptionsLeftRestore(nullptr, &n, &names, &values);
+  return out;
+}
 
 int guarded(const Petsc& petsc, const std::function<int()>& work) {
   int code = 1;
@@ -43,6 +70,8 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
     code = hawser::kExitInput, text = e.what();
   } catch (const hawser::SolveError& e) {
     code = hawser::kExitSolve, text = e.what();
+  } catch (const hawser::io::WriteError& e) {
+    code = hawser::io::kExitWrite, text = e.what();
   } catch (const std::exception& e) {
     // Not the user's doing, and perhaps only this rank's: the others must not wait for it.
     std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
@@ -52,6 +81,12 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
     return 1;
   }
   if (petsc.rank == 0) std::fputs(fmt::format("hawser: {}\n", text).c_str(), stderr);
+  if (code == hawser::io::kExitWrite) {
+    // All ranks are here. When MPI ends HDF5 would write once more what a full disk has refused, and crash.
+    std::fflush(nullptr);
+    MPI_Barrier(PETSC_COMM_WORLD);
+    std::_Exit(code);
+  }
   return code;
 }
 
@@ -145,7 +180,12 @@ int main(int argc, char** argv) {
   }
   run.options_text = options;
   return guarded(petsc, [&] {
-    return *run_command ? hawser::app::run(PETSC_COMM_WORLD, run)
-                        : hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks);
+    if (!*run_command) return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks);
+    const int code = hawser::app::run(PETSC_COMM_WORLD, run);
+    const auto left = unused(theirs);
+    if (petsc.rank == 0 && !run.quiet && !left.empty())
+      fmt::print("\nwarning: nothing in this run has used the PETSc option{} {}\n",
+                 left.size() > 1 ? "s" : "", fmt::join(left, ", "));
+    return code;
   });
 }

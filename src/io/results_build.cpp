@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "hawser/base/error.hpp"
+#include "hawser/io/write_error.hpp"
 #include "hawser/io/xdmf.hpp"
 
 namespace hawser::io {
@@ -337,9 +338,13 @@ void build_results(const std::string& path, const ResultContents& contents, cons
     if (last && last->summary) write_summary(file, *last->summary);
     if (last && contents.clashes) write_last_clashes(file, last->clashes, clashes, kept.outputs - 1);
     h5::check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot write " + made);
-  } catch (...) {
+  } catch (const InputError&) {
     std::remove(made.c_str());
     throw;
+  } catch (const std::exception& e) {
+    const std::string text = cannot_write(path, e.what());
+    std::remove(made.c_str());
+    throw WriteError(text);
   }
   put_in_place(made, path);
 }

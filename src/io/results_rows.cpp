@@ -4,6 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hawser/base/error.hpp"
+#include "hawser/io/write_error.hpp"
+
 namespace hawser::io {
 
 std::vector<RowRun> runs_of(const std::vector<int>& ascending) {
@@ -38,6 +41,12 @@ void SharedFile::close() {
   file_.reset();
 }
 
+void SharedFile::note(const std::exception& e) {
+  ours_ = dynamic_cast<const std::logic_error*>(&e) || dynamic_cast<const InputError*>(&e);
+  const bool told = ours_ || dynamic_cast<const WriteError*>(&e);
+  trouble_ = told ? e.what() : cannot_write(path_, e.what());
+}
+
 void SharedFile::agree() {
   int size = 0;
   MPI_Comm_size(comm_, &size);
@@ -48,7 +57,10 @@ void SharedFile::agree() {
   MPI_Bcast(&length, 1, MPI_INT, who, comm_);
   trouble_.resize(static_cast<size_t>(length));
   MPI_Bcast(trouble_.data(), length, MPI_CHAR, who, comm_);
-  throw std::runtime_error(std::exchange(trouble_, ""));
+  MPI_Bcast(&ours_, 1, MPI_C_BOOL, who, comm_);
+  const std::string text = std::exchange(trouble_, "");
+  if (ours_) throw std::runtime_error(text);
+  throw WriteError(text);
 }
 
 namespace {

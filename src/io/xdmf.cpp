@@ -1,13 +1,15 @@
 #include "hawser/io/xdmf.hpp"
 
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <set>
-#include <stdexcept>
 
 #include "hawser/io/results.hpp"
 #include "hawser/io/results_build.hpp"
+#include "hawser/io/write_error.hpp"
 
 namespace hawser::io {
 
@@ -187,9 +189,15 @@ void XdmfWriter::save(const std::string& path) const {
         << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
         << body_ << "</Grid>\n</Domain>\n</Xdmf>\n";
     out.flush();
-    if (!out) throw std::runtime_error("cannot write " + made);
+    if (!out) {
+      const std::string text = cannot_write(path, std::strerror(errno));
+      out.close();
+      std::remove(made.c_str());
+      throw WriteError(text);
+    }
   }
-  if (std::rename(made.c_str(), path.c_str())) throw std::runtime_error("cannot write " + path);
+  if (std::rename(made.c_str(), path.c_str()))
+    throw WriteError("cannot write " + path + ": " + std::strerror(errno));
 }
 
 }  // namespace hawser::io

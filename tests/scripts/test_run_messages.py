@@ -98,6 +98,41 @@ class Messages(unittest.TestCase):
         self.refused(["run", "rod.yaml", "-o", "d.h5"], "that is a folder")
         self.refused(["run", "rod.yaml", "-o", "no/x.h5"], "there is no folder", ranks=2)
 
+    def test_options_that_nothing_uses(self):
+        used = ["-log_view", ":log.txt", "-dynamics_snes_rtol", "1e-9", "-dynamics_snes_converged_reason"]
+        result = self.hawser("run", "rod.yaml", "--", *used, "-dynamics_snes_rtoll", "1", "-walk")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("\nwarning: nothing in this run has used the PETSc options -dynamics_snes_rtoll, -walk\n", result.stdout)
+        stages = [line for line in (self.folder / "log.txt").read_text("utf-8").splitlines() if "Event Stage" in line]
+        self.assertTrue(stages)
+        self.assertNotRegex("".join(stages), "Unknown")
+        result = self.hawser("run", "rod.yaml", "--", *used, ranks=2)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotIn("warning", result.stdout)
+        result = self.hawser("run", "rod.yaml", "--", "-walk", ranks=2)
+        self.assertEqual(result.stdout.count("the PETSc option -walk\n"), 1)
+        self.assertEqual(self.hawser("run", "rod.yaml", "-q", "--", "-walk").stdout, "")
+
+    def test_full_disk(self):
+        """In a file system of its own that is too small: for the file, and for what is written as the run goes on."""
+        case = CASE.replace("elements: 8", "elements: 200").replace("duration: 0.2", "duration: 5")
+        write(self.folder, "rod.yaml", case.replace("every: 0.1", "every: 0.05"))
+        (self.folder / "disk").mkdir()
+        mount = 'mount -t tmpfs -o size="$1" none disk || exit 99; cp rod.yaml disk; '
+        alone = ["unshare", "--map-root-user", "--mount", "sh", "-c"]
+        if not shutil.which("unshare") or run(*alone, mount, "sh", "300k", cwd=self.folder).returncode:
+            self.skipTest("no file system of one's own may be made here")
+        for size in ["300k", "2000k"]:
+            for ranks in ([], ["mpirun", "-q", "-n", "2"]):
+                result = run(*alone, mount + 'shift; "$@"; code=$?; ls disk; exit $code', "sh", size, *ranks, HAWSER, "run",
+                             "disk/rod.yaml", "-q", cwd=self.folder, timeout=60)
+                with self.subTest(size=size, ranks=ranks):
+                    self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
+                    said = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
+                    self.assertEqual(len(said), 1, result.stderr)
+                    self.assertRegex(said[0], r"\Ahawser: cannot write \S*rod\.(h5|xdmf): no space left on the disk\Z")
+                    self.assertEqual(result.stdout.split(), ["rod.h5", "rod.xdmf", "rod.yaml"])
+
     def test_restarts_that_do_not_fit(self):
         def restart(file, *parts, case="rod.yaml", ranks=0):
             self.refused(["run", case, "-o", "new.h5", "--restart", file], f"cannot go on from {file}: ", *parts,

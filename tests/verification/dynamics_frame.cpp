@@ -27,7 +27,7 @@ constexpr double kEnergy = 114.8803442;  // J, once the load is gone; of the sam
 struct Frame {
   double tip = 0, elbow = 0;     // m, largest error up to 10 s
   double late = 0;               // m, of the tip, up to 30 s
-  double low = 1e300, high = 0;  // J, energy between 2 s and 10 s
+  double low = 1e300, high = 0;  // J, energy from 2 s on
 };
 
 Frame frame(int per_leg, double h, double rho, double until) {
@@ -54,7 +54,7 @@ Frame frame(int per_leg, double h, double rho, double until) {
   Frame out;
   size_t next = 0;
   integrate(d, until, 1, [&](const StepInfo& i) {
-    if (i.time > 2 + 1e-9 && i.time < 10) {
+    if (i.time > 2 + 1e-9) {
       const double e = total(system.energy(d.kinematics()));
       out.low = std::min(out.low, e), out.high = std::max(out.high, e);
     }

@@ -53,7 +53,7 @@ Tip elastica(double alpha, int elements) {
 // Closed form: a circle of radius EI/M. Judged at every node, for the tip alone says little of a full circle:
 // any chain of equal elements closes.
 TEST(Statics, RollUpByEndMoment) {
-  for (double lam : {0.25, 0.5, 0.75, 2.0}) {
+  for (double lam : {0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0}) {
     const double e10 = roll_up_error(lam, 10), e20 = roll_up_error(lam, 20), e40 = roll_up_error(lam, 40);
     std::printf("roll-up lam %.2f: error/L %.2e %.2e %.2e (10, 20, 40 elements), order %.2f %.2f\n", lam, e10,
                 e20, e40, order(e10, e20), order(e20, e40));

@@ -54,49 +54,173 @@ model::LineType bend_type(double J, double shear_factor) {
   return t;
 }
 
-double bend_error(int elements, double P, double J, double shear_factor, const Vec3& exact) {
+struct BendError {
+  double tip = 0, root = 0;  // over R; of the root's moment, over its size
+};
+BendError bend_error(int elements, double P, double J, double shear_factor, const Vec3& tip,
+                     const Vec3& moment) {
   Bend b(bend_type(J, shear_factor), elements, Vec3(0, 0, P));
   follow(*b.s, 10);
-  return (b.tip() - exact).norm() / kRadius;
+  const Vec3 root = b.s->state().q[0] * reaction(*b.s, 0, 1);
+  return {(b.tip() - tip).norm() / kRadius, (root + moment).norm() / moment.norm()};
 }
 
 }  // namespace
 
-// Reissner-Simo beam by shooting with DOP853 to 1e-12. The answer depends on the torsion constant: J = 1/6 or
-// Saint-Venant's 0.1406 of the unit square, and a little on the shear stiffness.
+// Reissner-Simo beam by shooting with DOP853 to 1e-12: the tip, and the moment at the root that holds the
+// load. The answer depends on the torsion constant: J = 1/6 or Saint-Venant's 0.1406 of the unit square, and
+// a little on the shear stiffness.
 TEST(Statics, FortyFiveDegreeBend) {
   struct {
     double J, shear, P;
-    Vec3 tip;
+    Vec3 tip, moment;
   } const rows[] = {
-      {1. / 6, 1, 300, {22.244780945367665, 58.779122489682806, 40.19189167015043}},
-      {1. / 6, 1, 600, {15.684800534038718, 47.1504385736291, 53.47485879182459}},
-      {1. / 6, 1, 1000, {10.98668164533804, 38.24157463395843, 60.21360284163936}},
-      {1. / 6, 5. / 6, 600, {15.684689478979566, 47.150096240342116, 53.475477998224520}},
-      {0.1405770, 5. / 6, 600, {15.557676149247344, 46.89158621923914, 53.607986406195394}},
+      {1. / 6,
+       1,
+       100,
+       {28.01148108075, 68.57642510031, 17.76926168956},
+       {6857.642510031, -2801.148108075, 0}},
+      {1. / 6,
+       1,
+       200,
+       {25.20854196532, 63.85160589688, 31.18921750525},
+       {12770.32117938, -5041.708393065, 0}},
+      {1. / 6, 1, 300, {22.24478094537, 58.77912248968, 40.19189167015}, {17633.7367469, -6673.43428361, 0}},
+      {1. / 6, 1, 400, {19.6438120249, 54.24655412101, 46.2255688284}, {21698.62164841, -7857.52480996, 0}},
+      {1. / 6,
+       1,
+       450,
+       {18.50817892537, 52.23855801115, 48.50292734414},
+       {23507.35110502, -8328.680516416, 0}},
+      {1. / 6,
+       1,
+       500,
+       {17.47586290856, 50.39533493569, 50.42447374491},
+       {25197.66746785, -8737.931454279, 0}},
+      {1. / 6,
+       1,
+       600,
+       {15.68480053404, 47.15043857363, 53.47485879182},
+       {28290.26314418, -9410.880320423, 0}},
+      {1. / 6,
+       1,
+       1000,
+       {10.98668164534, 38.24157463396, 60.21360284164},
+       {38241.57463396, -10986.68164534, 0}},
+      {1. / 6,
+       5. / 6,
+       100,
+       {28.01145233566, 68.57637024274, 17.76953934356},
+       {6857.637024274, -2801.145233566, 0}},
+      {1. / 6,
+       5. / 6,
+       200,
+       {25.20846788014, 63.85145540354, 31.18964675384},
+       {12770.29108071, -5041.693576029, 0}},
+      {1. / 6,
+       5. / 6,
+       300,
+       {22.24467942668, 58.77889732997, 40.1923923323},
+       {17633.66919899, -6673.403828003, 0}},
+      {1. / 6,
+       5. / 6,
+       400,
+       {19.64369958753, 54.24627772717, 46.22611388601},
+       {21698.51109087, -7857.479835012, 0}},
+      {1. / 6,
+       5. / 6,
+       450,
+       {18.50806487559, 52.23826184672, 48.50349153181},
+       {23507.21783103, -8328.629194016, 0}},
+      {1. / 6,
+       5. / 6,
+       500,
+       {17.47574885576, 50.39502161089, 50.42505642836},
+       {25197.51080544, -8737.874427881, 0}},
+      {1. / 6,
+       5. / 6,
+       600,
+       {15.68468947898, 47.15009624034, 53.47547799822},
+       {28290.05774421, -9410.813687388, 0}},
+      {1. / 6,
+       5. / 6,
+       1000,
+       {10.9865939334, 38.24114634084, 60.21436694221},
+       {38241.14634084, -10986.5939334, 0}},
+      {0.1405770,
+       5. / 6,
+       100,
+       {27.97089658943, 68.50576544066, 18.02351481002},
+       {6850.576544066, -2797.089658943, 0}},
+      {0.1405770,
+       5. / 6,
+       200,
+       {25.10770675933, 63.67173764918, 31.51321331064},
+       {12734.34752984, -5021.541351865, 0}},
+      {0.1405770,
+       5. / 6,
+       300,
+       {22.11251371211, 58.53570907446, 40.48075757057},
+       {17560.71272234, -6633.754113632, 0}},
+      {0.1405770,
+       5. / 6,
+       400,
+       {19.50372035881, 53.97991968759, 46.45606403604},
+       {21591.96787504, -7801.488143523, 0}},
+      {0.1405770,
+       5. / 6,
+       450,
+       {18.3691629447, 51.96942439961, 48.7053490762},
+       {23386.24097982, -8266.123325113, 0}},
+      {0.1405770,
+       5. / 6,
+       500,
+       {17.33979900812, 50.12740447768, 50.60117449615},
+       {25063.70223884, -8669.89950406, 0}},
+      {0.1405770,
+       5. / 6,
+       600,
+       {15.55767614925, 46.89158621924, 53.6079864062},
+       {28134.95173154, -9334.605689548, 0}},
+      {0.1405770,
+       5. / 6,
+       1000,
+       {10.89942703276, 38.04052190556, 60.2510223231},
+       {38040.52190556, -10899.42703276, 0}},
   };
+  BendError most8, most32;
   for (const auto& r : rows) {
-    double e[4];
-    for (int i = 0; i < 4; ++i) e[i] = bend_error(4 << i, r.P, r.J, r.shear, r.tip);
+    const auto error = [&](int elements) { return bend_error(elements, r.P, r.J, r.shear, r.tip, r.moment); };
+    const BendError e8 = error(8), e32 = error(32);
+    most8 = {std::max(most8.tip, e8.tip), std::max(most8.root, e8.root)};
+    most32 = {std::max(most32.tip, e32.tip), std::max(most32.root, e32.root)};
+    for (const double off : {e8.tip, e8.root}) EXPECT_LT(off, 5e-3) << r.P;
+    for (const double off : {e32.tip, e32.root}) EXPECT_LT(off, 1e-3) << r.P;
+    if (r.P != 300 && r.P != 600 && r.P != 1000) continue;
+    const BendError e4 = error(4), e16 = error(16);
     std::printf(
         "45-degree bend J %.4f GA/GA0 %.3f P %4.0f: error/R %.2e %.2e %.2e (8, 16, 32), order %.2f %.2f\n",
-        r.J, r.shear, r.P, e[1], e[2], e[3], order(e[0], e[1]), order(e[1], e[2]));
-    EXPECT_LT(e[1], 5e-3);
-    EXPECT_LT(e[3], 1e-3);
-    EXPECT_GT(order(e[0], e[1]), 1.9);
-    EXPECT_GT(order(e[1], e[2]), 1.9);
+        r.J, r.shear, r.P, e8.tip, e16.tip, e32.tip, order(e4.tip, e8.tip), order(e8.tip, e16.tip));
+    EXPECT_GT(order(e4.tip, e8.tip), 1.9);
+    EXPECT_GT(order(e8.tip, e16.tip), 1.9);
   }
+  std::printf(
+      "45-degree bend, %zu loads: tip within %.2e R, root moment within %.2e (8 elements); %.2e R, %.2e "
+      "(32)\n",
+      std::size(rows), most8.tip, most8.root, most32.tip, most32.root);
 }
 
 // Dowell & Traybar (1975), geometry 12.377 x 3.2024 mm, E = 71.7 GPa, nu = 0.31, L = 0.508 m; a weight P
-// turned by theta from the stiff direction. Reissner-Simo beam by shooting to 1e-12: displacements of the tip
-// (axial, chordwise, flapwise, m) and its twist.
+// turned by theta from the stiff direction. Another section has the torsion and the shear stiffness of
+// EXUDYN's example: what is sensitive to them is the twist at 45 degrees. Reissner-Simo beam by shooting to
+// 1e-12: displacements of the tip (axial, chordwise, flapwise, m) and its twist.
 TEST(Statics, PrincetonBeam) {
-  struct {
+  struct Row {
     double P, theta;
     Vec3 u;
     double twist;
-  } const rows[] = {
+  };
+  const Row rows[] = {
       {4.448, 0, {-3.391446301038e-05, -0.005359544660223, 0}, 0},
       {4.448, 15, {-0.000543778328286, -0.005210161673398, 0.02080108831531}, 0.2227212734483},
       {4.448, 30, {-0.001916792433756, -0.004751074791796, 0.03994940131083}, 0.382231229125},
@@ -119,16 +243,22 @@ TEST(Statics, PrincetonBeam) {
       {13.345, 75, {-0.04807460916317, -0.00632843828184, 0.1961247073411}, 1.518695620878},
       {13.345, 90, {-0.05040567973917, 0, 0.2006929113721}, 0},
   };
+  const Row other_rows[] = {
+      {8.896, 45, {-0.01441182483347, -0.008979196722704, 0.1091131152552}, 1.753342779393},
+      {13.345, 45, {-0.03045293469608, -0.01562114990597, 0.1567746177208}, 3.667140460685},
+  };
   const double L = 0.508;
-  model::LineType t = beam_type(2841908.71416, 0, 3.1033382708544615);
+  model::LineType t = beam_type(2841908.71416, 0, 3.1033382708544615), other = t;
   t.EI2 = 2.428734443353508, t.EI3 = 36.27936354403289, t.GA = 903914.9854198474;
+  other.EA = 2842069.442616, other.GJ = 2.9257440677494264, other.GA = 1084759.329242748;
+  other.EI2 = 2.4288718041122013, other.EI3 = 36.285519395400414;
   double worst = 0, worst_twist = 0;
-  for (const auto& r : rows) {
+  const auto judge = [&](const model::LineType& type, const Row& r) {
     const double a = r.theta * M_PI / 180;
     double e[3];
     for (int i = 0; i < 3; ++i) {
       if (i != 1 && r.theta != 45) continue;
-      const model::Case c = cantilever(t, L, 10 << i, r.P * Vec3(0, -std::cos(a), std::sin(a)));
+      const model::Case c = cantilever(type, L, 10 << i, r.P * Vec3(0, -std::cos(a), std::sin(a)));
       app::Simulation s(PETSC_COMM_WORLD, c);
       follow(s, 8);
       e[i] = (s.state().x.back() - Vec3(L, 0, 0) - r.u).norm() / L;
@@ -140,13 +270,15 @@ TEST(Statics, PrincetonBeam) {
       EXPECT_LT(e[i], 1e-3) << r.P << " N at " << r.theta;
       EXPECT_NEAR(twist, r.twist, 1e-3 * 3.5) << r.P << " N at " << r.theta;
     }
-    if (r.theta != 45) continue;
+    if (r.theta != 45) return;
     std::printf(
         "Princeton beam %6.3f N at 45: error/L %.2e %.2e %.2e (10, 20, 40 elements), order %.2f %.2f\n", r.P,
         e[0], e[1], e[2], order(e[0], e[1]), order(e[1], e[2]));
     EXPECT_GT(order(e[0], e[2]) / 2, 1.9);
-  }
-  std::printf("Princeton beam, 20 elements, 21 loads: error/L at most %.2e, twist %.2e degrees\n", worst,
+  };
+  for (const Row& r : rows) judge(t, r);
+  for (const Row& r : other_rows) judge(other, r);
+  std::printf("Princeton beam, 20 elements, 23 loads: error/L at most %.2e, twist %.2e degrees\n", worst,
               worst_twist);
 }
 

@@ -40,11 +40,12 @@ class SharedFile {
     try {
       f();
     } catch (const std::exception& e) {
-      if (trouble_.empty()) trouble_ = e.what();
+      if (trouble_.empty()) note(e);
     }
   }
 
-  // Collective: all ranks have done their part, or all throw the first one's error (std::runtime_error).
+  // Collective: all ranks have done their part, or all throw the first one's error: WriteError when the file
+  // or the disk is at fault, else std::runtime_error.
   void agree();
 
   // The next four attempt. Collective: stretches of the first dimension (row < 0) or of the second, at a row.
@@ -59,6 +60,7 @@ class SharedFile {
   void flush();
 
  private:
+  void note(const std::exception& e);
   void transfer(hid_t set, hid_t type, hid_t space, hsize_t n, const void* data);
 
   MPI_Comm comm_;
@@ -67,6 +69,7 @@ class SharedFile {
   h5::Id file_, collective_;
   std::map<std::string, h5::Id> open_;  // closed before the file
   std::string trouble_;                 // first error on this rank since the ranks last agreed
+  bool ours_ = false;                   // not the file's fault
 };
 
 }  // namespace hawser::io
