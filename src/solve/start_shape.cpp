@@ -385,9 +385,10 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }
     bool twist_held = line.end_a.clamped || line.end_b.clamped;
-    // Friction of the bed holds a line without held ends; nothing holds its twist.
+    // Friction of the bed holds a line without held ends that was laid on it; nothing holds its twist.
     if (line.end_a.kind == model::EndKind::free && line.end_b.kind == model::EndKind::free &&
-        c.statics.enabled && g.nodes[static_cast<size_t>(span.first_node)].rotates)
+        c.statics.enabled && model::laid_with_friction(c, line) &&
+        g.nodes[static_cast<size_t>(span.first_node)].rotates)
       if (const int here = mesh.find(span.first_node); here >= 0) {
         Support s;
         s.position_mask = 0, s.rotation_mask = 1, s.node = here;

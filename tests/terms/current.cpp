@@ -23,6 +23,7 @@ double pull(double ramp, double time, double step) {
   local.global = local.block = local.global_block = {0, 1};
   local.elements = {{0, 1, 0, false}};
   model::Case c;
+  c.lines.resize(1);
   model::Water& w = c.environment.water;
   w.present = true, w.density = 1000;
   w.current.profile = {{0, 1, M_PI / 2}};

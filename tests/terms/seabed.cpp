@@ -94,6 +94,7 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
   const std::vector<ForceTable::Row> rows{{0.01, 100}, {0.05, 900}, {0.1, 1000}};
   for (const bool by_length : {false, true}) {
     model::Case c;
+    c.lines.resize(1);
     model::LineType& t = c.line_types.emplace_back();
     t.outer_diameter = t.contact_diameter = 0.4, t.mass_per_length = 50;
     model::Seabed& bed = c.environment.seabed;
