@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <unordered_map>
 
-#include "hawser/model/case.hpp"
+#include "hawser/model/bed.hpp"
 #include "hawser/terms/buried.hpp"
 #include "hawser/terms/seabed.hpp"
 
@@ -47,11 +46,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
 
 namespace {
 
-SeabedTerm::Plane plane_of(const model::Seabed& s) {
-  const double down = std::tan(s.slope);
-  return {Vec3(0, 0, -s.depth),
-          Vec3(down * std::cos(s.direction), down * std::sin(s.direction), 1).normalized()};
-}
+SeabedTerm::Plane plane_of(const model::Seabed& s) { return {Vec3(0, 0, -s.depth), model::bed_normal(s)}; }
 
 // What belongs to a point.
 struct Share {

@@ -1,8 +1,6 @@
 // Soil round a buried piece of line: elastic-plastic springs along it and across it, either way.
 #pragma once
 
-#include <cmath>
-
 #include "hawser/math/types.hpp"
 
 namespace hawser {
