@@ -4,17 +4,22 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 namespace hawser::test::speed {
 namespace {
 
 // At the default tolerance. The least cost of some runs over the least factorisation of them: other work on
-// the machine only adds to either. It stops at the first that holds.
+// the machine only adds to either. It stops at the first that holds. The goals themselves are for a machine
+// that has nothing else to do (HAWSER_FULL); beside other tests, on whatever processor, a third more is let
+// pass, which still sees a step that has become slow.
 TEST(MooringSpeed, Goals) {
 #if defined(__OPTIMIZE__) && defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
   constexpr bool kFast = true;
 #else
   constexpr bool kFast = false;  // no figures that mean anything
 #endif
+  const double slack = std::getenv("HAWSER_FULL") ? 1 : 4.0 / 3;
   struct Row {
     const char* name;
     model::Case c;
@@ -39,11 +44,11 @@ TEST(MooringSpeed, Goals) {
         printf("  %s: extremes off by %+.2f, %+.2f %%, at the anchor %+.2f, %+.2f %%\n", r.name, off[0],
                off[1], off[2], off[3]);
       for (const double error : off) EXPECT_LT(std::abs(error), 0.5) << r.name;
-    } while (kFast && used > r.goal * one && runs < 8);
+    } while (kFast && used > slack * r.goal * one && runs < 8);
     printf("    %.2f ms a second, %.1f factorisations of %.1f us, goal %g (%d runs)\n", 1e3 * used,
            used / one, 1e6 * one, r.goal, runs);
     if (kFast) {
-      EXPECT_LE(used / one, r.goal) << r.name;
+      EXPECT_LE(used / one, slack * r.goal) << r.name;
     }
   }
 }
