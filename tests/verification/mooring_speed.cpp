@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hawser::test::speed {
+namespace hawser::test::speed::mooring_speed_test {
 namespace {
 
 // At the default tolerance. The least cost of some runs over the least factorisation of them: other work on
@@ -49,4 +49,4 @@ TEST(MooringSpeed, Goals) {
 }
 
 }  // namespace
-}  // namespace hawser::test::speed
+}  // namespace hawser::test::speed::mooring_speed_test
