@@ -30,7 +30,7 @@ TriangleMesh tube(int count) {
   const double radius = 20, length = 320;
   const int nv = static_cast<int>(std::lround(std::sqrt(count / 2.0 * 2 * M_PI * radius / length)));
   const int rings = count / (2 * nv);
-  return testing::drum_mesh(nv, radius, length, rings);
+  return test::drum_mesh(nv, radius, length, rings);
 }
 
 const Case& get(int kind, bool smooth) {
@@ -39,7 +39,7 @@ const Case& get(int kind, bool smooth) {
   Case& c = it->second;
   if (!made) return c;
   if (kind == 0) {
-    const std::string path = testing::unpacked_hull(
+    const std::string path = test::unpacked_hull(
         "kvlcc2.obj", (std::filesystem::temp_directory_path() / "hawser_bench_hulls").string());
     if (path.empty()) return c;
     io::LoadedMesh hull = io::read_mesh(path, 58);

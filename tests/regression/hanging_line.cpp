@@ -7,7 +7,7 @@
 #include "hawser/io/hdf5.hpp"
 #include "hawser/kernels/catenary.hpp"
 
-using namespace hawser;
+namespace hawser::hanging_line_test {
 
 TEST(HangingLine, TensionsOfTheElasticCatenary) {
   const std::string out = ::testing::TempDir() + "hanging-line.h5";
@@ -27,3 +27,5 @@ TEST(HangingLine, TensionsOfTheElasticCatenary) {
   EXPECT_NEAR(tension.back(), exact.tension_b().norm(), 5e-4 * exact.tension_b().norm());
   for (const char* end : {".h5", ".xdmf"}) std::filesystem::remove(out.substr(0, out.size() - 3) + end);
 }
+
+}  // namespace hawser::hanging_line_test

@@ -8,7 +8,7 @@
 
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::kill_test {
 namespace {
 
 // Starts the program; its environment does not tell it that it is part of this test's MPI job.
@@ -118,4 +118,4 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::kill_test

@@ -36,7 +36,7 @@ struct Inside {
 Inside inside(const std::string& path, const Results& r) {
   const model::Case c = io::read_case(path);
   const TriangleMesh mesh = app::load_volumes(c)[0].facets->copy();
-  const auto boundary = testing::boundary_of(mesh);
+  const auto boundary = test::boundary_of(mesh);
   const auto& x = r.fields.at("position");
   const size_t nodes = x.size() / 3 / r.output_times.size(), first = 3 * nodes * (r.output_times.size() - 1);
   Inside out;
@@ -44,7 +44,7 @@ Inside inside(const std::string& path, const Results& r) {
     const double* p = x.data() + first + 3 * n;
     // The ship moves by some centimetres: what is further in than that counts.
     const Vec3 body(p[1], -p[0], p[2]), up = Vec3(0.0031, 0.0017, 1).normalized();
-    if (!(testing::WindingAlong(mesh, body, up).at(0, mesh, boundary) > 0.5)) continue;
+    if (!(test::WindingAlong(mesh, body, up).at(0, mesh, boundary) > 0.5)) continue;
     ++out.nodes;
     out.deepest = std::max(out.deepest, p[0] + kSide);
   }

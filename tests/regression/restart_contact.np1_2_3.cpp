@@ -75,7 +75,7 @@ output: {every: 0.125, histories: [{line: rope, at: 4}]}
 // Along x, open upwards.
 void write_slit(const std::string& path) {
   if (rank_of(MPI_COMM_WORLD) > 0) return;
-  const TriangleMesh m = testing::prism_mesh(
+  const TriangleMesh m = test::prism_mesh(
       {{-1.5, -0.8}, {1.5, -0.8}, {1.5, 0.9}, {0.28, 0.9}, {0.02, 0}, {-0.02, 0}, {-0.28, 0.9}, {-1.5, 0.9}},
       {{0, 1, 4, 5}, {1, 2, 3, 4}, {0, 5, 6, 7}}, 10);
   std::ofstream out(path);

@@ -13,7 +13,7 @@
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/geometry/wide.hpp"
 
-namespace hawser::testing {
+namespace hawser::test {
 
 class GeometryFuzz {
  public:
@@ -259,4 +259,4 @@ class GeometryFuzz {
   double scale_ = 1;
 };
 
-}  // namespace hawser::testing
+}  // namespace hawser::test

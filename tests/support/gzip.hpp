@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace hawser::testing {
+namespace hawser::test {
 
 // The text of a .gz file; throws where gzip cannot read it.
 inline std::string read_gzip(const std::string& path) {
@@ -18,4 +18,4 @@ inline std::string read_gzip(const std::string& path) {
   return text;
 }
 
-}  // namespace hawser::testing
+}  // namespace hawser::test

@@ -15,7 +15,7 @@
 #include "hawser/geometry/triangle_mesh.hpp"
 #include "support/gzip.hpp"
 
-namespace hawser::testing {
+namespace hawser::test {
 
 // Path of the file unpacked into `folder`; empty where the data are absent.
 inline std::string unpacked_hull(const std::string& name, const std::string& folder) {
@@ -75,4 +75,4 @@ inline std::vector<std::array<int, 3>> boundary_of(const MeshView& mesh) {
   return out;
 }
 
-}  // namespace hawser::testing
+}  // namespace hawser::test

@@ -10,7 +10,7 @@
 
 #include "hawser/geometry/triangle_mesh.hpp"
 
-namespace hawser::testing {
+namespace hawser::test {
 
 inline void append(TriangleMesh& to, const TriangleMesh& from, bool inside_out = false) {
   const int base = static_cast<int>(to.vertices.size());
@@ -165,4 +165,4 @@ inline TriangleMesh sphere_mesh(int levels, double radius = 1) {
   return m;
 }
 
-}  // namespace hawser::testing
+}  // namespace hawser::test

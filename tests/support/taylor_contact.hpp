@@ -39,8 +39,8 @@ inline std::unique_ptr<SuiteModel> held_model(MPI_Comm comm, const Placement& at
 
 // Of one piece, the floor z = 0 and the wall y = 0 beside it.
 inline TriangleMesh floor_and_wall() {
-  TriangleMesh m = testing::prism_mesh({{-1, -1}, {0, -1}, {3, -1}, {3, 0}, {0, 0}, {0, 1}, {-1, 1}, {-1, 0}},
-                                       {{0, 1, 4, 7}, {1, 2, 3, 4}, {7, 4, 5, 6}}, 9);
+  TriangleMesh m = test::prism_mesh({{-1, -1}, {0, -1}, {3, -1}, {3, 0}, {0, 0}, {0, 1}, {-1, 1}, {-1, 0}},
+                                    {{0, 1, 4, 7}, {1, 2, 3, 4}, {7, 4, 5, 6}}, 9);
   for (Vec3& v : m.vertices) v = Vec3(v.z() - 3, v.x(), v.y());
   return m;
 }
@@ -113,7 +113,7 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
   else if (on == ContactOn::corner)
     v.surface = std::make_shared<MeshSurface>(floor_and_wall());
   else
-    v.surface = std::make_shared<MeshSurface>(testing::box_mesh(Vec3(0, 0, -1), Vec3(3, 3, 2)));
+    v.surface = std::make_shared<MeshSurface>(test::box_mesh(Vec3(0, 0, -1), Vec3(3, 3, 2)));
   // What holds a node in motion goes by its mass: one that asks for no more than the spring.
   const double mass = kept == Kept::elastic || kept == Kept::gap ? 50 : 0.02;
   v.settings.relative_damping *= std::sqrt(50 / mass);

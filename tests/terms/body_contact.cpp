@@ -6,7 +6,7 @@
 #include "hawser/mesh/partition.hpp"
 #include "support/taylor.hpp"
 
-namespace hawser::test {
+namespace hawser::test::body_contact_test {
 namespace {
 
 using model::StiffnessBasis;
@@ -187,4 +187,4 @@ TEST(BodyContactTerm, Tangents) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::body_contact_test

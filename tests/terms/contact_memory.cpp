@@ -13,7 +13,7 @@
 #include "hawser/terms/volume_contact.hpp"
 #include "support/shapes.hpp"
 
-namespace hawser::test {
+namespace hawser::test::contact_memory_test {
 namespace {
 
 constexpr int kElements = 12;
@@ -98,10 +98,10 @@ TriangleMesh without_top(TriangleMesh m, double z) {
 }
 
 std::vector<Scene> scenes() {
-  const TriangleMesh box = testing::box_mesh(Vec3(-2, -2, -2), Vec3(2, 2, 0));
-  const auto ball = std::make_shared<MeshSurface>(testing::sphere_mesh(3, 2), std::vector<bool>(),
-                                                  MeshSurfaceOptions{true});
-  TriangleMesh channel = testing::u_channel_mesh();  // its slit along x, as wide as the line
+  const TriangleMesh box = test::box_mesh(Vec3(-2, -2, -2), Vec3(2, 2, 0));
+  const auto ball =
+      std::make_shared<MeshSurface>(test::sphere_mesh(3, 2), std::vector<bool>(), MeshSurfaceOptions{true});
+  TriangleMesh channel = test::u_channel_mesh();  // its slit along x, as wide as the line
   TriangleMesh wide = channel, wedge = channel;
   for (Vec3& v : channel.vertices) v = Vec3(v.z() - 2, 0.21 * (v.x() - 1.5), 0.5 * (v.y() - 1));
   for (Vec3& v : wide.vertices) v = Vec3(3 * (v.z() - 2), 0.6 * (v.x() - 1.5), 0.7 * v.y());
@@ -203,8 +203,8 @@ TEST(ContactMemory, NeverShowsAtTheNodes) {
 
 // A line that comes down slowly asks where it is new, and then nothing of what it is far from.
 TEST(ContactMemory, AsksLittle) {
-  const auto counting = std::make_shared<Counting>(std::make_shared<MeshSurface>(
-      testing::sphere_mesh(3, 2), std::vector<bool>(), MeshSurfaceOptions{true}));
+  const auto counting = std::make_shared<Counting>(
+      std::make_shared<MeshSurface>(test::sphere_mesh(3, 2), std::vector<bool>(), MeshSurfaceOptions{true}));
   Mesh mesh;
   const LocalMesh local = chain(mesh, true);
   LineContact term(local, nullptr, {volume(counting, -1)},
@@ -234,4 +234,4 @@ TEST(ContactMemory, AsksLittle) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::contact_memory_test

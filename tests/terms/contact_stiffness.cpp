@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hawser {
+namespace hawser::contact_stiffness_test {
 namespace {
 
 TEST(ContactStiffness, Automatic) {
@@ -30,4 +30,4 @@ TEST(ContactStiffness, Automatic) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::contact_stiffness_test

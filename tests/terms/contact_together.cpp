@@ -8,7 +8,7 @@
 #include "hawser/terms/volume_contact.hpp"
 #include "support/shapes.hpp"
 
-namespace hawser::test {
+namespace hawser::test::contact_together_test {
 namespace {
 
 // A surface that counts how it is asked; together or, as Surface does by itself, one by one.
@@ -53,7 +53,7 @@ State over_the_ball(double lift, double shift) {
 template <class Term, class Make>
 void compare(const Make& make, int most_single, int most_calls) {
   for (const bool smooth : {false, true}) {
-    const auto ball = std::make_shared<MeshSurface>(testing::sphere_mesh(5, 5), std::vector<bool>(),
+    const auto ball = std::make_shared<MeshSurface>(test::sphere_mesh(5, 5), std::vector<bool>(),
                                                     MeshSurfaceOptions{smooth});
     std::vector<std::vector<HistoryRecord>> kept;
     for (const bool together : {true, false}) {
@@ -119,4 +119,4 @@ TEST(ContactTogether, AlongTheLine) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::contact_together_test

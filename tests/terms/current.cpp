@@ -8,7 +8,7 @@
 #include "hawser/system/system.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 
-namespace hawser {
+namespace hawser::current_test {
 namespace {
 
 // A cable of 2 m along x, deep in water that goes along y: the force on its first node [N].
@@ -58,4 +58,4 @@ TEST(CurrentInTime, FactorIsThatOfTheTrial) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::current_test

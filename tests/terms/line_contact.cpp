@@ -3,7 +3,7 @@
 #include "terms/line_contact_cases.hpp"
 #include "terms/whole_model.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_contact_test {
 namespace {
 
 TEST(LineContact, Tangents) {
@@ -232,4 +232,4 @@ TEST(LineContact, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_contact_test

@@ -83,19 +83,19 @@ inline Gaps gaps(Under on) {
 // A channel along x, of one piece: a floor at z = 0 between walls at y = left and y = right.
 inline TriangleMesh channel_mesh(double left, double right) {
   TriangleMesh m =
-      testing::prism_mesh({{left - 1, -1},
-                           {left, -1},
-                           {right, -1},
-                           {right + 1, -1},
-                           {right + 1, 0},
-                           {right + 1, 1},
-                           {right, 1},
-                           {right, 0},
-                           {left, 0},
-                           {left, 1},
-                           {left - 1, 1},
-                           {left - 1, 0}},
-                          {{0, 1, 8, 11}, {1, 2, 7, 8}, {2, 3, 4, 7}, {11, 8, 9, 10}, {7, 4, 5, 6}}, 9);
+      test::prism_mesh({{left - 1, -1},
+                        {left, -1},
+                        {right, -1},
+                        {right + 1, -1},
+                        {right + 1, 0},
+                        {right + 1, 1},
+                        {right, 1},
+                        {right, 0},
+                        {left, 0},
+                        {left, 1},
+                        {left - 1, 1},
+                        {left - 1, 0}},
+                       {{0, 1, 8, 11}, {1, 2, 7, 8}, {2, 3, 4, 7}, {11, 8, 9, 10}, {7, 4, 5, 6}}, 9);
   for (Vec3& v : m.vertices) v = Vec3(v.z() - 3, v.x(), v.y());
   return m;
 }
@@ -121,7 +121,7 @@ inline std::shared_ptr<const Surface> surface_of(Under on) {
     case Under::drum:
       return std::make_shared<CylinderSurface>(Vec3(0, -8, 0), Vec3(0, 8, 0), 5);
     case Under::edge:
-      return std::make_shared<MeshSurface>(testing::box_mesh(Vec3(-3, -4, -2), Vec3(1.8, 4, 0)));
+      return std::make_shared<MeshSurface>(test::box_mesh(Vec3(-3, -4, -2), Vec3(1.8, 4, 0)));
     case Under::vertex:
       return std::make_shared<MeshSurface>(pyramids_mesh());
     case Under::corner:

@@ -3,7 +3,7 @@
 #include "terms/line_pairs_cases.hpp"
 #include "terms/whole_model.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_pairs_test {
 namespace {
 
 TEST(LinePairs, Tangents) {
@@ -101,4 +101,4 @@ TEST(LinePairs, HistoryGoesThroughACheckpoint) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_pairs_test

@@ -12,7 +12,7 @@
 #include "hawser/terms/bodies.hpp"
 #include "hawser/terms/point_loads.hpp"
 
-namespace hawser {
+namespace hawser::loads_test {
 namespace {
 
 Mesh two_lines() {
@@ -182,4 +182,4 @@ TEST(Bodies, OfACase) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::loads_test

@@ -9,7 +9,7 @@
 #include "hawser/model/case.hpp"
 #include "support/taylor_cases.hpp"
 
-namespace hawser::test {
+namespace hawser::test::seabed_test {
 namespace {
 
 // Two nodes a metre apart along x, the first of which the bed carries.
@@ -435,4 +435,4 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::seabed_test

@@ -3,7 +3,7 @@
 #include "hawser/solve/generalized_alpha.hpp"
 #include "support/taylor_cases.hpp"
 
-namespace hawser::test {
+namespace hawser::test::step_tangent_test {
 namespace {
 
 // A committed state that no step would leave behind: every quantity has a value of its own.
@@ -115,4 +115,4 @@ TEST(StepTangent, DirectorsFollowTheirAccelerations) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::step_tangent_test

@@ -1,7 +1,7 @@
 // The term suite on one rank: tangents, repeatability, rotation with the model.
 #include "support/taylor_cases.hpp"
 
-namespace hawser::test {
+namespace hawser::test::suite_test {
 namespace {
 
 void expect_same(const std::vector<HistoryRecord>& a, const std::vector<HistoryRecord>& b,
@@ -201,4 +201,4 @@ TEST(Suite, LoadsTurnWithTheModel) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::suite_test

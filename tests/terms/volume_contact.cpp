@@ -12,7 +12,7 @@
 #include "hawser/state/state.hpp"
 #include "hawser/system/system.hpp"
 
-namespace hawser {
+namespace hawser::volume_contact_test {
 namespace {
 
 // ---- the kernel ------------------------------------------------------------------------------------------
@@ -485,4 +485,4 @@ TEST(VolumeContact, StiffnessByBasis) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::volume_contact_test

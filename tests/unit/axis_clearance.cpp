@@ -9,7 +9,7 @@
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/geometry/surface.hpp"
 
-namespace hawser {
+namespace hawser::axis_clearance_test {
 namespace {
 
 BezierAxis random_axis(std::mt19937& random, double bend) {
@@ -111,4 +111,4 @@ TEST(AxisClearance, ToAPlaneAndACylinder) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::axis_clearance_test

@@ -5,7 +5,7 @@
 
 #include "hawser/math/so3.hpp"
 
-namespace hawser {
+namespace hawser::axis_roll_test {
 namespace {
 
 TEST(AxisRoll, KnownTurns) {
@@ -36,4 +36,4 @@ TEST(AxisRoll, Derivatives) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::axis_roll_test

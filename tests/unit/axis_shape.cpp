@@ -7,8 +7,7 @@
 
 #include "hawser/math/so3.hpp"
 
-using namespace hawser;
-
+namespace hawser::axis_shape_test {
 namespace {
 
 using Vec12 = Eigen::Matrix<double, 12, 1>;
@@ -91,3 +90,5 @@ TEST(AxisShape, EndsAndSlopesAreTheNodes) {
   EXPECT_LT((s.slope(1) - e.length * (e.q2 * e.tangent)).norm(), 1e-14);
   EXPECT_LT((s.velocity(1) - e.v2).norm(), 1e-14);
 }
+
+}  // namespace hawser::axis_shape_test

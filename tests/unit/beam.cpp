@@ -7,8 +7,7 @@
 
 #include "hawser/math/so3.hpp"
 
-using namespace hawser;
-
+namespace hawser::beam_test {
 namespace {
 
 using Vec12 = Eigen::Matrix<double, 12, 1>;
@@ -144,3 +143,5 @@ TEST(Beam, DampingOnlyTakesEnergy) {
   w.e.w1 = w.e.q1.conjugate() * spin, w.e.w2 = w.e.q2.conjugate() * spin;
   EXPECT_LT(beam_stress(w.s, w.r, w.e).dissipation, 1e-20);
 }
+
+}  // namespace hawser::beam_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-namespace hawser {
+namespace hawser::box_pairs_test {
 namespace {
 
 using Pairs = std::vector<std::pair<int, int>>;
@@ -128,4 +128,4 @@ TEST(BoxPairs, PointsTouchingFacesAndNothing) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::box_pairs_test

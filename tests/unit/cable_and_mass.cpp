@@ -8,7 +8,8 @@
 #include "hawser/math/so3.hpp"
 #include "support/cable.hpp"
 
-using namespace hawser;
+namespace hawser::cable_and_mass_test {
+
 using namespace hawser::test;
 
 namespace {
@@ -135,3 +136,5 @@ TEST(BeamMass, UniformAccelerationOfAStraightBarWeighsItsMass) {
   beam_mass_force(s, e, 3.0 * e.a1, f.data());
   EXPECT_LT(f.norm(), 1e-12);
 }
+
+}  // namespace hawser::cable_and_mass_test

@@ -11,7 +11,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 
-namespace hawser {
+namespace hawser::case_bad_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST(CaseBadFiles, FilesThatCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::case_bad_files_test

@@ -10,7 +10,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 
-namespace hawser {
+namespace hawser::case_fuzz_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST(CaseFuzz, EveryTruncationOfTheReel) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::case_fuzz_test

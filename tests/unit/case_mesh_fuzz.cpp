@@ -10,7 +10,7 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/io/mesh_reader.hpp"
 
-namespace hawser {
+namespace hawser::case_mesh_fuzz_test {
 namespace {
 
 std::string text_of(const std::string& path) {
@@ -138,4 +138,4 @@ TEST(CaseMeshFuzz, APlyFileThatNamesNoVertex) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::case_mesh_fuzz_test

@@ -9,7 +9,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/mesh_reader.hpp"
 
-namespace hawser {
+namespace hawser::case_mesh_reader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -123,4 +123,4 @@ TEST(CaseMeshReader, OpenMeshIsRefusedWhereClosedIsRequired) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::case_mesh_reader_test

@@ -6,7 +6,7 @@
 #include "hawser/model/wave_components.hpp"
 #include "hawser/terms/bodies.hpp"
 
-namespace hawser {
+namespace hawser::case_rao_test {
 namespace {
 
 // Heave of 1 without lag, pitch of 2 deg/m a quarter early; the ship heads for 30 deg.
@@ -97,4 +97,4 @@ dynamics: {duration: 100}
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::case_rao_test

@@ -12,7 +12,7 @@
 #include "hawser/model/check.hpp"
 #include "hawser/model/summary.hpp"
 
-namespace hawser {
+namespace hawser::case_reader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -431,4 +431,4 @@ TEST(CaseSummary, OfTheReel) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::case_reader_test

@@ -9,7 +9,7 @@
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 
-namespace hawser::model {
+namespace hawser::model::case_schema_test {
 namespace {
 
 std::string file_text(const std::string& path) {
@@ -148,4 +148,4 @@ TEST(CaseValue, LinesOfPaths) {
 }
 
 }  // namespace
-}  // namespace hawser::model
+}  // namespace hawser::model::case_schema_test

@@ -8,7 +8,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/summary.hpp"
 
-namespace hawser {
+namespace hawser::case_sea_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -65,4 +65,4 @@ TEST(CaseSea, SuctionOfTheSeabed) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::case_sea_test

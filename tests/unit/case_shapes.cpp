@@ -11,7 +11,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/summary.hpp"
 
-namespace hawser {
+namespace hawser::case_shapes_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,4 +99,4 @@ TEST(CaseShapes, TrianglesForPictures) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::case_shapes_test

@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace hawser {
+namespace hawser::catenary_test {
 namespace {
 
 struct Planar {
@@ -175,4 +175,4 @@ TEST(Catenary, ChordDerivative) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::catenary_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hawser {
+namespace hawser::catenary_on_bed_test {
 namespace {
 
 struct Line {
@@ -156,4 +156,4 @@ TEST(CatenaryOnBed, NothingWhereThereIsNoSuchShape) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::catenary_on_bed_test

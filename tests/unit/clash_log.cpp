@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hawser::app {
+namespace hawser::app::clash_log_test {
 namespace {
 
 Touch touch(int line, int volume, double from, double to, double force = 1, double depth = 0) {
@@ -162,4 +162,4 @@ TEST(ClashLog, TheLargestAreKept) {
 }
 
 }  // namespace
-}  // namespace hawser::app
+}  // namespace hawser::app::clash_log_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace hawser {
+namespace hawser::contact_along_test {
 namespace {
 
 // A curved line over a ball of radius 2, with all that contact can depend on changing along it.
@@ -114,4 +114,4 @@ TEST(ContactAlong, SlipBetweenPlaces) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::contact_along_test

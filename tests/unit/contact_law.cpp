@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace hawser {
+namespace hawser::contact_law_test {
 namespace {
 
 TEST(ContactLaw, RampAndLinearPart) {
@@ -156,4 +156,4 @@ TEST(ContactLaw, NodeImpact) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::contact_law_test

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-namespace hawser {
+namespace hawser::elimination_order_test {
 namespace {
 
 using Rows = std::vector<std::set<int>>;
@@ -84,4 +84,4 @@ TEST(EliminationOrder, ACoilIsCheaperInAnotherOrder) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::elimination_order_test

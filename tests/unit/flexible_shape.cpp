@@ -8,7 +8,7 @@
 
 #include "hawser/kernels/catenary.hpp"
 
-namespace hawser {
+namespace hawser::flexible_shape_test {
 namespace {
 
 struct Made {
@@ -109,4 +109,4 @@ TEST(FlexibleShape, AFreeEndFloats) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::flexible_shape_test

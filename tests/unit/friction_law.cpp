@@ -9,7 +9,7 @@
 
 #include "hawser/math/so3.hpp"
 
-namespace hawser {
+namespace hawser::friction_law_test {
 namespace {
 
 // The plane z = 0, line along x.
@@ -377,4 +377,4 @@ TEST(FrictionLaw, SlipTurnsWithTheNormal) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::friction_law_test

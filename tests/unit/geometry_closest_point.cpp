@@ -8,9 +8,9 @@
 #include "hawser/geometry/closest_point.hpp"
 #include "hawser/geometry/wide.hpp"
 
+namespace hawser::geometry_closest_point_test {
 namespace {
 
-using namespace hawser;
 using W = detail::Wide;
 using V = detail::Triple<W>;
 
@@ -144,3 +144,5 @@ TEST(GeometryBox, Distances) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_closest_point_test

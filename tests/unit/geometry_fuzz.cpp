@@ -2,7 +2,7 @@
 #include "support/geometry_fuzz.hpp"
 
 namespace {
-using hawser::testing::GeometryFuzz;
+using hawser::test::GeometryFuzz;
 
 TEST(GeometryFuzz, TriangleAndPoint) { GeometryFuzz(1).triangles(50000); }
 TEST(GeometryFuzz, TwoSegments) { GeometryFuzz(2).segments(50000); }

@@ -2,7 +2,7 @@
 #include "support/geometry_fuzz.hpp"
 
 namespace {
-using hawser::testing::GeometryFuzz;
+using hawser::test::GeometryFuzz;
 
 TEST(GeometryFuzzLong, TriangleAndPoint) { GeometryFuzz(11).triangles(10000000); }
 TEST(GeometryFuzzLong, TwoSegments) { GeometryFuzz(12).segments(10000000); }

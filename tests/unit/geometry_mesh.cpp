@@ -6,10 +6,10 @@
 #include "hawser/geometry/triangle_mesh.hpp"
 #include "support/shapes.hpp"
 
+namespace hawser::geometry_mesh_test {
 namespace {
 
-using namespace hawser;
-using namespace hawser::testing;
+using namespace hawser::test;
 
 // Triangles with corners of their own, as an STL file has them.
 TriangleMesh soup(const TriangleMesh& m) {
@@ -171,3 +171,5 @@ TEST(GeometryMesh, OrientationLeavesAloneWhatItCannotMend) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_mesh_test

@@ -8,10 +8,10 @@
 #include "hawser/geometry/point_in_polyhedron.hpp"
 #include "support/shapes.hpp"
 
+namespace hawser::geometry_point_in_polyhedron_test {
 namespace {
 
-using namespace hawser;
-using namespace hawser::testing;
+using namespace hawser::test;
 
 struct Shape {
   const char* name;
@@ -159,3 +159,5 @@ TEST(GeometryPointInPolyhedron, SolidAngleOfAnOctant) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_point_in_polyhedron_test

@@ -11,9 +11,8 @@
 #include "hawser/geometry/primitives.hpp"
 #include "hawser/math/so3.hpp"
 
+namespace hawser::geometry_primitives_test {
 namespace {
-
-using namespace hawser;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -290,3 +289,5 @@ TEST(GeometryPrimitives, RefusesShapesWithoutInside) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_primitives_test

@@ -8,9 +8,9 @@
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/geometry/wide.hpp"
 
+namespace hawser::geometry_segments_test {
 namespace {
 
-using namespace hawser;
 using detail::Wide;
 
 // The minimum over the square by its inner point (normal equations) and its four edges, 113 bits.
@@ -233,3 +233,5 @@ TEST(GeometrySegments, Scales) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_segments_test

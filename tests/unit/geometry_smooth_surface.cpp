@@ -10,10 +10,10 @@
 #include "hawser/geometry/point_in_polyhedron.hpp"
 #include "support/shapes.hpp"
 
+namespace hawser::geometry_smooth_surface_test {
 namespace {
 
-using namespace hawser;
-using namespace hawser::testing;
+using namespace hawser::test;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kDegree = M_PI / 180;
@@ -323,3 +323,5 @@ TEST(GeometrySmoothSurface, DegenerateTrianglesAndActiveParts) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_smooth_surface_test

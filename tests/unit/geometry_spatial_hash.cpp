@@ -7,10 +7,10 @@
 #include "hawser/geometry/spatial_hash.hpp"
 #include "support/shapes.hpp"
 
+namespace hawser::geometry_spatial_hash_test {
 namespace {
 
-using namespace hawser;
-using namespace hawser::testing;
+using namespace hawser::test;
 
 double brute_force(const TriangleMesh& m, const Vec3& y) {
   double best = std::numeric_limits<double>::infinity();
@@ -222,3 +222,5 @@ TEST(GeometrySpatialHash, WorkDoesNotGrowWithTheMesh) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_spatial_hash_test

@@ -11,10 +11,10 @@
 #include "hawser/geometry/surface.hpp"
 #include "support/shapes.hpp"
 
+namespace hawser::geometry_surface_test {
 namespace {
 
-using namespace hawser;
-using namespace hawser::testing;
+using namespace hawser::test;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -327,3 +327,5 @@ TEST(GeometrySurface, ThreadsAgree) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_surface_test

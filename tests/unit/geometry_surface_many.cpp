@@ -6,10 +6,10 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "support/shapes.hpp"
 
+namespace hawser::geometry_surface_many_test {
 namespace {
 
-using namespace hawser;
-using namespace hawser::testing;
+using namespace hawser::test;
 
 void same_answers(const Surface& surface, const char* name) {
   const Box box = surface.bounds();
@@ -67,3 +67,5 @@ TEST(SurfaceMany, NoneAndTooFewPlaces) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_surface_many_test

@@ -6,10 +6,10 @@
 #include "hawser/geometry/tested_surface.hpp"
 #include "support/shapes.hpp"
 
+namespace hawser::geometry_tested_surface_test {
 namespace {
 
-using namespace hawser;
-using namespace hawser::testing;
+using namespace hawser::test;
 
 // Near the surface, deep inside and far away, with and without a limit of distance.
 void compare(const TriangleMesh& mesh, SignBy test) {
@@ -77,3 +77,5 @@ TEST(TestedSurface, CurvedFacetsAreRefused) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_tested_surface_test

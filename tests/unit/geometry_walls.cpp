@@ -7,7 +7,7 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "support/shapes.hpp"
 
-namespace hawser::testing {
+namespace hawser::test::geometry_walls_test {
 namespace {
 
 Vec3 random_in(const Box& b, std::mt19937& gen) {
@@ -164,4 +164,4 @@ TEST(SurfaceWalls, OneInALargeBallIsOneInSmallOnes) {
 }
 
 }  // namespace
-}  // namespace hawser::testing
+}  // namespace hawser::test::geometry_walls_test

@@ -10,10 +10,10 @@
 #include "hawser/geometry/winding_tree.hpp"
 #include "support/shapes.hpp"
 
+namespace hawser::geometry_winding_test {
 namespace {
 
-using namespace hawser;
-using namespace hawser::testing;
+using namespace hawser::test;
 
 class Points {
  public:
@@ -149,3 +149,5 @@ TEST(GeometryWinding, SmoothMeshesWithHoles) {
 }
 
 }  // namespace
+
+}  // namespace hawser::geometry_winding_test

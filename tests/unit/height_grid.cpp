@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace hawser {
+namespace hawser::height_grid_test {
 namespace {
 
 std::vector<double> spaced(double from, double to, int count, double uneven = 0) {
@@ -116,4 +116,4 @@ TEST(HeightGrid, RefusesWhatIsNoGrid) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::height_grid_test

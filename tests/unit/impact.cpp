@@ -9,7 +9,7 @@
 
 #include "hawser/solve/step_control.hpp"
 
-namespace hawser {
+namespace hawser::impact_test {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -280,4 +280,4 @@ TEST(StepControl, FixedStepsAreDividedAtImpactsUnlessToldOtherwise) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::impact_test

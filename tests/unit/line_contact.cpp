@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-namespace hawser {
+namespace hawser::line_contact_test {
 namespace {
 
 struct Gap final : AxisGapFunction {
@@ -143,4 +143,4 @@ TEST(LineContactRule, IsExactToTheSeventhDegree) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::line_contact_test

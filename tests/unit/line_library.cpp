@@ -8,7 +8,7 @@
 
 #include "hawser/io/case_reader.hpp"
 
-namespace hawser {
+namespace hawser::line_library_test {
 namespace {
 
 model::LineType type_of(const std::string& keys) {
@@ -80,4 +80,4 @@ TEST(LineLibrary, EveryEntryIsWhole) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::line_library_test

@@ -10,7 +10,7 @@
 
 #include "hawser/math/so3.hpp"
 
-namespace hawser {
+namespace hawser::line_pair_test {
 namespace {
 
 double noise(int i, int purpose) {
@@ -400,4 +400,4 @@ TEST(AxisFoot, NearestOfAll) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::line_pair_test

@@ -7,7 +7,7 @@
 
 #include "hawser/math/so3.hpp"
 
-namespace hawser {
+namespace hawser::motion_test {
 namespace {
 
 // Every derivative against central differences with one Richardson step (error of order h⁴).
@@ -151,4 +151,4 @@ TEST(Motion, RestsBeforeTimeZeroAndRefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::motion_test

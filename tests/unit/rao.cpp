@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hawser {
+namespace hawser::rao_test {
 namespace {
 
 Response heave_of(double amplitude, double lag) {
@@ -68,4 +68,4 @@ TEST(Rao, TurnsWithTheHeading) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::rao_test

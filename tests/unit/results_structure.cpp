@@ -14,7 +14,7 @@
 #include "hawser/io/results.hpp"
 #include "hawser/io/xdmf.hpp"
 
-namespace hawser::io {
+namespace hawser::io::results_structure_test {
 namespace {
 
 std::string temporary(const std::string& name) { return std::string(HAWSER_BINARY_DIR) + "/results_" + name; }
@@ -201,4 +201,4 @@ TEST(ResultsXdmf, PointsAtWhatIsThere) {
 }
 
 }  // namespace
-}  // namespace hawser::io
+}  // namespace hawser::io::results_structure_test

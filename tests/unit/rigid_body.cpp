@@ -6,7 +6,7 @@
 #include "hawser/kernels/body_contact.hpp"
 #include "hawser/math/so3.hpp"
 
-namespace hawser {
+namespace hawser::rigid_body_test {
 namespace {
 
 RigidBodyData barge() {
@@ -149,4 +149,4 @@ TEST(BodyContact, NothingWhenApart) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::rigid_body_test

@@ -7,7 +7,7 @@
 
 #include "hawser/geometry/segment_distance.hpp"
 
-namespace hawser {
+namespace hawser::segment_ccd_test {
 namespace {
 
 TEST(SegmentCcd, NeverMissesAndNeverCriesWolf) {
@@ -53,4 +53,4 @@ TEST(SegmentCcd, AtRest) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::segment_ccd_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-namespace hawser {
+namespace hawser::steady_test {
 namespace {
 
 TEST(Steady, KeepsSizeAndLosesRounding) {
@@ -30,4 +30,4 @@ TEST(Steady, LeavesWhatIsNoSize) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::steady_test

@@ -11,7 +11,7 @@
 #include "hawser/math/so3.hpp"
 #include "support/cable.hpp"
 
-namespace hawser {
+namespace hawser::stiffness_table_test {
 namespace {
 
 using Row = StiffnessTable::Row;
@@ -155,4 +155,4 @@ TEST(StiffnessTable, CableTangentAndEnergyBelongToItsForce) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::stiffness_table_test

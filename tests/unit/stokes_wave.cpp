@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace hawser {
+namespace hawser::stokes_wave_test {
 namespace {
 
 constexpr double kG = 9.80665;
@@ -235,4 +235,4 @@ TEST(StokesWave, RefusesWhatIsNoWave) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::stokes_wave_test

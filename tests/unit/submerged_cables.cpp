@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace hawser {
+namespace hawser::submerged_cables_test {
 namespace {
 
 struct Four {
@@ -97,4 +97,4 @@ TEST(SubmergedCables, AreNotWhereOneGetsDry) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::submerged_cables_test

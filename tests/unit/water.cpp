@@ -6,7 +6,7 @@
 #include "hawser/kernels/wetting.hpp"
 #include "hawser/math/so3.hpp"
 
-namespace hawser {
+namespace hawser::water_test {
 namespace {
 
 constexpr double kRho = 1025, kG = 9.80665;
@@ -189,4 +189,4 @@ TEST(Current, FactorByTime) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::water_test

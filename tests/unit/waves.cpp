@@ -11,7 +11,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/wave_components.hpp"
 
-namespace hawser {
+namespace hawser::waves_test {
 namespace {
 
 constexpr double kG = 9.80665, kRho = 1025;
@@ -245,4 +245,4 @@ TEST(Waves, SpectrumByRows) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::waves_test

@@ -7,7 +7,7 @@
 #include "hawser/math/so3.hpp"
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::body_contact_test {
 namespace {
 
 model::Body floater(const char* name, double mass, const Vec3& at, const Vec3& velocity) {
@@ -183,4 +183,4 @@ TEST(BodyContact, TumblingBoxesKeepMomentum) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::body_contact_test

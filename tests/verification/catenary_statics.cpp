@@ -5,7 +5,8 @@
 
 #include "support/rig.hpp"
 
-using namespace hawser;
+namespace hawser::catenary_statics_test {
+
 using namespace hawser::test;
 
 namespace {
@@ -131,3 +132,5 @@ TEST(Catenary, FalseBalanceIsLeft) {
   EXPECT_NEAR(H[0], H[1], 1e-2 * H[1]);
   EXPECT_NEAR(energy[0], energy[1], 1e-6 * energy[1]);
 }
+
+}  // namespace hawser::catenary_statics_test

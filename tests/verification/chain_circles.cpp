@@ -2,7 +2,7 @@
 // slowest, of the largest radius.
 #include "verification/chain_circles.hpp"
 
-namespace hawser::test {
+namespace hawser::test::chain_circles_test {
 namespace {
 
 TEST(ChainCircles, ThreeOfThem) {
@@ -20,4 +20,4 @@ TEST(ChainCircles, LargeStepsWithDamping) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::chain_circles_test

@@ -1,7 +1,7 @@
 // C01 with contact at the nodes, on a drum of 96 flat facets and on a smooth one (see capstan_rig.hpp).
 #include "verification/capstan_rig.hpp"
 
-namespace hawser::test::capstan {
+namespace hawser::test::capstan::contact_capstan_test {
 namespace {
 
 // 26 elements a radian: where the line lies on facets, some of them lift a node.
@@ -57,4 +57,4 @@ TEST(CapstanSmooth, CableAndBeam) {
 }
 
 }  // namespace
-}  // namespace hawser::test::capstan
+}  // namespace hawser::test::capstan::contact_capstan_test

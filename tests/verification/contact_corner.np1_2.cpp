@@ -8,7 +8,7 @@
 namespace hawser::test {
 namespace {
 
-using testing::append;
+using test::append;
 
 double sum(double x) {
   MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
@@ -125,7 +125,7 @@ constexpr double kFrom = -5, kTo = 20;
 // A prism of a polygon in (y, z), along x.
 TriangleMesh along_x(const std::vector<std::pair<double, double>>& polygon,
                      const std::vector<std::vector<int>>& pieces) {
-  TriangleMesh m = testing::prism_mesh(polygon, pieces, kTo - kFrom);
+  TriangleMesh m = test::prism_mesh(polygon, pieces, kTo - kFrom);
   for (Vec3& v : m.vertices) v = Vec3(v.z() + kFrom, v.x(), v.y());
   return m;
 }
@@ -140,8 +140,8 @@ TEST(ContactCorner, DeckAndBulwark) {
   for (const std::string method : {"line", "nodes"}) {
     const auto one = run(read("corner_one", on_deck(method, {"ship"})), {mesh(deck_and_bulwark())});
     const auto two = run(read("corner_two", on_deck(method, {"deck", "bulwark"})),
-                         {mesh(testing::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 3, 0))),
-                          mesh(testing::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 0, 1)))});
+                         {mesh(test::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 3, 0))),
+                          mesh(test::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 0, 1)))});
     for (const size_t when : {size_t{0}, size_t{1}}) {
       const Rest& r = one[when];
       expect_same(r, two[when], 1e-6, method + (when ? ", drawn along" : ", at rest"));
@@ -171,8 +171,8 @@ TEST(ContactCorner, FromOneWallToTwo) {
   put("  ship:",
       "  bulwark: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, friction: 0.3}\n  ship:");
   const auto two =
-      run(read("slides_two", text), {mesh(testing::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 0, 1))),
-                                     mesh(testing::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 3, 0)))});
+      run(read("slides_two", text), {mesh(test::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 0, 1))),
+                                     mesh(test::box_mesh(Vec3(kFrom, -5, -5), Vec3(kTo, 3, 0)))});
   EXPECT_EQ(one[0].touching, 0) << "clear at first";
   EXPECT_GT(one[1].total.y(), 300);
   expect_same(one[1], two[1], 1e-6, "from one wall to two");
@@ -206,13 +206,13 @@ volumes:
     }
     return t + ", [-1.1, -3, -0.9]]}\ndynamics: {duration: 1, step: 0.01, resolve_impacts: false}\n";
   };
-  const TriangleMesh drum = testing::flanged_drum_mesh(24, 1, 2, 1.6, 0.1);
+  const TriangleMesh drum = test::flanged_drum_mesh(24, 1, 2, 1.6, 0.1);
   const auto disc = [](double from) {
-    return mesh(testing::revolution_mesh({{0, from}, {1.6, from}, {1.6, from + 0.1}, {0, from + 0.1}}, 24));
+    return mesh(test::revolution_mesh({{0, from}, {1.6, from}, {1.6, from + 0.1}, {0, from + 0.1}}, 24));
   };
   const auto one = run(read("drum_one", text({"reel"})), {mesh(drum)});
   const auto two = run(read("drum_two", text({"drum", "low", "high"})),
-                       {mesh(testing::drum_mesh(24, 1, 2)), disc(-1.1), disc(1)});
+                       {mesh(test::drum_mesh(24, 1, 2)), disc(-1.1), disc(1)});
   for (const size_t when : {size_t{0}, size_t{1}}) {
     expect_same(one[when], two[when], 1e-6, when ? "drum that turns" : "drum at rest");
     EXPECT_GT(one[when].total.z(), 300) << "pressed onto the flange";

@@ -2,7 +2,7 @@
 // which is 50 kg on 1e5 N/m), the same dropped, and an elastic bar against a wall.
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::contact_impact_test {
 namespace {
 
 constexpr double kMass = 50, kStiffness = 1e5, kSpeed = 2;
@@ -272,4 +272,4 @@ TEST(BarReference, Characteristics) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::contact_impact_test

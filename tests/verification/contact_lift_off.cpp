@@ -5,7 +5,7 @@
 // action passes rho + EI/(2 T rho) from the axis.
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::contact_lift_off_test {
 namespace {
 
 struct Row {
@@ -155,4 +155,4 @@ INSTANTIATE_TEST_SUITE_P(Rows, LiftOff, ::testing::ValuesIn(kRows), kName);
 INSTANTIATE_TEST_SUITE_P(Rows, LineLiftOff, ::testing::ValuesIn(kRows), kName);
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::contact_lift_off_test

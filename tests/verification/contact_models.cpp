@@ -3,7 +3,7 @@
 // its middle.
 #include "verification/contact_models.hpp"
 
-namespace hawser::test {
+namespace hawser::test::contact_models_test {
 namespace {
 
 struct Landing {
@@ -185,4 +185,4 @@ TEST(ContactModels, GapSpringKeepsItsDirection) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::contact_models_test

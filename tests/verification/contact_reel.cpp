@@ -6,7 +6,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::contact_reel_test {
 namespace {
 
 constexpr double kBarrel = 3.6, kHose = 0.425, kRho = kBarrel + kHose, kLength = 250, kRate = 0.1, kRamp = 10;
@@ -183,4 +183,4 @@ TEST(Reel, TensionNoiseOfNodes) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::contact_reel_test

@@ -19,7 +19,7 @@ namespace hawser::test {
 // A drum of flat facets about the y axis, its vertices on the radius; turned by `phase` about its axis.
 inline std::shared_ptr<const Surface> faceted_drum(int facets, double radius, double width, int rings = 4,
                                                    double phase = 0) {
-  TriangleMesh m = testing::drum_mesh(facets, radius, width, rings);
+  TriangleMesh m = test::drum_mesh(facets, radius, width, rings);
   for (Vec3& v : m.vertices) {
     const double a = std::atan2(v.y(), v.x()) + phase, r = std::hypot(v.x(), v.y());
     v = Vec3(r * std::sin(a), v.z(), r * std::cos(a));  // z to y, a turn of space

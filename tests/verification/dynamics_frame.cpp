@@ -3,7 +3,7 @@
 
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::dynamics_frame_test {
 namespace {
 
 // (t, elbow, tip), m: spectral elements of order 10 and 12, which differ by less than 2e-5 m up to 30 s.
@@ -96,4 +96,4 @@ TEST(Dynamics, RightAngleFrame) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::dynamics_frame_test

@@ -3,7 +3,7 @@
 
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::dynamics_pendulum_test {
 namespace {
 
 // (t, x, z of the tip, m, kinetic and elastic energy, J): spectral elements, two meshes agree to 1e-5.
@@ -83,4 +83,4 @@ TEST(Dynamics, HeavyPendulumWithAutomaticSteps) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::dynamics_pendulum_test

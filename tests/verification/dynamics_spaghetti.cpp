@@ -3,7 +3,7 @@
 
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::dynamics_spaghetti_test {
 namespace {
 
 // (t, A, B), m: spectral elements of order 12, 2e-4 m from those of order 10 at 15 s.
@@ -81,4 +81,4 @@ TEST(Dynamics, FlyingSpaghetti) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::dynamics_spaghetti_test

@@ -3,7 +3,7 @@
 
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::dynamics_spin_up_test {
 namespace {
 
 // psi(t) = 6/15 [t²/2 + (15/2pi)² (cos(2 pi t/15) - 1)], from 15 s on 6 t - 45.
@@ -93,4 +93,4 @@ TEST(Dynamics, SpinUp) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::dynamics_spin_up_test

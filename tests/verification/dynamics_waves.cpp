@@ -3,7 +3,7 @@
 
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::dynamics_waves_test {
 namespace {
 
 // m = 1 kg/m, T = 100 N, L = 10 m stretched, plucked by `height` at midspan. D'Alembert: period 2 s.
@@ -112,4 +112,4 @@ TEST(Dynamics, StoppedBar) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::dynamics_waves_test

@@ -1,6 +1,6 @@
 #include "verification/energy_free_beam.hpp"
 
-namespace hawser::test {
+namespace hawser::test::energy_free_beam_test {
 namespace {
 
 TEST(Energy, FreeFlyingBeam) {
@@ -72,4 +72,4 @@ TEST(Energy, FreeFlyingCable) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::energy_free_beam_test

@@ -2,7 +2,7 @@
 // the mobilisation of a rope round a drum.
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::friction_runs_test {
 namespace {
 
 constexpr double kGravity = 9.81, kRadius = 0.05;
@@ -258,4 +258,4 @@ TEST(FrictionRuns, CapstanMobilisation) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::friction_runs_test

@@ -7,7 +7,7 @@
 // 1 m, wall force 0.5 %, curvature 1 %.
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::hose_on_wall_test {
 namespace {
 
 constexpr double kLength = 278.5, kDiameter = 0.49843453365368695, kDensity = 1025, kSpeed = 0.72;
@@ -122,4 +122,4 @@ TEST(HoseOnWall, AgainstTheWallWithoutBending) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::hose_on_wall_test

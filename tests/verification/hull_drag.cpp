@@ -9,7 +9,7 @@
 #include "support/hulls.hpp"
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::hull_drag_test {
 namespace {
 
 constexpr double kRadius = 0.249;  // m, of the hose
@@ -98,7 +98,7 @@ dynamics: {{duration: {}}}
 
 Outcome drag(const Drag& d) {
   const std::string folder = ::testing::TempDir() + "hawser_hulls";
-  const std::string hull = testing::unpacked_hull("kvlcc2.obj", folder);
+  const std::string hull = test::unpacked_hull("kvlcc2.obj", folder);
   const std::string path = folder + "/" + d.name + ".yaml";
   std::ofstream(path) << case_of(d, hull);
   const model::Case c = io::read_case(path);
@@ -126,13 +126,13 @@ Outcome drag(const Drag& d) {
   const long asked = counted->asked() - before;
   out.deepest = s.contact()->largest_penetration().depth;
   const MeshView& mesh = *volumes[0].facets;
-  const auto boundary = testing::boundary_of(mesh);
+  const auto boundary = test::boundary_of(mesh);
   const Box box = counted->bounds();
   const Vec3 up(0.0031, 0.0017, 1);
   for (const Vec3& x : places) {
     if (distance(box, x) > 0) continue;
     ++out.looked;
-    out.inside += testing::WindingAlong(mesh, x, up.normalized()).at(0, mesh, boundary) > 0.5;
+    out.inside += test::WindingAlong(mesh, x, up.normalized()).at(0, mesh, boundary) > 0.5;
   }
   const double share = 1e-6 * counted->microseconds() * static_cast<double>(asked) / seconds;
   std::printf(
@@ -146,7 +146,7 @@ Outcome drag(const Drag& d) {
 }
 
 void expect_outside(const Drag& d, int touching) {
-  if (testing::unpacked_hull("kvlcc2.obj", ::testing::TempDir() + "hawser_hulls").empty())
+  if (test::unpacked_hull("kvlcc2.obj", ::testing::TempDir() + "hawser_hulls").empty())
     GTEST_SKIP() << "the hull meshes are not beside the sources";
   const Outcome o = drag(d);
   EXPECT_LT(o.deepest, 0.1 * kRadius);
@@ -183,4 +183,4 @@ TEST(HullDrag, UnderTheBow) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::hull_drag_test

@@ -1,15 +1,15 @@
 // Zero wrong answers of inside or outside on real hulls: a sample of hull_signs.full.cpp's.
 #include "verification/hull_signs.hpp"
 
-namespace hawser {
+namespace hawser::hull_signs_test {
 namespace {
 
-TEST(HullSigns, Kvlcc2Flat) { testing::expect_signs("kvlcc2.obj", 58, false, 200); }
-TEST(HullSigns, Kvlcc2Curved) { testing::expect_signs("kvlcc2.obj", 58, true, 200); }
-TEST(HullSigns, Dtc) { testing::expect_signs("dtc.stl", 1, false, 200); }
+TEST(HullSigns, Kvlcc2Flat) { test::expect_signs("kvlcc2.obj", 58, false, 200); }
+TEST(HullSigns, Kvlcc2Curved) { test::expect_signs("kvlcc2.obj", 58, true, 200); }
+TEST(HullSigns, Dtc) { test::expect_signs("dtc.stl", 1, false, 200); }
 
 TEST(HullSigns, Kvlcc2SaysWhatIsWrong) {
-  const std::string path = testing::unpacked_hull("kvlcc2.obj", ::testing::TempDir() + "hawser_hulls");
+  const std::string path = test::unpacked_hull("kvlcc2.obj", ::testing::TempDir() + "hawser_hulls");
   if (path.empty()) GTEST_SKIP() << "the hull meshes are not beside the sources";
   const io::LoadedMesh hull = io::read_mesh(path, 58);
   EXPECT_TRUE(hull.open);
@@ -22,4 +22,4 @@ TEST(HullSigns, Kvlcc2SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace hawser
+}  // namespace hawser::hull_signs_test

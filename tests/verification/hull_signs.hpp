@@ -9,7 +9,7 @@
 #include "hawser/io/mesh_reader.hpp"
 #include "support/hulls.hpp"
 
-namespace hawser::testing {
+namespace hawser::test {
 
 struct Signs {
   long points = 0, inside = 0, wrong = 0, near = 0;  // near: between facets and patches, not compared
@@ -78,4 +78,4 @@ inline void expect_signs(const std::string& name, double scale, bool smooth, int
   EXPECT_GT(s.inside, s.points / 10);
 }
 
-}  // namespace hawser::testing
+}  // namespace hawser::test

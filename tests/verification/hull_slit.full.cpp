@@ -79,7 +79,7 @@ void drag(const std::string& folder, const std::string& volumes, Drag& r) {
 
 TEST(HullSlit, BothWallsBearTheHose) {
   const std::string folder = ::testing::TempDir() + "hawser_hulls";
-  if (testing::unpacked_hull("kvlcc2.obj", folder).empty())
+  if (test::unpacked_hull("kvlcc2.obj", folder).empty())
     GTEST_SKIP() << "the hull meshes are not beside the sources";
   Drag one, two;
   drag(folder, kOne, one);

@@ -3,7 +3,7 @@
 // frequency domain"; pinned ends, no axial drag.
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::jumper_test {
 namespace {
 
 constexpr int kElements = 85;
@@ -220,4 +220,4 @@ TEST(Jumper, Submerged) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::jumper_test

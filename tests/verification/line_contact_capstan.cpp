@@ -2,7 +2,7 @@
 // capstan_rig.hpp).
 #include "verification/capstan_rig.hpp"
 
-namespace hawser::test::capstan {
+namespace hawser::test::capstan::line_contact_capstan_test {
 namespace {
 
 void expect_exact(const Pull& p) {
@@ -35,4 +35,4 @@ INSTANTIATE_TEST_SUITE_P(Drum, LineCapstan,
                                             ::testing::Values(0.1, 0.3, 0.5), ::testing::Values(M_PI)));
 
 }  // namespace
-}  // namespace hawser::test::capstan
+}  // namespace hawser::test::capstan::line_contact_capstan_test

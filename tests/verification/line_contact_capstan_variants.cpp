@@ -3,7 +3,7 @@
 // drum about y, legs down; a dead load at one end, the other end drawn down.
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_contact_capstan_variants_test {
 namespace {
 
 constexpr double kRho = 1, kLine = 0.01;  // m: radius of the axis on the drum, of the line
@@ -152,7 +152,7 @@ TEST(LineCapstanVariants, TwoTurnsSideBySide) {
 // A mesh of 24 facets that are curved again, on the vertices' radius; flat, they scatter. Drawn over it, and
 // while it turns under the line by more than a facet.
 std::shared_ptr<const Surface> facets(bool smooth) {
-  TriangleMesh mesh = testing::drum_mesh(24, kRho - kLine, 4, 4);
+  TriangleMesh mesh = test::drum_mesh(24, kRho - kLine, 4, 4);
   for (Vec3& v : mesh.vertices) v = Vec3(v.y(), v.z(), v.x());
   return std::make_shared<MeshSurface>(std::move(mesh), std::vector<bool>(),
                                        MeshSurfaceOptions{smooth, 40 * M_PI / 180});
@@ -211,4 +211,4 @@ TEST(LineCapstanVariants, Mobilisation) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_contact_capstan_variants_test

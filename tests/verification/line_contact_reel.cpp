@@ -3,7 +3,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_contact_reel_test {
 namespace {
 
 constexpr double kBarrel = 3.6, kHose = 0.425, kLength = 250;  // m
@@ -75,4 +75,4 @@ TEST(LineReel, IsDrawnUpEvenly) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_contact_reel_test

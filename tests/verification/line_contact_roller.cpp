@@ -5,7 +5,7 @@
 #include "verification/contact_rig.hpp"
 #include "verification/statics_newton.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_contact_roller_test {
 namespace {
 
 constexpr double kSpan = 40, kRoller = 0.25, kPipe = 0.16;  // m
@@ -159,4 +159,4 @@ TEST(LineRoller, EnergyCloses) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_contact_roller_test

@@ -1,7 +1,7 @@
 // Friction at the line's surface: a pipe that is pushed across a plane rolls.
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_contact_rolling_test {
 namespace {
 
 struct Pushed {
@@ -97,4 +97,4 @@ TEST(LineRolling, WithoutIt) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_contact_rolling_test

@@ -2,7 +2,7 @@
 // depend on the step, and contact makes no energy. Contact along the line, a thin bar across as the support.
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_contact_throw_test {
 namespace {
 
 constexpr double kSpan = 60, kDiameter = 0.3239, kWall = 0.0127, kMass = 180,
@@ -112,4 +112,4 @@ TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_contact_throw_test

@@ -2,7 +2,7 @@
 // nearest wall is met.
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_contact_walls_test {
 namespace {
 
 // Let go a little aside of the bottom it settles there: each wall bears w L / (2 cos a).
@@ -50,4 +50,4 @@ TEST(LineContactWalls, BothBear) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_contact_walls_test

@@ -4,7 +4,7 @@
 #include "hawser/model/check.hpp"
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_furniture_test {
 namespace {
 
 double integral(const std::function<double(double)>& f, double from, double to) {
@@ -125,4 +125,4 @@ TEST(LineFurniture, MomentByATable) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_furniture_test

@@ -3,7 +3,7 @@
 #include "hawser/kernels/axis_shape.hpp"
 #include "verification/line_pairs_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_pairs_arc_test {
 namespace {
 
 // 4C's tests beam3eb_static_contact_penalty_linposquadpen_beamrotatingoverarc and _beamslidingoverarc: lines
@@ -161,4 +161,4 @@ TEST(BeamOverArc, Sliding) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_pairs_arc_test

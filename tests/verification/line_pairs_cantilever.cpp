@@ -1,7 +1,7 @@
 // A cantilever pressed down by a crossing beam, against 4C.
 #include "verification/line_pairs_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_pairs_cantilever_test {
 namespace {
 
 // 4C's test beam3eb_static_contact_penalty_newgap_twocrossedbeams: cantilever of 1 m along x, ten elements,
@@ -60,4 +60,4 @@ TEST(CrossedCantilever, TipAs4C) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_pairs_cantilever_test

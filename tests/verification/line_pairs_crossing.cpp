@@ -1,7 +1,7 @@
 // Two crossing beams: the compliances of both and of the contact in series.
 #include "verification/line_pairs_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_pairs_crossing_test {
 namespace {
 
 // Meier, Popp & Wall's set-up in its linear form: EI 1e5 and 2e5 N m², spans 4 and 5 m, simply supported,
@@ -45,4 +45,4 @@ TEST(CrossingBeams, CompliancesInSeries) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_pairs_crossing_test

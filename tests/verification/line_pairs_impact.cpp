@@ -4,7 +4,7 @@
 
 #include "verification/line_pairs_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_pairs_impact_test {
 namespace {
 
 struct Impact {
@@ -80,4 +80,4 @@ TEST(MeetingLines, ForceDoesNotDependOnTheStep) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_pairs_impact_test

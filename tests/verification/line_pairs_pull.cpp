@@ -2,7 +2,7 @@
 // lines are stiff: bent ones would have to climb over each other as well.
 #include "verification/line_pairs_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_pairs_pull_test {
 namespace {
 
 constexpr double kMu = 0.3, kRadius = 0.05;
@@ -113,4 +113,4 @@ TEST(DrawnLines, SupportsFeelFrictionTimesForce) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_pairs_pull_test

@@ -2,7 +2,7 @@
 // point a pair of elements fail here.
 #include "verification/line_pairs_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_pairs_twist_test {
 namespace {
 
 // Meier, Popp & Wall (2016), "A finite element approach for the line-to-line contact interaction of thin
@@ -117,4 +117,4 @@ TEST(TwistedStrands, RadiusAndPressureOfTheHelix) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_pairs_twist_test

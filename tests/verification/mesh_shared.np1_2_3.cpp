@@ -17,7 +17,7 @@
 namespace hawser::test {
 namespace {
 
-using namespace hawser::testing;
+using namespace hawser::test;
 
 bool same(const std::optional<SurfacePoint>& a, const std::optional<SurfacePoint>& b) {
   if (!a || !b) return !a && !b;

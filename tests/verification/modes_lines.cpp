@@ -7,7 +7,8 @@
 #include "support/modal.hpp"
 #include "support/rig.hpp"
 
-using namespace hawser;
+namespace hawser::modes_lines_test {
+
 using namespace hawser::test;
 
 namespace {
@@ -149,3 +150,5 @@ TEST(Modes, SaggedCable) {
     EXPECT_LT(error, 5e-3) << "lambda² " << r.lambda2;
   }
 }
+
+}  // namespace hawser::modes_lines_test

@@ -7,7 +7,8 @@
 #include "support/modal.hpp"
 #include "support/rig.hpp"
 
-using namespace hawser;
+namespace hawser::modes_rotating_test {
+
 using namespace hawser::test;
 
 namespace {
@@ -174,3 +175,5 @@ TEST(Modes, RotatingCantilever) {
     EXPECT_LT(b.damping, 1e-6);
   }
 }
+
+}  // namespace hawser::modes_rotating_test

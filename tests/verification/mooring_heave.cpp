@@ -4,7 +4,7 @@
 #include "hawser/terms/seabed.hpp"
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::mooring_heave_test {
 namespace {
 
 struct Place {
@@ -215,4 +215,4 @@ TEST(MooringHeave, TouchdownDoesNotRing) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::mooring_heave_test

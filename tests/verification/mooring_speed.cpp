@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-namespace hawser::test::speed {
+namespace hawser::test::speed::mooring_speed_test {
 namespace {
 
 // At the default tolerance. The least cost of some runs over the least factorisation of them: other work on
@@ -54,4 +54,4 @@ TEST(MooringSpeed, Goals) {
 }
 
 }  // namespace
-}  // namespace hawser::test::speed
+}  // namespace hawser::test::speed::mooring_speed_test

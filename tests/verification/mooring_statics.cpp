@@ -3,7 +3,7 @@
 #include "hawser/terms/seabed.hpp"
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::mooring_statics_test {
 namespace {
 
 struct Part {
@@ -199,4 +199,4 @@ TEST(MooringStatics, SeveralSections) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::mooring_statics_test

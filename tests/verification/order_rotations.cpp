@@ -6,7 +6,7 @@
 
 #include "verification/energy_free_beam.hpp"
 
-namespace hawser::test {
+namespace hawser::test::order_rotations_test {
 namespace {
 
 // The top of Brüls & Cardona (2010), section 5.2: 15 kg at (0, 1, 0) m of the body, gravity 9.81 m/s² along
@@ -154,4 +154,4 @@ TEST(Order, TumblingBeam) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::order_rotations_test

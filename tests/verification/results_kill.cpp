@@ -20,7 +20,7 @@
 #include "hawser/io/hdf5.hpp"
 #include "hawser/io/results.hpp"
 
-namespace hawser::io {
+namespace hawser::io::results_kill_test {
 namespace {
 
 // So large that writing takes a good part of the time and many kills come in the middle of it.
@@ -261,4 +261,4 @@ TEST(ResultsKill, AcceptedOutputsSurvive) {
 }
 
 }  // namespace
-}  // namespace hawser::io
+}  // namespace hawser::io::results_kill_test

@@ -6,7 +6,7 @@
 #include "support/cpu_time.hpp"
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::riser_statics_test {
 namespace {
 
 struct Part {
@@ -415,4 +415,4 @@ TEST(RiserStatics, ModelCableWithModules) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::riser_statics_test

@@ -2,7 +2,7 @@
 #include "hawser/terms/seabed.hpp"
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::seabed_statics_test {
 namespace {
 
 // Of the axis: the line is so thin that its radius does not matter.
@@ -273,4 +273,4 @@ TEST(SeabedStatics, PullingUnloadingPushing) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::seabed_statics_test

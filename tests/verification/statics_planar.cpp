@@ -6,7 +6,8 @@
 
 #include "verification/statics_newton.hpp"
 
-using namespace hawser;
+namespace hawser::statics_planar_test {
+
 using namespace hawser::test;
 
 namespace {
@@ -129,3 +130,5 @@ TEST(Statics, CompressedStraightBeamBuckles) {
   EXPECT_EQ(report.negative_eigenvalues, 0);
   EXPECT_NEAR(P, force, 1e-3 * force);
 }
+
+}  // namespace hawser::statics_planar_test

@@ -2,7 +2,8 @@
 // Reference: elastica of Bisshopp & Drucker (1945), elliptic integrals to 30 digits (case S02).
 #include "support/rig.hpp"
 
-using namespace hawser;
+namespace hawser::statics_point_loads_test {
+
 using namespace hawser::test;
 
 TEST(StaticsPointLoads, ElasticaFromTheStraightBeam) {
@@ -42,3 +43,5 @@ TEST(StaticsPointLoads, AForceThatLastsKeepsTheEnergyOfDynamicsInBalance) {
   EXPECT_EQ(e.work, 0);
   EXPECT_NEAR(e.kinetic + e.strain, work, 2e-3 * work);
 }
+
+}  // namespace hawser::statics_point_loads_test

@@ -7,7 +7,8 @@
 
 #include "verification/statics_newton.hpp"
 
-using namespace hawser;
+namespace hawser::statics_spatial_test {
+
 using namespace hawser::test;
 
 namespace {
@@ -382,3 +383,5 @@ TEST(Statics, LoadedBendTurnedOnceComesBack) {
               (state.x.back() - first.tip()).norm() / kRadius);
   EXPECT_LT(worst, 1e-8);
 }
+
+}  // namespace hawser::statics_spatial_test

@@ -7,7 +7,7 @@
 #include "hawser/io/hdf5.hpp"
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::wall_tension_test {
 namespace {
 
 constexpr double kG = 9.80665, kRho = 1025, kQuarter = M_PI / 4;
@@ -126,4 +126,4 @@ TEST(WallTension, FilledAndOvergrownRodsSink) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::wall_tension_test

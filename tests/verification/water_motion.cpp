@@ -1,7 +1,7 @@
 // Rods that drift and sink in water: drag by relative velocity and added mass in time.
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::water_motion_test {
 namespace {
 
 // A rod of 0.5 m, Cd 1.2, Ca 1, along x, both ends free.
@@ -107,4 +107,4 @@ TEST(WaterMotion, QuadraticDragDampsAnOscillation) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::water_motion_test

@@ -1,7 +1,7 @@
 // Lines at rest in a current.
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::water_statics_test {
 namespace {
 
 // Towed cable: straight at the critical angle, where drag across it balances the weight across it,
@@ -36,4 +36,4 @@ TEST(WaterStatics, TowedCableStreamsAtItsCriticalAngle) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::water_statics_test

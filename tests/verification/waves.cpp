@@ -2,7 +2,7 @@
 #include "hawser/model/wave_components.hpp"
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::waves_test {
 namespace {
 
 model::Waves one_wave(double height, double period, double phase = 0) {
@@ -180,4 +180,4 @@ TEST(WaveLoads, NeutralRodMovesWithTheWater) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::waves_test

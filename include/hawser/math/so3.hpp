@@ -80,6 +80,6 @@ inline Mat3 inverse_right_jacobian(const Vec3& u) {
 }
 
 // The rotation about (from x to) that takes the unit vector `from` to the unit vector `to`.
-inline Quat minimal_rotation(const Vec3& from, const Vec3& to) { return Quat::FromTwoVectors(from, to); }
+Quat minimal_rotation(const Vec3& from, const Vec3& to);
 
 }  // namespace hawser
