@@ -33,29 +33,37 @@ TEST(Suite, Tangents) {
 }
 
 // The contact models are what they claim to be, node by node.
+void expect_situations(ContactOn on, Kept kept) {
+  SuiteModel m;
+  VolumeContact& contact = add_contact(m, {}, on, 0.3, 0.3, kept);
+  const State s = state_of(m.system->mesh(), m.trial);
+  ASSERT_EQ(contact.candidates(), 8);
+  for (int n = 0; n < 8; ++n) {
+    const auto f = contact.force(s.view(m.trial.h), n, false);
+    const std::string what = std::string(kept == Kept::augmented ? "augmented, " : "") + "surface " +
+                             std::to_string(static_cast<int>(on)) + ", node " + std::to_string(n);
+    EXPECT_EQ(f.touches, n != 0 && n != 7) << what;
+    if (!f.touches) continue;
+    const double normal = (f.total - f.friction).norm();
+    const bool slides = n == 3 || n == 4 || n == 6, ramp = n == 1 || n == 4;
+    if (slides)
+      EXPECT_NEAR(f.friction.norm(), 0.3 * normal, 1e-9 * normal) << what;
+    else
+      EXPECT_LT(f.friction.norm(), 0.95 * 0.3 * normal) << what;
+    EXPECT_GT(f.friction.norm(), 1e-3 * normal) << what;
+    EXPECT_EQ(normal < 50, ramp) << what << ": " << normal << " N";
+    if (kept != Kept::augmented) continue;
+    // The multiplier is what the spring bore at the start, where it was pressed; damping does the rest.
+    const NodeStory story = test::story(kept, n);
+    const double multiplier = std::max(0.0, -kNormalStiffness * story.before);
+    EXPECT_NEAR(normal, multiplier - kNormalStiffness * story.gap, 600 * story.speed) << what;
+  }
+}
+
 TEST(Suite, ContactSituations) {
   for (const ContactOn on :
-       {ContactOn::plane, ContactOn::cylinder, ContactOn::face, ContactOn::edge, ContactOn::vertex}) {
-    SuiteModel m;
-    VolumeContact& contact = add_contact(m, {}, on, 0.3, 0.3);
-    const State s = state_of(m.system->mesh(), m.trial);
-    ASSERT_EQ(contact.candidates(), 8);
-    for (int n = 0; n < 8; ++n) {
-      const auto f = contact.force(s.view(m.trial.h), n, false);
-      const std::string what =
-          "surface " + std::to_string(static_cast<int>(on)) + ", node " + std::to_string(n);
-      EXPECT_EQ(f.touches, n != 0 && n != 7) << what;
-      if (!f.touches) continue;
-      const double normal = (f.total - f.friction).norm();
-      const bool slides = n == 3 || n == 4 || n == 6, ramp = n == 1 || n == 4;
-      if (slides)
-        EXPECT_NEAR(f.friction.norm(), 0.3 * normal, 1e-9 * normal) << what;
-      else
-        EXPECT_LT(f.friction.norm(), 0.95 * 0.3 * normal) << what;
-      EXPECT_GT(f.friction.norm(), 1e-3 * normal) << what;
-      EXPECT_EQ(normal < 50, ramp) << what << ": " << normal << " N";
-    }
-  }
+       {ContactOn::plane, ContactOn::cylinder, ContactOn::face, ContactOn::edge, ContactOn::vertex})
+    for (const Kept kept : {Kept::elastic, Kept::augmented}) expect_situations(on, kept);
 }
 
 // Held nodes push, slide and pull.
