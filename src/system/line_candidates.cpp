@@ -112,27 +112,14 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
   return {a, a + element.length / 3 * tangent(i), b - element.length / 3 * tangent(j), b};
 }
 
-// Every axis within its skin of where it was foreseen to be then: as the difference of two cubics is one with
-// the differences of the Bézier points, which bound it. All are asked for the same time, as pairs are left
-// out for what two axes do together: one that stops on its way is run into by the next. Where no time passes
-// (statics), each may be anywhere on its way.
-bool LineCandidates::holds(const Kinematics& at, double h) const {
+// Every axis within its skin of where it was foreseen to be at `tau` of the way. All are asked for the same
+// place on it, as pairs are left out for what two axes do together: one that stops on its way is run into by
+// the next.
+bool LineCandidates::holds(const Kinematics& at, double h, double tau) const {
   if (builds_ == 0 && !local_.empty()) return false;
-  const double passed = at.time + h - made_;
   for (size_t i = 0; i < local_.size(); ++i) {
     const SweptAxis& s = built_[i];
     const std::array<Vec3, 4> p = axis(local_[i], at, h);
-    double tau = 0;
-    if (passed > 0) {
-      tau = span_ > 0 ? std::min(passed / span_, 1.0) : 0;
-    } else {
-      double along = 0, length = 0;
-      for (size_t k = 0; k < 4; ++k) {
-        const Vec3 d = s.to[k] - s.from[k];
-        along += d.dot(p[k] - s.from[k]), length += d.squaredNorm();
-      }
-      tau = length > 0 ? std::clamp(along / length, 0.0, 1.0) : 0;
-    }
     const double skin_i = skin(s.element), limit = skin_i * skin_i, bend = 4 * tau * (1 - tau);
     for (size_t k = 0; k < 4; ++k) {
       const Vec3 d = p[k] - s.from[k] - tau * (s.to[k] - s.from[k]) - bend * bend_[i][k];
@@ -142,16 +129,29 @@ bool LineCandidates::holds(const Kinematics& at, double h) const {
   return true;
 }
 
+// Where on the way a time is. Where none has passed (statics), the way is that of a trial, from its state.
+double LineCandidates::part(double time) const {
+  if (!(time > made_)) return 1;
+  return span_ > 0 ? std::min((time - made_) / span_, 1.0) : 0;
+}
+
 bool LineCandidates::covers(const Kinematics& trial) const {
-  const bool held = holds(trial, 0);
+  const bool held = holds(trial, 0, part(trial.time));
   outdated_ |= !held;
   return held;
 }
 
 bool LineCandidates::update(const Kinematics& committed, double h) {
-  int good = builds_ > 0 && !outdated_ && holds(committed, 0) && (h <= 0 || holds(committed, h));
-  MPI_Allreduce(MPI_IN_PLACE, &good, 1, MPI_INT, MPI_MIN, comm_);
-  if (good) return false;
+  const bool known = builds_ > 0 && !outdated_;
+  // Without time having passed: at the end of the way, or, when it was not gone, at its start.
+  int good[2] = {known && holds(committed, 0, part(committed.time)),
+                 known && !(committed.time > made_) && holds(committed, 0, 0)};
+  if (h > 0) {
+    const bool foreseen = known && holds(committed, h, part(committed.time + h));
+    for (int& g : good) g = g && foreseen;
+  }
+  MPI_Allreduce(MPI_IN_PLACE, good, 2, MPI_INT, MPI_MIN, comm_);
+  if (good[0] || good[1]) return false;
   ++builds_;
   outdated_ = false;
   foresee(committed, h);

@@ -271,6 +271,39 @@ TEST(LineCandidates, OneStopsTheNextComesOn) {
   }
 }
 
+// The same where no time passes: statics takes both along to where its first step ends, and then the first
+// one back. Either is on the way that it went, but not at the same place of it.
+TEST(LineCandidates, OneGoesBackInStatics) {
+  model::Case c = one_line(cable_type(1e6, 1), 10, 10, anchor({0, 0, 0}), anchor({10, 0, 0}));
+  c.lines.push_back(c.lines[0]);
+  c.lines[1].name = "behind";
+  for (model::End* e : {&c.lines[1].end_a, &c.lines[1].end_b}) e->at.y() = -1;
+  for (const bool back : {false, true}) {
+    Model m(PETSC_COMM_WORLD, c, 0.1, 1);
+    System& system = m.sim.system();
+    State& s = m.sim.state();
+    const LocalMesh& l = m.sim.local();
+    system.couple(s.view(0), 0);
+    State to = s;
+    for (Vec3& x : to.x) x.y() += 1;
+    EXPECT_FALSE(system.covers(to.view(0)));
+    system.couple(straight_way(l, s, to, 1).view(0), 1 / CandidateSettings{}.steps);
+    EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
+    EXPECT_TRUE(system.covers(to.view(0)));
+    // The next iteration starts there, or, if the step was refused, where it was: the list stays.
+    const long builds = m.springs->list.builds();
+    for (const State* at : {&to, &s, &to}) system.couple(at->view(0), 0);
+    EXPECT_EQ(m.springs->list.builds(), builds);
+    State next = to;
+    for (size_t n = 0; n < next.x.size(); ++n)
+      if (back && l.global[n] < 11) next.x[n].y() -= 1;
+    EXPECT_EQ(system.covers(next.view(0)), !back);
+    EXPECT_EQ(system.outdated(), back);
+    system.couple(straight_way(l, to, next, 1).view(0), 1 / CandidateSettings{}.steps);
+    EXPECT_EQ(sum(static_cast<long>(m.pairs(true).size())) >= 10, back);
+  }
+}
+
 // A line swung about its end in few steps a turn: its way bends out of the skin in one step, and the list for
 // it holds all the same.
 TEST(LineCandidates, WayThatBends) {

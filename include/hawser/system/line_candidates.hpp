@@ -102,7 +102,8 @@ class LineCandidates {
 
  private:
   std::array<Vec3, 4> axis(const LocalElement& e, const Kinematics& at, double h) const;
-  bool holds(const Kinematics& at, double h) const;
+  bool holds(const Kinematics& at, double h, double tau) const;
+  double part(double time) const;
   void foresee(const Kinematics& committed, double h);
   double skin(int element) const;
   SweptAxis at_rest(int element) const;
