@@ -7,7 +7,8 @@ namespace hawser {
 namespace {
 constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
 constexpr int kPatience = 5;
-// After an impact, in periods of its contact: steps are a part of one, for many.
+// After an impact, in periods of its contact: steps are a part of one, for many. From then on they double at
+// most: on what still rings, too fast for it, a step that is many times as long as the last makes energy.
 constexpr double kRinging = 1.0 / 3, kFollowed = 20;
 }  // namespace
 
@@ -20,15 +21,20 @@ StepControl::StepControl(const StepSettings& settings) : s_(settings) {
 double StepControl::next(double t, double stop, double allowed) const {
   double wish = wish_;
   if (limited()) {
-    if (t < calm_) allowed = std::min(allowed, kRinging * ringing_);
+    if (ringing_ > 0) allowed = std::min(allowed, followed(t));
     wish = std::max(std::min(wish_, allowed), s_.shortest);
   }
   const double n = std::ceil((stop - t) / wish - 1e-6);
   return (stop - t) / std::max(n, 1.0);
 }
 
+// Longest step from t after what struck last, s: after the twenty periods the time since, which each step
+// doubles.
+double StepControl::followed(double t) const { return kRinging * ringing_ + std::max(t - calm_, 0.0); }
+
+// What is softer makes no step longer before those are over.
 void StepControl::struck(double t, double period) {
-  if (!std::isfinite(period) || (t < calm_ && period > ringing_ * (1 + 1e-9))) return;
+  if (!std::isfinite(period) || (ringing_ > 0 && kRinging * period > followed(t) * (1 + 1e-9))) return;
   ringing_ = period, calm_ = t + kFollowed * period;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "hawser/solve/generalized_alpha.hpp"
 #include "hawser/solve/step_control.hpp"
 
 namespace hawser::impact_test {
@@ -251,16 +252,64 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_DOUBLE_EQ(c.next(1, 2, kNever), 0.01);
   EXPECT_DOUBLE_EQ(c.next(1, 2, 0.002), 0.002);
   EXPECT_NEAR(c.next(1.59, 1.69, kNever), 0.01, 1e-12);
-  EXPECT_NEAR(c.next(1.61, 1.71, kNever), 0.1, 1e-12);
-  // A softer one does not make steps longer meanwhile; afterwards it counts.
+  // Then steps double at most, until they are what they were.
+  EXPECT_NEAR(c.next(1.6, 2.6, kNever), 0.01, 1e-12);
+  EXPECT_NEAR(c.next(1.61, 1.71, kNever), 0.02, 1e-12);
+  EXPECT_NEAR(c.next(1.63, 1.79, kNever), 0.04, 1e-12);
+  EXPECT_NEAR(c.next(1.67, 1.83, kNever), 0.08, 1e-12);
+  EXPECT_NEAR(c.next(1.75, 1.85, kNever), 0.1, 1e-12);
+  // A softer one does not make steps longer meanwhile, nor while they grow; afterwards it counts.
   c.struck(1.2, 0.3), c.struck(1.2, kNever);
   EXPECT_DOUBLE_EQ(c.next(1.3, 2.3, kNever), 0.01);
+  c.struck(1.61, 0.15);
+  EXPECT_NEAR(c.next(1.61, 1.71, kNever), 0.02, 1e-12);
   c.struck(1.7, 0.15);
   EXPECT_DOUBLE_EQ(c.next(1.8, 2.8, kNever), 0.05);
   // As after a restart.
   StepControl d(s);
   d.restore(c.wish(), c.wait(), c.ringing(), c.calm());
   EXPECT_DOUBLE_EQ(d.next(1.8, 2.8, kNever), 0.05);
+}
+
+// Energy of what rings at the frequency w when steps of a third of the contact's period h are over and those
+// of a hundred times as long are wanted again: at most over phases, of what there was. jump: steps are so
+// many times as long at once; 0: as step control has them.
+double energy_after(double rho, double w, double jump) {
+  const double third = 0.01;
+  const AlphaCoefficients c(rho);
+  StepSettings s;
+  s.fixed = 100 * third;
+  double worst = 0;
+  for (int phase = 0; phase < 24; ++phase) {
+    StepControl control(s);
+    control.restore(control.wish(), 0, 3 * third, 0);  // the twenty periods are over
+    double x = std::cos(phase * M_PI / 24) / w, v = std::sin(phase * M_PI / 24), a = -w * w * x, A = a, t = 0;
+    const double m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
+    for (int i = 0; i < 60; ++i) {
+      const double h = jump > 0 ? jump * third : control.next(t, 1e9, kNever);
+      const double end = (-w * w * (x + h * v + h * h * (0.5 - c.beta) * A) - m0 * A + d0 * a) /
+                         (m1 + w * w * h * h * c.beta);
+      x += h * v + h * h * ((0.5 - c.beta) * A + c.beta * end);
+      v += h * ((1 - c.gamma) * A + c.gamma * end);
+      A = end, a = -w * w * x, t += h;
+      worst = std::max(worst, v * v + w * w * x * x);
+    }
+  }
+  return worst;
+}
+
+// What rings is not followed by the longer steps, and gets no energy from them if they grow step by step. Of
+// frequencies that a third of the period resolves less well than six times a period it gets some.
+TEST(StepControl, LongerStepsAfterAnImpactMakeNoEnergy) {
+  for (const auto& [rho, bound] : {std::pair(0.8, 1.005), {0.5, 1.03}, {1.0, 1 + 1e-9}})
+    for (const double turns : {0.05, 0.1, 1.0 / 6, 1.0 / 3}) {
+      const double w = 2 * M_PI * turns / 0.01;
+      const double grown = energy_after(rho, w, 0), jumped = energy_after(rho, w, 100);
+      std::printf(
+          "rho %.1f, steps of 1/%.0f of its period, then 100 times as long: energy %.3f, at once %.3f\n", rho,
+          1 / turns, grown, jumped);
+      EXPECT_LT(grown, bound) << rho << " " << turns;
+    }
 }
 
 TEST(StepControl, FixedStepsAreDividedAtImpactsUnlessToldOtherwise) {

@@ -25,7 +25,7 @@ class StepControl {
   // Whether the terms limit steps.
   bool limited() const { return s_.fixed <= 0 || s_.resolve_impacts; }
   // At t something struck on a contact of this period [s]: for twenty of them steps stay below a third of it,
-  // since what rings then decides the next blow.
+  // since what rings then decides the next blow, and double at most from then on.
   void struck(double t, double period);
   // Whether a converged step is accurate enough; a step at the shortest length always is.
   bool accurate(double h, double error) const;
@@ -43,6 +43,8 @@ class StepControl {
   }
 
  private:
+  double followed(double t) const;
+
   StepSettings s_;
   double wish_ = 0;
   int wait_ = 0;                   // accepted steps before the step may grow again after a failure
