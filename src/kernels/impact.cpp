@@ -8,8 +8,9 @@ namespace hawser {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSteps = 6;     // in a period
-constexpr double kShort = 0.02;  // of such a step: nearer than that is there
+constexpr double kSteps = 6;         // in a period
+constexpr double kAbove = 1 + 1e-6;  // rounding of a step
+constexpr double kShort = 0.02;      // of such a step: nearer than that is there
 
 // Time until something `away` [m], which comes at `speed` [m/s, > 0] and is pushed back by `acceleration`
 // [m/s²], is there; infinite: it turns before.
@@ -20,9 +21,9 @@ double until_touch(double away, double speed, double acceleration) {
 }
 
 // Relative to what is bearable for its line; of two lines for the one that bears less.
-double weight(const Strike& s, std::span<const double> bearable) {
-  double least = bearable[static_cast<size_t>(s.line)];
-  if (s.other >= 0) least = std::min(least, bearable[static_cast<size_t>(s.other)]);
+double weight(int line, int other, std::span<const double> bearable) {
+  double least = bearable[static_cast<size_t>(line)];
+  if (other >= 0) least = std::min(least, bearable[static_cast<size_t>(other)]);
   return least > 0 ? 1 / least : 1 / std::numeric_limits<double>::min();
 }
 
@@ -49,6 +50,8 @@ bool may_strike(double slowness, double seen, double speed, double acceleration)
   return std::hypot(slowness * speed, slowness * slowness * acceleration) * rounding > seen;
 }
 
+bool follows(double slowness, double h) { return h <= kAbove * 2 * M_PI / kSteps * slowness; }
+
 std::optional<Strike> strike(double slowness, double seen, double mass, const Approach& at) {
   const double by_speed = slowness * std::abs(at.closing),
                by_acceleration = slowness * slowness * std::abs(at.acceleration);
@@ -59,7 +62,7 @@ std::optional<Strike> strike(double slowness, double seen, double mass, const Ap
   s.half_ = 0.5 * mass / (slowness * slowness);
   s.energy_ = s.half_ * (by_speed * by_speed + by_acceleration * by_acceleration);
   s.crossing_ = kNever;
-  s.resolved_ = (1 + 1e-6) * step;
+  s.resolved_ = kAbove * step;
   if (at.gap < 0) {
     // The contact pushes at the start of that step and no more at its end: the trapezoid sees half of it.
     if (at.last && at.closing < 0) s.crossing_ = until_touch(-at.gap, -at.closing, -0.5 * at.acceleration);
@@ -92,6 +95,11 @@ double Strike::crossed(double h) const {
 
 double Strike::period() const { return at_.gap < 0 ? 2 * M_PI * slowness_ : kNever; }
 
+double made_by_parting(double slowness, double seen, double force, double potential, double away,
+                       double speed) {
+  return slowness * speed > seen ? 0.5 * force * away - potential : 0;
+}
+
 double LineMotion::energy() const {
   const double whole = mass > 0 ? 0.5 * momentum.squaredNorm() / mass : 0;
   return std::max(kinetic - whole, 0.0) + striking;
@@ -105,10 +113,17 @@ std::vector<double> bearable(std::span<const LineMotion> lines) {
   return out;
 }
 
+bool bearable_partings(std::span<const Parting> partings, std::span<const double> bearable, const Sum& sum) {
+  double made = 0;
+  for (const Parting& p : partings) made += weight(p.line, p.other, bearable) * p.made;
+  sum({&made, 1});
+  return made <= 1;
+}
+
 StepLimit bounded_step(std::span<const Strike> strikes, std::span<const double> bearable, double most,
                        const Sum& sum) {
   std::vector<double> weights;
-  for (const Strike& s : strikes) weights.push_back(weight(s, bearable));
+  for (const Strike& s : strikes) weights.push_back(weight(s.line, s.other, bearable));
   const auto total = [&](const auto& error) {
     double t = 0;
     for (size_t i = 0; i < strikes.size(); ++i) t += weights[i] * error(strikes[i]);

@@ -208,8 +208,8 @@ Dynamics::Attempt Dynamics::attempt(double h) {
     if (!a.converged) break;
   }
   if (a.converged) {
-    a.converged = system_.covers(trial_.s.view(h));
-    a.missed = !a.converged;
+    a.missed = !system_.covers(trial_.s.view(h));
+    a.converged = !a.missed && (!control_.divides(h) || system_.foreseen(trial_.s.view(h)));
     a.error = alpha_error(system_.mesh(), alpha_, h, committed_, trial_);
     MPI_Allreduce(MPI_IN_PLACE, &a.error, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
   }

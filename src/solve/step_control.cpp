@@ -64,7 +64,7 @@ void StepControl::accepted(double h, int iterations, double error) {
 }
 
 bool StepControl::rejected(double h, bool diverged, double error) {
-  if (h <= s_.shortest * (1 + 1e-9)) return false;
+  if (shortest(h)) return false;
   double factor = 0.5;
   if (!diverged && s_.error_tolerance > 0)
     factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, 0.8);

@@ -7,26 +7,9 @@
 
 #include "hawser/base/steady.hpp"
 #include "hawser/math/so3.hpp"
+#include "logged.hpp"
 
 namespace hawser {
-
-namespace {
-
-// The time a scope takes, for -log_view.
-class Logged {
- public:
-  explicit Logged(PetscLogEvent event) : event_(event) {
-    check(PetscLogEventBegin(event_, nullptr, nullptr, nullptr, nullptr));
-  }
-  ~Logged() { (void)PetscLogEventEnd(event_, nullptr, nullptr, nullptr, nullptr); }
-  Logged(const Logged&) = delete;
-  Logged& operator=(const Logged&) = delete;
-
- private:
-  PetscLogEvent event_;
-};
-
-}  // namespace
 
 System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mesh)) {
   if (mesh_.chain == 0) mesh_.chain = mesh_.nodes(), mesh_.chain_blocks = mesh_.blocks();
@@ -219,37 +202,6 @@ double System::dead_load() const {
   for (const auto& t : terms_) sum += t->dead_load();
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
   return steady(sum);
-}
-
-StepLimit System::longest_step(const Kinematics& committed, double most) {
-  Strikes strikes;
-  strikes.most = most;
-  for (size_t i = 0; i < terms_.size(); ++i) {
-    const Logged logged(events_[i].limit);
-    terms_[i]->limit_step(committed, strikes);
-  }
-  double both[2] = {strikes.longest, strikes.list.empty() ? 1.0 : 0.0};
-  MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MIN, comm_);
-  StepLimit limit;
-  limit.longest = both[0];
-  if (both[1] > 0) return limit;
-  const Sum sum = [&](std::span<double> values) {
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
-  };
-  std::vector<LineMotion> lines(sums_ / 2);
-  for (const auto& t : terms_) t->motion(committed, lines);
-  for (const Strike& s : strikes.list) {
-    lines[static_cast<size_t>(s.line)].striking += s.energy();
-    if (s.other >= 0) lines[static_cast<size_t>(s.other)].striking += s.energy();
-  }
-  static_assert(sizeof(LineMotion) == 6 * sizeof(double));
-  sum({reinterpret_cast<double*>(lines.data()), 6 * lines.size()});
-  const std::vector<double> energies = bearable(lines);
-  for (const auto& t : terms_) t->bear(energies);
-  const StepLimit struck = bounded_step(strikes.list, energies, std::min(most, limit.longest), sum);
-  limit.longest = std::min(limit.longest, struck.longest);
-  limit.period = struck.period;
-  return limit;
 }
 
 bool System::augment(const Kinematics& equilibrium) {

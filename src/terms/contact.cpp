@@ -70,6 +70,16 @@ std::optional<Strike> Contact::strikes(const NormalLaw& law, double mass, double
   return strike(std::sqrt(mass / law.stiffness), width(law, radius), mass * share, at);
 }
 
+double Contact::made(const NormalLaw& law, double mass, double share, double radius,
+                     const ContactHistory& was, double away, double speed) {
+  return share * made_by_parting(std::sqrt(mass / law.stiffness), width(law, radius),
+                                 was.normal_force - was.damping_force, was.potential, away, speed);
+}
+
+bool Contact::follows(const NormalLaw& law, double mass, double h) {
+  return hawser::follows(std::sqrt(mass / law.stiffness), h);
+}
+
 void Contact::pose_bodies(double time, std::vector<RigidPose>& poses) const {
   const int n = bodies_->size();
   poses.resize(static_cast<size_t>(n) + 1);

@@ -1,5 +1,9 @@
-// Runs whose lines touch each other, a run in a slit that moves, and runs with every model of contact at the
-// nodes, stopped and gone on with: the same bit for bit on the same number of ranks, to rounding on another.
+// Runs whose lines touch each other, a run in a slit that moves, runs with every model of contact at the
+// nodes and one in which a step is taken again because a wave ended a contact in it, stopped and gone on
+// with: the same bit for bit on the same number of ranks, to rounding on another.
+#include "hawser/app/simulation.hpp"
+#include "hawser/geometry/surface.hpp"
+#include "hawser/io/case_reader.hpp"
 #include "regression/runs.hpp"
 #include "support/shapes.hpp"
 
@@ -70,6 +74,26 @@ lines:
     start: straight
 dynamics: {duration: 2.5, step: auto, max_step: 0.05}
 output: {every: 0.125, histories: [{line: rope, at: 4}]}
+)";
+
+// A bar falls on its end, and stands until the wave that its other end sends back takes it off: for 15.5 ms,
+// in steps of a third of that.
+const char* const kStanding = R"(hawser: 1
+line_types:
+  bar: {outer_diameter: 0.1, contact_diameter: 0.001, mass_per_length: 78.5, EA: 2.1e9, EI: 1.0e5, GJ: 1.0e5}
+volumes:
+  ground: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, normal_stiffness: {per_point: 1.0e10},
+           smoothing: 1.0e-8}
+lines:
+  bar:
+    sections: [{type: bar, length: 40, elements: 200}]
+    end_a: free
+    end_b: free
+    start: {points: [[0, 0, 0.0515], [0, 0, 40.0515]]}
+contact: {method: nodes}
+statics: false
+dynamics: {duration: 0.22, step: 0.005}
+output: {every: 0.11, histories: [{line: bar, at: 0}]}
 )";
 
 // Along x, open upwards.
@@ -177,6 +201,23 @@ TEST(RestartContact, Rigid) {
   compare("rigid", kModels, {{"KIND", "method: rigid"}}, 0.1, "contact_force", 5e-7);
 }
 TEST(RestartContact, Gap) { compare("gap", kModels, {{"KIND", "method: gap"}}, 0.1, "contact_force", 1e-7); }
+
+// Stopped while it stands: when it leaves is found anew from what the checkpoint tells.
+TEST(RestartContact, Parting) {
+  compare("parting", kStanding, {}, 0.1, "contact_force", 1e-7);
+  app::Simulation s(MPI_COMM_WORLD, io::read_case(folder("restart_parting") + "/case.yaml"),
+                    {std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ())});
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  int again = 0;
+  d.run(
+      0.13, [](double t) { return t < 0.1099 ? 0.11 : 1; },
+      [&](const StepInfo& i) {
+        if (i.time > 0.1101) again += i.rejected;
+        return true;
+      });
+  EXPECT_GT(again, 0);
+}
 
 }  // namespace
 }  // namespace hawser::runs

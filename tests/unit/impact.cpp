@@ -164,6 +164,24 @@ TEST(Impact, AThousandLinesAreAsOne) {
   expect_until(alone, 0.07);
 }
 
+// What nobody foresaw: it lay still, pressed in by 10 mm, and is 50 mm away when the step ends.
+TEST(Impact, WhatPartsUnseen) {
+  const double k = kMass / (kSlow * kSlow), depth = 0.01, gap = 0.05;
+  const auto made = [&](double speed) {
+    return made_by_parting(kSlow, kSeen, k * depth, 0.5 * k * depth * depth, depth + gap, speed);
+  };
+  const double e = 0.5 * k * depth * gap;
+  EXPECT_NEAR(made(5), e, 1e-12 * e);
+  EXPECT_EQ(made(-5), 0);                    // it is on its way back
+  EXPECT_EQ(made(0.99 * kSeen / kSlow), 0);  // lifted, not thrown off
+  EXPECT_GT(made(1.01 * kSeen / kSlow), 0);
+  const std::vector<Parting> two{{0, -1, e}, {1, 0, e}};  // the second off the first line
+  for (const auto& [bears, good] : {std::pair(1.99, false), {2.01, true}})
+    EXPECT_EQ(bearable_partings(two, std::vector<double>{bears * e, 10 * e}, kAlone), good);
+  EXPECT_TRUE(follows(kSlow, kStep));
+  EXPECT_FALSE(follows(kSlow, 1.01 * kStep));
+}
+
 // A linear spring, no damping, the trapezoidal rule (rho = 1): with the steps cut so an impact gives back
 // what it took, wherever the steps began; steps of the same length that are not cut do not.
 TEST(Impact, MakesNoEnergy) {

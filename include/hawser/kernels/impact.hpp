@@ -57,6 +57,26 @@ std::optional<Strike> strike(double slowness, double seen, double mass, const Ap
 // Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
 bool may_strike(double slowness, double seen, double speed, double acceleration);
 
+// Whether a step of h [s] is one of those that an impact on a contact of that slowness [s] is followed with.
+bool follows(double slowness, double h);
+
+// What touched when a step began and is away at its end, in a step that does not follow it: a wave along the
+// line came and took it off, which nothing foretold when the step began.
+struct Parting {
+  int line = 0, other = -1;  // that leaves; that is left, if it is one
+  double made = 0;           // J
+};
+// What a converged step shows that nothing foretold when it began.
+struct Unforeseen {
+  std::vector<Parting> partings;
+  bool too_deep = false;  // something went deeper in it than a step is trusted with
+};
+// J, that the trapezoidal rule, for which the push falls all along the step, makes of what has moved `away`
+// [m] along the normal and leaves at that speed [m/s]. force: N, and potential: J, of the spring when the
+// step began. 0: it is lifted, which takes it no farther than what is seen.
+double made_by_parting(double slowness, double seen, double force, double potential, double away,
+                       double speed);
+
 // What terms find: strikes of what this rank counts, and a length [s] that steps keep to in any case.
 struct Strikes {
   double longest = std::numeric_limits<double>::infinity();
@@ -93,6 +113,9 @@ using Sum = std::function<void(std::span<double>)>;
 // many times as there are lines whose impacts come to more. `lines` are those of all ranks.
 constexpr double kErrorOfStep = 1e-4;
 std::vector<double> bearable(std::span<const LineMotion> lines);
+
+// Whether what partings of all ranks make together is within that. Collective.
+bool bearable_partings(std::span<const Parting> partings, std::span<const double> bearable, const Sum& sum);
 
 // The longest step of at most `most` [s] in which strikes, of all ranks, together stay within what is
 // bearable, and the period of those that matter. Collective.

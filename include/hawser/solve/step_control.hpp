@@ -24,6 +24,8 @@ class StepControl {
   double next(double t, double stop, double allowed) const;
   // Whether the terms limit steps.
   bool limited() const { return s_.fixed <= 0 || s_.resolve_impacts; }
+  // Whether a step of h may be taken again, shorter, for what only its end tells.
+  bool divides(double h) const { return limited() && !shortest(h); }
   // At t something struck on a contact of this period [s]: for twenty of them steps stay below a third of it,
   // since what rings then decides the next blow, and double at most from then on.
   void struck(double t, double period);
@@ -43,6 +45,7 @@ class StepControl {
   }
 
  private:
+  bool shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
   double followed(double t) const;
 
   StepSettings s_;

@@ -54,6 +54,9 @@ class ForceTerm {
   // Longest step that this term can be trusted with from here, and what strikes, each once over all ranks;
   // asked after prepare(). Steps that the user fixed are divided by it where impacts are to be resolved.
   virtual void limit_step(const Kinematics& committed, Strikes& to) const { (void)committed, (void)to; }
+  // Adds what limit_step() could not foresee, each once over all ranks; local. Asked of a converged step
+  // before it is accepted.
+  virtual void unforeseen(const Kinematics& trial, Unforeseen& to) { (void)trial, (void)to; }
   // What impacts may make, lose or leave unresolved in that step, J by line of the mesh.
   virtual void bear(std::span<const double> energies) { (void)energies; }
   // Adds what this rank counts of the masses that move, by line of the mesh.

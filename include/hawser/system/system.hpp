@@ -92,6 +92,8 @@ class System {
   double dead_load() const;
   // Of a step of at most `most` [s]: what impacts allow is bounded by the energy they are about.
   StepLimit longest_step(const Kinematics& committed, double most);
+  // Whether all that matters in a converged step was foreseen by longest_step(), which is asked first.
+  bool foreseen(const Kinematics& trial);
   bool augment(const Kinematics& equilibrium);  // true on all ranks: solve again
   void reset_multipliers();
 
@@ -106,6 +108,8 @@ class System {
 
  private:
   void size_arrays();
+  void sum(std::span<double> values) const;  // over the ranks, in place
+  std::vector<double> bearable_energies(const Kinematics& at, const std::vector<Strike>& strikes) const;
   void reghost_supports();
 
   MPI_Comm comm_;
@@ -126,6 +130,7 @@ class System {
   std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
   std::vector<double> squares_;       // of what made up the last residual(), by block
   size_t sums_ = 0;                   // that they are summed to
+  std::vector<double> bearable_;      // J by line, what impacts may make of it in the step to come
   double round_off_ = 0, longest_element_ = 0;
 };
 

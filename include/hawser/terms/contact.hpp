@@ -93,6 +93,12 @@ class Contact : public ForceTerm {
   // 0.2 % of the radius. share: of the place, what turns mass, in the sense of law(), into kg.
   static std::optional<Strike> strikes(const NormalLaw& law, double mass, double share, double radius,
                                        const Approach& at);
+  // J, made where it parts in the step: `was` is of when that began, since when it has moved along the normal
+  // by `away` [m], at that speed [m/s] now.
+  static double made(const NormalLaw& law, double mass, double share, double radius,
+                     const ContactHistory& was, double away, double speed);
+  // Whether a step of h [s] follows it, so that it need not be asked.
+  static bool follows(const NormalLaw& law, double mass, double h);
   // Whether it can, and whether limit_depth can tell of it, at that speed and acceleration, `gap` [m] away or
   // more.
   static bool may_strike(const NormalLaw& law, double mass, double radius, double speed, double acceleration);

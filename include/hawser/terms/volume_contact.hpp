@@ -33,6 +33,7 @@ class VolumeContact final : public Contact {
   void prepare(const Kinematics& committed, double h) override;
   // So that no node gets deeper past a surface in a step than half its radius at its present speed.
   void limit_step(const Kinematics& committed, Strikes& to) const override;
+  void unforeseen(const Kinematics& trial, Unforeseen& to) override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   bool augments() const override { return model_ == NodeContact::augmented || model_ == NodeContact::rigid; }

@@ -1,0 +1,127 @@
+// A taut string that is lifted off by waves that come along it, while nothing near the contact moves: nothing
+// at the start of a step foretells that, and no step makes energy of it.
+#include "verification/contact_rig.hpp"
+
+namespace hawser::test::contact_parting_test {
+namespace {
+
+constexpr double kSpan = 100, kMass = 20, kPull = 2e5, kAxial = 1e8;  // m, kg/m, N, N
+const double kWave = std::sqrt(kPull / kMass);                        // m/s
+constexpr int kElements = 100;
+constexpr double kStiffness = 2e8, kRadius = 0.05;  // N/m², m, of string and bar
+
+enum class Bar { volume, line };
+
+// The bar is across under the middle of the string, pressed in by `depth` there.
+struct Rig {
+  model::Case c;
+  std::vector<std::shared_ptr<const Surface>> surfaces;
+  Rig(Bar bar, const std::vector<Vec3>& shape, double depth, double step) {
+    model::LineType type = cable_type(kAxial, kMass);
+    type.outer_diameter = type.contact_diameter = 2 * kRadius;
+    double length = 0;
+    for (size_t i = 1; i < shape.size(); ++i) length += (shape[i] - shape[i - 1]).norm();
+    c = one_line(type, length / (1 + kPull / kAxial), kElements, anchor(shape.front()), anchor(shape.back()));
+    c.lines[0].start = model::Start::points, c.lines[0].points = shape;
+    c.environment.gravity = 0;
+    c.dynamics.step = step;
+    const double z = depth - 2 * kRadius;
+    if (bar == Bar::line) {
+      model::LineType stiff = beam_type(1e10, 1e7, 1e7, 1000);
+      stiff.name = "bar", stiff.contact_diameter = 2 * kRadius;
+      c.line_types.push_back(stiff);
+      model::Line l;
+      l.name = "bar";
+      l.sections.push_back({stiff.name, 1, 2, 1});
+      l.end_a = clamp({kSpan / 2, -0.5, z}, Vec3::UnitY()),
+      l.end_b = clamp({kSpan / 2, 0.5, z}, Vec3::UnitY());
+      c.lines.push_back(l);
+      c.contact.between_lines.general.basis = model::StiffnessBasis::per_length;
+      c.contact.between_lines.general.normal_stiffness = kStiffness;
+      return;
+    }
+    model::Volume support;
+    support.name = "bar";
+    support.basis = model::StiffnessBasis::per_length;
+    support.normal_stiffness = kStiffness;
+    c.volumes.push_back(support);
+    surfaces.push_back(
+        std::make_shared<CylinderSurface>(Vec3(kSpan / 2, -1, z), Vec3(kSpan / 2, 1, z), kRadius));
+  }
+};
+
+struct Course {
+  double made = 0, lifted = 0;  // energy, from its least on; s
+  Samples reaction;             // N, of the time asked for
+  int steps = 0, rejected = 0;
+};
+
+// Until a time [s]; the reaction from one to another. thrown: m/s, what energy is compared with that of.
+Course follow(Simulation& s, Bar bar, double thrown, double until, double from, double to) {
+  Course out;
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  NodeField normal(s, bar == Bar::line ? "line_contact_normal_force" : "contact_normal_force");
+  const Energy first = s.system().energy(d.kinematics());
+  const double energy = 0.5 * kMass * kSpan * thrown * thrown;
+  double least = first.kinetic + first.strain;
+  d.run(
+      until, [](double t) { return t + 100; },
+      [&](const StepInfo& i) {
+        double f = 0;
+        for (size_t n = 0; n <= kElements; ++n) f += normal.at(d.kinematics())[n];
+        if (i.time > from && i.time < to) out.reaction.add(f, i.h);
+        if (f > 0) out.lifted = i.time;
+        const Energy e = s.system().energy(d.kinematics());
+        out.made = std::max(out.made, (e.kinetic + e.strain - least) / energy);
+        least = std::min(least, e.kinetic + e.strain);
+        ++out.steps, out.rejected += i.rejected;
+        return true;
+      });
+  return out;
+}
+
+// Thrown on the bar at 1 m/s: the reaction is 2 m c v, until the waves that left the held ends lift it off,
+// half a second later.
+TEST(ContactParting, StringThrownOnABar) {
+  constexpr double speed = 1, plateau = 0.5;
+  for (const double divided : {3.0, 4.0, 6.0, 12.0}) {
+    const Rig rig(Bar::volume, {Vec3::Zero(), {kSpan, 0, 0}}, -1e-4, plateau / divided);
+    Simulation s(PETSC_COMM_WORLD, rig.c, rig.surfaces);
+    s.solve_statics();
+    for (size_t n = 1; n + 1 < s.state().x.size(); ++n) s.state().v[n] = -speed * Vec3::UnitZ();
+    const Course r = follow(s, Bar::volume, speed, 1, 0.1, 0.45);
+    std::printf(
+        "string thrown on a bar, steps of 1/%.0f of the contact (%d, %d rejected): reaction %+.2f %%, lifted "
+        "off at %.3f s, energy made %.4f %%\n",
+        divided, r.steps, r.rejected, 100 * (r.reaction.mean() / (2 * kMass * kWave * speed) - 1), r.lifted,
+        100 * r.made);
+    EXPECT_LT(r.made, 1e-3);
+  }
+}
+
+// Released from rest in the shape that it has when, thrown so, it has come to rest everywhere: pressed on the
+// bar with 2 m c v, until the waves of its corners come, a quarter of a second later.
+TEST(ContactParting, StringReleased) {
+  constexpr double speed = 2;
+  const double down = speed * kSpan / 4 / kWave, force = 2 * kMass * kWave * speed;
+  const double depth = std::pow(force / (4.0 / 3 * kStiffness * std::sqrt(4 * kRadius)), 2.0 / 3);
+  for (const Bar bar : {Bar::volume, Bar::line})
+    for (const double step : {0.03, 0.025, 0.02, 0.015, 0.01, 0.005}) {
+      const Rig rig(
+          bar,
+          {{0, 0, 0}, {kSpan / 4, 0, -down}, {kSpan / 2, 0, 0}, {3 * kSpan / 4, 0, -down}, {kSpan, 0, 0}},
+          depth, step);
+      Simulation s(PETSC_COMM_WORLD, rig.c, rig.surfaces);
+      const Course r = follow(s, bar, speed, 0.4, 0.05, 0.15);
+      std::printf(
+          "string released on a %s, steps of %g s (%d, %d rejected): reaction %+.2f %%, lifted off at "
+          "%.3f s, energy made %.4f %%\n",
+          bar == Bar::line ? "line" : "volume", step, r.steps, r.rejected,
+          100 * (r.reaction.mean() / force - 1), r.lifted, 100 * r.made);
+      EXPECT_LT(r.made, 1e-3);
+    }
+}
+
+}  // namespace
+}  // namespace hawser::test::contact_parting_test
