@@ -279,7 +279,7 @@ Key lines() {
            "stretches in the soil, which holds them where they start until it yields: an anchor's end below "
            "the "
            "bed (a line that starts by itself goes straight from it to the bed), a pipe in a trench (`start` "
-           "says where); the bed does not act on them, nor drag")
+           "says where); the bed does not act on them, nor water but for its buoyancy")
           .or_else("[]");
   Key loads =
       list(
