@@ -229,6 +229,7 @@ class Reader {
     }
     for (std::size_t i = 0; i < v["buried"].items.size(); ++i)
       l.buried.push_back(buried(v["buried"].items[i], length, l));
+    read_temperature_change(v["temperature_change"], path + ".temperature_change", source_, l);
     for (const Value& m : v["masses"].items)
       l.masses.push_back({arc(m.find("at"), 0, length), m["mass"].number, m["volume"].number,
                           m["drag_area"].number, m["Ca"].number});

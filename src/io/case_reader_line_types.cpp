@@ -75,6 +75,7 @@ model::LineType read_line_type(const std::string& name, const Value& v, const Ca
   take("contact_diameter", t.contact_diameter);
   take("mass_per_length", t.mass_per_length);
   take("breaking_load", t.breaking_load);
+  take("thermal_expansion", t.thermal_expansion);
   if (v.has("EA")) {
     const Value& EA = v["EA"];
     if (EA.kind == Value::Kind::map) {
@@ -122,6 +123,22 @@ void read_bend_stiffener(const Value& v, const std::string& path, double at, dou
   if (tip < -1e-9 * length || tip > length * (1 + 1e-9))
     source.bad(rows, path + ".EI", fmt::format("reaches to {:g} m of a line of {:g} m", tip, length));
   line.bend_stiffeners.push_back(std::move(b));
+}
+
+void read_temperature_change(const Value& v, const std::string& path, const CaseSource& source,
+                             model::Line& line) {
+  if (v.kind != Value::Kind::list) {
+    if (v.number != 0) line.temperature_change = {{0, v.number}};
+    return;
+  }
+  for (std::size_t i = 0; i < v.items.size(); ++i) {
+    const double s = v.items[i].items[0].number;
+    if (i > 0 && !(s > line.temperature_change.back().first))
+      source.bad(v.items[i], fmt::format("{}[{}]", path, i),
+                 fmt::format("rows go from end A on, but {:g} m comes after {:g} m", s,
+                             line.temperature_change.back().first));
+    line.temperature_change.emplace_back(s, v.items[i].items[1].number);
+  }
 }
 
 }  // namespace hawser::io

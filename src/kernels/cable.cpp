@@ -18,7 +18,7 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   const Vec3 d = e.x2 - e.x1;
   o.l = d.norm();
   o.t = d / o.l;
-  o.strain = (o.l - s.length) / s.length;
+  o.strain = (o.l - s.length) / s.length - s.free_strain;
   o.dv = e.v2 - e.v1;
   o.rate = o.t.dot(o.dv) / s.length;
   o.tension = 0;

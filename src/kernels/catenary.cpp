@@ -6,10 +6,13 @@
 
 namespace hawser {
 
-// T(s) = tension - load s, r' = T/|T| + T/EA. With e = load/w, T = tau e + p, tau from c to c1 = c - w L:
-// r(L) = A p + (|T0| - |T1|)/w e + (mean tension) L/EA, A = ∫ds/|T| = (asinh(c/h) - asinh(c1/h))/w, h = |p|.
+// T(s) = tension - load s, r' = n T/|T| + T/EA, n = 1 + free strain. With e = load/w, T = tau e + p, tau from
+// c to c1 = c - w L: r(L) = n (A p + (|T0| - |T1|)/w e) + (mean tension) L/EA, A = ∫ds/|T| = (asinh(c/h) -
+// asinh(c1/h))/w, h = |p|.
 // Written without the cancellations that come as w -> 0 or h -> 0.
-Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double EA, Mat3* derivative) {
+Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double EA, Mat3* derivative,
+                    double free_strain) {
+  const double natural = 1 + free_strain;
   const Vec3 end = tension - length * load;
   const Vec3 stretch = (length / (2 * EA)) * (tension + end);
   if (derivative) *derivative = (length / EA) * Mat3::Identity();
@@ -39,16 +42,18 @@ Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double
     // ∫(I - t tᵀ)/|T| ds in the plane of e and p.
     const Vec3 n = p / h;
     const double b = t0 > 0 && t1 > 0 ? h * along / (t0 * t1) : 0;  // ∫ h tau/|T|³ ds
-    *derivative += A * (Mat3::Identity() - e * e.transpose()) + q * (e * e.transpose() - n * n.transpose()) -
-                   b * (e * n.transpose() + n * e.transpose());
+    *derivative +=
+        natural * (A * (Mat3::Identity() - e * e.transpose()) + q * (e * e.transpose() - n * n.transpose()) -
+                   b * (e * n.transpose() + n * e.transpose()));
   }
-  return A * p + along * e + stretch;
+  return natural * (A * p + along * e) + stretch;
 }
 
 CatenaryShape::CatenaryShape(const Vec3& end_a, const Vec3& tension_a, std::vector<CatenarySection> sections)
     : sections_(std::move(sections)), start_{0.0}, position_{end_a}, tension_{tension_a} {
   for (const CatenarySection& s : sections_) {
-    position_.push_back(position_.back() + catenary_chord(tension_.back(), s.load, s.length, s.EA));
+    position_.push_back(position_.back() +
+                        catenary_chord(tension_.back(), s.load, s.length, s.EA, nullptr, s.free_strain));
     last_tension_ = tension_.back() - s.length * s.load;
     tension_.push_back(last_tension_ - s.end_load);
     start_.push_back(start_.back() + s.length);
@@ -62,7 +67,8 @@ size_t CatenaryShape::section(double s) const {
 
 Vec3 CatenaryShape::position(double s) const {
   const size_t i = section(s);
-  return position_[i] + catenary_chord(tension_[i], sections_[i].load, s - start_[i], sections_[i].EA);
+  const CatenarySection& at = sections_[i];
+  return position_[i] + catenary_chord(tension_[i], at.load, s - start_[i], at.EA, nullptr, at.free_strain);
 }
 
 Vec3 CatenaryShape::tension(double s) const {
@@ -73,7 +79,7 @@ Vec3 CatenaryShape::tension(double s) const {
 namespace {
 
 struct Totals {
-  double length = 0, compliance = 0;  // compliance: sum of L/EA
+  double length = 0, compliance = 0;  // without tension; sum of L/EA
   bool loaded = false;
   Vec3 load = Vec3::Zero();  // weight of the line and its point loads, without the last end load
 };
@@ -83,7 +89,7 @@ Totals totals(const std::vector<CatenarySection>& sections) {
   for (const CatenarySection& s : sections) {
     if (!(s.length > 0)) throw std::invalid_argument("a section of a catenary needs a positive length");
     if (!(s.EA > 0)) throw std::invalid_argument("a section of a catenary needs a positive EA");
-    t.length += s.length;
+    t.length += (1 + s.free_strain) * s.length;
     t.compliance += s.length / s.EA;
     t.load += s.length * s.load;
     t.loaded = t.loaded || !s.load.isZero(0);
@@ -98,7 +104,7 @@ Vec3 whole_chord(const Vec3& tension_a, const std::vector<CatenarySection>& sect
   if (derivative) derivative->setZero();
   Mat3 part;
   for (const CatenarySection& s : sections) {
-    chord += catenary_chord(tension, s.load, s.length, s.EA, derivative ? &part : nullptr);
+    chord += catenary_chord(tension, s.load, s.length, s.EA, derivative ? &part : nullptr, s.free_strain);
     if (derivative) *derivative += part;
     tension -= s.length * s.load + s.end_load;
   }

@@ -9,7 +9,7 @@ double CatenaryOnBed::Piece::tension(double s) const { return std::max(0.0, T_en
 
 double CatenaryOnBed::Piece::stretched(double s) const {
   const double l = end - s, pulled = drag * l > T_end ? T_end / drag : l;
-  return l + pulled * (T_end - 0.5 * drag * pulled) / EA;
+  return (1 + free_strain) * l + pulled * (T_end - 0.5 * drag * pulled) / EA;
 }
 
 Vec3 CatenaryOnBed::position(double s) const {
@@ -47,7 +47,7 @@ Reach reach(const std::vector<CatenarySection>& sections, double friction, doubl
   double top = V;
   while (i-- > 0 && !down) {
     const CatenarySection& s = sections[i];
-    const double w = -s.load.z();
+    const double w = -s.load.z(), natural = 1 + s.free_strain;
     if (i + 1 < sections.size()) {
       const double above = top;
       top += s.end_load.z();
@@ -61,14 +61,14 @@ Reach reach(const std::vector<CatenarySection>& sections, double friction, doubl
     const double length = down ? top / w : s.length;
     const Vec3 start(H, 0, down ? 0 : bottom);
     Mat3 d;
-    const Vec3 chord = catenary_chord(start, s.load, length, s.EA, &d);
+    const Vec3 chord = catenary_chord(start, s.load, length, s.EA, &d, s.free_strain);
     r.at.x += chord.x(), r.at.z += chord.z();
     r.xx += d(0, 0);
     if (down) {
       // The lower end stays at no vertical tension; its length follows V.
       const double T = std::hypot(H, top);
-      const double x = (1 / T + 1 / s.EA) * H, z = (1 / T + 1 / s.EA) * top;
-      r.xz += (x - (1 + H / s.EA)) / w, r.zz += z / w;
+      const double x = (natural / T + 1 / s.EA) * H, z = (natural / T + 1 / s.EA) * top;
+      r.xz += (x - (natural + H / s.EA)) / w, r.zz += z / w;
     } else {
       r.xz += d(0, 2), r.zz += d(2, 2);
     }
@@ -83,7 +83,7 @@ Reach reach(const std::vector<CatenarySection>& sections, double friction, doubl
                  drag = friction * std::max(-s.load.z(), 0.0);
     if (l <= 0) continue;
     const double pulled = drag * l > T ? T / drag : l;
-    r.at.x += l + pulled * (T - 0.5 * drag * pulled) / s.EA;
+    r.at.x += (1 + s.free_strain) * l + pulled * (T - 0.5 * drag * pulled) / s.EA;
     r.xx += pulled / s.EA;
     T = std::max(0.0, T - drag * l);
   }
@@ -100,7 +100,7 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
   for (const CatenarySection& s : sections) {
     if (s.load.head<2>().norm() > 0 || s.end_load.head<2>().norm() > 0 || !(s.EA > 0) || !(s.length > 0))
       return {};
-    length += s.length, weight -= s.load.z() * s.length;
+    length += (1 + s.free_strain) * s.length, weight -= s.load.z() * s.length;
   }
   if (sections.empty() || !(weight > 0) || !(to.z > 0) || !(to.x > 0) || length >= to.x + to.z) return {};
 
@@ -158,7 +158,7 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
     const double drag = friction * std::max(-s.load.z(), 0.0);
     if (l > 0) {
       if (s.load.z() > 0 && r.V <= 0) return {};  // it would float
-      out.pieces_.push_back({start, start + l, 0, 0, drag, s.EA});
+      out.pieces_.push_back({start, start + l, 0, 0, drag, s.EA, s.free_strain});
     }
     start += l;
   }

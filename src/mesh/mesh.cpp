@@ -61,7 +61,10 @@ Mesh build_mesh(const model::Case& c) {
         along += l;
         const int a = static_cast<int>(m.nodes.size()) - 1;
         m.nodes.push_back({number, start + along, 0, false});
-        m.elements.push_back({number, a, a + 1, type, l, beam});
+        const double at = m.nodes[static_cast<size_t>(a)].arc;
+        m.elements.push_back(
+            {number, a, a + 1, type, l, beam,
+             model::thermal_strain(c.line_types[static_cast<size_t>(type)], line, at, at + l)});
         for (int n : {a, a + 1}) {
           m.nodes[static_cast<size_t>(n)].tributary += 0.5 * l;
           m.nodes[static_cast<size_t>(n)].rotates |= beam;

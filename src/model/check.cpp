@@ -15,9 +15,10 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kLargestStrain = 0.10;  // to reach between held ends; more is a misprint, not a taut line
-constexpr double kArcTolerance = 1e-9;   // of the line's length
-constexpr double kMostElements = 2e7;    // of a case
+constexpr double kLargestStrain = 0.10;     // to reach between held ends; more is a misprint, not a taut line
+constexpr double kLargestExpansion = 0.05;  // by heat; ropes and rubber stay below
+constexpr double kArcTolerance = 1e-9;      // of the line's length
+constexpr double kMostElements = 2e7;       // of a case
 
 class LineCheck {
  public:
@@ -28,7 +29,7 @@ class LineCheck {
     check_end(line_.end_a, line_.sections.front(), "end_a");
     check_end(line_.end_b, line_.sections.back(), "end_b");
     check_start();
-    check_span();
+    if (check_temperature()) check_span();
     for (std::size_t i = 0; i < line_.masses.size(); ++i)
       check_arc(line_.masses[i].at, fmt::format("masses[{}].at", i));
     check_loads();
@@ -129,12 +130,13 @@ class LineCheck {
     if (!held(line_.end_a) || !held(line_.end_b)) return;
     if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // it moves
     const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
-    const double strain = (span - length_) / length_;
+    const double natural = length_ + expansion_of(c_, line_), strain = (span - natural) / natural;
     if (!(strain < kLargestStrain))
       issue("sections",
-            "the line is {:.6g} m long but its ends are {:.6g} m apart at t = 0; reaching that takes a "
+            "the line is {:.6g} m long{} but its ends are {:.6g} m apart at t = 0; reaching that takes a "
             "strain of {:.3g} %, and the limit is {:g} %",
-            length_, span, 100 * strain, 100 * kLargestStrain);
+            natural, natural == length_ ? "" : " at its temperature", span, 100 * strain,
+            100 * kLargestStrain);
   }
 
   void check_arc(double s, const std::string& key) {
@@ -176,6 +178,32 @@ class LineCheck {
           key,
           "nothing says where this stretch lies: give 'start' as straight or as points, or two held ends of "
           "which it begins at one");
+  }
+
+  bool check_temperature() {
+    const auto& rows = line_.temperature_change;
+    if (rows.empty()) return true;
+    const std::size_t before = issues_.size();
+    const std::string key = "temperature_change";
+    if (rows.front().first < -kArcTolerance * length_)
+      issue(key + "[0]", "arc length {:.6g} m is before end A", rows.front().first);
+    for (std::size_t i = 0; i < rows.size(); ++i) check_arc(rows[i].first, fmt::format("{}[{}]", key, i));
+    double most = 0;
+    bool expands = false;
+    for (const auto& [at, change] : rows) most = std::max(most, std::abs(change));
+    for (const Section& s : line_.sections) {
+      const double alpha = c_.line_type(s.type).thermal_expansion;
+      expands |= alpha != 0;
+      if (std::abs(alpha) * most > kLargestExpansion) {
+        issue(key, "by {:g} K '{}' gets a strain of {:.3g} %; the limit is {:g} %", most, s.type,
+              100 * std::abs(alpha) * most, 100 * kLargestExpansion);
+        return false;
+      }
+    }
+    if (!expands)
+      issue(key, "none of the line's types has 'thermal_expansion', so nothing comes of it; give it to '{}'",
+            line_.sections.front().type);
+    return issues_.size() == before;
   }
 
   const LineType& type_at(double s) const {
@@ -348,6 +376,15 @@ double length_of(const Line& line) {
   double length = 0;
   for (const Section& s : line.sections) length += s.length;
   return length;
+}
+
+double expansion_of(const Case& c, const Line& line) {
+  double sum = 0, at = 0;
+  for (const Section& s : line.sections) {
+    sum += s.length * thermal_strain(c.line_type(s.type), line, at, at + s.length);
+    at += s.length;
+  }
+  return sum;
 }
 
 Vec3 end_position(const Case& c, const End& end) {

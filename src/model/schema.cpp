@@ -79,6 +79,9 @@ Key line_types() {
       number("stiffness_damping", time, "Rayleigh damping beta: damping = beta times the material stiffness")
           .at_least(0)
           .or_else("0"),
+      number("thermal_expansion", thermal_expansion,
+             "strain for a `temperature_change` of the line by 1 K: of steel 1.17e-5; may be negative")
+          .or_else("0"),
       number("breaking_load", force, "minimum breaking load, for the summary; nothing breaks")
           .above(0)
           .or_else_note("that of `library`, or not known")};
@@ -279,7 +282,7 @@ Key lines() {
            "stretches in the soil, which holds them where they start until it yields: an anchor's end below "
            "the "
            "bed (a line that starts by itself goes straight from it to the bed), a pipe in a trench (`start` "
-           "says where); the bed does not act on them, nor drag")
+           "says where); the bed does not act on them, nor water but for its buoyancy")
           .or_else("[]");
   Key loads =
       list(
@@ -350,7 +353,16 @@ Key lines() {
                            ""),
                        "bend stiffeners, and whatever else makes the bending stiffness vary along the line")
                       .or_else("[]"),
-                  std::move(buried), std::move(loads)},
+                  std::move(buried),
+                  one_of("temperature_change",
+                         {number("", temperature_change),
+                          list("", list("", number("", none), "").items(2, 2), "").items(2)},
+                         "what the line is warmer than when its sections had their `length`, or along it "
+                         "`[[m from end A, K], "
+                         "...]`, straight between the rows and constant beyond: types with "
+                         "`thermal_expansion` get longer; acts from statics on")
+                      .or_else("0"),
+                  std::move(loads)},
                  ""),
              "Lines, by name. Arc lengths are unstretched and count from end A.")
       .or_else("{}");

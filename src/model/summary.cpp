@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <tuple>
+#include <utility>
 
 #include "hawser/model/check.hpp"
 
@@ -122,6 +126,18 @@ std::string step_text(const Dynamics& d) {
   return d.step > 0 ? fmt::format("steps of {:g} s", d.step) : "automatic steps";
 }
 
+std::string warmth_text(const Case& c, const Line& l) {
+  double least = l.temperature_change.front().second, most = least;
+  for (const auto& [at, change] : l.temperature_change)
+    least = std::min(least, change), most = std::max(most, change);
+  const bool colder = least < 0 && most <= 0;
+  if (colder) std::tie(least, most) = std::pair(0 - most, 0 - least);
+  const double expansion = expansion_of(c, l);
+  return fmt::format("{} by {} K, {:.6g} m {} without tension", colder ? "colder" : "warmer",
+                     least == most ? fmt::format("{:g}", most) : fmt::format("{:g} to {:g}", least, most),
+                     std::abs(expansion), expansion < 0 ? "shorter" : "longer");
+}
+
 void describe_line(const Case& c, const Line& l, std::string& s) {
   const LineSize z = size_of(c, l);
   s += fmt::format("  {}: {:g} m, {} elements, {} nodes, {} unknowns, {:.4g} kg, weight {:.4g} kN\n", l.name,
@@ -136,6 +152,7 @@ void describe_line(const Case& c, const Line& l, std::string& s) {
   s += fmt::format("    end A {}; end B {}; start {}\n", end_text(l.end_a), end_text(l.end_b),
                    start_text(l.start));
   if (!l.bend_stiffeners.empty()) s += fmt::format("    {} bend stiffeners\n", l.bend_stiffeners.size());
+  if (!l.temperature_change.empty()) s += "    " + warmth_text(c, l) + "\n";
   if (!l.masses.empty() || !l.loads.empty() || !l.point_loads.empty())
     s += fmt::format("    {} point masses, {} distributed loads, {} point loads\n", l.masses.size(),
                      l.loads.size(), l.point_loads.size());

@@ -42,13 +42,15 @@ constexpr Unit kDensity[] = {{"kg/m^3"}, {"t/m^3", 1000, 1}};
 constexpr Unit kPressure[] = {{"Pa"}, {"kPa", 1e3, 1}, {"MPa", 1e6, 1}, {"bar", 1e5, 1}};
 constexpr Unit kVolume[] = {{"m^3"}};
 constexpr Unit kArea[] = {{"m^2"}};
+constexpr Unit kTemperatureChange[] = {{"K"}, {"degC"}, {"°C"}};
+constexpr Unit kThermalExpansion[] = {{"1/K"}, {"1/degC"}, {"1/°C"}};
 
 struct Entry {
   std::string_view name, base;
   std::span<const Unit> units;
 };
 // In the order of Dimension.
-const std::array<Entry, 25> kTable = {{{"dimensionless number", "-", kNone},
+const std::array<Entry, 27> kTable = {{{"dimensionless number", "-", kNone},
                                        {"length", "m", kLength},
                                        {"time", "s", kTime},
                                        {"mass", "kg", kMass},
@@ -72,7 +74,9 @@ const std::array<Entry, 25> kTable = {{{"dimensionless number", "-", kNone},
                                        {"density", "kg/m³", kDensity},
                                        {"pressure", "Pa", kPressure},
                                        {"volume", "m³", kVolume},
-                                       {"area", "m²", kArea}}};
+                                       {"area", "m²", kArea},
+                                       {"temperature change", "K", kTemperatureChange},
+                                       {"thermal expansion", "1/K", kThermalExpansion}}};
 
 const Entry& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
 

@@ -16,7 +16,7 @@ constexpr int kDragRounds = 8;
 constexpr double kSettled = 5e-3;  // of the length: the drag's shape is good enough
 constexpr double kFold = 0.2;      // cosine between neighbouring pieces below which drag has folded a line up
 
-// Of elements [first, last) of the mesh, as one.
+// Of elements [first, last) of the mesh, as one, as long as they are without tension.
 FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const Mesh& mesh, int first,
                           int last) {
   FlexibleLine::Piece p;
@@ -24,7 +24,7 @@ FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const M
   for (int e = first; e < last; ++e) {
     const Element& g = mesh.elements[static_cast<size_t>(e)];
     const auto& t = c.line_types[static_cast<size_t>(g.type)];
-    p.length += g.length;
+    p.length += (1 + g.free_strain) * g.length;
     p.load.z() -= g.length * t.mass_per_length * c.environment.gravity;
     p.buoyancy += g.length * buoyancy(c, t);
     p.radius = std::max(p.radius, 0.5 * t.contact_diameter);
@@ -149,9 +149,11 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
     thick = std::max(thick, 2 * f.pieces.back().radius);
     const auto& t =
         c.line_types[static_cast<size_t>(mesh.elements[static_cast<size_t>(span.first_element + e)].type)];
-    drags.push_back({0.5 * water.density * t.Cd_normal * t.dragged(),
-                     0.5 * water.density * t.Cd_axial * M_PI * t.dragged()});
     s.push_back(mesh.nodes[static_cast<size_t>(span.first_node + last)].arc);
+    // Per length of the piece, as its weight.
+    const double per =
+        0.5 * water.density * t.dragged() * (s.back() - s[s.size() - 2]) / f.pieces.back().length;
+    drags.push_back({per * t.Cd_normal, per * t.Cd_axial * M_PI});
     places.push_back(x[static_cast<size_t>(last)]);
   }
   f.bed_stiffness =

@@ -38,6 +38,7 @@ std::vector<CatenarySection> catenary_sections(const model::Case& c, const model
     CatenarySection k;
     k.length = s.length;
     k.EA = t.EA;
+    k.free_strain = model::thermal_strain(t, line, from, from + s.length);
     k.load = Vec3(0, 0, buoyancy(c, t) - c.environment.gravity * t.mass_per_length);
     for (const auto& l : line.loads) {
       if (l.ramp > 0) continue;  // not there yet at t = 0
@@ -199,10 +200,12 @@ bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sectio
 bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, const Mesh& mesh,
          const LineSpan& span, Shape& s) {
   bool floats = false;
-  if (!lies_slack(c, sections, s, span.length, floats)) return false;
-  std::vector<double> arc;
-  for (int n = span.first_node; n < span.first_node + span.nodes; ++n)
-    arc.push_back(mesh.nodes[static_cast<size_t>(n)].arc);
+  std::vector<double> arc{0};  // as long as it is without tension
+  for (int e = span.first_element; e < span.first_element + span.elements; ++e) {
+    const Element& g = mesh.elements[static_cast<size_t>(e)];
+    arc.push_back(arc.back() + (1 + g.free_strain) * g.length);
+  }
+  if (!lies_slack(c, sections, s, arc.back(), floats)) return false;
   if (!lay_slack(c.environment, floats, arc, s.x)) return false;
   for (Vec3& t : s.tangent) t.setZero();  // mend() makes them
   return true;
@@ -311,6 +314,7 @@ Shape out_of_soil(const model::Case& c, const model::Line& line, const Bodies& b
   std::erase_if(rest.masses, outside), std::erase_if(rest.point_loads, outside);
   std::erase_if(rest.loads, [&](const auto& q) { return q.to >= 0 && q.to <= from; });
   for (auto& m : rest.masses) m.at -= from;
+  for (auto& row : rest.temperature_change) row.first -= from;
   for (auto& p : rest.point_loads) p.at -= from;
   for (auto& q : rest.loads) q.from = std::max(0.0, q.from - from), q.to = q.to < 0 ? q.to : q.to - from;
   for (int i = first; i <= last; ++i) part.nodes[static_cast<size_t>(span.first_node + i)].arc -= from;

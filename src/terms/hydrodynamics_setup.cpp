@@ -59,13 +59,21 @@ std::vector<Hydrodynamics::Piece> pieces_of(const LocalMesh& mesh, const model::
     const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc;
     const double bare =
         1 - buried_length(c.lines[static_cast<size_t>(g.line)], from, from + g.length) / g.length;
-    p.section.drag_normal *= bare, p.section.drag_axial *= bare;
+    // In the soil no water flows past a line or goes with it: all that is left of the sea is buoyancy.
+    WaterSection& w = p.section;
+    for (double* of : {&w.drag_normal, &w.drag_axial, &w.added_normal, &w.added_axial, &w.displaced_mass})
+      *of *= bare;
     // The pressure of the sea goes through floats and marine growth; the pipe under them bears it.
     p.outside = M_PI / 4 * t.outer_diameter * t.outer_diameter;
     p.inside = M_PI / 4 * t.inner_diameter * t.inner_diameter;
     p.contents = t.contents_density, p.pressure = t.contents_pressure;
   }
   return out;
+}
+
+bool in_soil(const model::Line& line, double arc) {
+  return std::any_of(line.buried.begin(), line.buried.end(),
+                     [arc](const model::Buried& b) { return b.from <= arc && arc <= b.to; });
 }
 
 std::vector<Hydrodynamics::Ball> balls_of(const LocalMesh& mesh, const model::Case& c) {
@@ -78,9 +86,11 @@ std::vector<Hydrodynamics::Ball> balls_of(const LocalMesh& mesh, const model::Ca
       if (node < 0 || node >= mesh.owned) continue;
       WaterBall b;
       b.buoyancy = rho * c.environment.gravity * m.volume;
-      b.displaced_mass = rho * m.volume;
-      b.added_mass = m.Ca * rho * m.volume;
-      b.drag = 0.5 * rho * m.drag_area;
+      if (!in_soil(c.lines[l], m.at)) {
+        b.displaced_mass = rho * m.volume;
+        b.added_mass = m.Ca * rho * m.volume;
+        b.drag = 0.5 * rho * m.drag_area;
+      }
       // Without a volume the drag still has to begin somewhere.
       b.radius = std::max(std::cbrt(3 * m.volume / (4 * M_PI)), 0.05);
       out.push_back({node, b});

@@ -118,8 +118,10 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
       for (int i = 1; i < line.nodes; ++i) {
         const int to = first + i * way;
         const size_t element = static_cast<size_t>(line.first_element + (from_a ? i - 1 : line.elements - i));
-        const double stretch =
-            std::max(0.0, (all.place(to) - all.place(node)).norm() - mesh.elements[element].length);
+        // Laid without tension, as warm as it is.
+        const Element& g = mesh.elements[element];
+        const double natural = (1 + g.free_strain) * g.length;
+        const double stretch = std::max(0.0, (all.place(to) - all.place(node)).norm() - natural);
         walk(mesh.nodes.size() + element, sum + 0.5 * stretch);
         if (!lies(to)) break;
         sum += stretch;

@@ -56,6 +56,7 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
                    {g.length, t.EA, EI2, EI3, t.GJ, t.GA, t.stiffness_damping, t.tension_table.get(),
                     t.moment_table.get()},
                    {}});
+    out.back().reference.strain = g.free_strain;
   }
   return out;
 }
@@ -65,7 +66,8 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
     const auto& t = c.line_types[static_cast<size_t>(g.type)];
-    if (!g.beam) out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping, t.tension_table.get()}});
+    if (!g.beam)
+      out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping, t.tension_table.get(), g.free_strain}});
   }
   return out;
 }

@@ -30,7 +30,7 @@ inline void add_structure(SuiteModel& m, double beta, double GA, bool turned, bo
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
     if (!g.beam) {
-      cables.push_back({e, {}, {g.length, 300, beta, tables ? &tension : nullptr}});
+      cables.push_back({e, {}, {g.length, 300, beta, tables ? &tension : nullptr, turned ? 0.02 : 0}});
       continue;
     }
     StructureTerm::Beam b{e, {}, {g.length, 300, 50, 80, 40, GA, beta}, {}};

@@ -174,5 +174,32 @@ TEST(Catenary, ChordDerivative) {
   EXPECT_LT((K0 - K1).norm(), 1e-10 * K0.norm());
 }
 
+// A line that has got longer by e is one of (1 + e) L with the same weight in all, (1 + e) EA a metre of it.
+TEST(Catenary, FreeStrainIsALongerLine) {
+  const double e = 0.03;
+  std::vector<CatenarySection> warm{{100, {20, 0, -50}, 1e6}, {50, {0, 0, -80}, 2e6, {0, 0, -1000}}},
+      longer = warm;
+  warm[0].free_strain = e, warm[1].free_strain = -e;
+  for (CatenarySection& s : longer) {
+    const double by = &s == &longer[0] ? 1 + e : 1 - e;
+    s.length *= by, s.EA *= by, s.load /= by;
+  }
+  for (const Vec3& b : {Vec3(120, 10, 30), Vec3(150, 0, 20)}) {
+    const CatenaryShape w = catenary({0, 0, 0}, b, warm), l = catenary({0, 0, 0}, b, longer);
+    EXPECT_LT((w.end_b() - b).norm(), 1e-9);
+    EXPECT_LT((w.tension_a() - l.tension_a()).norm(), 1e-9 * w.tension_a().norm());
+    EXPECT_LT((w.position(70) - l.position(70 * (1 + e))).norm(), 1e-9);
+    EXPECT_LT((w.position(120) - l.position(100 * (1 + e) + 20 * (1 - e))).norm(), 1e-9);
+    EXPECT_EQ(w.length(), 150);
+  }
+  const Vec3 T(1000, 300, 4000), load(3, -7, -50);
+  Mat3 K, L;
+  const Vec3 r = catenary_chord(T, load, 100, 1e6, &K, e);
+  EXPECT_LT((r - catenary_chord(T, load / (1 + e), 100 * (1 + e), 1e6 * (1 + e), &L)).norm(), 1e-11);
+  EXPECT_LT((K - L).norm(), 1e-12 * L.norm());
+  EXPECT_THROW(catenary({0, 0, 0}, {0, 104, 0}, {{100, {0, 0, 0}, 1e7, {0, 0, 0}, 0.05}}),
+               std::invalid_argument);  // slack, and without load
+}
+
 }  // namespace
 }  // namespace hawser::catenary_test

@@ -155,5 +155,27 @@ TEST(CatenaryOnBed, NothingWhereThereIsNoSuchShape) {
   EXPECT_FALSE(catenary_on_bed(Vec3::Zero(), Vec3(400, 0, 200), {part(-800, 500, 5e8)}, 0));
 }
 
+// Warm sections are longer ones of the same weight in all; friction goes with that weight.
+TEST(CatenaryOnBed, FreeStrainIsALongerLine) {
+  const double by[] = {1.002, 0.999};
+  for (const double x : {770.0, 790.0}) {
+    std::vector<CatenarySection> warm{part(1200, 500, 7e8), part(900, 335, 5e8)}, longer = warm;
+    for (size_t i = 0; i < 2; ++i) {
+      warm[i].free_strain = by[i] - 1;
+      longer[i].length *= by[i], longer[i].EA *= by[i], longer[i].load /= by[i];
+    }
+    const auto w = catenary_on_bed({0, 0, -200}, {x, 0, -14}, warm, 0.6),
+               l = catenary_on_bed({0, 0, -200}, {x, 0, -14}, longer, 0.6);
+    ASSERT_TRUE(w && l);
+    EXPECT_GT(w->grounded(), 10);
+    EXPECT_NEAR(w->grounded() * by[0], l->grounded(), 1e-7);
+    EXPECT_LT((w->tension_a() - l->tension_a()).norm(), 1e-9 * l->tension_b().norm());
+    EXPECT_LT((w->tension_b() - l->tension_b()).norm(), 1e-9 * l->tension_b().norm());
+    for (const double s : {5.0, 200.0, 450.0})
+      EXPECT_LT((w->position(s) - l->position(s * by[0])).norm(), 1e-7) << s;
+    EXPECT_LT((w->position(835) - Vec3(x, 0, -14)).norm(), 1e-7);
+  }
+}
+
 }  // namespace
 }  // namespace hawser::catenary_on_bed_test

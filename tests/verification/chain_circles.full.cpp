@@ -5,6 +5,7 @@ namespace hawser::test {
 namespace {
 
 TEST(ChainCircles, AllThirty) {
+  ASSERT_EQ(circle_cases().size(), 30U);
   double sum = 0, worst = 0;
   for (const CircleCase& of : circle_cases()) {
     const double error = std::abs(report(of, circle(of, 82, 1e-3, 2, 3)));
@@ -12,8 +13,8 @@ TEST(ChainCircles, AllThirty) {
   }
   const double mean = sum / static_cast<double>(circle_cases().size());
   printf("  mean %.2f %%, worst %.2f %%\n", mean, worst);
-  EXPECT_LT(mean, 6);
-  EXPECT_LT(worst, 10);
+  EXPECT_LE(mean, 6);
+  EXPECT_LE(worst, 10);
 }
 
 }  // namespace

@@ -35,5 +35,27 @@ TEST(WaterStatics, TowedCableStreamsAtItsCriticalAngle) {
     }
 }
 
+// The floating hose of 0.12 t/m in air and 0.08 t/m of buoyancy when all of it is under water
+// (OMAE2006-92155, Table 4), its ends held at the surface: away from them its draught, and how hard it is to
+// push down. Circular segment.
+TEST(WaterStatics, FloatingHoseAtRest) {
+  const double d = 0.4984345337, draught = 0.2885278499254018, stiffness = 4947.4514377865435;
+  for (const bool beam : {false, true})
+    for (const double push : {0.0, 1.0}) {  // N/m
+      model::LineType t = beam ? beam_type(6.178e7, 1.961e5, 1.961e5, 120) : cable_type(6.178e7, 120);
+      t.outer_diameter = t.contact_diameter = d;
+      model::Case c = one_line(t, 278.5, 140, anchor({0, 0, 0}), anchor({278.5, 0, 0}));
+      c.environment.gravity = 9.80665;
+      c.environment.water.present = true;
+      c.lines[0].start = model::Start::straight;
+      c.lines[0].loads = {{Vec3(0, 0, -push)}};
+      Simulation sim(PETSC_COMM_SELF, c);
+      sim.solve_statics();
+      const double is = d / 2 - sim.state().x[70].z(), expected = draught + push / stiffness;
+      if (push == 0) printf("  %s: draught %+.1e\n", beam ? "beam" : "cable", is / draught - 1);
+      EXPECT_NEAR(is, expected, (push > 0 ? 1e-6 : 1e-4) * draught) << beam;
+    }
+}
+
 }  // namespace
 }  // namespace hawser::test::water_statics_test

@@ -71,6 +71,10 @@ model::LineType read_line_type(const std::string& name, const model::Value& v, c
 void read_bend_stiffener(const model::Value& v, const std::string& path, double at, double length,
                          const CaseSource& source, model::Line& line);
 
+// `temperature_change` of a line.
+void read_temperature_change(const model::Value& v, const std::string& path, const CaseSource& source,
+                             model::Line& line);
+
 // `grid` or `mesh` of the seabed; nothing without.
 void read_bed_surface(const model::Value& seabed, const CaseSource& source, model::Seabed& bed);
 // Refuses line ends and points of start shapes that are deep under the bed; notes of ends beyond its edge.

@@ -34,7 +34,7 @@ struct BeamSection {
 
 struct BeamReference {
   // Element axes in the material axes of its nodes (columns; first along the line) and the stress-free
-  // relative rotation and chord strain: zero for a straight element.
+  // relative rotation and chord strain: zero for a straight element that has not expanded.
   Mat3 axes = Mat3::Identity();
   bool aligned = true;      // axes is the identity
   Vec3 psi = Vec3::Zero();  // rad, in element axes

@@ -12,6 +12,7 @@ struct CableSection {
   double beta = 0;    // s, stiffness-proportional damping of a taut element
   // Tension over strain, times EA over its slope at zero; null: linear. Damping stays that of EA.
   const StiffnessTable* tension = nullptr;
+  double free_strain = 0;  // at which there is no tension: thermal expansion
 
   // Tension [N] of a strain, its slope and its energy a unit of length.
   StiffnessTable::Value axial(double strain) const {
@@ -39,9 +40,9 @@ struct CableStress {
   double dissipation = 0;    // W
 };
 
-// T = EA max(0, e + beta e'), e = l/L - 1, for e > 0. The force on the first end is -force, on the second
-// force: residuals. `convex` keeps the axial stiffness of a slack element, so that statics far from the
-// solution has something to pull with.
+// T = EA max(0, e + beta e'), e = l/L - 1 - free strain, for e > 0. The force on the first end is -force, on
+// the second force: residuals. `convex` keeps the axial stiffness of a slack element, so that statics far
+// from the solution has something to pull with.
 Vec3 cable_pull(const CableSection& s, const CableEnds& e);
 void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePull& out);
 

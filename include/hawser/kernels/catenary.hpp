@@ -13,6 +13,7 @@ struct CatenarySection {
   Vec3 load = Vec3::Zero();      // N/m, weight and lateral loads per unstretched length
   double EA = 0;                 // N
   Vec3 end_load = Vec3::Zero();  // N, point load at the section's far end (a clump weight, a buoy)
+  double free_strain = 0;        // without tension: thermal expansion
 };
 
 class CatenaryShape {
@@ -49,6 +50,6 @@ CatenaryShape catenary_free_a(const Vec3& end_b, const std::vector<CatenarySecti
 // r(length) - r(0) of one section whose tension at its start is `tension`, and, when wanted, its derivative
 // by `tension` (symmetric, positive).
 Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double EA,
-                    Mat3* derivative = nullptr);
+                    Mat3* derivative = nullptr, double free_strain = 0);
 
 }  // namespace hawser

@@ -26,6 +26,7 @@ class CatenaryOnBed {
     double start, end;    // m, arc length
     double x_end, T_end;  // m from A, N, at its end
     double drag, EA;      // N/m, friction; N
+    double free_strain;
     double tension(double s) const;
     double stretched(double s) const;  // m, from s to the end
   };

@@ -28,6 +28,7 @@ struct Element {
   int type = 0;               // index into Case::line_types
   double length = 0;          // m, unstretched
   bool beam = false;
+  double free_strain = 0;  // thermal expansion: where the line has no tension
 };
 
 struct LineSpan {

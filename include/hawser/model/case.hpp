@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct LineType {
   Vec3 rotary_inertia = Vec3::Zero();  // kg m (per length), about axes 1 (along), 2, 3
   double stiffness_damping = 0;        // s, Rayleigh beta: damping = beta * material stiffness
   double breaking_load = 0;            // N; 0: not known
+  double thermal_expansion = 0;        // 1/K
 
   // In water. The axial drag acts on the skin, pi times the drag diameter.
   double displaced_diameter = 0;  // m, of the volume that water is driven out of; 0: outer_diameter
@@ -205,10 +207,17 @@ struct Line {
   std::vector<DistributedLoad> loads;
   std::vector<PointLoad> point_loads;
   std::vector<Buried> buried;  // in order of arc length, apart from each other
+  // K, warmer than when cut to length, over arc length from end A [m], growing; straight between the rows,
+  // constant beyond; empty: none.
+  std::vector<std::pair<double, double>> temperature_change;
   Start start = Start::automatic;
   std::vector<Vec3> points;               // for Start::points: polyline the line is laid along
   std::shared_ptr<const LeftShape> left;  // for Start::other_run
 };
+
+// Mean over the arc [from, to] of a line, m: of its temperature change, K, and of what that lengthens it by.
+double mean_temperature_change(const Line& line, double from, double to);
+double thermal_strain(const LineType& type, const Line& line, double from, double to);
 
 // rigid and gap are there to be compared with: at the nodes, held on the surface until the reaction pulls; at
 // the nodes, a spring along a direction that is chosen at the start.

@@ -18,6 +18,8 @@ std::vector<Issue> check(const Case& c);
 
 // Unstretched length of a line [m].
 double length_of(const Line& line);
+// What its `temperature_change` adds to it [m].
+double expansion_of(const Case& c, const Line& line);
 
 // Where a line's end is at t = 0 [m, space]: the body's position and rotation with its motion then.
 // Not for free ends. Throws std::out_of_range for an unknown body.

@@ -33,6 +33,8 @@ enum class Dimension {
   pressure,            // Pa
   volume,              // m³
   area,                // m²
+  temperature_change,  // K
+  thermal_expansion,   // 1/K
 };
 
 struct Unit {
