@@ -151,13 +151,15 @@ namespace {
 template <bool beam, int n>
 double potential(const WaterSection& s, const Motion<n>& m) {
   using R = Rule<beam>;
-  const Band band(s.radius, R::band * s.length, s.length, m.X[n - (beam ? 2 : 1)][2] - m.X[0][2]);
+  const Row chord = m.X[n - (beam ? 2 : 1)] - m.X[0];
+  const double l = std::sqrt(dot(chord, chord)), t_z = l > 0 ? chord[2] / l : 0;
   double sum = 0;
   for (int g = 0; g < R::points; ++g) {
     const double z = R::at[g];
     double N[n], h = (1 - z) * m.surface[0] + z * m.surface[1];
     R::shape(z, N);
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
+    const Band band(s.radius, R::reach[g] * s.length, t_z);
     sum += R::weight[g] * band.b * circle_wetting(h / band.b).integral;
   }
   return s.buoyancy * s.length * sum;
@@ -199,11 +201,6 @@ WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, dou
   BeamMotion b;
   beam_motion(s, e, b);
   return flow_force<true>(s, b.m, still);
-}
-
-double wet_share(const WaterSection& s, double h, double rise, bool beam) {
-  const double band = beam ? Rule<true>::band : Rule<false>::band;
-  return circle_wetting(h / Band(s.radius, band * s.length, s.length, rise).b).share;
 }
 
 void ball_water(const WaterBall& b, const Vec3& x, const Vec3& v, const Vec3& a, const Water& water, Vec3& f,

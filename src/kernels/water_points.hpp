@@ -2,6 +2,7 @@
 // (x1, L t1, x2, L t2) of a beam. Internal to the kernel.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/kernels/line_water.hpp"
@@ -17,17 +18,19 @@ struct Rule;
 template <>
 struct Rule<false> {
   static constexpr int points = 2, shapes = 2;
-  static constexpr double band = 0.25;  // of the length: how far a steep element's wetting is smeared
   static constexpr double at[2] = {0.21132486540518711775, 0.78867513459481288225};
   static constexpr double weight[2] = {0.5, 0.5};
+  // Of the length: how far about each point a steep element's wetting is smeared. Not beyond its ends, so
+  // that what is under water is right when the surface is at a node.
+  static constexpr double reach[2] = {at[0], at[0]};
   static void shape(double s, double* N) { N[0] = 1 - s, N[1] = s; }
 };
 template <>
 struct Rule<true> {
   static constexpr int points = 3, shapes = 4;
-  static constexpr double band = 0.25;
   static constexpr double at[3] = {0.11270166537925831148, 0.5, 0.88729833462074168852};
   static constexpr double weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  static constexpr double reach[3] = {at[0], at[1] - 2 * at[0], at[0]};  // the middle to where the others end
   static void shape(double s, double* N) {
     const double r = 1 - s;
     N[0] = r * r * (1 + 2 * s), N[1] = s * r * r, N[2] = s * s * (3 - 2 * s), N[3] = -s * s * r;
@@ -50,16 +53,23 @@ struct Forces {
   Mat M[n][n];
 };
 
-// Half width of the band in which the section gets wet, and its derivatives by the rise of the axis.
+// Half the width of the band of heights in which the section at a point gets wet: a circle's that leans as
+// the chord does, and the reach along it, b² = R² (1 - t_z²) + delta² t_z².
 struct Band {
-  double b, by_rise, by_rise2;
-  Band(double radius, double delta, double length, double rise) {
-    const double d = delta / length, dq = d * rise;
-    b = std::sqrt(radius * radius + dq * dq);
-    by_rise = d * dq / b;
-    by_rise2 = d * d * radius * radius / (b * b * b);
+  double by_lean = 0, b = 1;  // m², derivative of b² by t_z²; m
+  Band() = default;
+  Band(double radius, double delta, double t_z) : by_lean(delta * delta - radius * radius) {
+    b = std::sqrt(radius * radius + by_lean * t_z * t_z);
   }
 };
+
+// Derivatives of t_z²/2 by the chord.
+inline Row lean(Row t, double inverse) { return (inverse * t[2]) * (unit(2) - t[2] * t); }
+inline Mat lean2(Row t, double inverse) {
+  const Row up = unit(2), k = 2 * t[2] * t;
+  const Mat m = outer(up - k, up) + outer(2 * t[2] * k - 2 * t[2] * up, t) - identity(t[2] * t[2]);
+  return (inverse * inverse) * m;
+}
 
 enum class Part { all, buoyancy, flow };
 
@@ -73,8 +83,6 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
   const Row chord = m.X[end] - m.X[0];
   const double l = std::sqrt(dot(chord, chord)), inverse = l > 0 ? 1 / l : 0;
   const Row t = inverse * chord;
-  const double rise = chord[2];
-  const Band band(s.radius, R::band * s.length, s.length, rise);
   const double ma = s.added_axial - s.added_normal;
   // Sums of which blocks are made.
   double masses[n][n] = {};
@@ -94,26 +102,41 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     const double w = R::weight[g] * s.length;
     double h = (1 - z) * m.surface[0] + z * m.surface[1];
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
-    const double level = h / band.b;
-    if (level <= -1) continue;
-    const Wetting wet = circle_wetting(level);
-    const double G = wet.integral - level * wet.share;
-    double dh[n];  // minus the derivative of h by z, with what the band adds
-    for (int j = 0; j < n; ++j) dh[j] = N[j];
-    dh[0] -= level * band.by_rise, dh[end] += level * band.by_rise;
+    const double delta = R::reach[g] * s.length;
+    Band band;
+    double level = 1;
+    Wetting wet{1, 0, 1};
+    if (h < std::max(s.radius, delta)) {  // else wet at any angle
+      band = Band(s.radius, delta, t[2]);
+      level = h / band.b;
+      if (level <= -1) continue;
+      wet = circle_wetting(level);
+    }
+    const bool partly = level < 1;
+    Row by_chord_of_b = zero, dh[n];  // minus the derivative of h, with what the band adds
+    if (partly) {
+      by_chord_of_b = (band.by_lean / band.b) * lean(t, inverse);
+      for (int j = 0; j < n; ++j) dh[j] = N[j] * unit(2);
+      dh[0] -= level * by_chord_of_b, dh[end] += level * by_chord_of_b;
+    }
     if constexpr (part != Part::flow) {
       const double B = w * s.buoyancy;
       for (int j = 0; j < n; ++j) out.f[j][2] -= B * N[j] * wet.share;
-      const double g1 = B * G * band.by_rise;
-      out.f[0][2] -= g1, out.f[end][2] += g1;
-      if constexpr (tangent)
-        if (level < 1) {
-          const double k1 = B * wet.slope / band.b, k2 = B * G * band.by_rise2;
+      if (partly) {
+        const double G = B * (wet.integral - level * wet.share);
+        out.f[0] -= G * by_chord_of_b, out.f[end] += G * by_chord_of_b;
+        if constexpr (tangent) {
+          const double k1 = B * wet.slope / band.b;
           for (int j = 0; j < n; ++j)
-            for (int k = 0; k < n; ++k) out.K[j][k].r[2][2] += k1 * dh[j] * dh[k];
-          out.K[0][0].r[2][2] += k2, out.K[end][end].r[2][2] += k2;
-          out.K[0][end].r[2][2] -= k2, out.K[end][0].r[2][2] -= k2;
+            for (int k = 0; k < n; ++k) out.K[j][k] += outer(k1 * dh[j], dh[k]);
+          if (!convex) {  // a section wider than the reach would rather stand
+            const Mat k2 =
+                (G / band.b) * (band.by_lean * lean2(t, inverse) - outer(by_chord_of_b, by_chord_of_b));
+            out.K[0][0] += k2, out.K[end][end] += k2;
+            out.K[0][end] -= k2, out.K[end][0] -= k2;
+          }
         }
+      }
     }
     if constexpr (part == Part::buoyancy) continue;
 
@@ -163,11 +186,10 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
           by_chord[j] += (-wF * N[j] * inverse) * T + (wF * inverse * ma) * (outer(t, across) + ty * P);
           by_z[j][0] -= (wF * N[j] * (1 - z)) * d[0], by_z[j][1] -= (wF * N[j] * z) * d[1];
         }
-        if (level < 1)
+        if (partly)
           for (int k = 0; k < n; ++k) {
-            const double slope = -w * wet.slope / band.b * dh[k];
-            for (int j = 0; j < n; ++j)
-              for (int r = 0; r < 3; ++r) out.K[j][k].r[r][2] += slope * q[j][r];
+            const Row slope = (-w * wet.slope / band.b) * dh[k];
+            for (int j = 0; j < n; ++j) out.K[j][k] += outer(q[j], slope);
           }
       }
     }

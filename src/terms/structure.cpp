@@ -102,16 +102,29 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
 }
 
 double StructureTerm::round_off(const Kinematics& at, double) const {
-  // A strain is a difference of positions: each is known to eps |x|.
+  constexpr double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
-  const auto add = [&](const auto& e) {
-    if (!e.at.counted) return;
-    const Vec3 &a = at.x[static_cast<size_t>(e.at.first)], &b = at.x[static_cast<size_t>(e.at.second)];
-    const double far = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
-    sum += std::pow(e.section.EA / e.section.length * std::numeric_limits<double>::epsilon() * far, 2);
+  const auto far = [&](const LocalElement& e) {
+    return Vec3(at.x[static_cast<size_t>(e.first)].cwiseAbs().cwiseMax(
+        at.x[static_cast<size_t>(e.second)].cwiseAbs()));
   };
-  for (const Beam& b : beams_) add(b);
-  for (const Cable& c : cables_) add(c);
+  // A strain is a difference of positions: each is known to eps |x|.
+  const auto pull = [&](const auto& e) {
+    if (e.at.counted) sum += std::pow(e.section.EA / e.section.length * eps * far(e.at).maxCoeff(), 2);
+  };
+  for (const Beam& b : beams_) {
+    pull(b);
+    if (!b.at.counted) continue;
+    // A curvature is a difference of the nodes' directions, known to a few eps, and the chord's, which has
+    // the noise of positions across it over its length. As a force that makes the moment over the element.
+    const BeamSection& s = b.section;
+    const Vec3 t =
+        (at.x[static_cast<size_t>(b.at.second)] - at.x[static_cast<size_t>(b.at.first)]).normalized();
+    const double across = (far(b.at).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
+    const double bend = std::max(s.EI2, s.EI3), turn = 4 * std::max(bend, s.GJ);
+    sum += std::pow(eps * (bend * across / s.length + turn) / (s.length * s.length), 2);
+  }
+  for (const Cable& c : cables_) pull(c);
   return sum;
 }
 

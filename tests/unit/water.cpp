@@ -1,6 +1,8 @@
 // Buoyancy, drag and added mass of an element, and the current.
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
+
 #include "hawser/kernels/current.hpp"
 #include "hawser/kernels/line_water.hpp"
 #include "hawser/kernels/wetting.hpp"
@@ -65,25 +67,102 @@ TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
   }
 }
 
-// However steep it is and wherever it goes through the surface, what is displaced is near what is under
-// water, and it grows without jumps.
+// However thick it is and wherever it goes through the surface, what a vertical element displaces is near
+// what is under water, and it grows without jumps; it is right when the surface is at a node.
 TEST(WaterLoad, SteepElementsGetWetSmoothly) {
-  const WaterSection s = section(10, 0.3);
-  double last = 0, worst = 0, f[12];
-  for (int i = 0; i <= 2000; ++i) {
-    const double z = 6 - 0.006 * i;  // of the middle
-    WaterEnds e;
-    e.x1 = {0, 0, z - 5}, e.x2 = {0, 0, z + 5};
-    cable_water_force(s, e, f);
-    const double wet = -(f[2] + f[5]) / (10 * s.buoyancy);
-    const double exact = std::clamp((5 - z) / 10, 0.0, 1.0);
-    worst = std::max(worst, std::abs(wet - exact));
-    EXPECT_GE(wet, last - 1e-12);
-    EXPECT_LT(wet - last, 2.5 * 0.0006);
-    last = wet;
+  for (const bool beam : {false, true})
+    for (const double d : {0.3, 6.0}) {
+      const WaterSection s = section(10, d);
+      double last = 0, worst = 0, f[12];
+      const auto wet = [&](double middle) {
+        WaterEnds e;
+        e.x1 = {0, 0, middle - 5}, e.x2 = {0, 0, middle + 5};
+        e.motion.q1 = e.motion.q2 = Quat::FromTwoVectors(Vec3::UnitX(), Vec3::UnitZ());
+        (beam ? beam_water_force : cable_water_force)(s, e, f);
+        return -(f[2] + f[beam ? 8 : 5]) / (10 * s.buoyancy);
+      };
+      for (int i = 0; i <= 2000; ++i) {
+        const double z = 6 - 0.006 * i;
+        const double now = wet(z), exact = std::clamp((5 - z) / 10, 0.0, 1.0);
+        worst = std::max(worst, std::abs(now - exact));
+        EXPECT_GE(now, last - 1e-12);
+        EXPECT_LT(now - last, 1.6 * 0.0006);
+        last = now;
+      }
+      EXPECT_EQ(last, 1);
+      EXPECT_LT(worst, beam ? 0.061 : 0.095);  // of the element
+      EXPECT_NEAR(wet(5), 0, 1e-12);
+      EXPECT_NEAR(wet(-5), 1, 1e-12);
+    }
+}
+
+// The potential of short elements is that of a body: depth, times rho g, over what is under water of a
+// cylinder that leans, by quadrature.
+TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
+  const int n = 40;
+  const double radius = 0.5, length = 4;
+  for (const double angle : {0.0, 0.4, 1.0, 1.4}) {
+    const Vec3 t(std::cos(angle), 0, std::sin(angle)), middle(0, 0, 0.13);
+    const Vec3 across = Vec3::UnitY().cross(t);
+    double exact = 0;
+    for (int i = 0; i < 1000; ++i)
+      for (int j = 0; j < 1000; ++j) {
+        const double along = ((i + 0.5) / 1000 - 0.5) * length, up = (2 * (j + 0.5) / 1000 - 1) * radius;
+        const double z = (middle + along * t + up * across).z();
+        exact += std::max(-z, 0.0) * 2 * std::sqrt(radius * radius - up * up) * (length / 1000) *
+                 (2 * radius / 1000) * kRho * kG;
+      }
+    for (const bool beam : {false, true}) {
+      const WaterSection s = section(length / n, 2 * radius);
+      double sum = 0;
+      for (int i = 0; i < n; ++i) {
+        WaterEnds e;
+        e.x1 = middle + (i * s.length - length / 2) * t, e.x2 = e.x1 + s.length * t;
+        e.motion.q1 = e.motion.q2 = Quat::FromTwoVectors(Vec3::UnitX(), t);
+        sum += water_potential(s, e, beam);
+      }
+      EXPECT_NEAR(sum, exact, 1e-3 * exact) << angle;
+    }
   }
-  EXPECT_EQ(last, 1);
-  EXPECT_LT(worst, 0.08);  // of the element
+}
+
+// Of forces on elements that lean, thin and thick beside their length, against fourth-order differences. What
+// statics takes far from its solution has no negative eigenvalue.
+TEST(WaterLoad, TangentOfALeaningElement) {
+  for (const double d : {0.2, 8.0})
+    for (const double angle : {0.1, 0.8, 1.5}) {
+      const WaterSection s = section(4, d);
+      const Vec3 t(std::cos(angle) * 0.6, std::cos(angle) * 0.8, std::sin(angle));
+      Vec3 x[2] = {{0, 0, -0.8 * t.z() + 0.03}, 4.1 * t + Vec3(0, 0, -0.8 * t.z() + 0.03)};
+      const Vec3 v[2] = {{0.3, -0.2, 0.5}, {0.1, 0.4, -0.3}}, a[2] = {{1, 0.2, -0.4}, {-0.3, 0.6, 0.2}};
+      Water water[2];
+      water[0].velocity = Vec3(0.7, 0.2, 0.1), water[1].velocity = Vec3(0.9, -0.1, 0.2);
+      water[0].surface = 0.02, water[1].surface = -0.03;
+      const CableInWater e{x[0], x[1], v[0], v[1], a[0], a[1], water[0], water[1]};
+      double f[6], K[36], C[36], M[36];
+      cable_in_water_tangent(s, e, false, f, K, C, M);
+      double most = 0;
+      for (const double k : K) most = std::max(most, std::abs(k));
+      for (int c = 0; c < 6; ++c) {
+        const double h = 1e-4;
+        double g[4][6];
+        const double at[4] = {-2 * h, -h, h, 2 * h};
+        for (int i = 0; i < 4; ++i) {
+          const double kept = x[c / 3][c % 3];
+          x[c / 3][c % 3] += at[i];
+          cable_in_water_force(s, e, g[i]);
+          x[c / 3][c % 3] = kept;
+        }
+        for (int r = 0; r < 6; ++r)
+          EXPECT_NEAR(K[6 * r + c], (g[0][r] - 8 * g[1][r] + 8 * g[2][r] - g[3][r]) / (12 * h), 1e-6 * most)
+              << d << " " << angle << " " << r << c;
+      }
+      cable_in_water_tangent(s, e, true, f, K, C, M);
+      const Eigen::Matrix<double, 6, 6> k = Eigen::Map<const Eigen::Matrix<double, 6, 6>>(K);
+      EXPECT_LT((k - k.transpose()).norm(), 1e-12 * k.norm());
+      EXPECT_GT(k.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), -1e-9 * most);
+      EXPECT_GT(k.norm(), 0.1 * most);
+    }
 }
 
 TEST(WaterLoad, ForceIsTheDerivativeOfThePotential) {

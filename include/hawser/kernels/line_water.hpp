@@ -64,11 +64,6 @@ struct WaterForce {
 // Of buoyancy it has what a surface off `still` [m] changes.
 WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still);
 
-// Share of the section under water at a height h [m] of the surface above the axis, for an element of this
-// length whose axis rises by `rise` over it: a circle's, widened for steep elements to what the Gauss points
-// can see, so that nothing jumps while an element goes through the surface.
-double wet_share(const WaterSection& s, double h, double rise, bool beam);
-
 // Forces on a round buoy or clump weight at a node.
 struct WaterBall {
   double buoyancy = 0, displaced_mass = 0, added_mass = 0;  // N, kg, kg

@@ -23,21 +23,35 @@ std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh);
 
 // Energy k phi²/2 of the angle phi between the line's tangent t = Q e1 and the direction d, so a moment k phi
 // about t x d. With c = d.t, W'(c) = -k phi/sin phi and W''(c) = k (1 - phi cot phi)/sin² phi, both smooth
-// but at phi = pi, where the end is folded back. Nothing acts about the tangent itself.
+// but at phi = pi, where the end is folded back. Nothing acts about the tangent itself. What a body that
+// turns works on the line through its springs is history.
 class EndSprings final : public ForceTerm {
  public:
   EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies, std::vector<EndSpring> springs);
 
   std::string_view name() const override { return "end springs"; }
+  void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
+  void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
 
  private:
+  // A spring on a body that moves: the body's rotation, and its moment on the spring, N m, body axes.
+  struct Hold {
+    Quat rotation;
+    Vec3 moment;
+  };
   Vec3 direction(const EndSpring& s, double time) const;
+  void holds(const Kinematics& at, std::vector<Hold>& out) const;
 
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<EndSpring> springs_;
+  bool driven_ = false;             // some of their bodies move
+  std::vector<Hold> before_, now_;  // of the committed state; room for those of the accepted one
+  double work_ = 0;                 // J, done by the bodies
 };
 
 }  // namespace hawser
