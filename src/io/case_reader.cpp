@@ -105,7 +105,8 @@ class Reader {
       b.motion = read_motion_table(*t, path + ".table", source_);
     } else if (const Value* rao = m->find("rao")) {
       const Value* d = root_.find("dynamics");
-      b.motion = read_rao(*rao, path + ".rao", c_.environment, b, d ? (*d)["duration"].number : 0, source_);
+      b.motion = read_rao(*rao, path + ".rao", c_.environment, b, d ? (*d)["duration"].number : 0, source_,
+                          c_.notes);
       if (!(*m)["ramp"].given) b.ramp = c_.environment.water.waves.ramp;
     } else if (m->has("velocity") || m->has("rotation")) {
       model::ConstantMotion steady;

@@ -196,6 +196,21 @@ void check_stokes(const Value& v, const model::Environment& e, const CaseSource&
                     ".current: lines feel it beside 'environment.current', which does not change the wave");
 }
 
+// DNV-RP-C205, 3.5.4: steepness 2 pi Hs/(g Tp²) of the steepest seas, straight between 8 and 15 s.
+void check_sea_steepness(const Value& v, const model::Environment& e, std::vector<std::string>& notes) {
+  const model::Waves& w = e.water.waves;
+  if (w.kind != model::Waves::Kind::spectrum || !(e.gravity > 0)) return;
+  const double share = std::clamp((w.peak_period - 8) / 7, 0.0, 1.0);
+  const double steepest = (1 - share) / 15 + share / 25;
+  const double steepness = 2 * M_PI * w.height / (e.gravity * w.peak_period * w.peak_period);
+  if (steepness > steepest)
+    notes.push_back(fmt::format(
+        "environment.waves.{}: waves of a sea of {:g} m at {:g} s would break: its steepness 2 pi hs/(g tp²) "
+        "is {:.3g}, and seas of this period get to {:.3g}, {:.3g} m high (DNV-RP-C205)",
+        v.find("jonswap") ? "jonswap" : "pierson_moskowitz", w.height, w.peak_period, steepness, steepest,
+        w.height * steepest / steepness));
+}
+
 // Linear theory goes on where a wave would break (Miche 1944).
 void check_steepness(const model::Environment& e, std::vector<std::string>& notes) {
   const model::Waves& w = e.water.waves;
@@ -242,6 +257,7 @@ model::Environment read_environment(const Value& v, const CaseSource& source,
     e.water.waves = read_waves(*w, source);
     if (e.water.waves.kind == model::Waves::Kind::stokes) check_stokes(*w, e, source, notes);
     check_steepness(e, notes);
+    check_sea_steepness(*w, e, notes);
   }
   return e;
 }

@@ -15,6 +15,16 @@ namespace hawser::io {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
+constexpr double kWideGap = 100;  // deg between directions, beyond which straight lines hide a side
+
+// Whether a table of both sides is told to be of one.
+bool both_sides(const std::vector<RaoTable::Row>& rows) {
+  const auto on = [&](double sign) {
+    return std::any_of(rows.begin(), rows.end(),
+                       [&](const RaoTable::Row& r) { return sign * std::sin(r.direction) > 1e-9; });
+  };
+  return on(1) && on(-1);
+}
 
 RaoTable read_table(const model::Value& rao, const std::string& key, const CaseSource& source) {
   const auto [at, where, rows] = read_given_rows(rao, key, source);
@@ -42,6 +52,13 @@ RaoTable read_table(const model::Value& rao, const std::string& key, const CaseS
       row.response[k] =
           std::polar(1.0, sign * r[3 + 2 * k] * kDegree) * (r[2 + 2 * k] * (k < 3 ? 1 : kDegree));
   }
+  if (rao["symmetry"].is("port_starboard")) {
+    if (both_sides(table))
+      source.bad(at, where,
+                 "'symmetry: port_starboard' makes the other side of a table of one side (directions from 0 "
+                 "to 180 deg, or from 180 to 360), but the rows have directions on both");
+    table = with_other_side(table);
+  }
   try {
     return RaoTable(std::move(table));
   } catch (const std::invalid_argument& e) {
@@ -49,10 +66,37 @@ RaoTable read_table(const model::Value& rao, const std::string& key, const CaseS
   }
 }
 
+// A table of 0 to 180 deg has a neighbour of 180 at 360: what goes to 270 is half of both, and nothing rolls.
+void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
+                std::vector<std::string>& notes) {
+  size_t astray = 0;
+  RaoTable::Between gap;
+  double direction = 0;
+  for (const WaveComponent& w : waves.components()) {
+    const double to = std::atan2(w.y, w.x) - bow;
+    const RaoTable::Between b = table.neighbours(to);
+    if (b.to - b.from <= kWideGap * kDegree * (1 + 1e-9)) continue;
+    if (astray++ == 0) gap = b, direction = to;
+  }
+  if (astray == 0) return;
+  // Into the gap, however many times round.
+  direction = gap.from + std::fmod(std::fmod(direction - gap.from, 2 * M_PI) + 2 * M_PI, 2 * M_PI);
+  notes.push_back(fmt::format(
+      "{}: {} as seen from the bow, and the responses there lie on straight lines between {:.4g} and {:.4g} "
+      "deg, the table's next directions: give rows between them, or 'symmetry: port_starboard' if the table "
+      "is that of one side",
+      key,
+      astray == 1 ? fmt::format("the wave goes to {:.4g} deg", direction / kDegree)
+                  : fmt::format("{} components of the sea go to {:.4g} deg and thereabouts", astray,
+                                direction / kDegree),
+      gap.from / kDegree, gap.to / kDegree));
+}
+
 }  // namespace
 
 model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
-                            const model::Body& body, double duration, const CaseSource& source) {
+                            const model::Body& body, double duration, const CaseSource& source,
+                            std::vector<std::string>& notes) {
   const RaoTable table = read_table(rao, key, source);
   const WaveField waves = model::wave_field(sea);
   if (waves.none())
@@ -61,7 +105,9 @@ model::TableMotion read_rao(const model::Value& rao, const std::string& key, con
   const model::Drift none;
   const DriftLaw drift = model::drift_law(body.drift ? *body.drift : none);
   const double yaw = body.drift ? body.drift->rotation.z() : 0;
-  const RaoMotion motion(table, waves, body.position, std::atan2(bow.y(), bow.x()), yaw);
+  const double heading = std::atan2(bow.y(), bow.x());
+  check_gaps(table, waves, heading + yaw, key, notes);
+  const RaoMotion motion(table, waves, body.position, heading, yaw);
   // The highest of many components is ten times that of the peak and hardly there.
   const double step = 2 * M_PI / motion.highest() / (waves.components().size() > 20 ? 30 : 100);
   const double count = duration / step + 20;

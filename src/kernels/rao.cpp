@@ -7,6 +7,8 @@
 namespace hawser {
 namespace {
 
+constexpr double kSame = 1e-9;  // rad and rad/s: one direction or frequency
+
 double all_round(double direction) {
   const double d = std::fmod(direction, 2 * M_PI);
   const double r = d < 0 ? d + 2 * M_PI : d;
@@ -17,7 +19,6 @@ double all_round(double direction) {
 
 RaoTable::RaoTable(std::vector<Row> rows) {
   if (rows.empty()) throw std::invalid_argument("a table of responses needs rows");
-  constexpr double kSame = 1e-9;
   const auto add = [](std::vector<double>& list, double x) {
     if (std::none_of(list.begin(), list.end(), [x](double y) { return std::abs(x - y) < kSame; }))
       list.push_back(x);
@@ -63,6 +64,26 @@ Response RaoTable::at(double omega, double direction) const {
     r[k] = (1 - y) * ((1 - z) * row(a, i)[k] + z * row(a, next)[k]) +
            y * ((1 - z) * row(b, i)[k] + z * row(b, next)[k]);
   return r;
+}
+
+RaoTable::Between RaoTable::neighbours(double direction) const {
+  const double d = all_round(direction);
+  for (const double x : direction_)
+    if (direction_.size() == 1 || std::abs(std::remainder(d - x, 2 * M_PI)) < kSame) return {x, x};
+  const auto above = std::upper_bound(direction_.begin(), direction_.end(), d);
+  return {above == direction_.begin() ? direction_.back() - 2 * M_PI : *(above - 1),
+          above == direction_.end() ? direction_.front() + 2 * M_PI : *above};
+}
+
+std::vector<RaoTable::Row> with_other_side(const std::vector<RaoTable::Row>& rows) {
+  std::vector<RaoTable::Row> out = rows;
+  for (RaoTable::Row r : rows) {
+    if (std::abs(std::remainder(r.direction, M_PI)) < kSame) continue;
+    r.direction = -r.direction;
+    for (const size_t k : {1, 3, 5}) r.response[k] = -r.response[k];
+    out.push_back(r);
+  }
+  return out;
 }
 
 RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& origin, double heading,

@@ -153,7 +153,11 @@ Key motion() {
                    word("phase", {"lag", "lead"},
                         "what phases are: how far the motion comes after the crest at the body's origin, or "
                         "before it")
-                       .or_else("lag")},
+                       .or_else("lag"),
+                   word("symmetry", {"none", "port_starboard"},
+                        "of a table of one side (0 to 180 deg): `port_starboard` has the vessel answer waves "
+                        "from the other side as in a mirror, with sway, roll and yaw the other way")
+                       .or_else("none")},
                   "moves in the waves by response amplitude operators, about `position`")
                   .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true),
               drift(),

@@ -14,7 +14,8 @@ constexpr int kMostPieces = 300;  // enough for a start shape, however fine the 
 constexpr double kStreams = 0.1;  // drag over weight that a catenary does not do for
 constexpr int kDragRounds = 8;
 constexpr double kSettled = 5e-3;  // of the length: the drag's shape is good enough
-constexpr double kFold = 0.2;      // cosine between neighbouring pieces below which drag has folded a line up
+constexpr double kFold = 0.2;      // cosine between neighbouring pieces below which a line is folded up
+constexpr double kPull = 0.01;     // of the weight: what takes slack out of its heap
 
 // Of elements [first, last) of the mesh, as one, as long as they are without tension.
 FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const Mesh& mesh, int first,
@@ -42,14 +43,6 @@ FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const M
   return p;
 }
 
-// The current that acts in statics.
-CurrentProfile current_of(const model::Case& c) {
-  const model::Water& w = c.environment.water;
-  if (!w.present || w.current.ramp > 0) return {};
-  const double factor = w.current.time_factor.at(0);
-  return factor == 0 ? CurrentProfile() : current_profile(w, factor);
-}
-
 // What drag is made of, a piece: half the density, coefficient and diameter across, and along the skin;
 // kg/m².
 struct DragSection {
@@ -59,12 +52,6 @@ struct DragSection {
 Vec3 drag(const DragSection& s, const Vec3& u, const Vec3& chord) {
   const Vec3 t = chord.normalized(), along = u.dot(t) * t, across = u - along;
   return s.normal * across.norm() * across + s.axial * along.norm() * along;
-}
-
-bool folded(const std::vector<Vec3>& x) {
-  for (size_t i = 1; i + 1 < x.size(); ++i)
-    if ((x[i + 1] - x[i]).normalized().dot((x[i] - x[i - 1]).normalized()) < kFold) return true;
-  return false;
 }
 
 // Drag is held while the line moves, and the line while the drag is reckoned, by turns and half of it a time.
@@ -99,8 +86,21 @@ double buoyancy(const model::Case& c, const model::LineType& t) {
   return w.present ? w.density * c.environment.gravity * M_PI / 4 * t.displaced() * t.displaced() : 0;
 }
 
+CurrentProfile acting_current(const model::Case& c) {
+  const model::Water& w = c.environment.water;
+  if (!w.present || w.current.ramp > 0) return {};
+  const double factor = w.current.time_factor.at(0);
+  return factor == 0 ? CurrentProfile() : current_profile(w, factor);
+}
+
+bool folded(const std::vector<Vec3>& x) {
+  for (size_t i = 1; i + 1 < x.size(); ++i)
+    if ((x[i + 1] - x[i]).normalized().dot((x[i] - x[i - 1]).normalized()) < kFold) return true;
+  return false;
+}
+
 bool streams(const model::Case& c, const model::Line& line) {
-  const CurrentProfile current = current_of(c);
+  const CurrentProfile current = acting_current(c);
   if (current.none()) return false;
   const model::Water& w = c.environment.water;
   double speed = 0;
@@ -129,13 +129,17 @@ bool goes_through(const model::Case& c, const model::Line& line, const std::vect
 }
 
 std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, const Mesh& mesh,
-                                 const LineSpan& span, const std::vector<Vec3>& x) {
+                                 const LineSpan& span, const std::vector<Vec3>& x, const Vec3& way) {
   const model::Seabed& bed = c.environment.seabed;
   const model::Water& water = c.environment.water;
   FlexibleLine f;
   f.held_a = line.end_a.kind != model::EndKind::free, f.held_b = line.end_b.kind != model::EndKind::free;
-  f.bed = bed.present && !bed.surface;  // on a measured bed the shape is lifted afterwards
-  f.bed_point = Vec3(0, 0, -bed.depth), f.bed_normal = model::bed_normal(bed);
+  // On a measured bed the shape is lifted afterwards; what lies needs one at about the height, to go along.
+  const Vec3& held = f.held_a ? x.front() : x.back();
+  const double height = bed.present && bed.surface ? model::height_above_bed(bed, held) : 0;
+  f.bed = bed.present && (!bed.surface || (!way.isZero(0) && std::isfinite(height)));
+  f.bed_point = Vec3(0, 0, bed.surface ? held.z() - height : -bed.depth),
+  f.bed_normal = model::bed_normal(bed);
   f.water = water.present, f.surface = water.surface;
 
   std::vector<double> s{0};
@@ -172,8 +176,12 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   for (const auto& p : line.point_loads)
     if (p.ramp == 0) nearest(p.at).load += p.force;
 
-  std::vector<Vec3> found = flexible_shape(f, std::move(places));
-  if (const CurrentProfile current = current_of(c); !current.none())
+  FlexibleLine pulled = f;
+  double weight = 0;
+  for (const auto& p : f.pieces) weight += p.length * std::abs(p.load.z() + p.buoyancy);
+  for (auto& p : pulled.pieces) p.load += kPull * weight / span.length * way;
+  std::vector<Vec3> found = flexible_shape(pulled, std::move(places));
+  if (const CurrentProfile current = acting_current(c); !current.none())
     found = in_current(water, current, f, drags, found);
   std::vector<Vec3> out;
   for (int n = 0; n < span.nodes; ++n)

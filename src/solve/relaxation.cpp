@@ -18,6 +18,10 @@ constexpr double kHopeless = 1e6;                         // growth of it from w
 constexpr double kHeavier = 4, kLighter = 0.5;
 constexpr double kFirst = 0.002;    // of the longest line, that the first step may bring
 constexpr double kHeaviest = 1e12;  // mass over that of the start at which nothing moves any more
+// So many steps, tried again or not, that bring no node by this share of the longest line and do not take
+// half of the imbalance: what lies in a heap creeps on for ever.
+constexpr int kWatched = 200;
+constexpr double kCreep = 3e-4;
 
 // The pseudo-time's step is 1, so velocities are increments and the mass is a stiffness: N/m at positions,
 // N m at rotations.
@@ -43,7 +47,8 @@ class Relaxation : StaticTrial {
       report.norms = system_.norms(r_.get());
       if (report.norms.small(settings_.tolerance)) return report;
       if (mass_ == 0) mass_ = least = first_mass(report.norms);
-      if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least)
+      if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least ||
+          !std::isfinite(report.norms.relative()) || creeps(report))
         throw SolveError(fmt::format("statics: no rest after {} steps of dynamic relaxation: {}",
                                      report.steps, imbalance(system_, r_.get(), report.norms)));
       const int iterations = attempt(report.norms);
@@ -73,6 +78,18 @@ class Relaxation : StaticTrial {
     const double nodes = static_cast<double>(system_.mesh().mesh->nodes.size());
     const double force = std::max(n.force, n.moment / std::max(length_, 1e-300));
     return force / std::sqrt(nodes) / (kFirst * longest_);
+  }
+  // Looks back every so many steps.
+  bool creeps(const RelaxationReport& report) {
+    const int tried = report.steps + report.rejected;
+    if (tried % kWatched != 0) return false;
+    double far = 0;
+    for (size_t n = 0; n < seen_.size(); ++n) far = std::max(far, (state_.x[n] - seen_[n]).norm());
+    MPI_Allreduce(MPI_IN_PLACE, &far, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+    const bool stuck = tried > 0 && far < kCreep * longest_ && report.norms.relative() > 0.5 * left_;
+    seen_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
+    left_ = report.norms.relative();
+    return stuck;
   }
   // Another mass stands for another step in time: what moves goes on at its speed.
   void weigh(double factor) {
@@ -138,6 +155,8 @@ class Relaxation : StaticTrial {
   std::vector<double> momentum_, change_;  // of owned components; of local ones
   std::vector<char> turns_;                // by owned block: rotations
   double mass_ = 0, longest_ = 0;
+  std::vector<Vec3> seen_;  // places of owned nodes when creeps() last looked
+  double left_ = 0;         // and the imbalance then, of its contributions
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "hawser/model/bed.hpp"
 #include "hawser/solve/start_slack.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
+#include "start_free_end.hpp"
 
 namespace hawser {
 namespace {
@@ -84,6 +85,14 @@ void lift(const model::Seabed& bed, Shape& s) {
     if (moved[i - 1] || moved[i] || moved[i + 1]) s.tangent[i] = (s.x[i + 1] - s.x[i - 1]).normalized();
 }
 
+// From B to A; a load at a joint goes to the section that ends there now.
+std::vector<CatenarySection> backwards(std::vector<CatenarySection> sections) {
+  std::reverse(sections.begin(), sections.end());
+  for (size_t i = 0; i + 1 < sections.size(); ++i) sections[i].end_load = sections[i + 1].end_load;
+  if (!sections.empty()) sections.back().end_load.setZero();
+  return sections;
+}
+
 // A line from an end on the bed to one above it: part of it may lie. Nothing when there is no such shape.
 std::optional<Shape> on_bed(const model::Case& c, const Vec3& xa, const Vec3& xb,
                             std::vector<CatenarySection> sections, const Mesh& mesh, const LineSpan& span) {
@@ -93,11 +102,7 @@ std::optional<Shape> on_bed(const model::Case& c, const Vec3& xa, const Vec3& xb
   const bool a = std::abs(model::height_above_bed(bed, xa)) < near,
              b = std::abs(model::height_above_bed(bed, xb)) < near;
   if (a == b) return {};
-  if (b) {  // from B to A; a load at a joint goes to the section that ends there now
-    std::reverse(sections.begin(), sections.end());
-    for (size_t i = 0; i + 1 < sections.size(); ++i) sections[i].end_load = sections[i + 1].end_load;
-    sections.back().end_load.setZero();
-  }
+  if (b) sections = backwards(std::move(sections));
   const auto found =
       catenary_on_bed(a ? xa : xb, a ? xb : xa, sections, bed.as_laid ? bed.friction.axial : 0);
   if (!found) return {};
@@ -211,6 +216,38 @@ bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, con
   return true;
 }
 
+HeldEnd held_end(const model::Case& c, const Bodies& bodies, const model::Line& line) {
+  const bool a = line.end_a.kind != model::EndKind::free;
+  const model::End& e = a ? line.end_a : line.end_b;
+  const RigidPose pose = frame(c, bodies, e);
+  HeldEnd out;
+  out.at = pose.to_space(e.at);
+  if (e.direction) out.direction = pose.rotation * (a ? *e.direction : Vec3(-*e.direction));
+  if (e.kind == model::EndKind::body) out.body = pose.rotation * e.at;
+  return out;
+}
+
+// A line with one free end that comes to lie: out of a heap.
+Shape lay_free(const model::Case& c, const model::Line& line, const Bodies& bodies,
+               const std::vector<CatenarySection>& sections, const Mesh& mesh, const LineSpan& span,
+               const std::vector<Vec3>& x) {
+  const bool a = line.end_a.kind != model::EndKind::free;
+  const HeldEnd end = held_end(c, bodies, line);
+  std::vector<double> arc;
+  for (int n = 0; n < span.nodes; ++n) {
+    const int i = span.first_node + (a ? n : span.nodes - 1 - n);
+    const double s = mesh.nodes[static_cast<size_t>(i)].arc;
+    arc.push_back(a ? s : span.length - s);
+  }
+  auto laid =
+      streams(c, line) ? std::nullopt : laid_free_end(c, line, end, a ? sections : backwards(sections), arc);
+  if (laid) {
+    if (!a) std::reverse(laid->begin(), laid->end());
+    return through(*std::move(laid));
+  }
+  return through(flexible_start(c, line, mesh, span, x, way_of_free_end(c, line, end, false)));
+}
+
 Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
             const LineSpan& span) {
   using model::EndKind, model::Start;
@@ -248,10 +285,12 @@ Shape place(const model::Case& c, const model::Line& line, const Bodies& bodies,
     }
   };
   std::optional<Shape> shape = closed_form();
-  if (shape && (line.start != Start::automatic || (!goes_through(c, line, shape->x) && !streams(c, line))))
-    return *std::move(shape);
+  const bool hangs = shape && !goes_through(c, line, shape->x) && ((a && b) || !folded(shape->x));
+  if (shape && (line.start != Start::automatic || (hangs && !streams(c, line)))) return *std::move(shape);
   if (shape && a && b && lay(c, sections, mesh, span, *shape)) return *std::move(shape);
-  return through(flexible_start(c, line, mesh, span, shape ? shape->x : straight().x));
+  const std::vector<Vec3> x = shape ? shape->x : straight().x;
+  if (!hangs && !(a && b)) return lay_free(c, line, bodies, sections, mesh, span, x);
+  return through(flexible_start(c, line, mesh, span, x, Vec3::Zero()));
 }
 
 // Where `length` [m] of line that goes straight from `from`, in the soil, comes out of it on the way to `to`.

@@ -96,5 +96,56 @@ dynamics: {duration: 100}
   }
 }
 
+// A table of 0 to 180 deg, and a wave that comes from the other side: with the symmetry the ship rolls to the
+// other hand, without there is a word about the gap.
+TEST(CaseRao, WavesFromTheOtherSide) {
+  const auto read = [](const std::string& sea, const std::string& rao) {
+    std::string rows;
+    for (int direction = 0; direction <= 180; direction += 90)
+      rows += (rows.empty() ? "" : ", ") + std::string("[9, ") + std::to_string(direction) +
+              ", 0, 0, 0, 0, 1, 0, " + (direction == 90 ? "3" : "0") + ", 0, 0, 0, 0, 0]";
+    return io::read_case_text(R"(
+hawser: 1
+environment: {water: {depth: 100}, waves: {)" +
+                                  sea + R"(, ramp: 0}}
+line_types: {chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}}
+bodies: {ship: {position: [0, 0, 0], rotation_deg: [0, 0, 30], motion: {rao: {)" +
+                                  rao + "rows: [" + rows + R"(]}}}}
+lines:
+  mooring: {sections: [{type: chain, length: 120, elements: 4}], end_a: {anchor: [100, 0, -50]}, end_b: {body: ship, at: [0, 0, 0]}}
+dynamics: {duration: 20}
+)",
+                              "/nowhere/case.yaml");
+  };
+  const auto wave = [](int direction) {
+    return "regular: {height: 3, period: 9, direction_deg: " + std::to_string(direction) + "}";
+  };
+  const std::string mirror = "symmetry: port_starboard, ";
+  const auto roll = [](const model::Case& c, double t) {
+    const Bodies bodies(c.bodies);
+    return log_so3(bodies.pose(0, t).rotation * exp_so3(Vec3(0, 0, M_PI / 6)).conjugate()).norm();
+  };
+  // To 90 and to 270 deg, seen from the bow.
+  const model::Case port = read(wave(120), ""), starboard = read(wave(300), mirror),
+                    blind = read(wave(300), "");
+  EXPECT_TRUE(port.notes.empty());
+  EXPECT_TRUE(starboard.notes.empty());
+  EXPECT_NEAR(roll(port, 9), 1.5 * 3 * M_PI / 180, 1e-5);
+  EXPECT_NEAR(roll(starboard, 9), 1.5 * 3 * M_PI / 180, 1e-5);
+  EXPECT_NEAR(roll(blind, 9), 0, 1e-9);
+  ASSERT_EQ(blind.notes.size(), 1U);
+  EXPECT_NE(
+      blind.notes[0].find("bodies.ship.motion.rao: the wave goes to 270 deg as seen from the bow, and the "
+                          "responses there lie on straight lines between 180 and 360 deg"),
+      std::string::npos)
+      << blind.notes[0];
+  // On the table's last direction and between near ones there is nothing to say.
+  EXPECT_TRUE(read(wave(210), "").notes.empty());
+  EXPECT_TRUE(read(wave(150), "").notes.empty());
+  const auto sea = read("jonswap: {hs: 3, tp: 9, direction_deg: 300, components: 20}", "").notes;
+  ASSERT_EQ(sea.size(), 1U);
+  EXPECT_NE(sea[0].find("20 components of the sea go to 270 deg"), std::string::npos) << sea[0];
+}
+
 }  // namespace
 }  // namespace hawser::case_rao_test

@@ -57,6 +57,25 @@ TEST(CaseReader, WavesThatWouldBreak) {
       notes("water: {}, waves: {components: [{height: 1, period: 9}, {height: 2, period: 2}]}");
   ASSERT_EQ(second.size(), 1U);
   EXPECT_NE(second[0].find("components[1]"), std::string::npos);
+  // A sea's steepness gets to 1/15 up to 8 s, to 1/25 from 15 s on: 12 s in between to 0.0514, 11.6 m.
+  const auto spectrum = [&](const std::string& kind, double height, double period) {
+    return notes("water: {}, waves: {" + kind + ": {hs: " + std::to_string(height) +
+                 ", tp: " + std::to_string(period) + "}}");
+  };
+  for (const std::string kind : {"jonswap", "pierson_moskowitz"}) {
+    EXPECT_TRUE(spectrum(kind, 11.5, 12).empty());
+    const auto steep = spectrum(kind, 13, 12);
+    ASSERT_EQ(steep.size(), 1U);
+    EXPECT_NE(steep[0].find("waves." + kind +
+                            ": waves of a sea of 13 m at 12 s would break: its steepness "
+                            "2 pi hs/(g tp²) is 0.0578, and seas of this period get to 0.0514, 11.6 m high"),
+              std::string::npos)
+        << steep[0];
+    EXPECT_TRUE(spectrum(kind, 2.58, 5).empty());  // 9.80665/2 pi/15 25 m
+    EXPECT_EQ(spectrum(kind, 2.63, 5).size(), 1U);
+    EXPECT_TRUE(spectrum(kind, 24.9, 20).empty());  // 9.80665/2 pi/25 400 m
+    EXPECT_EQ(spectrum(kind, 25.1, 20).size(), 1U);
+  }
 }
 
 TEST(CaseReader, Reel) {

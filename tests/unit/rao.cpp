@@ -67,5 +67,48 @@ TEST(Rao, TurnsWithTheHeading) {
   EXPECT_LT((x - 2 * port).norm() + (r - 0.1 * bow).norm(), 1e-12);
 }
 
+// A wave from the other side is one seen in a mirror: what goes to port there goes to starboard here. The
+// directions along the vessel stay one row each.
+TEST(Rao, OtherSideIsAMirror) {
+  const double deg = M_PI / 180;
+  std::vector<RaoTable::Row> rows;
+  for (const double direction : {0.0, 60.0, 120.0, 180.0}) {
+    Response r;
+    for (size_t k = 0; k < 6; ++k)
+      r[k] = std::polar(0.3 + 0.1 * static_cast<double>(k), 0.2 * direction * deg + static_cast<double>(k)) *
+             (k % 2 ? std::sin(direction * deg) : 1);  // nothing goes sideways in a sea along the vessel
+    rows.push_back({0.7, direction * deg, r});
+  }
+  const auto both = with_other_side(rows);
+  EXPECT_EQ(both.size(), 6U);
+  const RaoTable t(both);
+  const Vec3 origin(30, 0, 0);
+  for (const double direction : {25.0, 60.0, 90.0, 140.0})
+    for (const double time : {0.0, 3.0}) {
+      Vec3 x[2], turn[2];
+      for (const int side : {0, 1})
+        RaoMotion(t, wave(1.5, 0.7, (side ? -direction : direction) * deg, 0.4), origin, 0)
+            .at(time, x[side], turn[side]);
+      EXPECT_LT((x[1] - Vec3(x[0].x(), -x[0].y(), x[0].z())).norm(), 1e-12) << direction;
+      EXPECT_LT((turn[1] - Vec3(-turn[0].x(), turn[0].y(), -turn[0].z())).norm(), 1e-12) << direction;
+      EXPECT_GT(std::abs(turn[0].x()), 1e-3);
+    }
+}
+
+TEST(Rao, KnowsTheDirectionsBesideOne) {
+  const double deg = M_PI / 180;
+  const RaoTable t(
+      {{0.5, 0, heave_of(1, 0)}, {0.5, 90 * deg, heave_of(1, 0)}, {0.5, 180 * deg, heave_of(1, 0)}});
+  const auto expect = [&](double direction, double from, double to) {
+    const RaoTable::Between b = t.neighbours(direction * deg);
+    EXPECT_NEAR(b.from / deg, from, 1e-9) << direction;
+    EXPECT_NEAR(b.to / deg, to, 1e-9) << direction;
+  };
+  expect(30, 0, 90), expect(90, 90, 90), expect(-270, 90, 90), expect(200, 180, 360), expect(-10, 180, 360);
+  expect(360, 0, 0);
+  const RaoTable one({{0.5, 30 * deg, heave_of(1, 0)}});
+  EXPECT_EQ(one.neighbours(2).from, one.neighbours(2).to);
+}
+
 }  // namespace
 }  // namespace hawser::rao_test

@@ -48,7 +48,8 @@ void check_time(const GivenRows& given, size_t i, const CaseSource& source);
 
 // `rao: {...}`: the motion of a body in the waves of the case as a dense table over `duration` [s].
 model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
-                            const model::Body& body, double duration, const CaseSource& source);
+                            const model::Body& body, double duration, const CaseSource& source,
+                            std::vector<std::string>& notes);
 
 // `table: {file}` or `{rows}`: t [s], x, y, z [m] and maybe the rotation vector [deg, here to rad].
 model::TableMotion read_motion_table(const model::Value& table, const std::string& key,

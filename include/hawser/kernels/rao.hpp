@@ -28,6 +28,13 @@ class RaoTable {
   // first and last frequency as there.
   Response at(double omega, double direction) const;
 
+  // The directions of the table on either side of this one, rad, the first not above it and the second not
+  // below; twice the same where it is in the table or the table has no other.
+  struct Between {
+    double from = 0, to = 0;
+  };
+  Between neighbours(double direction) const;
+
   double lowest() const { return omega_.front(); }  // rad/s
   double highest() const { return omega_.back(); }
 
@@ -38,6 +45,10 @@ class RaoTable {
   std::vector<double> omega_, direction_;  // ascending; directions in [0, 2 pi)
   std::vector<Response> rows_;
 };
+
+// A table of one side of a vessel whose halves are alike, with the other side: to -direction surge, heave and
+// pitch are the same, and sway, roll and yaw the opposite. Of what goes along the vessel there is one only.
+std::vector<RaoTable::Row> with_other_side(const std::vector<RaoTable::Row>& rows);
 
 // A vessel's motion in a sea of components: a sum of harmonics.
 class RaoMotion {

@@ -1,0 +1,151 @@
+#include "start_free_end.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "flexible_start.hpp"
+#include "hawser/geometry/surface.hpp"
+#include "hawser/model/bed.hpp"
+#include "hawser/terms/hydrodynamics.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr int kBisections = 50;
+constexpr double kMostBend = 0.5;  // of the height over the level: radius of the bend
+
+Vec3 level(const Vec3& v) { return {v.x(), v.y(), 0}; }
+
+// Where a line lies: the bed, or the surface.
+class Ground {
+ public:
+  Ground(const model::Environment& sea, bool floats) : sea_(sea), floats_(floats) {}
+
+  // x, moved straight up or down to it; as it is where the bed ends.
+  Vec3 under(Vec3 x) const {
+    if (floats_) return {x.x(), x.y(), sea_.water.surface};
+    const model::Seabed& bed = sea_.seabed;
+    if (!bed.surface) return {x.x(), x.y(), x.z() - model::height_above_bed(bed, x) / std::cos(bed.slope)};
+    Vec3 y = x;
+    for (int i = 0; i < kMostDrops; ++i) {
+      const double height = model::height_above_bed(bed, y);
+      if (!std::isfinite(height)) return x;
+      y.z() -= height;
+      if (std::abs(height) < 1e-6 * std::abs(bed.depth)) break;
+    }
+    return y;
+  }
+
+  // On from x, which is on it, by `length` along it.
+  Vec3 on(const Vec3& x, const Vec3& way, double length) const {
+    const Vec3 ahead = under(x + length * way);
+    return under(x + length * (ahead - x).normalized());
+  }
+
+ private:
+  static constexpr int kMostDrops = 50;  // the nearest place of a steep bed is far from the one below
+  const model::Environment& sea_;
+  bool floats_;
+};
+
+std::vector<CatenarySection> first_of(const std::vector<CatenarySection>& sections, double length) {
+  std::vector<CatenarySection> out;
+  for (CatenarySection s : sections) {
+    if (!(length > 0)) break;
+    if (s.length > length) s.length = length, s.end_load.setZero();
+    length -= s.length;
+    out.push_back(s);
+  }
+  return out;
+}
+
+// Unit normal of a measured bed near x; upwards beyond its edge.
+Vec3 normal_at(const Surface& bed, const Vec3& x) {
+  const auto nearest = bed.query(x, HUGE_VAL);
+  return nearest ? nearest->normal : Vec3(Vec3::UnitZ());
+}
+
+// Of the bend where what hangs under its own weight begins to lie: EI/r² bends what weighs w r.
+double bend(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections) {
+  double stiffest = 0, lightest = HUGE_VAL;
+  for (const auto& s : line.sections)
+    if (const auto& t = c.line_type(s.type); t.kind == model::LineKind::beam)
+      stiffest = std::max({stiffest, t.EI2, t.EI3});
+  for (const auto& k : sections) lightest = std::min(lightest, std::abs(k.load.z()));
+  return std::cbrt(stiffest / lightest);
+}
+
+}  // namespace
+
+Vec3 way_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, bool floats) {
+  const model::Water& water = c.environment.water;
+  const model::Seabed& bed = c.environment.seabed;
+  Vec3 pull = Vec3::Zero(), u = Vec3::Zero(), normal = Vec3::UnitZ(), by_depth;
+  const Vec3 below = floats ? end.at : Ground(c.environment, false).under(end.at);
+  if (const CurrentProfile current = acting_current(c); !current.none())
+    current.at(floats ? 0.0 : water.surface - below.z(), u, by_depth);
+  if (!floats && bed.present) normal = bed.surface ? normal_at(*bed.surface, below) : model::bed_normal(bed);
+  for (const auto& s : line.sections) {
+    const auto& t = c.line_type(s.type);
+    pull += s.length * 0.5 * water.density * t.Cd_normal * t.dragged() * u.norm() * level(u);
+    if (floats || !bed.present) continue;
+    const double weight = t.mass_per_length * c.environment.gravity - buoyancy(c, t);
+    pull += s.length * std::max(0.0, weight) * normal.z() * level(normal);
+  }
+  for (const Vec3& way : {pull, level(end.direction), level(end.body)})
+    if (way.norm() > 1e-9) return way.normalized();
+  return Vec3::UnitX();
+}
+
+std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model::Line& line,
+                                               const HeldEnd& end, std::vector<CatenarySection> sections,
+                                               const std::vector<double>& arc) {
+  const auto all = [&](double sign) {
+    return std::all_of(sections.begin(), sections.end(), [sign](const CatenarySection& k) {
+      return sign * k.load.z() > 0 && sign * k.end_load.z() >= 0;
+    });
+  };
+  const model::Water& water = c.environment.water;
+  const bool floats = water.present && all(1);
+  if (!floats && !(c.environment.seabed.present && all(-1))) return {};
+  const Ground ground(c.environment, floats);
+  const Vec3 way = way_of_free_end(c, line, end, floats);
+  const double height = end.at.z() - ground.under(end.at).z(), up = height < 0 ? -1 : 1;
+  if (floats && height > 0)  // it hangs down in the air; how heavy matters to its stretch alone
+    for (CatenarySection& k : sections) {
+      k.load.z() *= -1, k.end_load.z() *= -1;
+    }
+  const bool hangs = floats ? height != 0 : height > 0;
+  const double radius = hangs ? std::min(bend(c, line, sections), kMostBend * std::abs(height)) : 0;
+  const double foot = ground.under(end.at + radius * way).z();
+  const auto above = [&](double length) {
+    return up * (catenary_free_b(end.at, first_of(sections, length)).end_b().z() - foot) - radius;
+  };
+  double low = 0, high = arc.back();
+  if (hangs && above(high) > 0) return {};
+  for (int i = 0; hangs && i < kBisections; ++i) {
+    const double at = 0.5 * (low + high);
+    (above(at) > 0 ? low : high) = at;
+  }
+  const double hanging = low, bent = hanging + 0.5 * M_PI * radius;
+  std::optional<CatenaryShape> shape;
+  if (hanging > 0) shape = catenary_free_b(end.at, first_of(sections, hanging));
+  const Vec3 from = shape ? shape->end_b() : end.at;
+  Vec3 last = ground.under(from + radius * way);
+  double so_far = bent;
+  std::vector<Vec3> out;
+  for (const double s : arc) {
+    if (s <= hanging) {
+      out.push_back(shape ? shape->position(s) : end.at);
+    } else if (s <= bent) {
+      const double turned = (s - hanging) / radius;
+      out.push_back(from + radius * ((1 - std::cos(turned)) * way - up * std::sin(turned) * Vec3::UnitZ()));
+    } else {
+      last = ground.on(last, way, s - so_far), so_far = s;
+      out.push_back(last);
+    }
+  }
+  return out;
+}
+
+}  // namespace hawser
