@@ -59,10 +59,10 @@ struct Rest {
 };
 
 // Started by itself, at rest in a few iterations, on one rank and on all.
-Rest rest(const model::Case& c) {
+Rest rest(const model::Case& c, int most_iterations = 150) {
   Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
   const StaticsReport report = all.solve_statics();
-  EXPECT_LE(report.iterations, 150);
+  EXPECT_LE(report.iterations, most_iterations);
   EXPECT_EQ(report.negative_eigenvalues, 0);
   one.solve_statics();
   expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-6, "statics");
@@ -208,21 +208,23 @@ TEST(FreeEnd, IsMadeOfParts) {
   }
 }
 
-// A hose held above the surface, at it and under it: it floats at its draught, straight away.
+// A hose held above the surface, at it and under it: it floats at its draught, straight away. A cable that
+// comes through the surface in its joints swings long until they have found their heights.
 TEST(FreeEnd, Floats) {
   struct Row {
     const char* type;
     double z, most;  // m; of the tension, N
+    int iterations;
   };
-  for (const Row& row :
-       {Row{"hose", 3, 10}, Row{"hose", 30, 30}, Row{"hose", -40, 30}, Row{"cord", 3, 1000}}) {
+  for (const Row& row : {Row{"hose", 3, 10, 50}, Row{"hose", 30, 30, 50}, Row{"hose", -40, 30, 50},
+                         Row{"cord", 3, 1000, 1000}}) {
     for (const bool a : {true, false}) {
       SCOPED_TRACE(testing::Message() << row.type << " from " << row.z << (a ? " end A" : " end B"));
       const std::string ends[2] = {"{anchor: [0, 0, " + std::to_string(row.z) + "]}", "free"};
       const model::Case c = read(kWater, "sections: [{type: " + std::string(row.type) +
                                              ", length: 100, elements: 60}], end_a: " + ends[a ? 0 : 1] +
                                              ", end_b: " + ends[a ? 1 : 0]);
-      const Rest r = rest(c);
+      const Rest r = rest(c, row.iterations);
       EXPECT_NEAR(wet(r.end.z(), 0.25), 120 / (1025 * M_PI / 4 * 0.25), 1e-3);
       const double expected = weight_between(c, row.type, r.end.z(), r.held.z());
       expect_tension(r, expected, row.most);
