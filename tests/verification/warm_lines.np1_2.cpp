@@ -172,7 +172,7 @@ dynamics: {duration: 1e-3, step: 1e-3}
         Row{"slack on the bed", "0.2", "[0, 0, -199.9]", "{anchor: [700, 0, -199.9]}", "auto", none},
         Row{"afloat", "0.6", "[0, 0, 0]", "{anchor: [700, 0, 0]}", "auto", none},
         Row{"in a current", "0.55", "[0, 0, -50]", "free", "auto", none,
-            1},  // its drag is not worked out further
+            0.3},  // its drag is not worked out further
         Row{"out of the soil", "0.2", "[-20, 0, -210]", "{anchor: [760, 0, -14]}", "auto",
             "[{to: 25, resistance: {axial: 10 kN/m, normal: 50 kN/m}}]"}}) {
     const auto start = [&](double e, const char* kelvin) {
