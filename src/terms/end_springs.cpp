@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "hawser/math/so3.hpp"
 
@@ -45,8 +46,9 @@ std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh) 
 
 EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                        std::vector<EndSpring> springs)
-    : mesh_(mesh), bodies_(std::move(bodies)), springs_(std::move(springs)) {
-  for (const EndSpring& s : springs_) driven_ |= s.body >= 0 && bodies_->moves(s.body);
+    : mesh_(mesh), bodies_(std::move(bodies)), springs_(std::move(springs)), work_(springs_.size(), 0.0) {
+  for (size_t i = 0; i < springs_.size(); ++i)
+    if (springs_[i].body >= 0 && bodies_->moves(springs_[i].body)) driven_.push_back(i);
 }
 
 Vec3 EndSprings::direction(const EndSpring& s, double time) const {
@@ -71,8 +73,8 @@ void EndSprings::evaluate(const Kinematics& trial, Sink& sink) {
 // The body turns the direction and so changes c = d.t: W' t.(theta x d) = W' theta.(d x t).
 void EndSprings::holds(const Kinematics& at, std::vector<Hold>& out) const {
   out.clear();
-  for (const EndSpring& s : springs_) {
-    if (s.body < 0 || !bodies_->moves(s.body)) continue;
+  for (const size_t i : driven_) {
+    const EndSpring& s = springs_[i];
     const Quat rotation = bodies_->pose(s.body, at.time).rotation;
     const Vec3 t = rotation.conjugate() * (at.q[static_cast<size_t>(s.node)] * Vec3::UnitX());
     const Vec3 g = s.direction.cross(t);
@@ -80,30 +82,29 @@ void EndSprings::holds(const Kinematics& at, std::vector<Hold>& out) const {
   }
 }
 
-void EndSprings::prepare(const Kinematics& committed, double) {
-  if (driven_) holds(committed, before_);
-}
+void EndSprings::prepare(const Kinematics& committed, double) { holds(committed, before_); }
 
 // By the trapezoidal rule in the body's axes, as the work of clamped ends.
 void EndSprings::commit(const Kinematics& accepted) {
-  if (!driven_ || before_.empty()) return;
+  if (before_.empty()) return;
   holds(accepted, now_);
   for (size_t i = 0; i < now_.size(); ++i) {
     const Hold &a = before_[i], &b = now_[i];
-    work_ += 0.5 * (a.moment + b.moment).dot(log_so3(a.rotation.conjugate() * b.rotation));
+    work_[driven_[i]] += 0.5 * (a.moment + b.moment).dot(log_so3(a.rotation.conjugate() * b.rotation));
   }
 }
 
-// One record a rank, at its first node: the sums over ranks are what counts. A rank without springs may have
-// been given what another did before a restart.
 std::vector<HistoryRecord> EndSprings::save() const {
-  if (mesh_.owned == 0) return {};
-  return {{mesh_.global[0], 0, {work_}}};
+  std::vector<HistoryRecord> out;
+  for (const size_t i : driven_)
+    out.push_back({mesh_.global[static_cast<size_t>(springs_[i].node)], 0, {work_[i]}});
+  return out;
 }
 
 void EndSprings::restore(const std::vector<HistoryRecord>& records) {
-  work_ = 0;
-  for (const HistoryRecord& r : records) work_ += r.values[0];
+  for (const size_t i : driven_)
+    for (const HistoryRecord& r : records)
+      if (r.node == mesh_.global[static_cast<size_t>(springs_[i].node)]) work_[i] = r.values[0];
 }
 
 Energy EndSprings::energy(const Kinematics& at) const {
@@ -112,7 +113,7 @@ Energy EndSprings::energy(const Kinematics& at) const {
     const Vec3 p = at.q[static_cast<size_t>(s.node)].conjugate() * direction(s, at.time);
     e.strain += s.stiffness * angle(Vec3::UnitX().cross(p).norm(), p.x()).half_square;
   }
-  e.work = work_;
+  e.work = std::accumulate(work_.begin(), work_.end(), 0.0);
   return e;
 }
 

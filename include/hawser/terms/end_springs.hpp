@@ -49,9 +49,9 @@ class EndSprings final : public ForceTerm {
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<EndSpring> springs_;
-  bool driven_ = false;             // some of their bodies move
-  std::vector<Hold> before_, now_;  // of the committed state; room for those of the accepted one
-  double work_ = 0;                 // J, done by the bodies
+  std::vector<size_t> driven_;      // springs on bodies that move
+  std::vector<Hold> before_, now_;  // theirs, of the committed state; room for those of the accepted one
+  std::vector<double> work_;        // J, by spring, done by the bodies
 };
 
 }  // namespace hawser
