@@ -154,11 +154,9 @@ void WaterSections4::set(int lane, const WaterSection& s) {
 // The section gets wet in a band about the axis; see water_points.hpp.
 unsigned submerged(const WaterSections4& s, const CablesInWater4& m) {
   const Row h[2] = {m.surface[0] - m.x[0][2], m.surface[1] - m.x[1][2]};
-  const Row least = h[0] < h[1] ? h[0] : h[1];
-  const Vec chord = of(m.x[1]) - of(m.x[0]);
-  const Row l2 = dot(chord, chord), across2 = l2 - chord.c[2] * chord.c[2], reach = kAt[0] * s.length;
-  const Row band2l2 = s.radius * s.radius * across2 + reach * reach * (l2 - across2);
-  const auto dry = (least <= 0) | (least * least * l2 <= band2l2);
+  const Row least = h[0] < h[1] ? h[0] : h[1], rise = 0.25 * (m.x[1][2] - m.x[0][2]);
+  const Row band2 = s.radius * s.radius + rise * rise;
+  const auto dry = (least <= 0) | (least * least < band2);
   unsigned wet = 0;
   for (int i = 0; i < 4; ++i) wet |= dry[i] ? 0u : 1u << i;
   return wet;

@@ -20,9 +20,8 @@ struct Rule<false> {
   static constexpr int points = 2, shapes = 2;
   static constexpr double at[2] = {0.21132486540518711775, 0.78867513459481288225};
   static constexpr double weight[2] = {0.5, 0.5};
-  // Of the length: how far about each point a steep element's wetting is smeared. Not beyond its ends, so
-  // that what is under water is right when the surface is at a node.
-  static constexpr double reach[2] = {at[0], at[0]};
+  // Of the length: how far about each point a steep element's wetting is smeared.
+  static constexpr double reach[2] = {0.25, 0.25};
   static void shape(double s, double* N) { N[0] = 1 - s, N[1] = s; }
 };
 template <>
@@ -30,7 +29,9 @@ struct Rule<true> {
   static constexpr int points = 3, shapes = 4;
   static constexpr double at[3] = {0.11270166537925831148, 0.5, 0.88729833462074168852};
   static constexpr double weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  static constexpr double reach[3] = {at[0], at[1] - 2 * at[0], at[0]};  // the middle to where the others end
+  // Not beyond its ends, so that what is under water is right when the surface is at a node; that of the
+  // middle goes to where the others end.
+  static constexpr double reach[3] = {at[0], at[1] - 2 * at[0], at[0]};
   static void shape(double s, double* N) {
     const double r = 1 - s;
     N[0] = r * r * (1 + 2 * s), N[1] = s * r * r, N[2] = s * s * (3 - 2 * s), N[3] = -s * s * r;
@@ -53,21 +54,31 @@ struct Forces {
   Mat M[n][n];
 };
 
-// Half the width of the band of heights in which the section at a point gets wet: a circle's that leans as
-// the chord does, and the reach along it, b² = R² (1 - t_z²) + delta² t_z².
+// Half the width of the band of heights in which the section at a point gets wet. Of a beam: a circle's that
+// leans as the chord does, and the reach along it, b² = R² (1 - t_z²) + delta² t_z². Of a cable the circle's
+// stays as it is, b² = R² + (delta rise/L)²: an element shorter than thick would rather stand up, as a log
+// does, and in a slack cable nothing keeps it from that. So a cable through the surface is that wet only if
+// it is long beside its thickness, and its potential is convex.
+template <bool beam>
 struct Band {
-  double by_lean = 0, b = 1;  // m², derivative of b² by t_z²; m
+  double by_lean = 0, b = 1;  // m², derivative of b² by lean²; m
   Band() = default;
-  Band(double radius, double delta, double t_z) : by_lean(delta * delta - radius * radius) {
-    b = std::sqrt(radius * radius + by_lean * t_z * t_z);
-  }
+  Band(double radius, double delta, double lean)
+      : by_lean(delta * delta - (beam ? radius * radius : 0)),
+        b(std::sqrt(radius * radius + by_lean * lean * lean)) {}
 };
 
-// Derivatives of t_z²/2 by the chord.
-inline Row lean(Row t, double inverse) { return (inverse * t[2]) * (unit(2) - t[2] * t); }
-inline Mat lean2(Row t, double inverse) {
-  const Row up = unit(2), k = 2 * t[2] * t;
-  const Mat m = outer(up - k, up) + outer(2 * t[2] * k - 2 * t[2] * up, t) - identity(t[2] * t[2]);
+// Derivatives of lean²/2 by the chord. The lean of a beam is t_z, that of a cable its rise over its length L.
+template <bool beam>
+Row by_chord_of(Row t, double inverse, double lean, double length) {
+  return beam ? (inverse * lean) * (unit(2) - lean * t) : (lean / length) * unit(2);
+}
+template <bool beam>
+Mat by_chord2_of(Row t, double inverse, double lean, double length) {
+  const Row up = unit(2);
+  if (!beam) return (1 / (length * length)) * outer(up, up);
+  const Row k = 2 * lean * t;
+  const Mat m = outer(up - k, up) + outer(2 * lean * k - 2 * lean * up, t) - identity(lean * lean);
   return (inverse * inverse) * m;
 }
 
@@ -83,7 +94,7 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
   const Row chord = m.X[end] - m.X[0];
   const double l = std::sqrt(dot(chord, chord)), inverse = l > 0 ? 1 / l : 0;
   const Row t = inverse * chord;
-  const double ma = s.added_axial - s.added_normal;
+  const double ma = s.added_axial - s.added_normal, lean = beam ? t[2] : chord[2] / s.length;
   // Sums of which blocks are made.
   double masses[n][n] = {};
   Mat by_chord[n];  // derivative by x2 (minus that by x1) through the chord
@@ -103,11 +114,11 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     double h = (1 - z) * m.surface[0] + z * m.surface[1];
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
     const double delta = R::reach[g] * s.length;
-    Band band;
+    Band<beam> band;
     double level = 1;
     Wetting wet{1, 0, 1};
     if (h < std::max(s.radius, delta)) {  // else wet at any angle
-      band = Band(s.radius, delta, t[2]);
+      band = Band<beam>(s.radius, delta, lean);
       level = h / band.b;
       if (level <= -1) continue;
       wet = circle_wetting(level);
@@ -115,7 +126,7 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     const bool partly = level < 1;
     Row by_chord_of_b = zero, dh[n];  // minus the derivative of h, with what the band adds
     if (partly) {
-      by_chord_of_b = (band.by_lean / band.b) * lean(t, inverse);
+      by_chord_of_b = (band.by_lean / band.b) * by_chord_of<beam>(t, inverse, lean, s.length);
       for (int j = 0; j < n; ++j) dh[j] = N[j] * unit(2);
       dh[0] -= level * by_chord_of_b, dh[end] += level * by_chord_of_b;
     }
@@ -129,9 +140,9 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
           const double k1 = B * wet.slope / band.b;
           for (int j = 0; j < n; ++j)
             for (int k = 0; k < n; ++k) out.K[j][k] += outer(k1 * dh[j], dh[k]);
-          if (!convex) {  // a section wider than the reach would rather stand
-            const Mat k2 =
-                (G / band.b) * (band.by_lean * lean2(t, inverse) - outer(by_chord_of_b, by_chord_of_b));
+          if (!beam || !convex) {  // a section wider than the reach would rather stand
+            const Mat k2 = (G / band.b) * (band.by_lean * by_chord2_of<beam>(t, inverse, lean, s.length) -
+                                           outer(by_chord_of_b, by_chord_of_b));
             out.K[0][0] += k2, out.K[end][end] += k2;
             out.K[0][end] -= k2, out.K[end][0] -= k2;
           }

@@ -180,6 +180,15 @@ class LineCheck {
           "which it begins at one");
   }
 
+  // K, the largest either way over the arc [from, to], m.
+  double most_change(double from, double to) const {
+    double most = 0;
+    for (const double s : {from, to}) most = std::max(most, std::abs(mean_temperature_change(line_, s, s)));
+    for (const auto& [s, change] : line_.temperature_change)
+      if (s > from && s < to) most = std::max(most, std::abs(change));
+    return most;
+  }
+
   bool check_temperature() {
     const auto& rows = line_.temperature_change;
     if (rows.empty()) return true;
@@ -188,11 +197,11 @@ class LineCheck {
     if (rows.front().first < -kArcTolerance * length_)
       issue(key + "[0]", "arc length {:.6g} m is before end A", rows.front().first);
     for (std::size_t i = 0; i < rows.size(); ++i) check_arc(rows[i].first, fmt::format("{}[{}]", key, i));
-    double most = 0;
     bool expands = false;
-    for (const auto& [at, change] : rows) most = std::max(most, std::abs(change));
+    double from = 0;
     for (const Section& s : line_.sections) {
-      const double alpha = c_.line_type(s.type).thermal_expansion;
+      const double alpha = c_.line_type(s.type).thermal_expansion, most = most_change(from, from + s.length);
+      from += s.length;
       expands |= alpha != 0;
       if (std::abs(alpha) * most > kLargestExpansion) {
         issue(key, "by {:g} K '{}' gets a strain of {:.3g} %; the limit is {:g} %", most, s.type,

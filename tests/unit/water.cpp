@@ -67,11 +67,13 @@ TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
   }
 }
 
-// However thick it is and wherever it goes through the surface, what a vertical element displaces is near
-// what is under water, and it grows without jumps; it is right when the surface is at a node.
+// However thick a beam is and wherever it goes through the surface, what a vertical element displaces is near
+// what is under water, and it grows without jumps; it is right when the surface is at a node. Cables have to
+// be thin for that.
 TEST(WaterLoad, SteepElementsGetWetSmoothly) {
   for (const bool beam : {false, true})
     for (const double d : {0.3, 6.0}) {
+      if (!beam && d > 1) continue;
       const WaterSection s = section(10, d);
       double last = 0, worst = 0, f[12];
       const auto wet = [&](double middle) {
@@ -86,17 +88,17 @@ TEST(WaterLoad, SteepElementsGetWetSmoothly) {
         const double now = wet(z), exact = std::clamp((5 - z) / 10, 0.0, 1.0);
         worst = std::max(worst, std::abs(now - exact));
         EXPECT_GE(now, last - 1e-12);
-        EXPECT_LT(now - last, 1.6 * 0.0006);
+        EXPECT_LT(now - last, (beam ? 1.6 : 2.5) * 0.0006);
         last = now;
       }
       EXPECT_EQ(last, 1);
-      EXPECT_LT(worst, beam ? 0.061 : 0.095);  // of the element
-      EXPECT_NEAR(wet(5), 0, 1e-12);
-      EXPECT_NEAR(wet(-5), 1, 1e-12);
+      EXPECT_LT(worst, beam ? 0.061 : 0.08);  // of the element
+      EXPECT_NEAR(wet(5), 0, beam ? 1e-12 : 0.02);
+      EXPECT_NEAR(wet(-5), 1, beam ? 1e-12 : 0.02);
     }
 }
 
-// The potential of short elements is that of a body: depth, times rho g, over what is under water of a
+// The potential of short beams is that of a body: depth, times rho g, over what is under water of a
 // cylinder that leans, by quadrature.
 TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
   const int n = 40;
@@ -112,17 +114,15 @@ TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
         exact += std::max(-z, 0.0) * 2 * std::sqrt(radius * radius - up * up) * (length / 1000) *
                  (2 * radius / 1000) * kRho * kG;
       }
-    for (const bool beam : {false, true}) {
-      const WaterSection s = section(length / n, 2 * radius);
-      double sum = 0;
-      for (int i = 0; i < n; ++i) {
-        WaterEnds e;
-        e.x1 = middle + (i * s.length - length / 2) * t, e.x2 = e.x1 + s.length * t;
-        e.motion.q1 = e.motion.q2 = Quat::FromTwoVectors(Vec3::UnitX(), t);
-        sum += water_potential(s, e, beam);
-      }
-      EXPECT_NEAR(sum, exact, 1e-3 * exact) << angle;
+    const WaterSection s = section(length / n, 2 * radius);
+    double sum = 0;
+    for (int i = 0; i < n; ++i) {
+      WaterEnds e;
+      e.x1 = middle + (i * s.length - length / 2) * t, e.x2 = e.x1 + s.length * t;
+      e.motion.q1 = e.motion.q2 = Quat::FromTwoVectors(Vec3::UnitX(), t);
+      sum += water_potential(s, e, true);
     }
+    EXPECT_NEAR(sum, exact, 1e-3 * exact) << angle;
   }
 }
 
