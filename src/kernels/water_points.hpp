@@ -2,7 +2,6 @@
 // (x1, L t1, x2, L t2) of a beam. Internal to the kernel.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 
 #include "hawser/kernels/line_water.hpp"
@@ -117,7 +116,7 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     Band<beam> band;
     double level = 1;
     Wetting wet{1, 0, 1};
-    if (h < std::max(s.radius, delta)) {  // else wet at any angle
+    if (h < s.radius + delta * std::abs(lean)) {  // else above any band
       band = Band<beam>(s.radius, delta, lean);
       level = h / band.b;
       if (level <= -1) continue;
