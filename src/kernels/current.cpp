@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/math/broken_line.hpp"
+
 namespace hawser {
 
 CurrentProfile::CurrentProfile(std::vector<Row> rows) : rows_(std::move(rows)) {
@@ -55,14 +57,6 @@ TimeFactor::TimeFactor(std::vector<Row> rows) : rows_(std::move(rows)) {
     if (!(rows_[i].first > rows_[i - 1].first)) throw std::invalid_argument("times of a factor must grow");
 }
 
-double TimeFactor::at(double time) const {
-  if (rows_.empty()) return 1;
-  if (time <= rows_.front().first) return rows_.front().second;
-  if (time >= rows_.back().first) return rows_.back().second;
-  const auto after =
-      std::upper_bound(rows_.begin(), rows_.end(), time, [](double t, const Row& r) { return t < r.first; });
-  const Row &b = *after, &a = *(after - 1);
-  return a.second + (time - a.first) / (b.first - a.first) * (b.second - a.second);
-}
+double TimeFactor::at(double time) const { return rows_.empty() ? 1 : on_broken_line(rows_, time); }
 
 }  // namespace hawser

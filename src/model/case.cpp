@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "hawser/math/broken_line.hpp"
+
 namespace hawser::model {
 namespace {
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-// Straight between rows, constant beyond.
-double at(const std::vector<std::pair<double, double>>& rows, double s) {
-  if (s <= rows.front().first) return rows.front().second;
-  if (s >= rows.back().first) return rows.back().second;
-  std::size_t i = 1;
-  while (s > rows[i].first) ++i;
-  const auto &a = rows[i - 1], &b = rows[i];
-  return a.second + (s - a.first) / (b.first - a.first) * (b.second - a.second);
 }
 
 }  // namespace
@@ -26,14 +18,14 @@ double mean_temperature_change(const Line& line, double from, double to) {
   const auto& rows = line.temperature_change;
   if (rows.empty()) return 0;
   if (rows.size() == 1) return rows.front().second;
-  double last = from, before = at(rows, from), sum = 0;
+  double last = from, before = on_broken_line(rows, from), sum = 0;
   const auto go = [&](double s, double here) {
     sum += 0.5 * (s - last) * (before + here);
     last = s, before = here;
   };
   for (const auto& [s, change] : rows)
     if (s > from && s < to) go(s, change);
-  go(to, at(rows, to));
+  go(to, on_broken_line(rows, to));
   return to > from ? sum / (to - from) : before;
 }
 

@@ -1,0 +1,20 @@
+// Values given at places along a line, at times or at arc lengths.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace hawser {
+
+// Straight between the rows (place, value; places ascending, at least one row), constant beyond them.
+inline double on_broken_line(const std::vector<std::pair<double, double>>& rows, double place) {
+  if (place <= rows.front().first) return rows.front().second;
+  if (place >= rows.back().first) return rows.back().second;
+  const auto after = std::upper_bound(rows.begin(), rows.end(), place,
+                                      [](double x, const auto& row) { return x < row.first; });
+  const auto &b = *after, &a = *(after - 1);
+  return a.second + (place - a.first) / (b.first - a.first) * (b.second - a.second);
+}
+
+}  // namespace hawser
