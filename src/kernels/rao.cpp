@@ -52,13 +52,9 @@ Response RaoTable::at(double omega, double direction) const {
   const size_t next = std::min(i + 1, omega_.size() - 1);
   const double z = next > i ? (w - omega_[i]) / (omega_[next] - omega_[i]) : 0;
 
-  const double d = all_round(direction);
-  const size_t n = direction_.size();
-  const size_t after =
-      static_cast<size_t>(std::upper_bound(direction_.begin(), direction_.end(), d) - direction_.begin());
-  const size_t a = (after + n - 1) % n, b = after % n;
-  const double gap = n > 1 ? all_round(direction_[b] - direction_[a]) : 1;
-  const double y = n > 1 ? all_round(d - direction_[a]) / gap : 0;
+  const auto [a, b] = either_side(direction);
+  const double gap = a != b ? all_round(direction_[b] - direction_[a]) : 1;
+  const double y = a != b ? all_round(direction - direction_[a]) / gap : 0;
   Response r;
   for (size_t k = 0; k < 6; ++k)
     r[k] = (1 - y) * ((1 - z) * row(a, i)[k] + z * row(a, next)[k]) +
@@ -67,12 +63,20 @@ Response RaoTable::at(double omega, double direction) const {
 }
 
 RaoTable::Between RaoTable::neighbours(double direction) const {
-  const double d = all_round(direction);
-  for (const double x : direction_)
-    if (direction_.size() == 1 || std::abs(std::remainder(d - x, 2 * M_PI)) < kSame) return {x, x};
-  const auto above = std::upper_bound(direction_.begin(), direction_.end(), d);
-  return {above == direction_.begin() ? direction_.back() - 2 * M_PI : *(above - 1),
-          above == direction_.end() ? direction_.front() + 2 * M_PI : *above};
+  const auto [a, b] = either_side(direction);
+  for (const size_t i : {a, b})
+    if (a == b || std::abs(std::remainder(direction - direction_[i], 2 * M_PI)) < kSame)
+      return {direction_[i], direction_[i]};
+  const double turn = a > b ? 2 * M_PI : 0;  // the circle closes between them
+  if (all_round(direction) < direction_[a]) return {direction_[a] - turn, direction_[b]};
+  return {direction_[a], direction_[b] + turn};
+}
+
+std::pair<size_t, size_t> RaoTable::either_side(double direction) const {
+  const size_t n = direction_.size();
+  const auto above = std::upper_bound(direction_.begin(), direction_.end(), all_round(direction));
+  const size_t after = static_cast<size_t>(above - direction_.begin());
+  return {(after + n - 1) % n, after % n};
 }
 
 std::vector<RaoTable::Row> with_other_side(const std::vector<RaoTable::Row>& rows) {

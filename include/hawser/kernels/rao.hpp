@@ -3,6 +3,7 @@
 
 #include <array>
 #include <complex>
+#include <utility>
 #include <vector>
 
 #include "hawser/kernels/waves.hpp"
@@ -39,6 +40,8 @@ class RaoTable {
   double highest() const { return omega_.back(); }
 
  private:
+  // Places in the table, all round, of the directions on either side; the first may be this one.
+  std::pair<size_t, size_t> either_side(double direction) const;
   const Response& row(size_t direction, size_t omega) const {
     return rows_[direction * omega_.size() + omega];
   }
