@@ -1,0 +1,272 @@
+#include "line_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "flexible_start.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/kernels/catenary.hpp"
+#include "hawser/kernels/catenary_on_bed.hpp"
+#include "hawser/kernels/motion.hpp"
+#include "hawser/model/bed.hpp"
+#include "hawser/solve/start_slack.hpp"
+#include "start_free_end.hpp"
+
+namespace hawser {
+namespace {
+
+std::vector<CatenarySection> catenary_sections(const model::Case& c, const model::Line& line) {
+  const model::Water& water = c.environment.water;
+  double total = 0;
+  for (const auto& s : line.sections) total += s.length;
+  std::vector<CatenarySection> out;
+  double from = 0;
+  for (const auto& s : line.sections) {
+    const auto& t = c.line_type(s.type);
+    CatenarySection k;
+    k.length = s.length;
+    k.EA = t.EA;
+    k.free_strain = model::thermal_strain(t, line, from, from + s.length);
+    k.load = Vec3(0, 0, buoyancy(c, t) - c.environment.gravity * t.mass_per_length);
+    for (const auto& l : line.loads) {
+      if (l.ramp > 0) continue;  // not there yet at t = 0
+      const double end = l.to < 0 ? total : l.to;
+      const double overlap = std::min(from + s.length, end) - std::max(from, l.from);
+      if (overlap > 0) k.load += overlap / s.length * l.per_length;
+    }
+    from += s.length;
+    // Point masses and forces act at the end of the section they are in: a start shape need not be exact.
+    const auto here = [&](double at) { return at > from - s.length && at <= from; };
+    for (const auto& m : line.masses)
+      if (here(m.at))
+        k.end_load +=
+            Vec3(0, 0, (water.present ? water.density * m.volume : 0) - m.mass) * c.environment.gravity;
+    for (const auto& p : line.point_loads)
+      if (here(p.at) && p.ramp == 0) k.end_load += p.force;
+    out.push_back(k);
+  }
+  return out;
+}
+
+LineStart from_catenary(const CatenaryShape& shape, const Mesh& mesh, const LineSpan& span) {
+  LineStart out;
+  const double most = std::max(shape.tension_a().norm(), shape.tension_b().norm());
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
+    const double s = mesh.nodes[static_cast<size_t>(n)].arc;
+    out.x.push_back(shape.position(s));
+    const Vec3 t = shape.tension(s);
+    // At a free end the tension is nothing but round-off, and points anywhere.
+    out.tangent.push_back(t.norm() > 1e-9 * most ? Vec3(t.normalized()) : Vec3::Zero());
+  }
+  return out;
+}
+
+// From B to A; a load at a joint goes to the section that ends there now.
+std::vector<CatenarySection> backwards(std::vector<CatenarySection> sections) {
+  std::reverse(sections.begin(), sections.end());
+  for (size_t i = 0; i + 1 < sections.size(); ++i) sections[i].end_load = sections[i + 1].end_load;
+  if (!sections.empty()) sections.back().end_load.setZero();
+  return sections;
+}
+
+// A line from an end on the bed to one above it: part of it may lie. Nothing when there is no such shape.
+std::optional<LineStart> on_bed(const model::Case& c, const Vec3& xa, const Vec3& xb,
+                                std::vector<CatenarySection> sections, const Mesh& mesh,
+                                const LineSpan& span) {
+  const model::Seabed& bed = c.environment.seabed;
+  if (!bed.present) return {};
+  const double near = 1e-3 * std::abs(bed.depth);
+  const bool a = std::abs(model::height_above_bed(bed, xa)) < near,
+             b = std::abs(model::height_above_bed(bed, xb)) < near;
+  if (a == b) return {};
+  if (b) sections = backwards(std::move(sections));
+  const auto found =
+      catenary_on_bed(a ? xa : xb, a ? xb : xa, sections, bed.as_laid ? bed.friction.axial : 0);
+  if (!found) return {};
+  LineStart out;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
+    const double s = mesh.nodes[static_cast<size_t>(n)].arc, from = a ? s : span.length - s;
+    const double h = 1e-6 * span.length, low = std::max(0.0, from - h),
+                 high = std::min(span.length, from + h);
+    out.x.push_back(found->position(from));
+    // Of the shape, not of the tension: what lies without tension has a direction too.
+    const Vec3 t = found->position(high) - found->position(low);
+    out.tangent.push_back((a ? t : Vec3(-t)).normalized());
+  }
+  return out;
+}
+
+// Nodes at equal fractions of the polyline's length; a straight line is a polyline of two points.
+LineStart along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpan& span) {
+  std::vector<double> at{0};
+  for (size_t i = 1; i < points.size(); ++i) at.push_back(at.back() + (points[i] - points[i - 1]).norm());
+  LineStart out;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
+    const double s = mesh.nodes[static_cast<size_t>(n)].arc / span.length * at.back();
+    size_t i = 1;
+    while (i + 1 < points.size() && s > at[i]) ++i;
+    const double z = (s - at[i - 1]) / (at[i] - at[i - 1]);
+    out.x.push_back(points[i - 1] + z * (points[i] - points[i - 1]));
+    out.tangent.push_back((points[i] - points[i - 1]).normalized());
+  }
+  return out;
+}
+
+// As another run left it, by share of the length; ends that are held elsewhere now take the line along, in
+// proportion to how near it is.
+LineStart as_left(const model::LeftShape& left, const std::optional<Vec3>& xa, const std::optional<Vec3>& xb,
+                  const Mesh& mesh, const LineSpan& span) {
+  const SplineMotion spline(left.arc, left.position);
+  const double there = left.arc.back();
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+  if (xa) a = *xa - left.position.front();
+  if (xb) b = *xb - left.position.back();
+  if (!xa) a = b;
+  if (!xb) b = a;
+  LineStart out;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
+    const double share = mesh.nodes[static_cast<size_t>(n)].arc / span.length, s = share * there;
+    const VectorMotion at = spline.at(s);
+    out.x.push_back(at.value + (1 - share) * a + share * b);
+    if (left.rotation.empty()) {
+      out.tangent.push_back(at.rate.normalized());
+      continue;
+    }
+    const auto above = std::upper_bound(left.arc.begin() + 1, left.arc.end() - 1, s);
+    const size_t j = static_cast<size_t>(above - left.arc.begin());
+    const double z = std::clamp((s - left.arc[j - 1]) / (left.arc[j] - left.arc[j - 1]), 0.0, 1.0);
+    out.q.push_back(left.rotation[j - 1].slerp(z, left.rotation[j]));
+    out.tangent.push_back(out.q.back() * Vec3::UnitX());
+  }
+  return out;
+}
+
+// Places alone; mend() makes the tangents.
+LineStart through(std::vector<Vec3> x) {
+  LineStart out;
+  out.tangent.assign(x.size(), Vec3::Zero());
+  out.x = std::move(x);
+  return out;
+}
+
+// Whether all of the line sinks (or floats), and is longer than the way to the bed (or the surface), along it
+// and back: then its middle lies there without tension, and no balance says where.
+bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sections, const LineStart& s,
+                double length, bool& floats) {
+  const model::Seabed& bed = c.environment.seabed;
+  const auto all = [&](double sign) {
+    return std::all_of(sections.begin(), sections.end(), [sign](const CatenarySection& k) {
+      return sign * k.load.z() > 0 && sign * k.end_load.z() >= 0;
+    });
+  };
+  floats = c.environment.water.present && all(1);
+  if (!floats && (!bed.present || bed.surface || !all(-1))) return false;
+  const auto off = [&](const Vec3& x) {
+    return std::abs(floats ? x.z() - c.environment.water.surface : model::height_above_bed(bed, x));
+  };
+  const Vec3 &from = s.x.front(), &to = s.x.back();
+  return length > std::hypot(to.x() - from.x(), to.y() - from.y()) + off(from) + off(to);
+}
+
+// What a catenary has under the bed, or a floating line's above the surface, lies in an arc instead. Returns
+// whether it was so.
+bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, const Mesh& mesh,
+         const LineSpan& span, LineStart& s) {
+  bool floats = false;
+  std::vector<double> arc{0};  // as long as it is without tension
+  for (int e = span.first_element; e < span.first_element + span.elements; ++e) {
+    const Element& g = mesh.elements[static_cast<size_t>(e)];
+    arc.push_back(arc.back() + (1 + g.free_strain) * g.length);
+  }
+  if (!lies_slack(c, sections, s, arc.back(), floats)) return false;
+  if (!lay_slack(c.environment, floats, arc, s.x)) return false;
+  for (Vec3& t : s.tangent) t.setZero();  // mend() makes them
+  return true;
+}
+
+HeldEnd held_end(const model::Case& c, const Bodies& bodies, const model::Line& line) {
+  const bool a = line.end_a.kind != model::EndKind::free;
+  const model::End& e = a ? line.end_a : line.end_b;
+  const RigidPose pose = start_pose(c, bodies, e);
+  HeldEnd out;
+  out.at = pose.to_space(e.at);
+  if (e.direction) out.direction = pose.rotation * (a ? *e.direction : Vec3(-*e.direction));
+  if (e.kind == model::EndKind::body) out.body = pose.rotation * e.at;
+  return out;
+}
+
+// A line with one free end that comes to lie: out of a heap.
+LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& bodies,
+                   const std::vector<CatenarySection>& sections, const Mesh& mesh, const LineSpan& span,
+                   const std::vector<Vec3>& x) {
+  const bool a = line.end_a.kind != model::EndKind::free;
+  const HeldEnd end = held_end(c, bodies, line);
+  std::vector<double> arc;
+  for (int n = 0; n < span.nodes; ++n) {
+    const int i = span.first_node + (a ? n : span.nodes - 1 - n);
+    const double s = mesh.nodes[static_cast<size_t>(i)].arc;
+    arc.push_back(a ? s : span.length - s);
+  }
+  auto laid =
+      streams(c, line) ? std::nullopt : laid_free_end(c, line, end, a ? sections : backwards(sections), arc);
+  if (laid) {
+    if (!a) std::reverse(laid->begin(), laid->end());
+    return through(*std::move(laid));
+  }
+  return through(flexible_start(c, line, mesh, span, x, way_of_free_end(c, line, end, false)));
+}
+
+}  // namespace
+
+RigidPose start_pose(const model::Case& c, const Bodies& bodies, const model::End& e) {
+  return e.kind == model::EndKind::body ? bodies.pose(c.body_index(e.body), 0) : RigidPose{};
+}
+
+LineStart line_start(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
+                     const LineSpan& span) {
+  using model::EndKind, model::Start;
+  const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
+  const Vec3 xa = start_pose(c, bodies, line.end_a).to_space(line.end_a.at);
+  const Vec3 xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
+  if (line.start == Start::points) return along(line.points, mesh, span);
+  if (line.start == Start::other_run)
+    return as_left(*line.left, a ? std::optional(xa) : std::nullopt, b ? std::optional(xb) : std::nullopt,
+                   mesh, span);
+  const auto straight = [&] {
+    if (a && b) return along({xa, xb}, mesh, span);
+    const model::End& e = a ? line.end_a : line.end_b;
+    const Vec3 d =
+        e.direction ? Vec3(start_pose(c, bodies, e).rotation * *e.direction) : Vec3(0, 0, a ? -1 : 1);
+    return a ? along({xa, xa + span.length * d}, mesh, span) : along({xb - span.length * d, xb}, mesh, span);
+  };
+  const auto sections = catenary_sections(c, line);
+  // Nothing to hang by: any shape of the right length will do, and a straight one is the least surprise.
+  const bool loaded = std::any_of(sections.begin(), sections.end(), [](const CatenarySection& s) {
+    return !s.load.isZero(0) || !s.end_load.isZero(0);
+  });
+  if ((a || b) && (line.start == Start::straight || !loaded)) return straight();
+  if (!a && !b) throw InputError("lines." + line.name + ": both ends are free and no start shape is given");
+  const auto closed_form = [&]() -> std::optional<LineStart> {
+    try {
+      if (a && b) {
+        auto shape = on_bed(c, xa, xb, sections, mesh, span);
+        return shape ? *std::move(shape) : from_catenary(catenary(xa, xb, sections), mesh, span);
+      }
+      return from_catenary(a ? catenary_free_b(xa, sections) : catenary_free_a(xb, sections), mesh, span);
+    } catch (const std::invalid_argument&) {
+      return {};  // slack, and its shape not determined
+    } catch (const std::runtime_error&) {
+      return {};
+    }
+  };
+  std::optional<LineStart> shape = closed_form();
+  const bool hangs = shape && !goes_through(c, line, shape->x) && ((a && b) || !folded(shape->x));
+  if (shape && (line.start != Start::automatic || (hangs && !streams(c, line)))) return *std::move(shape);
+  if (shape && a && b && lay(c, sections, mesh, span, *shape)) return *std::move(shape);
+  const std::vector<Vec3> x = shape ? shape->x : straight().x;
+  if (!hangs && !(a && b)) return lay_free(c, line, bodies, sections, mesh, span, x);
+  return through(flexible_start(c, line, mesh, span, x, Vec3::Zero()));
+}
+
+}  // namespace hawser
