@@ -7,6 +7,7 @@ Writes OUT_FOLDER/NAME_0000.png and so on, one a time, and NAME.png with all of 
 drawn as follows from its shape (polylines are lines, triangles are volumes), so any XDMF of that kind will do.
 """
 import argparse
+import inspect
 import math
 import os
 
@@ -23,12 +24,9 @@ UNITS = {
     "curvature": (1, "1/m"),
 }
 
-# Runs inside ParaView's pipeline: one poly-line for each line of the input, its field under the name "shown".
-LINES = """
-from paraview import vtk
-import math
 
 def leaves(data):
+    """The data sets of a tree of them, or the one there is."""
     if not data.IsA("vtkCompositeDataSet"):
         return [data]
     found, walk = [], data.NewIterator()
@@ -36,6 +34,12 @@ def leaves(data):
         found.append(walk.GetCurrentDataObject())
         walk.GoToNextItem()
     return found
+
+
+# Runs inside ParaView's pipeline: one poly-line for each line of the input, its field under the name "shown".
+LINES = inspect.getsource(leaves) + """
+from paraview import vtk
+import math
 
 points, cells, shown = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkDoubleArray()
 points.SetDataTypeToDouble()
@@ -69,17 +73,8 @@ output.GetPointData().SetActiveScalars("shown")
 """
 
 # Likewise one surface of all faces; the input's own cell fields (such as `active`) are left behind.
-FACES = """
+FACES = inspect.getsource(leaves) + """
 from paraview import vtk
-
-def leaves(data):
-    if not data.IsA("vtkCompositeDataSet"):
-        return [data]
-    found, walk = [], data.NewIterator()
-    while not walk.IsDoneWithTraversal():
-        found.append(walk.GetCurrentDataObject())
-        walk.GoToNextItem()
-    return found
 
 points, cells = vtk.vtkPoints(), vtk.vtkCellArray()
 points.SetDataTypeToDouble()

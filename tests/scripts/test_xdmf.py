@@ -13,17 +13,10 @@ HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 # Tells of the first and the last time what is drawn: nodes of the line, one field of it, vertices of the drum.
 LOOK = """
 import json, sys
+sys.path.insert(0, sys.argv[2])  # the tree's scripts
+from render import leaves
 from paraview import servermanager
 from paraview.simple import OpenDataFile
-
-def leaves(data):
-    if not data.IsA("vtkCompositeDataSet"):
-        return [data]
-    found, walk = [], data.NewIterator()
-    while not walk.IsDoneWithTraversal():
-        found.append(walk.GetCurrentDataObject())
-        walk.GoToNextItem()
-    return found
 
 reader = OpenDataFile(sys.argv[1])
 reader.UpdatePipelineInformation()
@@ -58,7 +51,8 @@ class Xdmf(unittest.TestCase):
         write(folder, "look.py", LOOK)
         result = run(HAWSER, "run", "reel.yaml", "-q", "--stop-at", "12", cwd=folder, timeout=100)
         self.assertEqual(result.returncode, 0, result.stderr)
-        result = run("scripts/with-display", "pvpython", folder / "look.py", folder / "reel.xdmf", timeout=100)
+        result = run("scripts/with-display", "pvpython", folder / "look.py", folder / "reel.xdmf", ROOT / "scripts",
+                     timeout=100)
         lines = [line for line in result.stdout.splitlines() if line.startswith("TOLD ")]
         self.assertEqual((result.returncode, len(lines)), (0, 1), result.stdout + result.stderr)
         told = json.loads(lines[0][5:])
