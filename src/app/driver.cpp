@@ -130,9 +130,11 @@ int run(MPI_Comm comm, const RunOptions& options) {
     const StaticsReport s = sim.solve_statics();
     for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
     progress.say(fmt::format(
-        "statics: {} iterations{}{}", s.iterations,
+        "statics: {} iterations{}{}{}", s.iterations,
         s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
-        s.escapes > 0 ? fmt::format(", {} false equilibria left", s.escapes) : ""));
+        s.escapes > 0 ? fmt::format(", {} false equilibria left", s.escapes) : "",
+        !c.statics.contact_friction && c.contact.has_friction(c.volumes) ? ", without friction of contact"
+                                                                         : ""));
     if (s.negative_eigenvalues > 0)
       progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",
                                s.negative_eigenvalues));

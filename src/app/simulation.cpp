@@ -245,6 +245,10 @@ StaticsReport Simulation::solve_statics() {
     if (seabed_) seabed_->enable_friction(on);
   };
   enable_friction(false);
+  if (case_.statics.contact_friction) {
+    if (contact_) contact_->enable_friction(true);
+    if (line_pairs_) line_pairs_->enable_friction(true);
+  }
   lay_at_start();
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
   if (floating_) floating_->hold(true);
@@ -257,6 +261,7 @@ StaticsReport Simulation::solve_statics() {
                             : RelaxationUse::when_newton_fails;
   settings.relaxation_steps = case_.statics.relaxation_steps;
   settings.augment = !case_.statics.exact_contact;
+  settings.friction = case_.statics.contact_friction;
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   if (case_.statics.exact_contact && contact_) {
     const UnilateralReport exact = solve_unilateral(*system_, settings, state_);

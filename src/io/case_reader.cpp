@@ -338,6 +338,9 @@ class Reader {
     c_.statics.exact_contact = v["exact_contact"].number != 0;
     if (c_.statics.exact_contact && !c_.contact.augmented)
       source_.bad(v["exact_contact"], "statics.exact_contact", "needs 'contact: {augmented: true}'");
+    c_.statics.contact_friction = v["contact_friction"].number != 0;
+    if (c_.statics.exact_contact && c_.statics.contact_friction)
+      source_.bad(v["contact_friction"], "statics.contact_friction", "there is none with 'exact_contact'");
   }
 
   void dynamics(const Value& v) {

@@ -37,4 +37,9 @@ bool laid_with_friction(const Case& c, const Line& line) {
                      [&](const Vec3& x) { return height_above_bed(bed, x) < reach; });
 }
 
+bool held_by_friction(const Case& c, const Line& line) {
+  const bool given = line.start != Start::automatic && line.start != Start::catenary;
+  return laid_with_friction(c, line) || (c.statics.contact_friction && given);
+}
+
 }  // namespace hawser::model

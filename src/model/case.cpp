@@ -41,6 +41,17 @@ Mat3 BodyMass::tensor() const {
   return J;
 }
 
+bool Contact::has_friction(const std::vector<Volume>& all) const {
+  const auto rubs = [](const BetweenLines::Tuned& pair) { return pair.settings.friction > 0; };
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Volume& v) {
+                       return takes_part(v) && std::max(v.friction.axial, v.friction.lateral) > 0;
+                     }) ||
+         (between_lines.enabled &&
+          (between_lines.general.friction > 0 ||
+           std::any_of(between_lines.pairs.begin(), between_lines.pairs.end(), rubs)));
+}
+
 bool Contact::takes_part(const Line& line) const { return all_lines || holds(lines, line.name); }
 
 bool Contact::takes_part(const Volume& volume) const { return all_volumes || holds(volumes, volume.name); }

@@ -416,33 +416,38 @@ const Key& case_schema() {
             between_lines()},
            "Contact of lines with volumes and with lines.")
            .or_else("{}"),
-       one_of(
-           "statics",
-           {boolean(""), map("",
-                             {boolean("enabled", "find the equilibrium before dynamics").or_else("true"),
-                              number("tolerance", none, "residual over the size of the internal forces")
-                                  .above(0)
-                                  .at_most(1e-2)
-                                  .or_else("1e-8"),
-                              boolean("exact_contact",
-                                      "solve contact as an exact complementarity problem (PETSc's SNESVI) "
-                                      "instead of by updates of the multipliers; needs `contact.augmented`")
-                                  .or_else("false"),
-                              integer("max_iterations", "Newton iterations of a stage")
-                                  .at_least(1)
-                                  .at_most(1e6)
-                                  .or_else("500"),
-                              word("dynamic_relaxation", {"auto", "always", "never"},
-                                   "lets lines come to rest from the start shape by a damped motion, for "
-                                   "slack and floating lines, before Newton's iteration: where that alone "
-                                   "fails (`auto`), `always` or `never`")
-                                  .or_else("auto"),
-                              integer("relaxation_steps", "steps of that motion at most")
-                                  .at_least(1)
-                                  .at_most(1e7)
-                                  .or_else("5000")},
-                             "")},
-           "Static equilibrium at t = 0; `false` starts dynamics from the start shape.")
+       one_of("statics",
+              {boolean(""),
+               map("",
+                   {boolean("enabled", "find the equilibrium before dynamics").or_else("true"),
+                    number("tolerance", none, "residual over the size of the internal forces")
+                        .above(0)
+                        .at_most(1e-2)
+                        .or_else("1e-8"),
+                    boolean("exact_contact",
+                            "solve contact as an exact complementarity problem (PETSc's SNESVI) "
+                            "instead of by updates of the multipliers; needs `contact.augmented`")
+                        .or_else("false"),
+                    boolean("contact_friction",
+                            "friction of volumes and between lines acts in statics too, against the "
+                            "way of the lines from where their `start` puts them; else it acts from "
+                            "the equilibrium without it on")
+                        .or_else("false"),
+                    integer("max_iterations", "Newton iterations of a stage")
+                        .at_least(1)
+                        .at_most(1e6)
+                        .or_else("500"),
+                    word("dynamic_relaxation", {"auto", "always", "never"},
+                         "lets lines come to rest from the start shape by a damped motion, for "
+                         "slack and floating lines, before Newton's iteration: where that alone "
+                         "fails (`auto`), `always` or `never`")
+                        .or_else("auto"),
+                    integer("relaxation_steps", "steps of that motion at most")
+                        .at_least(1)
+                        .at_most(1e7)
+                        .or_else("5000")},
+                   "")},
+              "Static equilibrium at t = 0; `false` starts dynamics from the start shape.")
            .or_else("true"),
        map("start",
            {text("from", "results (.h5) of another run, beside the case").is_required(),

@@ -60,6 +60,11 @@ class Relaxation : StaticTrial {
       }
       ++report.steps;
       take();
+      if (iterations <= kEasyIterations) weigh(kLighter);
+      if (settings_.friction) {
+        system_.commit(state_.view(0));
+        continue;
+      }
       copy_momentum();
       const double now = kinetic_energy();
       if (now < kinetic) {
@@ -69,7 +74,6 @@ class Relaxation : StaticTrial {
       } else {
         kinetic = now;
       }
-      if (iterations <= kEasyIterations) weigh(kLighter);
     }
   }
 
@@ -142,6 +146,7 @@ class Relaxation : StaticTrial {
       if (!std::isfinite(norms.force) || norms.relative() > hopeless) return -it;
       if (norms.relative() > goal) continue;
       if (limit() < 1 || !clear()) return -it;
+      if (settings_.friction) return it;  // it has no potential
       // The exact step of a convex potential takes energy out; one that brings some has gone elsewhere.
       double motion = 0;
       for (size_t i = 0; i < momentum_.size(); ++i) motion += 0.5 * mass(i / 3) * local_[i] * local_[i];

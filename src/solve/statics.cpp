@@ -210,7 +210,18 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
   }
 }
 
+// Friction's forces belong to the way taken: Newton's iteration of statics has none.
+StaticsReport against_friction(System& system, const StaticsSettings& settings, State& state) {
+  RelaxationSettings r;
+  r.max_steps = settings.relaxation_steps, r.tolerance = settings.tolerance, r.friction = true;
+  const RelaxationReport rest = relax(system, r, state);
+  StaticsReport report;
+  report.iterations = rest.iterations, report.relaxation_steps = rest.steps, report.norms = rest.norms;
+  return report;
+}
+
 StaticsReport first_equilibrium(System& system, const StaticsSettings& settings, State& state) {
+  if (settings.friction) return against_friction(system, settings, state);
   if (settings.near || settings.relaxation == RelaxationUse::never)
     return Search(system, settings, state).run(settings.near);
   if (settings.relaxation == RelaxationUse::always) return relaxed(system, settings, state);
@@ -240,7 +251,8 @@ StaticsReport solve_statics(System& system, const StaticsSettings& settings, Sta
       throw SolveError(
           "statics: the multipliers of contact do not settle; is contact.augmented.penetration "
           "within reach?");
-    const StaticsReport more = Search(system, settings, state).run(true);
+    const StaticsReport more = settings.friction ? against_friction(system, settings, state)
+                                                 : Search(system, settings, state).run(true);
     report.iterations += more.iterations, report.escapes += more.escapes;
     report.negative_eigenvalues = more.negative_eigenvalues, report.norms = more.norms;
   }

@@ -14,5 +14,8 @@ double laying_reach(const Case& c, const Line& line);
 // Whether the points of the case's start shape lie on the bed from end to end, and statics has its friction:
 // then it was laid there, and friction holds it both ways.
 bool laid_with_friction(const Case& c, const Line& line);
+// Whether friction can hold the line in statics although nothing else does: that bed's, or that of volumes or
+// other lines, where the case says where it lies.
+bool held_by_friction(const Case& c, const Line& line);
 
 }  // namespace hawser::model

@@ -255,6 +255,7 @@ struct Contact {
   std::vector<std::string> lines, volumes;  // when not all
   BetweenLines between_lines;
 
+  bool has_friction(const std::vector<Volume>& volumes) const;  // somewhere
   bool takes_part(const Line& line) const;
   bool takes_part(const Volume& volume) const;
 };
@@ -267,8 +268,9 @@ struct Statics {
   double tolerance = 1e-8;  // residual over the size of the internal forces
   int max_iterations = 500;
   Relaxation relaxation = Relaxation::automatic;
-  int relaxation_steps = 5000;  // at most
-  bool exact_contact = false;   // solved as a complementarity problem (SNESVI); needs contact.augmented
+  int relaxation_steps = 5000;    // at most
+  bool exact_contact = false;     // solved as a complementarity problem (SNESVI); needs contact.augmented
+  bool contact_friction = false;  // of volumes and between lines, from the start shape on
 };
 
 struct Dynamics {

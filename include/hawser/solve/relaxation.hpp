@@ -16,6 +16,9 @@ struct RelaxationSettings {
   double tolerance = 1e-4;  // of the residual, against the size of its contributions
   int max_steps = 5000;
   int pushed = 0;  // > 0: starts out of the shape's symmetry, by so many hundredths of its length
+  // Friction acts against the way of the lines: no motion is carried from step to step, as in a thick fluid,
+  // and the terms are committed after each.
+  bool friction = false;
 };
 
 struct RelaxationReport {
@@ -27,7 +30,7 @@ struct RelaxationReport {
 };
 
 // Moves `state` (positions and rotations) near an equilibrium at state.time, from where Newton's iteration
-// ends it. No history changes: terms are asked as in statics and nothing is committed. Collective. Throws
+// ends it. Terms are asked as in statics; nothing is committed but with `friction`. Collective. Throws
 // SolveError naming line, arc length and what is out of balance when it does not come to rest.
 RelaxationReport relax(System& system, const RelaxationSettings& settings, State& state);
 

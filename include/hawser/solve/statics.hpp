@@ -25,6 +25,8 @@ struct StaticsSettings {
   bool augment = true;  // let terms work off their gaps by multipliers
   RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // not with `near`
   int relaxation_steps = 5000;                                  // at most
+  // Friction of contact acts on the way: by relaxation alone, which commits the terms step by step.
+  bool friction = false;
 };
 
 struct StaticsReport {
