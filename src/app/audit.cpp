@@ -38,7 +38,7 @@ std::string Audit::warning(bool fixed) const {
                         made.time, made.value);
   return text + ": the steps are too long for what happens (" +
          (fixed ? "dynamics.step" : "dynamics.max_step, dynamics.error_tolerance") +
-         "), or a line is caught inside a volume";
+         "), a line is caught inside a volume, or contact without springs was struck";
 }
 
 }  // namespace hawser::app
