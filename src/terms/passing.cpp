@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hawser/kernels/axis_sweep.hpp"
+#include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/volume_contact.hpp"
 
@@ -57,6 +58,47 @@ bool LineContact::covers(const Kinematics& trial) const {
                      to = points(AxisShape(ends(trial, pair.element)), poses[g.body]);
     if (way_of(from, to) <= std::max(room_at_start(pair), radius)) return false;
     return goes_through(distance_to(*volumes_[static_cast<size_t>(pair.volume)].surface), from, to, radius);
+  });
+}
+
+// Corners, edges and balls, in the frame of the other body; a corner is taken for as round as the ramp of its
+// law is wide.
+bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
+  const Side &sa = sides_[pair.a], &sb = sides_[pair.b];
+  const BodyFrame A = frame(sa, trial), B = frame(sb, trial);
+  const Vec3 ca = sa.global < 0 ? Vec3(Vec3::Zero()) : sa.centre,
+             cb = sb.global < 0 ? Vec3(Vec3::Zero()) : sb.centre;
+  const auto before = [&](const Vec3& y) {
+    return Vec3(pair.start_b.to_body(pair.start_a.to_space(y - ca)) + cb);
+  };
+  const auto after = [&](const Vec3& y) { return Vec3(B.to_body(A.to_space(y - ca)) + cb); };
+  const Surface& surface = *volumes_[pair.b].surface;
+  const Box& box = boxes_[pair.b];
+  const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
+  const auto near = [&](const BodySkeleton::Bundle& b) {
+    const Vec3 from = before(b.centre), to = after(b.centre), middle = 0.5 * (from + to);
+    const double reach = b.radius + 0.5 * (to - from).norm() + pair.law.smoothing;
+    return squared_distance(box, middle) <= reach * reach && surface.query(middle, reach);
+  };
+  const auto meets = [&](const Vec3& y0, const Vec3& y1, double radius) {
+    return goes_through(distance_to(surface), BezierAxis::straight(before(y0), before(y1)).b,
+                        BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing));
+  };
+  const auto any = [&](const auto& bundles, const auto& list, const auto& passes) {
+    for (const BodySkeleton::Bundle& b : bundles)
+      if (near(b) && std::any_of(list.begin() + b.first, list.begin() + b.first + b.count, passes))
+        return true;
+    return false;
+  };
+  return any(skeleton.point_bundles, skeleton.points,
+             [&](const SkeletonPoint& p) { return meets(p.at, p.at, p.radius); }) ||
+         any(skeleton.edge_bundles, skeleton.edges,
+             [&](const SkeletonEdge& e) { return meets(e.from, e.to, e.radius); });
+}
+
+bool BodyContactTerm::covers(const Kinematics& trial) const {
+  return !(trial.step > 0) || std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+    return pair.counted && passes(pair, trial);
   });
 }
 
