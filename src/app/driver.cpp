@@ -33,12 +33,6 @@ void request_stop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-// What the audit misses, against what moved: work brought in, or the energy that is there.
-double percent(const Audit& a) {
-  const double size = std::max(std::abs(a.brought_in), a.now.kinetic + a.now.strain);
-  return size > 0 ? 100 * a.error / size : 0;
-}
-
 // Multiples of `every`, as numbers that do not drift.
 double next_multiple(double t, double every) { return every * (std::floor(t / every + 1e-9) + 1); }
 
@@ -210,12 +204,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
       fmt::print(
           "\nenergy: brought in {:.6g} J; kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g} J; "
           "not accounted for {:.3g} J ({:.3g} %)\n",
-          a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.error, percent(a));
-    if (c.dynamics.enabled && std::abs(percent(a)) > 1)
-      fmt::print(
-          "\nwarning: {:.3g} % of the energy is not accounted for: the steps are too long for what happens "
-          "(dynamics.max_step, dynamics.error_tolerance)\n",
-          percent(a));
+          a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.error, a.percent());
+    if (const std::string w = a.warning(c.dynamics.step > 0); c.dynamics.enabled && !w.empty())
+      fmt::print("\nwarning: {}\n", w);
     for (const std::string& w : recorder.warnings()) fmt::print("\nwarning: {}\n", w);
     fmt::print("\nresults: {}\n", recorder.file().path());
     if (c.output.xdmf) fmt::print("look at them: paraview {}\n", recorder.file().xdmf_path());

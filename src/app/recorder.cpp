@@ -27,6 +27,15 @@ void save_energy(std::map<std::string, double>& to, const std::string& prefix, c
   for (const auto& [name, member] : kEnergies) to[prefix + name] = e.*member;
 }
 
+void save_largest(std::map<std::string, double>& to, const std::string& prefix, const Audit::Largest& l) {
+  to[prefix + "value"] = l.value, to[prefix + "time"] = l.time, to[prefix + "step"] = l.step;
+}
+
+Audit::Largest saved_largest(const std::function<double(const std::string&)>& get,
+                             const std::string& prefix) {
+  return {get(prefix + "value"), get(prefix + "time"), get(prefix + "step")};
+}
+
 Energy saved_energy(const std::function<double(const std::string&)>& get, const std::string& prefix) {
   Energy e;
   for (const auto& [name, member] : kEnergies) e.*member = get(prefix + name);
@@ -201,11 +210,8 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   fill(at);
   Energy share = sim_.system().energy(at);
   share.work += support_work;
-  audit_.now = sum(comm_, share);
+  audit_.update(start_, sum(comm_, share), info.time, info.h);
   const Energy& e = audit_.now;
-  audit_.brought_in = e.work - start_.work - (e.potential - start_.potential);
-  audit_.error = (e.kinetic - start_.kinetic) + (e.strain - start_.strain) + (e.friction - start_.friction) +
-                 (e.damping - start_.damping) - audit_.brought_in;
 
   std::vector<std::vector<double>> rows;
   for (const Point& p : points_) {
@@ -342,6 +348,9 @@ void Recorder::save(io::Checkpoint& to) {
   save_energy(scalars, "audit.now.", audit_.now);
   scalars["audit.brought_in"] = audit_.brought_in;
   scalars["audit.error"] = audit_.error;
+  scalars["audit.moved"] = audit_.moved;
+  save_largest(scalars, "audit.off.", audit_.off);
+  save_largest(scalars, "audit.made.", audit_.made);
   for (const auto& r : summary()) {
     const std::string key = "extreme." + r.line + "." + r.quantity;
     scalars[key] = r.value, scalars[key + ".time"] = r.time, scalars[key + ".arc"] = r.arc_length;
@@ -361,6 +370,8 @@ void Recorder::restore(const io::Checkpoint& from) {
   start_ = saved_energy(get, "audit.start.");
   audit_.now = saved_energy(get, "audit.now.");
   audit_.brought_in = get("audit.brought_in"), audit_.error = get("audit.error");
+  audit_.moved = get("audit.moved");
+  audit_.off = saved_largest(get, "audit.off."), audit_.made = saved_largest(get, "audit.made.");
   for (size_t l = 0; l < extremes_.size(); ++l)
     for (const Wanted& w : kExtremes) {
       const std::string key = "extreme." + sim_.model().lines[l].name + "." + w.quantity;

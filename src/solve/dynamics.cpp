@@ -198,6 +198,7 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   loaded_ = false;
   error_ = nullptr;
   system_.reset_multipliers();
+  turned_ = false;
   Attempt a;
   for (int round = 0;; ++round) {
     solve_once(a);
@@ -207,12 +208,16 @@ Dynamics::Attempt Dynamics::attempt(double h) {
     a.converged = round < kMostAugmentations;
     if (!a.converged) break;
   }
-  if (a.converged) {
-    a.missed = !system_.covers(trial_.s.view(h));
-    a.converged = !a.missed && (!control_.divides(h) || system_.foreseen(trial_.s.view(h)));
-    a.error = alpha_error(system_.mesh(), alpha_, h, committed_, trial_);
-    MPI_Allreduce(MPI_IN_PLACE, &a.error, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
-  }
+  if (!a.converged) return a;
+  double most[2] = {alpha_error(system_.mesh(), alpha_, h, committed_, trial_),
+                    alpha_turn(system_.mesh(), local_u_).angle};
+  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system_.comm());
+  a.error = most[0];
+  turned_ = most[1] > M_PI;
+  a.converged = !turned_;
+  if (turned_) return a;
+  a.missed = !system_.covers(trial_.s.view(h));
+  a.converged = !a.missed && (!control_.divides(h) || system_.foreseen(trial_.s.view(h)));
   return a;
 }
 
@@ -303,6 +308,14 @@ void Dynamics::run(double until, const std::function<double(double)>& next_stop,
 }
 
 std::string Dynamics::failure(double h) const {
+  if (turned_) {
+    Turn most = alpha_turn(system_.mesh(), local_u_);
+    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
+    return fmt::format(
+        "at t = {:.6g} s {}, turns by {:.3g} rad in the shortest step ({:.3g} s), which follows "
+        "half a turn at most",
+        committed_.s.time, system_.mesh().mesh->place(most.node), most.angle, h);
+  }
   return fmt::format("no convergence at t = {:.6g} s with the shortest step ({:.3g} s): {}",
                      committed_.s.time, h, imbalance(system_, r_.get(), norms_));
 }

@@ -80,6 +80,16 @@ Weights alpha_weights(const AlphaCoefficients& c, double h) {
   return w;
 }
 
+Turn alpha_turn(const LocalMesh& mesh, const std::vector<double>& u) {
+  Turn most;
+  for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
+    if (!mesh.rotates(static_cast<int>(n))) continue;
+    const double angle = Eigen::Map<const Vec3>(u.data() + 3 * mesh.block[n] + 3).norm();
+    if (angle > most.angle) most = {angle, mesh.global[n]};
+  }
+  return most;
+}
+
 double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, const AlphaState& from,
                    const AlphaState& to) {
   double worst = 0;

@@ -264,6 +264,7 @@ void BodyContactTerm::prepare(const Kinematics& committed, double) {
     if (!p.here) continue;
     const Sum s = touch(p, committed, false);
     p.potential = s.potential, p.stiffness = s.stiffness;
+    p.start_a = frame(sides_[p.a], committed), p.start_b = frame(sides_[p.b], committed);
     if (p.counted) powers(p, s, committed, p.damping_power, p.work_power);
   }
 }

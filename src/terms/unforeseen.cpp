@@ -19,7 +19,7 @@ void add(double made, int line, Unforeseen& to) {
 }  // namespace
 
 void VolumeContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
-  if (model_ != NodeContact::elastic) return;
+  if (model_ != NodeContact::elastic && model_ != NodeContact::gap) return;
   pose_bodies(trial.time, poses_);
   for (Pair& pair : pairs_) {
     const size_t n = static_cast<size_t>(pair.node);

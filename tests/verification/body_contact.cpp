@@ -114,6 +114,45 @@ TEST(BodyContact, FloatersWithAFenderByTable) {
   EXPECT_LT(table->at(depth).force, 0.9 * table->largest_slope() * depth);
 }
 
+// A block thrown at a thin plate that stands still, at up to 50 m/s in steps of up to 0.1 s: corners and
+// edges that begin and end a step on different sides have not met anything.
+TEST(BodyContact, ThinPlatesAreNotPassed) {
+  for (const model::StiffnessBasis basis :
+       {model::StiffnessBasis::per_point, model::StiffnessBasis::per_length})
+    for (const bool resolve : {true, false})
+      for (const double step : {0.0, 0.02, 0.1}) {
+        // So stiff that they stop within half the plate.
+        const double stiffness = basis == model::StiffnessBasis::per_point ? 2e10 : 1e12;
+        int passed = 0, steps = 0, rejected = 0;
+        double depth = 0;
+        for (const double speed : {1.0, 5.0, 10.0, 20.0, 50.0}) {
+          model::Case c;
+          c.statics.enabled = false;
+          c.environment.gravity = 0;
+          c.bodies = {floater("block", 1000, {-2.1, 0.1, 0.2}, {speed, 0, 0})};
+          c.bodies[0].rotation = Vec3(0.1, 0.2, 0.3);
+          c.volumes = {volume("block", "block", BoxShape{{0, 0, 0}, {2, 2, 2}}, basis, stiffness),
+                       volume("plate", "", BoxShape{{0, 0, 0}, {0.05, 10, 10}}, basis, stiffness)};
+          c.dynamics.enabled = true, c.dynamics.duration = 1, c.dynamics.step = step;
+          c.dynamics.max_step = 0.1, c.dynamics.resolve_impacts = resolve;
+          Collision run(c);
+          const size_t n = run.node(0);
+          run.sim.dynamics().run(
+              3 / speed, [](double) { return 1e300; },
+              [&](const StepInfo& i) {
+                ++steps, rejected += i.rejected;
+                return true;
+              });
+          passed += run.sim.dynamics().committed().s.x[n].x() > 0;
+          depth = std::max(depth, run.sim.body_contact()->largest_penetration());
+        }
+        printf("%s, %s, step %g: %d of 5 passed, %d steps, %d rejected, deepest %.4f m\n",
+               basis == model::StiffnessBasis::per_point ? "corners" : "edges",
+               resolve ? "divided" : "undivided", step, passed, steps, rejected, depth);
+        EXPECT_EQ(passed, 0);
+      }
+}
+
 // Springs that hold a body swing it with 2 pi sqrt(m / k), 2 pi sqrt(J / kr).
 TEST(BodyContact, ABodyOnSpringsSwings) {
   model::Case c;

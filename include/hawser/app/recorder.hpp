@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/app/audit.hpp"
 #include "hawser/app/clash_report.hpp"
 #include "hawser/app/clearances.hpp"
 #include "hawser/app/simulation.hpp"
@@ -18,13 +19,6 @@ namespace hawser::app {
 struct Extreme {
   double value = 0, time = 0, arc = 0;
   bool set = false;
-};
-
-// The sums of the energy audit, J, over all ranks.
-struct Audit {
-  Energy now;
-  double brought_in = 0;  // by supports, ramped and point loads, moving bodies and dead loads since the start
-  double error = 0;       // kinetic + strain + friction + damping - brought in
 };
 
 class Recorder {

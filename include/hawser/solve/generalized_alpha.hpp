@@ -40,6 +40,14 @@ void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, co
 // Weights of K, C and M in the step's tangent.
 Weights alpha_weights(const AlphaCoefficients& c, double h);
 
+// Largest rotation in a step, of this rank's nodes. From half a turn on, the place where a node gets to does
+// not tell how it got there: a whole turn more ends there too, at other rates.
+struct Turn {
+  double angle = 0;  // rad
+  int node = 0;      // of the mesh
+};
+Turn alpha_turn(const LocalMesh& mesh, const std::vector<double>& u);
+
 // Local error of position, m, at this rank's nodes: |1/6 - beta| h² |change of acceleration|
 // (Zienkiewicz & Xie 1991, eq. 17).
 double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, const AlphaState& from,

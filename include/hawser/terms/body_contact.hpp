@@ -36,6 +36,8 @@ class BodyContactTerm final : public ForceTerm {
   void reghost() override;
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, Strikes& to) const override;
+  // Nothing that stands out goes through the other body between the ends of a step.
+  bool covers(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
@@ -66,11 +68,13 @@ class BodyContactTerm final : public ForceTerm {
     double damping_power = 0, work_power = 0;  // W, at the start of the step
     double potential = 0, stiffness = 0;       // J, N/m of all that touches, in the committed state
     double depth = 0;                          // m, largest
+    BodyFrame start_a, start_b;                // at the start of the step
     Touch now;                                 // in the accepted state
   };
   struct Sum;
   BodyFrame frame(const Side& side, const Kinematics& at) const;
   Sum touch(const Pair& pair, const Kinematics& at, bool tangent) const;
+  bool passes(const Pair& pair, const Kinematics& trial) const;
   void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
 
   const LocalMesh& mesh_;

@@ -35,6 +35,8 @@ class LineContact final : public Contact {
   // As limit_depth and strikes say of the ends and the middle of each element and of what touches.
   void limit_step(const Kinematics& committed, Strikes& to) const override;
   void unforeseen(const Kinematics& trial, Unforeseen& to) override;
+  // Nothing goes through a volume between the ends of a step.
+  bool covers(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;

@@ -34,6 +34,8 @@ class VolumeContact final : public Contact {
   // So that no node gets deeper past a surface in a step than half its radius at its present speed.
   void limit_step(const Kinematics& committed, Strikes& to) const override;
   void unforeseen(const Kinematics& trial, Unforeseen& to) override;
+  // Nothing goes through a volume between the ends of a step.
+  bool covers(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   bool augments() const override { return model_ == NodeContact::augmented || model_ == NodeContact::rigid; }
