@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 #include "hawser/geometry/closest_point.hpp"
 #include "spatial_hash_search.hpp"
 
 namespace hawser {
 
+using detail::least;
+using detail::Least;
+using detail::Order;
 using detail::prefetch;
 using detail::scramble;
 
@@ -59,47 +63,6 @@ void SpatialHash::test(Ball& q, std::uint32_t slot) const {
                          : squared_distance_to(a - q.p, b - q.p, c - q.p));
 }
 
-bool SpatialHash::begin(Ball& q, const Vec3& p, double max_distance) const {
-  q.slot = kNone;
-  if (corners_.empty() || !(max_distance >= 0)) return false;
-  q.p = p;
-  const Vec3 x = q.from_centre = p - centre_;
-  if (!x.allFinite()) return false;
-  for (int a = 0; a < 3; ++a) q.x[a] = static_cast<float>(x[a]);
-  q.rounding = 3e-7 * (x.cwiseAbs().maxCoeff() + 0.5 * box_.extent().maxCoeff());
-  q.rounding_double = 1e-15 * (p.cwiseAbs().maxCoeff() + centre_.cwiseAbs().maxCoeff());
-  q.best = max_distance * max_distance;
-  q.set_reach(max_distance);
-  return true;
-}
-
-SpatialHash::Start SpatialHash::start(const Ball& q) const {
-  Start s;
-  const double radius = q.reach * (1 + 1e-9) + q.rounding;
-  // The exponent of the ratio is the level; the finest in the table is no finer than the coarsest triangles.
-  const double ratio = Start::kRoom * radius / side_;
-  const int level = static_cast<int>(std::bit_cast<std::uint64_t>(ratio) >> 52) - 1022;
-  s.level = std::max(level, least_);
-  if ((s.root = s.level >= top_)) return s;
-  const double side = side_ * (1 << s.level), margin = margin_[static_cast<std::size_t>(s.level)];
-  const double last = static_cast<double>((1 << (top_ - s.level)) - 1), reach = (radius + margin) / side;
-  for (unsigned a = 0; a < 3; ++a) {
-    const double x = (q.p[a] - origin_[a]) / side;
-    if (x + reach < 0 || x - reach > last + 1) s.none = true;
-    // Centres on the far face of the box were put in the last cell.
-    const double own = std::clamp(std::floor(x), 0.0, last);
-    const double lower = std::floor(x - reach), upper = std::floor(x + reach);
-    const double other = lower < own ? own - 1 : upper > own ? own + 1 : own;
-    const bool second = other != own && other >= 0 && other <= last;
-    s.ways |= (second ? 1u : 0u) << a;
-    const double away = std::max(std::abs(x - std::max(own, other)) * side - margin, 0.0);
-    s.squared[a] = away * away;
-    s.code[0][a] = detail::spread(static_cast<std::uint64_t>(own));
-    s.code[1][a] = detail::spread(static_cast<std::uint64_t>(second ? other : own));
-  }
-  return s;
-}
-
 SpatialHash::Nearest SpatialHash::answer(const Ball& q) const {
   if (q.slot == kNone) return {};
   return {corners_[q.slot].index(), q.best};
@@ -122,9 +85,62 @@ void SpatialHash::settle(Search& q) const {
   q.waiting = 0;
 }
 
+// A block and what is below it, the nearest box first.
+void SpatialHash::descend(Search& q, std::uint32_t block) const {
+  struct Left {
+    Order order;
+    std::uint32_t block;
+  };
+  constexpr std::uint16_t kDone = detail::kNoBox;
+  constexpr Order kLane[8] = {{kDone},
+                              {0, kDone},
+                              {0, 0, kDone},
+                              {0, 0, 0, kDone},
+                              {0, 0, 0, 0, kDone},
+                              {0, 0, 0, 0, 0, kDone},
+                              {0, 0, 0, 0, 0, 0, kDone},
+                              {0, 0, 0, 0, 0, 0, 0, kDone}};
+  // On each level a cell and, if it holds more than eight runs, blocks of blocks of them.
+  Left stack[10 * (detail::kMaxLevels + 1)];
+  int depth = 0;
+  Order order = q.order(children_[block]);
+  Least next = least(order);
+  for (;;) {
+    if (next.value > std::bit_cast<std::uint32_t>(q.limit) >> 16) {
+      if (depth == 0) return;
+      --depth;
+      order = stack[depth].order;
+      block = stack[depth].block;
+      next = least(order);
+      continue;
+    }
+    const Entry entry = children_[block].entry[next.lane];
+    order |= kLane[next.lane];
+    next = least(order);
+    fetch(children_[block].entry[next.lane]);
+    ++q.count.cells;
+    if (const auto n = entry.count(); n > 0) {
+      if (q.hinted) {
+        settle(q);
+        q.hinted = false;
+      }
+      if (q.waiting + n > Search::kMostCandidates) settle(q);
+      q.count.triangles += n;
+      q.waiting += bound(q, entry, block, q.at_least + q.waiting, q.candidates + q.waiting);
+    }
+    if (entry.children == kNone) continue;
+    stack[depth] = {order, block};
+    depth += next.value != kDone;
+    block = entry.children;
+    order = q.order(children_[block]);
+    next = least(order);
+  }
+}
+
 SpatialHash::Nearest SpatialHash::search(const Question& ask, Counters& count) const {
-  Search q;
+  Search q(count);
   if (!begin(q, ask.point, ask.max_distance)) return {};
+  ++count.queries;
   if (const int hint = slot_of(ask.hint); hint >= 0) {
     const auto s = static_cast<std::uint32_t>(hint);
     if (ask.max_distance < Start::kRoom * side_ * (1 << start_)) {
@@ -139,62 +155,33 @@ SpatialHash::Nearest SpatialHash::search(const Question& ask, Counters& count) c
       q.hinted = true;
     } else {
       test(q, s);
-      ++q.count.exact;
+      ++count.exact;
     }
   }
   const Start from = start(q);
   if (q.hinted) fetch_corners(q.candidates[0]);
   if (from.root) {
-    q.push(0, 0, root_, kNone);
+    descend(q, root_.children);
   } else if (!from.none) {
-    for (unsigned which = 0; which < 8; ++which) {
-      if (which & ~from.ways) continue;
-      const float d = from.squared_distance(which);
-      if (d > q.limit) continue;
-      ++q.count.lookups;
-      if (const Entry* entry = find(from.level, from.key(which))) q.push(0, d, *entry, kNone);
-    }
-  }
-  while (q.depth > 0) {
-    // Field by field: the processor is slow to read as a whole what was just written in parts.
-    const Item& top = q.stack[--q.depth];
-    const float away = top.squared;
-    const Entry entry = top.entry();
-    const std::uint32_t frame = top.frame;
-    if (away > q.limit) continue;
-    ++q.count.cells;
-    if (const auto n = entry.count(); n > 0) {
-      if (q.hinted) {
-        settle(q);
-        q.hinted = false;
-        if (away > q.limit) continue;
-      }
-      if (q.waiting + n > Search::kMostCandidates) settle(q);
-      q.count.triangles += n;
-      q.waiting += bound(q, entry, frame, q.at_least + q.waiting, q.candidates + q.waiting);
-    }
-    if (entry.children == kNone) continue;
+    detail::BoxLanes d;
+    unsigned cells = from.within(q.limit, d);
     float squared[8];
-    const int base = q.depth;
-    for (unsigned near = expand(q, entry.children, squared); near; near &= near - 1) {
-      const int k = __builtin_ctz(near);
-      const Entry& e = children_[entry.children].entry[k];
-      fetch(e);
-      q.push(base, squared[k], e, entry.children);
+    std::memcpy(squared, &d, sizeof d);
+    for (; cells; cells &= cells - 1) {
+      const auto which = static_cast<unsigned>(__builtin_ctz(cells));
+      if (squared[which] > q.limit) continue;
+      ++count.lookups;
+      if (const Entry* entry = find(from.level, from.key(which))) descend(q, entry->children);
     }
   }
   settle(q);
-  ++q.count.queries;
-  count += q.count;
   return answer(q);
 }
 
 SpatialHash::Nearest SpatialHash::nearest(const Vec3& p, double max_distance, int hint,
                                           Counters* counters) const {
-  Counters count;
-  const Nearest found = search({p, max_distance, hint}, count);
-  if (counters) *counters += count;
-  return found;
+  Counters unused;
+  return search({p, max_distance, hint}, counters ? *counters : unused);
 }
 
 std::size_t SpatialHash::memory() const {

@@ -94,7 +94,7 @@ struct SpatialHash::Group {
   void begin(std::size_t from, std::uint32_t n);
   void look_up(const Ball& ball, const Start& start, std::uint32_t which);
   void go_down();
-  void settle();
+  void settle(std::size_t next);
 };
 
 // The distances of the hints, and the cells to begin with.
@@ -111,7 +111,6 @@ void SpatialHash::Group::begin(std::size_t from, std::uint32_t n) {
     alone[i] = !hash.begin(balls[i], ask.point, ask.max_distance) || hints[i] < 0;
   }
   for (std::uint32_t i = 0; i < n; ++i) {
-    fetch_hint(from + i + kMost);
     if (alone[i]) continue;
     Ball& q = balls[i];
     ++count.exact;
@@ -131,19 +130,13 @@ void SpatialHash::Group::begin(std::size_t from, std::uint32_t n) {
 
 // All eight cells are written, those there are and within reach are kept.
 void SpatialHash::Group::look_up(const Ball& q, const Start& s, std::uint32_t which) {
-  constexpr std::uint8_t kWithin[8] = {0x01, 0x03, 0x05, 0x0f, 0x11, 0x33, 0x55, 0xff};
-  constexpr BoxLanes kSecond[3] = {
-      {0, 1, 0, 1, 0, 1, 0, 1}, {0, 0, 1, 1, 0, 0, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}};
   constexpr BoxWords kIs[3] = {{0, ~0ul, 0, ~0ul, 0, ~0ul, 0, ~0ul},
                                {0, 0, ~0ul, ~0ul, 0, 0, ~0ul, ~0ul},
                                {0, 0, 0, 0, ~0ul, ~0ul, ~0ul, ~0ul}};
-  BoxLanes squared = {};
-  BoxWords key = {};
-  for (int a = 0; a < 3; ++a) {
-    squared += kSecond[a] * static_cast<float>(s.squared[a]);
-    key |= (s.code[0][a] ^ ((s.code[0][a] ^ s.code[1][a]) & kIs[a])) << a;
-  }
-  const unsigned cells = detail::bits(squared * (1 - 1e-6f) <= q.limit) & kWithin[s.ways];
+  BoxLanes squared;
+  const unsigned cells = s.within(q.limit, squared);
+  BoxWords key = BoxWords{} + s.own;
+  for (int a = 0; a < 3; ++a) key ^= s.change[a] & kIs[a];
   lookups.room();
   detail::keep(cells, key, lookups.end<0>());
   const auto level = static_cast<std::uint32_t>(s.level - hash.start_);
@@ -198,11 +191,13 @@ void SpatialHash::Group::go_down() {
   count.cells += static_cast<long>(blocks.size);
 }
 
-void SpatialHash::Group::settle() {
+// What the group from `next` on will read of its hints is fetched on the way: this takes longest.
+void SpatialHash::Group::settle(std::size_t next) {
   finals.size = 0;
   for (std::size_t k = 0; k < kAhead; ++k) fetch_run(k);
   for (std::size_t k = 0; k < runs.size; ++k) {
     fetch_run(k + kAhead);
+    if (k < kMost) fetch_hint(next + k);
     const std::uint32_t which = runs.at<3>(k);
     Ball& q = balls[which];
     if (runs.at<1>(k) > q.limit) continue;
@@ -213,6 +208,7 @@ void SpatialHash::Group::settle() {
     for (unsigned i = 0; i < found; ++i) finals.end<2>()[i] = which;
     finals.size += found;
   }
+  for (std::size_t k = runs.size; k < kMost; ++k) fetch_hint(next + k);
   for (std::size_t k = 0; k < finals.size; ++k) hash.fetch_corners(finals.at<1>(k));
   for (std::size_t k = 0; k < finals.size; ++k) {
     Ball& q = balls[finals.at<2>(k)];
@@ -246,9 +242,10 @@ void SpatialHash::nearest(std::span<const Question> questions, std::span<Nearest
   for (std::size_t i = 0; i < Group::kMost; ++i) g.fetch_hint(i);
   for (std::size_t from = 0; from < n; from += Group::kMost) {
     const auto m = static_cast<std::uint32_t>(std::min(Group::kMost, n - from));
+    for (std::uint32_t i = 0; i < m; ++i) __builtin_prefetch(&answers[g.place(from + i)], 1);  // to write
     g.begin(from, m);
     g.go_down();
-    g.settle();
+    g.settle(from + Group::kMost);
     for (std::uint32_t i = 0; i < m; ++i) {
       const std::size_t at = g.place(from + i);
       answers[at] = g.alone[i] ? search(questions[at], g.count) : answer(g.balls[i]);
@@ -260,13 +257,14 @@ void SpatialHash::nearest(std::span<const Question> questions, std::span<Nearest
 // Of many questions to a mesh that no cache holds: along the curve its triangles are sorted by, so that what
 // one search reads is there for the next ones. Those without a hint first.
 std::vector<std::uint32_t> SpatialHash::order_of(std::span<const std::int32_t> slots) const {
-  constexpr std::size_t kMany = 4096, kLarge = 20000, kHeaps = 16384;
+  constexpr std::size_t kMany = 4096, kLarge = 20000, kMostHeaps = 65536;
   std::vector<std::uint32_t> order;
   if (slots.size() < kMany || corners_.size() < kLarge) return order;
+  const std::size_t heaps = std::min(slots.size(), kMostHeaps);
   int shift = 0;
-  while (corners_.size() >> shift >= kHeaps) ++shift;
+  while (corners_.size() >> shift >= heaps) ++shift;
   const auto heap = [&](std::int32_t s) { return s < 0 ? 0 : 1 + (static_cast<std::size_t>(s) >> shift); };
-  std::vector<std::uint32_t> first(kHeaps + 2, 0u);
+  std::vector<std::uint32_t> first(heaps + 2, 0u);
   for (const std::int32_t s : slots) ++first[heap(s) + 1];
   for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
   order.resize(slots.size());

@@ -10,6 +10,7 @@
 namespace hawser {
 
 using detail::bits;
+using detail::BoxInts;
 using detail::BoxLanes;
 using detail::greater;
 using detail::Ints;
@@ -38,17 +39,21 @@ Lanes3 load(const std::uint32_t* at) {
 }
 
 Lanes load(const std::uint8_t* at) {
+#ifdef __AVX512VL__
+  return _mm512_cvtepi32_ps(_mm512_cvtepu8_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(at))));
+#else
   Vector<std::uint8_t, kRun> s;
   std::memcpy(&s, at, sizeof s);
   // By way of shorts: straight to ints gcc 12 takes the lanes one by one.
   const auto shorts = __builtin_convertvector(s, Vector<std::uint16_t, kRun>);
   return __builtin_convertvector(__builtin_convertvector(shorts, Ints), Lanes);
+#endif
 }
 
 // Squared distance from 0 to the segments from a along e, of squared length e2.
 Lanes squared_distance_to_segment(const Lanes3& a, const Lanes3& e, Lanes e2) {
   const Lanes zero = {}, one = zero + 1;
-  const Lanes t = lesser(greater(-a.dot(e) / greater(e2, zero + FLT_MIN), zero), one);
+  const Lanes t = lesser(greater(-a.dot(e) * detail::inverse(greater(e2, zero + FLT_MIN)), zero), one);
   const Lanes3 r = {a.x + t * e.x, a.y + t * e.y, a.z + t * e.z};
   return r.dot(r);
 }
@@ -58,8 +63,9 @@ constexpr float kFlat = 0.1f;
 
 // Errors of bounds in single precision over the size of what is computed with. The normal of a triangle
 // that is not flat is right to 3 u / kFlat (u = 6e-8), its inside to that over the sine of half its sharpest
-// angle, kFlat / 2: 4e-5.
-constexpr float kBoundError = 1e-4f;
+// angle, kFlat / 2: 4e-5. Reciprocals are right to 2^-14 = 6.1e-5 at worst: a foot on an edge is off by no
+// more of its length, a distance from a plane by half as much of it.
+constexpr float kBoundError = 1.25e-4f;
 
 }  // namespace
 
@@ -74,7 +80,7 @@ unsigned SpatialHash::bound(Ball& q, Entry run, std::uint32_t block, float* at_l
     return std::bit_cast<float>(static_cast<std::uint32_t>(biased) << 23);
   };
   const int largest = std::max({frame.exponent[0], frame.exponent[1], frame.exponent[2]});
-  const double unit = power(largest), to_unit = 1 / unit;
+  const double unit = power(largest), to_unit = power(254 - largest);
   float step[3], x[3], size = 0, off = 0;
   for (int a = 0; a < 3; ++a) {
     step[a] = power(std::max(frame.exponent[a] - largest + 127 - 2, 1));
@@ -101,7 +107,8 @@ unsigned SpatialHash::bound(Ball& q, Entry run, std::uint32_t block, float* at_l
              lesser(squared_distance_to_segment(b, bc, bc2), squared_distance_to_segment(c, ca, ca2)));
   const Lanes3 normal = ca.cross(ab);
   const Lanes normal2 = normal.dot(normal), longest2 = greater(ab2, greater(bc2, ca2));
-  const Lanes height = a.dot(normal), plane = height * height / greater(normal2, zero + FLT_MIN);
+  const Lanes height = a.dot(normal),
+              plane = height * height * detail::inverse(greater(normal2, zero + FLT_MIN));
   // Triple products of a corner, its edge and the normal: (n x b).bc = (n x a).bc + n.n.
   const Lanes3 w = normal.cross(a);
   const Lanes inside = lesser(ab.dot(w), lesser(bc.dot(w) + normal2, ca.dot(w)));
@@ -135,22 +142,33 @@ unsigned SpatialHash::bound(Ball& q, Entry run, std::uint32_t block, float* at_l
   return found;
 }
 
-// Which boxes of a block are within reach, as bits, and their squared distances.
-unsigned SpatialHash::expand(const Ball& q, std::uint32_t block, float* d) const {
-  const Children& c = children_[block];
+[[gnu::always_inline]] inline BoxLanes SpatialHash::Ball::squared_distances(const Children& c) const {
   // The lower faces beside the upper ones; a point is outside one of them at most.
   Lanes squared = {};
   constexpr Lanes kOutward = {1, 1, 1, 1, 1, 1, 1, 1, -1, -1, -1, -1, -1, -1, -1, -1};
   for (int a = 0; a < 3; ++a) {
     const float step = std::bit_cast<float>(static_cast<std::uint32_t>(c.exponent[a]) << 23);
-    const Lanes out = greater(kOutward * (step * load(c.box[a]) - (q.x[a] - c.origin[a])), Lanes{});
+    const Lanes out = greater(kOutward * (step * load(c.box[a]) - (x[a] - c.origin[a])), Lanes{});
     squared += out * out;
   }
   BoxLanes both[2];
   std::memcpy(both, &squared, sizeof both);
-  both[0] += both[1];
-  std::memcpy(d, both, sizeof both[0]);
-  return bits(both[0] <= q.limit) & ((1u << c.count) - 1);
+  return both[0] + both[1];
+}
+
+// Which boxes of a block are within reach, as bits, and their squared distances.
+unsigned SpatialHash::expand(const Ball& q, std::uint32_t block, float* d) const {
+  const Children& c = children_[block];
+  const BoxLanes squared = q.squared_distances(c);
+  std::memcpy(d, &squared, sizeof squared);
+  return bits(squared <= q.limit) & ((1u << c.count) - 1);
+}
+
+detail::Order SpatialHash::Ball::order(const Children& c) const {
+  const BoxLanes squared = squared_distances(c);
+  constexpr BoxInts kLane = {0, 1, 2, 3, 4, 5, 6, 7};
+  const BoxInts out = (squared > limit) | (kLane >= static_cast<int>(c.count));
+  return __builtin_convertvector(reinterpret_cast<BoxInts>(squared) >> 16 | out, detail::Order);
 }
 
 }  // namespace hawser

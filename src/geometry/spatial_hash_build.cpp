@@ -83,6 +83,8 @@ void SpatialHash::sort_triangles(std::span<const Vec3> vertices,
   }
   origin_ = box_.lo;
   centre_ = box_.centre();
+  half_ = 0.5 * box_.extent().maxCoeff();
+  away_ = centre_.cwiseAbs().maxCoeff();
   const double extent = std::max(box_.extent().maxCoeff() * (1 + 1e-9), DBL_MIN * 1e30);
   top_ = static_cast<int>(
       std::clamp(std::floor(std::log2(extent / (kFineness * smallest))), 0.0, double{kMaxLevels}));

@@ -7,8 +7,9 @@ namespace hawser::detail {
 
 constexpr int kMaxLevels = 20;  // 3 x 20 bits of key and a leading one fit 64
 
-// Spread the lowest 21 bits of x to every third bit.
-inline std::uint64_t spread(std::uint64_t x) {
+// Spread the lowest 21 bits of x, or of each lane, to every third bit.
+template <class T>
+inline T spread(T x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffff;
   x = (x | x << 16) & 0x1f0000ff0000ff;

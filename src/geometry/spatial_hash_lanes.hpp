@@ -4,13 +4,15 @@
 // and only those wanted are counted.
 #pragma once
 
-#ifdef __AVX512VL__
+#ifdef __SSE4_1__
 #include <immintrin.h>
 #endif
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+
+#include "hawser/math/types.hpp"
 
 namespace hawser::detail {
 
@@ -22,6 +24,13 @@ using Ints = Vector<std::int32_t, kRun>;
 using BoxLanes = Vector<float, kBoxes>;
 using BoxInts = Vector<std::int32_t, kBoxes>;
 using BoxWords = Vector<std::uint64_t, kBoxes>;
+
+// The three coordinates and a lane that is idle.
+using Axes = Vector<double, 4>;
+using AxesFloats = Vector<float, 4>;
+using AxesInts = Vector<std::int32_t, 4>;
+using AxesWords = Vector<std::uint64_t, 4>;
+inline Axes axes(const Vec3& v) { return Axes{v[0], v[1], v[2], 0}; }
 
 // Lanes that are all ones, as bits.
 #ifdef __AVX512VL__
@@ -62,6 +71,31 @@ template <class T>
 T greater(T a, T b) {
   return a > b ? a : b;
 }
+
+// Boxes in the order of their squared distances: the upper halves of these as floats, to 1/128 too small.
+constexpr std::uint16_t kNoBox = 0xffff;  // there is none, or it has been looked at
+using Order = Vector<std::uint16_t, kBoxes>;
+struct Least {
+  unsigned value, lane;
+};
+inline Least least(Order o) {
+#ifdef __SSE4_1__
+  const auto m = static_cast<unsigned>(_mm_cvtsi128_si32(_mm_minpos_epu16(reinterpret_cast<__m128i>(o))));
+  return {m & 0xffff, m >> 16};
+#else
+  Least l{o[0], 0};
+  for (unsigned k = 1; k < kBoxes; ++k)
+    if (o[k] < l.value) l = {o[k], k};
+  return l;
+#endif
+}
+
+// To 2^-14 of it at worst.
+#ifdef __AVX512VL__
+inline Lanes inverse(Lanes v) { return _mm512_rcp14_ps(v); }
+#else
+inline Lanes inverse(Lanes v) { return 1 / v; }
+#endif
 
 // Writes the lanes told by `which` side by side; as many as there are lanes are overwritten.
 #ifdef __AVX512VL__

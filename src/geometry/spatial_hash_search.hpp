@@ -7,6 +7,7 @@
 
 #include "hawser/geometry/spatial_hash.hpp"
 #include "spatial_hash_keys.hpp"
+#include "spatial_hash_lanes.hpp"
 
 namespace hawser {
 namespace detail {
@@ -20,15 +21,20 @@ namespace detail {
 }  // namespace detail
 
 struct SpatialHash::Ball {
-  Vec3 p, from_centre;
-  float x[3];              // p from centre_
-  float limit;             // m², what is farther than this in float is farther than reach
-  double rounding;         // m, of x and of what is computed with it in float
-  double rounding_double;  // m, of p from centre_ in double
-  double best;             // m², of slot, at first the square of the distance asked for
-  double reach;            // m, the nearest is not farther than this
+  Vec3 p;
+  detail::Axes from_centre;  // p from centre_
+  detail::AxesFloats x;      // the same
+  float limit;               // m², what is farther than this in float is farther than reach
+  double rounding;           // m, of x and of what is computed with it in float
+  double rounding_double;    // m, of p from centre_ in double
+  double best;               // m², of slot, at first the square of the distance asked for
+  double reach;              // m, the nearest is not farther than this
   std::uint32_t slot;
 
+  // To the boxes of a block.
+  detail::BoxLanes squared_distances(const Children& c) const;
+  // Those of them within reach.
+  detail::Order order(const Children& c) const;
   void bring_in(double r) {
     if (!(r < reach)) return;
     set_reach(r);
@@ -46,65 +52,54 @@ struct SpatialHash::Ball {
   }
 };
 
-struct SpatialHash::Item {
-  float squared;                // m², distance to its box
-  std::uint32_t own, children;  // of its entry, which would set itself to nothing all over the stack
-  std::uint32_t frame;          // the block it is in
-  Entry entry() const { return {own, children}; }
-};
-
 // Up to two cells each way, of a level whose cells are large for the ball.
 struct SpatialHash::Start {
   // Side of the cells over the radius and over how far triangles reach out of their cell, at least.
   static constexpr double kRoom = 6;
   bool root = false;  // there is no such level: start from the root
   int level = 0;
-  unsigned ways = 0;  // bit a: there is a second cell along axis a
-  bool none = false;  // too far from the box of all
-  std::uint64_t code[2][3];
-  double squared[3];  // m², distance to the second cell along a
+  unsigned ways = 0;        // bit a: there is a second cell along axis a
+  bool none = false;        // too far from the box of all
+  std::uint64_t own = 0;    // key of the cell the point is in
+  std::uint64_t change[4];  // bits of the key that differ in the second cell along a
+  float squared[4];         // m², distance to the second cell along a, at most
 
   // The cell of which bit a of `which` tells that it is the second along a.
   std::uint64_t key(unsigned which) const {
-    return code[which & 1][0] | code[which >> 1 & 1][1] << 1 | code[which >> 2][2] << 2;
+    std::uint64_t k = own;
+    for (unsigned a = 0; a < 3; ++a) k ^= which >> a & 1 ? change[a] : 0;
+    return k;
   }
-  float squared_distance(unsigned which) const {
-    double d = 0;
-    for (unsigned a = 0; a < 3; ++a) d += which >> a & 1 ? squared[a] : 0.0;
-    return static_cast<float>((1 - 1e-6) * d);
+  // Those of the eight there are and within the limit, as bits, and the squared distances of all.
+  unsigned within(float limit, detail::BoxLanes& d) const {
+    constexpr std::uint8_t kThere[8] = {0x01, 0x03, 0x05, 0x0f, 0x11, 0x33, 0x55, 0xff};
+    constexpr detail::BoxLanes kSecond[3] = {
+        {0, 1, 0, 1, 0, 1, 0, 1}, {0, 0, 1, 1, 0, 0, 1, 1}, {0, 0, 0, 0, 1, 1, 1, 1}};
+    d = kSecond[0] * squared[0] + kSecond[1] * squared[1] + kSecond[2] * squared[2];
+    return detail::bits(d <= limit) & kThere[ways];
   }
 };
 
 // One by one, the nearest cells first.
 struct SpatialHash::Search : Ball {
-  Item stack[8 * (detail::kMaxLevels + 12) + 32];
-  int depth = 0;
+  explicit Search(Counters& c) : count(c) {}
   static constexpr unsigned kMostCandidates = 32;
   float at_least[kMostCandidates];  // m
   std::uint32_t candidates[kMostCandidates];
   unsigned waiting = 0;
   bool hinted = false;  // the only candidate is the hint, being fetched
-  Counters count;
-
-  // Onto the stack above `base`, farthest first.
-  void push(int base, float squared, const Entry& entry, std::uint32_t frame) {
-    int i = depth++;
-    while (i > base && stack[i - 1].squared < squared) {
-      stack[i] = stack[i - 1];
-      --i;
-    }
-    stack[i] = {squared, entry.own, entry.children, frame};
-  }
+  Counters& count;
 };
 
 [[gnu::always_inline]] inline void SpatialHash::fetch_corners(std::uint32_t slot) const {
   for (const std::uint32_t v : corners_[slot].v) detail::prefetch(&vertices_[v]);
 }
 
-// While others are looked at.
+// While others are looked at: a block or a run.
 [[gnu::always_inline]] inline void SpatialHash::fetch(const Entry& e) const {
-  if (e.children != kNone) detail::prefetch(&children_[e.children], sizeof(Children));
-  if (e.count() > 0) detail::prefetch(&rounded_[3 * std::size_t{e.first()}], 12 * e.count());
+  const void* const block = &children_[e.children == kNone ? 0 : e.children];
+  const void* const run = &rounded_[3 * std::size_t{e.first()}];
+  detail::prefetch(e.children == kNone ? run : block, 192);
 }
 
 }  // namespace hawser

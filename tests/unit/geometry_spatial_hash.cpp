@@ -109,6 +109,48 @@ TEST(GeometrySpatialHash, ManyTrianglesInOnePlaceAndNoSize) {
   campaign({{{1, 2, 3}}, {{0, 0, 0}, {0, 0, 0}}, {}, {}}, 1);
 }
 
+TEST(GeometrySpatialHash, FarApart) {
+  // Small triangles with much room between them: most cells are empty, and the nearest is often only in a
+  // cell beside that of the point, along one axis, two or three, below it or above.
+  TriangleMesh m;
+  std::mt19937 gen(6);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 1200; ++i) {
+    const Vec3 at = 100 * Vec3(u(gen), u(gen), u(gen));
+    const int v = static_cast<int>(m.vertices.size());
+    for (int k = 0; k < 3; ++k) m.vertices.push_back(at + Vec3(u(gen), u(gen), u(gen)));
+    m.triangles.push_back({v, v + 1, v + 2});
+  }
+  campaign(m, 3000, 1e-3);
+  // By cells of the whole and halves and quarters of it, at whose faces others begin.
+  const SpatialHash hash(m.vertices, m.triangles);
+  const double side = hash.box().extent().maxCoeff();
+  for (int i = 0; i < 3000; ++i) {
+    Vec3 y = hash.box().lo;
+    for (int a = 0; a < 3; ++a)
+      y[a] += side * (static_cast<int>(gen() % 65) / 64.0 + 1e-3 * u(gen) * (i % 2));
+    const double exact = std::sqrt(brute_force(m, y));
+    for (const double factor : {1.0 + 1e-9, 1.2, 3.0})
+      ASSERT_NEAR(std::sqrt(hash.nearest(y, factor * exact).squared_distance), exact, 1e-11) << y.transpose();
+  }
+}
+
+TEST(GeometrySpatialHash, ManyOfEachSizeInOnePlace) {
+  // On each level more triangles than a block of runs holds, in the cell that holds all finer ones: as deep
+  // as a search gets.
+  TriangleMesh m;
+  std::mt19937 gen(7);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (int level = 0; level < 20; ++level)
+    for (int i = 0; i < 150; ++i) {
+      const double size = std::ldexp(1.0, -level);
+      const int v = static_cast<int>(m.vertices.size());
+      for (int k = 0; k < 3; ++k) m.vertices.push_back(size * (Vec3(u(gen), u(gen), u(gen)) + Vec3::Unit(k)));
+      m.triangles.push_back({v, v + 1, v + 2});
+    }
+  campaign(m, 2000, 1e-7);
+}
+
 TEST(GeometrySpatialHash, OnlyActiveTriangles) {
   const TriangleMesh m = sphere_mesh(3);
   std::vector<bool> active(m.triangles.size(), false);

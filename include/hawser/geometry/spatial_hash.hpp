@@ -74,7 +74,8 @@ class SpatialHash {
   template <class Self, class P>
   static void pack(Self& self, P& p) {
     p.value(self.box_), p.value(self.origin_), p.value(self.centre_);
-    p.value(self.side_), p.value(self.top_), p.value(self.start_), p.value(self.least_);
+    p.value(self.side_), p.value(self.half_), p.value(self.away_);
+    p.value(self.top_), p.value(self.start_), p.value(self.least_);
     p.value(self.root_), p.value(self.cells_);
     p.array(self.margin_), p.array(self.corners_), p.array(self.vertices_), p.array(self.rounded_);
     p.array(self.slot_), p.array(self.children_), p.array(self.tables_), p.array(self.hash_);
@@ -116,7 +117,6 @@ class SpatialHash {
   };
   struct Made;
   struct Ball;   // the rest, in src: what a search knows,
-  struct Item;   // a cell to be looked at,
   struct Start;  // the cells a search starts from
   struct Search;
   struct Group;
@@ -141,6 +141,7 @@ class SpatialHash {
   void fetch(const Entry& entry) const;
   void fetch_corners(std::uint32_t slot) const;
   unsigned expand(const Ball& ball, std::uint32_t block, float* squared) const;
+  void descend(Search& search, std::uint32_t block) const;
   unsigned bound(Ball& ball, Entry run, std::uint32_t block, float* at_least, std::uint32_t* slots) const;
   void test(Ball& ball, std::uint32_t slot) const;
   Nearest answer(const Ball& ball) const;
@@ -151,6 +152,7 @@ class SpatialHash {
   Box box_;
   Vec3 origin_ = Vec3::Zero(), centre_ = Vec3::Zero();
   double side_ = 1;                     // of the cells of level 0
+  double half_ = 0, away_ = 0;          // greatest coordinate of the box from centre_, and of centre_
   int top_ = 0;                         // the level with one cell
   int start_ = 0;                       // finest level in hash_, above that of the largest triangles
   int least_ = 0;                       // where the triangles allow to begin, see Start::kRoom
