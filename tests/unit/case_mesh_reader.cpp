@@ -1,6 +1,10 @@
 // Meshes from files: welded, closed, outward, scaled; notes on what was mended.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -120,6 +124,28 @@ TEST(CaseMeshReader, OpenMeshIsRefusedWhereClosedIsRequired) {
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("3 open edges"), std::string::npos) << e.what();
   }
+}
+
+// A deck listed twice, back to back, is a deck; a box without thickness is none, however its sides are cut.
+TEST(CaseMeshReader, DoubledDecksStayAndSheetsAreRefused) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+  const std::string box = vertices +
+                          "f 1 4 3\nf 1 3 2\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\n"
+                          "f 4 1 5\nf 4 5 8\nf 5 6 7\nf 5 7 8\n";
+  const io::LoadedMesh m = io::read_mesh(temporary("deck.obj", box + "f 5 7 6\nf 5 8 7\n"), 1, true);
+  EXPECT_TRUE(m.report.valid());
+  EXPECT_DOUBLE_EQ(m.report.volume, 1);
+  ASSERT_EQ(m.notes.size(), 1U);
+  EXPECT_NE(m.notes[0].find("deck.obj: 2 triangles that are listed more than once left out"),
+            std::string::npos)
+      << m.notes[0];
+  for (const char* faces : {"f 1 2 3\nf 1 3 4\nf 1 3 2\nf 1 4 3\n", "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n"})
+    try {
+      io::read_mesh(temporary("flat.obj", vertices + faces));
+      FAIL() << "was accepted: " << faces;
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find("a sheet needs a thickness"), std::string::npos) << e.what();
+    }
 }
 
 }  // namespace
