@@ -19,6 +19,7 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/model/nearest.hpp"
 #include "ply_reader.hpp"
+#include "stl_reader.hpp"
 
 namespace hawser::io {
 namespace {
@@ -60,7 +61,7 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, 
   const aiMatrix4x4 to_root = above * node.mTransformation;
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const aiMesh& m = *scene.mMeshes[node.mMeshes[i]];
-    // An OBJ names its groups on the meshes, an STL its solids on the nodes.
+    // Of an OBJ, which names its groups on the meshes.
     append(m, m.mName.length > 0 ? m.mName.C_Str() : node.mName.C_Str(), to_root, scale, mesh);
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i) append(scene, *node.mChildren[i], to_root, scale, mesh);
@@ -79,8 +80,9 @@ TriangleMesh import(const std::string& path, double scale) {
   if (fs::file_size(path, error) == 0 || error) bad(path, "the mesh file is empty or cannot be read");
 
   TriangleMesh mesh;
-  if (extension == ".ply") {
-    if (const std::string problem = read_ply(path, fs::file_size(path), scale, mesh); !problem.empty())
+  if (extension != ".obj") {
+    const auto read = extension == ".ply" ? read_ply : read_stl;
+    if (const std::string problem = read(path, fs::file_size(path), scale, mesh); !problem.empty())
       bad(path, problem);
   } else {
     Assimp::Importer importer;
