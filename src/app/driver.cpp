@@ -112,7 +112,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
                   size == 1 ? "1 rank" : fmt::format("{} ranks, {} cut elements", size, sim.cut_elements())));
   for (const auto& n : c.notes) progress.say("note: " + n);
   for (const auto& v : volumes)
-    for (const auto& n : v.notes) progress.say("note: " + n);
+    for (const auto& n : v.notes) progress.say("note: volumes." + v.name + ": " + n);
   for (const auto& n : sim.notes()) progress.say("note: " + n);
 
   if (restarted) {

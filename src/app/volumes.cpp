@@ -61,7 +61,6 @@ LoadedMeshVolume load_mesh(const model::Volume& v) {
   l.name = v.name;
   l.active = io::active_triangles(loaded.mesh, v);
   l.report = summary(loaded.report);
-  l.notes = loaded.notes;
   const auto surface = std::make_shared<MeshSurface>(
       std::move(loaded.mesh), l.active, MeshSurfaceOptions{v.smooth, v.crease_angle, loaded.open});
   if (surface->internal_facets() > 0)
@@ -77,9 +76,9 @@ LoadedMeshVolume load_mesh(const model::Volume& v) {
                             surface->curved(), surface->bulge(), surface->sharp_edges());
   }
   if (const auto by = sign_by(v.sign); by && *by != SignBy::winding)
-    l.notes.push_back(fmt::format(
-        "volume {}: inside is told by a test of all {} triangles each time; `sign: automatic` is quicker",
-        v.name, surface->mesh().triangles.size()));
+    l.notes.push_back(
+        fmt::format("inside is told by a test of all {} triangles each time; `sign: automatic` is quicker",
+                    surface->mesh().triangles.size()));
   return {std::move(l), surface};
 }
 

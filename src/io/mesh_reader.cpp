@@ -14,10 +14,12 @@
 #include <limits>
 
 #include "hawser/base/error.hpp"
+#include "hawser/geometry/mesh_duplicates.hpp"
 #include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/model/nearest.hpp"
 #include "ply_reader.hpp"
+#include "stl_reader.hpp"
 
 namespace hawser::io {
 namespace {
@@ -59,7 +61,7 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, 
   const aiMatrix4x4 to_root = above * node.mTransformation;
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const aiMesh& m = *scene.mMeshes[node.mMeshes[i]];
-    // An OBJ names its groups on the meshes, an STL its solids on the nodes.
+    // Of an OBJ, which names its groups on the meshes.
     append(m, m.mName.length > 0 ? m.mName.C_Str() : node.mName.C_Str(), to_root, scale, mesh);
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i) append(scene, *node.mChildren[i], to_root, scale, mesh);
@@ -78,8 +80,9 @@ TriangleMesh import(const std::string& path, double scale) {
   if (fs::file_size(path, error) == 0 || error) bad(path, "the mesh file is empty or cannot be read");
 
   TriangleMesh mesh;
-  if (extension == ".ply") {
-    if (const std::string problem = read_ply(path, fs::file_size(path), scale, mesh); !problem.empty())
+  if (extension != ".obj") {
+    const auto read = extension == ".ply" ? read_ply : read_stl;
+    if (const std::string problem = read(path, fs::file_size(path), scale, mesh); !problem.empty())
       bad(path, problem);
   } else {
     Assimp::Importer importer;
@@ -106,7 +109,6 @@ std::string many(int n, const char* one, const char* more) {
 void mend(const std::string& path, LoadedMesh& loaded) {
   const MeshReport found = loaded.report;
   const RepairResult repaired = repair(loaded.mesh);
-  if (loaded.mesh.triangles.empty()) bad(path, "holds only triangles that lie back to back");
   loaded.report = inspect(loaded.mesh);
   loaded.open = !loaded.report.valid();
   std::vector<std::string> faults;
@@ -132,12 +134,30 @@ void mend(const std::string& path, LoadedMesh& loaded) {
 }
 
 // Equal corners may differ by rounding to single precision.
-WeldResult weld_corners(const std::string& path, TriangleMesh& mesh) {
+double rounding(const TriangleMesh& mesh) {
   double size = 0;
   for (const Vec3& v : mesh.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
-  const WeldResult welded = weld(mesh, 4.0 * std::numeric_limits<float>::epsilon() * size);
+  return 4.0 * std::numeric_limits<float>::epsilon() * size;
+}
+
+WeldResult weld_corners(const std::string& path, TriangleMesh& mesh) {
+  const WeldResult welded = weld(mesh, rounding(mesh));
   if (mesh.triangles.empty()) bad(path, "holds only triangles without area");
   return welded;
+}
+
+// What is listed more than once, and what has no thickness.
+void drop_double(const std::string& path, LoadedMesh& loaded) {
+  if (const DuplicateResult d = drop_duplicates(loaded.mesh); !d.sentence.empty())
+    loaded.notes.push_back(path + ": " + d.sentence);
+  if (const int flat = drop_flat_pieces(loaded.mesh, rounding(loaded.mesh)); flat > 0)
+    loaded.notes.push_back(
+        fmt::format("{}: {} of no thickness left out", path, many(flat, "piece", "pieces")));
+  weld(loaded.mesh);  // corners that no triangle has now
+  if (loaded.mesh.triangles.empty())
+    bad(path,
+        "the mesh encloses nothing: its triangles lie back to back; a sheet needs a thickness, or use a "
+        "`shape`");
 }
 
 }  // namespace
@@ -155,6 +175,7 @@ LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
   const WeldResult welded = weld_corners(path, mesh);
   if (welded.removed > 0)
     loaded.notes.push_back(fmt::format("{}: {} triangles without area were removed", path, welded.removed));
+  drop_double(path, loaded);
 
   MeshReport& report = loaded.report;
   report = inspect(mesh);

@@ -1,6 +1,10 @@
 // Meshes from files: welded, closed, outward, scaled; notes on what was mended.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -120,6 +124,99 @@ TEST(CaseMeshReader, OpenMeshIsRefusedWhereClosedIsRequired) {
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("3 open edges"), std::string::npos) << e.what();
   }
+}
+
+TEST(CaseMeshReader, StlTextsAsTheyAreWritten) {
+  const std::string small = tetrahedron("Left Part", "0 0 0", "1 0 0", "0 1e0 0", "+0 0 1.0", true);
+  std::string upper = small, windows, tabs = small;
+  for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  for (const char c : small) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  std::replace(tabs.begin(), tabs.end(), ' ', '\t');
+  const std::pair<const char*, std::string> texts[] = {{"small", small},
+                                                       {"upper case", upper},
+                                                       {"line ends", windows},
+                                                       {"tabs", tabs},
+                                                       {"blanks", " \n\n  " + small},
+                                                       {"mark", "\xef\xbb\xbf" + small},
+                                                       {"no end", small.substr(0, small.find("endsolid"))}};
+  for (const auto& [what, text] : texts) {
+    const io::LoadedMesh m = io::read_mesh(temporary("text.stl", text));
+    EXPECT_TRUE(m.report.valid()) << what;
+    EXPECT_NEAR(m.report.volume, 1.0 / 6, 1e-15) << what;
+    ASSERT_EQ(m.mesh.parts.size(), 1U) << what;
+  }
+  EXPECT_EQ(io::read_mesh(temporary("text.stl", small)).mesh.parts[0], "Left Part");
+}
+
+// 80 bytes of header, the number of facets, 50 bytes each.
+std::string binary(std::string header, std::uint32_t told, int facets) {
+  const std::array<std::array<float, 9>, 4> corners = {{{0, 0, 0, 0, 1, 0, 1, 0, 0},
+                                                        {0, 0, 0, 1, 0, 0, 0, 0, 1},
+                                                        {0, 0, 0, 0, 0, 1, 0, 1, 0},
+                                                        {1, 0, 0, 0, 1, 0, 0, 0, 1}}};
+  header.resize(80, ' ');
+  const auto put = [&](const auto& x) { header.append(reinterpret_cast<const char*>(&x), sizeof x); };
+  put(told);
+  for (int f = 0; f < facets; ++f) {
+    put(std::array<float, 3>{});
+    put(corners[static_cast<std::size_t>(f % 4)]);
+    put(std::uint16_t{0});
+  }
+  return header;
+}
+
+TEST(CaseMeshReader, BinaryStlOfAnyHeader) {
+  for (const char* header : {"", "solid", "SOLID exported", "COLOR=..."})
+    EXPECT_NEAR(io::read_mesh(temporary("b.stl", binary(header, 4, 4))).report.volume, 1.0 / 6, 1e-7)
+        << header;
+}
+
+TEST(CaseMeshReader, StlFilesThatAreRefusedSayWhatWasFound) {
+  const std::string good = tetrahedron("t", "0 0 0", "1 0 0", "0 1 0", "0 0 1", true);
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string s = good;
+    return s.replace(s.find(from), from.size(), to);
+  };
+  const std::pair<std::string, const char*> files[] = {
+      {binary("", 4, 4).substr(0, 200),
+       "it says that it has 4 facets, which are 284 bytes, but there are 200"},
+      {binary("", 4000000000, 4), "it says that it has 4000000000 facets"},
+      {binary("", 0, 0), "says that it has no facets"},
+      {"solid t\nendsolid t\n", "the STL text has no facets"},
+      {"hello", "is no STL file: a text begins with 'solid'"},
+      {with("vertex 0 1 0", "vertex 0 1,5 0"), "line 5 of the STL text should have a number, not '1,5'"},
+      {with("endloop", "vertex 1 1 1"), "line 7 of the STL text should have 'endloop', as a facet has three"},
+      {good.substr(0, good.rfind("endloop")),
+       "should have 'endloop', as a facet has three corners, not the end"}};
+  for (const auto& [text, expected] : files) try {
+      io::read_mesh(temporary("refused.stl", text));
+      FAIL() << "was accepted: " << expected;
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find(expected), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find("refused.stl"), std::string::npos) << e.what();
+    }
+}
+
+// A deck listed twice, back to back, is a deck; a box without thickness is none, however its sides are cut.
+TEST(CaseMeshReader, DoubledDecksStayAndSheetsAreRefused) {
+  const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+  const std::string box = vertices +
+                          "f 1 4 3\nf 1 3 2\nf 1 2 6\nf 1 6 5\nf 2 3 7\nf 2 7 6\nf 3 4 8\nf 3 8 7\n"
+                          "f 4 1 5\nf 4 5 8\nf 5 6 7\nf 5 7 8\n";
+  const io::LoadedMesh m = io::read_mesh(temporary("deck.obj", box + "f 5 7 6\nf 5 8 7\n"), 1, true);
+  EXPECT_TRUE(m.report.valid());
+  EXPECT_DOUBLE_EQ(m.report.volume, 1);
+  ASSERT_EQ(m.notes.size(), 1U);
+  EXPECT_NE(m.notes[0].find("deck.obj: 2 triangles that are listed more than once left out"),
+            std::string::npos)
+      << m.notes[0];
+  for (const char* faces : {"f 1 2 3\nf 1 3 4\nf 1 3 2\nf 1 4 3\n", "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n"})
+    try {
+      io::read_mesh(temporary("flat.obj", vertices + faces));
+      FAIL() << "was accepted: " << faces;
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find("a sheet needs a thickness"), std::string::npos) << e.what();
+    }
 }
 
 }  // namespace

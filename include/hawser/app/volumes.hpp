@@ -21,7 +21,7 @@ struct LoadedVolume {
   std::shared_ptr<const MeshView> facets;  // the mesh itself; of a shape only for pictures
   std::vector<bool> active;                // one a facet
   std::string report;                      // what the mesh is, or that the shape is exact
-  std::vector<std::string> notes;          // what was repaired
+  std::vector<std::string> notes;          // besides those of reading the file, which the case has
 };
 
 // In the order of the case. Throws InputError, on all ranks alike. Collective over comm: where several of its

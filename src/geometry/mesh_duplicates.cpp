@@ -1,0 +1,253 @@
+#include "hawser/geometry/mesh_duplicates.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "groups.hpp"
+#include "hawser/geometry/mesh_repair.hpp"
+#include "hawser/geometry/winding_tree.hpp"
+#include "patch_sight.hpp"
+
+namespace hawser {
+namespace {
+
+// 1 when the corners are an even permutation of their order by index, -1 when odd.
+int parity(const std::array<int, 3>& t) {
+  int s = 1;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i + 1; j < 3; ++j)
+      if (t[i] > t[j]) s = -s;
+  return s;
+}
+
+// All triangles on the same corners.
+struct Face {
+  std::size_t first, stays;  // the first, and the one that stays if one does
+  int copies;
+  int patch = -1;  // of an even number of copies
+  bool open() const { return copies % 2 == 0; }
+};
+
+std::vector<Face> faces_of(const TriangleMesh& mesh) {
+  std::vector<std::pair<std::array<int, 3>, std::size_t>> of(mesh.triangles.size());
+  for (std::size_t t = 0; t < of.size(); ++t) {
+    of[t] = {mesh.triangles[t], t};
+    std::sort(of[t].first.begin(), of[t].first.end());
+  }
+  std::sort(of.begin(), of.end());
+  std::vector<Face> faces;
+  for (std::size_t i = 0, j = 0; i < of.size(); i = j) {
+    int balance = 0;
+    for (j = i; j < of.size() && of[j].first == of[i].first; ++j)
+      balance += parity(mesh.triangles[of[j].second]);
+    std::size_t k = i;
+    while (balance != 0 && (parity(mesh.triangles[of[k].second]) > 0) != (balance > 0)) ++k;
+    faces.push_back({of[i].second, of[k].second, static_cast<int>(j - i)});
+  }
+  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.first < b.first; });
+  return faces;
+}
+
+// The mesh with one triangle for each face that is of no patch or of one kept.
+TriangleMesh once(const TriangleMesh& mesh, const std::vector<Face>& faces, const std::vector<bool>& kept) {
+  TriangleMesh out;
+  out.vertices = mesh.vertices;
+  out.parts = mesh.parts;
+  const bool parts = mesh.part.size() == mesh.triangles.size();
+  for (const Face& f : faces) {
+    if (f.patch >= 0 && !kept[static_cast<std::size_t>(f.patch)]) continue;
+    out.triangles.push_back(mesh.triangles[f.stays]);
+    if (parts) out.part.push_back(mesh.part[f.stays]);
+  }
+  return out;
+}
+
+// An edge that patches may end at.
+struct Rim {
+  double length;                             // m
+  int rest = 0;                              // faces that stay in any case
+  std::vector<std::pair<int, int>> patches;  // and how many of their faces are at it
+};
+
+class Patches {
+ public:
+  Patches(const TriangleMesh& mesh, std::vector<Face>& faces) : mesh_(mesh), faces_(faces) {
+    const TriangleMesh all = once(mesh, faces, {});
+    find(topology(all));
+    find_rims();
+  }
+  // Which patches stay, once.
+  std::vector<bool> kept() {
+    std::vector<bool> kept(count_, true);
+    while (drop_some(kept)) {
+    }
+    return kept;
+  }
+
+ private:
+  // The faces are the triangles of the mesh that `topo` is of.
+  void find(const Topology& topo) {
+    std::vector<int> group;
+    detail::separate(group, faces_.size());
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+      for (const int other : topo.neighbours[f])
+        if (other >= 0 && faces_[f].open() && faces_[static_cast<std::size_t>(other)].open())
+          detail::unite(group, static_cast<int>(f), other);
+    std::vector<int> number(faces_.size(), -1);
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+      if (!faces_[f].open()) continue;
+      int& n = number[static_cast<std::size_t>(detail::root_of(group, static_cast<int>(f)))];
+      if (n < 0) n = static_cast<int>(count_++);
+      faces_[f].patch = n;
+    }
+  }
+  void find_rims() {
+    struct Use {
+      int a, b, patch;
+    };
+    std::vector<Use> uses;
+    uses.reserve(3 * faces_.size());
+    for (const Face& f : faces_)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [a, b] = std::minmax(mesh_.triangles[f.stays][i], mesh_.triangles[f.stays][(i + 1) % 3]);
+        uses.push_back({a, b, f.patch});
+      }
+    std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) {
+      return x.a != y.a ? x.a < y.a : x.b != y.b ? x.b < y.b : x.patch < y.patch;
+    });
+    rims_of_.resize(count_);
+    for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
+      const auto end = [&](std::size_t k) { return static_cast<std::size_t>(uses[k].a); };
+      Rim r{(mesh_.vertices[end(i)] - mesh_.vertices[static_cast<std::size_t>(uses[i].b)]).norm(), 0, {}};
+      for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b; ++j) {
+        if (uses[j].patch < 0)
+          ++r.rest;
+        else if (!r.patches.empty() && r.patches.back().first == uses[j].patch)
+          ++r.patches.back().second;
+        else
+          r.patches.emplace_back(uses[j].patch, 1);
+      }
+      for (const auto& [p, n] : r.patches)
+        if (n % 2 == 1) rims_of_[static_cast<std::size_t>(p)].push_back(rims_.size());
+      rims_.push_back(std::move(r));
+    }
+  }
+
+  // Of the rim of a patch the length where the others end, less that where they go on without it. Where there
+  // are no others nothing is said.
+  struct Vote {
+    double needed = 0, superfluous = 0;
+  };
+  Vote vote(std::size_t patch, const std::vector<bool>& kept) const {
+    Vote v;
+    for (const std::size_t r : rims_of_[patch]) {
+      int others = rims_[r].rest;
+      for (const auto& [p, n] : rims_[r].patches)
+        if (static_cast<std::size_t>(p) != patch && kept[static_cast<std::size_t>(p)]) others += n;
+      if (others > 0) (others % 2 == 1 ? v.needed : v.superfluous) += rims_[r].length;
+    }
+    return v;
+  }
+
+  // Patches the rest goes on without, or does not touch, are asked whether the body ends at them. Where three
+  // sheets meet, all listed twice, it ends at two of them and not at the wall between; a wall in an open hull
+  // may look like an end of the body to the winding number, but what it sees is the same on both sides.
+  bool drop_some(std::vector<bool>& kept) const {
+    constexpr double kAttached = 0.25, kLone = 0.02, kOneSided = 0.25;
+    std::vector<std::pair<std::size_t, bool>> asked;  // and whether the rest touches it
+    for (std::size_t p = 0; p < count_; ++p) {
+      if (!kept[p] || rims_of_[p].empty()) continue;
+      const Vote v = vote(p, kept);
+      if (v.superfluous > v.needed || v.needed == 0) asked.emplace_back(p, v.superfluous > 0);
+    }
+    if (asked.empty()) return false;
+    TriangleMesh all = once(mesh_, faces_, kept);
+    std::vector<std::vector<int>> triangles(count_);
+    int t = 0;
+    for (const Face& f : faces_)
+      if (f.patch < 0)
+        ++t;
+      else if (kept[static_cast<std::size_t>(f.patch)])
+        triangles[static_cast<std::size_t>(f.patch)].push_back(t++);
+    repair(all);
+    const WindingTree tree(all);
+    bool dropped = false;
+    for (const auto& [p, attached] : asked) {
+      const auto& of = triangles[p];
+      if (detail::enclosing(all, tree, of, attached ? kAttached : kLone) >= 0.5 &&
+          (!attached || detail::one_sided_sight(all, tree, of) > kOneSided))
+        continue;
+      kept[p] = false;
+      dropped = true;
+    }
+    return dropped;
+  }
+
+  const TriangleMesh& mesh_;
+  std::vector<Face>& faces_;
+  std::size_t count_ = 0;
+  std::vector<Rim> rims_;
+  std::vector<std::vector<std::size_t>> rims_of_;  // of each patch, those it has an odd number of faces at
+};
+
+}  // namespace
+
+DuplicateResult drop_duplicates(TriangleMesh& mesh) {
+  DuplicateResult out;
+  std::vector<Face> faces = faces_of(mesh);
+  if (faces.size() == mesh.triangles.size()) return out;
+  const std::vector<bool> kept = Patches(mesh, faces).kept();
+  for (const Face& f : faces)
+    if (f.patch >= 0 && !kept[static_cast<std::size_t>(f.patch)])
+      out.back_to_back += f.copies;
+    else
+      out.copies += f.copies - 1;
+  mesh = once(mesh, faces, kept);
+  const auto add = [&](int n, const char* one, const char* more) {
+    if (n == 0) return;
+    if (!out.sentence.empty()) out.sentence += "; ";
+    out.sentence += std::to_string(n) + " " + (n == 1 ? one : more) + " left out";
+  };
+  add(out.copies, "triangle that is listed more than once", "triangles that are listed more than once");
+  add(out.back_to_back, "", "triangles that lie back to back and bound nothing");
+  return out;
+}
+
+int drop_flat_pieces(TriangleMesh& mesh, double thickness) {
+  const Topology topo = topology(mesh);
+  const auto n = static_cast<std::size_t>(topo.components);
+  const auto corner = [&](std::size_t t, std::size_t i) -> const Vec3& {
+    return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][i])];
+  };
+  const auto piece = [&](std::size_t t) { return static_cast<std::size_t>(topo.component[t]); };
+  std::vector<bool> drop(n, true);
+  std::vector<Vec3> normal(n, Vec3::Zero()), at(n);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 a = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
+    if (a.squaredNorm() > normal[piece(t)].squaredNorm()) normal[piece(t)] = a, at[piece(t)] = corner(t, 0);
+    for (const int other : topo.neighbours[t])
+      if (other == kOpenEdge) drop[piece(t)] = false;
+  }
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (std::abs(normal[piece(t)].normalized().dot(corner(t, i) - at[piece(t)])) > thickness)
+        drop[piece(t)] = false;
+  const int pieces = static_cast<int>(std::count(drop.begin(), drop.end(), true));
+  if (pieces == 0) return 0;
+  std::size_t to = 0;
+  const bool parts = mesh.part.size() == mesh.triangles.size();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (drop[piece(t)]) continue;
+    if (parts) mesh.part[to] = mesh.part[t];
+    mesh.triangles[to++] = mesh.triangles[t];
+  }
+  mesh.triangles.resize(to);
+  if (parts) mesh.part.resize(to);
+  return pieces;
+}
+
+}  // namespace hawser
