@@ -10,8 +10,6 @@
 #include <sstream>
 
 #include "hawser/base/error.hpp"
-#include "hawser/geometry/point_in_polyhedron.hpp"
-#include "hawser/io/mesh_reader.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 
@@ -204,71 +202,6 @@ model::SignTest read_sign(const std::string& word) {
          : word == "ray"         ? ray
          : word == "solid_angle" ? solid_angle
                                  : automatic;
-}
-
-namespace {
-
-// Why a mesh is not fit for the test of points its volume asks for; empty: it is.
-std::string unfit(const LoadedMesh& loaded, model::SignTest sign) {
-  const MeshReport& r = loaded.report;
-  if (sign == model::SignTest::automatic || sign == model::SignTest::winding) return "";
-  if (loaded.open || !r.valid())
-    return fmt::format(
-        "needs a closed mesh whose triangles face outward, but this one has {} open edges, {} of more than "
-        "two "
-        "triangles and {} between triangles turned opposite ways; 'automatic' and 'winding' do without",
-        r.open_edges, r.non_manifold_edges, r.flipped_edges);
-  if (sign != model::SignTest::tetrahedra) return "";
-  if (r.components > 1)
-    return fmt::format(
-        "is for one convex body, but the mesh has {} pieces; give each a volume of its own, or use 'ray' or "
-        "'solid_angle'",
-        r.components);
-  // What the file's single precision may leave of a flat face.
-  if (!is_convex(loaded.mesh, 1e-5 * r.box.extent().maxCoeff()))
-    return "is for convex bodies, and this mesh is not convex; use 'ray' or 'solid_angle', or cut it into "
-           "convex parts";
-  return "";
-}
-
-}  // namespace
-
-void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
-  constexpr double kHuge = 5000;  // m; no body at sea is as large, a mesh in mm taken for m is
-  constexpr double kThin = 1e5;   // a volume this much larger than the thinnest line
-  constexpr double kTiny = 0.02;  // a volume this much smaller than the thinnest line
-  double thinnest = 0;
-  for (const model::Line& l : c.lines)
-    for (const model::Section& s : l.sections) {
-      const double d = c.line_type(s.type).contact_diameter;
-      thinnest = thinnest > 0 ? std::min(thinnest, d) : d;
-    }
-  for (const model::Volume& v : c.volumes) {
-    if (v.shape) continue;
-    const Value& given = root["volumes"][v.name];
-    const std::string key = "volumes." + v.name;
-    LoadedMesh loaded;
-    try {
-      loaded = read_mesh(v.mesh, v.scale, v.closed);
-    } catch (const InputError& e) {
-      source.bad(given["mesh"], key + ".mesh", e.what());
-    }
-    const double size = loaded.report.box.extent().maxCoeff();
-    if (size > kHuge || size > kThin * thinnest || size < kTiny * thinnest)
-      source.bad(
-          given["scale"].given ? given["scale"] : given["mesh"], key + ".scale",
-          fmt::format("the mesh is {:.4g} m large, {:.3g} times the contact diameter of the thinnest line "
-                      "({:.4g} m); is it in other units than metres (scale is {:g})?",
-                      size, size / thinnest, thinnest, v.scale));
-    if (const std::string why = unfit(loaded, v.sign); !why.empty())
-      source.bad(given["sign"], key + ".sign", "'" + given["sign"].text + "' " + why);
-    try {
-      active_triangles(loaded.mesh, v);
-    } catch (const InputError& e) {
-      source.bad(given["active"], key + ".active", e.what());
-    }
-    for (const std::string& n : loaded.notes) c.notes.push_back(key + ": " + n);
-  }
 }
 
 }  // namespace hawser::io

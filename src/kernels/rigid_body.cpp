@@ -24,10 +24,11 @@ RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, co
   const Vec3 phi = turned(s, rest), p = b.turning_stiffness.cwiseProduct(phi);
   const Vec3 W0 = s.q.conjugate() * rest.angular_velocity, Jw = b.inertia * s.w;
   const Mat3 T = inverse_right_jacobian(phi);
-  r.f.head<3>() = b.mass * s.a - b.weight + b.stiffness.cwiseProduct(s.x - rest.position) +
-                  b.damping.cwiseProduct(s.v - rest.velocity);
-  r.f.tail<3>() =
-      b.inertia * s.alpha + s.w.cross(Jw) + T.transpose() * p + b.turning_damping.cwiseProduct(s.w - W0);
+  r.inertia.head<3>() = b.mass * s.a, r.inertia.tail<3>() = b.inertia * s.alpha;
+  r.applied.head<3>() = -b.weight, r.applied.tail<3>() = s.w.cross(Jw);
+  r.held.head<3>() =
+      b.stiffness.cwiseProduct(s.x - rest.position) + b.damping.cwiseProduct(s.v - rest.velocity);
+  r.held.tail<3>() = T.transpose() * p + b.turning_damping.cwiseProduct(s.w - W0);
   r.K.topLeftCorner<3, 3>() = b.stiffness.asDiagonal();
   r.K.bottomRightCorner<3, 3>() =
       (moment_slope(phi, p) + T.transpose() * Mat3(b.turning_stiffness.asDiagonal())) * T -

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
+
+#include "hawser/geometry/sharp_edges.hpp"
 
 namespace hawser {
 namespace {
 
-constexpr double kFlat = 0.9848;  // cos 10 deg: less of an angle is no edge
 constexpr int kBundle = 32;
 constexpr int kMostPieces = 400;  // along a side of a triangle
 constexpr int kRing = 64;
@@ -21,30 +21,15 @@ Triangle corners(const MeshView& m, size_t t) {
   const auto v = [&](size_t k) { return m.vertices[static_cast<size_t>(i[k])]; };
   return {v(0), v(1), v(2)};
 }
-Vec3 normal(const Triangle& t) { return (t[1] - t[0]).cross(t[2] - t[0]).stableNormalized(); }
 
-// Edges of the active part that are sharp or have one triangle only, and their ends.
+// Edges of the active part, and their ends.
 void sharp(const MeshView& m, const std::vector<bool>& active, std::vector<SkeletonEdge>& edges,
            std::vector<SkeletonPoint>& points) {
-  struct Sides {
-    std::vector<size_t> triangles;
-  };
-  std::map<std::pair<int, int>, Sides> all;
-  for (size_t t = 0; t < m.triangles.size(); ++t) {
-    if (!active.empty() && !active[t]) continue;
-    for (size_t k = 0; k < 3; ++k) {
-      const int a = m.triangles[t][k], b = m.triangles[t][(k + 1) % 3];
-      all[{std::min(a, b), std::max(a, b)}].triangles.push_back(t);
-    }
-  }
   std::vector<char> corner(m.vertices.size(), 0);
-  for (const auto& [ends, sides] : all) {
-    if (sides.triangles.size() == 2 &&
-        normal(corners(m, sides.triangles[0])).dot(normal(corners(m, sides.triangles[1]))) > kFlat)
-      continue;
-    edges.push_back(
-        {m.vertices[static_cast<size_t>(ends.first)], m.vertices[static_cast<size_t>(ends.second)], 0});
-    corner[static_cast<size_t>(ends.first)] = corner[static_cast<size_t>(ends.second)] = 1;
+  for (const auto& [first, second] : sharp_edges(m, active)) {
+    const size_t a = static_cast<size_t>(first), b = static_cast<size_t>(second);
+    edges.push_back({m.vertices[a], m.vertices[b], 0});
+    corner[a] = corner[b] = 1;
   }
   for (size_t v = 0; v < corner.size(); ++v)
     if (corner[v]) points.push_back({m.vertices[v], 0, 1});

@@ -74,9 +74,7 @@ void RigidBodies::powers(const Floating& f, const Kinematics& at, double& dampin
   const Vec3 dv = s.v - r.velocity, dw = s.w - s.q.conjugate() * r.angular_velocity;
   damping = dv.dot(f.data.damping.cwiseProduct(dv)) + dw.dot(f.data.turning_damping.cwiseProduct(dw));
   // What holds it brings in: its force on the springs and dampers at their far end.
-  RigidBodyData springs = f.data;
-  springs.mass = 0, springs.inertia.setZero(), springs.weight.setZero();
-  const Vec6 force = rigid_body(springs, s, r).f;
+  const Vec6 force = rigid_body(f.data, s, r).held;
   work = -force.head<3>().dot(r.velocity) - (s.q * force.tail<3>()).dot(r.angular_velocity);
 }
 
@@ -88,7 +86,10 @@ void RigidBodies::evaluate(const Kinematics& trial, Sink& sink) {
   for (const Floating& f : list_) {
     const RigidBodyResidual r = rigid_body(data(f), floating_state(trial, f.node), rest(f, trial.time));
     const int blocks[2] = {f.block, f.block + 1};
-    sink.add(blocks, r.f.data(), r.K.data(), r.C.data(), r.M.data());
+    sink.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
+    if (!sink.wants_force()) continue;
+    sink.add(blocks, r.applied.data(), nullptr, nullptr, nullptr);
+    sink.add(blocks, r.held.data(), nullptr, nullptr, nullptr);
   }
 }
 

@@ -49,9 +49,10 @@ TEST(RigidBody, TangentsAreDerivatives) {
   const Vec6 zero = Vec6::Zero();
   for (int k = 0; k < 6; ++k) {
     const Vec6 d = Vec6::Unit(k);
-    const Vec6 K = slope([&](const Vec6& u) { return rigid_body(b, state(u), resting()).f; }, d);
-    const Vec6 C = slope([&](const Vec6& u) { return rigid_body(b, state(zero, u), resting()).f; }, d);
-    const Vec6 M = slope([&](const Vec6& u) { return rigid_body(b, state(zero, zero, u), resting()).f; }, d);
+    const Vec6 K = slope([&](const Vec6& u) { return rigid_body(b, state(u), resting()).f(); }, d);
+    const Vec6 C = slope([&](const Vec6& u) { return rigid_body(b, state(zero, u), resting()).f(); }, d);
+    const Vec6 M =
+        slope([&](const Vec6& u) { return rigid_body(b, state(zero, zero, u), resting()).f(); }, d);
     EXPECT_LT((r.K * d - K).norm(), 1e-8 * r.K.norm()) << k;
     EXPECT_LT((r.C * d - C).norm(), 1e-8 * r.C.norm()) << k;
     EXPECT_LT((r.M * d - M).norm(), 1e-8 * r.M.norm()) << k;
@@ -68,8 +69,8 @@ TEST(RigidBody, SpringsPullDownTheirEnergy) {
     const Vec6 d = Vec6::Unit(k);
     const double e = 1e-3;
     const auto energy = [&](double z) { return rigid_body_strain(b, state(z * d), resting()); };
-    EXPECT_NEAR((8 * (energy(e) - energy(-e)) - energy(2 * e) + energy(-2 * e)) / (12 * e), r.f[k],
-                1e-8 * r.f.norm());
+    EXPECT_NEAR((8 * (energy(e) - energy(-e)) - energy(2 * e) + energy(-2 * e)) / (12 * e), r.f()[k],
+                1e-8 * r.f().norm());
   }
 }
 

@@ -30,9 +30,15 @@ struct RigidBodyState {
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
+// Its parts apart: where they cancel (a body that falls, or tumbles freely) their sum does not say how large
+// the forces are.
 struct RigidBodyResidual {
-  Vec6 f = Vec6::Zero();
+  Vec6 inertia = Vec6::Zero();  // m a; J alpha
+  Vec6 applied = Vec6::Zero();  // - W; w x J w
+  Vec6 held = Vec6::Zero();     // by springs and dampers
   Mat6 K = Mat6::Zero(), C = Mat6::Zero(), M = Mat6::Zero();
+
+  Vec6 f() const { return inertia + applied + held; }
 };
 
 // `rest`: where the springs pull the centre of mass to, with its velocities. Rotations of half a turn from

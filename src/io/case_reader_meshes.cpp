@@ -1,0 +1,111 @@
+// The meshes of a case's volumes: what is wrong with them, alone and for what they are to do.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/base/error.hpp"
+#include "hawser/geometry/point_in_polyhedron.hpp"
+#include "hawser/geometry/sharp_edges.hpp"
+#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/mesh_reader.hpp"
+#include "hawser/model/body_pairs.hpp"
+
+namespace hawser::io {
+
+using model::Value;
+
+namespace {
+
+// Why a mesh is not fit for the test of points its volume asks for; empty: it is.
+std::string unfit(const LoadedMesh& loaded, model::SignTest sign) {
+  const MeshReport& r = loaded.report;
+  if (sign == model::SignTest::automatic || sign == model::SignTest::winding) return "";
+  if (loaded.open || !r.valid())
+    return fmt::format(
+        "needs a closed mesh whose triangles face outward, but this one has {} open edges, {} of more than "
+        "two "
+        "triangles and {} between triangles turned opposite ways; 'automatic' and 'winding' do without",
+        r.open_edges, r.non_manifold_edges, r.flipped_edges);
+  if (sign != model::SignTest::tetrahedra) return "";
+  if (r.components > 1)
+    return fmt::format(
+        "is for one convex body, but the mesh has {} pieces; give each a volume of its own, or use 'ray' or "
+        "'solid_angle'",
+        r.components);
+  // What the file's single precision may leave of a flat face.
+  if (!is_convex(loaded.mesh, 1e-5 * r.box.extent().maxCoeff()))
+    return "is for convex bodies, and this mesh is not convex; use 'ray' or 'solid_angle', or cut it into "
+           "convex parts";
+  return "";
+}
+
+// Of two bodies that touch something must stand out of one: through a smooth mesh they would pass unseen.
+void check_leaders(const Value& root, const CaseSource& source, const model::Case& c,
+                   const std::vector<char>& blunt) {
+  const std::vector<model::BodyPair> pairs = model::body_pairs(c);
+  for (const model::BodyPair& p : pairs) {
+    const bool other = std::any_of(pairs.begin(), pairs.end(), [&](const model::BodyPair& q) {
+      return q.a == p.b && q.b == p.a && !blunt[q.a];
+    });
+    if (!blunt[p.a] || other) continue;
+    const model::Volume &a = c.volumes[p.a], &b = c.volumes[p.b];
+    const bool points = a.basis == model::StiffnessBasis::per_point;
+    source.bad(root["volumes"][a.name]["normal_stiffness"], "volumes." + a.name + ".normal_stiffness",
+               fmt::format("'{}' is to meet '{}' with its {}, but {} of more than 10 deg: nothing would "
+                           "touch; give a stiffness per_area",
+                           a.name, b.name, points ? "corners (per_point)" : "edges (per_length)",
+                           blunt[p.b] ? "neither mesh has an edge" : "its mesh has none"));
+  }
+}
+
+}  // namespace
+
+void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
+  constexpr double kHuge = 5000;  // m; no body at sea is as large, a mesh in mm taken for m is
+  constexpr double kThin = 1e5;   // a volume this much larger than the thinnest line
+  constexpr double kTiny = 0.02;  // a volume this much smaller than the thinnest line
+  double thinnest = 0;
+  for (const model::Line& l : c.lines)
+    for (const model::Section& s : l.sections) {
+      const double d = c.line_type(s.type).contact_diameter;
+      thinnest = thinnest > 0 ? std::min(thinnest, d) : d;
+    }
+  std::vector<char> blunt(c.volumes.size(), 0);  // no edge or corner leads, where edges or corners are to
+  for (std::size_t i = 0; i < c.volumes.size(); ++i) {
+    const model::Volume& v = c.volumes[i];
+    if (v.shape) continue;
+    const Value& given = root["volumes"][v.name];
+    const std::string key = "volumes." + v.name;
+    LoadedMesh loaded;
+    try {
+      loaded = read_mesh(v.mesh, v.scale, v.closed);
+    } catch (const InputError& e) {
+      source.bad(given["mesh"], key + ".mesh", e.what());
+    }
+    const double size = loaded.report.box.extent().maxCoeff();
+    const bool beside = thinnest > 0 && (size > kThin * thinnest || size < kTiny * thinnest);
+    if (size > kHuge || beside)
+      source.bad(
+          given["scale"].given ? given["scale"] : given["mesh"], key + ".scale",
+          fmt::format("the mesh is {:.4g} m large{}; is it in other units than metres (scale is {:g})?", size,
+                      thinnest > 0 ? fmt::format(", {:.3g} times the contact diameter of the thinnest line "
+                                                 "({:.4g} m)",
+                                                 size / thinnest, thinnest)
+                                   : "",
+                      v.scale));
+    if (const std::string why = unfit(loaded, v.sign); !why.empty())
+      source.bad(given["sign"], key + ".sign", "'" + given["sign"].text + "' " + why);
+    try {
+      const std::vector<bool> active = active_triangles(loaded.mesh, v);
+      const bool sharp =
+          v.basis == model::StiffnessBasis::per_point || v.basis == model::StiffnessBasis::per_length;
+      blunt[i] = sharp && sharp_edges(loaded.mesh, active).empty();
+    } catch (const InputError& e) {
+      source.bad(given["active"], key + ".active", e.what());
+    }
+    for (const std::string& n : loaded.notes) c.notes.push_back(key + ": " + n);
+  }
+  check_leaders(root, source, c, blunt);
+}
+
+}  // namespace hawser::io
