@@ -1,11 +1,11 @@
 // Repair of meshes as they come: open, joined along edges of more than two triangles, turned inconsistently.
 //
 // Nothing is moved and no hole is filled. What is listed more than once must have been dropped
-// (mesh_duplicates.hpp). The patches of triangles joined two by two are turned: each patch alike (by its majority), then so that its front sees the outside,
-// which rays from its triangles vote on: an even number of crossings on the way out says outside (Takayama,
-// Jacobson, Kavan & Sorkine-Hornung 2014, "A simple method for correcting facet orientations in polygon
-// meshes based on ray casting", J. Comput. Graph. Tech. 3(4), the vote by parity). What is inside afterwards
-// is for the winding number to say (winding_tree.hpp).
+// (mesh_duplicates.hpp). The patches of triangles joined two by two are turned: each patch alike (by its
+// majority), then so that its front sees the outside, which rays from its triangles vote on: an even number
+// of crossings on the way out says outside (Takayama, Jacobson, Kavan & Sorkine-Hornung 2014, "A simple
+// method for correcting facet orientations in polygon meshes based on ray casting", J. Comput. Graph. Tech.
+// 3(4), the vote by parity). What is inside afterwards is for the winding number to say (winding_tree.hpp).
 #pragma once
 
 #include <string>
