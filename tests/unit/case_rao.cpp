@@ -1,4 +1,5 @@
 // Vessel motion by responses, from the case to the body's pose.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "hawser/io/case_reader.hpp"
@@ -118,7 +119,7 @@ dynamics: {duration: 20}
                               "/nowhere/case.yaml");
   };
   const auto wave = [](int direction) {
-    return "regular: {height: 3, period: 9, direction_deg: " + std::to_string(direction) + "}";
+    return fmt::format("regular: {{height: 3, period: 9, direction_deg: {}}}", direction);
   };
   const std::string mirror = "symmetry: port_starboard, ";
   const auto roll = [](const model::Case& c, double t) {
