@@ -238,15 +238,7 @@ int drop_flat_pieces(TriangleMesh& mesh, double thickness) {
         drop[piece(t)] = false;
   const int pieces = static_cast<int>(std::count(drop.begin(), drop.end(), true));
   if (pieces == 0) return 0;
-  std::size_t to = 0;
-  const bool parts = mesh.part.size() == mesh.triangles.size();
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (drop[piece(t)]) continue;
-    if (parts) mesh.part[to] = mesh.part[t];
-    mesh.triangles[to++] = mesh.triangles[t];
-  }
-  mesh.triangles.resize(to);
-  if (parts) mesh.part.resize(to);
+  mesh.keep_triangles([&](std::array<int, 3>&, std::size_t t) { return !drop[piece(t)]; });
   return pieces;
 }
 

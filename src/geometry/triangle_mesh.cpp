@@ -202,26 +202,27 @@ std::string summary(const MeshReport& r) {
   return s.str();
 }
 
+int TriangleMesh::part_named(const std::string& name) {
+  const auto it = std::find(parts.begin(), parts.end(), name);
+  if (it != parts.end()) return static_cast<int>(it - parts.begin());
+  parts.push_back(name);
+  return static_cast<int>(parts.size()) - 1;
+}
+
 WeldResult weld(TriangleMesh& mesh, double tolerance) {
   WeldResult result;
   const std::vector<int> same = representatives(mesh.vertices, tolerance);
   std::vector<int> renumbered(mesh.vertices.size(), -1);
   std::vector<char> used(mesh.vertices.size(), 0);
-  std::size_t kept = 0;
-  const bool parts = mesh.part.size() == mesh.triangles.size();
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    auto tri = mesh.triangles[t];
+  mesh.keep_triangles([&](std::array<int, 3>& tri, std::size_t) {
     for (int& v : tri) v = same[static_cast<std::size_t>(v)];
     if (tri[0] == tri[1] || tri[1] == tri[2] || tri[2] == tri[0]) {
       ++result.removed;
-      continue;
+      return false;
     }
     for (const int v : tri) used[static_cast<std::size_t>(v)] = 1;
-    if (parts) mesh.part[kept] = mesh.part[t];
-    mesh.triangles[kept++] = tri;
-  }
-  mesh.triangles.resize(kept);
-  if (parts) mesh.part.resize(kept);
+    return true;
+  });
   std::size_t n = 0;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (same[v] != static_cast<int>(v)) ++result.welded;

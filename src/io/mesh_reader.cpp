@@ -31,17 +31,10 @@ namespace {
   throw InputError(s);
 }
 
-int part_index(TriangleMesh& mesh, const std::string& name) {
-  const auto it = std::find(mesh.parts.begin(), mesh.parts.end(), name);
-  if (it != mesh.parts.end()) return static_cast<int>(it - mesh.parts.begin());
-  mesh.parts.push_back(name);
-  return static_cast<int>(mesh.parts.size()) - 1;
-}
-
 void append(const aiMesh& from, const std::string& name, const aiMatrix4x4& to_root, double scale,
             TriangleMesh& mesh) {
   const int first = static_cast<int>(mesh.vertices.size());
-  const int part = part_index(mesh, name);
+  const int part = mesh.part_named(name);
   for (unsigned i = 0; i < from.mNumVertices; ++i) {
     const aiVector3D v = to_root * from.mVertices[i];
     mesh.vertices.push_back(scale * Vec3(v.x, v.y, v.z));

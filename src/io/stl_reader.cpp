@@ -96,18 +96,12 @@ std::string read_facet(Words& words, double scale, TriangleMesh& mesh) {
   return "";
 }
 
-int part_of(TriangleMesh& mesh, const std::string& name) {
-  const auto it = std::find(mesh.parts.begin(), mesh.parts.end(), name);
-  if (it == mesh.parts.end()) mesh.parts.push_back(name);
-  return static_cast<int>(std::find(mesh.parts.begin(), mesh.parts.end(), name) - mesh.parts.begin());
-}
-
 std::string read_text(std::string_view text, double scale, TriangleMesh& mesh) {
   Words words(text);
   int part = -1;
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
     if (is(word, "solid")) {
-      part = part_of(mesh, std::string(words.rest_of_line()));
+      part = mesh.part_named(std::string(words.rest_of_line()));
     } else if (is(word, "endsolid")) {
       words.rest_of_line();
     } else if (is(word, "facet")) {

@@ -97,10 +97,14 @@ class LineCheck {
         if (ends == 0)
           issue("", "both ends are free: give start: {{points: [[x, y, z], ...]}} to say where it lies");
     }
-    if (ends == 0 && c_.statics.enabled && !held_by_friction(c_, line_))
-      issue("",
-            "both ends are free, so there is no static equilibrium; give statics: false, or where it lies "
-            "('start') on a volume with friction and statics: {{contact_friction: true}}");
+    check_held();
+  }
+
+  void check_held() {
+    if (held(line_.end_a) || held(line_.end_b) || !c_.statics.enabled || held_by_friction(c_, line_)) return;
+    issue("",
+          "both ends are free, so there is no static equilibrium; give statics: false, or where it lies "
+          "('start') on a volume with friction and statics: {{contact_friction: true}}");
   }
 
   void check_points() {
@@ -116,10 +120,7 @@ class LineCheck {
             length_, 100 * kLargestStrain);
     check_point(line_.end_a, line_.points.front(), 0);
     check_point(line_.end_b, line_.points.back(), line_.points.size() - 1);
-    if (!held(line_.end_a) && !held(line_.end_b) && c_.statics.enabled && !held_by_friction(c_, line_))
-      issue("",
-            "both ends are free, so there is no static equilibrium; give statics: false, or where it lies "
-            "('start') on a volume with friction and statics: {{contact_friction: true}}");
+    check_held();
   }
 
   void check_point(const End& e, const Vec3& p, std::size_t i) {

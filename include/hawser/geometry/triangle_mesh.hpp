@@ -19,6 +19,23 @@ struct TriangleMesh {
   std::vector<std::array<int, 3>> triangles;  // vertex indices
   std::vector<int> part;                      // per triangle, index into parts; empty: one unnamed part
   std::vector<std::string> parts;             // names
+
+  // Index of a part, which is made if there is none of that name.
+  int part_named(const std::string& name);
+  // Leaves the triangles away of which keep(triangle, its index) is false; keep may change the triangle.
+  template <class Keep>
+  void keep_triangles(const Keep& keep) {
+    std::size_t to = 0;
+    const bool named = part.size() == triangles.size();
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+      std::array<int, 3> triangle = triangles[t];
+      if (!keep(triangle, t)) continue;
+      if (named) part[to] = part[t];
+      triangles[to++] = triangle;
+    }
+    triangles.resize(to);
+    if (named) part.resize(to);
+  }
 };
 
 // The same without names and parts, where it lies; it must live longer.
