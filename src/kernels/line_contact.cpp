@@ -159,6 +159,12 @@ class Scan {
 
 }  // namespace
 
+std::vector<double> middles(const std::vector<ContactHollow>& of) {
+  std::vector<double> out;
+  for (const ContactHollow& h : of) out.push_back(h.middle());
+  return out;
+}
+
 std::vector<ContactHollow> hollows(const std::vector<ContactStretch>& stretches) {
   std::vector<ContactHollow> out;
   for (std::size_t i = 1; i < stretches.size(); ++i)
@@ -167,7 +173,7 @@ std::vector<ContactHollow> hollows(const std::vector<ContactStretch>& stretches)
 }
 
 std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels,
-                                              const std::vector<ContactHollow>& known) {
+                                              const std::vector<double>& places) {
   std::vector<ContactStretch> out;
   const double half = 0.5 * bounds.reach;
   const AxisGap M = gap.at(0.5, half);
@@ -175,8 +181,7 @@ std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBo
   const AxisGap A = gap.at(0, half), B = gap.at(1, half);
   Scan scan(gap, bounds, out);
   const auto piece = [&](double a, AxisGap from, double b, const AxisGap& to) {
-    for (const ContactHollow& h : known) {
-      const double m = h.middle();
+    for (const double m : places) {
       if (!(a < m && m < b)) continue;
       const AxisGap at = gap.at(m, half);
       scan.piece(a, from, m, at, levels - 1);

@@ -192,7 +192,8 @@ std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& sha
   gap.set_middle(middle_gap, middle);
   std::vector<ContactStretch> stretches;
   if (middle_gap < 0.5 * reach)
-    stretches = contact_stretches(gap, {reach, pair.touch, shape.bend_bound()}, pair.levels, hollows(before));
+    stretches = contact_stretches(gap, {reach, pair.touch, shape.bend_bound()}, pair.levels,
+                                  middles(hollows(before)));
   // Of one wall alone it says nothing of the others.
   if (stretches.empty() && !pair.wall()) keep_free(pair, shape, pose, places_);
   return cut_stretches(as_parted_before(stretches, before, pair.found.filled), pair.levels);

@@ -99,7 +99,7 @@ TEST(LineContactStretches, HumpsComeAndGoSmoothly) {
         Gap g = humps(c);
         std::vector<ContactHollow> filled;
         const auto now =
-            as_parted_before(contact_stretches(g, {L, r, 0}, 2, hollows(before)), before, filled);
+            as_parted_before(contact_stretches(g, {L, r, 0}, 2, middles(hollows(before))), before, filled);
         const double d = depth(g, L, now);
         std::vector<ContactHollow> none;
         within = std::max(within, std::abs(d - depth(was, L, as_parted_before(before, before, none))));

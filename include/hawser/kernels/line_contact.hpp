@@ -39,14 +39,15 @@ struct ContactHollow {
   double middle() const { return 0.5 * (from + to); }
 };
 std::vector<ContactHollow> hollows(const std::vector<ContactStretch>& stretches);
+std::vector<double> middles(const std::vector<ContactHollow>& of);
 
 // All stretches of contact, in order. The element is halved where contact cannot be excluded until pieces are
 // 2^-levels (levels >= 1) of it, and up to four times more where an end of a piece is out of touch: over the
 // facets of a mesh the gap goes up and down, and a contact that was overlooked would vanish when its end
 // passes from one piece into the next. On the pieces that are left the gap has one minimum or one maximum at
-// most. Ends are roots to 1e-14. In the middle of `known` hollows the gap is asked first.
+// most. Ends are roots to 1e-14. At `places`, ascending, the gap is asked first.
 std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels,
-                                              const std::vector<ContactHollow>& known = {});
+                                              const std::vector<double>& places = {});
 
 // Where a stretch parts in two, or two grow together, the sum over the Gauss points jumps by the rule's
 // error; were it to jump within a step, there might be no equilibrium on either side of the jump. So in a
