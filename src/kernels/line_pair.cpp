@@ -73,18 +73,15 @@ std::optional<double> LinePairSide::passes(double eta, double lo, double hi) con
   return xi;
 }
 
-// Those places, where they touch: the gap has a kink there, on one side of which it may fall slowly and on
-// the other rise steeply, and to a scan that does not know of it a contact there may seem to be none.
+// Those places: the gap has a kink there, on one side of which it may fall slowly and on the other rise
+// steeply, and to a scan that does not know of it a contact about there may seem to be none.
 std::vector<double> LinePairSide::kinks(int levels) const {
   std::vector<double> out;
   if (part_ != FootOf::element) return out;
   const double size = std::ldexp(1.0, -levels);
-  for (const double eta : {0.0, 1.0}) {
-    const Vec3 V = master_.now.point(eta);
+  for (const double eta : {0.0, 1.0})
     for (double a = 0; a < 1; a += size)
-      if (const auto xi = passes(eta, a, a + size); xi && (slave_.now.point(*xi) - V).norm() < touch())
-        out.push_back(*xi);
-  }
+      if (const auto xi = passes(eta, a, a + size)) out.push_back(*xi);
   std::sort(out.begin(), out.end());
   return out;
 }
