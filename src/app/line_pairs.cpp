@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -79,7 +80,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   for (const auto& t : b.pairs)
     options.tuned[std::minmax(c.line_index(t.first), c.line_index(t.second))] = t.settings;
   std::vector<LineContactElement> elements;
-  double least = HUGE_VAL, most = 0;
+  std::set<std::array<double, 3>> kinds;  // radius, own stiffness, crossing force
   for (const Element& e : mesh.mesh->elements) {
     const model::LineType& t = c.line_types[static_cast<size_t>(e.type)];
     LineContactElement& element = elements.emplace_back();
@@ -90,19 +91,28 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
     d.weight = t.mass_per_length * c.environment.gravity;
     d.length = mesh.mesh->lines[static_cast<size_t>(e.line)].length;
     d.EA = t.EA;
-    const double k = automatic_contact_stiffness(d).per_length;
-    options.automatic.push_back(k);
-    if (element.radius > 0) least = std::min(least, k), most = std::max(most, k);
+    options.automatic.push_back(
+        {automatic_contact_stiffness(d).per_length, crossing_force(t.EA, d.weight * d.length)});
+    const LinePairOptions::Automatic& a = options.automatic.back();
+    if (element.radius > 0) kinds.insert({element.radius, a.per_length, a.crossing});
   }
   const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
                          std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
                            return t.settings.basis == model::StiffnessBasis::automatic;
                          });
-  if (automatic && lines > 1)
-    notes.push_back(
-        fmt::format("contact between lines: normal stiffness {:.3g} to {:.3g} N/m per m, the stiffer "
-                    "of two lines' own (as for volumes: presses in by 0.5 % of the radius)",
-                    least, most));
+  if (automatic && lines > 1) {
+    double least = HUGE_VAL, most = 0;
+    for (const auto& i : kinds)
+      for (const auto& j : kinds) {
+        const double k = automatic_stiffness({i[1], i[2]}, {j[1], j[2]}, i[0] + j[0]);
+        least = std::min(least, k), most = std::max(most, k);
+      }
+    notes.push_back(fmt::format(
+        "contact between lines: normal stiffness {:.3g} to {:.3g} N/m per m: the stiffer of two lines' "
+        "own (as for volumes: presses in by 0.5 % of the radius), and so much at least that 1 % of "
+        "the EA of the weaker one presses crossing lines into each other by a twentieth of their radii",
+        least, most));
+  }
   return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
 }
 

@@ -69,19 +69,38 @@ class Scan {
       out_.push_back(s);
   }
 
-  // Both ends touch. Looks between them when the cubic through them lifts off there.
+  // Both ends touch. The gap may rise from an end above zero and fall again, over a kink even within a small
+  // part of the piece: looked for as long as the tangents at the ends, which no concave gap exceeds, allow
+  // it.
   void arch(double a, const AxisGap& A, double b, const AxisGap& B) {
-    const double w = b - a;
-    if (0.5 * (A.gap + B.gap) + w * (A.slope - B.slope) / 8 > 0) {
-      const double m = 0.5 * (a + b);
-      const AxisGap M = gap_.at(m, reach_ * w);
+    const double first = a, last = b, wide = reach_ * (b - a);
+    AxisGap from = A, to = B;
+    for (int i = 0; i < kMost && b - a > kRoot; ++i) {
+      const double w = b - a;
+      const bool rises = from.slope > 0, falls = to.slope < 0;
+      const double mean = (to.gap - from.gap) / w;
+      double x = 0.5 * w, most = -1;
+      if (rises && falls && mean < from.slope && mean > to.slope) {
+        const double z = (to.gap - from.gap - to.slope * w) / (from.slope - to.slope);
+        most = from.gap + from.slope * z;
+        if (i % 3 < 2) x = z;
+      } else {
+        if (rises) most = from.gap + from.slope * w;
+        if (falls) most = std::max(most, to.gap - to.slope * w);
+      }
+      if (!(most > 0)) break;
+      const double edge = 1e-3 * w, m = a + std::clamp(x, edge, w - edge);
+      const AxisGap M = gap_.at(m, wide);
       if (M.gap >= 0) {
-        add({a, root(a, A, m, M), false, true});
-        add({root(b, B, m, M), b, true, false});
+        add({first, root(a, from, m, M), false, true});
+        add({root(b, to, m, M), last, true, false});
         return;
       }
+      const bool right = M.slope > 0 ? !rises || M.gap >= from.gap : falls && M.gap < to.gap;
+      (right ? a : b) = m;
+      (right ? from : to) = M;
     }
-    add({a, b, false, false});
+    add({first, last, false, false});
   }
 
   // Neither end touches and the gap falls from both: contact if the minimum is below zero.
@@ -140,15 +159,65 @@ class Scan {
 
 }  // namespace
 
-std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels) {
+std::vector<double> middles(const std::vector<ContactHollow>& of) {
+  std::vector<double> out;
+  for (const ContactHollow& h : of) out.push_back(h.middle());
+  return out;
+}
+
+std::vector<ContactHollow> hollows(const std::vector<ContactStretch>& stretches) {
+  std::vector<ContactHollow> out;
+  for (std::size_t i = 1; i < stretches.size(); ++i)
+    if (stretches[i - 1].to < stretches[i].from) out.push_back({stretches[i - 1].to, stretches[i].from});
+  return out;
+}
+
+std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels,
+                                              const std::vector<double>& places) {
   std::vector<ContactStretch> out;
   const double half = 0.5 * bounds.reach;
   const AxisGap M = gap.at(0.5, half);
   if (M.gap >= half) return out;
   const AxisGap A = gap.at(0, half), B = gap.at(1, half);
   Scan scan(gap, bounds, out);
-  scan.piece(0, A, 0.5, M, levels - 1);
-  scan.piece(0.5, M, 1, B, levels - 1);
+  const auto piece = [&](double a, AxisGap from, double b, const AxisGap& to) {
+    for (const double m : places) {
+      if (!(a < m && m < b)) continue;
+      const AxisGap at = gap.at(m, half);
+      scan.piece(a, from, m, at, levels - 1);
+      a = m, from = at;
+    }
+    scan.piece(a, from, b, to, levels - 1);
+  };
+  piece(0, A, 0.5, M);
+  piece(0.5, M, 1, B);
+  return out;
+}
+
+std::vector<ContactStretch> as_parted_before(const std::vector<ContactStretch>& now,
+                                             const std::vector<ContactStretch>& before,
+                                             std::vector<ContactHollow>& filled) {
+  filled.clear();
+  std::vector<ContactStretch> out;
+  for (const ContactStretch& s : now) {
+    const bool touched =
+        !out.empty() && std::any_of(before.begin(), before.end(), [&](const ContactStretch& b) {
+          return b.from <= out.back().to && s.from <= b.to;
+        });
+    if (touched) {
+      if (out.back().to < s.from) filled.push_back({out.back().to, s.from});
+      out.back().to = s.to, out.back().to_moves = s.to_moves;
+    } else {
+      out.push_back(s);
+    }
+    for (const ContactHollow& h : hollows(before)) {
+      const double m = h.middle();
+      if (!(out.back().from < m && m < out.back().to)) continue;
+      const ContactStretch rest{m, out.back().to, false, out.back().to_moves};
+      out.back().to = m, out.back().to_moves = false;
+      out.push_back(rest);
+    }
+  }
   return out;
 }
 

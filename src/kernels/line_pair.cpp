@@ -39,8 +39,7 @@ class LinePairSide::Gap final : public AxisGapFunction {
   explicit Gap(const LinePairSide& side) : side_(side) {}
   AxisGap at(double xi, double) override {
     const AxisFoot f = foot(side_.master_.now, side_.part_, side_.slave_.now.point(xi));
-    const double touch = side_.set_.law.reach + side_.set_.law.normal.smoothing;
-    return {f.distance - touch, f.normal.dot(side_.slave_.now.slope(xi))};
+    return {f.distance - side_.touch(), f.normal.dot(side_.slave_.now.slope(xi))};
   }
 
  private:
@@ -55,12 +54,44 @@ LinePairSide::LinePairSide(const PairAxis& slave, const PairAxis& master, FootOf
   wb_ = 1 - wa_;
 }
 
+// Where the nearest point passes the master's end `eta` between two places of the slave; none: it does not.
+std::optional<double> LinePairSide::passes(double eta, double lo, double hi) const {
+  const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
+  const auto beyond = [&](double xi) { return (slave_.now.point(xi) - V).dot(t); };
+  const double a = beyond(lo), b = beyond(hi);
+  if (!((a < 0 && b > 0) || (a > 0 && b < 0))) return std::nullopt;
+  double xi = lo - a * (hi - lo) / (b - a);
+  for (int i = 0; i < 60; ++i) {
+    const double v = beyond(xi);
+    ((v < 0) == (a < 0) ? lo : hi) = xi;
+    double next = xi - v / slave_.now.slope(xi).dot(t);
+    if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
+    const double step = std::abs(next - xi);
+    xi = next;
+    if (step <= kRoot || hi - lo <= kRoot) break;
+  }
+  return xi;
+}
+
+// Those places: the gap has a kink there, on one side of which it may fall slowly and on the other rise
+// steeply, and to a scan that does not know of it a contact about there may seem to be none.
+std::vector<double> LinePairSide::kinks(int levels) const {
+  std::vector<double> out;
+  if (part_ != FootOf::element) return out;
+  const double size = std::ldexp(1.0, -levels);
+  for (const double eta : {0.0, 1.0})
+    for (double a = 0; a < 1; a += size)
+      if (const auto xi = passes(eta, a, a + size)) out.push_back(*xi);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
 std::vector<LinePairSide::Panel> LinePairSide::panels() const {
   Gap gap(*this);
   const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
   std::vector<Panel> out;
   for (const ContactStretch& s :
-       cut_stretches(contact_stretches(gap, {slave_.now.reach()}, levels), levels)) {
+       cut_stretches(contact_stretches(gap, {slave_.now.reach()}, levels, kinks(levels)), levels)) {
     const Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
     if (part_ == FootOf::element)
       split(p, out);
@@ -71,29 +102,15 @@ std::vector<LinePairSide::Panel> LinePairSide::panels() const {
 }
 
 void LinePairSide::split(const Panel& panel, std::vector<Panel>& out) const {
-  const double touch = set_.law.reach + set_.law.normal.smoothing;
   Panel cuts[2];
   int n = 0;
   for (const double eta : {0.0, 1.0}) {
-    const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
-    const auto beyond = [&](double xi) { return (slave_.now.point(xi) - V).dot(t); };
-    double lo = panel.from, hi = panel.to;
-    const double a = beyond(lo), b = beyond(hi);
-    if (!((a < 0 && b > 0) || (a > 0 && b < 0))) continue;
-    double xi = lo - a * (hi - lo) / (b - a);
-    for (int i = 0; i < 60; ++i) {
-      const double v = beyond(xi);
-      ((v < 0) == (a < 0) ? lo : hi) = xi;
-      double next = xi - v / slave_.now.slope(xi).dot(t);
-      if (!(next > lo && next < hi)) next = 0.5 * (lo + hi);
-      const double step = std::abs(next - xi);
-      xi = next;
-      if (step <= kRoot || hi - lo <= kRoot) break;
-    }
-    const Vec3 x1 = slave_.now.slope(xi);
+    const auto xi = passes(eta, panel.from, panel.to);
+    if (!xi) continue;
+    const Vec3 x1 = slave_.now.slope(*xi), t = master_.now.slope(eta);
     if (std::abs(x1.dot(t)) < kSteep * x1.norm() * t.norm()) continue;
-    if ((slave_.now.point(xi) - V).norm() >= touch) continue;  // another bend of the curves
-    cuts[n].from = xi;
+    if ((slave_.now.point(*xi) - master_.now.point(eta)).norm() >= touch()) continue;  // another bend
+    cuts[n].from = *xi;
     cuts[n++].at_from = eta == 0 ? End::first_joint : End::second_joint;
   }
   if (n == 2 && cuts[1].from < cuts[0].from) std::swap(cuts[0], cuts[1]);

@@ -198,7 +198,7 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   loaded_ = false;
   error_ = nullptr;
   system_.reset_multipliers();
-  turned_ = false;
+  turned_ = missed_ = false;
   Attempt a;
   for (int round = 0;; ++round) {
     solve_once(a);
@@ -216,7 +216,7 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   turned_ = most[1] > M_PI;
   a.converged = !turned_;
   if (turned_) return a;
-  a.missed = !system_.covers(trial_.s.view(h));
+  a.missed = missed_ = !system_.covers(trial_.s.view(h));
   a.converged = !a.missed && (!control_.divides(h) || system_.foreseen(trial_.s.view(h)));
   return a;
 }
@@ -316,6 +316,9 @@ std::string Dynamics::failure(double h) const {
         "half a turn at most",
         committed_.s.time, system_.mesh().mesh->place(most.node), most.angle, h);
   }
+  if (missed_)
+    return fmt::format("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}",
+                       committed_.s.time, h, system_.refusal(trial_.s.view(h)));
   return fmt::format("no convergence at t = {:.6g} s with the shortest step ({:.3g} s): {}",
                      committed_.s.time, h, imbalance(system_, r_.get(), norms_));
 }

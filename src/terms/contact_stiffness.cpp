@@ -10,6 +10,8 @@ namespace hawser {
 namespace {
 
 constexpr double kLeast = 1, kMost = 10;  // m, of the radius of bending
+// Lines that cross: strain they are drawn with, and depth over the radii that it makes.
+constexpr double kDrawn = 0.01, kCrossing = 0.05;
 
 std::string number(double v) {
   char text[32];
@@ -34,6 +36,13 @@ AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
               ") and the line's weight of " + number(d.weight) + " N/m press in by " +
               (d.allowed_penetration > 0 ? "the allowed " : "0.5 % of the line's radius, ") +
               number(allowed) + " m"};
+}
+
+double crossing_force(double EA, double weight_of_line) { return std::max(kDrawn * EA, weight_of_line); }
+
+double crossing_stiffness(double force, double reach) {
+  const double depth = kCrossing * reach;
+  return 0.75 * force / (depth * std::sqrt(2 * reach * depth));
 }
 
 double bending_radius(const model::Volume& v, double line_radius) {

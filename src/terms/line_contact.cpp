@@ -98,7 +98,8 @@ void LineContact::prepare(const Kinematics& committed, double h) {
         first.hint = was.hint, first.ahead = was.ahead, first.free = was.room();
         first.one_chord = was.one_chord, first.one_reach = was.one_reach, first.one = was.one;
         // What was found on all of the surface is found again; of a wall it may be another.
-        if (!was.walls) first.found = std::move(was.found);
+        // So are panels of what touched: they part as at the start of this step.
+        if (!was.walls && histories.back().empty()) first.found = std::move(was.found);
       }
       // Pairs that did not touch are in no checkpoint.
       while (!histories.empty() && histories.back().empty()) histories.pop_back();
@@ -134,7 +135,7 @@ AxisPoints LineContact::points(const AxisShape& shape, const RigidPose& pose) {
 bool LineContact::clear(Pair& pair, const AxisShape& shape, const RigidPose& pose) {
   if (!(pair.room().left(points(shape, pose)) > 0)) return false;
   pair.found.known = false;
-  pair.found.panels.clear(), pair.found.points.clear();
+  pair.found.panels.clear(), pair.found.filled.clear(), pair.found.points.clear();
   pair.seen = nullptr;
   return true;
 }
@@ -164,19 +165,38 @@ SurfaceQuestion LineContact::middle(const Pair& pair, const AxisShape& shape, co
   return {pose.to_body(shape.point(0.5)), pair.touch + 2 * shape.reach(), pair.hint};
 }
 
+const std::vector<ContactStretch>& LineContact::touched_before(Pair& pair) const {
+  static const std::vector<ContactStretch> kNone;
+  if (pair.wall()) return kNone;
+  if (pair.before) return *pair.before;
+  pair.before.emplace();
+  const auto touched = [](const std::vector<Point>& history) { return !history.empty(); };
+  if (!touched(pair.history) &&
+      !(pair.walls && std::any_of(pair.walls->committed.begin(), pair.walls->committed.end(), touched)))
+    return kNone;
+  constexpr int kCloser = 2;  // halvings more than in a trial: what is not seen here is filled there
+  std::vector<FreePlace> places;
+  Gap gap(*this, pair, pair.start, start_poses_[body(pair.volume)], places);
+  *pair.before = contact_stretches(gap, {pair.start.reach(), pair.touch, pair.start.bend_bound()},
+                                   pair.levels + kCloser);
+  return *pair.before;
+}
+
 std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& shape, const RigidPose& pose,
                                                 const std::optional<SurfacePoint>& middle) const {
   const double reach = shape.reach();
   if (middle) pair.hint = middle->triangle;
+  const std::vector<ContactStretch>& before = touched_before(pair);
   Gap gap(*this, pair, shape, pose, places_);
   const double middle_gap = middle ? middle->distance - pair.touch : 2 * reach;
   gap.set_middle(middle_gap, middle);
   std::vector<ContactStretch> stretches;
   if (middle_gap < 0.5 * reach)
-    stretches = contact_stretches(gap, {reach, pair.touch, shape.bend_bound()}, pair.levels);
+    stretches = contact_stretches(gap, {reach, pair.touch, shape.bend_bound()}, pair.levels,
+                                  middles(hollows(before)));
   // Of one wall alone it says nothing of the others.
   if (stretches.empty() && !pair.wall()) keep_free(pair, shape, pose, places_);
-  return cut_stretches(stretches, pair.levels);
+  return cut_stretches(as_parted_before(stretches, before, pair.found.filled), pair.levels);
 }
 
 SurfacePoint LineContact::nothing() {
@@ -191,7 +211,7 @@ bool LineContact::renew(Found& f, const AxisShape& shape, const RigidPose& pose)
       f.rotation.coeffs() == pose.rotation.coeffs())
     return false;
   f.known = true, f.shape = shape, f.position = pose.position, f.rotation = pose.rotation;
-  f.panels.clear(), f.points.clear();
+  f.panels.clear(), f.filled.clear(), f.points.clear();
   return true;
 }
 

@@ -3,23 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/geometry/segment_ccd.hpp"
 #include "hawser/geometry/segment_distance.hpp"
 
 namespace hawser {
-namespace {
-
-// Lines must not come nearer than this part of the radii between two accepted states: their axes would cross.
-constexpr double kThrough = 0.25;
-// In statics, where steps know nothing of forces that they have not met, they end at this part of the radii:
-// the next one knows. Axes nearer than the second cross.
-constexpr double kStaticDepth = 0.7, kNoSide = 1e-9;
-// A step may take a line this part of the radii deeper than to the surface.
-constexpr double kDeep = 0.5;
-// Steps in a period of the contact, at least.
-constexpr double kLeastSteps = 3;
-
-}  // namespace
 
 double deepest_of(const std::vector<LinePairHistory>& points) {
   if (points.empty()) return 0;
@@ -160,123 +146,6 @@ void LinePairs::evaluate(const Kinematics& trial, Sink& sink) {
       sink.add({blocks, static_cast<size_t>(n)}, f, tangent ? K : nullptr,
                tangent && trial.step > 0 ? C : nullptr, nullptr);
     }
-  }
-}
-
-bool LinePairs::covers(const Kinematics& trial) const {
-  if (!candidates_.covers(trial)) return false;
-  if (start_.size() != candidates_.segments().size()) return true;  // not prepared: nothing to compare with
-  const std::vector<Rod> is = rods(trial);
-  return std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& p) {
-    return met(p, is) && (passes(p, trial, is) || !resolved(p, trial, is));
-  });
-}
-
-// Whether the axes cross, or nearly, on their straight way from the start of the step.
-bool LinePairs::passes(const Pair& p, const Kinematics& trial, const std::vector<Rod>& is) const {
-  const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
-  const AxisShape a0(start_[i]), b0(start_[j]), a1(ends(trial, p.a)), b1(ends(trial, p.b));
-  // Pieces whose chords are within a twentieth of the radii.
-  const double near_enough = 0.05 * p.law.reach;
-  const auto pieces = [&](double sagitta) {
-    return std::clamp(static_cast<int>(std::ceil(std::sqrt(sagitta / near_enough))), 1, 16);
-  };
-  const double bend_a = std::max(rods_[i].sagitta, is[i].sagitta),
-               bend_b = std::max(rods_[j].sagitta, is[j].sagitta);
-  const int m = pieces(bend_a), n = pieces(bend_b);
-  const auto piece = [](const AxisShape& s0, const AxisShape& s1, int k, int of) {
-    const double x = k / static_cast<double>(of), y = (k + 1) / static_cast<double>(of);
-    return MovingSegment{s0.point(x), s0.point(y), s1.point(x), s1.point(y)};
-  };
-  for (int k = 0; k < m; ++k) {
-    const MovingSegment A = piece(a0, a1, k, m);
-    for (int l = 0; l < n; ++l) {
-      const MovingSegment B = piece(b0, b1, l, n);
-      // Lines that lie deep in each other already may stay so.
-      const double was = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
-      double least = std::min(kThrough * p.law.reach, 0.5 * was);
-      if (!(trial.step > 0)) {
-        // Axes may cross from the start: then no side is the right one.
-        if (was < kNoSide * p.law.reach) continue;
-        least = std::min(kStaticDepth * p.law.reach, 0.9 * was);
-      }
-      if (!(least > 0) || first_approach(A, B, least, 0.05 * least) <= 1) return true;
-    }
-  }
-  return false;
-}
-
-// Relative speed along the line between the nearest points of the chords, m/s (> 0: they part), and the gap,
-// m.
-LinePairs::Nearest LinePairs::nearest(const Pair& p, const AxisEnds& a, const AxisEnds& b) const {
-  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
-  if (!(c.distance > 0)) return {};
-  const Vec3 v = (1 - c.s) * a.v1 + c.s * a.v2 - (1 - c.t) * b.v1 - c.t * b.v2;
-  return {v.dot(c.difference) / c.distance, c.distance - p.law.reach};
-}
-
-// Relative acceleration of the middles along the line between them, m/s²: at the turning point of a blow
-// there is no speed.
-double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
-  const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
-    const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
-    return 0.5 * (v[static_cast<size_t>(s.first)] + v[static_cast<size_t>(s.second)]);
-  };
-  const AxisEnds &a = start_[static_cast<size_t>(p.a)], &b = start_[static_cast<size_t>(p.b)];
-  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
-  return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
-}
-
-// 1/omega of the two masses on the contact, s.
-double LinePairs::slowness(const Pair& p) const {
-  const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
-               mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
-  return std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);
-}
-
-// kg, of the two on their contact, and what their line bears, J. The stretch that touches is at most one of
-// the elements.
-double LinePairs::mass(const Pair& p) const {
-  const auto [i, j] = p.key;
-  const double ma = elements_[static_cast<size_t>(i)].mass_per_length,
-               mb = elements_[static_cast<size_t>(j)].mass_per_length;
-  const auto& e = mesh_.mesh->elements;
-  return ma * mb / (ma + mb) * std::min(e[static_cast<size_t>(i)].length, e[static_cast<size_t>(j)].length);
-}
-
-double LinePairs::bears(const Pair& p) const {
-  if (bearable_.empty()) return 0;
-  const auto& e = mesh_.mesh->elements;
-  return std::min(bearable_[static_cast<size_t>(e[static_cast<size_t>(p.key.first)].line)],
-                  bearable_[static_cast<size_t>(e[static_cast<size_t>(p.key.second)].line)]);
-}
-
-// A step in which they meet or part fast enough to press in beyond the ramp, and with more energy than can be
-// borne, is no longer than a third of the contact's period.
-bool LinePairs::resolved(const Pair& p, const Kinematics& trial, const std::vector<Rod>& is) const {
-  const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
-  const double slow = slowness(p);
-  if (trial.step <= (1 + 1e-9) / kLeastSteps * 2 * M_PI * slow || (!p.history && !near(p, is))) return true;
-  const double v0 = nearest(p, start_[i], start_[j]).speed,
-               v1 = nearest(p, ends(trial, p.a), ends(trial, p.b)).speed;
-  const double v = std::max(std::abs(v0), std::abs(v1));
-  return v * slow <= 2 * p.law.normal.smoothing || 0.5 * mass(p) * v * v <= bears(p);
-}
-
-// An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
-void LinePairs::limit_step(const Kinematics& at, Strikes& to) const {
-  for (const Pair& p : pairs_) {
-    const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
-    const Nearest c = nearest(p, start_[i], start_[j]);
-    const double ramp = p.law.normal.smoothing,
-                 apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
-    if (c.speed < 0) to.limit((apart + kDeep * p.law.reach) / -c.speed);
-    if (!p.counted) continue;
-    Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
-    if (p.history) a.gap = -ramp - std::max(deepest_of((*p.history)[0]), deepest_of((*p.history)[3]));
-    const auto& e = mesh_.mesh->elements;
-    to.add(strike(slowness(p), 2 * ramp, mass(p), a), e[static_cast<size_t>(p.key.first)].line,
-           e[static_cast<size_t>(p.key.second)].line);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
@@ -20,6 +21,11 @@ std::vector<double> radii(const std::vector<LineContactElement>& elements) {
 }
 
 }  // namespace
+
+double automatic_stiffness(const LinePairOptions::Automatic& a, const LinePairOptions::Automatic& b,
+                           double reach) {
+  return std::max({a.per_length, b.per_length, crossing_stiffness(std::min(a.crossing, b.crossing), reach)});
+}
 
 LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
                      LinePairOptions options)
@@ -55,7 +61,7 @@ LinePairLaw LinePairs::law(int a, int b) const {
   double share = 1;
   if (s.basis == model::StiffnessBasis::per_area) share = diameter;
   law.normal.stiffness = s.basis == model::StiffnessBasis::automatic
-                             ? std::max(options_.automatic[i], options_.automatic[j])
+                             ? automatic_stiffness(options_.automatic[i], options_.automatic[j], law.reach)
                              : s.normal_stiffness * share;
   law.normal.smoothing = s.smoothing > 0 ? s.smoothing : 0.001 * diameter;
   law.normal.damping = contact_damping(

@@ -56,8 +56,9 @@ void LineContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
     to.too_deep = to.too_deep || too_deep(element.radius, was, deepest);
     if (follows(pair.law.normal, element.mass_per_length, trial.step)) continue;
     for (const Point& p : pair.past()) {
-      if (std::any_of(found.panels.begin(), found.panels.end(),
-                      [&](const ContactStretch& s) { return s.from <= p.xi && p.xi <= s.to; }))
+      const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
+      if (std::any_of(found.panels.begin(), found.panels.end(), holds) &&
+          std::none_of(found.filled.begin(), found.filled.end(), holds))
         continue;
       const Vec3 x = shape.point(p.xi), normal = pose.rotation * p.normal;
       add(made(pair.law.normal, element.mass_per_length, p.weight, element.radius, p,

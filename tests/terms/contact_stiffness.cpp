@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace hawser::contact_stiffness_test {
 namespace {
 
@@ -27,6 +29,14 @@ TEST(ContactStiffness, Automatic) {
   EXPECT_EQ(bending_radius(drum, d.radius), 0);
   // 273.4 kg on 1e6 N/m.
   EXPECT_NEAR(contact_period(1e6, 273.4), 0.10389, 1e-5);
+}
+
+// A hundredth of the EA presses two lines that cross in by a twentieth of the radii.
+TEST(ContactStiffness, WhereLinesCross) {
+  const double reach = 0.15, force = crossing_force(2e6, 500), p = 0.05 * reach;
+  EXPECT_EQ(force, 2e4);
+  EXPECT_EQ(crossing_force(2e4, 500), 500);
+  EXPECT_NEAR(4.0 / 3 * crossing_stiffness(force, reach) * p * std::sqrt(2 * reach * p), force, 1e-9 * force);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -380,6 +381,38 @@ TEST(LinePair, JointsDoNotShow) {
       EXPECT_LT(worst, 2e-3 * mean);
       EXPECT_GT(mean, 10);
     }
+}
+
+// Lines nearly side by side that part beyond a joint of the one: the gap falls slowly up to where the nearest
+// point passes it and rises steeply from there.
+TEST(LinePair, ContactAtAJointIsNotMissed) {
+  int deep = 0, missed = 0;
+  for (int seed = 0; seed < 4000; ++seed) {
+    AxisEnds b = element(true, Vec3::Zero(), Vec3(0.1, 0, 0), seed, 0.02);
+    const double over = 0.05 + 0.04 * noise(seed, 30), lean = 0.003 * (1 + noise(seed, 31));
+    const double z = 2 * kRadius - 2e-5 * std::abs(noise(seed, 32));
+    // The place over b's end: `over` from a's first node.
+    const Vec3 along = Vec3(1, 0.1 * noise(seed, 33), -lean).normalized(), at(b.x2 + Vec3(0, 0, z));
+    const AxisEnds a = element(true, at - over * along, at + (0.1 - over) * along, seed + 4000, 0.02);
+    const PairAxis A(a, a), B(b, b);
+    LinePairSide::Settings set;
+    set.law.reach = 2 * kRadius, set.law.normal = {kStiffness, 1e-6, 0};
+    set.slave_radius = kRadius, set.moves = false;
+    const std::vector<LinePairHistory> none;
+    const auto panels = LinePairSide(A, B, FootOf::element, set, none).panels();
+    double least = 1e300, place = 0;
+    for (int i = 0; i <= 2000; ++i) {
+      const double xi = i / 2000.0, d = foot_on(B.now, A.now.point(xi)).distance;
+      if (d < least) least = d, place = xi;
+    }
+    if (!(least < 2 * kRadius - 1e-7)) continue;
+    ++deep;
+    missed += std::none_of(panels.begin(), panels.end(),
+                           [&](const auto& p) { return p.from <= place && place <= p.to; });
+  }
+  printf("  %d of %d missed\n", missed, deep);
+  EXPECT_GT(deep, 1000);
+  EXPECT_EQ(missed, 0);
 }
 
 TEST(AxisFoot, NearestOfAll) {

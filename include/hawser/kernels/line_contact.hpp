@@ -33,12 +33,29 @@ struct AxisBounds {
   double reach = 0, touch = 0, bend = 0;
 };
 
+// Between two stretches, where there is none.
+struct ContactHollow {
+  double from = 0, to = 0;
+  double middle() const { return 0.5 * (from + to); }
+};
+std::vector<ContactHollow> hollows(const std::vector<ContactStretch>& stretches);
+std::vector<double> middles(const std::vector<ContactHollow>& of);
+
 // All stretches of contact, in order. The element is halved where contact cannot be excluded until pieces are
 // 2^-levels (levels >= 1) of it, and up to four times more where an end of a piece is out of touch: over the
 // facets of a mesh the gap goes up and down, and a contact that was overlooked would vanish when its end
 // passes from one piece into the next. On the pieces that are left the gap has one minimum or one maximum at
-// most. Ends are roots to 1e-14.
-std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels);
+// most. Ends are roots to 1e-14. At `places`, ascending, the gap is asked first.
+std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels,
+                                              const std::vector<double>& places = {});
+
+// Where a stretch parts in two, or two grow together, the sum over the Gauss points jumps by the rule's
+// error; were it to jump within a step, there might be no equilibrium on either side of the jump. So in a
+// step stretches part where they did at its start: a hollow that opens where all touched then is filled (in
+// it there is no force anyway, its place goes to `filled`), and where one closes the stretch is cut.
+std::vector<ContactStretch> as_parted_before(const std::vector<ContactStretch>& now,
+                                             const std::vector<ContactStretch>& before,
+                                             std::vector<ContactHollow>& filled);
 
 // Levels at which pieces are no longer than 4 radii, from 1/4 to 1/32 of the element: two places of contact
 // on one piece would be nearer to each other than the line is thick.

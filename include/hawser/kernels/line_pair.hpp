@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "hawser/kernels/axis_foot.hpp"
@@ -84,6 +85,9 @@ class LinePairSide {
   class Gap;
   Point point(double xi) const;
   Start start(double xi) const;
+  double touch() const { return set_.law.reach + set_.law.normal.smoothing; }  // m, between the axes
+  std::optional<double> passes(double eta, double lo, double hi) const;
+  std::vector<double> kinks(int levels) const;
   void split(const Panel& panel, std::vector<Panel>& out) const;
   LinePairPoint local(const Point& p, const Start& s) const;
 

@@ -100,6 +100,7 @@ class Dynamics {
   bool loaded_ = false;     // trial_ belongs to local_u_
   bool turned_ = false;     // a node turned too far in the last try to tell which way
   bool polishing_ = false;  // within the tolerance, improved once more with the old factors
+  bool missed_ = false;     // so was the last try
   double first_ = 0;        // N, size of the first residual of this Newton solution, and of what makes it up
   int counted_ = -1;        // iterations to a residual far above rounding; < 0: not there yet
   VecHandle u_, r_, solution_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +45,8 @@ class ForceTerm {
   // Of a converged step, before it is accepted, on this rank: whether everything that acts in it was
   // foreseen. False: it is taken again, shorter.
   virtual bool covers(const Kinematics& trial) const { return (void)trial, true; }
+  // Of a step that is not covered, why not, in words for the user; empty: not by this term. Local.
+  virtual std::string refusal(const Kinematics& trial) const { return (void)trial, std::string(); }
   // Whether that is so only because what was foreseen is old: preparing anew is the remedy, not a shorter
   // step.
   virtual bool outdated() const { return false; }

@@ -64,6 +64,8 @@ class System {
   // See ForceTerm::covers; over all ranks. Collective.
   bool covers(const Kinematics& trial) const;
   bool outdated() const;  // likewise
+  // Of a step that is not covered, why not: the first rank's word, on all ranks. Collective.
+  std::string refusal(const Kinematics& trial) const;
 
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;

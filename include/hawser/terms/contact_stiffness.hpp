@@ -25,6 +25,14 @@ struct AutomaticStiffness {
 // that radius is not known it is taken as the larger of 1 m and the line's; very light lines use 1e-4 EA.
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d);
 
+// N, what a line that crosses another is taken to be drawn over it with: a hundredth of its EA, which few
+// lines survive, or its weight if that is more.
+double crossing_force(double EA, double weight_of_line);
+
+// N/m², that lets a force press two lines that cross at right angles into each other by a twentieth of the
+// sum of their radii `reach` [m]. Crossing lines push with 4/3 k p sqrt(2 reach p) at the depth p.
+double crossing_stiffness(double force, double reach);
+
 // m, radius to which a shape bends the axis of a line of this radius that lies on it, at most 10 m (no line
 // is free of bends, on a plane neither); 0 for a mesh or a box: not known.
 double bending_radius(const model::Volume& v, double line_radius);

@@ -67,6 +67,7 @@ class LineContact final : public Contact {
     Vec3 position;  // of the body
     Quat rotation;
     std::vector<ContactStretch> panels;
+    std::vector<ContactHollow> filled;  // parts of panels that do not touch
     std::vector<SurfacePoint> points;
   };
   // Where a surface may have several walls (surface_walls.hpp): what of them is near an axis, and which of
@@ -94,6 +95,8 @@ class LineContact final : public Contact {
     ContactLaw law;               // per length
     AxisShape start = nowhere();  // the axis at the start of the step
     std::vector<Point> history;   // by xi
+    // Where the axis touched at the start of the step, looked for closely; none: not looked for yet.
+    std::optional<std::vector<ContactStretch>> before;
     // Kept from step to step, changes the time and never the answer: where nothing of the volume is within
     // `touch`; nearest triangles of the last query and of those of limit_step.
     mutable FreeTube free;
@@ -159,6 +162,9 @@ class LineContact final : public Contact {
                  std::vector<FreePlace>& places) const;
   // What is first asked of an axis: how near its middle is.
   SurfaceQuestion middle(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  // Where it touched at the start of the step; of one of several walls, which may be another each trial,
+  // nothing.
+  const std::vector<ContactStretch>& touched_before(Pair& pair) const;
   std::vector<ContactStretch> locate(Pair& pair, const AxisShape& shape, const RigidPose& pose,
                                      const std::optional<SurfacePoint>& middle) const;
   // The pairs of an element and a volume, few bytes of what is asked of each in every trial: whether it is

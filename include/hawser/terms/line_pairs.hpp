@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,10 +22,19 @@ struct LinePairOptions {
   // by its basis (per length, per area), not automatic.
   model::LinePairSettings general;
   std::map<std::pair<int, int>, model::LinePairSettings> tuned;
-  // Automatic stiffness of each element, N/m²: a pair with basis `automatic` takes the larger one.
-  std::vector<double> automatic;
+  // For pairs with basis `automatic`, of each element: its own stiffness, and what it may be drawn across
+  // another with (contact_stiffness.hpp).
+  struct Automatic {
+    double per_length = 0, crossing = 0;  // N/m², N
+  };
+  std::vector<Automatic> automatic;
   CandidateSettings candidates;
 };
+
+// N/m²: the larger of the two's own, or what the weaker one needs where they cross. reach: m, sum of the
+// radii.
+double automatic_stiffness(const LinePairOptions::Automatic& a, const LinePairOptions::Automatic& b,
+                           double reach);
 
 // Largest penetration, m: of the parabola through the deepest Gauss point and two beside it; 0 without
 // points.
@@ -46,6 +56,7 @@ class LinePairs final : public ForceTerm {
   void reghost() override;
   // Nothing was missed, no line went through another, and the step resolves how lines meet and part.
   bool covers(const Kinematics& trial) const override;
+  std::string refusal(const Kinematics& trial) const override;
   bool outdated() const override { return candidates_.outdated(); }
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, Strikes& to) const override;
@@ -115,7 +126,10 @@ class LinePairs final : public ForceTerm {
   double mass(const Pair& pair) const;
   double bears(const Pair& pair) const;
   bool resolved(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
-  bool passes(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
+  bool passes(const Pair& pair, const Kinematics& trial) const;
+  std::string where(const Pair& pair) const;
+  double stored(const Pair& pair) const;
+  std::string too_soft(const Pair& pair) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);
   template <class What>
   void shared(const What& what) const;

@@ -1,0 +1,88 @@
+#include "hawser/kernels/axis_approach.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/geometry/segment_ccd.hpp"
+#include "hawser/geometry/segment_distance.hpp"
+
+namespace hawser {
+namespace {
+
+// Chords are good to the first part of the distance in question; the search for the time to the second.
+constexpr double kChord = 0.1, kSearch = 0.05;
+constexpr double kBelow = 0.75;
+// Halvings of an axis, at most: its chords are then within rounding of it.
+constexpr int kMost = 14;
+
+// An axis at either end of the step.
+struct Moving {
+  const AxisShape &from, &to;
+  double bend;  // m, the largest |d²x/dxi²| on the way
+
+  Moving(const AxisShape& f, const AxisShape& t)
+      : from(f), to(t), bend(std::max(f.bend_bound(), t.bend_bound())) {}
+};
+
+struct Piece {
+  double xi = 0;  // where it begins
+  int level = 0;  // it is 2^-level of the axis
+
+  double span() const { return 1.0 / (1 << level); }
+  Piece half(int which) const { return {xi + 0.5 * which * span(), level + 1}; }
+  MovingSegment chord(const Moving& m) const {
+    const double end = xi + span();
+    return {m.from.point(xi), m.from.point(end), m.to.point(xi), m.to.point(end)};
+  }
+  // m, how far the axis is from its chord, at most.
+  double error(const Moving& m) const { return 0.125 * span() * span() * m.bend; }
+};
+
+class Search {
+ public:
+  Search(const Moving& a, const Moving& b, const ApproachLimits& limits) : a_(a), b_(b), limits_(limits) {}
+
+  Sides look(const Piece& p, const Piece& q) const {
+    const MovingSegment A = p.chord(a_), B = q.chord(b_);
+    const double ea = p.error(a_), eb = q.error(b_), e = ea + eb;
+    if (first_approach(A, B, limits_.most + e, kSearch * limits_.most) > 1) return Sides::kept;
+    const double was = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
+    const bool finest = e == 0 || (ea >= eb ? p : q).level == kMost;
+    const bool asked = limits_.no_side >= 0;
+    if (finest && asked && was <= limits_.no_side + e) return Sides::none;
+    double least = std::min(limits_.most, limits_.part * std::max(was - e, 0.0));
+    least = std::max(least, limits_.floor);
+    if (e <= kChord * least)
+      return least > 0 && first_approach(A, B, least + e, kSearch * least) > 1 ? Sides::kept : Sides::near;
+    if (finest) return Sides::near;
+    Sides all = Sides::kept;
+    for (const int i : {0, 1}) {
+      const Sides s = ea >= eb ? look(p.half(i), q) : look(p, q.half(i));
+      if (s == Sides::none || (s == Sides::near && !asked)) return s;
+      if (s == Sides::near) all = s;
+    }
+    return all;
+  }
+
+ private:
+  const Moving &a_, &b_;
+  const ApproachLimits& limits_;
+};
+
+}  // namespace
+
+Sides sides_kept(const AxisShape& a0, const AxisShape& a1, const AxisShape& b0, const AxisShape& b1,
+                 const ApproachLimits& limits) {
+  const Moving a(a0, a1), b(b0, b1);
+  const Sides kept = Search(a, b, limits).look({}, {});
+  if (kept != Sides::near || !(limits.floor > 0)) return kept;
+  // Those that were nearer already, by more than what chords leave open, keep to the other limits.
+  const Moving still_a(a0, a0), still_b(b0, b0);
+  const ApproachLimits below{kBelow * limits.floor, HUGE_VAL, 0, -1};
+  if (Search(still_a, still_b, below).look({}, {}) == Sides::kept) return kept;
+  ApproachLimits others = limits;
+  others.floor = 0;
+  return Search(a, b, others).look({}, {});
+}
+
+}  // namespace hawser

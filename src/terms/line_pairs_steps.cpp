@@ -1,0 +1,204 @@
+// Which steps LinePairs accepts and which it asks for: no line goes through another, and it is seen how they
+// meet.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/geometry/segment_distance.hpp"
+#include "hawser/kernels/axis_approach.hpp"
+#include "hawser/terms/line_pairs.hpp"
+
+namespace hawser {
+namespace {
+
+// Axes come no nearer in a step than this part of the radii, or than half of what they were, and no nearer
+// than the second: from about half the radii on, what crosses is pushed back the less the deeper it is.
+constexpr double kThrough = 0.25, kPressed = 0.1;
+// In statics, where steps know nothing of forces that they have not met, they end at this part of the radii:
+// the next one knows. Axes nearer than the second cross.
+constexpr double kStaticDepth = 0.7, kNoSide = 1e-9;
+// A step may take a line this part of the radii deeper than to the surface.
+constexpr double kDeep = 0.5;
+// Steps in a period of the contact, at least.
+constexpr double kLeastSteps = 3;
+// The part of the radii to which a stiffness that is proposed lets lines be pressed in.
+constexpr double kProposed = 0.25;
+
+// Upwards to two digits.
+double rounded_up(double v) {
+  const double unit = std::pow(10, std::floor(std::log10(v)) - 1);
+  return std::ceil(v / unit) * unit;
+}
+
+}  // namespace
+
+bool LinePairs::covers(const Kinematics& trial) const {
+  if (!candidates_.covers(trial)) return false;
+  if (start_.size() != candidates_.segments().size()) return true;  // not prepared: nothing to compare with
+  const std::vector<Rod> is = rods(trial);
+  return std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& p) {
+    return met(p, is) && (passes(p, trial) || !resolved(p, trial, is));
+  });
+}
+
+// Whether an axis comes through the other, or nearly, on the way from the start of the step.
+bool LinePairs::passes(const Pair& p, const Kinematics& trial) const {
+  const AxisShape a0(start_[static_cast<size_t>(p.a)]), b0(start_[static_cast<size_t>(p.b)]),
+      a1(ends(trial, p.a)), b1(ends(trial, p.b));
+  ApproachLimits limits;
+  if (trial.step > 0) {
+    limits.most = kThrough * p.law.reach, limits.part = 0.5, limits.floor = kPressed * p.law.reach;
+    return sides_kept(a0, a1, b0, b1, limits) != Sides::kept;
+  }
+  // Axes may cross from the start: then no side is the right one.
+  limits.most = kStaticDepth * p.law.reach, limits.part = 0.9, limits.no_side = kNoSide * p.law.reach;
+  return sides_kept(a0, a1, b0, b1, limits) == Sides::near;
+}
+
+// Relative speed along the line between the nearest points of the chords, m/s (> 0: they part), and the gap,
+// m.
+LinePairs::Nearest LinePairs::nearest(const Pair& p, const AxisEnds& a, const AxisEnds& b) const {
+  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
+  if (!(c.distance > 0)) return {};
+  const Vec3 v = (1 - c.s) * a.v1 + c.s * a.v2 - (1 - c.t) * b.v1 - c.t * b.v2;
+  return {v.dot(c.difference) / c.distance, c.distance - p.law.reach};
+}
+
+// Relative acceleration of the middles along the line between them, m/s²: at the turning point of a blow
+// there is no speed.
+double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
+  const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
+    const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
+    return 0.5 * (v[static_cast<size_t>(s.first)] + v[static_cast<size_t>(s.second)]);
+  };
+  const AxisEnds &a = start_[static_cast<size_t>(p.a)], &b = start_[static_cast<size_t>(p.b)];
+  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
+  return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
+}
+
+// 1/omega of the two masses on the contact, s.
+double LinePairs::slowness(const Pair& p) const {
+  const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
+               mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
+  return std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);
+}
+
+// kg, of the two on their contact, and what their line bears, J. The stretch that touches is at most one of
+// the elements.
+double LinePairs::mass(const Pair& p) const {
+  const auto [i, j] = p.key;
+  const double ma = elements_[static_cast<size_t>(i)].mass_per_length,
+               mb = elements_[static_cast<size_t>(j)].mass_per_length;
+  const auto& e = mesh_.mesh->elements;
+  return ma * mb / (ma + mb) * std::min(e[static_cast<size_t>(i)].length, e[static_cast<size_t>(j)].length);
+}
+
+double LinePairs::bears(const Pair& p) const {
+  if (bearable_.empty()) return 0;
+  const auto& e = mesh_.mesh->elements;
+  return std::min(bearable_[static_cast<size_t>(e[static_cast<size_t>(p.key.first)].line)],
+                  bearable_[static_cast<size_t>(e[static_cast<size_t>(p.key.second)].line)]);
+}
+
+// A step in which they meet or part fast enough to press in beyond the ramp, and with more energy than can be
+// borne, is no longer than a third of the contact's period.
+bool LinePairs::resolved(const Pair& p, const Kinematics& trial, const std::vector<Rod>& is) const {
+  const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
+  const double slow = slowness(p);
+  if (trial.step <= (1 + 1e-9) / kLeastSteps * 2 * M_PI * slow || (!p.history && !near(p, is))) return true;
+  const double v0 = nearest(p, start_[i], start_[j]).speed,
+               v1 = nearest(p, ends(trial, p.a), ends(trial, p.b)).speed;
+  const double v = std::max(std::abs(v0), std::abs(v1));
+  return v * slow <= 2 * p.law.normal.smoothing || 0.5 * mass(p) * v * v <= bears(p);
+}
+
+// An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
+void LinePairs::limit_step(const Kinematics& at, Strikes& to) const {
+  for (const Pair& p : pairs_) {
+    const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
+    const Nearest c = nearest(p, start_[i], start_[j]);
+    const double ramp = p.law.normal.smoothing,
+                 apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
+    if (c.speed < 0) to.limit((apart + kDeep * p.law.reach) / -c.speed);
+    if (!p.counted) continue;
+    Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
+    if (p.history) a.gap = -ramp - std::max(deepest_of((*p.history)[0]), deepest_of((*p.history)[3]));
+    const auto& e = mesh_.mesh->elements;
+    to.add(strike(slowness(p), 2 * ramp, mass(p), a), e[static_cast<size_t>(p.key.first)].line,
+           e[static_cast<size_t>(p.key.second)].line);
+  }
+}
+
+// Where two lines are nearest in the accepted state, in words.
+std::string LinePairs::where(const Pair& p) const {
+  const AxisEnds &a = start_[static_cast<size_t>(p.a)], &b = start_[static_cast<size_t>(p.b)];
+  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
+  const Mesh& m = *mesh_.mesh;
+  const auto place = [&](int element, double xi) {
+    const Element& e = m.elements[static_cast<size_t>(element)];
+    return fmt::format("{} (arc length {:.6g} m)", m.lines[static_cast<size_t>(e.line)].name,
+                       m.nodes[static_cast<size_t>(e.first)].arc + xi * e.length);
+  };
+  return "lines " + place(p.key.first, c.s) + " and " + place(p.key.second, c.t);
+}
+
+// J, in the springs of the contact of the two lines, of what this rank counts.
+double LinePairs::stored(const Pair& of) const {
+  const auto lines = [&](const Pair& p) {
+    const auto& e = mesh_.mesh->elements;
+    return std::minmax(e[static_cast<size_t>(p.key.first)].line, e[static_cast<size_t>(p.key.second)].line);
+  };
+  double sum = 0;
+  for (const Pair& p : pairs_)
+    if (p.counted && p.history && lines(p) == lines(of))
+      for (const auto& part : *p.history)
+        for (const LinePairHistory& h : part) sum += h.weight * h.potential;
+  return sum;
+}
+
+// A crossing holds energy with the depth to the power 5/2.
+std::string LinePairs::too_soft(const Pair& p) const {
+  const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
+  const double reach = p.law.reach, k = p.law.normal.stiffness,
+               speed = -nearest(p, start_[i], start_[j]).speed,
+               depth = p.history ? std::max(deepest_of((*p.history)[0]), deepest_of((*p.history)[3])) : 0;
+  if (!(depth > kProposed * reach))
+    return where(p) + " would pass through each other: from the start they are nearer than their radii allow";
+  const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
+  const double wanted = k * std::pow(depth / (kProposed * reach), 2.5) * (1 + more / has);
+  return fmt::format(
+      "{} are pressed into each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass "
+      "through each "
+      "other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for this impact "
+      "({:.3g} J in the contact). Try contact: {{between_lines: {{normal_stiffness: "
+      "{{per_length: {:.2g}}}}}}}",
+      where(p), depth, 100 * depth / reach, k, has, rounded_up(wanted));
+}
+
+std::string LinePairs::refusal(const Kinematics& trial) const {
+  if (start_.size() != candidates_.segments().size()) return {};
+  const std::vector<Rod> is = rods(trial);
+  const Pair *through = nullptr, *hard = nullptr;
+  double least = HUGE_VAL;
+  for (const Pair& p : pairs_) {
+    if (!p.counted || !met(p, is)) continue;
+    const double gap = nearest(p, start_[static_cast<size_t>(p.a)], start_[static_cast<size_t>(p.b)]).gap;
+    if (gap < least && passes(p, trial))
+      through = &p, least = gap;
+    else if (!hard && !resolved(p, trial, is))
+      hard = &p;
+  }
+  if (through) return too_soft(*through);
+  if (hard)
+    return fmt::format(
+        "{} meet on a contact so stiff ({:.3g} N/m per m, a period of {:.2g} s) that no step is short enough "
+        "to "
+        "follow it",
+        where(*hard), hard->law.normal.stiffness, 2 * M_PI * slowness(*hard));
+  if (!candidates_.covers(trial))
+    return "lines move farther in it than was looked ahead for what they may touch";
+  return {};
+}
+
+}  // namespace hawser
