@@ -135,7 +135,7 @@ struct BodyModel {
     auto skeletons = app::skeletons(c, volumes);
     const auto faces = app::surfaces(volumes);
     for (size_t v = 0; v < 2; ++v) touching.push_back({faces[v], skeletons[v]});
-    auto term = std::make_unique<BodyContactTerm>(c, system->mesh(), bodies, touching);
+    auto term = std::make_unique<BodyContactTerm>(PETSC_COMM_SELF, c, system->mesh(), bodies, touching);
     contact = term.get();
     system->add(std::move(term));
 

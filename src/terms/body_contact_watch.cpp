@@ -1,0 +1,71 @@
+// Corners and edges do not see everything: two boxes whose sides are flush go into each other with all their
+// edges in the sides of the other, where the distance is nothing. What is in the other and not seen by them
+// ends the run with a sentence.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/base/error.hpp"
+#include "hawser/terms/body_contact.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double kAllowed = 0.01;  // of the smaller volume, m/m
+constexpr double kBeyond = 2;      // times what is seen: that may be of another place
+
+}  // namespace
+
+double BodyContactTerm::deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const {
+  const BodySkeleton& skeleton = volumes_[volume].skeleton;
+  const Surface& surface = *volumes_[in].surface;
+  double depth = 0;
+  for (const auto& b : skeleton.face_bundles) {
+    const Vec3 centre = there.to_body(of.to_space(b.centre));
+    const double reach = b.radius - depth;  // no nearer is deeper
+    if (reach < 0 ? !boxes_[in].contains(centre) : squared_distance(boxes_[in], centre) > reach * reach)
+      continue;
+    const auto near = surface.query(centre, std::max(reach, 0.0));
+    if (!near || near->distance > reach) continue;
+    for (int i = b.first; i < b.first + b.count; ++i) {
+      const auto s = surface.query(there.to_body(of.to_space(skeleton.faces[static_cast<size_t>(i)])), 0);
+      if (s) depth = std::max(depth, -s->distance);
+    }
+  }
+  return depth;
+}
+
+void BodyContactTerm::watch(double time) const {
+  struct {
+    double depth;
+    int pair;
+  } worst{0, -1};
+  bool watched = false;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    const Pair& p = pairs_[i];
+    watched = watched || p.hides;
+    if (!p.hides || !p.counted) continue;
+    // Of two that both lead the other may see it.
+    double seen = p.seen;
+    for (const Pair& q : pairs_)
+      if (q.a == p.b && q.b == p.a) seen = std::max(seen, q.seen);
+    double size = HUGE_VAL;
+    for (const size_t v : {p.a, p.b})
+      if (const Vec3 e = boxes_[v].extent(); e.allFinite()) size = std::min(size, e.maxCoeff());
+    BodyFrame As = p.at.A;
+    As.x = As.to_space(-sides_[p.a].centre);
+    const double depth = std::max(deepest(p.a, As, p.b, p.at.Bs), deepest(p.b, p.at.Bs, p.a, As));
+    if (depth > kBeyond * seen + kAllowed * size && depth > worst.depth) worst = {depth, static_cast<int>(i)};
+  }
+  if (!watched) return;
+  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
+  if (worst.pair < 0 || !(worst.depth > 0)) return;
+  const Pair& p = pairs_[static_cast<size_t>(worst.pair)];
+  throw SolveError(
+      fmt::format("at t = {:.6g} s {} and {} are {:.3g} m in each other where no corner or edge that is to "
+                  "meet the other "
+                  "touches; give them stiffnesses per_area, or a sphere or capsule where they meet",
+                  time, names_[p.a], names_[p.b], worst.depth));
+}
+
+}  // namespace hawser
