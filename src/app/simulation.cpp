@@ -282,6 +282,7 @@ StaticsReport Simulation::solve_statics() {
     system_->spread(state_);
   }
   if (contact_ || line_pairs_) system_->commit(state_.view(0));
+  if (body_contact_) body_contact_->watch(state_.view(0));
   return report;
 }
 

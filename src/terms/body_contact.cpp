@@ -82,7 +82,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
       s.global = mesh.mesh->body_node(s.body);
     }
     sides_.push_back(s);
-    names_.push_back("volume " + v.name + " of body " + v.body);
+    names_.push_back("volume " + v.name + (v.body.empty() ? "" : " of body " + v.body));
   }
   for (const TouchingVolume& v : volumes_) boxes_.push_back(v.surface->bounds());
   for (const model::BodyPair& p : model::body_pairs(c)) {
@@ -112,7 +112,16 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     // Where the other volume is softer the stiffness of the two is that one's.
     pair.law = normal_law(v, p.stiffness / v.normal_stiffness,
                           std::min(kSmoothing * pair.size, kMostSmoothing), pair.mass / units);
+    if (!pairs_.empty() && pairs_.back().a == pair.b && pairs_.back().b == pair.a) {
+      pair.other = static_cast<int>(pairs_.size()) - 1;
+      pairs_.back().other = static_cast<int>(pairs_.size());
+    }
     pairs_.push_back(pair);
+  }
+  for (const TouchingVolume& v : volumes_) {
+    Box around;
+    for (const auto& b : v.skeleton.face_bundles) around.add(Box{b.centre, b.centre}.grown(b.radius));
+    faces_.push_back(around);
   }
   reghost();
 }
@@ -265,7 +274,7 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
     p.energy = relative_energy(p, p.at) + s.potential;
     if (p.counted) powers(p, s, committed, p.damping_power, p.work_power);
   }
-  if (h > 0) watch(committed.time);
+  if (h > 0) look(committed.time);
 }
 
 void BodyContactTerm::commit(const Kinematics& accepted) {
@@ -332,16 +341,16 @@ std::vector<HistoryRecord> BodyContactTerm::save() const {
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
     const int node = sides_[p.a].global >= 0 ? sides_[p.a].global : sides_[p.b].global;
-    if (p.counted) out.push_back({node, static_cast<int>(i), {p.damping, p.work, p.depth}});
+    if (p.counted) out.push_back({node, static_cast<int>(i), {p.damping, p.work, p.depth, p.met}});
   }
   return out;
 }
 
 void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
-    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size() || r.values.size() != 3) continue;
+    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size() || r.values.size() != 4) continue;
     Pair& p = pairs_[static_cast<size_t>(r.key)];
-    if (p.counted) p.damping = r.values[0], p.work = r.values[1], p.depth = r.values[2];
+    if (p.counted) p.damping = r.values[0], p.work = r.values[1], p.depth = r.values[2], p.met = r.values[3];
   }
 }
 

@@ -80,7 +80,8 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
   };
   const auto meets = [&](const Vec3& y0, const Vec3& y1, double radius) {
     return goes_through(distance_to(surface), BezierAxis::straight(before(y0), before(y1)).b,
-                        BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing));
+                        BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing),
+                        true);
   };
   const auto any = [&](const auto& bundles, const auto& list, const auto& passes) {
     for (const BodySkeleton::Bundle& b : bundles)

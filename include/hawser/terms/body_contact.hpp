@@ -38,8 +38,7 @@ class BodyContactTerm final : public ForceTerm {
   void couple(Couplings& to) const override;
   bool recouple(const Kinematics&, double) override;
   void reghost() override;
-  // Of a step in time: SolveError where two volumes are in each other and nothing of them touches.
-  // Collective.
+  // Of a step in time it watches.
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, Strikes& to) const override;
   // Nothing that stands out goes through the other body between the ends of a step.
@@ -51,6 +50,8 @@ class BodyContactTerm final : public ForceTerm {
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
+  // SolveError where two volumes are far deeper in each other than corners and edges have met. Collective.
+  void watch(const Kinematics& at);
   // N and N m about its centre of mass, space axes: what contact exerts on a floating body of the case, for
   // the rank that owns it.
   std::array<Vec3, 2> force_on(int body, const Kinematics& at) const;
@@ -82,6 +83,7 @@ class BodyContactTerm final : public ForceTerm {
     Vec3 middle = Vec3::Zero();  // m, of what stands out, from the centre of mass; and a ball about it
     double radius = 0;
     bool hides = false;                        // as of model::BodyPair
+    int other = -1;                            // the pair in which b leads, where both do
     bool here = false, counted = false;        // this rank owns a body of it; counts it
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
@@ -92,7 +94,8 @@ class BodyContactTerm final : public ForceTerm {
     Vec12 elastic = Vec12::Zero();  // residual without damping
     Both at;
     double seen = 0;   // m, penetration
-    double depth = 0;  // m, largest
+    double met = 0;    // m, largest of that since the two were clear of each other
+    double depth = 0;  // m, largest, over the accepted steps
     Touch now;         // in the accepted state
   };
   struct Sum;
@@ -121,13 +124,14 @@ class BodyContactTerm final : public ForceTerm {
   void limit_by(const Pair& pair, const Kinematics& committed, Strikes& to) const;
   // body_contact_watch.cpp. m, of the deepest place of the faces of one volume in the other.
   double deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const;
-  void watch(double time) const;
+  void look(double time);
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<TouchingVolume> volumes_;
   std::vector<Box> boxes_;   // of their surfaces
+  std::vector<Box> faces_;   // of the places where they are watched, empty: of none
   std::vector<Side> sides_;  // likewise
   std::vector<Pair> pairs_;
   std::vector<std::string> names_;  // of volumes, with their bodies
