@@ -190,13 +190,13 @@ TEST(BodyContactTerm, Tangents) {
 TEST(BodyContactTerm, WhatWasMetIsKept) {
   for (const TouchCase& c : touch_cases()) {
     if (c.name != "edge along a face") continue;
-    BodyModel deep(c, -0.1, true, 0), apart(c, 0.05, true, 0);
+    BodyModel deep(c, -0.1, true, 0), apart(c, 0.5, true, 0);
     const State s = state_of(deep.system->mesh(), deep.trial);
     deep.system->commit(s.view(deep.trial.h));
     deep.system->prepare(s.view(deep.trial.h), deep.trial.h);
     const auto kept = deep.contact->save();
     ASSERT_EQ(kept.size(), 1U);
-    EXPECT_NEAR(kept[0].values.back(), 0.1, 0.01);
+    EXPECT_GT(kept[0].values.back(), 0.09);
     EXPECT_EQ(apart.contact->save()[0].values.back(), 0);
     apart.contact->restore(kept);
     EXPECT_EQ(apart.contact->save()[0].values, kept[0].values);
