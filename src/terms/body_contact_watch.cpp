@@ -54,7 +54,8 @@ void BodyContactTerm::look(double time) {
   for (size_t i = 0; i < pairs_.size(); ++i) {
     Pair& p = pairs_[i];
     watched = watched || p.hides;
-    if (!p.hides || !p.counted) continue;
+    const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two
+    if (!p.hides || !p.counted || again) continue;
     const Side& a = sides_[p.a];
     BodyFrame As = p.at.A;
     if (a.global >= 0) As.x = As.to_space(-a.centre);
@@ -77,8 +78,7 @@ void BodyContactTerm::look(double time) {
   throw SolveError(
       fmt::format("at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to "
                   "meet the other met {:.3g} m at most; give them stiffnesses per_area (per_length where "
-                  "edges cross), or a "
-                  "sphere or capsule where they meet",
+                  "edges cross), or a sphere or capsule where they meet",
                   time, names_[p.a], names_[p.b], worst.depth, met));
 }
 
