@@ -239,6 +239,8 @@ std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
   for (size_t k = 0; k < out.size() && rank == 0; ++k) {
     out[k] = {ranked[k].value, heard[4 * k], heard[4 * k + 1]};
     if (!wanted[k].volume.empty()) out[k].insert(out[k].end(), {heard[4 * k + 2], heard[4 * k + 3]});
+    // Nothing of the volume looks that way.
+    if (!std::isfinite(ranked[k].value)) std::fill(out[k].begin(), out[k].end(), std::nan(""));
   }
   return out;
 }

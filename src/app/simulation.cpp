@@ -176,7 +176,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (!model::body_pairs(c).empty() && skeletons.size() == c.volumes.size()) {
     std::vector<TouchingVolume> touching;
     for (size_t v = 0; v < c.volumes.size(); ++v) touching.push_back({surfaces[v], std::move(skeletons[v])});
-    auto contact = std::make_unique<BodyContactTerm>(c, local, bodies_, std::move(touching));
+    auto contact = std::make_unique<BodyContactTerm>(comm, c, local, bodies_, std::move(touching));
     body_contact_ = contact.get();
     system_->add(std::move(contact));
   }
@@ -282,6 +282,7 @@ StaticsReport Simulation::solve_statics() {
     system_->spread(state_);
   }
   if (contact_ || line_pairs_) system_->commit(state_.view(0));
+  if (body_contact_) body_contact_->watch(state_.view(0));
   return report;
 }
 

@@ -44,7 +44,8 @@ double way_of(const AxisPoints& from, const AxisPoints& to) {
   return std::sqrt(squared);
 }
 
-bool goes_through(const DistanceField& field, const AxisPoints& from, const AxisPoints& to, double radius) {
+bool goes_through(const DistanceField& field, const AxisPoints& from, const AxisPoints& to, double radius,
+                  bool pressed) {
   if (!(way_of(from, to) > radius)) return false;
   const BezierAxis before{from}, after{to};
   std::vector<Piece> pieces{{{from, to}}};
@@ -63,7 +64,9 @@ bool goes_through(const DistanceField& field, const AxisPoints& from, const Axis
       const Vec3 y0 = before.point(xi), y1 = after.point(xi);
       Vec3 n0, n1;
       const auto d0 = field(y0, near + (y - y0).norm(), n0), d1 = field(y1, near + (y - y1).norm(), n1);
-      if (d0 && d1 && *d0 > kDeep * radius && (*d1 >= kClear * radius || n0.dot(n1) < 0)) return true;
+      const bool outside = d0 && *d0 > kDeep * radius;
+      if (d0 && d1 && ((outside && *d1 >= kClear * radius) || ((outside || pressed) && n0.dot(n1) < 0)))
+        return true;
       if (size <= radius) continue;
     }
     for (Piece& half : halves(piece)) pieces.push_back(half);

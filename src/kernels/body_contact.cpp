@@ -50,6 +50,7 @@ BodyContactPoint body_contact(const BodyFrame& A, const Vec3& y, double radius, 
   out.gap = s.distance - radius;
   out.rate = G.dot(rates);
   out.normal = n;
+  out.gradient = G;
   out.law = normal_force(law, out.gap, out.rate);
   if (out.law.force == 0 && out.law.by_gap == 0) return out;
   // Energy grows where the gap closes: residual = -force * dg/dq.

@@ -18,6 +18,13 @@ int rank(const Volume& v) {
   return v.basis == StiffnessBasis::per_point ? 1 : v.basis == StiffnessBasis::per_length ? 2 : 3;
 }
 
+bool hides(const Volume& v) {
+  const bool bar = v.shape && (std::holds_alternative<CapsuleShape>(*v.shape) ||
+                               std::holds_alternative<TorusShape>(*v.shape));
+  const bool ball = v.shape && std::holds_alternative<SphereShape>(*v.shape);
+  return v.basis == StiffnessBasis::per_point ? !ball : v.basis == StiffnessBasis::per_length && !bar;
+}
+
 }  // namespace
 
 std::vector<BodyPair> body_pairs(const Case& c) {
@@ -44,6 +51,7 @@ std::vector<BodyPair> body_pairs(const Case& c) {
         pairs.push_back({j, i, stiffness(b), share});
       }
     }
+  for (BodyPair& p : pairs) p.hides = hides(c.volumes[p.a]);
   return pairs;
 }
 

@@ -416,6 +416,7 @@ std::vector<Issue> check(const Case& c) {
   check_whole(c, issues);
   check_joints(c, issues);
   check_floating(c, issues);
+  check_contact(c, issues);
   return issues;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "body_contact_sum.hpp"
 #include "hawser/kernels/line_contact.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/terms/contact.hpp"
@@ -13,26 +14,8 @@ namespace {
 
 constexpr double kSmoothing = 1e-3;      // of the size of what leads, m/m
 constexpr double kMostSmoothing = 0.01;  // m
+constexpr double kRoom = 0.05;           // of that size, m/m; less where it would get through something thin
 constexpr int kEdgeLevels = 5;           // an edge is looked at in pieces of 1/32
-constexpr double kStepsAPeriod = 20;
-
-}  // namespace
-
-// What a pair does in a state.
-struct BodyContactTerm::Sum {
-  BodyContact contact;
-  double potential = 0, damping_power = 0;  // J, W
-  double stiffness = 0, depth = 0;          // N/m of all that touches; m, largest penetration
-
-  void add(const BodyContactPoint& p, double weight) {
-    potential += weight * p.law.potential;
-    damping_power += weight * (p.law.elastic - p.law.force) * p.rate;
-    stiffness -= weight * p.law.by_gap;
-    depth = std::max(depth, -p.gap);
-  }
-};
-
-namespace {
 
 // The gap along an edge of A to the surface of B.
 class EdgeGap final : public AxisGapFunction {
@@ -86,33 +69,42 @@ void add_moving_ends(const BodyFrame& A, const SkeletonEdge& e, const BodyFrame&
 
 }  // namespace
 
-BodyContactTerm::BodyContactTerm(const model::Case& c, const LocalMesh& mesh,
+BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                  std::shared_ptr<const Bodies> bodies, std::vector<TouchingVolume> volumes)
-    : mesh_(mesh), bodies_(std::move(bodies)), volumes_(std::move(volumes)) {
+    : comm_(comm), mesh_(mesh), bodies_(std::move(bodies)), volumes_(std::move(volumes)) {
   if (volumes_.size() != c.volumes.size()) throw std::invalid_argument("body contact needs all volumes");
-  const auto mass = [&](const Side& s) {
-    return s.global < 0 ? HUGE_VAL : c.bodies[static_cast<size_t>(s.body)].mass->mass;
-  };
   for (const model::Volume& v : c.volumes) {
     Side s;
     s.body = c.body_index(v.body);
     if (s.body >= 0 && c.bodies[static_cast<size_t>(s.body)].mass) {
-      s.centre = c.bodies[static_cast<size_t>(s.body)].mass->centre;
+      const model::BodyMass& m = *c.bodies[static_cast<size_t>(s.body)].mass;
+      s.centre = m.centre, s.mass = m.mass, s.inertia = m.tensor(), s.inverse_inertia = s.inertia.inverse();
       s.global = mesh.mesh->body_node(s.body);
     }
     sides_.push_back(s);
+    names_.push_back("volume " + v.name + (v.body.empty() ? "" : " of body " + v.body));
   }
   for (const TouchingVolume& v : volumes_) boxes_.push_back(v.surface->bounds());
   for (const model::BodyPair& p : model::body_pairs(c)) {
     const model::Volume& v = c.volumes[p.a];
     Pair pair;
-    pair.a = p.a, pair.b = p.b, pair.share = p.share;
-    const double ma = mass(sides_[p.a]), mb = mass(sides_[p.b]);
-    pair.mass = 1 / (1 / ma + 1 / mb);
+    pair.a = p.a, pair.b = p.b, pair.share = p.share, pair.hides = p.hides;
+    pair.mass = 1 / (1 / sides_[p.a].mass + 1 / sides_[p.b].mass);
+    Box around;
     for (const auto* list : {&volumes_[p.a].skeleton.point_bundles, &volumes_[p.a].skeleton.edge_bundles})
-      for (const auto& b : *list) pair.size = std::max(pair.size, 2 * b.radius);
+      for (const auto& b : *list) {
+        pair.size = std::max(pair.size, 2 * b.radius);
+        around.add(Box{b.centre, b.centre}.grown(b.radius));
+      }
+    if (!volumes_[p.a].skeleton.point_bundles.empty() || !volumes_[p.a].skeleton.edge_bundles.empty())
+      pair.middle = around.centre() - sides_[p.a].centre, pair.radius = 0.5 * around.extent().norm();
     const Vec3 extent = boxes_[p.a].extent();
     if (extent.allFinite()) pair.size = extent.maxCoeff();
+    pair.room = kRoom * pair.size;
+    for (const size_t i : {p.a, p.b}) {
+      const Vec3 e = boxes_[i].extent();
+      if (e.allFinite() && e.minCoeff() > 0) pair.room = std::min(pair.room, 0.5 * e.minCoeff());
+    }
     // The mass that belongs to a unit of length or area is that over the whole of it.
     const double units = v.basis == model::StiffnessBasis::per_point    ? 1
                          : v.basis == model::StiffnessBasis::per_length ? pair.size
@@ -120,7 +112,16 @@ BodyContactTerm::BodyContactTerm(const model::Case& c, const LocalMesh& mesh,
     // Where the other volume is softer the stiffness of the two is that one's.
     pair.law = normal_law(v, p.stiffness / v.normal_stiffness,
                           std::min(kSmoothing * pair.size, kMostSmoothing), pair.mass / units);
+    if (!pairs_.empty() && pairs_.back().a == pair.b && pairs_.back().b == pair.a) {
+      pair.other = static_cast<int>(pairs_.size()) - 1;
+      pairs_.back().other = static_cast<int>(pairs_.size());
+    }
     pairs_.push_back(pair);
+  }
+  for (const TouchingVolume& v : volumes_) {
+    Box around;
+    for (const auto& b : v.skeleton.face_bundles) around.add(Box{b.centre, b.centre}.grown(b.radius));
+    faces_.push_back(around);
   }
   reghost();
 }
@@ -168,15 +169,19 @@ BodyFrame BodyContactTerm::frame(const Side& s, const Kinematics& at) const {
   return f;
 }
 
-BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Kinematics& at, bool tangent) const {
-  Sum sum;
-  const Side &sa = sides_[pair.a], &sb = sides_[pair.b];
-  const BodyFrame A = frame(sa, at), B = frame(sb, at);
-  // Shapes are given in the frame of the body; unknowns belong to its centre of mass.
-  const Vec3 ca = sa.global < 0 ? Vec3(Vec3::Zero()) : sa.centre;
-  const Vec3 cb = sb.global < 0 ? Vec3(Vec3::Zero()) : sb.centre;
-  BodyFrame Bs = B;  // the frame of B's surface
-  Bs.x = B.to_space(-cb);
+BodyContactTerm::Both BodyContactTerm::both(const Pair& pair, const Kinematics& at) const {
+  const Side& b = sides_[pair.b];
+  Both out{frame(sides_[pair.a], at), frame(b, at), {}};
+  out.Bs = out.B;
+  out.Bs.x = out.B.to_space(b.global < 0 ? Vec3(Vec3::Zero()) : Vec3(-b.centre));
+  return out;
+}
+
+BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Both& at, bool tangent,
+                                            bool springs) const {
+  Sum sum(springs);
+  const BodyFrame &A = at.A, &B = at.B, &Bs = at.Bs;
+  const Vec3& ca = sides_[pair.a].centre;  // zero of one with prescribed motion
   const Surface& surface = *volumes_[pair.b].surface;
   const Box& box = boxes_[pair.b];
   const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
@@ -222,8 +227,8 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Sink& sink) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const Side &a = sides_[p.a], &b = sides_[p.b];
-    const Sum s = touch(p, trial, sink.wants_tangent());
-    if (s.stiffness == 0 && s.contact.f.isZero(0)) continue;
+    const Sum s = touch(p, both(p, trial), sink.wants_tangent());
+    if (!s.touches) continue;
     std::array<int, 4> blocks{};
     std::array<int, 12> row{};  // of the twelve
     int n = 0;
@@ -259,20 +264,23 @@ void BodyContactTerm::powers(const Pair& p, const Sum& s, const Kinematics& at, 
   }
 }
 
-void BodyContactTerm::prepare(const Kinematics& committed, double) {
+void BodyContactTerm::prepare(const Kinematics& committed, double h) {
   for (Pair& p : pairs_) {
     if (!p.here) continue;
-    const Sum s = touch(p, committed, false);
-    p.potential = s.potential, p.stiffness = s.stiffness;
-    p.start_a = frame(sides_[p.a], committed), p.start_b = frame(sides_[p.b], committed);
+    p.at = both(p, committed);
+    const Sum s = touch(p, p.at, false, h > 0);
+    p.potential = s.potential, p.elastic = s.elastic, p.seen = s.depth;
+    p.frequency = h > 0 ? frequency(p, s) : 0;
+    p.energy = relative_energy(p, p.at) + s.potential;
     if (p.counted) powers(p, s, committed, p.damping_power, p.work_power);
   }
+  if (h > 0) look(committed.time);
 }
 
 void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
     if (!p.counted) continue;
-    const Sum s = touch(p, accepted, false);
+    const Sum s = touch(p, both(p, accepted), false);
     p.depth = std::max(p.depth, s.depth), p.potential = s.potential;
     p.now.force = s.contact.f.segment<3>(0).norm();
     p.now.energy = s.potential, p.now.depth = s.depth;
@@ -284,27 +292,12 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
   }
 }
 
-// A twentieth of the period of the contact spring under the bodies' mass, as soon as they touch or may touch
-// in a step of that length.
-void BodyContactTerm::limit_step(const Kinematics& committed, Strikes& to) const {
-  for (const Pair& p : pairs_) {
-    if (!p.here) continue;
-    const BodyFrame A = frame(sides_[p.a], committed), B = frame(sides_[p.b], committed);
-    const double speed =
-        (A.v - B.v).norm() + A.w.norm() * p.size + B.w.norm() * (p.size + (A.x - B.x).norm());
-    if (p.stiffness > 0)
-      to.limit(2 * M_PI * std::sqrt(p.mass / p.stiffness) / kStepsAPeriod);
-    else if (speed > 0)  // it must not go deeper at once than a first touch would
-      to.limit(std::max(0.05 * p.size / speed, 1e-6));
-  }
-}
-
 // In dynamics of the committed state, in statics of trials.
 Energy BodyContactTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += at.step > 0 ? p.potential : touch(p, at, false).potential;
+    e.strain += at.step > 0 ? p.potential : touch(p, both(p, at), false).potential;
     e.damping += p.damping, e.work += p.work;
   }
   return e;
@@ -318,7 +311,7 @@ std::array<Vec3, 2> BodyContactTerm::force_on(int body, const Kinematics& at) co
     bool known = false;
     for (const auto& [side, first] : {std::pair(&sides_[p.a], 0), std::pair(&sides_[p.b], 6)}) {
       if (side->global < 0 || side->body != body) continue;
-      if (!known) s = touch(p, at, false), known = true;
+      if (!known) s = touch(p, both(p, at), false), known = true;
       out[0] -= s.contact.f.segment<3>(first);
       out[1] -= frame(*side, at).R * s.contact.f.segment<3>(first + 3);
     }
@@ -348,16 +341,16 @@ std::vector<HistoryRecord> BodyContactTerm::save() const {
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
     const int node = sides_[p.a].global >= 0 ? sides_[p.a].global : sides_[p.b].global;
-    if (p.counted) out.push_back({node, static_cast<int>(i), {p.damping, p.work, p.depth}});
+    if (p.counted) out.push_back({node, static_cast<int>(i), {p.damping, p.work, p.depth, p.met}});
   }
   return out;
 }
 
 void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
-    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size() || r.values.size() != 3) continue;
+    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size() || r.values.size() != 4) continue;
     Pair& p = pairs_[static_cast<size_t>(r.key)];
-    if (p.counted) p.damping = r.values[0], p.work = r.values[1], p.depth = r.values[2];
+    if (p.counted) p.damping = r.values[0], p.work = r.values[1], p.depth = r.values[2], p.met = r.values[3];
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "hawser/geometry/sharp_edges.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 constexpr int kBundle = 32;
 constexpr int kMostPieces = 400;  // along a side of a triangle
 constexpr int kRing = 64;
+constexpr double kWatched = 4000;  // places
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -131,6 +133,34 @@ BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const s
           std::max({b.radius, (e.from - b.centre).norm() + e.radius, (e.to - b.centre).norm() + e.radius});
     }
   return s;
+}
+
+void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkeleton& skeleton) {
+  double area = 0;
+  const auto each = [&](const auto& what) {
+    for (size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (active.empty() || active[t]) what(corners(mesh, t));
+  };
+  each([&](const Triangle& t) { area += 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm(); });
+  if (!(area > 0)) return;
+  // Of small triangles one in each cell as large.
+  const double piece = std::sqrt(area / kWatched);
+  std::set<std::array<long, 3>> taken;
+  std::vector<SkeletonPoint> points;
+  each([&](const Triangle& t) {
+    points.clear();
+    faces(t, piece, points);
+    for (const SkeletonPoint& p : points) {
+      const std::array<long, 3> cell{std::lround(p.at.x() / piece), std::lround(p.at.y() / piece),
+                                     std::lround(p.at.z() / piece)};
+      if (taken.insert(cell).second) skeleton.faces.push_back(p.at);
+    }
+  });
+  bundle(
+      skeleton.faces, 0, skeleton.faces.size(), [](const Vec3& x) { return x; }, skeleton.face_bundles);
+  for (auto& b : skeleton.face_bundles)
+    for (int i = b.first; i < b.first + b.count; ++i)
+      b.radius = std::max(b.radius, (skeleton.faces[static_cast<size_t>(i)] - b.centre).norm());
 }
 
 }  // namespace hawser

@@ -68,9 +68,7 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
   const BodyFrame A = frame(sa, trial), B = frame(sb, trial);
   const Vec3 ca = sa.global < 0 ? Vec3(Vec3::Zero()) : sa.centre,
              cb = sb.global < 0 ? Vec3(Vec3::Zero()) : sb.centre;
-  const auto before = [&](const Vec3& y) {
-    return Vec3(pair.start_b.to_body(pair.start_a.to_space(y - ca)) + cb);
-  };
+  const auto before = [&](const Vec3& y) { return Vec3(pair.at.B.to_body(pair.at.A.to_space(y - ca)) + cb); };
   const auto after = [&](const Vec3& y) { return Vec3(B.to_body(A.to_space(y - ca)) + cb); };
   const Surface& surface = *volumes_[pair.b].surface;
   const Box& box = boxes_[pair.b];
@@ -82,7 +80,8 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
   };
   const auto meets = [&](const Vec3& y0, const Vec3& y1, double radius) {
     return goes_through(distance_to(surface), BezierAxis::straight(before(y0), before(y1)).b,
-                        BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing));
+                        BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing),
+                        true);
   };
   const auto any = [&](const auto& bundles, const auto& list, const auto& passes) {
     for (const BodySkeleton::Bundle& b : bundles)

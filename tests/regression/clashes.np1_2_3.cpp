@@ -41,6 +41,7 @@ volumes:
   right: {shape: {cylinder: {from: [2, -1, 0], to: [2, 1, 0], radius: 0.3}}, normal_stiffness: {per_length: 2.0e6}}
   rollers: {mesh: rollers.obj, normal_stiffness: {per_length: 2.0e6}, smooth: false}
   lamp: {shape: {sphere: {centre: [0, 5, 2], radius: 0.5}}, body: carriage}
+  underside: {mesh: slab.obj, smooth: false, active: {box: [[-20, -20, -0.6], [20, 20, -0.4]]}}
 lines:
   lower:
     sections: [{type: bar, length: 8, elements: 16}]
@@ -70,17 +71,19 @@ output:
     - {line: lower, volume: left}
     - {line: upper, volume: rollers, name: hook}
     - {line: still, volume: lamp}
+    - {line: still, volume: underside}
 )";
 
-// Two square bars, one volume, under the lower bar's ends.
-void write_rollers(const std::string& path) {
+// Boxes of these half sizes, one volume.
+void write_boxes(const std::string& path, const std::vector<double>& places, double x1, double y1,
+                 double z1) {
   if (rank_of(MPI_COMM_WORLD) == 0) {
     std::ofstream out(path);
-    for (const double x : {-3.2, 3.2})
+    for (const double x : places)
       for (int i = 0; i < 8; ++i)
-        out << "v " << x + (i & 1 ? 0.1 : -0.1) << ' ' << (i & 2 ? 1 : -1) << ' ' << (i & 4 ? 0.3 : -0.3)
+        out << "v " << x + (i & 1 ? x1 : -x1) << ' ' << (i & 2 ? y1 : -y1) << ' ' << (i & 4 ? z1 : -z1)
             << '\n';
-    for (int b = 0; b < 2; ++b)
+    for (int b = 0; b < static_cast<int>(places.size()); ++b)
       for (const auto& f : {"1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"}) {
         int v[4];
         std::sscanf(f, "%d %d %d %d", &v[0], &v[1], &v[2], &v[3]);
@@ -153,7 +156,8 @@ class Heap : public ::testing::Test {
  protected:
   void SetUp() override {
     path = folder("clashes_heap"), input = path + "/heap.yaml";
-    write_rollers(path + "/rollers.obj");
+    write_boxes(path + "/rollers.obj", {-3.2, 3.2}, 0.1, 1, 0.3);  // under the lower bar's ends
+    write_boxes(path + "/slab.obj", {0}, 19, 19, 0.5);
     write_case(input, kHeap);
   }
   std::string path, input;
@@ -193,6 +197,9 @@ TEST_F(Heap, Clearances) {
   EXPECT_NEAR(r.column("still_to_lamp", 2).front(), 0, 1e-6);
   EXPECT_NEAR(r.column("still_to_lamp", 4).front(), 2.5, 1e-9);
   EXPECT_NEAR(lamp.back(), 1.4 - 0.5 * r.step_times.back(), 0.1);
+  // Nothing of that looks up.
+  for (size_t c = 0; c < r.columns.at("still_to_underside"); ++c)
+    for (const double x : r.column("still_to_underside", c)) EXPECT_TRUE(std::isnan(x)) << c;
   // What touches is pressed in by as much as the clash report says.
   const auto between = r.column("upper_to_lower", 0);
   const double deepest = -*std::min_element(between.begin(), between.end());

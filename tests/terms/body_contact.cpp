@@ -135,7 +135,7 @@ struct BodyModel {
     auto skeletons = app::skeletons(c, volumes);
     const auto faces = app::surfaces(volumes);
     for (size_t v = 0; v < 2; ++v) touching.push_back({faces[v], skeletons[v]});
-    auto term = std::make_unique<BodyContactTerm>(c, system->mesh(), bodies, touching);
+    auto term = std::make_unique<BodyContactTerm>(PETSC_COMM_SELF, c, system->mesh(), bodies, touching);
     contact = term.get();
     system->add(std::move(term));
 
@@ -184,6 +184,28 @@ TEST(BodyContactTerm, Tangents) {
         EXPECT_NEAR(m.contact->largest_penetration(), std::max(-gap, 0.0), c.slack) << what;
         expect_tangent(*m.system, m.trial, what);
       }
+}
+
+// What corners and edges have met is of the history: a restart knows it.
+TEST(BodyContactTerm, WhatWasMetIsKept) {
+  for (const TouchCase& c : touch_cases()) {
+    if (c.name != "edge along a face") continue;
+    BodyModel deep(c, -0.1, true, 0), apart(c, 0.5, true, 0);
+    const State s = state_of(deep.system->mesh(), deep.trial);
+    deep.system->commit(s.view(deep.trial.h));
+    deep.system->prepare(s.view(deep.trial.h), deep.trial.h);
+    const auto kept = deep.contact->save();
+    ASSERT_EQ(kept.size(), 1U);
+    EXPECT_GT(kept[0].values.back(), 0.09);
+    EXPECT_EQ(apart.contact->save()[0].values.back(), 0);
+    apart.contact->restore(kept);
+    EXPECT_EQ(apart.contact->save()[0].values, kept[0].values);
+    // Clear of each other it is forgotten.
+    apart.system->prepare(apart.trial.from.view(apart.trial.h), apart.trial.h);
+    EXPECT_EQ(apart.contact->save()[0].values.back(), 0);
+    return;
+  }
+  FAIL();
 }
 
 }  // namespace

@@ -95,6 +95,25 @@ TEST(AxisSweep, LetsPassWhatSlidesTouchesAndIsPressedIn) {
   EXPECT_FALSE(moved(-0.01, 1, 0));           // comes out
 }
 
+// A corner touches with its very place: pressed in a little it may come out on the other side.
+TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
+  BoxShape plate;
+  plate.size = Vec3(0.05, 10, 10);
+  const auto surface = make_surface(plate);
+  const auto found = [&](double x0, double x1, double along, bool pressed) {
+    const Vec3 from(x0, 0, 0), to(x1, along, 0);
+    return goes_through(field_of(*surface), straight(from, from), straight(to, to), 0.002, pressed);
+  };
+  for (const double x0 : {-0.0249, -0.0254, -0.02}) {
+    EXPECT_TRUE(found(x0, 0.04, 0.1, true)) << x0;    // behind
+    EXPECT_TRUE(found(x0, 0.01, 0, true)) << x0;      // within, but nearer to its back
+    EXPECT_FALSE(found(x0, -0.01, 0.1, true)) << x0;  // deeper
+    EXPECT_FALSE(found(x0, -0.04, 0.1, true)) << x0;  // out again
+    EXPECT_FALSE(found(x0, 0.04, 0.1, false)) << x0;  // a line so deep has been told of by others
+  }
+  EXPECT_TRUE(found(-0.04, 0.04, 0.1, true));
+}
+
 TEST(AxisSweep, AWayOfARadiusGoesThroughNothing) {
   BoxShape plate;
   plate.size = Vec3(1, 1, 1e-3);

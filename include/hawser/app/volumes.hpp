@@ -30,7 +30,7 @@ struct LoadedVolume {
 std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI_COMM_SELF);
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes);
-// What stands out of the volumes that touch other bodies with it.
+// What stands out of the volumes that touch other bodies with it, and where they are watched.
 std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 

@@ -16,6 +16,9 @@ double way_of(const AxisPoints& from, const AxisPoints& to);
 // longer ones only, steps are never cut below that, however soft a contact is. Pieces of the axis and of its
 // way that are farther away than they are large are left out, so that thin bodies are not missed; what is
 // deep is looked at in pieces of a radius.
-bool goes_through(const DistanceField& field, const AxisPoints& from, const AxisPoints& to, double radius);
+// `pressed`: what starts nearer than that, or inside, is asked about too: whether it comes to another side. A
+// corner or an edge touches with its very place.
+bool goes_through(const DistanceField& field, const AxisPoints& from, const AxisPoints& to, double radius,
+                  bool pressed = false);
 
 }  // namespace hawser

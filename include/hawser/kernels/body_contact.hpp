@@ -35,6 +35,7 @@ struct BodyContactPoint {
   double gap = 0, rate = 0;     // m, m/s
   NormalForce law;              // per weight
   Vec3 normal = Vec3::UnitZ();  // out of B, space axes
+  Vec12 gradient;               // of the gap
 };
 
 // surface: B's answer at z = B.to_body(A.to_space(y)). Adds `weight` times the law's force to `sum`, and the

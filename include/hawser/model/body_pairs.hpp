@@ -14,6 +14,8 @@ struct BodyPair {
   std::size_t a = 0, b = 0;
   double stiffness = 0;  // N/m, N/m² or N/m³ by the basis of a
   double share = 1;      // of the force: 1/2 where b leads as well with its faces
+  // Whether they may get into each other where nothing of a is: between its corners, edges or balls.
+  bool hides = false;
 };
 
 // Pairs of volumes that take part in contact, on different bodies one of which has mass at least. Round

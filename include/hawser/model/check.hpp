@@ -15,6 +15,8 @@ struct Issue {
 
 // Everything found, lines first. An empty list: the case can be run.
 std::vector<Issue> check(const Case& c);
+// Its part that is about contact.
+void check_contact(const Case& c, std::vector<Issue>& issues);
 
 // Unstretched length of a line [m].
 double length_of(const Line& line);

@@ -5,8 +5,12 @@
 // docs/theory/body-contact.md.
 #pragma once
 
+#include <mpi.h>
+
 #include <array>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,24 +30,28 @@ struct TouchingVolume {
 
 class BodyContactTerm final : public ForceTerm {
  public:
-  // volumes: all of the case, in its order. Pairs are those of model::body_pairs.
-  BodyContactTerm(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
-                  std::vector<TouchingVolume> volumes);
+  // volumes: all of the case, in its order. Pairs are those of model::body_pairs. comm: of all ranks.
+  BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                  std::shared_ptr<const Bodies> bodies, std::vector<TouchingVolume> volumes);
 
   std::string_view name() const override { return "body contact"; }
   void couple(Couplings& to) const override;
   bool recouple(const Kinematics&, double) override;
   void reghost() override;
+  // Of a step in time it watches.
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, Strikes& to) const override;
   // Nothing that stands out goes through the other body between the ends of a step.
   bool covers(const Kinematics& trial) const override;
+  void unforeseen(const Kinematics& trial, Unforeseen& to) override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
+  // SolveError where two volumes are far deeper in each other than corners and edges have met. Collective.
+  void watch(const Kinematics& at);
   // N and N m about its centre of mass, space axes: what contact exerts on a floating body of the case, for
   // the rank that owns it.
   std::array<Vec3, 2> force_on(int body, const Kinematics& at) const;
@@ -57,32 +65,76 @@ class BodyContactTerm final : public ForceTerm {
     int body = -1, node = -1, block = -1;  // of the case; local node and block, -1: prescribed or elsewhere
     int global = -1;                       // mesh node, -1: prescribed
     Vec3 centre = Vec3::Zero();            // m, of mass, body frame
+    double mass = HUGE_VAL;                // kg
+    Mat3 inertia = Mat3::Zero(), inverse_inertia = Mat3::Zero();  // kg m² and its inverse, body axes
+  };
+  // Where the bodies of a pair are. Shapes are given in the frame of the body, unknowns belong to its centre
+  // of mass: Bs is the frame of b's surface.
+  struct Both {
+    BodyFrame A, B, Bs;
+    void move(double time);  // on at their velocities
   };
   struct Pair {
     size_t a = 0, b = 0;         // volumes
     NormalLaw law;               // of what stands out of a against the surface of b, per unit of the basis
     double share = 1, mass = 0;  // of the force; kg, effective
     double size = 0;             // m, of what stands out
+    double room = 0;             // m, most that passes in a step where they may meet
+    Vec3 middle = Vec3::Zero();  // m, of what stands out, from the centre of mass; and a ball about it
+    double radius = 0;
+    bool hides = false;                        // as of model::BodyPair
+    int other = -1;                            // the pair in which b leads, where both do
     bool here = false, counted = false;        // this rank owns a body of it; counts it
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
-    double potential = 0, stiffness = 0;       // J, N/m of all that touches, in the committed state
-    double depth = 0;                          // m, largest
-    BodyFrame start_a, start_b;                // at the start of the step
-    Touch now;                                 // in the accepted state
+    // In the committed state, for the step that is tried:
+    double potential = 0;           // J
+    double frequency = 0;           // rad/s, of the fastest motion on its springs; 0: nothing touches
+    double energy = 0;              // J, of the motion of the bodies against each other, and potential
+    Vec12 elastic = Vec12::Zero();  // residual without damping
+    Both at;
+    double seen = 0;   // m, penetration
+    double met = 0;    // m, largest of that since the two were clear of each other
+    double depth = 0;  // m, largest, over the accepted steps
+    Touch now;         // in the accepted state
   };
   struct Sum;
+  struct Nearest {
+    double gap = 0;  // m
+    Vec12 gradient = Vec12::Zero();
+  };
   BodyFrame frame(const Side& side, const Kinematics& at) const;
-  Sum touch(const Pair& pair, const Kinematics& at, bool tangent) const;
+  Both both(const Pair& pair, const Kinematics& at) const;
+  Sum touch(const Pair& pair, const Both& at, bool tangent, bool springs = false) const;
   bool passes(const Pair& pair, const Kinematics& trial) const;
   void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
+  // What looks ahead, body_contact_ahead.cpp. rad/s, of the fastest motion of the bodies on those springs.
+  double frequency(const Pair& pair, const Sum& s) const;
+  // J, of the motion of the bodies against each other.
+  double relative_energy(const Pair& pair, const Both& at) const;
+  // m/s, no place of one comes nearer to the other faster than that.
+  double fastest(const Pair& pair, const Both& at) const;
+  // Smallest gap of what stands out, where it is below `within` [m].
+  std::optional<Nearest> nearest(const Pair& pair, const Both& at, double within) const;
+  // The same along an edge of a, in the frame of its body.
+  void look_along(const Both& at, const Vec3& from, const Vec3& to, double radius, const Surface& surface,
+                  Nearest& best) const;
+  // s, at most `most`: a step from there that what it meets in it is followed with.
+  double followed(const Pair& pair, const Both& at, double most) const;
+  void limit_by(const Pair& pair, const Kinematics& committed, Strikes& to) const;
+  // body_contact_watch.cpp. m, of the deepest place of the faces of one volume in the other.
+  double deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const;
+  void look(double time);
 
+  MPI_Comm comm_;
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<TouchingVolume> volumes_;
   std::vector<Box> boxes_;   // of their surfaces
+  std::vector<Box> faces_;   // of the places where they are watched, empty: of none
   std::vector<Side> sides_;  // likewise
   std::vector<Pair> pairs_;
+  std::vector<std::string> names_;  // of volumes, with their bodies
   bool told_ = false;
 };
 

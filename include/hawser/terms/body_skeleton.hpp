@@ -29,6 +29,9 @@ struct BodySkeleton {
   std::vector<SkeletonPoint> points;
   std::vector<SkeletonEdge> edges;
   std::vector<Bundle> point_bundles, edge_bundles;
+  // Places all over the faces, where they are watched.
+  std::vector<Vec3> faces;
+  std::vector<Bundle> face_bundles;
 };
 
 // By the basis of the stiffness: per_point: the corners of a mesh or box, balls (sphere); per_length: edges
@@ -37,5 +40,7 @@ struct BodySkeleton {
 // an exact shape; `active`: one flag a triangle, empty for all. A plane has none.
 BodySkeleton body_skeleton(const model::Volume& volume, const MeshView& mesh, const std::vector<bool>& active,
                            double piece = 0);
+// Adds the places to watch: about 4000, of however many triangles.
+void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkeleton& skeleton);
 
 }  // namespace hawser

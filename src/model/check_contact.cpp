@@ -1,0 +1,82 @@
+// Settings of contact that each are possible and together, or beside the lines, are senseless.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/model/check.hpp"
+#include "hawser/model/nearest.hpp"
+
+namespace hawser::model {
+namespace {
+
+// m, of the lines that take part; 0: none do.
+double thinnest(const Case& c) {
+  double least = 0;
+  for (const Line& l : c.lines)
+    if (c.contact.takes_part(l))
+      for (const Section& s : l.sections)
+        if (const double d = c.line_type(s.type).contact_diameter; d > 0)
+          least = least > 0 ? std::min(least, d) : d;
+  return least;
+}
+
+void check_smoothing(double smoothing, double thickness, const std::string& key, std::vector<Issue>& issues) {
+  if (thickness > 0 && smoothing > thickness)
+    issues.push_back(
+        {key, fmt::format("a ramp of {:g} m is wider than the thinnest line is thick; at most its "
+                          "contact diameter of {:g} m is allowed",
+                          smoothing, thickness)});
+}
+
+void check_kinetic(const Volume& v, std::vector<Issue>& issues) {
+  const Friction& f = v.friction;
+  if (!(f.blend_speed > 0)) return;
+  const auto below = [&](const char* which, double kinetic, double still) {
+    if (kinetic > still)
+      issues.push_back(
+          {"volumes." + v.name + ".friction.kinetic",
+           fmt::format("{} friction of {:g} in motion is more than that of {:g} at rest; at most that is "
+                       "allowed",
+                       which, kinetic, still)});
+  };
+  below("axial", f.axial_kinetic, f.axial);
+  if (!(f.axial_kinetic > f.axial)) below("lateral", f.lateral_kinetic, f.lateral);
+}
+
+}  // namespace
+
+void check_contact(const Case& c, std::vector<Issue>& issues) {
+  const double thickness = thinnest(c);
+  for (const Volume& v : c.volumes) {
+    if (c.contact.takes_part(v))
+      check_smoothing(v.smoothing, thickness, "volumes." + v.name + ".smoothing", issues);
+    check_kinetic(v, issues);
+  }
+  const BetweenLines& b = c.contact.between_lines;
+  if (!b.enabled) return;
+  check_smoothing(b.general.smoothing, thickness, "contact.between_lines.smoothing", issues);
+  for (std::size_t i = 0; i < b.pairs.size(); ++i) {
+    const BetweenLines::Tuned& p = b.pairs[i];
+    const std::string key = fmt::format("contact.between_lines.pairs[{}]", i);
+    for (const std::string& name : {p.first, p.second}) {
+      const int line = c.line_index(name);
+      if (line < 0 || c.contact.takes_part(c.lines[static_cast<std::size_t>(line)])) continue;
+      issues.push_back({key + ".lines", fmt::format("{} takes no part in contact; 'contact.lines' has {}",
+                                                    quote(name), fmt::join(c.contact.lines, ", "))});
+      break;
+    }
+    const auto same = [&](const auto& e) {
+      return std::minmax(e.first, e.second) == std::minmax(p.first, p.second);
+    };
+    if (std::any_of(b.exclude.begin(), b.exclude.end(), same))
+      issues.push_back(
+          {key + ".lines",
+           fmt::format("lines {} and {} are in 'exclude', so that these settings would never act; "
+                       "give one of the two",
+                       quote(p.first), quote(p.second))});
+    if (p.settings.smoothing != b.general.smoothing)
+      check_smoothing(p.settings.smoothing, thickness, key + ".smoothing", issues);
+  }
+}
+
+}  // namespace hawser::model

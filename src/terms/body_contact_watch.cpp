@@ -1,0 +1,85 @@
+// Corners and edges do not see everything: two boxes whose sides are flush go into each other with all their
+// edges in the sides of the other, where the distance is nothing. What gets far deeper than they have met
+// since the two were clear of each other ends the run with a sentence; for a moment, edges that slide over
+// others may meet little of what they have stopped.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/base/error.hpp"
+#include "hawser/terms/body_contact.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double kAllowed = 0.01;  // of the smaller volume, m/m
+constexpr double kBeyond = 2;      // times what was met: that may be of another place
+
+}  // namespace
+
+double BodyContactTerm::deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const {
+  const Box& all = faces_[volume];
+  if (all.empty()) return 0;
+  const double radius = 0.5 * all.extent().norm();
+  if (squared_distance(boxes_[in], there.to_body(of.to_space(all.centre()))) > radius * radius) return 0;
+  const BodySkeleton& skeleton = volumes_[volume].skeleton;
+  const Surface& surface = *volumes_[in].surface;
+  double depth = 0;
+  for (const auto& b : skeleton.face_bundles) {
+    const Vec3 centre = there.to_body(of.to_space(b.centre));
+    const double reach = b.radius - depth;  // no nearer is deeper
+    if (reach < 0 ? !boxes_[in].contains(centre) : squared_distance(boxes_[in], centre) > reach * reach)
+      continue;
+    const auto near = surface.query(centre, std::max(reach, 0.0));
+    if (!near || near->distance > reach) continue;
+    for (int i = b.first; i < b.first + b.count; ++i) {
+      const auto s = surface.query(there.to_body(of.to_space(skeleton.faces[static_cast<size_t>(i)])), 0);
+      if (s) depth = std::max(depth, -s->distance);
+    }
+  }
+  return depth;
+}
+
+void BodyContactTerm::watch(const Kinematics& at) {
+  prepare(at, 0);
+  look(at.time);
+}
+
+void BodyContactTerm::look(double time) {
+  struct {
+    double depth;
+    int pair;
+  } worst{0, -1};
+  bool watched = false;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    Pair& p = pairs_[i];
+    watched = watched || p.hides;
+    const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two
+    if (!p.hides || !p.counted || again) continue;
+    const Side& a = sides_[p.a];
+    BodyFrame As = p.at.A;
+    if (a.global >= 0) As.x = As.to_space(-a.centre);
+    const double depth = std::max(deepest(p.a, As, p.b, p.at.Bs), deepest(p.b, p.at.Bs, p.a, As));
+    // Of two that both lead the other may see it.
+    const double seen = std::max(p.seen, p.other < 0 ? 0 : pairs_[static_cast<size_t>(p.other)].seen);
+    p.met = depth > 0 ? std::max(p.met, seen) : 0;
+    double size = HUGE_VAL;
+    for (const size_t v : {p.a, p.b})
+      if (const Vec3 e = boxes_[v].extent(); e.allFinite()) size = std::min(size, e.maxCoeff());
+    if (depth > kBeyond * p.met + kAllowed * size && depth > worst.depth)
+      worst = {depth, static_cast<int>(i)};
+  }
+  if (!watched) return;
+  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
+  if (worst.pair < 0) return;
+  const Pair& p = pairs_[static_cast<size_t>(worst.pair)];
+  double met = p.counted ? p.met : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &met, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  throw SolveError(
+      fmt::format("at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to "
+                  "meet the other met {:.3g} m at most; give them stiffnesses per_area (per_length where "
+                  "edges cross), or a sphere or capsule where they meet",
+                  time, names_[p.a], names_[p.b], worst.depth, met));
+}
+
+}  // namespace hawser
