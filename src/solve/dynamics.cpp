@@ -88,6 +88,7 @@ void Dynamics::prepare(double h, const State* end) {
     build();
     system_.spread(committed_.s);
     system_.spread(committed_.ax), system_.spread(committed_.aw), system_.spread(committed_.ad);
+    if (!committed_.hx.empty()) system_.spread(committed_.hx), system_.spread(committed_.hw);
     reactions_.resize(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   }
   system_.prepare(committed_.s.view(last_step_), h);
@@ -209,6 +210,7 @@ Dynamics::Attempt Dynamics::attempt(double h) {
     if (!a.converged) break;
   }
   if (!a.converged) return a;
+  let_go();
   double most[2] = {alpha_error(system_.mesh(), alpha_, h, committed_, trial_),
                     alpha_turn(system_.mesh(), local_u_).angle};
   MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system_.comm());
@@ -274,6 +276,7 @@ void Dynamics::start(const State& state) {
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
   alpha_start(committed_);
+  start_held(h);
   system_.residual(s.view(h), r_.get());
   reactions_ = system_.reactions();
 }

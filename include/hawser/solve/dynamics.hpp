@@ -86,6 +86,9 @@ class Dynamics {
                                   void*);
   void load(Vec u);
   void solve_once(Attempt& a);
+  void start_held(double h);
+  void let_go();
+  void solve_masses();
   std::string failure(double h) const;
 
   System& system_;
