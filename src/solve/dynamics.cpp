@@ -100,7 +100,16 @@ void Dynamics::load(Vec u) {
   if (loaded_ && gathered_ == local_u_) return;  // the tangent is asked where the residual was
   std::swap(gathered_, local_u_);
   alpha_trial(system_.mesh(), system_.supports(), alpha_, h_, committed_, local_u_, trial_);
+  add_held(1);
   loaded_ = true;
+}
+
+void Dynamics::put(const std::vector<double>& u) {
+  PetscScalar* p = nullptr;
+  check(VecGetArray(u_.get(), &p));
+  std::copy(u.begin(), u.begin() + 3 * system_.mesh().owned_blocks, p);
+  check(VecRestoreArray(u_.get(), &p));
+  loaded_ = false;
 }
 
 PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
@@ -192,25 +201,21 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   if (!copied_) trial_ = committed_;
   copied_ = true;
   alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
-  PetscScalar* p = nullptr;
-  check(VecGetArray(u_.get(), &p));
-  std::copy(local_u_.begin(), local_u_.begin() + 3 * system_.mesh().owned_blocks, p);
-  check(VecRestoreArray(u_.get(), &p));
-  loaded_ = false;
+  put(local_u_);
   error_ = nullptr;
   system_.reset_multipliers();
+  expect_held();
   turned_ = false;
   Attempt a;
   for (int round = 0;; ++round) {
     solve_once(a);
     if (!a.converged) break;
     load(u_.get());
-    if (!system_.augment(trial_.s.view(h_))) break;
+    if (!system_.augment(trial_.s.view(h_)) && !let_go()) break;
     a.converged = round < kMostAugmentations;
     if (!a.converged) break;
   }
   if (!a.converged) return a;
-  let_go();
   double most[2] = {alpha_error(system_.mesh(), alpha_, h, committed_, trial_),
                     alpha_turn(system_.mesh(), local_u_).angle};
   MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system_.comm());

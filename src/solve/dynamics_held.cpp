@@ -30,10 +30,34 @@ void Dynamics::start_held(double h) {
   alpha_start_held(system_.mesh(), gathered_, committed_);
 }
 
-void Dynamics::let_go() {
+// As in the step before; where nothing moves that is what it will be.
+void Dynamics::expect_held() {
+  held_v_.clear(), held_w_.clear();
   if (!system_.augments()) return;
+  held_v_ = committed_.hx, held_w_ = committed_.hw;
+  held_v_.resize(committed_.s.x.size(), Vec3::Zero()), held_w_.resize(committed_.s.x.size(), Vec3::Zero());
+  const double of_c = alpha_held_speed(alpha_, h_);
+  for (Vec3& v : held_v_) v *= of_c;
+  for (Vec3& w : held_w_) w *= of_c;
+}
+
+void Dynamics::add_held(double sign) {
+  State& s = trial_.s;
+  for (size_t n = 0; n < held_v_.size(); ++n) {
+    s.v[n] += sign * held_v_[n];
+    if (system_.mesh().rotates(static_cast<int>(n))) s.w[n] += sign * held_w_[n];
+  }
+}
+
+// Ends a try whose multipliers have settled. True: with the speeds that it ends with the forces are not those
+// that were solved with, and it is to be solved again with these. What dampers feel of a node that lies still
+// would else be a speed that it does not have.
+bool Dynamics::let_go() {
+  if (!system_.augments()) return false;
+  add_held(-1);
   State& s = trial_.s;
   s.hold_weight = 1;
+  const std::vector<Vec3> v = s.v, w = s.w;
   const std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   const Weights masses{0, 0, 1};
   system_.residual(s.view(h_), r_.get(), System::Part::multipliers);
@@ -50,14 +74,18 @@ void Dynamics::let_go() {
       system_.residual(s.view(h_), r_.get(), System::Part::stops);
       solve_masses();
       for (size_t n = 0; n < s.x.size(); ++n) {
-        const double* w = gathered_.data() + 3 * system_.mesh().block[n];
-        s.v[n] -= Eigen::Map<const Vec3>(w);
-        if (system_.mesh().rotates(static_cast<int>(n))) s.w[n] -= Eigen::Map<const Vec3>(w + 3);
+        const double* p = gathered_.data() + 3 * system_.mesh().block[n];
+        s.v[n] -= Eigen::Map<const Vec3>(p);
+        if (system_.mesh().rotates(static_cast<int>(n))) s.w[n] -= Eigen::Map<const Vec3>(p + 3);
       }
     }
     loaded_ = false;
   }
+  for (size_t n = 0; n < v.size(); ++n) held_v_[n] = s.v[n] - v[n], held_w_[n] = s.w[n] - w[n];
   system_.residual(s.view(h_), r_.get());  // the reactions
+  if (system_.norms(r_.get()).small(settings_.tolerance)) return false;
+  put(local_u_);
+  return true;
 }
 
 }  // namespace hawser

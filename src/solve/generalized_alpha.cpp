@@ -95,12 +95,14 @@ void alpha_start_held(const LocalMesh& mesh, const std::vector<double>& c, Alpha
   }
 }
 
+double alpha_held_speed(const AlphaCoefficients& c, double h) { return h * (1 - 0.5 * c.gamma / c.beta); }
+
 void alpha_hold(const LocalMesh& mesh, const AlphaCoefficients& k, double h, const std::vector<double>& c,
                 AlphaState& trial) {
   // In the increment c counts h²/2, of which the trial made a change of A by c/2 beta; in the speed it is to
   // count h.
   State& s = trial.s;
-  const double carried = 0.5 / k.beta, over = alpha_hold_weight(k) - 1, speed = h * (1 - carried * k.gamma);
+  const double carried = 0.5 / k.beta, over = alpha_hold_weight(k) - 1, speed = alpha_held_speed(k, h);
   keep_held(mesh, c, trial);
   for (size_t n = 0; n < s.x.size(); ++n) {
     s.v[n] += speed * trial.hx[n], s.w[n] += speed * trial.hw[n];

@@ -58,7 +58,7 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
       }
       pair.history = histories[0];
       // What statics left as a spring's force is the multiplier's in motion, where nothing is left.
-      if (h > 0 && augments() && pair.history.touches) {
+      if (h > 0 && committed.step == 0 && augments() && pair.history.touches) {
         pair.multiplier = pair.history.multiplier = pair.history.normal_force;
         pair.held = pair.history.held = model_ == NodeContact::rigid;
       }
@@ -277,6 +277,12 @@ void VolumeContact::commit(const Kinematics& accepted) {
                                                pose.velocity_at(accepted.x[static_cast<size_t>(pair.node)]));
     }
     next.multiplier = pair.multiplier, next.held = pair.held;
+    if (augments() && next.touches && accepted.step > 0) {
+      // The force that is told is the whole impulse over the step.
+      const double blow = pair.impulse / accepted.step;
+      next.multiplier = c.normal.elastic;
+      next.normal_force += blow, next.force += blow * at.normal;
+    }
     if (augments() && next.touches) next.rest = accepted.step > 0 ? pair.history.rest : at.gap;
     next.paired = pair.history.paired, next.anchor = pair.history.anchor;
     next.direction = pair.history.direction;

@@ -89,6 +89,7 @@ bool VolumeContact::augment(const Kinematics& equilibrium) {
     const auto p = volumes_[k].surface->query(y, pair.touch + 0.5 * element_[n], pair.hint);
     ContactTrial at;
     at.gap = p ? p->distance - nodes_[n].radius : element_[n];
+    pair.speed.reset(), pair.impulse = 0;
     if (improve(pair, at, equilibrium.step)) again = true;
   }
   return again;

@@ -39,6 +39,9 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
 // The same of a start whose true accelerations are those of all forces.
 void alpha_start_held(const LocalMesh& mesh, const std::vector<double>& c, AlphaState& state);
 
+// By how much of c the speeds of a try, in which the increment has h²/2 c, are short of h c.
+double alpha_held_speed(const AlphaCoefficients& coefficients, double h);
+
 // Of a converged try in which multipliers have the weight that it gave them: takes the acceleration c (3 *
 // local blocks) that they make by the masses out of what the scheme carries, so that they acted in this step
 // alone, evenly, and adds it to the true accelerations.
