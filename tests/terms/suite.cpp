@@ -46,8 +46,8 @@ void expect_situations(ContactOn on, Kept kept) {
     if (!f.touches) continue;
     double normal = (f.total - f.friction).norm();
     if (kept == Kept::augmented) {
-      // The multiplier is what the spring bore at the start, where it was pressed. It acts along the mean of the
-      // normals at both ends, which is shorter than one where they differ.
+      // The multiplier is what the spring bore at the start, where it was pressed. It acts along the mean of
+      // the normals at both ends, which is shorter than one where they differ.
       const NodeStory story = test::story(kept, n);
       const double law = kNormalStiffness * (std::max(0.0, -story.before) - story.gap);
       EXPECT_LE(normal, law * (1 + 1e-9)) << what;

@@ -1,5 +1,5 @@
 // Multipliers in motion without impacts, and what they make of one: a pipe and a cable that lie on a plane,
-// that are dragged over it, that lie on a drum, and that fall. On one rank and on two.
+// that are dragged over it, that slide on a drum, and that fall. On one rank and on two.
 #include "verification/contact_models.hpp"
 
 namespace hawser::test::contact_models_motion_test {
@@ -181,8 +181,8 @@ TEST(ContactModelsMotion, WhatIsDraggedSlides) {
 }
 
 // What falls makes no energy, level or with one end first: kinetic, strain and potential energy together are
-// never above what they were. What is booked as lost may be more than was, the more so the stronger the scheme
-// damps and the longer the steps.
+// never above what they were. What is booked as lost may be more than was, the more so the stronger the
+// scheme damps and the longer the steps.
 TEST(ContactModelsMotion, WhatFallsMakesNone) {
   const std::vector<double> rhos = {0, 0.4, 0.8, 1};
   for (const double tilt : {0.0, 0.05})
@@ -208,6 +208,25 @@ TEST(ContactModelsMotion, WhatFallsMakesNone) {
     }
 }
 
+// A bar that runs end-on into a plane: what is held stops its node alone, and the rest follows in waves.
+TEST(ContactModelsMotion, BarOnAPlaneMakesNone) {
+  for (const double rho : {0.0, 0.4, 0.8, 1.0}) {
+    double rise = 0, made = 0;
+    for_runs({10, 40}, {rho}, {0, 2e-3, 2e-4}, [&](const Options& run) {
+      if (!run.beam) return;
+      model::Case c = lying(run, 0, {}, {});
+      c.lines[0].points = {{0, 0, kRadius + 0.05}, {0, 0, kRadius + 10.05}};
+      Simulation s(PETSC_COMM_WORLD, c, {ground()});
+      const Seen seen = watch(s, 0.15, 0);
+      const double fallen = kWeight * 10 * 0.05;
+      EXPECT_LT(seen.rise, 1e-11 * fallen) << run.name();
+      EXPECT_LT(seen.made, (rho < 0.8 ? 5 : 1e-10) * fallen) << run.name();
+      rise = std::max(rise, seen.rise / fallen), made = std::max(made, seen.made / fallen);
+    });
+    std::printf("end-on, rho %g: %.1e of the fall made, %.1e booked beyond it\n", rho, rise, made);
+  }
+}
+
 // Along a curved surface what is held neither wins nor loses: a cable slides over the top of a drum.
 TEST(ContactModelsMotion, WhatSlidesOverADrumKeepsItsEnergy) {
   for (const Way way : {Way::augmented, Way::rigid})
@@ -228,13 +247,13 @@ TEST(ContactModelsMotion, WhatSlidesOverADrumKeepsItsEnergy) {
       d.start(start);
       const auto energy = [&] {
         const Energy e = s.system().energy(d.kinematics());
-        return sum(e.kinetic + e.strain + e.potential + e.damping);
+        return sum(e.kinetic + e.strain + e.potential);
       };
       const double before = energy();
       d.run(
           0.5, [](double t) { return t + 100; }, [](const StepInfo&) { return true; });
       std::printf("over a drum, %s: %.1e J of 50\n", run.name().c_str(), energy() - before);
-      EXPECT_LT(std::abs(energy() - before), 50 * 2e-5) << run.name();
+      EXPECT_LT(std::abs(energy() - before), 50 * 10 * step * step) << run.name();
     }
 }
 
