@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-STEPS = [8e-3, 6e-3, 4e-3, 3e-3, 2e-3, 1e-3, 5e-4, 2.5e-4]
+STEPS = [8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4, 1.25e-4, 6.25e-5]
 METHODS = [("elastic", "nodes", "#0b6e99"), ("rigid", "rigid", "#c0392b")]
 
 
@@ -42,7 +42,7 @@ def peak(program, folder, method, step):
 
 def svg(rows):
     left, bottom, width, height = 70, 330, 470, 290
-    x0, x1, y0, y1 = math.log10(2e-4), math.log10(1e-2), 1.5, 3.5  # s; kN
+    x0, x1, y0, y1 = math.log10(5e-5), math.log10(1e-2), 1.5, 3.7  # s; kN
 
     def x(step):
         return left + width * (math.log10(step) - x0) / (x1 - x0)
@@ -52,10 +52,10 @@ def svg(rows):
 
     out = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 400" font-family="sans-serif" font-size="13">',
            '<rect width="600" height="400" fill="white"/>']
-    for ms in (0.2, 0.5, 1, 2, 5, 10):
+    for ms in (0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10):
         out.append(f'<path d="M{x(ms / 1e3):.1f} {bottom}v-{height}" stroke="#ddd"/>'
                    f'<text x="{x(ms / 1e3):.1f}" y="{bottom + 18}" text-anchor="middle">{ms:g}</text>')
-    for kn in (50, 100, 200, 500, 1000, 2000):
+    for kn in (50, 100, 200, 500, 1000, 2000, 5000):
         out.append(f'<path d="M{left} {y(1e3 * kn):.1f}h{width}" stroke="#ddd"/>'
                    f'<text x="{left - 8}" y="{y(1e3 * kn) + 4:.1f}" text-anchor="end">{kn}</text>')
     for name, _, colour in METHODS:

@@ -38,7 +38,8 @@ std::string Audit::warning(bool fixed) const {
                         made.time, made.value);
   return text + ": the steps are too long for what happens (" +
          (fixed ? "dynamics.step" : "dynamics.max_step, dynamics.error_tolerance") +
-         "), a line is caught inside a volume, or contact without springs was struck";
+         "), a line is caught inside a volume, or contact without springs was struck (with a rho_infinity "
+         "below 0.8 more is booked as lost there than was)";
 }
 
 }  // namespace hawser::app

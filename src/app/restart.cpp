@@ -21,9 +21,20 @@ const char* const kVectors[] = {"position",
 const char* const kDirectors = "director_acceleration";
 const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
+// Of hard contact alone: what the scheme does not carry.
+const char* const kHeld = "held_acceleration";
+const char* const kHeldTurns = "held_angular_acceleration";
+
 std::vector<Vec3>& vectors(AlphaState& s, size_t i) {
   std::vector<Vec3>* all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
   return *all[i];
+}
+
+io::CheckpointField field_of(const std::vector<Vec3>& values, size_t owned) {
+  io::CheckpointField f;
+  f.components = 3;
+  for (size_t n = 0; n < owned; ++n) f.values.insert(f.values.end(), values[n].data(), values[n].data() + 3);
+  return f;
 }
 
 // What the state and the contact history mean beyond numbers: which nodes rotate, which volume is which.
@@ -45,11 +56,10 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   io::Checkpoint c;
   c.time = s.s.time;
   const size_t owned = static_cast<size_t>(m.owned);
-  for (size_t i = 0; i < std::size(kVectors); ++i) {
-    io::CheckpointField& f = c.nodes[kVectors[i]];
-    f.components = 3;
-    for (size_t n = 0; n < owned; ++n)
-      for (int k = 0; k < 3; ++k) f.values.push_back(vectors(s, i)[n][k]);
+  for (size_t i = 0; i < std::size(kVectors); ++i) c.nodes[kVectors[i]] = field_of(vectors(s, i), owned);
+  if (simulation.system().augments()) {
+    s.hx.resize(s.s.x.size(), Vec3::Zero()), s.hw.resize(s.s.x.size(), Vec3::Zero());
+    c.nodes[kHeld] = field_of(s.hx, owned), c.nodes[kHeldTurns] = field_of(s.hw, owned);
   }
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
     io::CheckpointField& f = c.nodes[name];
@@ -119,9 +129,15 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   s.s.time = c.time;
   alpha_start(s);
   const size_t owned = static_cast<size_t>(m.owned);
-  for (size_t i = 0; i < std::size(kVectors); ++i) {
-    const auto& f = c.nodes.at(kVectors[i]);
-    for (size_t n = 0; n < owned; ++n) vectors(s, i)[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
+  const auto take = [&](const char* name, std::vector<Vec3>& to) {
+    const auto& f = c.nodes.at(name);
+    for (size_t n = 0; n < owned; ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
+  };
+  for (size_t i = 0; i < std::size(kVectors); ++i) take(kVectors[i], vectors(s, i));
+  if (system.augments() && c.nodes.count(kHeld)) {  // older files lack it
+    s.hx.assign(s.s.x.size(), Vec3::Zero()), s.hw.assign(s.s.x.size(), Vec3::Zero());
+    take(kHeld, s.hx), take(kHeldTurns, s.hw);
+    system.spread(s.hx), system.spread(s.hw);
   }
   const auto& q = c.nodes.at("rotation").values;
   for (size_t n = 0; n < owned; ++n) s.s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);

@@ -157,11 +157,6 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     NodeContact model = c.contact.augmented ? NodeContact::augmented : NodeContact::elastic;
     if (c.contact.method == model::ContactMethod::rigid) model = NodeContact::rigid;
     if (c.contact.method == model::ContactMethod::gap) model = NodeContact::gap;
-    if (c.dynamics.enabled && (model == NodeContact::augmented || model == NodeContact::rigid))
-      notes_.push_back(
-          "contact: without springs (rigid, augmented) what strikes in motion makes energy, the more the "
-          "shorter "
-          "the steps: for statics, motion without impacts and comparison");
     auto contact = std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), std::move(nodes),
                                                    model, c.contact.allowed_penetration);
     contact_ = contact.get();

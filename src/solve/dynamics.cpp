@@ -88,6 +88,7 @@ void Dynamics::prepare(double h, const State* end) {
     build();
     system_.spread(committed_.s);
     system_.spread(committed_.ax), system_.spread(committed_.aw), system_.spread(committed_.ad);
+    if (!committed_.hx.empty()) system_.spread(committed_.hx), system_.spread(committed_.hw);
     reactions_.resize(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   }
   system_.prepare(committed_.s.view(last_step_), h);
@@ -99,7 +100,16 @@ void Dynamics::load(Vec u) {
   if (loaded_ && gathered_ == local_u_) return;  // the tangent is asked where the residual was
   std::swap(gathered_, local_u_);
   alpha_trial(system_.mesh(), system_.supports(), alpha_, h_, committed_, local_u_, trial_);
+  add_held(1);
   loaded_ = true;
+}
+
+void Dynamics::put(const std::vector<double>& u) {
+  PetscScalar* p = nullptr;
+  check(VecGetArray(u_.get(), &p));
+  std::copy(u.begin(), u.begin() + 3 * system_.mesh().owned_blocks, p);
+  check(VecRestoreArray(u_.get(), &p));
+  loaded_ = false;
 }
 
 PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
@@ -191,20 +201,17 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   if (!copied_) trial_ = committed_;
   copied_ = true;
   alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
-  PetscScalar* p = nullptr;
-  check(VecGetArray(u_.get(), &p));
-  std::copy(local_u_.begin(), local_u_.begin() + 3 * system_.mesh().owned_blocks, p);
-  check(VecRestoreArray(u_.get(), &p));
-  loaded_ = false;
+  put(local_u_);
   error_ = nullptr;
   system_.reset_multipliers();
+  expect_held();
   turned_ = missed_ = false;
   Attempt a;
   for (int round = 0;; ++round) {
     solve_once(a);
     if (!a.converged) break;
     load(u_.get());
-    if (!system_.augment(trial_.s.view(h_))) break;
+    if (!system_.augment(trial_.s.view(h_)) && !let_go()) break;
     a.converged = round < kMostAugmentations;
     if (!a.converged) break;
   }
@@ -274,6 +281,7 @@ void Dynamics::start(const State& state) {
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
   alpha_start(committed_);
+  start_held(h);
   system_.residual(s.view(h), r_.get());
   reactions_ = system_.reactions();
 }

@@ -80,7 +80,7 @@ void System::gather(Vec u, std::vector<double>& out) const {
   check(VecGhostRestoreLocalForm(u, &local));
 }
 
-void System::residual(const Kinematics& trial, Vec r) {
+void System::residual(const Kinematics& trial, Vec r, Part part) {
   std::fill(force_.begin(), force_.end(), 0.0);
   Sink sink;
   sink.force_ = &force_;
@@ -89,7 +89,8 @@ void System::residual(const Kinematics& trial, Vec r) {
   sink.owned_blocks_ = mesh_.owned_blocks;
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].force);
-    terms_[i]->evaluate(trial, sink);
+    if (part != Part::all && !terms_[i]->augments()) continue;
+    part == Part::stops ? terms_[i]->stop(trial, sink) : terms_[i]->evaluate(trial, sink);
   }
   PetscScalar* p = nullptr;
   check(VecGetArray(r, &p));
@@ -104,7 +105,7 @@ void System::residual(const Kinematics& trial, Vec r) {
 }
 
 void System::tangent(const Kinematics& trial, Weights weights, const std::vector<double>& u, bool convex,
-                     Mat J) {
+                     Mat J, bool stops) {
   for (size_t b = 0; b < is_rotation_.size(); ++b)
     if (is_rotation_[b]) retraction_[b] = right_jacobian(Eigen::Map<const Vec3>(u.data() + 3 * b));
   check(MatZeroEntries(J));
@@ -122,6 +123,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].tangent);
     terms_[i]->evaluate(trial, sink);
+    if (stops) terms_[i]->stop(trial, sink);
   }
   const auto& held = supports_.held();
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;
@@ -202,6 +204,10 @@ double System::dead_load() const {
   for (const auto& t : terms_) sum += t->dead_load();
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
   return steady(sum);
+}
+
+bool System::augments() const {
+  return std::any_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->augments(); });
 }
 
 bool System::augment(const Kinematics& equilibrium) {

@@ -18,6 +18,7 @@ constexpr double kRounding = 1e-12;  // of coordinates, far above that of a dist
 // iteration may go anywhere, so every pair is one.
 void VolumeContact::prepare(const Kinematics& committed, double h) {
   pose_bodies(committed.time, start_poses_);
+  moves_ = h > 0;
   std::vector<Pair> old;
   old.swap(pairs_);
   size_t known = 0;
@@ -56,6 +57,11 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
         pair.centre = was.centre, pair.clear = was.clear;
       }
       pair.history = histories[0];
+      // What statics left as a spring's force is the multiplier's in motion, where nothing is left.
+      if (h > 0 && committed.step == 0 && augments() && pair.history.touches) {
+        pair.multiplier = pair.history.multiplier = pair.history.normal_force;
+        pair.held = pair.history.held = model_ == NodeContact::rigid;
+      }
       pair.margin = margin;
       if (model_ == NodeContact::gap && !pair.history.paired) choose_gap(pair, y);
       pair.start.gap = std::max(margin, away - touch) + laws.normal.smoothing;  // a bound
@@ -152,8 +158,7 @@ void VolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
                  room = pair.walls ? 0 : std::max(pair.clear - (y - pair.centre).norm(), 0.0);
     if (room * (1 - 1e-9) > ahead - pair.touch ||
         (!may_limit(radius, room, speed, to) &&
-         (model_ == NodeContact::rigid ||
-          !may_strike(pair.law.normal, nodes_[n].mass, radius, speed, committed.a[n].norm()))))
+         (augments() || !may_strike(pair.law.normal, nodes_[n].mass, radius, speed, committed.a[n].norm()))))
       continue;
     met.clear();
     if (pair.walls) {
@@ -167,7 +172,7 @@ void VolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
       const Approach at{p.distance - pair.touch, -p.normal.dot(v),
                         p.normal.dot(pose.rotation.conjugate() * committed.a[n])};
       limit_depth(nodes_[n].radius, at, to);
-      if (model_ == NodeContact::rigid) continue;  // has no period
+      if (augments()) continue;  // has no period
       to.add(strikes(pair.law.normal, nodes_[n].mass, 1, nodes_[n].radius, at),
              mesh_.nodes[static_cast<size_t>(global_[n])].line);
     }
@@ -201,7 +206,9 @@ PointContact VolumeContact::contact(Pair& pair, const Kinematics& at, bool deriv
   if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
   if (pair.walls)
     return volume_contact(in_force(pair, at.step), start(pair, trial.point), trial, derivatives);
-  return volume_contact(in_force(pair, at.step), pair.start, trial, derivatives);
+  PointContact c = volume_contact(in_force(pair, at.step), pair.start, trial, derivatives);
+  if (augments() && at.step > 0) mean_direction(pair, trial, derivatives, c);
+  return c;
 }
 
 VolumeContact::Force VolumeContact::force(const Kinematics& trial, int pair, bool tangent, bool convex) {
@@ -234,8 +241,9 @@ void VolumeContact::evaluate(const Kinematics& trial, Sink& sink) {
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   for (Pair& pair : pairs_) {
-    const Force f = resolve(pair, trial, tangent, convex);
+    Force f = resolve(pair, trial, tangent, convex);
     if (!f.touches) continue;
+    if (augments()) f.total *= trial.hold_weight, f.K *= trial.hold_weight, f.C *= trial.hold_weight;
     const int block = block_[static_cast<size_t>(pair.node)];
     const Vec3 residual = -f.total;
     const RowMajor K = f.K, C = f.C;
@@ -255,14 +263,27 @@ void VolumeContact::commit(const Kinematics& accepted) {
     if (c.normal.elastic != 0) {
       next = History(c, at.normal);
       next.touches = true;
-      if (augments()) next.potential = 0;  // no spring is left pressed
       next.depth = std::max(0.0, -at.gap);
       next.hint = pair.hint;
     }
     accounts_[static_cast<size_t>(pair.node)].reaches(next.depth, accepted.time, pair.volume);
     if (pair.walls && c.normal.elastic != 0) pair.start.gap = start(pair, at.point).gap;
     if (accepted.step > 0 && (next.touches || pair.history.touches)) account(pair, next, at.point);
+    if (pair.speed) {  // and the blow at its end
+      const RigidPose& pose = poses_[body(pair.volume)];
+      Account& sum = accounts_[static_cast<size_t>(pair.node)];
+      sum.damping -= 0.5 * pair.impulse * *pair.speed;
+      sum.work += pair.impulse * at.normal.dot(pose.rotation.conjugate() *
+                                               pose.velocity_at(accepted.x[static_cast<size_t>(pair.node)]));
+    }
     next.multiplier = pair.multiplier, next.held = pair.held;
+    if (augments() && next.touches && accepted.step > 0) {
+      // The force that is told is the whole impulse over the step.
+      const double blow = pair.impulse / accepted.step;
+      next.multiplier = c.normal.elastic;
+      next.normal_force += blow, next.force += blow * at.normal;
+    }
+    if (augments() && next.touches) next.rest = accepted.step > 0 ? pair.history.rest : at.gap;
     next.paired = pair.history.paired, next.anchor = pair.history.anchor;
     next.direction = pair.history.direction;
     pair.history = next;
@@ -274,7 +295,14 @@ void VolumeContact::account(const Pair& pair, const History& next, const Vec3& y
   const StepOfBody step(start_poses_[body(pair.volume)], poses_[body(pair.volume)]);
   const History& last = pair.history;
   const Vec3& y0 = pair.start.point;
+  Account& sum = accounts_[static_cast<size_t>(pair.node)];
   double part = 1;
+  if (augments()) {  // its force is that of the whole step, and what it does to stop the node is lost
+    History whole = next;
+    whole.damping_force = 1, whole.normal = next.force - next.friction;
+    add_work(sum, step, whole, step.R1, y0, y, 2);
+    return;
+  }
   const double smoothing = pair.law.normal.smoothing;
   if (!last.touches) {
     const double moved = std::max(pair.start.gap - smoothing, 0.0), deep = smoothing + next.depth;
@@ -283,7 +311,6 @@ void VolumeContact::account(const Pair& pair, const History& next, const Vec3& y
     const double away = last.normal.dot(y - y0), deep = std::max(smoothing - pair.start.gap, 0.0);
     part = away > deep ? deep / away : 1;
   }
-  Account& sum = accounts_[static_cast<size_t>(pair.node)];
   add_work(sum, step, last, step.R0, y0, y, part);
   add_work(sum, step, next, step.R1, y0, y, part);
 }

@@ -1,16 +1,18 @@
 // The other models of contact at the nodes: multipliers, nodes held on the surface, gap springs.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hawser/terms/volume_contact.hpp"
 
 namespace hawser {
 namespace {
 
-constexpr double kLeft = 1e-4;    // of the radius: penetration that multipliers leave when nothing is said
-constexpr double kHeld = 1e-8;    // of the radius: as near to the surface is a held node
-constexpr double kNone = 1e-9;    // N/m: as good as no spring beside a multiplier
-constexpr double kHolding = 1e4;  // stiffness in motion over m/h²: an update gains four digits
+constexpr double kLeft = 1e-4;     // of the radius: penetration that multipliers leave when nothing is said
+constexpr double kHeld = 1e-8;     // of the radius: as near to the surface is a held node
+constexpr double kNone = 1e-9;     // N/m: as good as no spring beside a multiplier
+constexpr double kStopping = 1e6;  // of the mass: what is left of a speed is its inverse
+constexpr double kHolding = 1e2;   // stiffness in motion over m/h²: an update gains two digits
 
 }  // namespace
 
@@ -25,9 +27,10 @@ ContactLaw VolumeContact::in_force(const Pair& pair, double step) const {
     law.normal.ahead = pair.multiplier / kNone;
     return law;
   }
-  if (model_ == NodeContact::elastic || model_ == NodeContact::gap) return law;
+  if (model_ == NodeContact::elastic || model_ == NodeContact::gap || pair.fixed) return law;
   law.normal.table = nullptr;
   if (step > 0) {
+    law.normal.damping = 0;  // a multiplier leaves nothing to swing
     const double mass = nodes_[static_cast<size_t>(pair.node)].mass;
     law.normal.stiffness = std::max(law.normal.stiffness, kHolding * mass / (step * step));
   }
@@ -37,9 +40,8 @@ ContactLaw VolumeContact::in_force(const Pair& pair, double step) const {
       return law;
     }
     law.normal.holds = true;
-    law.normal.damping = 0;
   }
-  law.normal.ahead = pair.multiplier / law.normal.stiffness;
+  law.normal.ahead = pair.multiplier / law.normal.stiffness + (step > 0 ? pair.history.rest : 0);
   return law;
 }
 
@@ -87,25 +89,36 @@ bool VolumeContact::augment(const Kinematics& equilibrium) {
     const auto p = volumes_[k].surface->query(y, pair.touch + 0.5 * element_[n], pair.hint);
     ContactTrial at;
     at.gap = p ? p->distance - nodes_[n].radius : element_[n];
+    pair.speed.reset(), pair.impulse = 0;
     if (improve(pair, at, equilibrium.step)) again = true;
   }
   return again;
 }
 
+bool VolumeContact::improve(Pair& pair, const ContactTrial& at, double step) {
+  if (pair.fixed) return false;
+  const double gap = at.gap - (step > 0 ? pair.history.rest : 0);
+  if (step > 0 && pair.moved_for == gap) return pair.fixed = true;
+  pair.moved_for.reset();
+  if (!move_multiplier(pair, gap, step)) return false;
+  pair.moved_for = gap;
+  return true;
+}
+
 // Uzawa: the multiplier becomes the force of the law, lambda <- max(0, lambda - k g). A node held moves it
 // both ways until it lies on the surface, and is let go when it then pulls; once a step, so that it ends.
-bool VolumeContact::improve(Pair& pair, const ContactTrial& at, double step) {
+bool VolumeContact::move_multiplier(Pair& pair, double gap, double step) const {
   const double radius = nodes_[static_cast<size_t>(pair.node)].radius,
                k = in_force(pair, step).normal.stiffness;
   if (model_ == NodeContact::rigid && step > 0) {
     if (!pair.held) {
-      if (at.gap >= 0 || pair.released) return false;
+      if (gap >= 0 || pair.released) return false;
       pair.held = true;
       pair.multiplier = 0;
       return true;
     }
-    const double next = pair.multiplier - k * at.gap;
-    if (std::abs(at.gap) > kHeld * radius) {
+    const double next = pair.multiplier - k * gap;
+    if (std::abs(gap) > kHeld * radius) {
       pair.multiplier = next;
       return true;
     }
@@ -114,13 +127,59 @@ bool VolumeContact::improve(Pair& pair, const ContactTrial& at, double step) {
     pair.multiplier = 0;
     return true;
   }
-  const double next = std::max(0.0, pair.multiplier - k * at.gap);
-  const double allowed = allowed_ > 0 ? allowed_ : kLeft * radius;
+  const double next = std::max(0.0, pair.multiplier - k * gap);
+  const double allowed = step > 0 ? kHeld * radius : allowed_ > 0 ? allowed_ : kLeft * radius;
   const bool good = std::abs(next - pair.multiplier) <= k * allowed;
   if (!good) pair.multiplier = next;
   // From here on, in a rigid run, this one is held.
   if (model_ == NodeContact::rigid) pair.held = pair.multiplier > 0;
   return !good;
+}
+
+// Of what holds in motion: a gap is known to a few eps of the place.
+double VolumeContact::round_off(const Kinematics& at, double h) const {
+  if (!(h > 0) || !augments()) return 0;
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  double sum = 0;
+  for (const Pair& pair : pairs_) {
+    const size_t n = static_cast<size_t>(pair.node);
+    sum += std::pow(2 * in_force(pair, h).normal.stiffness * eps * at.x[n].cwiseAbs().maxCoeff(), 2);
+  }
+  return sum;
+}
+
+// In motion the force acts along the mean of the normals at both ends of the step, so that it does no work on
+// what slides on a curved surface.
+void VolumeContact::mean_direction(const Pair& pair, const ContactTrial& at, bool derivatives,
+                                   PointContact& c) const {
+  if (!pair.history.touches || c.normal.force == 0) return;
+  const size_t k = body(pair.volume);
+  const Vec3 before = poses_[k].rotation.conjugate() * (start_poses_[k].rotation * pair.history.normal),
+             turned = 0.5 * (before - at.normal);
+  c.force += c.normal.force * turned;
+  if (!derivatives) return;
+  c.by_point += c.normal.by_gap * turned * at.normal.transpose() - 0.5 * c.normal.force * at.curvature;
+}
+
+// Held to the surface in position, a node is held in speed too: else it would swing through it from step to
+// step. After a round k u of what is left of the speed u is the impulse that took the rest.
+void VolumeContact::stop(const Kinematics& at, Sink& sink) {
+  pose_bodies(at.time, poses_);
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  for (Pair& pair : pairs_) {
+    const size_t n = static_cast<size_t>(pair.node);
+    ContactTrial trial;
+    if (!(contact(pair, at, false, false, trial).normal.elastic > 0)) continue;
+    const RigidPose& pose = poses_[body(pair.volume)];
+    const Vec3 normal = pose.rotation * trial.normal;
+    const double k = kStopping * nodes_[n].mass;
+    const double speed = normal.dot(at.v[n] - pose.velocity_at(at.x[n]));
+    if (sink.wants_force() && pair.speed) pair.impulse -= k * speed;
+    if (sink.wants_force() && !pair.speed) pair.speed = speed;
+    const Vec3 force = k * speed * normal;
+    const RowMajor mass = k * normal * normal.transpose();
+    sink.add({&block_[n], 1}, force.data(), nullptr, nullptr, mass.data());
+  }
 }
 
 void VolumeContact::constraints(const Kinematics& at, std::vector<Constraint>& out) {
@@ -153,7 +212,9 @@ void VolumeContact::reset_multipliers() {
   for (Pair& pair : pairs_) {
     pair.multiplier = pair.history.multiplier;
     pair.held = pair.history.held;
-    pair.released = false;
+    pair.released = pair.fixed = false;
+    pair.moved_for.reset(), pair.speed.reset();
+    pair.impulse = 0;
   }
 }
 

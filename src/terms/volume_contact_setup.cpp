@@ -47,12 +47,13 @@ ContactLaw VolumeContact::node_law(int node, int volume) const {
   return l;
 }
 
-// In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
+// In dynamics of the committed state; of multipliers none, from the start on. Statics asks for trials: its
+// line search goes down this energy.
 Energy VolumeContact::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
-    if (at.step > 0) {
-      e.strain += p.history.potential;
+    if (at.step > 0 || (moves_ && augments())) {
+      if (!augments()) e.strain += p.history.potential;
       continue;
     }
     const size_t n = static_cast<size_t>(p.node);
@@ -118,7 +119,7 @@ std::vector<HistoryRecord> VolumeContact::save() const {
                     {h.normal_force, h.damping_force, h.potential, h.depth, static_cast<double>(h.hint)});
     if (model_ != NodeContact::elastic) {
       r.values.insert(r.values.end(),
-                      {h.multiplier, h.held ? 1.0 : 0, h.touches ? 1.0 : 0, h.paired ? 1.0 : 0});
+                      {h.multiplier, h.held ? 1.0 : 0, h.touches ? 1.0 : 0, h.paired ? 1.0 : 0, h.rest});
       put(r.values, h.anchor), put(r.values, h.direction);
     }
     records.push_back(std::move(r));
@@ -141,7 +142,7 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
       continue;
     }
     const bool more = model_ != NodeContact::elastic;
-    if (v.size() != (more ? 27U : 17U) || r.key < 0 || r.key >= SurfaceWalls::kMost * volumes())
+    if (v.size() != (more ? 28U : 17U) || r.key < 0 || r.key >= SurfaceWalls::kMost * volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
     Pair& p = pairs_.emplace_back();
     p.node = found->second;
@@ -155,9 +156,9 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
     h.touches = true;
     if (!more) continue;
     h.multiplier = p.multiplier = v[17], h.held = p.held = v[18] != 0;
-    h.touches = v[19] != 0, h.paired = v[20] != 0;
+    h.touches = v[19] != 0, h.paired = v[20] != 0, h.rest = v[21];
     for (int c = 0; c < 3; ++c)
-      h.anchor[c] = v[static_cast<size_t>(21 + c)], h.direction[c] = v[static_cast<size_t>(24 + c)];
+      h.anchor[c] = v[static_cast<size_t>(22 + c)], h.direction[c] = v[static_cast<size_t>(25 + c)];
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
     return std::array{a.node, a.volume, a.slot} < std::array{b.node, b.volume, b.slot};

@@ -158,7 +158,10 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
   t.length = 0.2 * mm;
   if (kept == Kept::augmented) contact.augment(t.from.view(t.h));
   if (kept == Kept::rigid) {  // held where it is deep at the start, then with its force, or deep in the trial
-    for (int i = 0; i < 2; ++i) contact.augment(t.from.view(t.h));
+    contact.augment(t.from.view(t.h));
+    State beside = t.from;  // where a multiplier changes nothing it would be given up
+    for (Vec3& x : beside.x) x += at.rotation * Vec3::Constant(1e-12);
+    contact.augment(beside.view(t.h));
     contact.augment(state_of(l, t).view(t.h));
   }
   if (kept == Kept::exact) {

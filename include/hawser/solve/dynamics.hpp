@@ -86,6 +86,12 @@ class Dynamics {
                                   void*);
   void load(Vec u);
   void solve_once(Attempt& a);
+  void put(const std::vector<double>& u);
+  void start_held(double h);
+  void expect_held();
+  void add_held(double sign);
+  bool let_go();
+  void solve_masses();
   std::string failure(double h) const;
 
   System& system_;
@@ -95,6 +101,9 @@ class Dynamics {
   AlphaState committed_, trial_;
   double h_ = 0, last_step_ = 0;
   std::vector<double> local_u_, gathered_, reactions_;
+  // By how much speeds at the end of the step are others than the increments make them: what multipliers and
+  // stops do there. Empty: there are none.
+  std::vector<Vec3> held_v_, held_w_;
   double expected_ = -1;    // s, the step that the system was last told to expect
   bool copied_ = false;     // trial_ has all that a step leaves alone
   bool loaded_ = false;     // trial_ belongs to local_u_

@@ -77,6 +77,9 @@ class ForceTerm {
   virtual bool augments() const { return false; }
   virtual bool augment(const Kinematics& equilibrium) { return (void)equilibrium, false; }
   virtual void reset_multipliers() {}
+  // Of what multipliers hold in a converged step: a stiffness k, kg, far above the masses, times the speed u
+  // at which it moves on along the normal n all the same: k u n, and k n n' as a mass.
+  virtual void stop(const Kinematics& at, Sink& sink) { (void)at, (void)sink; }
 
   // Exact unilateral statics: gaps that must not be negative, and their multipliers. After set_multipliers()
   // the term's force is that of the multipliers alone (a value for each constraint, in their order), until

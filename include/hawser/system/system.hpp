@@ -77,10 +77,15 @@ class System {
   void gather(Vec u, std::vector<double>& out) const;
 
   // r = sum of all terms at the trial state; held components of r are zero, their reactions are kept.
-  void residual(const Kinematics& trial, Vec r);
+  void residual(const Kinematics& trial, Vec r) { residual(trial, r, Part::all); }
+  // Of the terms with multipliers alone: their forces, or what is to be stopped (ForceTerm::stop); these take
+  // the place of reactions() until the next call.
+  enum class Part { all, multipliers, stops };
+  void residual(const Kinematics& trial, Vec r, Part part);
   // J = K T(u) + wC C + wM M; rows and columns of held components are the identity's. `u` are the local
-  // increments that led to the trial (3 * local blocks).
-  void tangent(const Kinematics& trial, Weights weights, const std::vector<double>& u, bool convex, Mat J);
+  // increments that led to the trial (3 * local blocks). stops: with the masses of ForceTerm::stop.
+  void tangent(const Kinematics& trial, Weights weights, const std::vector<double>& u, bool convex, Mat J,
+               bool stops = false);
 
   // Of the last residual() call. Collective.
   ResidualNorms norms(Vec r) const;
@@ -96,6 +101,7 @@ class System {
   StepLimit longest_step(const Kinematics& committed, double most);
   // Whether all that matters in a converged step was foreseen by longest_step(), which is asked first.
   bool foreseen(const Kinematics& trial);
+  bool augments() const;                        // whether any term has multipliers
   bool augment(const Kinematics& equilibrium);  // true on all ranks: solve again
   void reset_multipliers();
 

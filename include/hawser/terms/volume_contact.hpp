@@ -41,6 +41,8 @@ class VolumeContact final : public Contact {
   bool augments() const override { return model_ == NodeContact::augmented || model_ == NodeContact::rigid; }
   bool augment(const Kinematics& equilibrium) override;
   void reset_multipliers() override;
+  void stop(const Kinematics& at, Sink& sink) override;
+  double round_off(const Kinematics& at, double h) const override;
   void constraints(const Kinematics& at, std::vector<Constraint>& out) override;
   void set_multipliers(std::span<const double> values) override;
   Energy energy(const Kinematics& at) const override;
@@ -71,6 +73,7 @@ class VolumeContact final : public Contact {
     bool touches = false;
     double multiplier = 0;  // N
     bool held = false;
+    double rest = 0;  // m, gap that is kept in motion: of what statics left within the penetration allowed
     // Gap spring: where the surface was nearest at the start, and its normal.
     bool paired = false;
     Vec3 anchor = Vec3::Zero(), direction = Vec3::UnitZ();
@@ -109,6 +112,14 @@ class VolumeContact final : public Contact {
     // Of the try: multiplier, whether it is held, whether it was and is not to be again.
     double multiplier = 0;
     bool held = false, released = false;
+    // The gap that the multiplier was moved for last; whether it stayed the same all the same, for what holds
+    // the node is a support, which a multiplier cannot move: the spring then says how it presses.
+    std::optional<double> moved_for;
+    bool fixed = false;
+    // Speed along the normal, m/s, with which it came to the end of the step, and the impulse, N s, that
+    // takes it.
+    std::optional<double> speed;
+    double impulse = 0;
     std::shared_ptr<Walls> walls;  // none: there is one in this step
   };
 
@@ -135,6 +146,8 @@ class VolumeContact final : public Contact {
   ContactLaw node_law(int node, int volume) const;
   // The law in force: with the multiplier, holding or not. step [s]; 0: statics.
   ContactLaw in_force(const Pair& pair, double step) const;
+  void mean_direction(const Pair& pair, const ContactTrial& at, bool derivatives, PointContact& c) const;
+  bool move_multiplier(Pair& pair, double gap, double step) const;
   bool improve(Pair& pair, const ContactTrial& at, double step);
   void choose_gap(Pair& pair, const Vec3& y) const;
   void account(const Pair& pair, const History& next, const Vec3& y);
@@ -142,6 +155,7 @@ class VolumeContact final : public Contact {
   const Mesh& mesh_;
   NodeContact model_;
   bool exact_ = false;  // the multipliers are the force
+  bool moves_ = false;  // prepared for a step in time
   double allowed_;      // m, penetration that multipliers leave; 0: a share of the radius
   std::vector<ContactNode> nodes_;
   std::vector<int> global_, block_;  // of owned nodes: mesh node, local 3-block
