@@ -44,7 +44,7 @@ inline std::vector<PairCase> pair_cases() {
         out.push_back({what + ", pressed" + radii, angle, -5.4e-3, -4e-3, 1e-4, friction, 0, first, second});
         out.push_back({what + ", slides" + radii, angle, -4.4e-3, -4e-3, 0.02, friction, 0, first, second});
         out.push_back(
-            {what + ", at a joint" + radii, angle, -4.4e-3, -4e-3, 1e-4, friction, 0.604, first, second});
+            {what + ", at a joint" + radii, angle, -5.3e-3, -4e-3, 1e-4, friction, 0.604, first, second});
       }
     }
   return out;
