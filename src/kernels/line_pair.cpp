@@ -15,6 +15,12 @@ constexpr double kRoot = 1e-15;
 
 }  // namespace
 
+double slave_share(double slave, double master) {
+  const double ratio = std::max(slave, master) / std::min(slave, master);
+  const double thin = std::min(ratio - 0.5, 1.0);
+  return slave <= master ? thin : 1 - thin;
+}
+
 PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), ends(n) {
   if (n.beam) {
     to_space = {n.q1.toRotationMatrix(), n.q2.toRotationMatrix()};

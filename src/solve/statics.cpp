@@ -61,10 +61,10 @@ class Search : StaticTrial {
     const double stiff = system_.axial_stiffness(), load = system_.dead_load();
     if (load == 0 || near(norms)) return;
     for (double soft = kSoft * load; soft < stiff; soft *= kStiffening) {
-      system_.soften(soft / stiff);
+      system_.soften(soft);
       descend(report, 1e-4);
     }
-    system_.soften(1);
+    system_.soften(HUGE_VAL);
   }
   void descend(StaticsReport& report, double tolerance) {
     system_.residual(state_.view(0), r_.get());
@@ -229,7 +229,7 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
   try {
     return Search(system, settings, state).run();
   } catch (const SolveError& newton) {
-    system.soften(1);
+    system.soften(HUGE_VAL);
     state = std::move(from);
     system.spread(state);
     try {

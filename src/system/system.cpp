@@ -188,8 +188,8 @@ double ResidualNorms::relative() const {
                   ratio(moment, 4 * round_off * arm, moment_size(*this)));
 }
 
-void System::soften(double factor) {
-  for (auto& t : terms_) t->soften(factor);
+void System::soften(double most) {
+  for (auto& t : terms_) t->soften(most);
 }
 
 double System::axial_stiffness() const {

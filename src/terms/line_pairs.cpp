@@ -99,6 +99,8 @@ void LinePairs::sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bo
     if (part != FootOf::element && !joint(master, part == FootOf::second_end)) continue;
     const int slave = swapped ? pair.key.second : pair.key.first;
     s.slave_radius = elements_[static_cast<size_t>(slave)].radius;
+    s.share = slave_share(s.slave_radius, elements_[static_cast<size_t>(master)].radius);
+    if (!(s.share > 0)) continue;
     what(k, LinePairSide(swapped ? B : A, swapped ? A : B, part, s,
                          pair.history ? (*pair.history)[k] : nothing));
   }

@@ -128,16 +128,16 @@ double StructureTerm::round_off(const Kinematics& at, double) const {
   return sum;
 }
 
-// From the true stiffness each time: a factor of 1 gives it back to the last bit.
-void StructureTerm::soften(double factor) {
+// From the true stiffness each time: no bound gives it back to the last bit.
+void StructureTerm::soften(double most) {
   if (true_EA_.empty()) {
     for (const Beam& b : beams_) true_EA_.push_back(b.section.EA);
     for (const Cable& c : cables_) true_EA_.push_back(c.section.EA);
   }
   size_t i = 0;
-  for (Beam& b : beams_) b.section.EA = factor * true_EA_[i++];
-  for (Cable& c : cables_) c.section.EA = factor * true_EA_[i++];
-  if (factor == 1) true_EA_.clear();
+  for (Beam& b : beams_) b.section.EA = std::min(most, true_EA_[i++]);
+  for (Cable& c : cables_) c.section.EA = std::min(most, true_EA_[i++]);
+  if (most == HUGE_VAL) true_EA_.clear();
 }
 
 double StructureTerm::axial_stiffness() const {

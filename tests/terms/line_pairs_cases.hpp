@@ -2,6 +2,8 @@
 // or lie on each other, with one step of history.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,7 +20,9 @@ struct PairCase {
   double before = 0;  // m, of the surfaces at the start of the step
   double slip = 0;    // m, of the first line in the step
   double friction = 0;
-  double shift = 0;  // m, along the second line, of where they cross
+  double shift = 0;                         // m, along the second line, of where they cross
+  double radius = 0.1, other_radius = 0.1;  // m, of the first line and of the second
+  double reach() const { return radius + other_radius; }
 };
 
 inline std::vector<PairCase> pair_cases() {
@@ -33,11 +37,20 @@ inline std::vector<PairCase> pair_cases() {
       out.push_back({what + ", first touch", angle, -4e-3, 0.01, 3e-4, friction});
       out.push_back({what + ", at a joint", angle, -5e-3, -5e-3, 1e-4, friction, 0.604});
       out.push_back({what + ", at an end", angle, -5e-3, -5e-3, 1e-4, friction, 1.795});
+      if (friction == 0) continue;
+      // Unequal parts for the two sides, and all of it for the thinner line.
+      for (const auto& [first, second] : {std::pair{0.1, 0.125}, {0.03, 0.12}, {0.12, 0.03}}) {
+        const std::string radii = fmt::format(", radii {} and {}", first, second);
+        out.push_back({what + ", pressed" + radii, angle, -5.4e-3, -4e-3, 1e-4, friction, 0, first, second});
+        out.push_back({what + ", slides" + radii, angle, -4.4e-3, -4e-3, 0.02, friction, 0, first, second});
+        out.push_back(
+            {what + ", at a joint" + radii, angle, -5.3e-3, -4e-3, 1e-4, friction, 0.604, first, second});
+      }
     }
   return out;
 }
 
-inline constexpr double kPairRadius = 0.1, kPairStiffness = 1e5;  // m, N/m²
+inline constexpr double kPairStiffness = 1e5;  // N/m²
 
 struct PairModel : SuiteModel {
   LinePairs* contact = nullptr;
@@ -52,8 +65,9 @@ struct PairModel : SuiteModel {
     o.general.friction = what.friction;
     o.general.mobilisation_length = 4e-3;
     o.candidates.excluded = {{0, 0}, {1, 1}};
-    auto term = std::make_unique<LinePairs>(
-        comm, system->mesh(), std::vector<LineContactElement>(mesh.elements.size(), {kPairRadius, 50}), o);
+    std::vector<LineContactElement> elements;
+    for (const Element& e : mesh.elements) elements.push_back({e.line ? what.other_radius : what.radius, 50});
+    auto term = std::make_unique<LinePairs>(comm, system->mesh(), std::move(elements), o);
     contact = term.get();
     system->add(std::move(term));
     // Ghosts first: they depend on where lines are.
@@ -89,7 +103,7 @@ struct PairModel : SuiteModel {
     for (int n = 0; n < l.nodes(); ++n) {
       const size_t i = static_cast<size_t>(n);
       const int g = l.global[i];
-      Vec3 x = g < 4 ? Vec3(1.2 * g - 1.7 + slip, 0.013 + 0.7 * slip, 2 * kPairRadius + gap)
+      Vec3 x = g < 4 ? Vec3(1.2 * g - 1.7 + slip, 0.013 + 0.7 * slip, what.reach() + gap)
                      : Vec3((1.2 * (g - 4) - 1.8 - what.shift) * along);
       x += 1e-3 * noise3(g, 1);
       x.z() -= 9e-4 * noise3(g, 1).z();

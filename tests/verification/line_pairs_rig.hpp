@@ -30,7 +30,7 @@ inline void touch(model::Case& c, double per_length, double smoothing, double fr
 }
 
 // Force of two straight cylinders that cross at the angle theta, their axes `reach - p` apart, under k per
-// length of either (half from each side) without smoothing: the integral of the pressure's part along the
+// length of either (the two sides together) without smoothing: the integral of the pressure's part along the
 // normal.
 inline double crossing_force(double k, double reach, double p, double theta) {
   const double d = reach - p, most = std::sqrt(reach * reach - d * d);  // m, across the other axis

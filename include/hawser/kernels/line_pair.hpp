@@ -13,6 +13,13 @@
 
 namespace hawser {
 
+// The part of the pressure between two lines that is integrated along the slave, by the radii; along the
+// master it is the rest. Lines as thick as each other have a half each, and one that is half as thick again
+// nothing: a thinner line may be wound round it, and seen from inside such a winding, on the axis of what it
+// is wound round, all of it is equally near. From outside it is plain where the nearest point is: no line is
+// bent to its own radius.
+double slave_share(double slave_radius, double master_radius);
+
 // An element of a pair at the start of the step and in the trial.
 struct PairAxis {
   PairAxis(const AxisEnds& now, const AxisEnds& start);
@@ -54,7 +61,7 @@ class LinePairSide {
  public:
   struct Settings {
     LinePairLaw law;
-    double share = 0.5;       // of the force: either side of a pair carries a half
+    double share = 0.5;       // of the pressure: slave_share of the radii
     double slave_radius = 0;  // m
     bool moves = true;        // in dynamics
     bool convex = false;      // leave out negative stiffness

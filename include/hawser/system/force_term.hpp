@@ -97,9 +97,9 @@ class ForceTerm {
   // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics):
   // no residual can be smaller.
   virtual double round_off(const Kinematics& at, double h) const { return (void)at, (void)h, 0.0; }
-  // Axial stiffness is `factor` (0..1) of the true one until told otherwise: statics starts soft, where a
-  // very stiff line would have to creep along a narrow valley of its energy.
-  virtual void soften(double factor) { (void)factor; }
+  // Axial stiffness is at most this, N, until told otherwise (HUGE_VAL: the true one): statics starts soft,
+  // where a very stiff line would have to creep along a narrow valley of its energy.
+  virtual void soften(double most) { (void)most; }
   // Sum of the sizes of the dead loads on this rank, N: what a static residual is judged against.
   virtual double dead_load() const { return 0; }
   // Largest EA, N, of this rank; 0: none.

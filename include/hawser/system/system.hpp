@@ -94,7 +94,7 @@ class System {
   const std::vector<double>& reactions() const { return force_; }
 
   // Of all terms, over all ranks (collective): see ForceTerm.
-  void soften(double factor);
+  void soften(double most);
   double axial_stiffness() const;
   double dead_load() const;
   // Of a step of at most `most` [s]: what impacts allow is bounded by the energy they are about.

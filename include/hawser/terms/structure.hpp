@@ -39,7 +39,7 @@ class StructureTerm final : public ForceTerm {
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   double round_off(const Kinematics& at, double h) const override;
-  void soften(double factor) override;
+  void soften(double most) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryRecord> save() const override;
