@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -80,7 +80,12 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   for (const auto& t : b.pairs)
     options.tuned[std::minmax(c.line_index(t.first), c.line_index(t.second))] = t.settings;
   std::vector<LineContactElement> elements;
-  std::set<std::array<double, 3>> kinds;  // radius, own stiffness, crossing force
+  // Of each type that takes part, of its lines: the least and the most.
+  struct Kind {
+    double radius = 0;
+    LinePairOptions::Automatic least{HUGE_VAL, HUGE_VAL}, most;
+  };
+  std::map<int, Kind> kinds;
   for (const Element& e : mesh.mesh->elements) {
     const model::LineType& t = c.line_types[static_cast<size_t>(e.type)];
     LineContactElement& element = elements.emplace_back();
@@ -93,8 +98,12 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
     d.EA = t.EA;
     options.automatic.push_back(
         {automatic_contact_stiffness(d).per_length, crossing_force(t.EA, d.weight * d.length)});
+    if (!(element.radius > 0)) continue;
     const LinePairOptions::Automatic& a = options.automatic.back();
-    if (element.radius > 0) kinds.insert({element.radius, a.per_length, a.crossing});
+    Kind& kind = kinds[e.type];
+    kind.radius = element.radius;
+    kind.least = {std::min(kind.least.per_length, a.per_length), std::min(kind.least.crossing, a.crossing)};
+    kind.most = {std::max(kind.most.per_length, a.per_length), std::max(kind.most.crossing, a.crossing)};
   }
   const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
                          std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
@@ -102,10 +111,10 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
                          });
   if (automatic && lines > 1) {
     double least = HUGE_VAL, most = 0;
-    for (const auto& i : kinds)
-      for (const auto& j : kinds) {
-        const double k = automatic_stiffness({i[1], i[2]}, {j[1], j[2]}, i[0] + j[0]);
-        least = std::min(least, k), most = std::max(most, k);
+    for (const auto& [first, i] : kinds)
+      for (const auto& [second, j] : kinds) {
+        least = std::min(least, automatic_stiffness(i.least, j.least, i.radius + j.radius));
+        most = std::max(most, automatic_stiffness(i.most, j.most, i.radius + j.radius));
       }
     notes.push_back(fmt::format(
         "contact between lines: normal stiffness {:.3g} to {:.3g} N/m per m: the stiffer of two lines' "

@@ -12,6 +12,8 @@ namespace {
 // Chords are good to the first part of the distance in question; the search for the time to the second.
 constexpr double kChord = 0.1, kSearch = 0.05;
 constexpr double kBelow = 0.75;
+// Of whatever the axes were apart, so that it never is the limit.
+constexpr double kAnyPart = 1e9;
 // Halvings of an axis, at most: its chords are then within rounding of it.
 constexpr int kMost = 14;
 
@@ -78,7 +80,7 @@ Sides sides_kept(const AxisShape& a0, const AxisShape& a1, const AxisShape& b0, 
   if (kept != Sides::near || !(limits.floor > 0)) return kept;
   // Those that were nearer already, by more than what chords leave open, keep to the other limits.
   const Moving still_a(a0, a0), still_b(b0, b0);
-  const ApproachLimits below{kBelow * limits.floor, HUGE_VAL, 0, -1};
+  const ApproachLimits below{kBelow * limits.floor, kAnyPart, 0, -1};
   if (Search(still_a, still_b, below).look({}, {}) == Sides::kept) return kept;
   ApproachLimits others = limits;
   others.floor = 0;

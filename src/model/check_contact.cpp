@@ -9,11 +9,12 @@
 namespace hawser::model {
 namespace {
 
-// m, of the lines that take part; 0: none do.
-double thinnest(const Case& c) {
+// m, of the lines that take part and that which(line) holds for; 0: of none.
+template <class Which>
+double thinnest(const Case& c, const Which& which) {
   double least = 0;
   for (const Line& l : c.lines)
-    if (c.contact.takes_part(l))
+    if (c.contact.takes_part(l) && which(l))
       for (const Section& s : l.sections)
         if (const double d = c.line_type(s.type).contact_diameter; d > 0)
           least = least > 0 ? std::min(least, d) : d;
@@ -46,9 +47,10 @@ void check_kinetic(const Volume& v, std::vector<Issue>& issues) {
 }  // namespace
 
 void check_contact(const Case& c, std::vector<Issue>& issues) {
-  const double thickness = thinnest(c);
+  const double thickness = thinnest(c, [](const Line&) { return true; });
   for (const Volume& v : c.volumes) {
-    if (c.contact.takes_part(v))
+    // What floats touches other bodies alone.
+    if (c.contact.takes_part(v) && !c.floats(c.body_index(v.body)))
       check_smoothing(v.smoothing, thickness, "volumes." + v.name + ".smoothing", issues);
     check_kinetic(v, issues);
   }
@@ -75,7 +77,9 @@ void check_contact(const Case& c, std::vector<Issue>& issues) {
                        "give one of the two",
                        quote(p.first), quote(p.second))});
     if (p.settings.smoothing != b.general.smoothing)
-      check_smoothing(p.settings.smoothing, thickness, key + ".smoothing", issues);
+      check_smoothing(p.settings.smoothing,
+                      thinnest(c, [&](const Line& l) { return l.name == p.first || l.name == p.second; }),
+                      key + ".smoothing", issues);
   }
 }
 

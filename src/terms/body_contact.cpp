@@ -348,9 +348,11 @@ std::vector<HistoryRecord> BodyContactTerm::save() const {
 
 void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
-    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size() || r.values.size() != 4) continue;
+    // Older records have no fourth value: as deep as they ever were has been met.
+    const std::vector<double>& v = r.values;
+    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size() || v.size() < 3 || v.size() > 4) continue;
     Pair& p = pairs_[static_cast<size_t>(r.key)];
-    if (p.counted) p.damping = r.values[0], p.work = r.values[1], p.depth = r.values[2], p.met = r.values[3];
+    if (p.counted) p.damping = v[0], p.work = v[1], p.depth = v[2], p.met = v.back();
   }
 }
 

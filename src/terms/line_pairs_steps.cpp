@@ -113,6 +113,15 @@ bool LinePairs::resolved(const Pair& p, const Kinematics& trial, const std::vect
   return v * slow <= 2 * p.law.normal.smoothing || 0.5 * mass(p) * v * v <= bears(p);
 }
 
+// m, in the accepted state, negative within the ramp; 0: they do not touch. A side without a share has no
+// points.
+double LinePairs::deepest(const Pair& p) const {
+  double depth = -HUGE_VAL;
+  for (const size_t side : {0, 3})
+    if (p.history && !(*p.history)[side].empty()) depth = std::max(depth, deepest_of((*p.history)[side]));
+  return depth > -HUGE_VAL ? depth : 0;
+}
+
 // An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
 void LinePairs::limit_step(const Kinematics& at, Strikes& to) const {
   for (const Pair& p : pairs_) {
@@ -123,7 +132,7 @@ void LinePairs::limit_step(const Kinematics& at, Strikes& to) const {
     if (c.speed < 0) to.limit((apart + kDeep * p.law.reach) / -c.speed);
     if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
-    if (p.history) a.gap = -ramp - std::max(deepest_of((*p.history)[0]), deepest_of((*p.history)[3]));
+    if (p.history) a.gap = -ramp - deepest(p);
     const auto& e = mesh_.mesh->elements;
     to.add(strike(slowness(p), 2 * ramp, mass(p), a), e[static_cast<size_t>(p.key.first)].line,
            e[static_cast<size_t>(p.key.second)].line);
@@ -161,19 +170,25 @@ double LinePairs::stored(const Pair& of) const {
 std::string LinePairs::too_soft(const Pair& p) const {
   const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
   const double reach = p.law.reach, k = p.law.normal.stiffness,
-               speed = -nearest(p, start_[i], start_[j]).speed,
-               depth = p.history ? std::max(deepest_of((*p.history)[0]), deepest_of((*p.history)[3])) : 0;
+               speed = -nearest(p, start_[i], start_[j]).speed, depth = deepest(p);
   if (!(depth > kProposed * reach))
     return where(p) + " would pass through each other: from the start they are nearer than their radii allow";
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
   const double wanted = k * std::pow(depth / (kProposed * reach), 2.5) * (1 + more / has);
+  const Mesh& m = *mesh_.mesh;
+  const auto line = [&](int element) { return m.elements[static_cast<size_t>(element)].line; };
+  const auto [one, other] = std::minmax(line(p.key.first), line(p.key.second));
+  const std::string stiffness = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(wanted));
+  const std::string advice =
+      options_.tuned.count({one, other})
+          ? fmt::format("pairs: [{{lines: [{}, {}], {}}}]", m.lines[static_cast<size_t>(one)].name,
+                        m.lines[static_cast<size_t>(other)].name, stiffness)
+          : stiffness;
   return fmt::format(
       "{} are pressed into each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass "
-      "through each "
-      "other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for this impact "
-      "({:.3g} J in the contact). Try contact: {{between_lines: {{normal_stiffness: "
-      "{{per_length: {:.2g}}}}}}}",
-      where(p), depth, 100 * depth / reach, k, has, rounded_up(wanted));
+      "through each other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for "
+      "{} ({:.3g} J in the contact). Try contact: {{between_lines: {{{}}}}}",
+      where(p), depth, 100 * depth / reach, k, speed > 0 ? "this impact" : "what presses them", has, advice);
 }
 
 std::string LinePairs::refusal(const Kinematics& trial) const {
@@ -192,9 +207,8 @@ std::string LinePairs::refusal(const Kinematics& trial) const {
   if (through) return too_soft(*through);
   if (hard)
     return fmt::format(
-        "{} meet on a contact so stiff ({:.3g} N/m per m, a period of {:.2g} s) that no step is short enough "
-        "to "
-        "follow it",
+        "{} meet on a contact so stiff ({:.3g} N/m per m, a period of {:.2g} s) that no step is short "
+        "enough to follow it",
         where(*hard), hard->law.normal.stiffness, 2 * M_PI * slowness(*hard));
   if (!candidates_.covers(trial))
     return "lines move farther in it than was looked ahead for what they may touch";

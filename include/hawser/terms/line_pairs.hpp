@@ -128,6 +128,7 @@ class LinePairs final : public ForceTerm {
   bool resolved(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   bool passes(const Pair& pair, const Kinematics& trial) const;
   std::string where(const Pair& pair) const;
+  double deepest(const Pair& pair) const;
   double stored(const Pair& pair) const;
   std::string too_soft(const Pair& pair) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);

@@ -1,0 +1,49 @@
+// How wide ramps of contact may be: as the lines are thick that they act on, and no others.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/case_reader.hpp"
+
+namespace hawser::case_contact_test {
+namespace {
+
+// What is wrong with a chain of 0.1 m beside two hoses of 0.6 m, a fender and that contact; empty: nothing.
+std::string wrong(const std::string& fender, const std::string& contact) {
+  try {
+    io::read_case_text(R"(hawser: 1
+line_types:
+  thick: {outer_diameter: 0.6, mass_per_length: 300, EA: 1e8, EI: 1e5, GJ: 1e5}
+  thin: {outer_diameter: 0.1, mass_per_length: 30, EA: 1e8, bending: false}
+lines:
+  hose: {sections: [{type: thick, length: 100, elements: 10}], end_a: {anchor: [0, 0, 0]}, end_b: {anchor: [90, 0, 0]}}
+  other: {sections: [{type: thick, length: 100, elements: 10}], end_a: {anchor: [0, 9, 0]}, end_b: {anchor: [90, 9, 0]}}
+  chain: {sections: [{type: thin, length: 100, elements: 10}], end_a: {anchor: [0, 5, 0]}, end_b: {anchor: [90, 5, 0]}}
+bodies:
+  ship: {position: [0, 40, 0], floating: {mass: 1000, inertia: [500, 600, 400]}}
+  quay: {position: [0, 60, 0]}
+volumes:
+  fender: {shape: {sphere: {centre: [0, 0, 0], radius: 1}}, smoothing: 0.2, )" +
+                           fender + "}\n" + contact + "dynamics: {duration: 1}\n",
+                       "ramps.yaml");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(CaseContact, RampsGoByTheLinesTheyActOn) {
+  EXPECT_EQ(wrong("body: ship", ""), "");  // lines do not feel what floats
+  EXPECT_NE(wrong("body: quay", "").find("volumes.fender.smoothing: a ramp of 0.2 m"), std::string::npos);
+  const auto pair = [](const char* lines, const char* ramp) {
+    return std::string("contact: {between_lines: {pairs: [{lines: [") + lines + "], smoothing: " + ramp +
+           "}]}}\n";
+  };
+  EXPECT_EQ(wrong("body: ship", pair("hose, other", "0.3")), "");
+  EXPECT_NE(wrong("body: ship", pair("hose, chain", "0.3")).find("pairs[0].smoothing: a ramp of 0.3 m"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace hawser::case_contact_test
