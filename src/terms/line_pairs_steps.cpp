@@ -187,8 +187,8 @@ std::string LinePairs::too_soft(const Pair& p) const {
   return fmt::format(
       "{} are pressed into each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass "
       "through each other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for "
-      "{} ({:.3g} J in the contact). Try contact: {{between_lines: {{{}}}}}",
-      where(p), depth, 100 * depth / reach, k, speed > 0 ? "this impact" : "what presses them", has, advice);
+      "what presses them ({:.3g} J in the contact). Try contact: {{between_lines: {{{}}}}}",
+      where(p), depth, 100 * depth / reach, k, has, advice);
 }
 
 std::string LinePairs::refusal(const Kinematics& trial) const {
