@@ -401,11 +401,12 @@ const Key& case_schema() {
                     "rolls does not slide (beams, method `line`)")
                 .or_else("false"),
             one_of("augmented",
-                   {boolean(""), map("",
-                                     {number("penetration", length, "that is left")
-                                          .above(0)
-                                          .or_else_note("1e-4 of the radius")},
-                                     "")},
+                   {boolean(""),
+                    map("",
+                        {number("penetration", length, "that statics leaves; in motion none is made")
+                             .above(0)
+                             .or_else_note("1e-4 of the radius")},
+                        "")},
                    "works off the penetration by multipliers (augmented Lagrangian), so that the stiffness "
                    "does not matter; with `method: nodes`")
                 .or_else("false"),

@@ -260,23 +260,11 @@ void Dynamics::start(const State& state) {
   const double h = control_.wish();  // that it moves: dampers act from the start
   prepare(h);
   system_.residual(s.view(h), r_.get());
-  std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
-  Weights mass;
-  mass.K = 0, mass.M = 1;
-  system_.tangent(s.view(h), mass, zero, false, J_.get());
-  KSP ksp = nullptr;
-  check(SNESGetKSP(snes_, &ksp));
-  check(KSPSetOperators(ksp, J_.get(), J_.get()));
-  check(KSPSolve(ksp, r_.get(), u_.get()));
-  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-  check(KSPGetConvergedReason(ksp, &reason));
-  PetscReal size = 0;
-  check(VecNorm(u_.get(), NORM_INFINITY, &size));
-  if (reason < 0 || !std::isfinite(size))
-    throw SolveError("dynamics cannot start: some part of a line has no mass (is a rotary_inertia zero?)");
-  system_.gather(u_.get(), local_u_);
+  const std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
+  system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());
+  solve_masses();
   for (size_t i = 0; i < s.x.size(); ++i) {
-    const double* p = local_u_.data() + 3 * system_.mesh().block[i];
+    const double* p = gathered_.data() + 3 * system_.mesh().block[i];
     s.a[i] -= Eigen::Map<const Vec3>(p);
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }

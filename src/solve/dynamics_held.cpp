@@ -1,5 +1,10 @@
 // What multipliers do in a step (docs/theory/contact-models.md#in-motion): their forces act in it alone,
 // evenly, and are not carried by the scheme, and what they hold at its end does not move on along the normal.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "hawser/base/error.hpp"
 #include "hawser/solve/dynamics.hpp"
 
 namespace hawser {
@@ -8,12 +13,22 @@ namespace {
 constexpr int kStops = 3;  // each leaves a millionth of the speed: the stiffness of ForceTerm::stop
 }  // namespace
 
-// Of the masses in J_ under the forces -r_: minus the accelerations, with ghosts, to gathered_.
+// Of the masses in J_ under the forces -r_: minus the accelerations, with ghosts, to gathered_. Throws
+// SolveError when the masses cannot be solved with.
 void Dynamics::solve_masses() {
   KSP ksp = nullptr;
   check(SNESGetKSP(snes_, &ksp));
   check(KSPSetOperators(ksp, J_.get(), J_.get()));
   check(KSPSolve(ksp, r_.get(), u_.get()));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(ksp, &reason));
+  PetscReal size = 0;
+  check(VecNorm(u_.get(), NORM_INFINITY, &size));
+  if (reason < 0 || !std::isfinite(size))
+    throw SolveError(
+        fmt::format("at t = {:.6g} s forces give no accelerations: some part of a line has no mass (is a "
+                    "rotary_inertia zero?)",
+                    committed_.s.time));
   system_.gather(u_.get(), gathered_);
 }
 

@@ -8,11 +8,18 @@
 namespace hawser {
 namespace {
 
-constexpr double kLeft = 1e-4;     // of the radius: penetration that multipliers leave when nothing is said
-constexpr double kHeld = 1e-8;     // of the radius: as near to the surface is a held node
-constexpr double kNone = 1e-9;     // N/m: as good as no spring beside a multiplier
-constexpr double kStopping = 1e6;  // of the mass: what is left of a speed is its inverse
-constexpr double kHolding = 1e2;   // stiffness in motion over m/h²: an update gains two digits
+constexpr double kLeft = 1e-4;  // of the radius: penetration that multipliers leave when nothing is said
+constexpr double kHeld = 1e-8;  // of the radius: as near to the surface is a held node
+constexpr double kEps = std::numeric_limits<double>::epsilon();
+constexpr double kKnown = 16 * kEps;  // of the coordinates: nearer than that no multiplier brings a gap
+constexpr double kNone = 1e-9;        // N/m: as good as no spring beside a multiplier
+constexpr double kStopping = 1e6;     // of the mass: what is left of a speed is its inverse
+constexpr double kHolding = 1e2;      // stiffness in motion over m/h²: an update gains two digits
+
+// N/m, beside a multiplier in motion.
+double holding(const NormalLaw& law, double mass, double step) {
+  return std::max(law.stiffness, kHolding * mass / (step * step));
+}
 
 }  // namespace
 
@@ -31,8 +38,7 @@ ContactLaw VolumeContact::in_force(const Pair& pair, double step) const {
   law.normal.table = nullptr;
   if (step > 0) {
     law.normal.damping = 0;  // a multiplier leaves nothing to swing
-    const double mass = nodes_[static_cast<size_t>(pair.node)].mass;
-    law.normal.stiffness = std::max(law.normal.stiffness, kHolding * mass / (step * step));
+    law.normal.stiffness = holding(law.normal, nodes_[static_cast<size_t>(pair.node)].mass, step);
   }
   if (model_ == NodeContact::rigid && step > 0) {
     if (!pair.held) {
@@ -87,27 +93,27 @@ bool VolumeContact::augment(const Kinematics& equilibrium) {
     const size_t n = static_cast<size_t>(pair.node), k = static_cast<size_t>(pair.volume);
     const Vec3 y = poses_[body(pair.volume)].to_body(equilibrium.x[n]);
     const auto p = volumes_[k].surface->query(y, pair.touch + 0.5 * element_[n], pair.hint);
-    ContactTrial at;
-    at.gap = p ? p->distance - nodes_[n].radius : element_[n];
+    const double gap = p ? p->distance - nodes_[n].radius : element_[n];
     pair.speed.reset(), pair.impulse = 0;
-    if (improve(pair, at, equilibrium.step)) again = true;
+    const double size = std::max(y.cwiseAbs().maxCoeff(), equilibrium.x[n].cwiseAbs().maxCoeff());
+    if (improve(pair, gap, kKnown * size, equilibrium.step)) again = true;
   }
   return again;
 }
 
-bool VolumeContact::improve(Pair& pair, const ContactTrial& at, double step) {
+bool VolumeContact::improve(Pair& pair, double gap, double known, double step) {
   if (pair.fixed) return false;
-  const double gap = at.gap - (step > 0 ? pair.history.rest : 0);
+  if (step > 0) gap -= pair.history.rest;
   if (step > 0 && pair.moved_for == gap) return pair.fixed = true;
   pair.moved_for.reset();
-  if (!move_multiplier(pair, gap, step)) return false;
+  if (!move_multiplier(pair, gap, known, step)) return false;
   pair.moved_for = gap;
   return true;
 }
 
 // Uzawa: the multiplier becomes the force of the law, lambda <- max(0, lambda - k g). A node held moves it
 // both ways until it lies on the surface, and is let go when it then pulls; once a step, so that it ends.
-bool VolumeContact::move_multiplier(Pair& pair, double gap, double step) const {
+bool VolumeContact::move_multiplier(Pair& pair, double gap, double known, double step) const {
   const double radius = nodes_[static_cast<size_t>(pair.node)].radius,
                k = in_force(pair, step).normal.stiffness;
   if (model_ == NodeContact::rigid && step > 0) {
@@ -118,7 +124,7 @@ bool VolumeContact::move_multiplier(Pair& pair, double gap, double step) const {
       return true;
     }
     const double next = pair.multiplier - k * gap;
-    if (std::abs(gap) > kHeld * radius) {
+    if (std::abs(gap) > std::max(kHeld * radius, known)) {
       pair.multiplier = next;
       return true;
     }
@@ -128,7 +134,10 @@ bool VolumeContact::move_multiplier(Pair& pair, double gap, double step) const {
     return true;
   }
   const double next = std::max(0.0, pair.multiplier - k * gap);
-  const double allowed = step > 0 ? kHeld * radius : allowed_ > 0 ? allowed_ : kLeft * radius;
+  const double left = step > 0       ? kHeld * radius
+                      : allowed_ > 0 ? allowed_
+                                     : kLeft * radius,
+               allowed = std::max(left, known);
   const bool good = std::abs(next - pair.multiplier) <= k * allowed;
   if (!good) pair.multiplier = next;
   // From here on, in a rigid run, this one is held.
@@ -136,14 +145,17 @@ bool VolumeContact::move_multiplier(Pair& pair, double gap, double step) const {
   return !good;
 }
 
-// Of what holds in motion: a gap is known to a few eps of the place.
+// Of what holds in motion, or may from this step on: a gap is known to a few eps of the place.
 double VolumeContact::round_off(const Kinematics& at, double h) const {
   if (!(h > 0) || !augments()) return 0;
-  constexpr double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
   for (const Pair& pair : pairs_) {
     const size_t n = static_cast<size_t>(pair.node);
-    sum += std::pow(2 * in_force(pair, h).normal.stiffness * eps * at.x[n].cwiseAbs().maxCoeff(), 2);
+    const Vec3& x = at.x[n];
+    const RigidPose& pose = start_poses_[body(pair.volume)];
+    const double way = 2 * h * (at.v[n] - pose.velocity_at(x)).norm() + h * h * at.a[n].norm();
+    if (!pair.history.held && !(pair.history.multiplier > 0) && pair.start.gap > way) continue;
+    sum += std::pow(2 * holding(pair.law.normal, nodes_[n].mass, h) * kEps * x.cwiseAbs().maxCoeff(), 2);
   }
   return sum;
 }
@@ -162,11 +174,13 @@ void VolumeContact::mean_direction(const Pair& pair, const ContactTrial& at, boo
 }
 
 // Held to the surface in position, a node is held in speed too: else it would swing through it from step to
-// step. After a round k u of what is left of the speed u is the impulse that took the rest.
+// step. After a round k u of what is left of the speed u is the impulse that took the rest. Where no
+// multiplier can hold it the speed stays too, and no impulse is anything.
 void VolumeContact::stop(const Kinematics& at, Sink& sink) {
   pose_bodies(at.time, poses_);
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   for (Pair& pair : pairs_) {
+    if (pair.fixed) continue;
     const size_t n = static_cast<size_t>(pair.node);
     ContactTrial trial;
     if (!(contact(pair, at, false, false, trial).normal.elastic > 0)) continue;

@@ -97,6 +97,7 @@ void VolumeContact::fields(FieldRegistry& registry) const {
 
 namespace {
 constexpr int kAccount = -1;  // key of a node's sums; volumes count from 0, those of second walls behind them
+constexpr size_t kWithoutRest = 27;  // values of a pair of older files, which kept no gap in motion
 
 void put(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), v.begin(), v.end()); }
 }  // namespace
@@ -141,8 +142,11 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
       accounts_[static_cast<size_t>(found->second)] = {v[0], v[1], v[2], v[3], v[4], static_cast<int>(v[5])};
       continue;
     }
-    const bool more = model_ != NodeContact::elastic;
-    if (v.size() != (more ? 28U : 17U) || r.key < 0 || r.key >= SurfaceWalls::kMost * volumes())
+    const bool more = model_ != NodeContact::elastic, rests = v.size() != kWithoutRest;
+    if (v.size() != (!more   ? 17U
+                     : rests ? 28U
+                             : kWithoutRest) ||
+        r.key < 0 || r.key >= SurfaceWalls::kMost * volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
     Pair& p = pairs_.emplace_back();
     p.node = found->second;
@@ -156,9 +160,11 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
     h.touches = true;
     if (!more) continue;
     h.multiplier = p.multiplier = v[17], h.held = p.held = v[18] != 0;
-    h.touches = v[19] != 0, h.paired = v[20] != 0, h.rest = v[21];
-    for (int c = 0; c < 3; ++c)
-      h.anchor[c] = v[static_cast<size_t>(22 + c)], h.direction[c] = v[static_cast<size_t>(25 + c)];
+    h.touches = v[19] != 0, h.paired = v[20] != 0;
+    at = 21;
+    if (rests) h.rest = v[static_cast<size_t>(at++)];
+    for (Vec3* part : {&h.anchor, &h.direction})
+      for (int c = 0; c < 3; ++c) (*part)[c] = v[static_cast<size_t>(at++)];
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
     return std::array{a.node, a.volume, a.slot} < std::array{b.node, b.volume, b.slot};

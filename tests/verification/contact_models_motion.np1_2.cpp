@@ -257,5 +257,35 @@ TEST(ContactModelsMotion, WhatSlidesOverADrumKeepsItsEnergy) {
     }
 }
 
+// Between two jaws that close on it a line is let in: no multiplier can keep it out of both, and what is
+// told and booked is what the springs do, not the blows of stops that cannot stop it.
+TEST(ContactModelsMotion, WhatIsPinchedPressesAsItsSprings) {
+  constexpr double kClosing = 0.01, kRoom = 2.2e-4;  // m/s of each, m on either side
+  for (const double gravity : {0.0, 9.81})
+    for_runs({4}, {0.8}, {5e-3}, [&](const Options& run) {
+      model::Case c = lying(run, 0, {}, {});
+      c.environment.gravity = gravity;
+      c.volumes.push_back(c.volumes[0]);
+      c.bodies.resize(2);
+      for (const size_t i : {0u, 1u}) {
+        const double side = i == 0 ? -1 : 1;
+        c.volumes[i].name = c.volumes[i].body = c.bodies[i].name = i == 0 ? "lower" : "upper";
+        c.bodies[i].position = Vec3(0, 0, kRadius + side * (kRadius + kRoom));
+        model::TableMotion closing;
+        for (const double t : {0.0, 0.1, 0.2}) {
+          closing.time.push_back(t);
+          closing.offset.push_back({0, 0, -side * kClosing * t});
+        }
+        c.bodies[i].motion = closing;
+      }
+      Simulation s(PETSC_COMM_WORLD, c,
+                   {ground(), std::make_shared<PlaneSurface>(Vec3::Zero(), -Vec3::UnitZ())});
+      const double duration = 0.1, depth = kClosing * duration - kRoom, force = 2e7 * depth * 10;
+      const Seen seen = watch(s, duration, 0);
+      EXPECT_NEAR(seen.press, 2 * force, 1e-6 * force) << run.name();
+      EXPECT_LT(std::abs(seen.left), force * depth) << run.name();
+    });
+}
+
 }  // namespace
 }  // namespace hawser::test::contact_models_motion_test

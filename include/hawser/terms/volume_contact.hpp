@@ -112,8 +112,9 @@ class VolumeContact final : public Contact {
     // Of the try: multiplier, whether it is held, whether it was and is not to be again.
     double multiplier = 0;
     bool held = false, released = false;
-    // The gap that the multiplier was moved for last; whether it stayed the same all the same, for what holds
-    // the node is a support, which a multiplier cannot move: the spring then says how it presses.
+    // The gap that the multiplier was moved for last; whether it stayed the same all the same, for the node
+    // is pinched between two surfaces, which no multiplier moves: the spring then says how it presses, and
+    // the node's speed is not taken out.
     std::optional<double> moved_for;
     bool fixed = false;
     // Speed along the normal, m/s, with which it came to the end of the step, and the impulse, N s, that
@@ -147,8 +148,9 @@ class VolumeContact final : public Contact {
   // The law in force: with the multiplier, holding or not. step [s]; 0: statics.
   ContactLaw in_force(const Pair& pair, double step) const;
   void mean_direction(const Pair& pair, const ContactTrial& at, bool derivatives, PointContact& c) const;
-  bool move_multiplier(Pair& pair, double gap, double step) const;
-  bool improve(Pair& pair, const ContactTrial& at, double step);
+  // known [m]: round-off of the gap.
+  bool move_multiplier(Pair& pair, double gap, double known, double step) const;
+  bool improve(Pair& pair, double gap, double known, double step);
   void choose_gap(Pair& pair, const Vec3& y) const;
   void account(const Pair& pair, const History& next, const Vec3& y);
 
