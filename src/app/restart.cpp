@@ -18,6 +18,7 @@ const char* const kVectors[] = {"position",
                                 "algorithmic_acceleration",
                                 "algorithmic_angular_acceleration"};
 
+const char *const kReaction = "reaction", *const kMeanQ = "mean_force_algorithmic", *const kMeanF = "mean_force_end";
 const char* const kDirectors = "director_acceleration";
 const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
@@ -71,13 +72,16 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   q.components = 4;
   for (size_t n = 0; n < owned; ++n)
     for (double x : {s.s.q[n].w(), s.s.q[n].x(), s.s.q[n].y(), s.s.q[n].z()}) q.values.push_back(x);
-  io::CheckpointField& r = c.nodes["reaction"];
-  r.components = 6;
-  for (size_t n = 0; n < owned; ++n)
-    for (size_t k = 0; k < 6; ++k) {
-      const size_t b = 3 * static_cast<size_t>(m.block[n]);
-      r.values.push_back(k < 3 || m.rotates(static_cast<int>(n)) ? d.reactions()[b + k] : 0.0);
-    }
+  const auto rows = [&](const char* name, const std::vector<double>& of) {
+    io::CheckpointField& r = c.nodes[name];
+    r.components = 6;
+    for (size_t n = 0; n < owned; ++n)
+      for (size_t k = 0; k < 6; ++k) {
+        const size_t b = 3 * static_cast<size_t>(m.block[n]);
+        r.values.push_back(k < 3 || m.rotates(static_cast<int>(n)) ? of[b + k] : 0.0);
+      }
+  };
+  rows(kReaction, d.reactions()), rows(kMeanQ, d.mean_forces().q), rows(kMeanF, d.mean_forces().f);
   for (const auto& term : simulation.system().terms()) c.records[std::string(term->name())] = term->save();
   c.scalars = signature(simulation);
   c.scalars["step.wish"] = d.control().wish();
@@ -148,11 +152,14 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   system.spread(s.s);
   system.spread(s.ax), system.spread(s.aw), system.spread(s.ad);
 
-  std::vector<double> reactions(3 * static_cast<size_t>(m.blocks()), 0);
-  const auto& r = c.nodes.at("reaction").values;
-  for (size_t n = 0; n < owned; ++n)
-    for (size_t k = 0; k < (m.rotates(static_cast<int>(n)) ? 6u : 3u); ++k)
-      reactions[3 * static_cast<size_t>(m.block[n]) + k] = r[6 * n + k];
+  const auto rows = [&](const char* name) {
+    std::vector<double> out(3 * static_cast<size_t>(m.blocks()), 0);
+    const auto& r = c.nodes.at(name).values;
+    for (size_t n = 0; n < owned; ++n)
+      for (size_t k = 0; k < (m.rotates(static_cast<int>(n)) ? 6u : 3u); ++k)
+        out[3 * static_cast<size_t>(m.block[n]) + k] = r[6 * n + k];
+    return out;
+  };
   for (const auto& term : simulation.system().terms())
     if (const auto it = c.records.find(std::string(term->name())); it != c.records.end())
       term->restore(it->second);
@@ -171,7 +178,8 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   }
   carried.last_step = c.scalars.at("step.last");
   carried.support_work = rank == 0 ? c.scalars.at("support_work") : 0;
-  simulation.dynamics().resume(s, reactions, carried);
+  carried.mean = {rows(kMeanQ), rows(kMeanF)};
+  simulation.dynamics().resume(s, rows(kReaction), carried);
 }
 
 }  // namespace hawser::app

@@ -32,7 +32,99 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   return o;
 }
 
+// The mean tension of a step and what it is made of.
+struct Mean {
+  Vec3 n;                 // mean chord over the mean length: shorter than 1 where the element turned
+  Vec3 t;                 // unit chord at the end
+  double l = 0;           // m, chord at the end
+  double tension = 0, slope = 0;          // N, never negative; derivative by the strain at the end
+  double elastic = 0, damper = 0, filter = 0;  // N, parts of the tension, while it pulls
+  double grown = 0;       // of the taut part of the strain
+};
+
+// Mean of the elastic tension between two strains, and its derivative by the second.
+struct Elastic {
+  double mean, slope, share;  // share of the strain's way on which the element is taut
+};
+
+Elastic elastic_mean(const CableSection& s, double e0, double e1) {
+  const double p0 = std::max(e0, 0.0), p1 = std::max(e1, 0.0), grown = p1 - p0, way = e1 - e0;
+  if (p0 == 0 && p1 == 0) return {0, 0, 0};
+  const double share = e0 > 0 && e1 > 0 ? 1 : grown / way;
+  double taut, end;  // mean over the taut way; tension at the end
+  if (!s.tension) {
+    taut = 0.5 * s.EA * (p0 + p1), end = s.EA * p1;
+    if (share == 1) return {taut, 0.5 * s.EA, 1};
+  } else {
+    const StiffnessTable::Value b = s.axial(p1);
+    end = b.force;
+    constexpr double kNear = 1e-4;  // nearer, the difference of energies has lost digits; Simpson's rule has not
+    if (std::abs(grown) <= kNear * std::max(p0, p1)) {
+      const StiffnessTable::Value a = s.axial(p0), m = s.axial(0.5 * (p0 + p1));
+      return {(a.force + 4 * m.force + b.force) / 6, (2 * m.slope + b.slope) / 6, share};
+    }
+    taut = (b.energy - s.axial(p0).energy) / grown;
+  }
+  const double mean = share * taut;
+  return {mean, (end - mean) / way, share};
+}
+
+Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& chord) {
+  Mean o;
+  o.l = chord.norm();
+  o.t = chord / o.l;
+  o.n = (from.chord + chord) / (from.length + o.l);
+  const double strain = (o.l - s.length) / s.length - s.free_strain;
+  const Elastic e = elastic_mean(s, from.strain, strain);
+  o.grown = std::max(strain, 0.0) - std::max(from.strain, 0.0);
+  o.elastic = e.mean;
+  o.damper = s.EA * s.beta / step.h * o.grown;
+  o.filter = step.filter * s.EA * (o.grown - e.share * from.stretch);
+  o.tension = o.elastic + o.damper + o.filter;
+  if (o.tension <= 0) return o.tension = o.elastic = o.damper = o.filter = 0, o;
+  const double way = strain - from.strain;
+  o.slope = e.slope;
+  if (strain > 0) o.slope += s.EA * (s.beta / step.h + step.filter);
+  // The share changes with the end where only part of the way is taut.
+  if (e.share < 1 && way != 0)
+    o.slope -= step.filter * s.EA * from.stretch * ((strain > 0 ? 1 : 0) - e.share) / way;
+  return o;
+}
+
 }  // namespace
+
+CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch) {
+  CableStart o;
+  o.chord = x2 - x1;
+  o.length = o.chord.norm();
+  o.strain = (o.length - s.length) / s.length - s.free_strain;
+  o.stretch = stretch;
+  return o;
+}
+
+Vec3 cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                const Vec3& x2) {
+  const Mean m = mean_of(s, from, step, x2 - x1);
+  return m.tension * m.n;
+}
+
+void cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                const Vec3& x2, CablePull& out) {
+  const Mean m = mean_of(s, from, step, x2 - x1);
+  const double across = m.tension / (from.length + m.l);
+  out.force = m.tension * m.n;
+  const Vec3 along = (m.slope / s.length) * m.t;
+  out.k = m.n * along.transpose() - (across * m.n) * m.t.transpose();
+  out.k.diagonal().array() += across;
+  out.c.setZero();
+}
+
+CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                     const Vec3& x2) {
+  const Mean m = mean_of(s, from, step, x2 - x1);
+  const double way = m.l - from.length;
+  return {m.damper * way, m.filter * way, m.tension > 0 && m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0};
+}
 
 Vec3 cable_pull(const CableSection& s, const CableEnds& e) {
   const Local o = local(s, e);

@@ -89,7 +89,8 @@ void Dynamics::prepare(double h, const State* end) {
     system_.spread(committed_.s);
     system_.spread(committed_.ax), system_.spread(committed_.aw), system_.spread(committed_.ad);
     if (!committed_.hx.empty()) system_.spread(committed_.hx), system_.spread(committed_.hw);
-    reactions_.resize(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
+    const size_t size = 3 * static_cast<size_t>(system_.mesh().blocks());
+    for (auto* rows : {&reactions_, &mean_.q, &mean_.f}) rows->resize(size, 0);
   }
   system_.prepare(committed_.s.view(last_step_), h);
   expected_ = h;
@@ -117,7 +118,7 @@ PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
   try {
     d.load(u);
-    d.system_.residual(d.trial_.s.view(d.h_), r);
+    d.system_.residual(d.trial_.s.view(d.h_), r, d.carried_);
   } catch (...) {
     d.error_ = std::current_exception();
     PetscFunctionReturn(PETSC_ERR_LIB);
@@ -200,6 +201,8 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   // What does not change in a step (rotations of cables) is in the trial of the step before.
   if (!copied_) trial_ = committed_;
   copied_ = true;
+  trial_.s.mean = alpha_mean(settings_.rho_infinity);
+  alpha_mean_carried(alpha_, mean_, carried_);
   alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
   put(local_u_);
   error_ = nullptr;
@@ -229,8 +232,10 @@ Dynamics::Attempt Dynamics::attempt(double h) {
 }
 
 void Dynamics::accept(double h) {
-  // Work of whatever holds the ends, by the trapezoidal rule.
-  const std::vector<double>& now = system_.reactions();
+  // Work of whatever holds the ends, by the trapezoidal rule; that of mean forces by the mean.
+  const std::vector<double>&now = system_.reactions(), &mean = system_.mean_forces();
+  const std::vector<double> before = mean_.f;
+  alpha_mean_advance(alpha_, mean, mean_);
   const LocalMesh& m = system_.mesh();
   for (const Support& s : system_.supports().list()) {
     if (s.node >= m.owned) continue;
@@ -239,7 +244,8 @@ void Dynamics::accept(double h) {
     for (int c = 0; c < n; ++c) {
       const size_t i = b + static_cast<size_t>(c);
       if ((c < 3 ? s.position_mask >> c : s.rotation_mask >> (c - 3)) & 1)
-        support_work_ += 0.5 * (reactions_[i] + now[i]) * local_u_[i];
+        support_work_ +=
+            (0.5 * (reactions_[i] + now[i] - before[i] - mean_.f[i]) + mean[i]) * local_u_[i];
     }
   }
   reactions_ = now;
@@ -259,7 +265,9 @@ void Dynamics::start(const State& state) {
   last_step_ = 0;
   const double h = control_.wish();  // that it moves: dampers act from the start
   prepare(h);
+  s.mean = {};
   system_.residual(s.view(h), r_.get());
+  mean_.q = mean_.f = system_.mean_forces();
   const std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());
   solve_masses();
@@ -281,6 +289,7 @@ void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, co
   control_.restore(carried.step_wish, carried.step_wait, carried.step_ringing, carried.step_calm);
   last_step_ = carried.last_step;
   support_work_ = carried.support_work;
+  mean_ = carried.mean;
   prepare(control_.wish());
 }
 

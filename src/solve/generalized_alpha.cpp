@@ -126,6 +126,42 @@ void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, co
   supports.increments(from.s, from.s.time + h, u.data());
 }
 
+namespace {
+// Q1 = s S + q Q0 and F1 = (a Q1 + b Q0 - c F0).
+struct MeanWeights {
+  double s, q, a, b, c;
+};
+MeanWeights mean_weights(const AlphaCoefficients& k) {
+  // Of A at the end of the step and at its start, such that their mean is where S is.
+  const double end = k.gamma, start = 1 - k.gamma;
+  return {1 / end, -start / end, (1 - k.am) / (1 - k.af), k.am / (1 - k.af), k.af / (1 - k.af)};
+}
+}  // namespace
+
+StepMean alpha_mean(double rho) {
+  const AlphaCoefficients c(rho);
+  const MeanWeights w = mean_weights(c);
+  // The double root of an element that is far too stiff for the step, or that of rho.
+  const double root = std::max(rho, 1.0 / 3);
+  return {w.a * w.s, 0.5 * root * (1 - root) / ((1 + root) * (1 + root))};
+}
+
+void alpha_mean_carried(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& carried) {
+  const MeanWeights w = mean_weights(c);
+  carried.resize(from.q.size());
+  for (size_t i = 0; i < carried.size(); ++i)
+    carried[i] = (w.a * w.q + w.b) * from.q[i] - w.c * from.f[i];
+}
+
+void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& s, MeanForces& forces) {
+  const MeanWeights w = mean_weights(c);
+  for (size_t i = 0; i < forces.q.size(); ++i) {
+    const double q = w.s * s[i] + w.q * forces.q[i];
+    forces.f[i] = w.a * q + w.b * forces.q[i] - w.c * forces.f[i];
+    forces.q[i] = q;
+  }
+}
+
 Weights alpha_weights(const AlphaCoefficients& c, double h) {
   Weights w;
   w.C = c.gamma / (h * c.beta);

@@ -135,6 +135,17 @@ void Sink::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c
   put(blocks, 2, J);
 }
 
+void Sink::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
+  const Vec3 counted = mean_weight_ * f;
+  if (mean_)
+    for (const int end : {a, b})
+      if (end < owned_blocks_)
+        Eigen::Map<Vec3>(mean_->data() + 3 * end) += end == a ? Vec3(-f) : f;
+  if (!k) return add_between(a, b, counted, nullptr, nullptr);
+  const Mat3 stiffness = mean_weight_ * *k;
+  add_between(a, b, counted, &stiffness, nullptr);
+}
+
 void Sink::add_weighted(int a, int b, const double* f, const double* J) {
   if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
   if (!matrix_) return;

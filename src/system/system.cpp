@@ -37,6 +37,7 @@ void System::size_arrays() {
     if (mesh_.rotates(n)) is_rotation_[b + 1] = 1, square_of_block_[b + 1] = 2 * line + 1;
   }
   force_.resize(3 * blocks, 0);
+  mean_.resize(3 * blocks, 0);
   squares_.resize(blocks, 0);
   retraction_.assign(blocks, Mat3::Identity());
 }
@@ -80,10 +81,16 @@ void System::gather(Vec u, std::vector<double>& out) const {
   check(VecGhostRestoreLocalForm(u, &local));
 }
 
-void System::residual(const Kinematics& trial, Vec r, Part part) {
+void System::residual(const Kinematics& trial, Vec r, Part part, std::span<const double> carried) {
   std::fill(force_.begin(), force_.end(), 0.0);
+  std::copy(carried.begin(), carried.end(), force_.begin());
   Sink sink;
   sink.force_ = &force_;
+  sink.mean_weight_ = trial.mean.weight;
+  if (part == Part::all) {
+    std::fill(mean_.begin(), mean_.end(), 0.0);
+    sink.mean_ = &mean_;
+  }
   std::fill(squares_.begin(), squares_.end(), 0.0);
   sink.squares_ = &squares_;
   sink.owned_blocks_ = mesh_.owned_blocks;
@@ -114,6 +121,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   sink.matrix_ = J;
   sink.own_ = &own;
   sink.weights_ = weights;
+  sink.mean_weight_ = trial.mean.weight;
   sink.convex_ = convex;
   sink.owned_blocks_ = mesh_.owned_blocks;
   sink.global_block_ = &mesh_.global_block;

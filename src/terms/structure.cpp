@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "hawser/mesh/arc.hpp"
 #include "hawser/model/case.hpp"
@@ -21,6 +22,13 @@ BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
 CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k) {
   const size_t i = static_cast<size_t>(c.at.first), j = static_cast<size_t>(c.at.second);
   return {k.x[i], k.x[j], k.v[i], k.v[j]};
+}
+
+// A longer step than the last takes the stretch of that as it was: what the filter holds may only fall.
+CableStart started(const StructureTerm::Cable& c, double step, double last) {
+  CableStart s = c.start;
+  if (step < last) s.stretch *= step / last;
+  return s;
 }
 
 }  // namespace
@@ -67,7 +75,7 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
     const auto& t = c.line_types[static_cast<size_t>(g.type)];
     if (!g.beam)
-      out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping, t.tension_table.get(), g.free_strain}});
+      out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping, t.tension_table.get(), g.free_strain}, {}});
   }
   return out;
 }
@@ -78,6 +86,7 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {}
 
 void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
+  const CableStep step{trial.step, trial.mean.filter};
   if (sink.wants_tangent()) {
     double f[12], K[144], C[144];
     for (const Beam& b : beams_) {
@@ -86,7 +95,13 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
     }
     for (const Cable& c : cables_) {
       CablePull o;
-      cable_pull(c.section, ends(c, trial), sink.convex(), o);
+      const CableEnds e = ends(c, trial);
+      if (trial.step > 0) {
+        cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
+        sink.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
+        continue;
+      }
+      cable_pull(c.section, e, sink.convex(), o);
       sink.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
@@ -97,7 +112,12 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
     sink.add(b.blocks, f, nullptr, nullptr, nullptr);
   }
   for (const Cable& c : cables_) {
-    sink.add_between(c.blocks[0], c.blocks[1], cable_pull(c.section, ends(c, trial)), nullptr, nullptr);
+    const CableEnds e = ends(c, trial);
+    if (trial.step > 0)
+      sink.add_mean_between(c.blocks[0], c.blocks[1],
+                            cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2), nullptr);
+    else
+      sink.add_between(c.blocks[0], c.blocks[1], cable_pull(c.section, e), nullptr, nullptr);
   }
 }
 
@@ -147,23 +167,36 @@ double StructureTerm::axial_stiffness() const {
   return most;
 }
 
-double StructureTerm::dissipation(const Kinematics& at) const {
+double StructureTerm::beam_dissipation(const Kinematics& at) const {
   double p = 0;
   for (const Beam& b : beams_)
     if (b.at.counted && b.section.beta > 0) p += beam_stress(b.section, b.reference, ends(b, at)).dissipation;
-  for (const Cable& c : cables_)
-    if (c.at.counted && c.section.beta > 0) p += cable_stress(c.section, ends(c, at)).dissipation;
   return p;
 }
 
 void StructureTerm::prepare(const Kinematics& committed, double) {
-  if (damped_ && power_ < 0) power_ = dissipation(committed);
+  if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
+  last_step_ = committed.step;
+  for (Cable& c : cables_) {
+    const CableEnds e = ends(c, committed);
+    c.start = cable_start(c.section, e.x1, e.x2, c.start.stretch);
+  }
 }
 
 void StructureTerm::commit(const Kinematics& accepted) {
+  if (accepted.step > 0) {
+    const CableStep step{accepted.step, accepted.mean.filter};
+    for (Cable& c : cables_) {
+      const CableEnds e = ends(c, accepted);
+      const CableLoss lost =
+          cable_loss(c.section, started(c, accepted.step, last_step_), step, e.x1, e.x2);
+      c.start.stretch = lost.stretch;
+      if (c.at.counted) damping_ += lost.damped, filtered_ += lost.filtered;
+    }
+  }
   if (!damped_) return;
   const double before = power_ < 0 ? 0 : power_;
-  power_ = dissipation(accepted);
+  power_ = beam_dissipation(accepted);
   damping_ += 0.5 * accepted.step * (before + power_);
 }
 
@@ -173,19 +206,39 @@ Energy StructureTerm::energy(const Kinematics& at) const {
     if (b.at.counted) e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
   for (const Cable& c : cables_)
     if (c.at.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
-  e.damping = damping_;
+  e.damping = damping_ + filtered_;
   return e;
 }
 
-// One record a rank, at its first node: the sums over ranks are what counts.
+namespace {
+constexpr int kSums = -1;  // key of the record of sums; others are elements of the mesh
+}
+
+// The sums at this rank's first node: over ranks they are what counts. How an element stretched, at each of
+// its nodes, for every rank that has it to find.
 std::vector<HistoryRecord> StructureTerm::save() const {
-  if (!damped_ || mesh_.owned == 0) return {};
-  return {{mesh_.global[0], 0, {std::max(power_, 0.0), damping_}}};
+  if (mesh_.owned == 0) return {};
+  std::vector<HistoryRecord> out{{mesh_.global[0], kSums, {std::max(power_, 0.0), damping_, filtered_}}};
+  for (const Cable& c : cables_)
+    for (const int n : {c.at.first, c.at.second})
+      if (n < mesh_.owned && c.start.stretch != 0)
+        out.push_back({mesh_.global[static_cast<size_t>(n)], c.at.global, {c.start.stretch}});
+  return out;
 }
 
 void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
-  power_ = 0, damping_ = 0;
-  for (const HistoryRecord& r : records) power_ += r.values[0], damping_ += r.values[1];
+  power_ = 0, damping_ = 0, filtered_ = 0;
+  std::map<int, double> stretch;
+  for (const HistoryRecord& r : records) {
+    if (r.key == kSums)
+      power_ += r.values[0], damping_ += r.values[1], filtered_ += r.values[2];
+    else
+      stretch[r.key] = r.values[0];
+  }
+  for (Cable& c : cables_) {
+    const auto it = stretch.find(c.at.global);
+    c.start.stretch = it == stretch.end() ? 0 : it->second;
+  }
 }
 
 void StructureTerm::fields(FieldRegistry& registry) const {

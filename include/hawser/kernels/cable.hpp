@@ -34,6 +34,20 @@ struct CablePull {
   Mat3 k, c;  // c is zero unless it is damped
 };
 
+// Where an element was when a step began, and how it stretched in the step before.
+struct CableStart {
+  Vec3 chord = Vec3::Zero();  // m
+  double length = 0;          // m, of the chord
+  double strain = 0;          // beyond the free strain; negative: slack
+  double stretch = 0;         // by which the taut part of the strain grew in the step before, see cable_stretch
+};
+
+// What the integration makes of an element in a step.
+struct CableStep {
+  double h = 0;         // s
+  double filter = 0;    // part of EA that resists changes of the elongation from step to step
+};
+
 struct CableStress {
   double tension = 0;        // N, never negative
   double strain_energy = 0;  // J
@@ -47,5 +61,24 @@ Vec3 cable_pull(const CableSection& s, const CableEnds& e);
 void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePull& out);
 
 CableStress cable_stress(const CableSection& s, const CableEnds& e);
+
+// The mean force of a step: the one whose work over the way of the ends is the change of strain energy, to the
+// last bit, plus what the dampers take (Simo & Tarnow 1992, ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6):
+// docs/theory/time-integration.md#cables. It never pushes.
+CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch);
+Vec3 cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                const Vec3& x2);
+// The same with its derivative by x2 - x1; c stays zero: dampers act by the change of position.
+void cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                const Vec3& x2, CablePull& out);
+
+// What became of a step that ended with x1 and x2.
+struct CableLoss {
+  double damped = 0;    // J, taken by the damping of the line type
+  double filtered = 0;  // J, taken by the filter; negative where it gives back what it held
+  double stretch = 0;   // for the start of the next step
+};
+CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                     const Vec3& x2);
 
 }  // namespace hawser

@@ -46,6 +46,7 @@ class Dynamics {
     double step_ringing = 0, step_calm = 0;
     double last_step = 0;
     double support_work = 0;  // J, this rank's share
+    MeanForces mean;
   };
   // Starts from a checkpoint: nothing is recomputed. reactions: 3 * local blocks.
   void resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried);
@@ -59,6 +60,7 @@ class Dynamics {
   const StepControl& control() const { return control_; }
   double last_step() const { return last_step_; }
   const std::vector<double>& reactions() const { return reactions_; }  // of the committed state
+  const MeanForces& mean_forces() const { return mean_; }
   double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
   long newton_iterations() const { return total_iterations_; }
 
@@ -101,6 +103,8 @@ class Dynamics {
   AlphaState committed_, trial_;
   double h_ = 0, last_step_ = 0;
   std::vector<double> local_u_, gathered_, reactions_;
+  MeanForces mean_;              // of the committed state
+  std::vector<double> carried_;  // what they add to the residuals of the step
   // By how much speeds at the end of the step are others than the increments make them: what multipliers and
   // stops do there. Empty: there are none.
   std::vector<Vec3> held_v_, held_w_;

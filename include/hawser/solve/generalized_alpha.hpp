@@ -52,6 +52,18 @@ void alpha_hold(const LocalMesh& mesh, const AlphaCoefficients& coefficients, do
 void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, const AlphaState& from,
                    std::vector<double>& u);
 
+// What a force that is given as its mean S over the step makes of the scheme (theory, "Cables"): an
+// algorithmic force Q, whose accelerations A is made of, and the force F that belongs to the end of the step.
+// N, 3 * local blocks, rows of this rank.
+struct MeanForces {
+  std::vector<double> q, f;
+};
+StepMean alpha_mean(double rho_infinity);
+// F of a step is the weight of StepMean times S, and this.
+void alpha_mean_carried(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& carried);
+// After a step of the mean forces s.
+void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& s, MeanForces& forces);
+
 // Weights of K, C and M in the step's tangent.
 Weights alpha_weights(const AlphaCoefficients& c, double h);
 

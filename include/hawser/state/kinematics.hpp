@@ -7,6 +7,12 @@
 
 namespace hawser {
 
+// Of forces that are given as their mean over the step that led to a trial state
+// (docs/theory/time-integration.md#cables): what they count in the residual, and the filter of the cables.
+struct StepMean {
+  double weight = 1, filter = 0;
+};
+
 // Arrays run over the local nodes (owned first, then ghosts). Cable nodes carry identity rotations.
 struct Kinematics {
   double time = 0;                 // s, of this state
@@ -24,6 +30,7 @@ struct Kinematics {
   // those of the whole step and these forces act in none but this one
   // (docs/theory/contact-models.md#in-motion).
   double hold_weight = 1;
+  StepMean mean = {};
 };
 
 // What the directors' acceleration is of a rotation that follows w and alpha.

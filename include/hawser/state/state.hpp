@@ -15,6 +15,7 @@ struct State {
   std::vector<Vec3> w, alpha;
   std::vector<Mat3> directors;  // accelerations; empty outside time integration (kinematics.hpp)
   double director_weight = 0, hold_weight = 1;
+  StepMean mean;
 
   explicit State(int nodes = 0) { resize(nodes); }
   void resize(int nodes) {
@@ -24,7 +25,7 @@ struct State {
     directors.clear();
   }
   Kinematics view(double step) const {
-    return {time, step, x, v, a, q, w, alpha, directors, director_weight, hold_weight};
+    return {time, step, x, v, a, q, w, alpha, directors, director_weight, hold_weight, mean};
   }
 };
 

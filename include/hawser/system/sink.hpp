@@ -34,6 +34,8 @@ class Sink {
   // The same for the positions a and b and forces that depend on their difference alone: -f at a, f at b; k
   // and c: derivatives of f by x_b - x_a and v_b - v_a, or null.
   void add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c);
+  // The same with a force f that is the mean over the step (StepMean), and its derivative by x_b - x_a.
+  void add_mean_between(int a, int b, const Vec3& f, const Mat3* k);
   // For masses that couple positions: f[6]; M is `own` times the identity on the diagonal, `shared` off it.
   void add_masses(int a, int b, const double* f, double own, double shared);
   // For kernels that weigh their own derivatives by weights(): f[6] and J[36] of two positions.
@@ -47,6 +49,8 @@ class Sink {
   void add_elsewhere(int row, int column, const double* J, int m);
 
   std::vector<double>* force_ = nullptr;    // 3 * local blocks
+  std::vector<double>* mean_ = nullptr;     // 3 * local blocks, of the means alone, without their weight
+  double mean_weight_ = 1;
   std::vector<double>* squares_ = nullptr;  // by block, sums of squares of what was added to owned rows
   Mat matrix_ = nullptr;
   const OwnBlocks* own_ = nullptr;  // of the matrix

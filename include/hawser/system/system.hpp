@@ -76,12 +76,18 @@ class System {
   // Local values of a ghosted vector after refreshing its ghosts, copied to `out` (3 * local blocks).
   void gather(Vec u, std::vector<double>& out) const;
 
-  // r = sum of all terms at the trial state; held components of r are zero, their reactions are kept.
-  void residual(const Kinematics& trial, Vec r) { residual(trial, r, Part::all); }
+  // r = sum of all terms at the trial state, and of what is `carried` (3 * local blocks; empty: nothing); held
+  // components of r are zero, their reactions are kept.
+  void residual(const Kinematics& trial, Vec r, std::span<const double> carried = {}) {
+    residual(trial, r, Part::all, carried);
+  }
   // Of the terms with multipliers alone: their forces, or what is to be stopped (ForceTerm::stop); these take
   // the place of reactions() until the next call.
   enum class Part { all, multipliers, stops };
-  void residual(const Kinematics& trial, Vec r, Part part);
+  void residual(const Kinematics& trial, Vec r, Part part, std::span<const double> carried = {});
+  // Of the last residual() of all terms: the forces that are means over the step, without their weight; 3 *
+  // local blocks, valid for owned blocks.
+  const std::vector<double>& mean_forces() const { return mean_; }
   // J = K T(u) + wC C + wM M; rows and columns of held components are the identity's. `u` are the local
   // increments that led to the trial (3 * local blocks). stops: with the masses of ForceTerm::stop.
   void tangent(const Kinematics& trial, Weights weights, const std::vector<double>& u, bool convex, Mat J,
@@ -133,7 +139,7 @@ class System {
   };
   std::vector<Events> events_;
   std::vector<char> is_rotation_;
-  std::vector<double> force_;
+  std::vector<double> force_, mean_;
   std::vector<Mat3> retraction_;
   std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
   std::vector<double> squares_;       // of what made up the last residual(), by block

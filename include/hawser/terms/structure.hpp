@@ -26,6 +26,7 @@ class StructureTerm final : public ForceTerm {
     LocalElement at;
     int blocks[2] = {};
     CableSection section;
+    CableStart start;  // of the step
   };
 
   StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
@@ -49,15 +50,17 @@ class StructureTerm final : public ForceTerm {
   const std::vector<Beam>& beams() const { return beams_; }
 
  private:
-  double dissipation(const Kinematics& at) const;
+  double beam_dissipation(const Kinematics& at) const;
 
   const LocalMesh& mesh_;
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
   bool damped_ = false;
   std::vector<double> true_EA_;  // N, of beams, then cables, while they are softened
-  double power_ = -1;            // W, dissipated at the committed state; < 0: not known yet
+  double power_ = -1;            // W, dissipated by beams at the committed state; < 0: not known yet
   double damping_ = 0;           // J, dissipated so far
+  double filtered_ = 0;          // J, taken so far out of axial vibration that steps do not resolve
+  double last_step_ = 0;         // s, that led to the committed state
 };
 
 }  // namespace hawser
