@@ -20,6 +20,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
+#include "hawser/model/longest_step.hpp"
 #include "hawser/model/summary.hpp"
 
 namespace hawser::app {
@@ -76,7 +77,7 @@ void print_cost(const model::Case& c, long beams, long cables) {
   if (c.dynamics.enabled) {
     const model::Dynamics& d = c.dynamics;
     // Automatic steps are about half the longest; contact takes an iteration more.
-    const double longest = d.max_step > 0 ? d.max_step : std::max(d.duration / 1000, 0.05);
+    const double longest = d.max_step > 0 ? d.max_step : model::longest_step(c).length;
     const double step = d.step > 0 ? d.step : 0.5 * longest;
     const int iterations = c.volumes.empty() ? 4 : 5;
     cost += d.duration / step * iterations * iteration;
@@ -89,6 +90,10 @@ void print_cost(const model::Case& c, long beams, long cables) {
 }
 
 }  // namespace
+
+namespace {
+constexpr int kWrongEnergy = 4;  // exit code: the run has ended, but its energy does not add up
+}
 
 int run(MPI_Comm comm, const RunOptions& options) {
   int rank = 0, size = 1;
@@ -124,11 +129,16 @@ int run(MPI_Comm comm, const RunOptions& options) {
     const StaticsReport s = sim.solve_statics();
     for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
     progress.say(fmt::format(
-        "statics: {} iterations{}{}{}", s.iterations,
+        "statics: {} iterations{}{}", s.iterations,
         s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
-        s.escapes > 0 ? fmt::format(", {} false equilibria left", s.escapes) : "",
         !c.statics.contact_friction && c.contact.has_friction(c.volumes) ? ", without friction of contact"
                                                                          : ""));
+    if (s.escapes > 0)
+      progress.say(fmt::format(
+          "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can "
+          "rest in "
+          "more than one shape, see whether this is the one meant, and say so by `start` if it is not",
+          s.escapes, s.escapes == 1 ? "um" : "a"));
     if (s.negative_eigenvalues > 0)
       progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",
                                s.negative_eigenvalues));
@@ -200,19 +210,22 @@ int run(MPI_Comm comm, const RunOptions& options) {
     fmt::print("\n{}", table);
     if (const std::string clashes = recorder.clash_table(); !clashes.empty()) fmt::print("\n{}", clashes);
     const Audit& a = recorder.audit();
-    if (c.dynamics.enabled)
+    if (c.dynamics.enabled) {
       fmt::print(
-          "\nenergy: brought in {:.6g} J; kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g} J; "
-          "not accounted for {:.3g} J ({:.3g} %)\n",
-          a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.error, a.percent());
-    if (const std::string w = a.warning(c.dynamics.step > 0); c.dynamics.enabled && !w.empty())
-      fmt::print("\nwarning: {}\n", w);
+          "\nenergy: brought in {:.6g} J; kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g}, "
+          "unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} %)\n",
+          a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.now.unresolved, a.error,
+          a.percent());
+      if (const std::string n = a.note(); !n.empty()) fmt::print("\nnote: {}\n", n);
+      if (const std::string w = recorder.audit_warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
+    }
     for (const std::string& w : recorder.warnings()) fmt::print("\nwarning: {}\n", w);
     fmt::print("\nresults: {}\n", recorder.file().path());
     if (c.output.xdmf) fmt::print("look at them: paraview {}\n", recorder.file().xdmf_path());
     std::fflush(stdout);
   }
-  return stop_requested ? 130 : 0;
+  if (stop_requested) return 130;
+  return c.dynamics.enabled && recorder.audit().wrong() ? kWrongEnergy : 0;
 }
 
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {

@@ -21,19 +21,27 @@ Energy sum(MPI_Comm comm, const Energy& e) {
 
 constexpr std::pair<const char*, double Energy::*> kEnergies[] = {
     {"kinetic", &Energy::kinetic},   {"strain", &Energy::strain},   {"potential", &Energy::potential},
-    {"friction", &Energy::friction}, {"damping", &Energy::damping}, {"work", &Energy::work}};
+    {"friction", &Energy::friction}, {"damping", &Energy::damping}, {"work", &Energy::work},
+    {"unresolved", &Energy::unresolved}};
 
 void save_energy(std::map<std::string, double>& to, const std::string& prefix, const Energy& e) {
   for (const auto& [name, member] : kEnergies) to[prefix + name] = e.*member;
 }
 
-void save_largest(std::map<std::string, double>& to, const std::string& prefix, const Audit::Largest& l) {
-  to[prefix + "value"] = l.value, to[prefix + "time"] = l.time, to[prefix + "step"] = l.step;
-}
-
-Audit::Largest saved_largest(const std::function<double(const std::string&)>& get,
-                             const std::string& prefix) {
-  return {get(prefix + "value"), get(prefix + "time"), get(prefix + "step")};
+// What of an audit a checkpoint keeps, by name.
+std::map<std::string, double*> numbers(Audit& a) {
+  std::map<std::string, double*> out = {
+      {"audit.brought_in", &a.brought_in},    {"audit.error", &a.error},
+      {"audit.at_start", &a.at_start},        {"audit.worked", &a.worked},
+      {"audit.set_free", &a.set_free},        {"audit.least_error", &a.least_error},
+      {"audit.worst.value", &a.worst.value},  {"audit.worst.time", &a.worst.time},
+      {"audit.worst.length", &a.worst.length}};
+  for (const auto& [name, l] : {std::pair{"audit.made.", &a.made}, {"audit.lost.", &a.lost}}) {
+    const std::string prefix = name;
+    out[prefix + "value"] = &l->value, out[prefix + "time"] = &l->time;
+    out[prefix + "step"] = &l->step, out[prefix + "size"] = &l->size;
+  }
+  return out;
 }
 
 Energy saved_energy(const std::function<double(const std::string&)>& get, const std::string& prefix) {
@@ -123,7 +131,8 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   }
   for (io::ResultSeries& s : clearances_.series()) contents.series.push_back(std::move(s));
   io::ResultSeries energy{"energy", {}};
-  for (const char* name : {"kinetic", "strain", "potential", "friction", "damping", "brought_in", "error"})
+  for (const char* name :
+       {"kinetic", "strain", "potential", "friction", "damping", "brought_in", "error", "unresolved"})
     energy.columns.push_back({name, "J", 1});
   contents.series.push_back(std::move(energy));
   contents.series.push_back(
@@ -210,7 +219,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   fill(at);
   Energy share = sim_.system().energy(at);
   share.work += support_work;
-  audit_.update(start_, sum(comm_, share), info.time, info.h);
+  if (audit_.update(start_, sum(comm_, share), info.time, info.h) && info.h > 0) find_worst();
   const Energy& e = audit_.now;
 
   std::vector<std::vector<double>> rows;
@@ -232,8 +241,8 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
   if (rank == 0) {
-    rows.push_back(
-        {e.kinetic, e.strain, e.potential, e.friction, e.damping, audit_.brought_in, audit_.error});
+    rows.push_back({e.kinetic, e.strain, e.potential, e.friction, e.damping, audit_.brought_in, audit_.error,
+                    e.unresolved});
     rows.push_back({info.h, static_cast<double>(info.iterations), static_cast<double>(info.rejected)});
   } else {
     rows.push_back({}), rows.push_back({});
@@ -255,6 +264,31 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
       if (!x.set || (w.largest ? v[n] > x.value : v[n] < x.value)) x = {v[n], info.time, node.arc, true};
     }
   }
+}
+
+// Where the step that made most energy so far changed the motion most, and what acted there.
+void Recorder::find_worst() {
+  const NodeValue most = sim_.dynamics().roughest();
+  int touch = 0;
+  const int n = sim_.local().find(most.node);
+  if (n >= 0 && n < sim_.local().owned)
+    for (size_t f = 2; f < fields_.size() && touch == 0; ++f) {
+      const int components = fields_[f].components;
+      double size = 0;
+      for (int c = 0; c < components; ++c)
+        size += std::abs(values_[f][static_cast<size_t>(n * components + c)]);
+      if (size == 0) continue;
+      if (fields_[f].name == "contact_normal_force") touch = static_cast<int>(Audit::Step::Touch::volume);
+      if (fields_[f].name == "line_contact_normal_force") touch = static_cast<int>(Audit::Step::Touch::line);
+      if (fields_[f].name == "seabed_force") touch = static_cast<int>(Audit::Step::Touch::seabed);
+    }
+  MPI_Allreduce(MPI_IN_PLACE, &touch, 1, MPI_INT, MPI_MAX, comm_);
+  audit_.worst.node = most.node, audit_.worst.touch = static_cast<Audit::Step::Touch>(touch);
+}
+
+std::string Recorder::audit_warning() const {
+  const int node = audit_.worst.node;
+  return audit_.warning(sim_.model().dynamics.step > 0, node < 0 ? "a body" : sim_.mesh().place(node));
 }
 
 // Of floating bodies the rank that owns them tells the others.
@@ -346,11 +380,9 @@ void Recorder::save(io::Checkpoint& to) {
   auto& scalars = to.scalars;
   save_energy(scalars, "audit.start.", start_);
   save_energy(scalars, "audit.now.", audit_.now);
-  scalars["audit.brought_in"] = audit_.brought_in;
-  scalars["audit.error"] = audit_.error;
-  scalars["audit.moved"] = audit_.moved;
-  save_largest(scalars, "audit.off.", audit_.off);
-  save_largest(scalars, "audit.made.", audit_.made);
+  for (const auto& [name, value] : numbers(audit_)) scalars[name] = *value;
+  scalars["audit.worst.node"] = audit_.worst.node;
+  scalars["audit.worst.touch"] = static_cast<int>(audit_.worst.touch);
   for (const auto& r : summary()) {
     const std::string key = "extreme." + r.line + "." + r.quantity;
     scalars[key] = r.value, scalars[key + ".time"] = r.time, scalars[key + ".arc"] = r.arc_length;
@@ -369,9 +401,9 @@ void Recorder::restore(const io::Checkpoint& from) {
   };
   start_ = saved_energy(get, "audit.start.");
   audit_.now = saved_energy(get, "audit.now.");
-  audit_.brought_in = get("audit.brought_in"), audit_.error = get("audit.error");
-  audit_.moved = get("audit.moved");
-  audit_.off = saved_largest(get, "audit.off."), audit_.made = saved_largest(get, "audit.made.");
+  for (const auto& [name, value] : numbers(audit_)) *value = get(name);
+  audit_.worst.node = static_cast<int>(get("audit.worst.node"));
+  audit_.worst.touch = static_cast<Audit::Step::Touch>(static_cast<int>(get("audit.worst.touch")));
   for (size_t l = 0; l < extremes_.size(); ++l)
     for (const Wanted& w : kExtremes) {
       const std::string key = "extreme." + sim_.model().lines[l].name + "." + w.quantity;

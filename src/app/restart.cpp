@@ -18,7 +18,8 @@ const char* const kVectors[] = {"position",
                                 "algorithmic_acceleration",
                                 "algorithmic_angular_acceleration"};
 
-const char *const kReaction = "reaction", *const kMeanQ = "mean_force_algorithmic", *const kMeanF = "mean_force_end";
+const char *const kReaction = "reaction", *const kMeanQ = "mean_force_algorithmic",
+                  *const kMeanF = "mean_force_end";
 const char* const kDirectors = "director_acceleration";
 const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 

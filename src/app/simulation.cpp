@@ -9,6 +9,7 @@
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/body_pairs.hpp"
+#include "hawser/model/longest_step.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/solve/unilateral.hpp"
 #include "hawser/terms/body_contact.hpp"
@@ -290,7 +291,7 @@ DynamicsSettings Simulation::dynamics_settings() const {
   for (const auto& t : case_.line_types) diameter = std::max(diameter, t.outer_diameter);
   s.step.fixed = d.step;
   s.step.resolve_impacts = d.resolve_impacts;
-  s.step.longest = d.max_step > 0 ? d.max_step : std::max(d.duration / 1000, 0.05);
+  s.step.longest = d.max_step > 0 ? d.max_step : model::longest_step(case_).length;
   s.step.first = s.step.longest / 10;
   s.step.shortest = d.min_step > 0 ? d.min_step : 1e-7 * std::max(1.0, d.step > 0 ? 10 * d.step : 1.0);
   // A hundredth of a diameter a step is far below what a picture or a tension shows.

@@ -34,12 +34,12 @@ inline Local local(const CableSection& s, const CableEnds& e) {
 
 // The mean tension of a step and what it is made of.
 struct Mean {
-  Vec3 n;                 // mean chord over the mean length: shorter than 1 where the element turned
-  Vec3 t;                 // unit chord at the end
-  double l = 0;           // m, chord at the end
-  double tension = 0, slope = 0;          // N, never negative; derivative by the strain at the end
+  Vec3 n;                         // mean chord over the mean length: shorter than 1 where the element turned
+  Vec3 t;                         // unit chord at the end
+  double l = 0;                   // m, chord at the end
+  double tension = 0, slope = 0;  // N, never negative; derivative by the strain at the end
   double elastic = 0, damper = 0, filter = 0;  // N, parts of the tension, while it pulls
-  double grown = 0;       // of the taut part of the strain
+  double grown = 0;                            // of the taut part of the strain
 };
 
 // Mean of the elastic tension between two strains, and its derivative by the second.
@@ -58,7 +58,8 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
   } else {
     const StiffnessTable::Value b = s.axial(p1);
     end = b.force;
-    constexpr double kNear = 1e-4;  // nearer, the difference of energies has lost digits; Simpson's rule has not
+    constexpr double kNear =
+        1e-4;  // nearer, the difference of energies has lost digits; Simpson's rule has not
     if (std::abs(grown) <= kNear * std::max(p0, p1)) {
       const StiffnessTable::Value a = s.axial(p0), m = s.axial(0.5 * (p0 + p1));
       return {(a.force + 4 * m.force + b.force) / 6, (2 * m.slope + b.slope) / 6, share};
@@ -123,7 +124,8 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
                      const Vec3& x2) {
   const Mean m = mean_of(s, from, step, x2 - x1);
   const double way = m.l - from.length;
-  return {m.damper * way, m.filter * way, m.tension > 0 && m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0};
+  return {m.damper * way, m.filter * way,
+          m.tension > 0 && m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0};
 }
 
 Vec3 cable_pull(const CableSection& s, const CableEnds& e) {

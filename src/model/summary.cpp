@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hawser/model/check.hpp"
+#include "hawser/model/longest_step.hpp"
 
 namespace hawser::model {
 namespace {
@@ -122,8 +123,12 @@ std::string friction_text(const Friction& f) {
   return s;
 }
 
-std::string step_text(const Dynamics& d) {
-  return d.step > 0 ? fmt::format("steps of {:g} s", d.step) : "automatic steps";
+std::string step_text(const Case& c) {
+  const Dynamics& d = c.dynamics;
+  if (d.step > 0) return fmt::format("steps of {:g} s", d.step);
+  if (d.max_step > 0) return fmt::format("automatic steps of at most {:g} s", d.max_step);
+  const LongestStep longest = longest_step(c);
+  return fmt::format("automatic steps of at most {:.3g} s ({})", longest.length, longest.reason);
 }
 
 std::string warmth_text(const Case& c, const Line& l) {
@@ -256,8 +261,8 @@ std::string summary(const Case& c) {
   s += fmt::format("gravity: {:g} m/s²\n", c.environment.gravity);
   s += fmt::format("run: {}", c.statics.enabled ? "statics" : "no statics");
   if (c.dynamics.enabled)
-    s += fmt::format(", dynamics of {:g} s in {}, rho_infinity {:g}", c.dynamics.duration,
-                     step_text(c.dynamics), c.dynamics.rho_infinity);
+    s += fmt::format(", dynamics of {:g} s in {}, rho_infinity {:g}", c.dynamics.duration, step_text(c),
+                     c.dynamics.rho_infinity);
   s += "\n";
   s += fmt::format("results: {}{}\n", c.output.file, c.output.xdmf ? " and .xdmf" : "");
   for (const std::string& n : c.notes) s += "note: " + n + "\n";

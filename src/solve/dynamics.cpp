@@ -201,7 +201,6 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   // What does not change in a step (rotations of cables) is in the trial of the step before.
   if (!copied_) trial_ = committed_;
   copied_ = true;
-  trial_.s.mean = alpha_mean(settings_.rho_infinity);
   alpha_mean_carried(alpha_, mean_, carried_);
   alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
   put(local_u_);
@@ -220,7 +219,7 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   }
   if (!a.converged) return a;
   double most[2] = {alpha_error(system_.mesh(), alpha_, h, committed_, trial_),
-                    alpha_turn(system_.mesh(), local_u_).angle};
+                    alpha_turn(system_.mesh(), local_u_).value};
   MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system_.comm());
   a.error = most[0];
   turned_ = most[1] > M_PI;
@@ -244,14 +243,23 @@ void Dynamics::accept(double h) {
     for (int c = 0; c < n; ++c) {
       const size_t i = b + static_cast<size_t>(c);
       if ((c < 3 ? s.position_mask >> c : s.rotation_mask >> (c - 3)) & 1)
-        support_work_ +=
-            (0.5 * (reactions_[i] + now[i] - before[i] - mean_.f[i]) + mean[i]) * local_u_[i];
+        support_work_ += (0.5 * (reactions_[i] + now[i] - before[i] - mean_.f[i]) + mean[i]) * local_u_[i];
     }
   }
   reactions_ = now;
   std::swap(committed_, trial_);
   last_step_ = h, expected_ = -1;
   system_.commit(committed_.s.view(h));
+}
+
+NodeValue Dynamics::roughest() const {
+  NodeValue most;  // trial_ is what was committed before
+  for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n) {
+    const double change = (committed_.ax[n] - trial_.ax[n]).norm();
+    if (change > most.value) most = {change, system_.mesh().global[n]};
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
+  return most;
 }
 
 void Dynamics::start(const State& state) {
@@ -314,12 +322,12 @@ void Dynamics::run(double until, const std::function<double(double)>& next_stop,
 
 std::string Dynamics::failure(double h) const {
   if (turned_) {
-    Turn most = alpha_turn(system_.mesh(), local_u_);
+    NodeValue most = alpha_turn(system_.mesh(), local_u_);
     MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
     return fmt::format(
         "at t = {:.6g} s {}, turns by {:.3g} rad in the shortest step ({:.3g} s), which follows "
         "half a turn at most",
-        committed_.s.time, system_.mesh().mesh->place(most.node), most.angle, h);
+        committed_.s.time, system_.mesh().mesh->place(most.node), most.value, h);
   }
   if (missed_)
     return fmt::format("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}",

@@ -48,6 +48,7 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
                half = h * h * (0.5 - c.beta);
   const double m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
   s.hold_weight = alpha_hold_weight(c);
+  s.mean = alpha_mean(c);
   const bool holds = !from.hx.empty();
   auto advance = [&](const double* p, const Vec3& v0, const Vec3& a0, const Vec3& true0, Vec3& v, Vec3& a,
                      Vec3& true1) {
@@ -127,36 +128,35 @@ void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, co
 }
 
 namespace {
-// Q1 = s S + q Q0 and F1 = (a Q1 + b Q0 - c F0).
+// Q1 = s S - q Q0 and F1 = a Q1 + b Q0 - c F0: (1 - gamma) Q0 + gamma Q1 = S, and the scheme's own balance of
+// algorithmic and true accelerations.
 struct MeanWeights {
   double s, q, a, b, c;
 };
 MeanWeights mean_weights(const AlphaCoefficients& k) {
-  // Of A at the end of the step and at its start, such that their mean is where S is.
-  const double end = k.gamma, start = 1 - k.gamma;
-  return {1 / end, -start / end, (1 - k.am) / (1 - k.af), k.am / (1 - k.af), k.af / (1 - k.af)};
+  return {1 / k.gamma, (1 - k.gamma) / k.gamma, (1 - k.am) / (1 - k.af), k.am / (1 - k.af),
+          k.af / (1 - k.af)};
 }
 }  // namespace
 
-StepMean alpha_mean(double rho) {
-  const AlphaCoefficients c(rho);
+StepMean alpha_mean(const AlphaCoefficients& c) {
   const MeanWeights w = mean_weights(c);
-  // The double root of an element that is far too stiff for the step, or that of rho.
-  const double root = std::max(rho, 1.0 / 3);
+  // What the strain of an element that is far too stiff for the step is multiplied with in each: the spectral
+  // radius; 1/3 is the least that the filter can do.
+  const double rho = c.af / (1 - c.af), root = std::max(rho, 1.0 / 3);
   return {w.a * w.s, 0.5 * root * (1 - root) / ((1 + root) * (1 + root))};
 }
 
 void alpha_mean_carried(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& carried) {
   const MeanWeights w = mean_weights(c);
   carried.resize(from.q.size());
-  for (size_t i = 0; i < carried.size(); ++i)
-    carried[i] = (w.a * w.q + w.b) * from.q[i] - w.c * from.f[i];
+  for (size_t i = 0; i < carried.size(); ++i) carried[i] = (w.b - w.a * w.q) * from.q[i] - w.c * from.f[i];
 }
 
-void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& s, MeanForces& forces) {
+void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& S, MeanForces& forces) {
   const MeanWeights w = mean_weights(c);
   for (size_t i = 0; i < forces.q.size(); ++i) {
-    const double q = w.s * s[i] + w.q * forces.q[i];
+    const double q = w.s * S[i] - w.q * forces.q[i];
     forces.f[i] = w.a * q + w.b * forces.q[i] - w.c * forces.f[i];
     forces.q[i] = q;
   }
@@ -169,12 +169,12 @@ Weights alpha_weights(const AlphaCoefficients& c, double h) {
   return w;
 }
 
-Turn alpha_turn(const LocalMesh& mesh, const std::vector<double>& u) {
-  Turn most;
+NodeValue alpha_turn(const LocalMesh& mesh, const std::vector<double>& u) {
+  NodeValue most;
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
     if (!mesh.rotates(static_cast<int>(n))) continue;
     const double angle = Eigen::Map<const Vec3>(u.data() + 3 * mesh.block[n] + 3).norm();
-    if (angle > most.angle) most = {angle, mesh.global[n]};
+    if (angle > most.value) most = {angle, mesh.global[n]};
   }
   return most;
 }

@@ -139,8 +139,7 @@ void Sink::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
   const Vec3 counted = mean_weight_ * f;
   if (mean_)
     for (const int end : {a, b})
-      if (end < owned_blocks_)
-        Eigen::Map<Vec3>(mean_->data() + 3 * end) += end == a ? Vec3(-f) : f;
+      if (end < owned_blocks_) Eigen::Map<Vec3>(mean_->data() + 3 * end) += end == a ? Vec3(-f) : f;
   if (!k) return add_between(a, b, counted, nullptr, nullptr);
   const Mat3 stiffness = mean_weight_ * *k;
   add_between(a, b, counted, &stiffness, nullptr);

@@ -75,7 +75,7 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
     const auto& t = c.line_types[static_cast<size_t>(g.type)];
     if (!g.beam)
-      out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping, t.tension_table.get(), g.free_strain}, {}});
+      out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping, t.tension_table.get(), g.free_strain}});
   }
   return out;
 }
@@ -115,7 +115,8 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
     const CableEnds e = ends(c, trial);
     if (trial.step > 0)
       sink.add_mean_between(c.blocks[0], c.blocks[1],
-                            cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2), nullptr);
+                            cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2),
+                            nullptr);
     else
       sink.add_between(c.blocks[0], c.blocks[1], cable_pull(c.section, e), nullptr, nullptr);
   }
@@ -188,8 +189,7 @@ void StructureTerm::commit(const Kinematics& accepted) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
       const CableEnds e = ends(c, accepted);
-      const CableLoss lost =
-          cable_loss(c.section, started(c, accepted.step, last_step_), step, e.x1, e.x2);
+      const CableLoss lost = cable_loss(c.section, started(c, accepted.step, last_step_), step, e.x1, e.x2);
       c.start.stretch = lost.stretch;
       if (c.at.counted) damping_ += lost.damped, filtered_ += lost.filtered;
     }
@@ -206,7 +206,7 @@ Energy StructureTerm::energy(const Kinematics& at) const {
     if (b.at.counted) e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
   for (const Cable& c : cables_)
     if (c.at.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
-  e.damping = damping_ + filtered_;
+  e.damping = damping_, e.unresolved = filtered_;
   return e;
 }
 

@@ -64,6 +64,115 @@ TEST(Cable, SlackCarriesNothing) {
   EXPECT_EQ(cable_stress(s, e).tension, 0);
 }
 
+// Steps of a cable whose ends are thrown about, slack and taut, in steps of all lengths.
+struct Thrown {
+  CableStart from;
+  CableStep step;
+  Vec3 x1, x2;
+};
+std::vector<Thrown> thrown(const CableSection& s, double filter) {
+  Random r(21);
+  std::vector<Thrown> out;
+  Vec3 x1 = Vec3::Zero(), x2 = 0.95 * s.length * Vec3::UnitX();
+  double stretch = 0, h = 0.1;
+  for (int i = 0; i < 500; ++i) {
+    const double last = h;
+    h = 0.1 * std::exp(r.u(r.g));
+    Thrown t{cable_start(s, x1, x2, stretch * std::min(1.0, h / last)), {h, filter}, {}, {}};
+    t.x1 = x1 + 0.1 * r.vec();
+    // Now and then hardly stretched at all.
+    t.x2 =
+        t.x1 + (i % 7 == 0 ? 1e-7 : 0.2) * r.vec() + s.length * (1 + 0.15 * r.u(r.g)) * r.vec().normalized();
+    if (i % 7 == 0) t.x2 = t.x1 + (x2 - x1) * (1 + 1e-9);
+    out.push_back(t);
+    x1 = t.x1, x2 = t.x2, stretch = cable_loss(s, t.from, t.step, x1, x2).stretch;
+  }
+  return out;
+}
+StiffnessTable rope() {
+  return StiffnessTable(std::vector<StiffnessTable::Row>{{0.05, 15}, {0.1, 90}, {0.2, 120}}, false);
+}
+
+TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
+  const StiffnessTable table = rope();
+  int pulled = 0, taut = 0;
+  for (const StiffnessTable* t : {static_cast<const StiffnessTable*>(nullptr), &table})
+    for (const double beta : {0.0, 0.02})
+      for (const double filter : {0.0, 0.06}) {
+        const CableSection s{1.1, 300, beta, t, t ? 0.01 : 0};
+        for (const Thrown& p : thrown(s, filter)) {
+          const Vec3 S = cable_mean(s, p.from, p.step, p.x1, p.x2), chord = p.x2 - p.x1;
+          const auto energy = [&](const Vec3& d) {
+            return cable_stress(s, {Vec3::Zero(), d, Vec3::Zero(), Vec3::Zero()}).strain_energy;
+          };
+          const double work = S.dot(chord - p.from.chord), stored = energy(chord) - energy(p.from.chord);
+          const CableLoss lost = cable_loss(s, p.from, p.step, p.x1, p.x2);
+          EXPECT_GE(lost.damped, 0);
+          EXPECT_GE(S.dot(chord + p.from.chord), 0);                                // it never pushes
+          EXPECT_LT(S.cross(chord + p.from.chord).norm(), 1e-12 * (1 + S.norm()));  // and turns nothing
+          pulled += S.norm() > 0, taut += S.norm() > 0 && energy(chord) > 0 && energy(p.from.chord) > 0;
+          // Where it would push, nothing acts, and no less is lost than that.
+          if (S.norm() > 0)
+            EXPECT_NEAR(work, stored + lost.damped + lost.filtered, 1e-10 * (1 + std::abs(work)));
+          else
+            EXPECT_LE(stored, 0.5 * filter * 300 * s.length * std::pow(p.from.stretch, 2) + 1e-12);
+        }
+      }
+  EXPECT_GT(pulled, 1500);
+  EXPECT_GT(taut, 500);
+}
+
+// What the filter gives back it has taken before: it makes no energy, in steps of any lengths.
+TEST(CableMean, TheFilterGivesBackNoMoreThanItHolds) {
+  const CableSection s{1.1, 300, 0};
+  double sum = 0, least = 0, most = 0;
+  for (const Thrown& p : thrown(s, 0.06)) {
+    sum += cable_loss(s, p.from, p.step, p.x1, p.x2).filtered;
+    least = std::min(least, sum), most = std::max(most, sum);
+  }
+  EXPECT_GE(least, 0);
+  EXPECT_GT(most, 1);
+}
+
+TEST(CableMean, TangentIsItsDerivative) {
+  const StiffnessTable table = rope();
+  for (const StiffnessTable* t : {static_cast<const StiffnessTable*>(nullptr), &table})
+    for (const double beta : {0.0, 0.02}) {
+      const CableSection s{1.1, 300, beta, t};
+      int checked = 0;
+      for (const Thrown& p : thrown(s, 0.06)) {
+        CablePull o;
+        cable_mean(s, p.from, p.step, p.x1, p.x2, o);
+        EXPECT_EQ(o.c, Mat3::Zero());
+        const auto at = [&](const Vec3& d) { return cable_mean(s, p.from, p.step, p.x1, p.x2 + d); };
+        EXPECT_LT((o.force - at(Vec3::Zero())).norm(), 1e-12 * (1 + o.force.norm()));
+        // Not over a kink: where it begins to pull, or is just slack.
+        const double e = ((p.x2 - p.x1).norm() - s.length) / s.length;
+        constexpr double kStep = 1e-6;
+        if (std::abs(e) < 3 * kStep) continue;
+        Mat3 K;
+        bool kink = false;
+        for (int j = 0; j < 3; ++j) {
+          const Vec3 a = at(kStep * Vec3::Unit(j)), b = at(-kStep * Vec3::Unit(j));
+          K.col(j) = (a - b) / (2 * kStep);
+          kink |= (a.norm() == 0) != (b.norm() == 0);
+        }
+        if (kink) continue;
+        ++checked;
+        EXPECT_LT((o.k - K).norm(), 1e-5 * (30 + K.norm())) << "strain from " << p.from.strain << " to " << e;
+      }
+      EXPECT_GT(checked, 450);
+    }
+}
+
+TEST(CableMean, IsTheForceAtRest) {
+  const CableSection s{1.1, 300, 0.02};
+  const Vec3 a(0.1, 0.2, 0.3), b(0.9, 1.0, 0.8);
+  const Vec3 at_rest = cable_pull(s, {a, b, Vec3::Zero(), Vec3::Zero()});
+  EXPECT_GT(at_rest.norm(), 1);
+  EXPECT_LT((cable_mean(s, cable_start(s, a, b, 0), {0.1, 0.06}, a, b) - at_rest).norm(), 1e-12);
+}
+
 TEST(CableMass, IsTheForceOfUnitAccelerations) {
   const MassSection s{2.0, 3.0, Vec3::Zero(), Mat3::Identity()};
   const CableMass m = cable_mass(s);

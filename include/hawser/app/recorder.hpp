@@ -40,6 +40,7 @@ class Recorder {
   std::string finish();
 
   const Audit& audit() const { return audit_; }
+  std::string audit_warning() const;  // Audit::warning in words of this case
   // The clash report in words, on rank 0 after finish(); empty: nothing touched.
   std::string clash_table() const { return clashes_ ? clashes_->table() : ""; }
   // What a user must not overlook, after finish(): deep penetration, energy out of nowhere.
@@ -52,6 +53,7 @@ class Recorder {
  private:
   void restore(const io::Checkpoint& from);
   void fill(const Kinematics& at);
+  void find_worst();
   void correct_ends(const Kinematics& at);
   std::vector<io::SummaryRow> summary() const;
   std::vector<io::BodyPose> poses(const Kinematics& at) const;

@@ -39,13 +39,13 @@ struct CableStart {
   Vec3 chord = Vec3::Zero();  // m
   double length = 0;          // m, of the chord
   double strain = 0;          // beyond the free strain; negative: slack
-  double stretch = 0;         // by which the taut part of the strain grew in the step before, see cable_stretch
+  double stretch = 0;  // by which the taut part of the strain grew in the step before, see cable_stretch
 };
 
 // What the integration makes of an element in a step.
 struct CableStep {
-  double h = 0;         // s
-  double filter = 0;    // part of EA that resists changes of the elongation from step to step
+  double h = 0;       // s
+  double filter = 0;  // part of EA that resists changes of the elongation from step to step
 };
 
 struct CableStress {
@@ -62,8 +62,8 @@ void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePul
 
 CableStress cable_stress(const CableSection& s, const CableEnds& e);
 
-// The mean force of a step: the one whose work over the way of the ends is the change of strain energy, to the
-// last bit, plus what the dampers take (Simo & Tarnow 1992, ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6):
+// The mean force of a step: the one whose work over the way of the ends is the change of strain energy, to
+// the last bit, plus what the dampers take (Simo & Tarnow 1992, ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6):
 // docs/theory/time-integration.md#cables. It never pushes.
 CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch);
 Vec3 cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,

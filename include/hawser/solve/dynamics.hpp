@@ -60,6 +60,8 @@ class Dynamics {
   const StepControl& control() const { return control_; }
   double last_step() const { return last_step_; }
   const std::vector<double>& reactions() const { return reactions_; }  // of the committed state
+  // Where the last accepted step changed accelerations most, and by how much [m/s²]. Collective.
+  NodeValue roughest() const;
   const MeanForces& mean_forces() const { return mean_; }
   double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
   long newton_iterations() const { return total_iterations_; }

@@ -31,8 +31,9 @@ struct AlphaState {
 void alpha_start(AlphaState& state);
 
 // The scheme's velocity and acceleration of a trial increment u (3 * local blocks, ghosts included) over a
-// step h from `from`; configuration by retraction; prescribed components from the supports. The directors'
-// accelerations are those from which the same formulas make their rates: R hat(w), exactly.
+// step h from `from`; configuration by retraction; prescribed components from the supports; the weight of
+// mean forces. The directors' accelerations are those from which the same formulas make their rates: R
+// hat(w), exactly.
 void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoefficients& c, double h,
                  const AlphaState& from, const std::vector<double>& u, AlphaState& trial);
 
@@ -52,28 +53,30 @@ void alpha_hold(const LocalMesh& mesh, const AlphaCoefficients& coefficients, do
 void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, const AlphaState& from,
                    std::vector<double>& u);
 
-// What a force that is given as its mean S over the step makes of the scheme (theory, "Cables"): an
-// algorithmic force Q, whose accelerations A is made of, and the force F that belongs to the end of the step.
-// N, 3 * local blocks, rows of this rank.
+// What forces that are given as their mean S over the step make of the scheme (theory, "Cables"): algorithmic
+// forces Q, whose accelerations are part of A, and forces F of the end of the step, which true accelerations
+// balance. N, 3 * local blocks, valid for owned blocks.
 struct MeanForces {
   std::vector<double> q, f;
 };
-StepMean alpha_mean(double rho_infinity);
-// F of a step is the weight of StepMean times S, and this.
+StepMean alpha_mean(const AlphaCoefficients& c);
+// F at the end of a step is the weight of StepMean times S, plus this.
 void alpha_mean_carried(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& carried);
-// After a step of the mean forces s.
-void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& s, MeanForces& forces);
+// After a step with the mean forces S.
+void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& S, MeanForces& forces);
 
 // Weights of K, C and M in the step's tangent.
 Weights alpha_weights(const AlphaCoefficients& c, double h);
 
-// Largest rotation in a step, of this rank's nodes. From half a turn on, the place where a node gets to does
-// not tell how it got there: a whole turn more ends there too, at other rates.
-struct Turn {
-  double angle = 0;  // rad
-  int node = 0;      // of the mesh
+// Something of a node of the mesh; what MPI_MAXLOC compares.
+struct NodeValue {
+  double value = 0;
+  int node = 0;
 };
-Turn alpha_turn(const LocalMesh& mesh, const std::vector<double>& u);
+
+// Largest rotation in a step [rad], of this rank's nodes. From half a turn on, the place where a node gets to
+// does not tell how it got there: a whole turn more ends there too, at other rates.
+NodeValue alpha_turn(const LocalMesh& mesh, const std::vector<double>& u);
 
 // Local error of position, m, at this rank's nodes: |1/6 - beta| h² |change of acceleration|
 // (Zienkiewicz & Xie 1991, eq. 17).

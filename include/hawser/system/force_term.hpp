@@ -16,15 +16,15 @@
 
 namespace hawser {
 
-// Sums over what this rank counts, J. The last four are accumulated over the accepted steps.
+// Sums over what this rank counts, J. All but the first three are accumulated over the accepted steps.
 struct Energy {
   double kinetic = 0, strain = 0, potential = 0;
-  double friction = 0, damping = 0,
-         work = 0;  // taken out by friction, by damping; brought in by moving bodies
+  double friction = 0, damping = 0, work = 0;  // taken out by friction, by damping; brought in by moving bodies
+  double unresolved = 0;  // taken by the time integration out of axial vibration too fast for its steps
 
   Energy& operator+=(const Energy& o) {
     kinetic += o.kinetic, strain += o.strain, potential += o.potential;
-    friction += o.friction, damping += o.damping, work += o.work;
+    friction += o.friction, damping += o.damping, work += o.work, unresolved += o.unresolved;
     return *this;
   }
 };

@@ -48,8 +48,8 @@ class Sink {
   void put(const int* blocks, int n, double* J);
   void add_elsewhere(int row, int column, const double* J, int m);
 
-  std::vector<double>* force_ = nullptr;    // 3 * local blocks
-  std::vector<double>* mean_ = nullptr;     // 3 * local blocks, of the means alone, without their weight
+  std::vector<double>* force_ = nullptr;  // 3 * local blocks
+  std::vector<double>* mean_ = nullptr;   // 3 * local blocks, of the means alone, without their weight
   double mean_weight_ = 1;
   std::vector<double>* squares_ = nullptr;  // by block, sums of squares of what was added to owned rows
   Mat matrix_ = nullptr;

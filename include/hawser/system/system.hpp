@@ -76,8 +76,8 @@ class System {
   // Local values of a ghosted vector after refreshing its ghosts, copied to `out` (3 * local blocks).
   void gather(Vec u, std::vector<double>& out) const;
 
-  // r = sum of all terms at the trial state, and of what is `carried` (3 * local blocks; empty: nothing); held
-  // components of r are zero, their reactions are kept.
+  // r = sum of all terms at the trial state, and of what is `carried` (3 * local blocks; empty: nothing);
+  // held components of r are zero, their reactions are kept.
   void residual(const Kinematics& trial, Vec r, std::span<const double> carried = {}) {
     residual(trial, r, Part::all, carried);
   }

@@ -26,7 +26,7 @@ class StructureTerm final : public ForceTerm {
     LocalElement at;
     int blocks[2] = {};
     CableSection section;
-    CableStart start;  // of the step
+    CableStart start = {};  // of the step
   };
 
   StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
