@@ -13,16 +13,18 @@
 namespace hawser::app {
 namespace {
 
-Energy sum(MPI_Comm comm, const Energy& e) {
-  double v[6] = {e.kinetic, e.strain, e.potential, e.friction, e.damping, e.work};
-  MPI_Allreduce(MPI_IN_PLACE, v, 6, MPI_DOUBLE, MPI_SUM, comm);
-  return {v[0], v[1], v[2], v[3], v[4], v[5]};
-}
-
 constexpr std::pair<const char*, double Energy::*> kEnergies[] = {
     {"kinetic", &Energy::kinetic},   {"strain", &Energy::strain},   {"potential", &Energy::potential},
     {"friction", &Energy::friction}, {"damping", &Energy::damping}, {"work", &Energy::work},
     {"unresolved", &Energy::unresolved}};
+
+Energy sum(MPI_Comm comm, Energy e) {
+  std::array<double, std::size(kEnergies)> v;
+  for (size_t i = 0; i < v.size(); ++i) v[i] = e.*kEnergies[i].second;
+  MPI_Allreduce(MPI_IN_PLACE, v.data(), static_cast<int>(v.size()), MPI_DOUBLE, MPI_SUM, comm);
+  for (size_t i = 0; i < v.size(); ++i) e.*kEnergies[i].second = v[i];
+  return e;
+}
 
 void save_energy(std::map<std::string, double>& to, const std::string& prefix, const Energy& e) {
   for (const auto& [name, member] : kEnergies) to[prefix + name] = e.*member;

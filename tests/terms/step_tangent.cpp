@@ -41,6 +41,8 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
         alpha_trial(mesh, system.supports(), alpha, h, from, u, to);
         return residual(system, to.s, h);
       };
+      // Mean forces are among what is checked, with the weight of the scheme.
+      EXPECT_GT(alpha_mean(alpha).weight, 1);
       alpha_trial(mesh, system.supports(), alpha, h, from, m.trial.u, to);
       MatHandle J = system.create_matrix();
       system.tangent(to.s.view(h), alpha_weights(alpha, h), m.trial.u, false, J.get());

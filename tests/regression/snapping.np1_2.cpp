@@ -1,0 +1,168 @@
+// Cables that go slack and snap taut: no step makes energy, whatever its length, and the tension by default
+// is that of steps and elements half as long.
+#include "regression/runs.hpp"
+
+namespace hawser::runs {
+namespace {
+
+// The chain of cases/mooring-line with four times its heave: it goes slack and snaps taut in every cycle.
+const char* const kMooring = R"(
+hawser: 1
+environment:
+  water: {density: 1025, depth: 200}
+  seabed:
+    depth: 200
+    normal_stiffness: {per_area: 100 kN/m3}
+    damping: 10000
+    friction: {axial: 0.5, lateral: 0.5, mobilisation_length: 0.05}
+    friction_in_statics: none
+line_types:
+  chain: {outer_diameter: 0.252, mass_per_length: 390, EA: 1.674 GN, bending: false, Cd_normal: 1.37, Cd_axial: 0.204}
+bodies:
+  vessel: {motion: {harmonic: {amplitude: [0, 0, 8], period: 10}, ramp: 10}}
+lines:
+  mooring:
+    sections: [{type: chain, length: 760, elements: ELEMENTS}]
+    end_a: {anchor: [700, 0, -200]}
+    end_b: {body: vessel, at: [0, 0, 0]}
+dynamics: {duration: 40STEP}
+output: {every: 1}
+)";
+
+// The same, its fairlead cut. Half a second of hanging still lets statics be of a held end.
+const char* const kParted = R"(
+hawser: 1
+environment:
+  water: {density: 1025, depth: 200}
+  seabed: {depth: 200}
+line_types:
+  chain: {outer_diameter: 0.252, mass_per_length: 390, EA: 1.674 GN, bending: false, Cd_normal: 1.37, Cd_axial: 0.204}
+lines:
+  mooring:
+    sections: [{type: chain, length: 760, elements: ELEMENTS}]
+    end_a: {anchor: [700, 0, -200]}
+    end_b: free
+    start: {from: held.h5}
+statics: false
+dynamics: {duration: 10STEP}
+output: {every: 1}
+)";
+const char* const kHeld = R"(
+hawser: 1
+environment:
+  water: {density: 1025, depth: 200}
+  seabed: {depth: 200}
+line_types:
+  chain: {outer_diameter: 0.252, mass_per_length: 390, EA: 1.674 GN, bending: false, Cd_normal: 1.37, Cd_axial: 0.204}
+lines:
+  mooring:
+    sections: [{type: chain, length: 760, elements: ELEMENTS}]
+    end_a: {anchor: [700, 0, -200]}
+    end_b: {anchor: [0, 0, 0]}
+)";
+
+// Twenty metres of it thrown in a heap on a deck.
+const char* const kDeck = R"(
+hawser: 1
+line_types:
+  chain: {outer_diameter: 0.252, mass_per_length: 390, EA: 1.674 GN, bending: false}
+volumes:
+  deck: {shape: {box: {centre: [0, 0, -1], size: [60, 60, 2]}}}
+lines:
+  chain:
+    sections: [{type: chain, length: 20, elements: ELEMENTS}]
+    end_a: free
+    end_b: free
+    start: {points: [[0, 0, 2], [4, 1, 10.5], [12, -1, 17]]}
+contact: {between_lines: false}
+statics: false
+dynamics: {duration: 2.5STEP}
+output: {every: 0.5}
+)";
+
+// L5-pk of CableDyn 0.1.1 (VALIDATION.md): a chain of 1.02 times its chord, its fairlead heaving 4 m in 4 s.
+// Peaks of the codes: MoorDyn-C 4.86 MN, OrcaFlex 6.32 MN at steps of 0.25 ms, CableDyn 10.2 MN.
+const char* const kSnap = R"(
+hawser: 1
+environment:
+  water: {density: 1025, depth: 50}
+  seabed: {depth: 50}
+line_types:
+  chain: {outer_diameter: 0.252, mass_per_length: 390, EA: 1.674 GN, bending: false, Cd_normal: 1.37, Cd_axial: 0.204}
+bodies:
+  vessel: {position: [0, 0, -5], motion: {harmonic: {amplitude: [0, 0, 4], period: 4}, ramp: 4}}
+lines:
+  chain:
+    sections: [{type: chain, length: 130.72, elements: ELEMENTS}]
+    end_a: {anchor: [120, 0, -50]}
+    end_b: {body: vessel, at: [0, 0, 0]}
+dynamics: {duration: 16STEP}
+output: {every: 1, histories: [{line: chain, at: 122, name: near}]}
+)";
+
+struct Snapping : ::testing::Test {
+  void SetUp() override { path = folder("snapping"); }
+  static bool first() { return rank_of(MPI_COMM_WORLD) == 0; }
+  Results ran(const char* text, int elements, const std::string& step) {
+    const std::string name = path + "/snap";
+    write_case(name + ".yaml", text, {{"ELEMENTS", std::to_string(elements)}, {"STEP", step}});
+    run_on_all({name + ".yaml", name + ".h5"});
+    return first() ? read(name + ".h5") : Results{};
+  }
+  // The most that energy rose above what was brought in, from its least on, over what was brought in.
+  static double made(const Results& r) {
+    const auto error = r.column("energy", 6);
+    double least = 0, rise = 0;
+    for (const double e : error) least = std::min(least, e), rise = std::max(rise, e - least);
+    return rise / largest(r.column("energy", 5));
+  }
+  void expect_none_made(const char* what, const char* text, int elements) {
+    for (const char* step : {"", ", step: 0.1", ", step: 0.05", ", step: 0.02", ", step: 0.01"}) {
+      const Results r = ran(text, elements, step);
+      if (!first()) continue;
+      printf("  %s%s: %.3f %% made\n", what, *step ? step : ", default", 100 * made(r));
+      EXPECT_LT(made(r), 0.005) << what << step;
+    }
+  }
+  std::string path;
+};
+
+TEST_F(Snapping, AMooringLineMakesNoEnergy) { expect_none_made("heave of 8 m", kMooring, 76); }
+TEST_F(Snapping, AChainOnADeckMakesNoEnergy) { expect_none_made("dropped on a deck", kDeck, 20); }
+TEST_F(Snapping, AChainThatSnapsMakesNoEnergy) { expect_none_made("L5-pk", kSnap, 20); }
+
+TEST_F(Snapping, ALineThatPartsMakesNoEnergy) {
+  write_case(path + "/held.yaml", kHeld, {{"ELEMENTS", "76"}});
+  run_on_all({path + "/held.yaml", path + "/held.h5"});
+  expect_none_made("parted", kParted, 76);
+}
+
+// Largest tension over the cycles after the first, by default, and with elements and steps half as long.
+TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {
+  const auto peak = [&](const char* text, int elements, const std::string& step) {
+    const Results r = ran(text, elements, step);
+    return first() ? largest(r.column("near", 6)) : 0;
+  };
+  const double by_default = peak(kSnap, 20, ""), finer = peak(kSnap, 40, ", step: 0.002"),
+               finest = peak(kSnap, 80, ", step: 0.001");
+  if (!first()) return;
+  printf("  largest tension: %.2f MN by default, %.2f and %.2f MN with finer elements and steps\n",
+         by_default / 1e6, finer / 1e6, finest / 1e6);
+  EXPECT_NEAR(by_default, finest, 0.1 * finest);
+  EXPECT_NEAR(by_default, finer, 0.1 * finer);
+}
+
+TEST_F(Snapping, GoesOnAfterARestart) {
+  const std::string input = path + "/restart.yaml";
+  write_case(input, kSnap, {{"ELEMENTS", "20"}, {"STEP", ""}});
+  run_on_all({input, path + "/whole.h5"});
+  run_on_all({input, path + "/half.h5", "", 7});
+  run_on_all({input, path + "/rest.h5", path + "/half.h5"});
+  if (!first()) return;
+  const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+  const auto there = rest.column("near", 6);
+  EXPECT_EQ(largest_difference(tail(whole.column("near", 6), there), there), 0);
+}
+
+}  // namespace
+}  // namespace hawser::runs
