@@ -168,12 +168,11 @@ lines:
     sections: [{type: chain, length: 100, elements: 50}]
     masses: [{at: 40, mass: 2000}]
     end_a: {anchor: [0, 0, 0]}
-    end_b: {anchor: [80, 0, 20]}
-dynamics: false
+    end_b: {anchor: [50, 0, 60]}
 )");
   const Vec3 w(0, 0, -40 * kGravity);
   const CatenaryShape exact =
-      catenary(Vec3::Zero(), Vec3(80, 0, 20),
+      catenary(Vec3::Zero(), Vec3(50, 0, 60),
                {{40, w, 1e8, Vec3(0, 0, -2000 * kGravity)}, {60, w, 1e8, Vec3::Zero()}});
   const double before = exact.tension(40).norm(),
                after = (exact.tension(40) - Vec3(0, 0, -2000 * kGravity)).norm();
@@ -207,7 +206,6 @@ lines:
     ENDS
     loads: [{at: TIP, force: [900, 2500, -4000], moment: [6000, 0, 0]}]
     start: straight
-dynamics: false
 )";
   for (const bool turned : {false, true}) {
     const std::string name = turned ? "arm_b" : "arm_a";
@@ -227,13 +225,12 @@ dynamics: false
                         Vec3(2, 0, 0).cross(Vec3(0, 0, -320 * g)) + Vec3(7, 0, 0).cross(Vec3(0, 0, -300 * g));
     const size_t root = turned ? 1 : 0, n = turned ? 10 : 0;
     const Vec3 F = at_end(name, "force", 0, root), M = at_end(name, "moment", 0, root);
-    // It bends by 2e-4 of its length, and that turns 0.1 % of the moments into each other.
-    EXPECT_LT((F - force).norm(), 1e-8 * force.norm());
-    EXPECT_LT((M - moment).norm(), 1e-3 * moment.norm());
-    EXPECT_LT(std::abs(M.norm() / moment.norm() - 1), 1e-4);
+    // It bends by 1e-5 of its length.
+    EXPECT_LT((F - force).norm(), 1e-6 * force.norm());
+    EXPECT_LT((M - moment).norm(), 1e-5 * moment.norm());
     EXPECT_LT((at_end(name, "direction", 0, root) - along * Vec3::UnitX()).norm(), 1e-9);
-    EXPECT_LT(at_end(name, "force", 0, 1 - root).norm() / tip.norm(), 1 + 1e-8);
-    EXPECT_GT(at_end(name, "force", 0, 1 - root).dot(-tip) / tip.squaredNorm(), 1 - 1e-8);
+    // The line pulls back at what pulls its free end.
+    EXPECT_LT((at_end(name, "force", 0, 1 - root) + tip).norm(), 1e-6 * tip.norm());
     const auto& f = r.fields;
     const auto axis = [&](const char* of, size_t at) {
       return Vec3(Eigen::Map<const Vec3>(f.at(of).data() + 3 * at));
@@ -243,14 +240,14 @@ dynamics: false
     const Vec3 section = along * moment;
     EXPECT_NEAR(f.at("effective_tension")[n], 900, 1e-4 * 900);
     EXPECT_NEAR(f.at("shear_force")[n], std::hypot(force.y(), force.z()), 1e-6 * force.norm());
-    EXPECT_NEAR(f.at("bending_moment_2")[n], section.dot(d2), 1e-3 * section.norm());
-    EXPECT_NEAR(f.at("bending_moment_3")[n], section.dot(d3), 1e-3 * section.norm());
-    EXPECT_NEAR(f.at("bending_moment")[n], std::hypot(moment.y(), moment.z()), 1e-3 * moment.norm());
-    EXPECT_NEAR(f.at("torsion_moment")[n], 6000, 5);  // -M about -x at end B is the same twist
+    EXPECT_NEAR(f.at("bending_moment_2")[n], section.dot(d2), 1e-5 * section.norm());
+    EXPECT_NEAR(f.at("bending_moment_3")[n], section.dot(d3), 1e-5 * section.norm());
+    EXPECT_NEAR(f.at("bending_moment")[n], std::hypot(moment.y(), moment.z()), 1e-5 * moment.norm());
+    EXPECT_NEAR(f.at("torsion_moment")[n], 6000, 0.5);  // -M about -x at end B is the same twist
     // Where the type changes: the moment there, and the curvature of the thinner one.
     const size_t c = turned ? 6 : 4;
     const Vec3 there = Vec3(6, 0, 0).cross(tip) + Vec3(3, 0, 0).cross(Vec3(0, 0, -300 * g));
-    EXPECT_NEAR(f.at("bending_moment")[c], there.norm(), 1e-3 * there.norm());
+    EXPECT_NEAR(f.at("bending_moment")[c], there.norm(), 1e-5 * there.norm());
     EXPECT_NEAR(f.at("curvature")[c], there.norm() / 1e10, 0.01 * there.norm() / 1e10);
     // In the middle of the thinner one, from both elements at the node.
     const size_t m = turned ? 3 : 7;
