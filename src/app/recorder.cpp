@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <string_view>
 #include <utility>
 
 #include "hawser/math/so3.hpp"
@@ -52,21 +54,33 @@ Energy saved_energy(const std::function<double(const std::string&)>& get, const 
   return e;
 }
 
+// Both sides of a node, of the registry's field of that name.
+constexpr const char* kBefore = "effective_tension_before";
+constexpr const char* kAfter = "effective_tension_after";
+
 // Fields that a history of a point shows, in this order, when the run has them.
-const std::vector<std::string> kShown = {"effective_tension", "bending_moment", "curvature",
+const std::vector<std::string> kShown = {"effective_tension",    kBefore,          kAfter,
+                                         "shear_force",          "bending_moment", "bending_moment_2",
+                                         "bending_moment_3",     "torsion_moment", "curvature",
                                          "contact_normal_force", "penetration"};
 
-// The extremes of the summary: name, field, largest (or smallest).
+// What the bed, soil, volumes and other lines exert on a node.
+const char* const kCarriers[] = {"seabed_force", "soil_force", "contact_force", "line_contact_force"};
+
+// Of ends: the last is that of beams only.
+const io::ResultField kEnds[] = {{"force", "N", 3}, {"direction", "", 3}, {"moment", "N m", 3}};
+
+// The extremes of the summary: name, field (or two), largest (or smallest).
 struct Wanted {
   const char* quantity;
-  const char* field;
+  std::array<std::string_view, 2> fields;
   bool largest;
 };
-constexpr Wanted kExtremes[] = {{"max effective tension", "effective_tension", true},
-                                {"min effective tension", "effective_tension", false},
-                                {"max curvature", "curvature", true},
-                                {"max bending moment", "bending_moment", true},
-                                {"max penetration", "penetration", true}};
+constexpr Wanted kExtremes[] = {{"max effective tension", {kBefore, kAfter}, true},
+                                {"min effective tension", {kBefore, kAfter}, false},
+                                {"max curvature", {"curvature"}, true},
+                                {"max bending moment", {"bending_moment"}, true},
+                                {"max penetration", {"penetration"}, true}};
 
 // Beside those of the terms in a checkpoint.
 const std::string kClashRecords = "clash report";
@@ -79,24 +93,43 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     : comm_(comm),
       sim_(simulation),
       registry_(simulation.system().fields()),
+      end_forces_(simulation.system()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)) {
   const model::Case& c = sim_.model();
   const LocalMesh& local = sim_.local();
   fields_ = {{"position", "m", 3}, {"velocity", "m/s", 3}};
   for (const FieldSource& s : registry_.sources()) fields_.push_back({s.name, s.unit, s.components});
+  if (std::any_of(fields_.begin(), fields_.end(),
+                  [](const auto& f) { return f.name == "effective_tension"; }))
+    for (const char* side : {kBefore, kAfter}) fields_.push_back({side, "N", 1});
   for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
   auto find = [&](const std::string& name) {
     for (size_t i = 0; i < fields_.size(); ++i)
       if (fields_[i].name == name) return static_cast<int>(i);
     return -1;
   };
-  tension_ = find("effective_tension"), wall_ = find("wall_tension"), moment_ = find("bending_moment"),
-  curvature_ = find("curvature");
-  penetration_ = find("penetration"), contact_ = find("contact_force");
+  tension_ = find("effective_tension"), before_ = find(kBefore), after_ = find(kAfter);
+  wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
+  moment_ = find("bending_moment"), moment_2_ = find("bending_moment_2"),
+  moment_3_ = find("bending_moment_3");
+  for (const char* name : kCarriers)
+    if (const int f = find(name); f >= 0) carriers_.push_back(f);
+  ends_.resize(moment_ >= 0 ? 3 : 2);
+  const bool points = std::any_of(c.output.histories.begin(), c.output.histories.end(),
+                                  [](const auto& h) { return h.body.empty(); });
+  const auto among = [](const auto& names, const std::string& name) {
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+  };
+  for (const FieldSource& s : registry_.sources())
+    every_step_.push_back(s.name == "effective_tension" || among(kCarriers, s.name) ||
+                          (points && among(kShown, s.name)) ||
+                          std::any_of(std::begin(kExtremes), std::end(kExtremes),
+                                      [&](const Wanted& w) { return among(w.fields, s.name); }));
 
   io::ResultContents contents;
   contents.run = run;
   contents.fields = fields_;
+  contents.end_fields.assign(kEnds, kEnds + ends_.size());
   contents.volumes = std::move(volumes);
   contents.xdmf = c.output.xdmf;
   const Mesh& mesh = sim_.mesh();
@@ -125,10 +158,16 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     const int node = mesh.nearest_node(c.line_index(h.line), h.at);
     Point p;
     if (const int n = local.find(node); n < local.owned) p.owned = n;
+    const LineSpan& span = mesh.lines[static_cast<size_t>(c.line_index(h.line))];
+    const bool at_end = node == span.first_node || node == span.first_node + span.nodes - 1;
+    if (p.owned >= 0 && at_end) p.end = end_forces_.end_at(p.owned);
     points_.push_back(p);
     io::ResultSeries series{h.name, {{"position", "m", 3}, {"velocity", "m/s", 3}}};
     for (const std::string& name : kShown)
       if (const int f = find(name); f >= 0) series.columns.push_back(fields_[static_cast<size_t>(f)]);
+    if (at_end)
+      for (const io::ResultField& f : contents.end_fields)
+        series.columns.push_back({"end_" + f.name, f.unit, f.components});
     contents.series.push_back(std::move(series));
   }
   for (io::ResultSeries& s : clearances_.series()) contents.series.push_back(std::move(s));
@@ -151,56 +190,67 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
              : io::ResultsFile::create(comm, c.output.file, std::move(contents), std::move(owned)));
 }
 
-void Recorder::fill(const Kinematics& at) {
-  if (filled_ == at.time) return;
+// Fields that neither histories nor extremes show are for outputs alone.
+void Recorder::fill(const Kinematics& at, bool all) {
   const size_t owned = static_cast<size_t>(sim_.local().owned);
   for (size_t n = 0; n < owned; ++n)
     for (size_t k = 0; k < 3; ++k) {
       values_[0][3 * n + k] = at.x[n][static_cast<Eigen::Index>(k)];
       values_[1][3 * n + k] = at.v[n][static_cast<Eigen::Index>(k)];
     }
-  for (size_t f = 0; f < registry_.sources().size(); ++f) registry_.sources()[f].fill(at, values_[f + 2]);
+  for (size_t f = 0; f < registry_.sources().size(); ++f)
+    if (all || every_step_[f]) registry_.sources()[f].fill(at, values_[f + 2]);
+  for (const int side : {before_, after_})
+    if (side >= 0) values_[static_cast<size_t>(side)] = values_[static_cast<size_t>(tension_)];
   correct_ends(at);
-  filled_ = at.time;
 }
 
-// An element's tension is that of its middle. At a line's end it is what balances the support, if there is
-// one, and what else acts at the node. The wall's goes with it: the pressures are those of the node already.
+// An element's tension is that of its middle, its moments leave out the load along it. At the ends of a line,
+// and where tension may jump, the values are those of the forces there (docs/theory/end-forces.md). The
+// wall's tension goes with the effective one: the pressures are those of the node already.
 void Recorder::correct_ends(const Kinematics& at) {
-  if (tension_ < 0) return;
   const LocalMesh& local = sim_.local();
-  // Those of dynamics are there after a restart as well.
-  const std::vector<double>& reactions =
-      sim_.model().dynamics.enabled ? sim_.dynamics().reactions() : sim_.system().reactions();
-  auto& tension = values_[static_cast<size_t>(tension_)];
-  for (const LocalElement& e : local.elements) {
-    const Element& g = sim_.mesh().elements[static_cast<size_t>(e.global)];
-    const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(g.line)];
-    const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
-    for (const bool first : {true, false}) {
-      const int node = first ? e.first : e.second;
-      const bool end = first ? g.first == span.first_node : g.second == span.first_node + span.nodes - 1;
-      if (!end || node >= local.owned) continue;
-      const size_t n = static_cast<size_t>(node), b = static_cast<size_t>(local.block[n]);
-      Vec3 force = Vec3::Zero();
-      const unsigned char held = sim_.system().supports().held()[b];
-      for (int c = 0; c < 3; ++c)
-        if (held >> c & 1) force[c] = reactions[3 * b + static_cast<size_t>(c)];
-      for (const auto& term : sim_.system().terms()) force += term->node_force(at, node);
-      if (contact_ >= 0 && sim_.contact())
-        force += Eigen::Map<const Vec3>(values_[static_cast<size_t>(contact_)].data() + 3 * n);
-      const Vec3 tangent = g.beam ? Vec3(at.q[n] * Vec3::UnitX()) : Vec3((at.x[j] - at.x[i]).normalized());
-      const double pull = (first ? -1 : 1) * force.dot(tangent);
-      const double middle = std::exchange(tension[n], g.beam ? pull : std::max(pull, 0.0));
-      if (wall_ >= 0) values_[static_cast<size_t>(wall_)][n] += tension[n] - middle;
+  std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
+  for (const int f : carriers_)
+    for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
+      carried[n] += Eigen::Map<const Vec3>(values_[static_cast<size_t>(f)].data() + 3 * n).cwiseAbs();
+  if (!carriers_.empty()) sim_.system().spread(carried);
+  // At the start of a run in time there is no step yet, but what acts is that of motion: waves.
+  Kinematics now = at;
+  if (sim_.model().dynamics.enabled && now.step == 0) now.step = sim_.dynamics().control().wish();
+  end_forces_.evaluate(now, carried);
+
+  for (auto& e : ends_) e.clear();
+  for (const EndForces::Place& p : end_forces_.places()) {
+    const size_t n = static_cast<size_t>(p.node);
+    const auto larger = [&p](auto&& of) {
+      const double a = of(p.sides[0]), b = of(p.sides[1]);
+      return std::abs(a) > std::abs(b) ? a : b;
+    };
+    const auto put = [&](int field, double value) {
+      return field < 0 ? 0 : std::exchange(values_[static_cast<size_t>(field)][n], value);
+    };
+    put(before_, p.sides[0].tension()), put(after_, p.sides[1].tension());
+    const double tension = larger([](const SectionForce& s) { return s.tension(); });
+    const double middle = put(tension_, tension);
+    if (wall_ >= 0) values_[static_cast<size_t>(wall_)][n] += tension - middle;
+    if (p.sides[0].beam || p.sides[1].beam) {
+      const auto moment = [&](int axis) {
+        return larger([&](const SectionForce& s) { return s.moment.dot(at.q[n] * Vec3::Unit(axis)); });
+      };
+      put(shear_, larger([](const SectionForce& s) { return s.shear(); }));
+      put(torsion_, moment(0)), put(moment_2_, moment(1)), put(moment_3_, moment(2));
+      put(moment_,
+          larger([&](const SectionForce& s) { return s.moment.cross(at.q[n] * Vec3::UnitX()).norm(); }));
     }
+    if (p.end < 0) continue;
+    const SectionForce& s = p.at_end();
+    const Vec3 rows[] = {p.sign() * s.force, s.direction, p.sign() * s.moment};
+    for (size_t f = 0; f < ends_.size(); ++f) ends_[f].insert(ends_[f].end(), rows[f].begin(), rows[f].end());
   }
 }
 
-void Recorder::start(double, const Kinematics& at) {
-  start_ = sum(comm_, sim_.system().energy(at));
-  filled_ = -1;
-}
+void Recorder::start(double, const Kinematics& at) { start_ = sum(comm_, sim_.system().energy(at)); }
 
 // Empty on ranks that do not own the body.
 std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
@@ -218,7 +268,7 @@ std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
 }
 
 void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work) {
-  fill(at);
+  fill(at, false);
   Energy share = sim_.system().energy(at);
   share.work += support_work;
   if (audit_.update(start_, sum(comm_, share), info.time, info.h) && info.h > 0) find_worst();
@@ -235,6 +285,9 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
       for (const std::string& name : kShown)
         for (size_t f = 2; f < fields_.size(); ++f)
           if (fields_[f].name == name) row.push_back(values_[f][n]);
+      if (p.end >= 0)
+        for (const auto& of : ends_)
+          row.insert(row.end(), of.begin() + 3 * p.end, of.begin() + 3 * p.end + 3);
     }
     rows.push_back(std::move(row));
   }
@@ -254,16 +307,15 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
 
   const LocalMesh& local = sim_.local();
   for (const Wanted& w : kExtremes) {
-    int field = -1;
-    for (size_t f = 2; f < fields_.size(); ++f)
-      if (fields_[f].name == w.field) field = static_cast<int>(f);
-    if (field < 0) continue;
-    const auto& v = values_[static_cast<size_t>(field)];
-    for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
-      const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
-      if (node.body >= 0) break;
-      Extreme& x = extremes_[static_cast<size_t>(node.line)][w.quantity];
-      if (!x.set || (w.largest ? v[n] > x.value : v[n] < x.value)) x = {v[n], info.time, node.arc, true};
+    for (size_t f = 2; f < fields_.size(); ++f) {
+      if (std::find(w.fields.begin(), w.fields.end(), fields_[f].name) == w.fields.end()) continue;
+      const auto& v = values_[f];
+      for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
+        const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
+        if (node.body >= 0) break;
+        Extreme& x = extremes_[static_cast<size_t>(node.line)][w.quantity];
+        if (!x.set || (w.largest ? v[n] > x.value : v[n] < x.value)) x = {v[n], info.time, node.arc, true};
+      }
     }
   }
 }
@@ -321,8 +373,8 @@ std::vector<io::BodyPose> Recorder::poses(const Kinematics& at) const {
 }
 
 void Recorder::output(double time, const Kinematics& at) {
-  fill(at);
-  file_->write_output(time, values_, poses(at), clashes_ ? clashes_->take() : io::ClashTables{});
+  fill(at, true);
+  file_->write_output(time, values_, poses(at), clashes_ ? clashes_->take() : io::ClashTables{}, ends_);
 }
 
 std::vector<io::SummaryRow> Recorder::summary() const {
@@ -345,7 +397,7 @@ std::vector<io::SummaryRow> Recorder::summary() const {
       MPI_Bcast(x, 3, MPI_DOUBLE, best.rank, comm_);
       std::string unit;
       for (const auto& f : fields_)
-        if (f.name == w.field) unit = f.unit;
+        if (f.name == w.fields[0]) unit = f.unit;
       rows.push_back({w.quantity, sim_.model().lines[l].name, x[0], unit, x[1], x[2]});
     }
   return rows;

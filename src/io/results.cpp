@@ -33,6 +33,8 @@ struct ResultsFile::Impl {
   ResultContents contents;
   std::vector<int> owned;
   std::vector<RowRun> runs;
+  std::vector<int> ends;  // owned; number 2 l is end A of line l, 2 l + 1 its end B
+  std::vector<RowRun> end_runs;
   ResultRoom room;
   ResultCount count;
   long long sequence = 0;  // of the newest checkpoint
@@ -222,6 +224,13 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents w
       owned(std::move(nodes)),
       runs(runs_of({owned.begin(), std::lower_bound(owned.begin(), owned.end(), contents.nodes_total())})) {
   check_contents(contents);
+  for (size_t l = 0; l < contents.lines.size(); ++l)
+    for (const int end : {0, 1}) {
+      const ResultLine& line = contents.lines[l];
+      const int node = line.first_node + (end ? line.nodes - 1 : 0);
+      if (std::binary_search(owned.begin(), owned.end(), node)) ends.push_back(2 * static_cast<int>(l) + end);
+    }
+  end_runs = runs_of(ends);
   const size_t slash = path.rfind('/'), name = slash == std::string::npos ? 0 : slash + 1;
   const size_t dot = path.rfind('.');
   xdmf_path = path.substr(0, dot == std::string::npos || dot < name ? path.size() : dot) + ".xdmf";
@@ -328,7 +337,8 @@ void ResultsFile::append_series(double time, const std::vector<std::vector<doubl
 }
 
 void ResultsFile::write_output(double time, const std::vector<std::vector<double>>& fields,
-                               std::span<const BodyPose> poses, const ClashTables& clashes) {
+                               std::span<const BodyPose> poses, const ClashTables& clashes,
+                               const std::vector<std::vector<double>>& ends) {
   auto& m = *impl_;
   const auto& c = m.contents;
   m.file.attempt([&] {
@@ -337,6 +347,10 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
     for (size_t i = 0; i < fields.size(); ++i)
       if (fields[i].size() != m.owned.size() * static_cast<size_t>(c.fields[i].components))
         throw std::logic_error("results: field " + c.fields[i].name + " has the wrong size");
+    if (ends.size() != c.end_fields.size()) throw std::logic_error("results: fields of ends are missing");
+    for (size_t i = 0; i < ends.size(); ++i)
+      if (ends[i].size() != m.ends.size() * static_cast<size_t>(c.end_fields[i].components))
+        throw std::logic_error("results: field " + c.end_fields[i].name + " of ends has the wrong size");
   });
   m.file.agree();
   ClashRoom rows{0, 0};
@@ -347,6 +361,8 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   for (size_t i = 0; i < fields.size(); ++i)
     m.file.write_runs("fields/" + safe_name(c.fields[i].name), H5T_NATIVE_DOUBLE, row, m.runs,
                       fields[i].data());
+  for (size_t i = 0; i < ends.size(); ++i)
+    m.file.write_runs("ends/" + c.end_fields[i].name, H5T_NATIVE_DOUBLE, row, m.end_runs, ends[i].data());
   m.write_bodies(row, poses);
   if (c.clashes) m.write_clashes(row, clashes, rows);
   m.commit({row + 1, m.count.steps + steps});

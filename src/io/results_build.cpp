@@ -93,6 +93,7 @@ void write_description(hid_t file, const ResultContents& c) {
 
 void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room) {
   for (const char* name : {"outputs", "fields", "series"}) h5::group(file, name);
+  if (!c.end_fields.empty()) h5::group(file, "ends");
   for (const auto& s : row_sets(c)) {
     h5::Shape shape{static_cast<hsize_t>(s.by_step ? room.steps : room.outputs)};
     shape.insert(shape.end(), s.tail.begin(), s.tail.end());
@@ -296,6 +297,12 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
     if (f.components > 1) tail.push_back(static_cast<hsize_t>(f.components));
     sets.push_back({"fields/" + safe_name(f.name), false, H5T_IEEE_F64LE, tail, f.unit});
   }
+  for (const auto& f : c.end_fields)
+    sets.push_back({"ends/" + f.name,
+                    false,
+                    H5T_IEEE_F64LE,
+                    {2 * c.lines.size(), static_cast<hsize_t>(f.components)},
+                    f.unit});
   if (c.clashes) sets.push_back({kClashCounts, false, H5T_STD_I64LE, {2}, ""});
   sets.push_back({"bodies/position", false, H5T_IEEE_F64LE, {c.bodies.size(), 3}, "m"});
   sets.push_back({"bodies/rotation", false, H5T_IEEE_F64LE, {c.bodies.size(), 4}, "quaternion w x y z"});

@@ -354,6 +354,7 @@ BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamE
   kinematics(s, r, e, s.beta > 0, o);
   BeamStress out;
   out.tension = o.N;
+  out.shear = std::hypot(o.m2, o.m3) / s.length;
   const Row p = o.psi - load(r.psi);
   const double axial = s.tension ? 2 * o.axial_energy : s.EA * o.strain * o.strain;
   out.strain_energy = 0.5 * s.length * axial;

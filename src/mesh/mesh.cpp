@@ -40,6 +40,22 @@ void join(const model::Case& c, Mesh& m) {
   }
 }
 
+void mark_two_sided(const model::Case& c, Mesh& m) {
+  for (size_t e = 1; e < m.elements.size(); ++e)
+    if (m.elements[e].line == m.elements[e - 1].line && m.elements[e].type != m.elements[e - 1].type)
+      m.nodes[static_cast<size_t>(m.elements[e].first)].two_sided = true;
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const LineSpan& span = m.lines[l];
+    const auto attach = [&](double at) {
+      const int n = m.nearest_node(static_cast<int>(l), at);
+      if (n > span.first_node && n < span.first_node + span.nodes - 1)
+        m.nodes[static_cast<size_t>(n)].two_sided = true;
+    };
+    for (const model::PointMass& p : c.lines[l].masses) attach(p.at);
+    for (const model::PointLoad& p : c.lines[l].point_loads) attach(p.at);
+  }
+}
+
 }  // namespace
 
 Mesh build_mesh(const model::Case& c) {
@@ -79,6 +95,7 @@ Mesh build_mesh(const model::Case& c) {
     m.lines.push_back(span);
   }
   join(c, m);
+  mark_two_sided(c, m);
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     m.bodies.push_back(c.bodies[b].name);
     if (!c.bodies[b].mass) continue;

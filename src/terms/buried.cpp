@@ -96,12 +96,6 @@ Energy BuriedTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-Vec3 BuriedTerm::node_force(const Kinematics&, int node) const {
-  for (const Point& p : points_)
-    if (p.node == node) return p.force;
-  return Vec3::Zero();
-}
-
 void BuriedTerm::fields(FieldRegistry& registry) const {
   registry.add({"soil_force", "N", 3, [this](const Kinematics&, std::span<double> out) {
                   std::fill(out.begin(), out.end(), 0.0);

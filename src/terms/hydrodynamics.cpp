@@ -63,11 +63,12 @@ void Hydrodynamics::look(const Kinematics& at, std::vector<Water>& out) const {
   for (size_t n = 0; n < at.x.size(); ++n) out[n] = water(at, n);
 }
 
-WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const std::vector<Water>& water) const {
+WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& first,
+                              const Water& second) const {
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
   WaterEnds e;
   e.x1 = k.x[i], e.x2 = k.x[j];
-  e.water1 = water[i], e.water2 = water[j];
+  e.water1 = first, e.water2 = second;
   MassEnds& m = e.motion;
   m.a1 = k.a[i], m.a2 = k.a[j], m.v1 = k.v[i], m.v2 = k.v[j];
   if (!p.beam) return e;
@@ -234,19 +235,22 @@ double Hydrodynamics::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-Vec3 Hydrodynamics::node_force(const Kinematics& at, int node) const {
-  Vec3 sum = Vec3::Zero();
-  const size_t n = static_cast<size_t>(node);
-  for (const Ball& b : balls_)
-    if (b.node == node) {
-      Vec3 f;
-      ball_water(b.ball, at.x[n], at.v[n], at.a[n], water(at, n), f, nullptr, nullptr, nullptr);
-      sum -= f;
-    }
-  return sum;
+void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+  const Piece* p = of_element(pieces_, e);
+  if (!p) return;
+  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  const Water first = water(at, i), second = water(at, j);
+  double own[12];
+  if (p->beam)
+    beam_water_force(p->section, ends(*p, at, first, second), own);
+  else
+    cable_in_water_force(p->section, {at.x[i], at.x[j], at.v[i], at.v[j], at.a[i], at.a[j], first, second},
+                         own);
+  add_ends(own, p->beam, f);
 }
 
-// Of the wall: effective tension, and the pressures on the ends that it stands for (Sparks 1984).
+// Of the wall: effective tension, and the pressures on the ends that it stands for (Sparks 1984). Where the
+// type changes it is the larger one's own.
 void Hydrodynamics::fields(FieldRegistry& registry) const {
   std::function<void(const Kinematics&, std::span<double>)> effective;
   for (const FieldSource& f : registry.sources())
@@ -262,8 +266,15 @@ void Hydrodynamics::fields(FieldRegistry& registry) const {
                       const double depth = sea_.surface - k.x[n].z();
                       const double out_ = sea_.density * sea_.gravity * std::max(depth, 0.0);
                       const double in = p.pressure + p.contents * sea_.gravity * depth;
+                      const double more = p.inside * in - p.outside * out_;
+                      if (mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[n])].two_sided) {
+                        if (weight[n] == 0 || std::abs(out[n] + more) > std::abs(out[n] + sum[n]))
+                          sum[n] = more;
+                        weight[n] = 1;
+                        continue;
+                      }
                       weight[n] += 1 / p.section.length;
-                      sum[n] += (p.inside * in - p.outside * out_) / p.section.length;
+                      sum[n] += more / p.section.length;
                     }
                   for (size_t n = 0; n < out.size(); ++n)
                     if (weight[n] > 0) out[n] += sum[n] / weight[n];

@@ -111,6 +111,18 @@ void LineMassTerm::evaluate(const Kinematics& trial, Sink& sink) {
   }
 }
 
+void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+  const Piece* p = of_element(pieces_, e);
+  if (!p) return;
+  double own[12];
+  if (p->beam)
+    beam_mass_force(p->section, ends(*p, at), load(*p, at.time), own);
+  else
+    cable_mass_force(p->section, at.a[static_cast<size_t>(e.first)], at.a[static_cast<size_t>(e.second)],
+                     load(*p, at.time), own);
+  add_ends(own, p->beam, f);
+}
+
 void LineMassTerm::prepare(const Kinematics& committed, double) {
   if (ramped_.empty()) return;
   committed_.x.assign(committed.x.begin(), committed.x.end());

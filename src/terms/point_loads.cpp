@@ -114,13 +114,6 @@ Energy PointLoads::energy(const Kinematics& at) const {
   return e;
 }
 
-Vec3 PointLoads::node_force(const Kinematics& at, int node) const {
-  Vec3 sum = Vec3::Zero();
-  for (const NodeLoad& l : loads_)
-    if (l.node == node) sum += factor(l, at.time) * l.force;
-  return sum;
-}
-
 double PointLoads::dead_load() const {
   double sum = 0;
   for (size_t i = 0; i < loads_.size(); ++i)
@@ -162,13 +155,6 @@ void PointMasses::evaluate(const Kinematics& trial, Sink& sink) {
     const double M[9] = {m, 0, 0, 0, m, 0, 0, 0, m};
     sink.add({&block_[i], 1}, force.data(), nullptr, nullptr, M);
   }
-}
-
-Vec3 PointMasses::node_force(const Kinematics& at, int node) const {
-  Vec3 sum = Vec3::Zero();
-  for (const NodeMass& m : masses_)
-    if (m.node == node) sum -= m.mass * (at.a[static_cast<size_t>(node)] + gravity_ * Vec3::UnitZ());
-  return sum;
 }
 
 double PointMasses::dead_load() const {

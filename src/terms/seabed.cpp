@@ -218,7 +218,7 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-Vec3 SeabedTerm::node_force(const Kinematics&, int node) const {
+Vec3 SeabedTerm::node_force(int node) const {
   Vec3 sum = Vec3::Zero();
   for (const Point& p : points_)
     if (const double part = share(p, node); part > 0) sum += part * p.history.force;

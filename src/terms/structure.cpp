@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "hawser/math/so3.hpp"
 #include "hawser/mesh/arc.hpp"
 #include "hawser/model/case.hpp"
 
@@ -241,52 +242,75 @@ void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
   }
 }
 
+// Both lists are in the order of the mesh.
+void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+  if (const Beam* b = of_element(beams_, e)) {
+    double own[12];
+    beam_force(b->section, b->reference, ends(*b, at), own);
+    for (int i = 0; i < 12; ++i) f[i] += own[i];
+  } else if (const Cable* c = of_element(cables_, e)) {
+    const Vec3 pull = cable_pull(c->section, ends(*c, at));
+    for (int i = 0; i < 3; ++i) f[i] -= pull[i], f[6 + i] += pull[i];
+  }
+}
+
 void StructureTerm::fields(FieldRegistry& registry) const {
   // Between the middles of the elements at a node, by their lengths; a beam's moments are its own end values.
-  auto at_nodes = [this](int components, auto&& of_beam, auto&& of_cable) {
-    return [this, components, of_beam, of_cable](const Kinematics& k, std::span<double> out) {
+  // Where the two elements may differ it is the larger one's own, no mean.
+  auto at_nodes = [this](auto&& of_beam, auto&& of_cable) {
+    return [this, of_beam, of_cable](const Kinematics& k, std::span<double> out) {
       std::fill(out.begin(), out.end(), 0.0);
       std::vector<double> weights(static_cast<size_t>(mesh_.owned), 0);
-      auto put = [&](int node, const Vec3& value, double length) {
+      auto put = [&](int node, double value, double length) {
         if (node >= mesh_.owned) return;
-        weights[static_cast<size_t>(node)] += 1 / length;
-        for (int c = 0; c < components; ++c)
-          out[static_cast<size_t>(node * components + c)] += value[c] / length;
+        const size_t n = static_cast<size_t>(node);
+        if (mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[n])].two_sided) {
+          if (std::abs(value) > std::abs(out[n])) out[n] = value;
+          return;
+        }
+        weights[n] += 1 / length, out[n] += value / length;
       };
       for (const Beam& b : beams_) {
-        const BeamStress s = beam_stress(b.section, b.reference, ends(b, k));
-        put(b.at.first, of_beam(s, 0), b.section.length), put(b.at.second, of_beam(s, 1), b.section.length);
+        const BeamEnds e = ends(b, k);
+        const BeamStress s = beam_stress(b.section, b.reference, e);
+        put(b.at.first, of_beam(s, e, 0), b.section.length);
+        put(b.at.second, of_beam(s, e, 1), b.section.length);
       }
       for (const Cable& c : cables_) {
         const CableStress s = cable_stress(c.section, ends(c, k));
         put(c.at.first, of_cable(s), c.section.length), put(c.at.second, of_cable(s), c.section.length);
       }
       for (size_t n = 0; n < weights.size(); ++n)
-        for (size_t c = 0; c < static_cast<size_t>(components); ++c)
-          out[n * static_cast<size_t>(components) + c] /= weights[n];
+        if (weights[n] > 0) out[n] /= weights[n];
     };
   };
-  auto nothing = [](const CableStress&) { return Vec3(0, 0, 0); };
+  auto nothing = [](const CableStress&) { return 0.0; };
   registry.add({"effective_tension", "N", 1,
-                at_nodes(
-                    1, [](const BeamStress& s, int) { return Vec3(s.tension, 0, 0); },
-                    [](const CableStress& s) { return Vec3(s.tension, 0, 0); })});
+                at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.tension; },
+                         [](const CableStress& s) { return s.tension; })});
   // Of the whole model, not of this rank: all ranks write the same fields.
   const auto& all = mesh_.mesh->elements;
   if (std::none_of(all.begin(), all.end(), [](const Element& e) { return e.beam; })) return;
+  registry.add({"shear_force", "N", 1,
+                at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.shear; }, nothing)});
   // Magnitudes are taken element by element, so that torsion of the axes between neighbours does not matter.
   registry.add({"bending_moment", "N m", 1,
-                at_nodes(
-                    1,
-                    [](const BeamStress& s, int end) {
-                      return Vec3((end ? s.moment2 : s.moment1).tail<2>().norm(), 0, 0);
-                    },
-                    nothing)});
-  registry.add(
-      {"torsion_moment", "N m", 1,
-       at_nodes(
-           1, [](const BeamStress& s, int end) { return Vec3((end ? s.moment2 : s.moment1).x(), 0, 0); },
-           nothing)});
+                at_nodes([](const BeamStress& s, const BeamEnds&,
+                            int end) { return (end ? s.moment2 : s.moment1).tail<2>().norm(); },
+                         nothing)});
+  // The element's axes are half way between those of its nodes, whose the components are.
+  for (const int axis : {1, 2})
+    registry.add({axis == 1 ? "bending_moment_2" : "bending_moment_3", "N m", 1,
+                  at_nodes(
+                      [axis](const BeamStress& s, const BeamEnds& e, int end) {
+                        const Quat half = exp_so3((end ? -0.5 : 0.5) * log_so3(e.q1.conjugate() * e.q2));
+                        return (half * (end ? s.moment2 : s.moment1))[axis];
+                      },
+                      nothing)});
+  registry.add({"torsion_moment", "N m", 1,
+                at_nodes([](const BeamStress& s, const BeamEnds&,
+                            int end) { return (end ? s.moment2 : s.moment1).x(); },
+                         nothing)});
   // Two of three: a rotation vector would jump where it comes to half a turn.
   for (const int axis : {0, 1})
     registry.add(
@@ -298,12 +322,9 @@ void StructureTerm::fields(FieldRegistry& registry) const {
            }
          }});
   registry.add({"curvature", "1/m", 1,
-                at_nodes(
-                    1,
-                    [](const BeamStress& s, int end) {
-                      return Vec3((end ? s.curvature2 : s.curvature1).tail<2>().norm(), 0, 0);
-                    },
-                    nothing)});
+                at_nodes([](const BeamStress& s, const BeamEnds&,
+                            int end) { return (end ? s.curvature2 : s.curvature1).tail<2>().norm(); },
+                         nothing)});
 }
 
 }  // namespace hawser

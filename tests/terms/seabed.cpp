@@ -110,7 +110,7 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
       s.x = {Vec3(0, 0, -90 + 0.2 - deep), Vec3(2, 0, 0)};
       term.prepare(s.view(step), step);
       term.commit(s.view(step));
-      return std::pair(term.node_force(s.view(step), 0).z(), term.energy(s.view(step)).strain);
+      return std::pair(term.node_force(0).z(), term.energy(s.view(step)).strain);
     };
     EXPECT_EQ(at(-1e-6, 0).first, 0);
     for (const auto& [deep, force] : rows) EXPECT_NEAR(at(deep, 0.1).first, share * force, 1e-9);
@@ -134,7 +134,7 @@ void expect_suction(const Bed& shape) {
   OneNode n(shape, law), copy(shape, law);
   const auto force = [&](double gap, OneNode& of) {
     of.go({0, 0, 0.1 + gap});
-    return of.bed->node_force(of.state.view(of.h), 0).z();
+    return of.bed->node_force(0).z();
   };
   EXPECT_NEAR(force(-0.004, n), 400, 1e-9);
   EXPECT_NEAR(force(-0.003, n), 300 - 500 * 16 * 0.01 * 0.81, 1e-9);
@@ -320,11 +320,11 @@ TEST(SeabedShapes, SlopesAreTheSame) {
     const double t = 0.1 * i, x = 20 * std::sin(t), y = 15 * std::cos(1.7 * t);
     const Vec3 p = Vec3(x, y, slope(x, y)) + (0.0985 + 0.01 * std::sin(3 * t)) * plane.normal;
     const Vec3 f = formula.go(p);
-    const Vec3 all = formula.bed->node_force(formula.state.view(0.1), 0);
+    const Vec3 all = formula.bed->node_force(0);
     EXPECT_LT((grid.go(p) - f).norm(), 1e-6) << i;
     EXPECT_LT((mesh.go(p) - f).norm(), 1e-6) << i;
-    EXPECT_LT((grid.bed->node_force(grid.state.view(0.1), 0) - all).norm(), 1e-6) << i;
-    EXPECT_LT((mesh.bed->node_force(mesh.state.view(0.1), 0) - all).norm(), 1e-6) << i;
+    EXPECT_LT((grid.bed->node_force(0) - all).norm(), 1e-6) << i;
+    EXPECT_LT((mesh.bed->node_force(0) - all).norm(), 1e-6) << i;
   }
 }
 
@@ -342,8 +342,7 @@ TEST(SeabedShapes, AnswersDoNotDependOnTheWay) {
     walker.go(p);
     OneNode fresh(std::shared_ptr<const Surface>(bed), law);
     fresh.go(p);
-    const Vec3 a = walker.bed->node_force(walker.state.view(0.1), 0),
-               b = fresh.bed->node_force(fresh.state.view(0.1), 0);
+    const Vec3 a = walker.bed->node_force(0), b = fresh.bed->node_force(0);
     EXPECT_EQ(a, b) << i;
     touching += a.norm() > 0;
   }
@@ -393,7 +392,7 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
       for (size_t n = 0; n < 2; ++n) state.x[n] = Vec3(x + local.global[n], 0, kDeep);
       bed->commit(state.view(0.1));
     }
-    Vec3 force(int node) const { return bed->node_force(state.view(0.1), local.find(node)); }
+    Vec3 force(int node) const { return bed->node_force(local.find(node)); }
   };
   const auto part = [&](const std::vector<int>& owner, int rank) {
     Part p;

@@ -10,6 +10,7 @@
 #include "hawser/app/audit.hpp"
 #include "hawser/app/clash_report.hpp"
 #include "hawser/app/clearances.hpp"
+#include "hawser/app/end_forces.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/io/results.hpp"
 
@@ -52,7 +53,7 @@ class Recorder {
 
  private:
   void restore(const io::Checkpoint& from);
-  void fill(const Kinematics& at);
+  void fill(const Kinematics& at, bool all);
   void find_worst();
   void correct_ends(const Kinematics& at);
   std::vector<io::SummaryRow> summary() const;
@@ -62,13 +63,20 @@ class Recorder {
   MPI_Comm comm_;
   Simulation& sim_;
   FieldRegistry registry_;
-  std::vector<std::vector<double>> values_;  // position, velocity, then the registry's fields
+  std::vector<char> every_step_;  // by field of the registry: wanted at every step, not only at outputs
+  EndForces end_forces_;
+  std::vector<std::vector<double>>
+      values_;                             // position, velocity, the registry's fields, tension of both sides
+  std::vector<std::vector<double>> ends_;  // force, direction, moment, of the owned ends in file order
   std::vector<io::ResultField> fields_;
-  int tension_ = -1, wall_ = -1, moment_ = -1, curvature_ = -1, penetration_ = -1,
-      contact_ = -1;  // among values_
+  // Among values_.
+  int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
+      moment_2_ = -1, moment_3_ = -1;
+  std::vector<int> carriers_;  // likewise
   struct Point {
     int owned = -1;  // local node when this rank has it
     int body = -1;   // of the case, when it is one
+    int end = -1;    // when it is one that this rank has: its place in ends_
   };
   std::vector<Point> points_;
   std::vector<std::map<std::string, Extreme>> extremes_;  // by line, of this rank's nodes
@@ -77,8 +85,7 @@ class Recorder {
   std::unique_ptr<io::ResultsFile> file_;
   Audit audit_;
   std::vector<std::string> warnings_;
-  Energy start_;        // energies at the start of the run, that of before all restarts
-  double filled_ = -1;  // time the values belong to
+  Energy start_;  // energies at the start of the run, that of before all restarts
 };
 
 }  // namespace hawser::app

@@ -60,6 +60,8 @@ struct ResultContents {
   RunInfo run;
   std::vector<ResultLine> lines;
   std::vector<ResultField> fields;  // node fields; `position` [m, 3 components] is always there, first
+  // Of the ends of lines; end number 2 l is end A of line l, 2 l + 1 its end B.
+  std::vector<ResultField> end_fields;
   std::vector<ResultSeries> series;
   std::vector<std::string> bodies;
   std::vector<VolumeMesh> volumes;
@@ -108,10 +110,12 @@ class ResultsFile {
 
   // Node fields at `time` [s], owned nodes x components (those of bodies are left out), in the order of
   // contents.fields (position
-  // first), with one pose a body (same on all ranks). When it returns, the output and the series rows
-  // so far survive the death of the program.
+  // first), with one pose a body (same on all ranks). ends: likewise, contents.end_fields of the ends whose
+  // nodes this rank owns, ascending. When it returns, the output and the series rows so far survive the death
+  // of the program.
   void write_output(double time, const std::vector<std::vector<double>>& fields,
-                    std::span<const BodyPose> poses, const ClashTables& clashes = {});
+                    std::span<const BodyPose> poses, const ClashTables& clashes = {},
+                    const std::vector<std::vector<double>>& ends = {});
 
   // When it returns, read_checkpoint() gives this one; until then, the one before.
   void write_checkpoint(const Checkpoint& checkpoint);

@@ -51,6 +51,7 @@ struct BeamEnds {
 // What an engineer reads off the element: tension and, at both ends, torsion and bending in element axes.
 struct BeamStress {
   double tension = 0;           // N, mean over the element
+  double shear = 0;             // N, size of the shear force in its middle: the change of the moment
   double strain_energy = 0;     // J
   double dissipation = 0;       // W
   Vec3 moment1, moment2;        // N m, (torsion, about 2, about 3)

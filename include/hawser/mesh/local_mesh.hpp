@@ -46,6 +46,21 @@ struct LocalMesh {
   }
 };
 
+// What a term keeps of an element, or null; `kept` lie in the order of LocalMesh::elements, each with its
+// element as `at`.
+template <class Kept>
+const Kept* of_element(const std::vector<Kept>& kept, const LocalElement& e) {
+  const auto at = std::lower_bound(kept.begin(), kept.end(), e.global,
+                                   [](const Kept& k, int global) { return k.at.global < global; });
+  return at != kept.end() && at->at.global == e.global ? &*at : nullptr;
+}
+
+// Adds a beam's residual (x1, theta1, x2, theta2), or a cable's (x1, x2), to f[12], which is laid out as a
+// beam's.
+inline void add_ends(const double* own, bool beam, double* f) {
+  for (int i = 0; i < (beam ? 12 : 6); ++i) f[beam || i < 3 ? i : i + 3] += own[i];
+}
+
 // Makes the coupling ghosts those of `nodes` (of the mesh, sorted) that are no local nodes already. Local
 // nodes and blocks before them keep their numbers.
 void set_coupling_ghosts(LocalMesh& mesh, std::span<const int> nodes);

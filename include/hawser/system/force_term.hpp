@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/kernels/impact.hpp"
+#include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/couplings.hpp"
 #include "hawser/system/field_registry.hpp"
@@ -105,9 +106,11 @@ class ForceTerm {
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const { return 0; }
 
-  // What this term, if it acts at nodes, exerts on a local node, N, space axes; inertia counts as a force.
-  virtual Vec3 node_force(const Kinematics& at, int node) const {
-    return (void)at, (void)node, Vec3(0, 0, 0);
+  // Adds what this term, if it belongs to the elements of lines, has in the residual of a local element, from
+  // the state alone: f[12] = (x1, theta1, x2, theta2), forces in space axes [N], moments in material axes
+  // [N m]; of cables no moments. Terms that act at nodes (loads, masses, contact, the bed) add nothing.
+  virtual void element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+    (void)at, (void)e, (void)f;
   }
 
   virtual Energy energy(const Kinematics& at) const { return (void)at, Energy{}; }

@@ -33,7 +33,6 @@ class BuriedTerm final : public ForceTerm {
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  Vec3 node_force(const Kinematics& at, int node) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;

@@ -57,7 +57,7 @@ class Hydrodynamics final : public ForceTerm {
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
-  Vec3 node_force(const Kinematics& at, int node) const override;
+  void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
@@ -84,7 +84,10 @@ class Hydrodynamics final : public ForceTerm {
   Water water(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
   void look(const Kinematics& at, std::vector<Water>& out) const;
-  WaterEnds ends(const Piece& p, const Kinematics& k, const std::vector<Water>& water) const;
+  WaterEnds ends(const Piece& p, const Kinematics& k, const Water& first, const Water& second) const;
+  WaterEnds ends(const Piece& p, const Kinematics& k, const std::vector<Water>& water) const {
+    return ends(p, k, water[static_cast<size_t>(p.at.first)], water[static_cast<size_t>(p.at.second)]);
+  }
   void places(const Piece& p, const Kinematics& k, Vec3* out) const;
   void flow(const Kinematics& at, std::vector<Flow>& out) const;
   static double work(const std::vector<Flow>& from, const std::vector<Flow>& to);

@@ -33,7 +33,6 @@ class PointLoads final : public ForceTerm {
   // ramp (trapezoid). In statics a moment has a potential too, good from the prepared state on only.
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
-  Vec3 node_force(const Kinematics& at, int node) const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
@@ -66,7 +65,6 @@ class PointMasses final : public ForceTerm {
   void evaluate(const Kinematics& trial, Sink& sink) override;
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
-  Vec3 node_force(const Kinematics& at, int node) const override;
 
  private:
   std::vector<NodeMass> masses_;

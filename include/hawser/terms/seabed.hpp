@@ -51,7 +51,8 @@ class SeabedTerm final : public ForceTerm {
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  Vec3 node_force(const Kinematics& at, int node) const override;
+  // Of the bed on a local node in the accepted state, N, space axes.
+  Vec3 node_force(int node) const;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;

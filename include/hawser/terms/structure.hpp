@@ -39,6 +39,7 @@ class StructureTerm final : public ForceTerm {
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
+  void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   double round_off(const Kinematics& at, double h) const override;
   void soften(double most) override;
   double axial_stiffness() const override;

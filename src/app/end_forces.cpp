@@ -1,0 +1,80 @@
+#include "hawser/app/end_forces.hpp"
+
+#include <algorithm>
+
+namespace hawser::app {
+
+double SectionForce::tension() const {
+  const double along = force.dot(direction);
+  return beam ? along : std::max(along, 0.0);
+}
+
+EndForces::EndForces(const System& system) : system_(system) {
+  const LocalMesh& local = system.mesh();
+  const Mesh& mesh = *local.mesh;
+  std::vector<int> at(static_cast<size_t>(local.owned), -1);
+  for (size_t i = 0; i < local.elements.size(); ++i) {
+    const LocalElement& e = local.elements[i];
+    for (const bool second : {false, true}) {
+      const int node = second ? e.second : e.first;
+      if (node >= local.owned) continue;
+      const size_t n = static_cast<size_t>(node);
+      const int global = local.global[n];
+      const Node& g = mesh.nodes[static_cast<size_t>(global)];
+      const LineSpan& span = mesh.lines[static_cast<size_t>(g.line)];
+      int end = -1;
+      if (global == span.first_node) end = 2 * g.line;
+      if (global == span.first_node + span.nodes - 1) end = 2 * g.line + 1;
+      if (end < 0 && !g.two_sided) continue;
+      if (at[n] < 0) at[n] = static_cast<int>(places_.size()), places_.push_back({node, end, -1, -1, {}});
+      Place& p = places_[static_cast<size_t>(at[n])];
+      (second ? p.before : p.after) = static_cast<int>(i);
+    }
+  }
+  std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) { return a.node < b.node; });
+}
+
+int EndForces::end_at(int node) const {
+  int ends = 0;
+  for (const Place& p : places_) {
+    if (p.node == node) return p.end < 0 ? -1 : ends;
+    ends += p.end >= 0;
+  }
+  return -1;
+}
+
+void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
+  for (Place& p : places_) {
+    if (p.before >= 0) p.sides[0] = section(at, p.before, true, carried);
+    if (p.after >= 0) p.sides[1] = section(at, p.after, false, carried);
+    if (p.before < 0) p.sides[0] = p.sides[1];
+    if (p.after < 0) p.sides[1] = p.sides[0];
+  }
+}
+
+SectionForce EndForces::section(const Kinematics& at, int element, bool second,
+                                std::span<const Vec3> carried) const {
+  const LocalMesh& local = system_.mesh();
+  const LocalElement& e = local.elements[static_cast<size_t>(element)];
+  double f[12] = {};
+  for (const auto& term : system_.terms()) term->element_force(at, e, f);
+  const auto part = [&f](int i) { return Vec3(f[3 * i], f[3 * i + 1], f[3 * i + 2]); };
+  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second), n = second ? j : i;
+  SectionForce s;
+  s.beam = local.mesh->elements[static_cast<size_t>(e.global)].beam;
+  s.force = second ? part(2) : Vec3(-part(0));
+  if (s.beam) {
+    s.moment = at.q[n] * (second ? part(3) : Vec3(-part(1)));
+    s.direction = at.q[n] * Vec3::UnitX();
+    return s;
+  }
+  // A cable that hangs freely and is taut points where it pulls; its chord is that of the element's middle.
+  const Vec3 chord = (at.x[j] - at.x[i]).normalized();
+  const double middle = 0.5 * (part(2) - part(0)).norm();
+  const bool hangs = carried[i].isZero(0) && carried[j].isZero(0);
+  const bool taut = s.force.dot(chord) > 0.5 * std::max(middle, s.force.norm());
+  s.direction = hangs && taut ? s.force.normalized() : chord;
+  return s;
+}
+
+}  // namespace hawser::app
