@@ -15,6 +15,7 @@
 #include "hawser/app/recorder.hpp"
 #include "hawser/app/restart.hpp"
 #include "hawser/app/share_nodes.hpp"
+#include "hawser/app/start_contact.hpp"
 #include "hawser/app/version.hpp"
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
@@ -22,6 +23,7 @@
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/longest_step.hpp"
 #include "hawser/model/summary.hpp"
+#include "hawser/solve/start_shape.hpp"
 
 namespace hawser::app {
 namespace {
@@ -89,6 +91,25 @@ void print_cost(const model::Case& c, long beams, long cables) {
     fmt::print("expected cost: about {:.2g} CPU s{}\n", cost, why);
 }
 
+// Prints how the lines start beside the volumes; false if one starts inside, out of which statics must bring
+// it. InputError if there is no statics. On one rank.
+bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
+                 const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  const std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
+  if (volumes.empty()) return true;
+  const LocalMesh local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+  const StartShape shape = start_shape(c, local, bodies);
+  const Kinematics at = shape.state.view(0);
+  const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, volumes);
+  for (const auto& n : start.notes) fmt::print("note: {}\n", n);
+  for (const auto& w : start.warnings) fmt::print("warning: {}\n", w);
+  if (start.inside.empty()) return true;
+  std::fflush(stdout);
+  if (!c.statics.enabled)
+    throw InputError(c.path + ": " + still_inside(MPI_COMM_SELF, c, local, at, bodies, volumes, start));
+  return false;
+}
+
 }  // namespace
 
 namespace {
@@ -119,6 +140,10 @@ int run(MPI_Comm comm, const RunOptions& options) {
   for (const auto& v : volumes)
     for (const auto& n : v.notes) progress.say("note: volumes." + v.name + ": " + n);
   for (const auto& n : sim.notes()) progress.say("note: " + n);
+  if (!restarted) {
+    for (const auto& w : sim.warnings()) progress.say("warning: " + w);
+    if (!c.statics.enabled) sim.check_inside();
+  }
 
   if (restarted) {
     progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
@@ -241,7 +266,9 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
     for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
   }
   const Mesh mesh = build_mesh(c);
-  const std::vector<int> owner = share_nodes(c, mesh, Bodies(c.bodies), ranks);
+  const Bodies bodies(c.bodies);
+  const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
+  const std::vector<int> owner = share_nodes(c, mesh, bodies, ranks);
   std::vector<int> share(static_cast<size_t>(ranks), 0);
   long beams = 0;
   for (size_t n = 0; n < owner.size(); ++n)
@@ -251,7 +278,10 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
              ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
              ranks > 8 ? " each" : "", cut_elements(mesh, owner));
   print_cost(c, beams, static_cast<long>(mesh.nodes.size()) - beams);
-  fmt::print("the case is good\n");
+  fmt::print("{}", starts_well
+                       ? "the case is good\n"
+                       : "the case is good if statics brings its lines out of the volumes they start in; "
+                         "the run stops if not\n");
   return 0;
 }
 

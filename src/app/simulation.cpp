@@ -6,6 +6,7 @@
 
 #include "hawser/app/line_pairs.hpp"
 #include "hawser/app/share_nodes.hpp"
+#include "hawser/base/error.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/body_pairs.hpp"
@@ -145,6 +146,9 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     if (settings.basis == model::StiffnessBasis::automatic) choose_stiffness(c, *mesh_, settings, notes_);
     volumes.push_back({surfaces[v], c.body_index(settings.body), settings});
   }
+  volumes_ = volumes;
+  start_contact_ = start_contact(comm, c, local, start.state.view(0), *bodies_, volumes_);
+  notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
   if (!volumes.empty() && c.contact.method == model::ContactMethod::line) {
     auto contact =
         std::make_unique<LineContact>(local, bodies_, std::move(volumes), contact_elements(c, local));
@@ -163,6 +167,8 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     contact_ = contact.get();
     system_->add(std::move(contact));
   }
+
+  if (contact_) contact_->leave_out(start_contact_.left_out);
 
   if (mesh_->line_nodes() < static_cast<int>(mesh_->nodes.size())) {
     auto floating = std::make_unique<RigidBodies>(c, local, bodies_);
@@ -279,7 +285,14 @@ StaticsReport Simulation::solve_statics() {
   }
   if (contact_ || line_pairs_) system_->commit(state_.view(0));
   if (body_contact_) body_contact_->watch(state_.view(0));
+  check_inside();
   return report;
+}
+
+void Simulation::check_inside() const {
+  const std::string wrong =
+      still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, volumes_, start_contact_);
+  if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
 }
 
 DynamicsSettings Simulation::dynamics_settings() const {

@@ -61,6 +61,7 @@ LoadedMeshVolume load_mesh(const model::Volume& v) {
   l.name = v.name;
   l.active = io::active_triangles(loaded.mesh, v);
   l.report = summary(loaded.report);
+  l.notes = loaded.notes;
   const auto surface = std::make_shared<MeshSurface>(
       std::move(loaded.mesh), l.active, MeshSurfaceOptions{v.smooth, v.crease_angle, loaded.open});
   if (surface->internal_facets() > 0)

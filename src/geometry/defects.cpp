@@ -112,6 +112,7 @@ Defects find_defects(const TriangleMesh& mesh, const Topology& topo, const Windi
   out.boundary_edges = static_cast<int>(edges.size());
   const std::size_t n = mesh.triangles.size();
   out.unsure.assign(n, false);
+  out.straight.assign(n, false);
   out.internal.assign(n, false);
   for (const auto& way : closed_ways(mesh, edges)) out.holes.push_back(around(mesh, way));
   if (out.holes.size() > 3000) {  // a soup: everywhere
@@ -141,7 +142,7 @@ Defects find_defects(const TriangleMesh& mesh, const Topology& topo, const Windi
       }
     // On the facet itself, its own angle left out, the number is half way between those of the two sides.
     const double middle = tree.winding_number(mesh, c, 3, static_cast<int>(t));
-    if (std::abs(middle - 0.5) > 0.4) out.unsure[t] = true;
+    if (std::abs(middle - 0.5) > 0.4) out.unsure[t] = out.straight[t] = true;
     // Internal only as a whole: at the corners and the middles of the edges too.
     bool internal = middle > 1.05;
     for (std::size_t i = 0; i < 6 && internal; ++i) {

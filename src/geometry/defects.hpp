@@ -17,6 +17,9 @@ struct Defects {
   // Facets near which the winding number must be asked; empty: none. These are facets about whose middle it
   // does not pass 1/2, those by a hole, and those where pieces may overlap.
   std::vector<bool> unsure;
+  // Those of them that are not to be bent, as w does not tell their sides apart: about whose middle it does
+  // not pass 1/2. By a hole and where pieces overlap it does.
+  std::vector<bool> straight;
   // Facets with the inside on both sides: walls within the body and parts of bodies that overlap.
   std::vector<bool> internal;
   // The boundary of the surface taken apart into closed ways, a thin one for each crack where it can be.

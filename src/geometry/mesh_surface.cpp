@@ -74,11 +74,20 @@ struct MeshSurface::Data {
                         bool behind) const;
   // Whether y is behind the surface at its closest point c, with the pseudonormal there.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
-    if (!unsure.empty() && unsure[static_cast<std::size_t>(c.triangle)]) return winding.inside(mesh(), y);
+    if (!unsure.empty() && unsure[static_cast<std::size_t>(c.triangle)])
+      return winding.inside(mesh(), over_flat(c, y));
     if (c.feature == Feature::face && !facets.curved(c.triangle))
       return pseudonormal.dot(y - facets.corner(c.triangle, 0)) < 0;
     if (pseudonormal.isZero(0)) return winding.inside(mesh(), y);
     return pseudonormal.dot(y - c.point) < 0;
+  }
+  // Where y is to the curved facet, there to the flat one, which the winding number knows. Farther away than
+  // facets bulge it is on the same side of both.
+  Vec3 over_flat(const FacetSearch::Foot& c, const Vec3& y) const {
+    if (!facets.curved(c.triangle) || c.squared_distance > bulge * bulge) return y;
+    const Vec3 &p0 = facets.corner(c.triangle, 0), &p1 = facets.corner(c.triangle, 1),
+               &p2 = facets.corner(c.triangle, 2);
+    return y - (c.point - (p0 + c.u * (p1 - p0) + c.v * (p2 - p0)));
   }
   bool inside_whole(const Vec3& y, double bound, int hint) const {
     const FacetSearch::Foot c = nearest(whole, y, bound, hint);
@@ -130,7 +139,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
     d.internal = defects.internal_facets;
   }
   MeshBends bends;
-  if (options.smooth) bends = mesh_bends(mesh, topo, options.crease_angle, defects.unsure);
+  if (options.smooth) bends = mesh_bends(mesh, topo, options.crease_angle, defects.straight);
   d.curved = bends.curved, d.sharp = bends.sharp, d.bulge = bends.bulge;
   d.facets = Facets(mesh, bends.of);
   mesh = {};

@@ -187,6 +187,7 @@ class Reader {
     if (v.has("direction")) e.direction = unit_vec(v, "direction", path);
     e.clamped = v["clamped"].number != 0;
     e.rotational_stiffness = number(v, "rotational_stiffness");
+    if (v.has("no_contact_within")) e.no_contact_within = v["no_contact_within"].number;
     return e;
   }
 

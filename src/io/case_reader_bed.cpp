@@ -161,7 +161,9 @@ class BedCheck {
       grid_ = dynamic_cast<const HeightGrid*>(bed_.surface.get());
       box_ = bed_.surface->bounds();
     }
-    for (const model::Line& line : c_.lines) {
+    for (model::Line& line : c_.lines) {
+      rest(line, line.end_a, line.sections.front(), false);
+      rest(line, line.end_b, line.sections.back(), true);
       end(line, line.end_a, line.sections.front(), "end_a");
       end(line, line.end_b, line.sections.back(), "end_b");
       if (line.start == model::Start::points) points(line);
@@ -189,6 +191,23 @@ class BedCheck {
     return grid_
                ? grid_->covers(x)
                : x.x() >= box_.lo.x() && x.x() <= box_.hi.x() && x.y() >= box_.lo.y() && x.y() <= box_.hi.y();
+  }
+  // An anchor on the bed is where the line lies on it: the axis is half a contact diameter above. What is
+  // given nearer to the bed than that is not held in it.
+  void rest(model::Line& line, model::End& e, const model::Section& section, bool b) {
+    const double half = 0.5 * c_.line_type(section.type).contact_diameter;
+    if (e.kind != model::EndKind::anchor || !covers(e.at) || buried(line, b ? 1 : 0)) return;
+    const double height = model::height_above_bed(bed_, e.at);
+    if (!(std::abs(height) < half)) return;
+    Vec3 up = model::bed_normal(bed_);
+    if (bed_.surface)
+      if (const auto nearest = bed_.surface->query(e.at, std::numeric_limits<double>::infinity()))
+        up = nearest->normal;
+    const Vec3 given = e.at;
+    e.at += (half - height) * up;
+    if (line.start != model::Start::points) return;
+    Vec3& first = b ? line.points.back() : line.points.front();
+    if ((first - given).norm() < half) first = e.at;
   }
   void end(const model::Line& line, const model::End& e, const model::Section& section, const char* name) {
     if (e.kind == model::EndKind::free) return;

@@ -17,6 +17,7 @@
 #include "hawser/geometry/mesh_duplicates.hpp"
 #include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/geometry/mesh_weld.hpp"
 #include "hawser/model/nearest.hpp"
 #include "ply_reader.hpp"
 #include "stl_reader.hpp"
@@ -139,6 +140,19 @@ WeldResult weld_corners(const std::string& path, TriangleMesh& mesh) {
   return welded;
 }
 
+// Corners that noise or rounding of the file has taken apart.
+void close_cracks(const std::string& path, LoadedMesh& loaded) {
+  const CrackResult c = weld_cracks(loaded.mesh);
+  if (c.welded == 0) return;
+  loaded.notes.push_back(
+      fmt::format("{}: {} of open edges that lay up to {:.2g} m apart {} merged{}; {}", path,
+                  many(c.welded, "corner", "corners"), c.widest, c.welded == 1 ? "was" : "were",
+                  c.removed > 0 ? fmt::format(", which removed {}", many(c.removed, "triangle", "triangles"))
+                                : std::string(),
+                  c.open_edges == 0 ? "no edge is open now"
+                                    : many(c.open_edges, "edge is", "edges are") + " still open"));
+}
+
 // What is listed more than once, and what has no thickness.
 void drop_double(const std::string& path, LoadedMesh& loaded) {
   if (const DuplicateResult d = drop_duplicates(loaded.mesh); !d.sentence.empty())
@@ -168,6 +182,7 @@ LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
   const WeldResult welded = weld_corners(path, mesh);
   if (welded.removed > 0)
     loaded.notes.push_back(fmt::format("{}: {} triangles without area were removed", path, welded.removed));
+  close_cracks(path, loaded);
   drop_double(path, loaded);
 
   MeshReport& report = loaded.report;

@@ -215,7 +215,10 @@ Key line_end(std::string name, const std::string& about) {
       std::move(name),
       {word("", {"free"}),
        map("",
-           {vec3("anchor", length, "fixed at this point in space"),
+           {vec3(
+                "anchor", length,
+                "fixed at this point in space; on the seabed (within half a contact diameter of it) the line "
+                "lies there, its axis half a contact diameter above"),
             reference("body", "bodies", "tied to this body ..."),
             vec3("at", length, "... at this point of its frame"),
             reference("joint", "joints", "pinned to the other ends at this joint, which moves freely"),
@@ -227,7 +230,13 @@ Key line_end(std::string name, const std::string& about) {
             number("rotational_stiffness", turning_stiffness,
                    "of a spring that turns the end towards `direction`: between free and clamped")
                 .above(0)
-                .or_else_note("none: the end turns freely, unless clamped")},
+                .or_else_note("none: the end turns freely, unless clamped"),
+            number("no_contact_within", length,
+                   "so much of the line, from this end on, has no contact with volumes; 0: all of it has")
+                .at_least(0)
+                .or_else_note(
+                    "of a held end that starts inside a volume: up to where the line is clear of it, "
+                    "with that volume")},
            "")
            .either({{{"anchor"}, {"anchor"}}, {{"body", "at"}, {"body", "at"}}, {{"joint"}, {"joint"}}},
                    true)},

@@ -71,14 +71,17 @@ std::vector<CatenarySection> backwards(std::vector<CatenarySection> sections) {
 }
 
 // A line from an end on the bed to one above it: part of it may lie. Nothing when there is no such shape.
-std::optional<LineStart> on_bed(const model::Case& c, const Vec3& xa, const Vec3& xb,
+std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, const Vec3& xa, const Vec3& xb,
                                 std::vector<CatenarySection> sections, const Mesh& mesh,
                                 const LineSpan& span) {
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return {};
-  const double near = 1e-3 * std::abs(bed.depth);
-  const bool a = std::abs(model::height_above_bed(bed, xa)) < near,
-             b = std::abs(model::height_above_bed(bed, xb)) < near;
+  // The axis of what lies is half a diameter above the bed.
+  const auto lies = [&](const Vec3& x, const model::Section& s) {
+    const double height = model::height_above_bed(bed, x), near = 1e-3 * std::abs(bed.depth);
+    return height > -near && height < near + 0.5 * c.line_type(s.type).contact_diameter;
+  };
+  const bool a = lies(xa, line.sections.front()), b = lies(xb, line.sections.back());
   if (a == b) return {};
   if (b) sections = backwards(std::move(sections));
   const auto found =
@@ -250,7 +253,7 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
   const auto closed_form = [&]() -> std::optional<LineStart> {
     try {
       if (a && b) {
-        auto shape = on_bed(c, xa, xb, sections, mesh, span);
+        auto shape = on_bed(c, line, xa, xb, sections, mesh, span);
         return shape ? *std::move(shape) : from_catenary(catenary(xa, xb, sections), mesh, span);
       }
       return from_catenary(a ? catenary_free_b(xa, sections) : catenary_free_a(xb, sections), mesh, span);

@@ -37,6 +37,25 @@ Contact::Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume
   start_poses_ = poses_;
 }
 
+void Contact::leave_out(std::vector<LeftOut> ends) {
+  left_out_ = std::move(ends);
+  std::sort(left_out_.begin(), left_out_.end(), [](const LeftOut& a, const LeftOut& b) {
+    return std::pair(a.line, a.volume) < std::pair(b.line, b.volume);
+  });
+}
+
+Contact::Share Contact::takes_part(const Mesh& mesh, int line, int volume, double from, double to) const {
+  const std::pair key(line, volume);
+  const auto found = std::lower_bound(left_out_.begin(), left_out_.end(), key, [](const LeftOut& l, auto k) {
+    return std::pair(l.line, l.volume) < k;
+  });
+  if (found == left_out_.end() || std::pair(found->line, found->volume) != key) return {};
+  const double end = mesh.lines[static_cast<size_t>(line)].length - found->end_b, span = to - from;
+  // A single place, or a stretch.
+  if (!(span > 0)) return from >= found->end_a && from <= end ? Share{} : Share{1, 0};
+  return {std::max(0.0, (found->end_a - from) / span), std::min(1.0, (end - from) / span)};
+}
+
 ContactLaw Contact::law(const model::Volume& v, double share, double diameter, double mass) {
   ContactLaw law;
   // A fifth of the penetration the automatic stiffness allows: the ramp stays small beside it.

@@ -81,11 +81,14 @@ void LineContact::prepare(const Kinematics& committed, double h) {
       const double margin = std::max(2 * h * speed, 0.5 * length(e));
       const double away = distance(boxes_[static_cast<size_t>(k)], pose.to_body(shape.point(0.5)));
       if (h > 0 && away > touch + margin + 0.5 * shape.reach()) continue;
+      const Share part = part_of(e, k);
+      if (part.none()) continue;
 
       Pair first;
       first.element = e;
       first.volume = k;
       first.touch = touch;
+      first.part = part;
       first.levels = contact_levels(length(e), element.radius);
       first.law = laws;
       first.start = shape;
@@ -130,6 +133,23 @@ AxisPoints LineContact::points(const AxisShape& shape, const RigidPose& pose) {
   AxisPoints b = shape.bezier();
   for (Vec3& p : b) p = pose.to_body(p);
   return b;
+}
+
+// De Casteljau's: the polar form of the cubic at all choices of the two ends.
+AxisPoints LineContact::points_of_part(const Pair& pair, const AxisShape& shape, const RigidPose& pose) {
+  const AxisPoints b = points(shape, pose);
+  if (pair.part.all()) return b;
+  const double from = pair.part.from, to = pair.part.to;
+  const auto blossom = [&b](double r, double s, double t) {
+    AxisPoints p = b;
+    size_t n = 3;
+    for (const double xi : {r, s, t}) {
+      for (size_t i = 0; i < n; ++i) p[i] = (1 - xi) * p[i] + xi * p[i + 1];
+      --n;
+    }
+    return p[0];
+  };
+  return {blossom(from, from, from), blossom(from, from, to), blossom(from, to, to), blossom(to, to, to)};
 }
 
 bool LineContact::clear(Pair& pair, const AxisShape& shape, const RigidPose& pose) {
@@ -196,7 +216,19 @@ std::vector<ContactStretch> LineContact::locate(Pair& pair, const AxisShape& sha
                                   middles(hollows(before)));
   // Of one wall alone it says nothing of the others.
   if (stretches.empty() && !pair.wall()) keep_free(pair, shape, pose, places_);
-  return cut_stretches(as_parted_before(stretches, before, pair.found.filled), pair.levels);
+  std::vector<ContactStretch> panels =
+      cut_stretches(as_parted_before(stretches, before, pair.found.filled), pair.levels);
+  if (!pair.part.all()) keep_part(pair.part, panels);
+  return panels;
+}
+
+// The end of the part is one of the material: it does not move with the gap.
+void LineContact::keep_part(const Share& part, std::vector<ContactStretch>& panels) {
+  for (ContactStretch& s : panels) {
+    if (s.from < part.from) s.from = part.from, s.from_moves = false;
+    if (s.to > part.to) s.to = part.to, s.to_moves = false;
+  }
+  std::erase_if(panels, [](const ContactStretch& s) { return !(s.from < s.to); });
 }
 
 SurfacePoint LineContact::nothing() {

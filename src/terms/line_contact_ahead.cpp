@@ -113,7 +113,7 @@ void LineContact::foresee(const Pair& pair, const Kinematics& committed, const S
     const bool matters =
         may_limit(element.radius, room, speed, to) ||
         may_strike(pair.law.normal, element.mass_per_length, element.radius, speed, acceleration);
-    if (room > far || !matters)
+    if (room > far || !matters || !pair.part.has(xi))
       ahead.skip();
     else
       ahead.add(pair, i, pose.to_body(x), pair.touch + far);

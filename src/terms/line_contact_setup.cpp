@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_contact.hpp"
 
@@ -30,6 +31,13 @@ AxisEnds LineContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[static_cast<size_t>(element)];
   return element_axis(at, mesh_.mesh->elements[static_cast<size_t>(e.global)], e.first, e.second,
                       elements_[static_cast<size_t>(element)].tangent);
+}
+
+Contact::Share LineContact::part_of(int element, int volume) const {
+  if (left_out_.empty()) return {};
+  const Mesh& mesh = *mesh_.mesh;
+  const Element& g = mesh.elements[static_cast<size_t>(mesh_.elements[static_cast<size_t>(element)].global)];
+  return takes_part(mesh, g.line, volume, arc_at(mesh, g, 0), arc_at(mesh, g, 1));
 }
 
 // Evaluated again at the accepted state, so that what is kept belongs to it and to no other trial.

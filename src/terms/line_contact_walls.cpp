@@ -149,6 +149,7 @@ bool LineContact::look_ahead_at_walls(const Pair& pair, const Kinematics& commit
   surface.walls(polyline(pair.start, pose, pair.touch), kTogether * pair.touch + ahead, walls);
   for (const SurfaceWall& w : walls.of)
     for (const double xi : {0.0, 0.5, 1.0}) {
+      if (!pair.part.has(xi)) continue;
       const auto p = surface.query_wall(w, pose.to_body(pair.start.point(xi)),
                                         pair.touch + 0.5 * (pair.start.reach() + speed(xi)));
       if (p) look_ahead(pair, committed, xi, !pair.history.empty(), *p, to);

@@ -54,8 +54,8 @@ bool LineContact::covers(const Kinematics& trial) const {
     const double radius = elements_[static_cast<size_t>(pair.element)].radius;
     if (still_[g.body] && std::max(way(g, g.nodes[0]), way(g, g.nodes[1])) < std::max(g.room, radius))
       return false;
-    const AxisPoints from = points(pair.start, start_poses_[g.body]),
-                     to = points(AxisShape(ends(trial, pair.element)), poses[g.body]);
+    const AxisPoints from = points_of_part(pair, pair.start, start_poses_[g.body]),
+                     to = points_of_part(pair, AxisShape(ends(trial, pair.element)), poses[g.body]);
     if (way_of(from, to) <= std::max(room_at_start(pair), radius)) return false;
     return goes_through(distance_to(*volumes_[static_cast<size_t>(pair.volume)].surface), from, to, radius);
   });

@@ -39,6 +39,7 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
       const double margin = std::max(motion, 0.5 * element_[n]);
       const double away = distance(boxes_[static_cast<size_t>(k)], y);
       if (h > 0 && away > touch + margin && model_ != NodeContact::gap) continue;
+      if (left_out(i, k)) continue;
 
       Pair pair;
       pair.node = i;

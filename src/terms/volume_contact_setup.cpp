@@ -47,6 +47,12 @@ ContactLaw VolumeContact::node_law(int node, int volume) const {
   return l;
 }
 
+bool VolumeContact::left_out(int node, int volume) const {
+  if (left_out_.empty()) return false;
+  const Node& n = mesh_.nodes[static_cast<size_t>(global_[static_cast<size_t>(node)])];
+  return takes_part(mesh_, n.line, volume, n.arc, n.arc).none();
+}
+
 // In dynamics of the committed state; of multipliers none, from the start on. Statics asks for trials: its
 // line search goes down this energy.
 Energy VolumeContact::energy(const Kinematics& at) const {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/app/start_contact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/solve/dynamics.hpp"
@@ -49,9 +50,13 @@ class Simulation {
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
+  const std::vector<std::string>& warnings() const { return start_contact_.warnings; }  // of the start shape
   int cut_elements() const { return cut_; }
 
+  // InputError if what starts inside a volume is still there. Collective.
+  void check_inside() const;
   // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
+  // InputError as of check_inside().
   StaticsReport solve_statics();
   DynamicsSettings dynamics_settings() const;
 
@@ -69,6 +74,8 @@ class Simulation {
   State state_;
   std::unique_ptr<Dynamics> dynamics_;
   std::vector<std::string> notes_;
+  std::vector<ContactVolume> volumes_;  // that lines may touch
+  StartContact start_contact_;
   int cut_ = 0;
   RigidBodies* floating_ = nullptr;
   BodyContactTerm* body_contact_ = nullptr;

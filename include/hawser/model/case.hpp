@@ -149,6 +149,9 @@ struct End {
   std::optional<Vec3> direction;    // unit tangent from A to B, same frame as `at`
   bool clamped = false;             // rotation tied as well
   double rotational_stiffness = 0;  // N m/rad, a spring towards `direction`
+  // m of line from this end on without contact with volumes; none: what is inside one at the start has none
+  // with that.
+  std::optional<double> no_contact_within;
 };
 
 // Where ends of lines are pinned to each other, free to move.

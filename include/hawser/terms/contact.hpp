@@ -24,6 +24,12 @@ struct ContactVolume {
   model::Volume settings;  // basis, stiffness, smoothing, damping, friction; basis not automatic
 };
 
+// The ends of a line that have no contact with a volume: material, whatever moves.
+struct LeftOut {
+  int line = 0, volume = 0;     // volume: index into those of the contact
+  double end_a = 0, end_b = 0;  // m of line from end A and from end B on
+};
+
 struct Penetration {
   double depth = 0;  // m
   int node = -1;     // mesh node, -1: none yet
@@ -67,6 +73,8 @@ class Contact : public ForceTerm {
   // Adds what touches in the accepted state, of what this rank counts; volumes are those of volume_name().
   virtual void touches(Touches& out) const = 0;
   int volumes() const { return static_cast<int>(volumes_.size()); }
+  // Before the first step, and the same on all ranks.
+  void leave_out(std::vector<LeftOut> ends);
   const std::string& volume_name(int volume) const {
     return volumes_[static_cast<size_t>(volume)].settings.name;
   }
@@ -112,6 +120,16 @@ class Contact : public ForceTerm {
   static bool still_clear(double clear, const Vec3& centre, const Vec3& y, double radius) {
     return clear > 0 && (y - centre).norm() + radius < (1 - 1e-9) * clear;
   }
+
+  // Of the stretch [from, to] of a line's arc [m] what touches a volume if it is near enough, as a share of
+  // the stretch; none: nothing.
+  struct Share {
+    double from = 0, to = 1;
+    bool all() const { return from <= 0 && to >= 1; }
+    bool none() const { return !(from < to); }
+    bool has(double xi) const { return xi >= from && xi <= to; }
+  };
+  Share takes_part(const Mesh& mesh, int line, int volume, double from, double to) const;
 
   // Space first, then the bodies in their order.
   void pose_bodies(double time, std::vector<RigidPose>& poses) const;
@@ -168,6 +186,7 @@ class Contact : public ForceTerm {
   std::shared_ptr<const Bodies> bodies_;
   std::vector<ContactVolume> volumes_;
   std::vector<Box> boxes_;                      // of the volumes
+  std::vector<LeftOut> left_out_;               // sorted by line and volume
   std::vector<RigidPose> poses_, start_poses_;  // of space and of the bodies, at the trial and at the start
   bool friction_on_ = true;
 };

@@ -91,6 +91,7 @@ class LineContact final : public Contact {
   struct Pair {
     int element = 0, volume = 0, slot = 0;
     double touch = 0;  // m, distance below which there is a force: radius + smoothing
+    Share part;        // of the axis: the rest has no contact with this volume
     int levels = 1;
     ContactLaw law;               // per length
     AxisShape start = nowhere();  // the axis at the start of the step
@@ -136,6 +137,9 @@ class LineContact final : public Contact {
   // Pairs for walls that are seen, which have none until then. lacks_pairs: of the pair number i.
   bool lacks_pairs(size_t i) const;
   void open_pairs();
+  static void keep_part(const Share& part, std::vector<ContactStretch>& panels);
+  // What of an element may touch a volume.
+  Share part_of(int element, int volume) const;
   // The axis as a polyline in the body's frame.
   static std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double touch);
   // What a pair sees of its volume.
@@ -155,6 +159,8 @@ class LineContact final : public Contact {
   void limit_by(const Pair& pair, const Kinematics& committed, const Ahead& ahead, size_t place,
                 Strikes& to) const;
   static AxisPoints points(const AxisShape& shape, const RigidPose& pose);
+  // Of the part of the axis that may touch.
+  static AxisPoints points_of_part(const Pair& pair, const AxisShape& shape, const RigidPose& pose);
   // Whether the axis is out of touch for sure; then nothing is found.
   static bool clear(Pair& pair, const AxisShape& shape, const RigidPose& pose);
   // What is known free of the volume at places of the axis goes for the tube about it.

@@ -124,6 +124,7 @@ class VolumeContact final : public Contact {
     std::shared_ptr<Walls> walls;  // none: there is one in this step
   };
 
+  bool left_out(int node, int volume) const;
   bool one_wall(const Pair& pair, const Vec3& y, double motion) const;
   // The wall that a pair is about where its node is at y, or kNone, kAll.
   int see_wall(const Pair& pair, const Vec3& y) const;

@@ -1,0 +1,50 @@
+// What of the lines lies inside volumes where a run starts, and what of them is left out of contact.
+#pragma once
+
+#include <vector>
+
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/state/kinematics.hpp"
+#include "hawser/terms/bodies.hpp"
+#include "hawser/terms/contact.hpp"
+
+namespace hawser {
+
+// A stretch of a line whose axis is inside a volume, or an end of the line that lies at its surface: nearer
+// than half a radius, which is half way between a fairlead on the plating and a line that lies on it.
+struct Inside {
+  int line = 0, volume = 0;   // volume: index into what was asked about
+  double from = 0, to = 0;    // m, arc length
+  double depth = 0, at = 0;   // m, of the axis where it is deepest (0: at the surface), and its arc length
+  Vec3 place = Vec3::Zero();  // m, there, in space
+  double rise_from = 1, rise_to = 1;  // m/m, how fast the axis comes out along the line at either end
+};
+
+// Of the elements this rank counts, those with a radius [m, one for each of mesh.elements]. Sorted by line,
+// volume and arc length, stretches that meet put together.
+std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
+                                   const std::vector<ContactVolume>& volumes,
+                                   const std::vector<double>& radius);
+
+// Sorts, and puts stretches together that meet.
+void join(std::vector<Inside>& stretches, const Mesh& mesh);
+
+// A node that a volume parts from its place on the straight way between the ends of its line, which passes
+// the volume on the other side.
+struct Past {
+  int line = 0, volume = 0;
+  double at = 0, distance = 0;  // m: arc length from end A, how far it is to the volume that way
+  Vec3 place = Vec3::Zero();    // m
+};
+
+// The two ends of a line, m in space.
+struct Chord {
+  bool known = false;
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+};
+// Of the nodes this rank owns, of the lines whose ends are known. Goes the way in steps of the distance, a
+// thousandth of it at least.
+std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
+                               const std::vector<ContactVolume>& volumes, const std::vector<Chord>& chords);
+
+}  // namespace hawser

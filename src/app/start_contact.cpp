@@ -1,0 +1,252 @@
+#include "hawser/app/start_contact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::app {
+namespace {
+
+constexpr size_t kMostTold = 5;  // sentences of one kind
+
+bool held(const model::End& e) { return e.kind == model::EndKind::anchor || e.kind == model::EndKind::body; }
+
+// Half the contact diameter of the elements of this rank; 0: takes no part.
+std::vector<double> radii(const model::Case& c, const LocalMesh& mesh) {
+  std::vector<double> out;
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const bool part = c.contact.takes_part(c.lines[static_cast<size_t>(g.line)]);
+    out.push_back(part ? 0.5 * c.line_types[static_cast<size_t>(g.type)].contact_diameter : 0);
+  }
+  return out;
+}
+
+// From where the axis comes out to where it is a contact diameter away, so that the line is clear by half of
+// it; of what goes along the surface rather than away from it only so much.
+double clearance(const model::Case& c, const model::Line& line, bool b, double rise) {
+  constexpr double kAlong = 0.1;
+  const model::Section& s = b ? line.sections.back() : line.sections.front();
+  return c.line_type(s.type).contact_diameter / std::max(rise, kAlong);
+}
+
+// Numbers of all ranks, `width` to a row.
+std::vector<double> gathered(MPI_Comm comm, const std::vector<double>& mine) {
+  std::vector<double> all;
+  GatherPlan(comm, static_cast<int>(mine.size())).gather(mine.data(), all);
+  return all;
+}
+
+std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                               const Kinematics& at, const Bodies& bodies,
+                               const std::vector<ContactVolume>& volumes) {
+  std::vector<double> mine;
+  for (const Inside& s : inside_volumes(mesh, at, bodies, volumes, radii(c, mesh)))
+    mine.insert(mine.end(), {static_cast<double>(s.line), static_cast<double>(s.volume), s.from, s.to,
+                             s.depth, s.at, s.place.x(), s.place.y(), s.place.z(), s.rise_from, s.rise_to});
+  const std::vector<double> all = gathered(comm, mine);
+  std::vector<Inside> out;
+  for (auto v = all.begin(); v != all.end(); v += 11)
+    out.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), v[2], v[3], v[4], v[5],
+                   Vec3(v[6], v[7], v[8]), v[9], v[10]});
+  join(out, *mesh.mesh);
+  return out;
+}
+
+std::string point(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
+
+std::string remedy(const model::Line& line) {
+  if (line.start == model::Start::points) return "move the points of its 'start' out of it";
+  return "say where it lies outside of it with 'start: {points: [[x, y, z], ...]}'";
+}
+
+std::string where(const Inside& s) {
+  return fmt::format("from {:.4g} m to {:.4g} m of arc length, deepest at {:.4g} m, {:.3g} m inside at {}",
+                     s.from, s.to, s.at, s.depth, point(s.place));
+}
+
+std::string inside_text(const model::Line& line, const std::string& volume, const Inside& s, double length) {
+  const bool through = s.from > 0 && s.to < length;
+  return fmt::format("lines.{}: its start shape {} volume {} {}; {}", line.name,
+                     through ? "passes through" : "lies in", volume, where(s), remedy(line));
+}
+
+// No more of a kind than anyone reads.
+void shorten(std::vector<std::string>& sentences, const std::string& what) {
+  if (sentences.size() <= kMostTold) return;
+  const size_t more = sentences.size() - kMostTold;
+  sentences.resize(kMostTold);
+  sentences.push_back(fmt::format("and {} more {}", more, what));
+}
+
+// What remains of a stretch outside of what is left out.
+void take_off(std::vector<Inside>& inside, const std::vector<LeftOut>& left_out, const Mesh& mesh) {
+  std::vector<Inside> out;
+  for (Inside s : inside) {
+    const double length = mesh.lines[static_cast<size_t>(s.line)].length;
+    const auto l = std::find_if(left_out.begin(), left_out.end(),
+                                [&](const LeftOut& o) { return o.line == s.line && o.volume == s.volume; });
+    if (l != left_out.end()) {
+      if (s.to <= l->end_a || s.from >= length - l->end_b) continue;
+      s.from = std::max(s.from, l->end_a), s.to = std::min(s.to, length - l->end_b);
+    }
+    if (s.depth > 0 && s.from < s.to) out.push_back(s);
+  }
+  inside = std::move(out);
+}
+
+// What the case leaves out, and by default what lies inside next to a held end.
+void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<ContactVolume>& volumes,
+               StartContact& start) {
+  std::map<std::pair<int, int>, LeftOut> of;
+  const auto entry = [&of](int line, int volume) -> LeftOut& {
+    LeftOut& l = of[{line, volume}];
+    l.line = line, l.volume = volume;
+    return l;
+  };
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    for (const bool b : {false, true}) {
+      const model::End& e = b ? c.lines[l].end_b : c.lines[l].end_a;
+      if (e.no_contact_within.value_or(0) > 0)
+        for (size_t v = 0; v < volumes.size(); ++v) {
+          LeftOut& out = entry(static_cast<int>(l), static_cast<int>(v));
+          (b ? out.end_b : out.end_a) = *e.no_contact_within;
+        }
+    }
+  for (const Inside& s : start.inside) {
+    const model::Line& line = c.lines[static_cast<size_t>(s.line)];
+    const double length = mesh.lines[static_cast<size_t>(s.line)].length, near = 1e-9 * length;
+    if (s.from <= near && s.to >= length - near) continue;  // never comes out
+    for (const bool b : {false, true}) {
+      const model::End& e = b ? line.end_b : line.end_a;
+      if (!held(e) || e.no_contact_within || (b ? s.to < length - near : s.from > near)) continue;
+      LeftOut& out = entry(s.line, s.volume);
+      const double reach = (b ? length - s.from : s.to) + clearance(c, line, b, b ? s.rise_from : s.rise_to);
+      (b ? out.end_b : out.end_a) = reach;
+      start.notes.push_back(fmt::format(
+          "lines.{}.end_{}: starts {} volume {}; the {:.3g} m of line up to where it is clear of it have no "
+          "contact with it ('no_contact_within' sets another length)",
+          line.name, b ? "b" : "a",
+          s.depth > 0 ? fmt::format("up to {:.3g} m inside", s.depth) : std::string("at the surface of"),
+          volumes[static_cast<size_t>(s.volume)].settings.name, reach));
+    }
+  }
+  for (const auto& [key, l] : of) start.left_out.push_back(l);
+}
+
+// Lines that hang past a volume which the straight way between their ends passes on the other side.
+void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+               const Bodies& bodies, const std::vector<ContactVolume>& volumes,
+               const std::vector<Inside>& inside, StartContact& start) {
+  std::vector<Chord> chords(c.lines.size());
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const model::Line& line = c.lines[l];
+    if (line.start != model::Start::automatic && line.start != model::Start::catenary) continue;
+    if (!c.contact.takes_part(line) || line.end_a.kind == model::EndKind::free ||
+        line.end_b.kind == model::EndKind::free)
+      continue;
+    chords[l] = {true, model::end_position(c, line.end_a), model::end_position(c, line.end_b)};
+  }
+  std::map<std::pair<int, int>, std::vector<double>> nearest;
+  const auto keep = [&nearest](int line, int volume, const std::vector<double>& row) {
+    auto& best = nearest[{line, volume}];
+    if (best.empty() || std::pair(row[3], row[2]) < std::pair(best[3], best[2])) best = row;
+  };
+  for (const Past& p : past_volumes(mesh, at, bodies, volumes, chords))
+    keep(p.line, p.volume,
+         {static_cast<double>(p.line), static_cast<double>(p.volume), p.at, p.distance, p.place.x(),
+          p.place.y(), p.place.z()});
+  std::vector<double> mine;
+  for (const auto& [key, row] : nearest) mine.insert(mine.end(), row.begin(), row.end());
+  nearest.clear();
+  const std::vector<double> all = gathered(comm, mine);
+  for (size_t i = 0; i + 6 < all.size(); i += 7)
+    keep(static_cast<int>(all[i]), static_cast<int>(all[i + 1]),
+         {all.begin() + static_cast<long>(i), all.begin() + static_cast<long>(i) + 7});
+  std::vector<std::string> told;
+  for (const auto& [key, row] : nearest) {
+    const auto& [l, v] = key;
+    const model::Line& line = c.lines[static_cast<size_t>(l)];
+    const model::Volume& volume = volumes[static_cast<size_t>(v)].settings;
+    // A line goes off its own hull on any side; of what is inside the other sentences tell.
+    const auto own = [&](const model::End& e) {
+      return e.kind == model::EndKind::body && e.body == volume.body;
+    };
+    const auto there = [&, line_of = l, volume_of = v](const Inside& s) {
+      return s.line == line_of && s.volume == volume_of;
+    };
+    if (own(line.end_a) || own(line.end_b) || std::any_of(inside.begin(), inside.end(), there)) continue;
+    const Chord& chord = chords[static_cast<size_t>(l)];
+    const double share = row[2] / mesh.mesh->lines[static_cast<size_t>(l)].length;
+    const bool under = (chord.a + share * (chord.b - chord.a)).z() >= row[6];
+    told.push_back(
+        fmt::format("lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc "
+                    "length, {}, while "
+                    "the straight way between its ends passes {} it; if it is to lie there, say so with "
+                    "'start: {{points: "
+                    "[[x, y, z], ...]}}'",
+                    line.name, under ? "under" : "over", volume.name, row[3], row[2],
+                    point(Vec3(row[4], row[5], row[6])), under ? "over" : "under"));
+  }
+  shorten(told, "lines start like these");
+  start.warnings.insert(start.warnings.end(), told.begin(), told.end());
+}
+
+}  // namespace
+
+std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
+                                            const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  std::vector<ContactVolume> out;
+  for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
+    const int body = c.body_index(c.volumes[v].body);
+    if (c.contact.takes_part(c.volumes[v]) && !c.lines.empty() && !c.floats(body))
+      out.push_back({surfaces[v], body, c.volumes[v]});
+  }
+  return out;
+}
+
+StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+                           const Bodies& bodies, const std::vector<ContactVolume>& volumes) {
+  StartContact out;
+  if (volumes.empty()) return out;
+  out.inside = all_inside(comm, c, mesh, at, bodies, volumes);
+  const std::vector<Inside> all = out.inside;
+  leave_out(c, *mesh.mesh, volumes, out);
+  take_off(out.inside, out.left_out, *mesh.mesh);
+  for (const Inside& s : out.inside)
+    out.warnings.push_back(inside_text(c.lines[static_cast<size_t>(s.line)],
+                                       volumes[static_cast<size_t>(s.volume)].settings.name, s,
+                                       mesh.mesh->lines[static_cast<size_t>(s.line)].length));
+  shorten(out.notes, "ends of lines start like these");
+  shorten(out.warnings, "stretches of lines lie inside volumes");
+  hang_past(comm, c, mesh, at, bodies, volumes, all, out);
+  return out;
+}
+
+std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+                         const Bodies& bodies, const std::vector<ContactVolume>& volumes,
+                         const StartContact& start) {
+  if (start.inside.empty()) return "";
+  std::vector<Inside> now = all_inside(comm, c, mesh, at, bodies, volumes);
+  take_off(now, start.left_out, *mesh.mesh);
+  for (const Inside& s : now) {
+    const bool before = std::any_of(start.inside.begin(), start.inside.end(), [&](const Inside& o) {
+      return o.line == s.line && o.volume == s.volume && o.from <= s.to && s.from <= o.to;
+    });
+    if (!before) continue;
+    const model::Line& line = c.lines[static_cast<size_t>(s.line)];
+    return fmt::format(
+        "lines.{}: starts inside volume {}, and {} {}; {}", line.name,
+        volumes[static_cast<size_t>(s.volume)].settings.name,
+        c.statics.enabled ? "statics leaves it there," : "there are no statics to bring it out:", where(s),
+        remedy(line));
+  }
+  return "";
+}
+
+}  // namespace hawser::app

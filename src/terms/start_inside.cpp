@@ -1,0 +1,149 @@
+#include "hawser/terms/start_inside.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "hawser/kernels/axis_shape.hpp"
+#include "hawser/kernels/line_contact.hpp"
+#include "hawser/mesh/arc.hpp"
+#include "hawser/terms/element_axis.hpp"
+
+namespace hawser {
+namespace {
+
+// The distance of the axis itself, whatever the line's radius.
+class AxisDistance final : public AxisGapFunction {
+ public:
+  AxisDistance(const Surface& surface, const RigidPose& pose, const AxisShape& shape)
+      : surface_(surface), pose_(pose), shape_(shape) {}
+  AxisGap at(double xi, double within) override {
+    const auto p = surface_.query(pose_.to_body(shape_.point(xi)), within, hint_);
+    if (!p) return {within, 0};
+    hint_ = p->triangle;
+    return {p->distance, (pose_.rotation * p->normal).dot(shape_.slope(xi))};
+  }
+
+ private:
+  const Surface& surface_;
+  const RigidPose& pose_;
+  const AxisShape& shape_;
+  int hint_ = -1;
+};
+
+RigidPose pose_of(const Bodies& bodies, const ContactVolume& v, double time) {
+  return v.body < 0 ? RigidPose{} : bodies.pose(v.body, time);
+}
+
+}  // namespace
+
+void join(std::vector<Inside>& stretches, const Mesh& mesh) {
+  std::sort(stretches.begin(), stretches.end(), [](const Inside& a, const Inside& b) {
+    return std::tie(a.line, a.volume, a.from, a.to) < std::tie(b.line, b.volume, b.from, b.to);
+  });
+  std::vector<Inside> out;
+  for (const Inside& s : stretches) {
+    const double rounding = 1e-9 * mesh.lines[static_cast<size_t>(s.line)].length;
+    if (out.empty() || out.back().line != s.line || out.back().volume != s.volume ||
+        s.from > out.back().to + rounding) {
+      out.push_back(s);
+      continue;
+    }
+    Inside& o = out.back();
+    if (s.to > o.to) o.to = s.to, o.rise_to = s.rise_to;
+    if (s.depth > o.depth) o.depth = s.depth, o.at = s.at, o.place = s.place;
+  }
+  stretches = std::move(out);
+}
+
+std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
+                                   const std::vector<ContactVolume>& volumes,
+                                   const std::vector<double>& radius) {
+  constexpr int kSamples = 32;  // of a stretch, for where it is deepest
+  std::vector<Inside> out;
+  for (size_t v = 0; v < volumes.size(); ++v) {
+    const Surface& surface = *volumes[v].surface;
+    const Box box = surface.bounds();
+    const RigidPose pose = pose_of(bodies, volumes[v], at.time);
+    for (size_t i = 0; i < mesh.elements.size(); ++i) {
+      const LocalElement& e = mesh.elements[i];
+      if (!e.counted || !(radius[i] > 0)) continue;
+      const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+      const AxisShape shape(element_axis(at, g, e.first, e.second, Vec3::UnitX()));
+      if (distance(box, pose.to_body(shape.point(0.5))) > 0.5 * shape.reach() + radius[i]) continue;
+      const auto point = [&](double xi) { return pose.to_body(shape.point(xi)); };
+      AxisDistance along(surface, pose, shape);
+      // Twice as close as contact looks: what goes through a thin plate is short.
+      const auto stretches = contact_stretches(along, {shape.reach(), 0, shape.bend_bound()},
+                                               contact_levels(g.length, radius[i]) + 1);
+      const auto rise = [&](double xi) {
+        const auto p = surface.query(point(xi), radius[i]);
+        const Vec3 slope = shape.slope(xi);
+        return p && slope.norm() > 0 ? std::abs((pose.rotation * p->normal).dot(slope)) / slope.norm() : 1;
+      };
+      const auto add = [&](double from, double to) {
+        Inside s;
+        s.rise_from = rise(from), s.rise_to = rise(to);
+        s.line = g.line, s.volume = static_cast<int>(v);
+        s.from = arc_at(*mesh.mesh, g, from), s.to = arc_at(*mesh.mesh, g, to);
+        s.at = s.from, s.place = shape.point(from);
+        for (int k = 0; k <= kSamples; ++k) {
+          const double xi = from + (to - from) * k / kSamples;
+          const auto p = surface.query(point(xi), 0);
+          if (p && -p->distance > s.depth)
+            s.depth = -p->distance, s.at = arc_at(*mesh.mesh, g, xi), s.place = shape.point(xi);
+        }
+        out.push_back(s);
+      };
+      for (const ContactStretch& s : stretches) add(s.from, s.to);
+      // The ends of the line.
+      const LineSpan& span = mesh.mesh->lines[static_cast<size_t>(g.line)];
+      for (const int end : {0, 1}) {
+        if (end ? g.second != span.first_node + span.nodes - 1 : g.first != span.first_node) continue;
+        const auto p = surface.query(point(end), 0.5 * radius[i]);
+        if (p && p->distance > 0) add(end, end);
+      }
+    }
+  }
+  join(out, *mesh.mesh);
+  return out;
+}
+
+std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
+                               const std::vector<ContactVolume>& volumes, const std::vector<Chord>& chords) {
+  std::vector<Past> out;
+  for (size_t v = 0; v < volumes.size(); ++v) {
+    const Surface& surface = *volumes[v].surface;
+    const Box box = surface.bounds();
+    const RigidPose pose = pose_of(bodies, volumes[v], at.time);
+    for (int n = 0; n < mesh.owned; ++n) {
+      const Node& node = mesh.mesh->nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])];
+      if (node.body >= 0 || !chords[static_cast<size_t>(node.line)].known) continue;
+      const Chord& chord = chords[static_cast<size_t>(node.line)];
+      const double share = node.arc / mesh.mesh->lines[static_cast<size_t>(node.line)].length;
+      const Vec3 x = at.x[static_cast<size_t>(n)], from = pose.to_body(x),
+                 to = pose.to_body(chord.a + share * (chord.b - chord.a));
+      Box way;
+      way.add(from), way.add(to);
+      const double length = (to - from).norm();
+      if (!way.overlaps(box) || !(length > 0)) continue;
+      const auto away = [&](const Vec3& y) {
+        const auto p = surface.query(y, length);
+        return p ? p->distance : length;
+      };
+      const double first = away(from), least = 1e-3 * length;
+      if (!(first > 0) || !(away(to) > 0)) continue;
+      for (double s = first; s < length;) {
+        const double d = away(from + s / length * (to - from));
+        if (d < 0) {
+          out.push_back({node.line, static_cast<int>(v), node.arc, s, x});
+          break;
+        }
+        s += std::max(d, least);
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace hawser

@@ -1,0 +1,288 @@
+// Lines that start inside volumes: what is left out of contact, what is refused, and what the user reads.
+#include <algorithm>
+#include <numeric>
+
+#include "hawser/app/simulation.hpp"
+#include "hawser/app/volumes.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "regression/runs.hpp"
+
+namespace hawser::runs {
+namespace {
+
+// A rope from its fairlead, 3 m inside a hull, to an anchor far below.
+const char* const kFairlead = R"(hawser: 1
+line_types:
+  rope: {outer_diameter: 0.2, mass_per_length: 30, EA: 1.0e7, bending: false}
+bodies:
+  ship: {}
+volumes:
+  hull: {shape: {box: {centre: [0, 0, 0], size: [40, 10, 8]}}, body: ship, normal_stiffness: {per_length: 1.0e6}}
+lines:
+  mooring:
+    sections: [{type: rope, length: 125, elements: 50}]
+    end_a: {anchor: [100, 0, -60]}
+    end_b: {body: ship, at: [17, 0, 0]}
+contact: {method: METHOD}
+dynamics: {duration: 0.4, step: 0.02}
+output: {every: 0.1}
+)";
+
+struct Ready {
+  model::Case c;
+  std::vector<app::LoadedVolume> volumes;
+  std::unique_ptr<app::Simulation> sim;
+};
+Ready ready(const std::string& path) {
+  Ready r;
+  r.c = io::read_case(path);
+  r.volumes = app::load_volumes(r.c, MPI_COMM_WORLD);
+  r.sim = std::make_unique<app::Simulation>(MPI_COMM_WORLD, r.c, app::surfaces(r.volumes));
+  return r;
+}
+std::string join(const std::vector<std::string>& lines) {
+  return std::accumulate(lines.begin(), lines.end(), std::string(),
+                         [](const std::string& a, const std::string& b) { return a + b + "\n"; });
+}
+// Of all nodes, rank by rank nothing is asked twice.
+double largest(Ready& r, const std::string& field) {
+  double most = 0;
+  const FieldRegistry fields = r.sim->system().fields();
+  for (const FieldSource& f : fields.sources()) {
+    if (f.name != field) continue;
+    std::vector<double> values(r.sim->state().x.size() * static_cast<size_t>(f.components));
+    f.fill(r.sim->state().view(0), values);
+    for (size_t i = 0; i < static_cast<size_t>(r.sim->local().owned * f.components); ++i)
+      most = std::max(most, std::abs(values[i]));
+  }
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  return most;
+}
+std::string refused(Ready& r) {
+  try {
+    r.sim->solve_statics();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+#define EXPECT_HAS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+
+TEST(StartContact, AFairleadInItsHullIsLeftOut) {
+  const std::string path = folder("start_contact") + "/fairlead";
+  for (const std::string method : {"line", "nodes"}) {
+    write_case(path + method + ".yaml", kFairlead, {{"METHOD", method}});
+    Ready r = ready(path + method + ".yaml");
+    const std::string notes = join(r.sim->notes());
+    EXPECT_HAS(notes, "lines.mooring.end_b: starts up to ");
+    EXPECT_HAS(notes, " m inside volume hull; the ");
+    EXPECT_HAS(notes,
+               " m of line up to where it is clear of it have no contact with it ('no_contact_within' sets");
+    EXPECT_TRUE(r.sim->warnings().empty()) << join(r.sim->warnings());
+    EXPECT_EQ(refused(r), "");
+    // The hull is not felt at all: the tension is that without it.
+    EXPECT_LT(largest(r, "contact_normal_force"), 1e-6);
+    const double tension = largest(r, "effective_tension");
+    write_case(path + "_alone.yaml", kFairlead, {{"METHOD", method + ", volumes: []"}});
+    Ready alone = ready(path + "_alone.yaml");
+    EXPECT_EQ(refused(alone), "");
+    EXPECT_GT(tension, 1e4);
+    EXPECT_NEAR(largest(alone, "effective_tension"), tension, 1e-6 * tension);
+  }
+}
+
+// Contact from the end on, where the case says so: then it starts inside, and stays.
+TEST(StartContact, AStretchThatIsSaidCounts) {
+  const std::string path = folder("start_contact_said") + "/said.yaml";
+  write_case(path, kFairlead,
+             {{"METHOD", "line"}, {"at: [17, 0, 0]}", "at: [17, 0, 0], no_contact_within: 1}"}});
+  Ready r = ready(path);
+  EXPECT_HAS(join(r.sim->warnings()), "lines.mooring: its start shape passes through volume hull from ");
+  const std::string what = refused(r);
+  EXPECT_HAS(what, "said.yaml: lines.mooring: starts inside volume hull, and statics leaves it there, from ");
+  EXPECT_HAS(what, " to 124 m of arc length, deepest at ");
+  EXPECT_HAS(what, "; say where it lies outside of it with 'start: {points: ");
+  write_case(path, kFairlead,
+             {{"METHOD", "line"}, {"at: [17, 0, 0]}", "at: [17, 0, 0], no_contact_within: 12}"}});
+  Ready enough = ready(path);
+  EXPECT_TRUE(enough.sim->warnings().empty()) << join(enough.sim->warnings());
+  EXPECT_TRUE(join(enough.sim->notes()).find("no_contact_within") == std::string::npos);
+  EXPECT_EQ(refused(enough), "");
+  EXPECT_LT(largest(enough, "contact_normal_force"), 1e-6);
+}
+
+// A rope that begins 0.5 m under the deck it lies on comes out of it and lies on it.
+const char* const kDeck = R"(hawser: 1
+line_types:
+  rope: {outer_diameter: 0.2, mass_per_length: 30, EA: 1.0e6, bending: false}
+volumes:
+  deck: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, normal_stiffness: {per_length: 1.0e6}}
+lines:
+  rope:
+    sections: [{type: rope, length: 30, elements: 60}]
+    end_a: {anchor: [0, 0, -0.5]}
+    end_b: {anchor: [29.5, 0, 2]}
+contact: {method: METHOD}
+)";
+TEST(StartContact, TheRestOfTheLineTouches) {
+  const std::string path = folder("start_contact_rest") + "/deck.yaml";
+  for (const std::string method : {"line", "nodes"}) {
+    write_case(path, kDeck,
+               {{"METHOD", method + ", volumes: [deck]"},
+                {"end_b: {anchor: [29.5, 0, 2]}\n",
+                 "end_b: {anchor: [29.5, 0, 2]}\n    start: {points: [[0, 0, -0.5], [1, 0, 0.1], [20, 0, "
+                 "0.1], [29.5, 0, 2]]}\n"}});
+    Ready r = ready(path);
+    EXPECT_HAS(join(r.sim->notes()), "lines.rope.end_a: starts up to 0.5 m inside volume deck; the ");
+    EXPECT_TRUE(r.sim->warnings().empty()) << join(r.sim->warnings());
+    EXPECT_EQ(refused(r), "");
+    double lowest = 1, weight = 0;
+    for (int n = 0; n < r.sim->local().owned; ++n) {
+      const double arc =
+          r.sim->mesh().nodes[static_cast<size_t>(r.sim->local().global[static_cast<size_t>(n)])].arc;
+      if (arc > 3) lowest = std::min(lowest, r.sim->state().x[static_cast<size_t>(n)].z());
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &lowest, 1, MPI_DOUBLE, MPI_MIN, MPI_COMM_WORLD);
+    weight = 30 * 9.80665;  // N/m; on 1 MN/m² it sinks in by 0.29 mm
+    EXPECT_NEAR(lowest, 0.1 - weight / 1e6, 1e-3) << method;
+  }
+}
+
+// The way the line is given does not matter when statics brings it out: a rope that starts in a bollard.
+const char* const kBollard = R"(hawser: 1
+line_types:
+  rope: {outer_diameter: 0.1, mass_per_length: 10, EA: 1.0e6, bending: false}
+volumes:
+  bar: {shape: {cylinder: {from: [0, -5, 0], to: [0, 5, 0], radius: 0.5}}, normal_stiffness: {per_length: 1.0e6}}
+lines:
+  sling:
+    sections: [{type: rope, length: 20.8, elements: 40}]
+    end_a: {anchor: [-10, 0, HEIGHT]}
+    end_b: {anchor: [10, 0, HEIGHT]}
+    start: {points: [[-10, 0, HEIGHT], [0, 0, MIDDLE], [10, 0, HEIGHT]]}
+STATICS
+)";
+std::string bollard(const std::string& height, const std::string& middle, const std::string& rest = "") {
+  const std::string path = folder("start_contact_bollard") + "/bollard.yaml";
+  write_case(path, kBollard,
+             {{"HEIGHT", height},
+              {"HEIGHT", height},
+              {"HEIGHT", height},
+              {"MIDDLE", middle},
+              {"HEIGHT", height},
+              {"STATICS", rest}});
+  return path;
+}
+
+TEST(StartContact, WhatStaticsBringsOutIsGood) {
+  Ready r = ready(bollard("-1", "0.2"));
+  EXPECT_HAS(join(r.sim->warnings()), "lines.sling: its start shape passes through volume bar from ");
+  EXPECT_HAS(join(r.sim->warnings()), "; move the points of its 'start' out of it");
+  EXPECT_EQ(refused(r), "");
+}
+
+TEST(StartContact, WithoutStaticsItIsRefused) {
+  const std::string path = bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}");
+  app::RunOptions o;
+  o.case_path = path, o.quiet = true;
+  std::string what;
+  try {
+    app::run(MPI_COMM_WORLD, o);
+  } catch (const InputError& e) {
+    what = e.what();
+  }
+  EXPECT_HAS(what, "lines.sling: starts inside volume bar, and there are no statics to bring it out: from ");
+}
+
+// What hawser check prints.
+TEST(StartContact, CheckTells) {
+  if (size_of(MPI_COMM_WORLD) > 1) GTEST_SKIP() << "check runs on one rank";
+  const auto check = [](const std::string& path) {
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(app::check_case(MPI_COMM_WORLD, path, 1), 0);
+    std::fflush(stdout);
+    return testing::internal::GetCapturedStdout();
+  };
+  const std::string out = check(bollard("-1", "0.2"));
+  EXPECT_HAS(out, "warning: lines.sling: its start shape passes through volume bar from ");
+  EXPECT_HAS(out, " of arc length, deepest at ");
+  EXPECT_HAS(out, " m inside at (");
+  EXPECT_HAS(out, "the case is good if statics brings its lines out of the volumes they start in");
+  const std::string path = folder("start_contact_check") + "/case.yaml";
+  write_case(path, kFairlead, {{"METHOD", "line"}});
+  const std::string fairlead = check(path);
+  EXPECT_HAS(fairlead, "note: lines.mooring.end_b: starts up to ");
+  EXPECT_HAS(fairlead, "the case is good\n");
+  EXPECT_THROW(
+      app::check_case(MPI_COMM_WORLD, bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}"), 1),
+      InputError);
+}
+
+// A slack line that starts by itself hangs under the roller it was to lie on.
+TEST(StartContact, HangingUnderAVolumeIsTold) {
+  const std::string path = folder("start_contact_under") + "/under.yaml";
+  const Edits under{{"HEIGHT", "1"},
+                    {"HEIGHT", "1"},
+                    {"    start: {points: [[-10, 0, HEIGHT], [0, 0, MIDDLE], [10, 0, HEIGHT]]}\n", ""},
+                    {"STATICS", ""}};
+  write_case(path, kBollard, under);
+  Ready r = ready(path);
+  const std::string told = join(r.sim->warnings());
+  EXPECT_HAS(told, "lines.sling: its start shape passes under volume bar, ");
+  EXPECT_HAS(told,
+             "while the straight way between its ends passes over it; if it is to lie there, say so with");
+  // From below there is nothing to lie on.
+  Edits below = under;
+  below[0].second = below[1].second = "-1";
+  write_case(path, kBollard, below);
+  EXPECT_TRUE(ready(path).sim->warnings().empty());
+}
+
+// A run that goes on from a checkpoint leaves out what the first did.
+TEST(StartContact, GoesOnAsItStarted) {
+  const std::string at = folder("start_contact_restart");
+  write_case(at + "/case.yaml", kFairlead, {{"METHOD", "line"}});
+  run_on_all({at + "/case.yaml", at + "/whole.h5"});
+  run_on_all({at + "/case.yaml", at + "/first.h5", {}, 0.2});
+  run_on_all({at + "/case.yaml", at + "/rest.h5", at + "/first.h5"});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results whole = read(at + "/whole.h5"), rest = read(at + "/rest.h5");
+  const auto &a = whole.fields.at("position"), &b = rest.fields.at("position");
+  ASSERT_GT(b.size(), 0U);
+  const size_t last = 3 * 51;
+  for (size_t i = 0; i < last; ++i) EXPECT_NEAR(a[a.size() - last + i], b[b.size() - last + i], 1e-9);
+}
+
+// The axis of a line lies half a diameter above the bed, at its anchor too: nothing is pressed in.
+const char* const kAnchor = R"(hawser: 1
+environment:
+  water: {density: 1025, depth: 50}
+  seabed: {depth: 50, normal_stiffness: {per_length: 1.0e7}}
+line_types:
+  hose: {outer_diameter: 0.5, mass_per_length: 250, EA: 1.0e7, bending: false}
+lines:
+  hose:
+    sections: [{type: hose, length: 90, elements: 45}]
+    end_a: {anchor: [0, 0, ANCHOR]}
+    end_b: {anchor: [70, 0, -10]}
+)";
+TEST(StartContact, AnAnchorOnTheBedIsWhereTheLineRests) {
+  const std::string path = folder("start_contact_anchor") + "/anchor.yaml";
+  for (const std::string z : {"-50", "-49.9", "-50.2"}) {
+    write_case(path, kAnchor, {{"ANCHOR", z}});
+    Ready r = ready(path);
+    EXPECT_NEAR(r.c.lines[0].end_a.at.z(), -49.75, 1e-12) << z;
+    EXPECT_EQ(refused(r), "");
+    // The bed carries the weight of what lies and no more: pressed in by half a diameter it would be 2.5
+    // MN/m.
+    const double weight = (250 - 1025 * 0.25 * M_PI * 0.25) * 9.80665;  // N/m
+    EXPECT_GT(largest(r, "seabed_force"), 1.5 * weight);
+    EXPECT_LT(largest(r, "seabed_force"), 2.5 * weight);
+  }
+  write_case(path, kAnchor, {{"ANCHOR", "-49.5"}});
+  EXPECT_NEAR(io::read_case(path).lines[0].end_a.at.z(), -49.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace hawser::runs
