@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,7 +53,8 @@ class Simulation {
   int cut_elements() const { return cut_; }
 
   // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
-  StaticsReport solve_statics();
+  // told: how far it is, now and then; on all ranks.
+  StaticsReport solve_statics(std::function<void(const StaticsReport&)> told = {});
   DynamicsSettings dynamics_settings() const;
 
  private:
