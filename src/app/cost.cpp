@@ -15,7 +15,8 @@ namespace {
 // Of the cases in cases/: residuals and tangents a step of dynamics and in statics, the share of a step that
 // goes elsewhere (preparing contact, bounds of the step, what is recorded), automatic steps over the longest
 // ones.
-constexpr double kResiduals = 4, kTangents = 2, kElsewhere = 0.3, kAutomatic = 0.7;
+constexpr double kResiduals = 4, kTangents = 2, kElsewhere = 0.3, kAutomatic = 0.5;
+constexpr double kContact = 2;  // lines come to lie on volumes that are far from them in the start shape
 constexpr double kStaticsIterations = 60, kStaticsResiduals = 2;
 constexpr double kEnough = 0.02;  // CPU s that a part is measured for
 constexpr int kMostRepeats = 50;
@@ -45,7 +46,7 @@ double expected_cost(const CostParts& p) {
   double cost = p.statics ? kStaticsIterations * (kStaticsResiduals * p.residual + p.tangent) : 0;
   if (p.duration > 0)
     cost += p.duration / p.step * (1 + kElsewhere) * (kResiduals * p.residual + kTangents * p.tangent);
-  return cost;
+  return p.contact ? kContact * cost : cost;
 }
 
 CostParts measured_parts(Simulation& sim) {
@@ -58,6 +59,7 @@ CostParts measured_parts(Simulation& sim) {
     parts.duration = c.dynamics.duration;
     h = parts.step = step.fixed > 0 ? step.fixed : kAutomatic * step.longest;
   }
+  parts.contact = sim.contact() != nullptr;
   System& system = sim.system();
   State state = sim.state();
   const size_t n = state.x.size();
