@@ -16,7 +16,7 @@ namespace {
 // goes elsewhere (preparing contact, bounds of the step, what is recorded), automatic steps over the longest
 // ones.
 constexpr double kResiduals = 4, kTangents = 2, kElsewhere = 0.3, kAutomatic = 0.5;
-constexpr double kContact = 2;  // lines come to lie on volumes that are far from them in the start shape
+constexpr double kContact = 3;  // lines come to lie on volumes that are far from them in the start shape
 constexpr double kStaticsIterations = 60, kStaticsResiduals = 2;
 constexpr double kEnough = 0.02;  // CPU s that a part is measured for
 constexpr int kMostRepeats = 50;

@@ -20,7 +20,8 @@ output: {every: 0.5, histories: [{line: fall, at: end_a, name: top}]}
 
 TEST(LinearTable, StepsEndAtTheRows) {
   const std::string path = folder("linear_table");
-  const std::vector<double> rows{0, 0.13, 0.37, 1.01}, height{0, 0.02, 0.02, -0.05, 0}, until{0.13, 0.37, 1.01, 2};
+  const std::vector<double> rows{0, 0.13, 0.37, 1.01}, height{0, 0.02, 0.02, -0.05, 0},
+      until{0.13, 0.37, 1.01, 2};
   for (const std::string step : {"step: 0.05", "max_step: 0.1"})
     for (const std::string word : {"linear", "monotone"}) {
       write_case(path + "/case.yaml", kCase, {{"WORD", word}, {"STEP", step}});

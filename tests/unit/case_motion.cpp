@@ -14,8 +14,7 @@ namespace hawser::case_motion_test {
 namespace {
 
 model::Case read(const std::string& table, const std::string& more = "") {
-  return io::read_case_text(
-      fmt::format(R"(
+  return io::read_case_text(fmt::format(R"(
 hawser: 1
 line_types: {{chain: {{outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}}}}
 bodies: {{ship: {{motion: {{table: {{{}}}{}}}}}}}
@@ -23,8 +22,8 @@ lines:
   mooring: {{sections: [{{type: chain, length: 120, elements: 4}}], end_a: {{anchor: [100, 0, -50]}}, end_b: {{body: ship, at: [0, 0, 0]}}}}
 dynamics: {{duration: 6}}
 )",
-                  table, more),
-      "/nowhere/case.yaml");
+                                        table, more),
+                            "/nowhere/case.yaml");
 }
 
 // A winch that pulls 2 m in two seconds and stops.
@@ -86,7 +85,8 @@ TEST(CaseMotion, MonotoneAndLinearStayBetweenTheRows) {
 // Steps end where a body's velocity jumps.
 TEST(CaseMotion, VelocityJumpsAtTheRowsOfStraightLines) {
   EXPECT_TRUE(model::velocity_jumps(read(kRows).bodies).empty());
-  const std::string drift = ", drift: {table: {rows: [[-1, 0, 0, 0], [3, 0, 0, 1], [6, 0, 0, 1]], interpolation: linear}}";
+  const std::string drift =
+      ", drift: {table: {rows: [[-1, 0, 0, 0], [3, 0, 0, 1], [6, 0, 0, 1]], interpolation: linear}}";
   const std::vector<double> both{-1, 0, 2, 3, 4, 6, 8};
   EXPECT_EQ(model::velocity_jumps(read(kRows + ", interpolation: linear", drift).bodies), both);
 }

@@ -158,8 +158,8 @@ TEST(CaseRao, WavesBeyondTheTable) {
     std::string rows;
     for (const int direction : directions)
       for (const double period : periods)
-        rows += fmt::format("{}[{}, {}, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0]", rows.empty() ? "" : ", ", period,
-                            direction);
+        rows += fmt::format("{}[{}, {}, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0]", rows.empty() ? "" : ", ",
+                            period, direction);
     return io::read_case_text(R"(
 hawser: 1
 environment: {water: {depth: 100}, waves: {)" +
@@ -179,9 +179,10 @@ dynamics: {duration: 20}
   EXPECT_TRUE(notes(wave, {9}, {60}).empty());
   const auto shorter = notes(wave, {10, 12}, {60});
   ASSERT_EQ(shorter.size(), 1U);
-  EXPECT_EQ(shorter[0],
-            "bodies.ship.motion.rao: 100 % of the sea's energy has shorter periods than the table, as far as 9 "
-            "s, and there the responses of its shortest one, 10 s, are used: give rows there");
+  EXPECT_EQ(
+      shorter[0],
+      "bodies.ship.motion.rao: 100 % of the sea's energy has shorter periods than the table, as far as 9 "
+      "s, and there the responses of its shortest one, 10 s, are used: give rows there");
   const auto longer = notes(wave, {4, 6}, {60});
   ASSERT_EQ(longer.size(), 1U);
   EXPECT_NE(longer[0].find("has longer periods than the table, as far as 9 s, and there the responses of its "
@@ -190,9 +191,10 @@ dynamics: {duration: 20}
       << longer[0];
   const auto astray = notes(wave, {5, 12}, {0});
   ASSERT_EQ(astray.size(), 1U);
-  EXPECT_EQ(astray[0],
-            "bodies.ship.motion.rao: the table has one direction, 0 deg, whose responses are used for waves up "
-            "to 60 deg away from it: give rows for the directions of the sea");
+  EXPECT_EQ(
+      astray[0],
+      "bodies.ship.motion.rao: the table has one direction, 0 deg, whose responses are used for waves up "
+      "to 60 deg away from it: give rows for the directions of the sea");
 }
 
 }  // namespace

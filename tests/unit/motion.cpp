@@ -88,8 +88,8 @@ TEST(Motion, CurvesBetweenRows) {
   for (const double z : {0.0, 0.0, 1.0, 1.0, 0.4, 0.7}) offset.emplace_back(z, -2 * z, 0);
   for (const double t : time) rotation.emplace_back(0, 0.3 * t * t, 0.1 * t);
   const auto motion = [&](BetweenRows between) {
-    return RigidMotion({0, 0, 0}, {0.4, 0, 0},
-                       TableLaw{{time, offset, between}, {time, rotation, between}}, 0);
+    return RigidMotion({0, 0, 0}, {0.4, 0, 0}, TableLaw{{time, offset, between}, {time, rotation, between}},
+                       0);
   };
   for (const BetweenRows between : {BetweenRows::spline, BetweenRows::monotone, BetweenRows::linear}) {
     const RigidMotion m = motion(between);
