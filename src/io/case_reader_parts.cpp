@@ -171,7 +171,7 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
   const double before = m.time[worst.row], after = m.time[worst.row + 1];
   notes.push_back(fmt::format(
       "{}: between its rows at {:g} and {:g} s the spline takes {} to {:.4g} {} at {:.4g} s, {:.3g} {} "
-      "({:.2g} "
+      "({:.3g} "
       "% of what the rows span) beyond both{}; if the body does not do that, give more rows there or "
       "'interpolation: monotone'",
       key, before, after, column->names[worst.component], worst.value * column->factor, column->unit,

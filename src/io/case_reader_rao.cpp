@@ -117,7 +117,7 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
   const auto beyond = [&](double energy, const char* which, const char* end, double omega, double last) {
     if (energy > 0)
       notes.push_back(fmt::format(
-          "{}: {:.2g} % of the sea's energy has {} periods than the table, as far as {:.3g} s, and there the "
+          "{}: {:.3g} % of the sea's energy has {} periods than the table, as far as {:.3g} s, and there the "
           "responses of its {} one, {:.4g} s, are used: give rows there",
           key, 100 * energy / all, which, 2 * M_PI / omega, end, 2 * M_PI / last));
   };

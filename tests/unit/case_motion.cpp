@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -75,9 +77,10 @@ TEST(CaseMotion, MonotoneAndLinearStayBetweenTheRows) {
     read(kRows + ", interpolation: cubic");
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("bodies.ship.motion.table.interpolation: expected one of 'spline', "
-                                         "'monotone' or 'linear', found 'cubic'"),
-              std::string::npos)
+    EXPECT_NE(
+        std::string(e.what()).find("bodies.ship.motion.table.interpolation: expected 'spline', 'monotone' "
+                                   "or 'linear', found 'cubic'"),
+        std::string::npos)
         << e.what();
   }
 }
