@@ -16,7 +16,7 @@ namespace {
 // goes elsewhere (preparing contact, bounds of the step, what is recorded), automatic steps over the longest
 // ones.
 constexpr double kResiduals = 4, kTangents = 2, kElsewhere = 0.3, kAutomatic = 0.5;
-constexpr double kContact = 3;  // lines come to lie on volumes that are far from them in the start shape
+constexpr double kContact = 3;  // lines come to lie on meshes that are far from them in the start shape
 constexpr double kStaticsIterations = 60, kStaticsResiduals = 2;
 constexpr double kEnough = 0.02;  // CPU s that a part is measured for
 constexpr int kMostRepeats = 50;
@@ -46,7 +46,7 @@ double expected_cost(const CostParts& p) {
   double cost = p.statics ? kStaticsIterations * (kStaticsResiduals * p.residual + p.tangent) : 0;
   if (p.duration > 0)
     cost += p.duration / p.step * (1 + kElsewhere) * (kResiduals * p.residual + kTangents * p.tangent);
-  return p.contact ? kContact * cost : cost;
+  return p.meshes ? kContact * cost : cost;
 }
 
 CostParts measured_parts(Simulation& sim) {
@@ -59,7 +59,9 @@ CostParts measured_parts(Simulation& sim) {
     parts.duration = c.dynamics.duration;
     h = parts.step = step.fixed > 0 ? step.fixed : kAutomatic * step.longest;
   }
-  parts.contact = sim.contact() != nullptr;
+  parts.meshes = sim.contact() &&
+                 std::any_of(c.volumes.begin(), c.volumes.end(),
+                             [&](const model::Volume& v) { return !v.shape && c.contact.takes_part(v); });
   System& system = sim.system();
   State state = sim.state();
   const size_t n = state.x.size();

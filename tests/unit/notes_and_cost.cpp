@@ -59,9 +59,9 @@ TEST(Cost, ByStepsAndWhatTheyNeed) {
   p.statics = true;
   EXPECT_NEAR(expected_cost(p), 2000 * 1.3 * 1.4e-3 + 60 * 7e-4, 1e-12);
   EXPECT_EQ(cost_sentence(p), "expected cost: about 3.7 CPU s, if steps are of about 0.05 s");
-  p.contact = true;
+  p.meshes = true;
   EXPECT_NEAR(expected_cost(p), 3 * (2000 * 1.3 * 1.4e-3 + 60 * 7e-4), 1e-12);
-  p.contact = false;
+  p.meshes = false;
   p.step = 5;
   EXPECT_EQ(cost_sentence(p), "expected cost: less than 1 CPU s, if steps are of about 5 s");
   p.duration = 0;

@@ -11,7 +11,7 @@ struct CostParts {
   double residual = 0;  // CPU s: of one residual
   double tangent = 0;   // of one tangent with its factorisation and solution
   bool statics = false;
-  bool contact = false;           // of lines with volumes
+  bool meshes = false;            // that lines touch
   double duration = 0, step = 0;  // s, simulated; duration 0: no dynamics
 };
 // CPU s. Steps, and what each needs, by the mean of the cases that come with the program.
