@@ -10,6 +10,7 @@
 #include <ctime>
 #include <filesystem>
 
+#include "hawser/app/cost.hpp"
 #include "hawser/app/files.hpp"
 #include "hawser/app/progress.hpp"
 #include "hawser/app/recorder.hpp"
@@ -21,7 +22,8 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
-#include "hawser/model/longest_step.hpp"
+#include "hawser/model/body_motion.hpp"
+#include "hawser/model/notes.hpp"
 #include "hawser/model/summary.hpp"
 #include "hawser/solve/start_shape.hpp"
 
@@ -65,30 +67,20 @@ bool same_file(const std::string& a, const std::string& b) {
   return std::filesystem::equivalent(a, b, e);
 }
 
-// Seconds a node and Newton iteration (residual, tangent, factors, solve), measured with the reel, the reel
-// without its drum, and that with a cable, on one core of the machine of docs/performance.md.
-constexpr double kBeamCost = 1.6e-6, kCableCost = 0.5e-6, kContactCost = 0.5e-6;
-constexpr double kStaticsIterations = 30;
+// What is said while a case is read.
+io::ReadingNews news(Progress& progress) {
+  return {[&progress](const std::string& title) { progress.say(title); },
+          [&progress](const std::string& what, double seconds) { progress.busy(what, seconds); }};
+}
 
-void print_cost(const model::Case& c, long beams, long cables) {
-  const auto nodes = static_cast<double>(beams + cables);
-  const double iteration = kBeamCost * static_cast<double>(beams) + kCableCost * static_cast<double>(cables) +
-                           (c.volumes.empty() ? 0 : kContactCost * nodes);
-  double cost = c.statics.enabled ? kStaticsIterations * iteration : 0;
-  std::string why;
-  if (c.dynamics.enabled) {
-    const model::Dynamics& d = c.dynamics;
-    // Automatic steps are about half the longest; contact takes an iteration more.
-    const double longest = d.max_step > 0 ? d.max_step : model::longest_step(c).length;
-    const double step = d.step > 0 ? d.step : 0.5 * longest;
-    const int iterations = c.volumes.empty() ? 4 : 5;
-    cost += d.duration / step * iterations * iteration;
-    why = fmt::format(", if steps are of {:.2g} s and need {} Newton iterations", step, iterations);
-  }
-  if (cost < 1)
-    fmt::print("expected cost: less than 1 CPU s{}\n", why);
-  else
-    fmt::print("expected cost: about {:.2g} CPU s{}\n", cost, why);
+// What was mended and chosen, the like of several volumes at once.
+std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
+                                   const std::vector<std::string>& chosen) {
+  std::vector<std::string> all = c.notes;
+  for (const auto& v : volumes)
+    for (const auto& n : v.notes) all.push_back("volumes." + v.name + ": " + n);
+  all.insert(all.end(), chosen.begin(), chosen.end());
+  return model::grouped_notes(all);
 }
 
 // Prints how the lines start beside the volumes; false if one starts inside, out of which statics must bring
@@ -120,26 +112,23 @@ int run(MPI_Comm comm, const RunOptions& options) {
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &size);
-  model::Case c = io::read_case(options.case_path);
-  if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
   const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
+  Progress progress(speak);
+  model::Case c = io::read_case(options.case_path, news(progress));
+  if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
   check_output_place(comm, c.output.file);
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
-  std::vector<LoadedVolume> volumes = load_volumes(c, comm);
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
   io::Checkpoint checkpoint;
   if (restarted) checkpoint = read_restart(options.restart, sim);
-  Progress progress(speak, end);
   progress.say(
-      fmt::format("{}: {} nodes on {}", c.title.empty() ? c.path : c.title, sim.mesh().nodes.size(),
+      fmt::format("{} nodes on {}", sim.mesh().nodes.size(),
                   size == 1 ? "1 rank" : fmt::format("{} ranks, {} cut elements", size, sim.cut_elements())));
-  for (const auto& n : c.notes) progress.say("note: " + n);
-  for (const auto& v : volumes)
-    for (const auto& n : v.notes) progress.say("note: volumes." + v.name + ": " + n);
-  for (const auto& n : sim.notes()) progress.say("note: " + n);
+  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
   if (!restarted) {
     for (const auto& w : sim.warnings()) progress.say("warning: " + w);
     if (!c.statics.enabled) sim.check_inside();
@@ -151,7 +140,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
   } else if (c.statics.enabled) {
     const Stage stage("statics");
     const size_t told = sim.notes().size();
-    const StaticsReport s = sim.solve_statics();
+    const StaticsReport s = sim.solve_statics([&](const StaticsReport& now) {
+      progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+    });
     for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
     progress.say(fmt::format(
         "statics: {} iterations{}{}", s.iterations,
@@ -193,11 +184,15 @@ int run(MPI_Comm comm, const RunOptions& options) {
     std::signal(SIGINT, request_stop);
     std::signal(SIGTERM, request_stop);
     Dynamics& d = sim.dynamics();
-    progress.begin(d.committed().s.time);
+    progress.begin(d.committed().s.time, end);
     const double every = c.output.every > 0 ? c.output.every : c.dynamics.duration / 100;
     const double keep = c.output.checkpoint_every;
+    const std::vector<double> jumps = model::velocity_jumps(c.bodies);
     auto next_stop = [&](double t) {
-      return keep > 0 ? std::min(next_multiple(t, every), next_multiple(t, keep)) : next_multiple(t, every);
+      const double stop =
+          keep > 0 ? std::min(next_multiple(t, every), next_multiple(t, keep)) : next_multiple(t, every);
+      const auto jump = std::upper_bound(jumps.begin(), jumps.end(), t + 1e-9 * std::max(1.0, t));
+      return jump != jumps.end() ? std::min(stop, *jump) : stop;
     };
     double output_at = next_multiple(d.committed().s.time, every);
     double checkpoint_at = keep > 0 ? next_multiple(d.committed().s.time, keep) : output_at;
@@ -257,9 +252,11 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
-  const model::Case c = io::read_case(case_path);
-  const std::vector<LoadedVolume> volumes = load_volumes(c, comm);
+  Progress progress(rank == 0);
+  const model::Case c = io::read_case(case_path, news(progress));
+  const std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
   if (rank != 0) return 0;
+  progress.end();
   fmt::print("{}", model::summary(c));
   for (const auto& v : volumes) {
     fmt::print("volume {}: {}\n", v.name, v.report);
@@ -270,14 +267,13 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
   const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
   const std::vector<int> owner = share_nodes(c, mesh, bodies, ranks);
   std::vector<int> share(static_cast<size_t>(ranks), 0);
-  long beams = 0;
-  for (size_t n = 0; n < owner.size(); ++n)
-    ++share[static_cast<size_t>(owner[n])], beams += mesh.nodes[n].rotates;
+  for (const int o : owner) ++share[static_cast<size_t>(o)];
   const auto [least, most] = std::minmax_element(share.begin(), share.end());
   fmt::print("partition: {} rank{}, {} nodes{}, {} cut elements\n", ranks, ranks > 1 ? "s" : "",
              ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
              ranks > 8 ? " each" : "", cut_elements(mesh, owner));
-  print_cost(c, beams, static_cast<long>(mesh.nodes.size()) - beams);
+  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
+  fmt::print("{}\n", cost_sentence(measured_parts(sim)));
   fmt::print("{}", starts_well
                        ? "the case is good\n"
                        : "the case is good if statics brings its lines out of the volumes they start in; "

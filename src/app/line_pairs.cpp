@@ -109,7 +109,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
                          std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
                            return t.settings.basis == model::StiffnessBasis::automatic;
                          });
-  if (automatic && lines > 1) {
+  if (automatic) {
     double least = HUGE_VAL, most = 0;
     for (const auto& [first, i] : kinds)
       for (const auto& [second, j] : kinds) {
@@ -117,10 +117,14 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
         most = std::max(most, automatic_stiffness(i.most, j.most, i.radius + j.radius));
       }
     notes.push_back(fmt::format(
-        "contact between lines: normal stiffness {:.3g} to {:.3g} N/m per m: the stiffer of two lines' "
+        "contact {}: normal stiffness {} N/m per m: the stiffer of two lines' "
         "own (as for volumes: presses in by 0.5 % of the radius), and so much at least that 1 % of "
         "the EA of the weaker one presses crossing lines into each other by a twentieth of their radii",
-        least, most));
+        lines == 1 ? fmt::format("of line {} with itself", c.lines.front().name)
+        : b.self   ? "between lines and of lines with themselves"
+                   : "between lines",
+        most > least * (1 + 1e-9) ? fmt::format("{:.3g} to {:.3g}", least, most)
+                                  : fmt::format("{:.3g}", most)));
   }
   return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
 }

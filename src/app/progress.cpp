@@ -8,11 +8,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace hawser::app {
 namespace {
 
 constexpr double kRewriteEvery = 0.2, kLineEvery = 60;  // s, on a terminal; elsewhere at the latest
+constexpr double kLong = 2;                             // s, without a word elsewhere
 
 // Columns of the terminal that stdout is; 0: it is none. mpirun gives its processes a pseudo-terminal even
 // when its own output goes to a file, but then one without a size.
@@ -34,11 +36,51 @@ std::string clock_text(double seconds) {
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
-Progress::Progress(bool speak, double duration)
-    : speak_(speak), columns_(terminal_columns()), duration_(duration) {}
+Progress::Progress(bool speak) : speak_(speak), columns_(terminal_columns()) {}
 
-void Progress::begin(double time) {
-  start_ = time;
+void Progress::rewrite(std::string text) {
+  // A line that wraps cannot be rewritten.
+  text.resize(std::min(text.size(), static_cast<size_t>(columns_ - 1)));
+  std::fputs(fmt::format("\r\033[K{}", text).c_str(), stdout);
+  std::fflush(stdout);
+  open_ = true;
+}
+
+void Progress::busy(const std::string& what, double took) {
+  if (!speak_) return;
+  const auto now = Clock::now();
+  if (columns_ > 0) {
+    rewrite(what);
+    passing_ = true;
+  } else if (took > kLong || seconds(now - last_) > kLong) {
+    std::puts(what.c_str());
+    std::fflush(stdout);
+  } else {
+    return;
+  }
+  last_ = now;
+}
+
+void Progress::statics(int iterations, int relaxation_steps, double residual) {
+  if (!speak_) return;
+  const auto now = Clock::now();
+  if (seconds(now - last_) < (columns_ > 0 ? kRewriteEvery : kLineEvery)) return;
+  last_ = now;
+  const std::string text = fmt::format(
+      "statics: {} iterations{}, out of balance by {:.1e} of the forces so far", iterations,
+      relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", relaxation_steps) : "",
+      residual);
+  if (columns_ > 0) {
+    rewrite(text);
+    passing_ = true;
+    return;
+  }
+  std::puts(text.c_str());
+  std::fflush(stdout);
+}
+
+void Progress::begin(double time, double end) {
+  start_ = time, duration_ = end;
   began_ = last_ = Clock::now();
   next_share_ = std::floor(10 * time / std::max(duration_, 1e-300) + 1e-9) / 10 + 0.1;
 }
@@ -57,15 +99,13 @@ void Progress::step(double time, double step, int iterations) {
   std::string text = fmt::format("t = {:.3f} of {:.6g} s ({:3.0f} %), step {:.3g} s, {} iterations, {} left",
                                  time, duration_, 100 * share, step, iterations, clock_text(left));
   if (columns_ > 0) {
-    // A line that wraps cannot be rewritten.
-    text.resize(std::min(text.size(), static_cast<size_t>(columns_ - 1)));
-    std::fputs(fmt::format("\r\033[K{}", text).c_str(), stdout);
-    open_ = true;
+    rewrite(std::move(text));
+    passing_ = false;
   } else {
     if (due) next_share_ = std::floor(share * 10 + 1e-9) / 10 + 0.1;
     std::puts(text.c_str());
+    std::fflush(stdout);
   }
-  std::fflush(stdout);
 }
 
 void Progress::say(const std::string& text) {
@@ -77,7 +117,7 @@ void Progress::say(const std::string& text) {
 
 void Progress::end() {
   if (!open_) return;
-  std::fputc('\n', stdout);
+  std::fputs(passing_ ? "\r\033[K" : "\n", stdout);
   std::fflush(stdout);
   open_ = false;
 }

@@ -245,7 +245,7 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
   report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
 }
 
-StaticsReport Simulation::solve_statics() {
+StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> told) {
   const auto enable_friction = [this](bool on) {
     if (contact_) contact_->enable_friction(on);
     if (line_pairs_) line_pairs_->enable_friction(on);
@@ -269,6 +269,7 @@ StaticsReport Simulation::solve_statics() {
   settings.relaxation_steps = case_.statics.relaxation_steps;
   settings.augment = !case_.statics.exact_contact;
   settings.friction = case_.statics.contact_friction;
+  settings.told = std::move(told);
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   if (case_.statics.exact_contact && contact_) {
     const UnilateralReport exact = solve_unilateral(*system_, settings, state_);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <climits>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 
 #include "hawser/base/error.hpp"
@@ -184,10 +185,13 @@ LoadedVolume load_shape(const model::Case& c, const model::Volume& v) {
 
 }  // namespace
 
-std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm) {
+std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm, const io::ReadingNews& news) {
   const Host host(comm);
   std::vector<LoadedVolume> out;
   for (const auto& v : c.volumes) {
+    if (!v.shape && news.busy)
+      news.busy(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()),
+                io::reading_time(v.mesh));
     try {
       out.push_back(v.shape ? load_shape(c, v) : share_mesh(comm, host, c, v));
     } catch (const std::invalid_argument& e) {

@@ -75,7 +75,7 @@ class Reader {
     model::Drift d;
     d.offset = vec(v, "offset"), d.rotation = vec(v, "rotation_deg");
     if (const Value* h = v.find("harmonic")) d.harmonic = harmonic(*h);
-    if (const Value* t = v.find("table")) d.table = read_motion_table(*t, path + ".table", source_);
+    if (const Value* t = v.find("table")) d.table = read_motion_table(*t, path + ".table", source_, c_.notes);
     d.ramp = v["ramp"].number;
     return d;
   }
@@ -102,7 +102,7 @@ class Reader {
     if (const Value* h = m->find("harmonic")) {
       b.motion = harmonic(*h);
     } else if (const Value* t = m->find("table")) {
-      b.motion = read_motion_table(*t, path + ".table", source_);
+      b.motion = read_motion_table(*t, path + ".table", source_, c_.notes);
     } else if (const Value* rao = m->find("rao")) {
       const Value* d = root_.find("dynamics");
       b.motion = read_rao(*rao, path + ".rao", c_.environment, b, d ? (*d)["duration"].number : 0, source_,
@@ -423,22 +423,24 @@ class Reader {
 
 }  // namespace
 
-model::Case read_case_text(const std::string& text, const std::string& path) {
+model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news) {
   Case c;
   c.text = text;
   c.path = fs::absolute(path).lexically_normal().string();
   c.directory = fs::path(c.path).parent_path().string();
   Value root = parse_yaml(text, path);
   model::check_structure(root, model::case_schema(), path);
+  if (const Value* title = root.find("title"); news.title)
+    news.title(title && !title->text.empty() ? title->text : c.path);
   const CaseSource source{path, c.directory};
   Reader(root, source, c).read();
   for (const model::Issue& i : model::check(c)) model::fail(path, root.line_of(i.key), i.key, i.text);
   check_bed(root, source, c);
-  check_meshes(root, source, c);
+  check_meshes(root, source, c, news);
   return c;
 }
 
-model::Case read_case(const std::string& path) {
+model::Case read_case(const std::string& path, const ReadingNews& news) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) model::fail(path, 0, "", "there is no such case file");
@@ -449,7 +451,7 @@ model::Case read_case(const std::string& path) {
     if (in && fs::file_size(path, error) == 0 && !error) model::fail(path, 1, "", "the file is empty");
     model::fail(path, 0, "", "cannot be read");
   }
-  return read_case_text(text.str(), path);
+  return read_case_text(text.str(), path, news);
 }
 
 }  // namespace hawser::io

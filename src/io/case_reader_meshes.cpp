@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
 
 #include "hawser/base/error.hpp"
 #include "hawser/geometry/point_in_polyhedron.hpp"
@@ -60,7 +63,22 @@ void check_leaders(const Value& root, const CaseSource& source, const model::Cas
 
 }  // namespace
 
-void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
+double reading_time(const std::string& path) {
+  constexpr double kSpeed = 2e7;  // bytes a second, of STL and OBJ files on one core of docs/performance.md
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  return error ? 0 : static_cast<double>(size) / kSpeed;
+}
+
+std::string reading_text(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  const double mb = error ? 0 : 1e-6 * static_cast<double>(size);
+  return fmt::format("reading the mesh {} ({:.{}f} MB)", std::filesystem::path(path).filename().string(), mb,
+                     mb < 10 ? 1 : 0);
+}
+
+void check_meshes(const Value& root, const CaseSource& source, model::Case& c, const ReadingNews& news) {
   constexpr double kHuge = 5000;  // m; no body at sea is as large, a mesh in mm taken for m is
   constexpr double kThin = 1e5;   // a volume this much larger than the thinnest line
   constexpr double kTiny = 0.02;  // a volume this much smaller than the thinnest line
@@ -76,6 +94,7 @@ void check_meshes(const Value& root, const CaseSource& source, model::Case& c) {
     if (v.shape) continue;
     const Value& given = root["volumes"][v.name];
     const std::string key = "volumes." + v.name;
+    if (news.busy) news.busy(reading_text(v.mesh), reading_time(v.mesh));
     LoadedMesh loaded;
     try {
       loaded = read_mesh(v.mesh, v.scale, v.closed);

@@ -135,7 +135,54 @@ void check_time(const GivenRows& given, size_t i, const CaseSource& source) {
         fmt::format("times must increase, but row {} has t = {:g} s after {:g} s", i + 1, now, before));
 }
 
-model::TableMotion read_motion_table(const Value& table, const std::string& key, const CaseSource& source) {
+namespace {
+
+// Of what a column spans: a sine of eleven rows a period and more stays within it.
+constexpr double kOvershoot = 0.02;
+
+// The furthest that a spline goes beyond the rows on either side.
+void note_overshoot(const model::TableMotion& m, const std::string& key, std::vector<std::string>& notes) {
+  struct Column {
+    const std::vector<Vec3>& rows;
+    const char* names[3];
+    const char* unit;
+    double factor;
+  };
+  const Column columns[] = {{m.offset, {"x", "y", "z"}, "m", 1},
+                            {m.rotation,
+                             {"the rotation about x", "the rotation about y", "the rotation about z"},
+                             "deg",
+                             180 / std::numbers::pi}};
+  RowCurve::Overshoot worst;
+  const Column* column = nullptr;
+  double worst_share = 0;
+  size_t places = 0;
+  for (const Column& k : columns) {
+    if (k.rows.empty()) continue;
+    Vec3 least = k.rows.front(), most = least;
+    for (const Vec3& x : k.rows) least = least.cwiseMin(x), most = most.cwiseMax(x);
+    for (const RowCurve::Overshoot& o : RowCurve(m.time, k.rows, m.between).overshoots(kOvershoot)) {
+      ++places;
+      const double span = most[o.component] - least[o.component], share = span > 0 ? o.by / span : 0;
+      if (share > worst_share) worst = o, worst_share = share, column = &k;
+    }
+  }
+  if (!column) return;
+  const double before = m.time[worst.row], after = m.time[worst.row + 1];
+  notes.push_back(fmt::format(
+      "{}: between its rows at {:g} and {:g} s the spline takes {} to {:.4g} {} at {:.4g} s, {:.3g} {} "
+      "({:.3g} "
+      "% of what the rows span) beyond both{}; if the body does not do that, give more rows there or "
+      "'interpolation: monotone'",
+      key, before, after, column->names[worst.component], worst.value * column->factor, column->unit,
+      worst.time, worst.by * column->factor, column->unit, 100 * worst_share,
+      places > 1 ? fmt::format(", and so in {} other place{}", places - 1, places > 2 ? "s" : "") : ""));
+}
+
+}  // namespace
+
+model::TableMotion read_motion_table(const Value& table, const std::string& key, const CaseSource& source,
+                                     std::vector<std::string>& notes) {
   const GivenRows given = read_given_rows(table, key, source);
   const auto& [at, where, rows] = given;
   if (rows.size() < 2)
@@ -147,6 +194,9 @@ model::TableMotion read_motion_table(const Value& table, const std::string& key,
                            "found {}",
                            columns));
   model::TableMotion m;
+  const Value& between = table["interpolation"];
+  if (between.is("monotone")) m.between = BetweenRows::monotone;
+  if (between.is("linear")) m.between = BetweenRows::linear;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != columns)
@@ -156,6 +206,7 @@ model::TableMotion read_motion_table(const Value& table, const std::string& key,
     m.offset.emplace_back(r[1], r[2], r[3]);
     if (columns == 7) m.rotation.push_back(Vec3(r[4], r[5], r[6]) * (std::numbers::pi / 180));
   }
+  note_overshoot(m, key, notes);
   return m;
 }
 

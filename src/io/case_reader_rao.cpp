@@ -15,7 +15,8 @@ namespace hawser::io {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-constexpr double kWideGap = 100;  // deg between directions, beyond which straight lines hide a side
+constexpr double kOneDirection = 1;  // deg from the only direction of a table, that it does not stand for
+constexpr double kWideGap = 100;     // deg between directions, beyond which straight lines hide a side
 
 // Whether a table of both sides is told to be of one.
 bool both_sides(const std::vector<RaoTable::Row>& rows) {
@@ -92,6 +93,38 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
       gap.from / kDegree, gap.to / kDegree));
 }
 
+// One direction holds for all, and the first and last period for what is beyond them.
+void check_reach(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
+                 std::vector<std::string>& notes) {
+  double furthest = 0, only = 0;                                       // deg from the table's one direction
+  double all = 0, fast = 0, slow = 0, highest = 0, lowest = HUGE_VAL;  // of the elevation's variance; rad/s
+  for (const WaveComponent& w : waves.components()) {
+    const double to = std::atan2(w.y, w.x) - bow;
+    const RaoTable::Between b = table.neighbours(to);
+    if (const double off = std::abs(std::remainder(to - b.from, 2 * M_PI)) / kDegree;
+        b.from == b.to && off > std::max(furthest, kOneDirection))
+      furthest = off, only = b.from / kDegree;
+    const double energy = w.amplitude * w.amplitude;
+    all += energy;
+    if (w.omega > table.highest() * (1 + 1e-9)) fast += energy, highest = std::max(highest, w.omega);
+    if (w.omega < table.lowest() * (1 - 1e-9)) slow += energy, lowest = std::min(lowest, w.omega);
+  }
+  if (furthest > 0)
+    notes.push_back(
+        fmt::format("{}: the table has one direction, {:.4g} deg, whose responses are used for waves up to "
+                    "{:.3g} deg away from it: give rows for the directions of the sea",
+                    key, only, furthest));
+  const auto beyond = [&](double energy, const char* which, const char* end, double omega, double last) {
+    if (energy > 0)
+      notes.push_back(fmt::format(
+          "{}: {:.3g} % of the sea's energy has {} periods than the table, as far as {:.3g} s, and there the "
+          "responses of its {} one, {:.4g} s, are used: give rows there",
+          key, 100 * energy / all, which, 2 * M_PI / omega, end, 2 * M_PI / last));
+  };
+  beyond(fast, "shorter", "shortest", highest, table.highest());
+  beyond(slow, "longer", "longest", lowest, table.lowest());
+}
+
 }  // namespace
 
 model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
@@ -107,6 +140,7 @@ model::TableMotion read_rao(const model::Value& rao, const std::string& key, con
   const double yaw = body.drift ? body.drift->rotation.z() : 0;
   const double heading = std::atan2(bow.y(), bow.x());
   check_gaps(table, waves, heading + yaw, key, notes);
+  check_reach(table, waves, heading + yaw, key, notes);
   const RaoMotion motion(table, waves, body.position, heading, yaw);
   // The highest of many components is ten times that of the peak and hardly there.
   const double step = 2 * M_PI / motion.highest() / (waves.components().size() > 20 ? 30 : 100);

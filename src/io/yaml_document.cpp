@@ -11,6 +11,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/model/schema.hpp"
+#include "yaml_faults.hpp"
 
 namespace hawser::io {
 namespace {
@@ -196,6 +197,7 @@ model::Value parse_yaml(const std::string& text, const std::string& file) {
     return tree.take();
   } catch (const YAML::Exception& e) {
     const int line = e.mark.line < 0 ? 1 : e.mark.line + 1;
+    if (const auto fault = find_yaml_fault(text, line)) model::fail(file, fault->line, "", fault->text);
     model::fail(file, line, "",
                 fmt::format("this is not valid YAML at column {}: {}", std::max(e.mark.column, 0) + 1,
                             e.msg.empty() ? "the text breaks off" : e.msg));

@@ -40,26 +40,61 @@ void angular_rates(const VectorMotion& psi, Vec3& omega, Vec3& alpha) {
   alpha = dd + a * pdd + b * p.cross(pdd) + r * (a1 * pd + b1 * ppd) + b * d.cross(pd);
 }
 
-SplineMotion::SplineMotion(std::vector<double> time, std::vector<Vec3> value)
-    : time_(std::move(time)), value_(std::move(value)), curvature_(value_.size(), Vec3::Zero()) {
+RowCurve::RowCurve(std::vector<double> time, std::vector<Vec3> value, BetweenRows between)
+    : time_(std::move(time)), value_(std::move(value)) {
   if (time_.size() != value_.size()) throw std::invalid_argument("a motion table needs one value a time");
   for (size_t i = 1; i < time_.size(); ++i)
     if (!(time_[i] > time_[i - 1])) throw std::invalid_argument("the times of a motion table must increase");
-  // Second derivatives m: h0 m[i-1] + 2 (h0 + h1) m[i] + h1 m[i+1] = 6 (slope1 - slope0), zero at both ends.
+  if (time_.size() < 2) return;
+  bend_.assign(time_.size() - 1, {Vec3::Zero(), Vec3::Zero()});
+  if (time_.size() < 3) return;
+  if (between == BetweenRows::spline) bend_spline();
+  if (between == BetweenRows::monotone) bend_monotone();
+}
+
+// Second derivatives m: h0 m[i-1] + 2 (h0 + h1) m[i] + h1 m[i+1] = 6 (slope1 - slope0), zero at both ends.
+void RowCurve::bend_spline() {
   const size_t n = time_.size();
-  if (n < 3) return;
   std::vector<double> upper(n, 0);
+  std::vector<Vec3> m(n, Vec3::Zero());
   for (size_t i = 1; i + 1 < n; ++i) {
     const double h0 = time_[i] - time_[i - 1], h1 = time_[i + 1] - time_[i];
     const Vec3 jump = (value_[i + 1] - value_[i]) / h1 - (value_[i] - value_[i - 1]) / h0;
     const double pivot = 2 * (h0 + h1) - h0 * upper[i - 1];
     upper[i] = h1 / pivot;
-    curvature_[i] = (6 * jump - h0 * curvature_[i - 1]) / pivot;
+    m[i] = (6 * jump - h0 * m[i - 1]) / pivot;
   }
-  for (size_t i = n - 2; i > 0; --i) curvature_[i] -= upper[i] * curvature_[i + 1];
+  for (size_t i = n - 2; i > 0; --i) m[i] -= upper[i] * m[i + 1];
+  for (size_t i = 0; i + 1 < n; ++i) bend_[i] = {m[i], m[i + 1]};
 }
 
-VectorMotion SplineMotion::at(double t) const {
+// Slopes at the rows: the weighted harmonic mean of the secants, none where they differ in sign; at the ends
+// as if that piece were a parabola, within what keeps it monotone.
+void RowCurve::bend_monotone() {
+  const size_t n = time_.size();
+  std::vector<double> h(n - 1);
+  std::vector<Vec3> secant(n - 1), slope(n, Vec3::Zero());
+  for (size_t i = 0; i + 1 < n; ++i)
+    h[i] = time_[i + 1] - time_[i], secant[i] = (value_[i + 1] - value_[i]) / h[i];
+  const auto end = [](double chord, double next) {
+    const double parabola = 2 * chord - next;
+    return chord > 0 ? std::clamp(parabola, 0.0, 3 * chord) : std::clamp(parabola, 3 * chord, 0.0);
+  };
+  for (int c = 0; c < 3; ++c) {
+    for (size_t i = 1; i + 1 < n; ++i) {
+      const double before = secant[i - 1][c], after = secant[i][c];
+      const double a = 2 * h[i] + h[i - 1], b = h[i] + 2 * h[i - 1];
+      if (before * after > 0) slope[i][c] = (a + b) / (a / before + b / after);
+    }
+    slope[0][c] = end(secant[0][c], slope[1][c]);
+    slope[n - 1][c] = end(secant[n - 2][c], slope[n - 2][c]);
+  }
+  for (size_t i = 0; i + 1 < n; ++i)
+    bend_[i] = {(6 * secant[i] - 4 * slope[i] - 2 * slope[i + 1]) / h[i],
+                (2 * slope[i] + 4 * slope[i + 1] - 6 * secant[i]) / h[i]};
+}
+
+VectorMotion RowCurve::at(double t) const {
   if (time_.empty()) return {};
   if (time_.size() == 1) return {value_[0], Vec3::Zero(), Vec3::Zero()};
   const auto above = std::upper_bound(time_.begin() + 1, time_.end() - 1, t);
@@ -67,13 +102,38 @@ VectorMotion SplineMotion::at(double t) const {
   const double h = time_[j] - time_[i];
   const double at = std::clamp(t, time_[i], time_[j]);
   const double v = (at - time_[i]) / h, u = 1 - v;
-  const Vec3 &p = value_[i], &q = value_[j], &m = curvature_[i], &n = curvature_[j];
+  const Vec3 &p = value_[i], &q = value_[j], &m = bend_[i].first, &n = bend_[i].second;
   VectorMotion r;
   r.value = u * p + v * q + h * h / 6 * ((u * u * u - u) * m + (v * v * v - v) * n);
   r.rate = (q - p) / h + h / 6 * ((1 - 3 * u * u) * m + (3 * v * v - 1) * n);
-  r.second = u * m + v * n;
+  if (at == t) r.second = u * m + v * n;
   r.value += (t - at) * r.rate;
   return r;
+}
+
+std::vector<RowCurve::Overshoot> RowCurve::overshoots(double share) const {
+  std::vector<Overshoot> out;
+  Vec3 least = Vec3::Constant(HUGE_VAL), most = -least;
+  for (const Vec3& x : value_) least = least.cwiseMin(x), most = most.cwiseMax(x);
+  for (size_t i = 0; i + 1 < time_.size(); ++i)
+    for (int c = 0; c < 3; ++c) {
+      const double h = time_[i + 1] - time_[i], p = value_[i][c], q = value_[i + 1][c];
+      const double m = bend_[i].first[c], n = bend_[i].second[c];
+      // Where the slope a v² + b v + d is zero, 0 < v < 1.
+      const double a = 0.5 * h * (n - m), b = h * m, d = (q - p) / h - h / 6 * (2 * m + n);
+      const double root = b * b - 4 * a * d;
+      if (root < 0) continue;
+      const double k = -0.5 * (b + std::copysign(std::sqrt(root), b));
+      Overshoot furthest;
+      for (const double v : {a != 0 ? k / a : -1, k != 0 ? d / k : -1}) {
+        if (!(v > 0 && v < 1)) continue;
+        const double t = time_[i] + v * h, x = at(t).value[c];
+        const double by = std::max(std::min(p, q) - x, x - std::max(p, q));
+        if (by > furthest.by) furthest = {i, c, t, x, by};
+      }
+      if (furthest.by > share * (most[c] - least[c])) out.push_back(furthest);
+    }
+  return out;
 }
 
 namespace {

@@ -1,5 +1,8 @@
 #include "hawser/model/body_motion.hpp"
 
+#include <algorithm>
+#include <variant>
+
 namespace hawser::model {
 namespace {
 
@@ -9,8 +12,8 @@ HarmonicLaw law_of(const HarmonicMotion& m) {
 
 TableLaw law_of(const TableMotion& m) {
   TableLaw law;
-  if (!m.offset.empty()) law.offset = SplineMotion(m.time, m.offset);
-  if (!m.rotation.empty()) law.rotation = SplineMotion(m.time, m.rotation);
+  if (!m.offset.empty()) law.offset = RowCurve(m.time, m.offset, m.between);
+  if (!m.rotation.empty()) law.rotation = RowCurve(m.time, m.rotation, m.between);
   return law;
 }
 
@@ -31,6 +34,20 @@ RigidMotion rigid_motion(const Body& body) {
   RigidMotion m(body.position, body.rotation, std::visit(ToLaw{}, body.motion), body.ramp);
   if (body.drift) m.set_drift(drift_law(*body.drift));
   return m;
+}
+
+std::vector<double> velocity_jumps(const std::vector<Body>& bodies) {
+  std::vector<double> out;
+  const auto add = [&](const TableMotion& t) {
+    if (t.between == BetweenRows::linear) out.insert(out.end(), t.time.begin(), t.time.end());
+  };
+  for (const Body& b : bodies) {
+    if (const auto* t = std::get_if<TableMotion>(&b.motion)) add(*t);
+    if (b.drift) add(b.drift->table);
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
 }
 
 }  // namespace hawser::model

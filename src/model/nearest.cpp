@@ -45,6 +45,21 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
   return n.empty() ? n : fmt::format("; did you mean '{}'?", n);
 }
 
+std::string missing_blank(std::string_view text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  std::size_t colon = 0;
+  while (colon < text.size() &&
+         (letter(text[colon]) || (colon > 0 && text[colon] >= '0' && text[colon] <= '9')))
+    ++colon;
+  if (colon == 0 || colon + 1 >= text.size() || text[colon] != ':') return "";
+  // Of paths and addresses the colon is a part.
+  if (std::string_view(" \t,]}:/\\").find(text[colon + 1]) != std::string_view::npos) return "";
+  const std::string_view key = text.substr(0, colon), value = text.substr(colon + 1);
+  const std::string_view word = value.substr(0, value.find_first_of(" \t,]}"));
+  return fmt::format("a blank is missing after the colon in {}: write {}",
+                     quote(fmt::format("{}:{}", key, word)), quote(fmt::format("{}: {}", key, word)));
+}
+
 std::string quote(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   std::string s(text.substr(0, kLongest));

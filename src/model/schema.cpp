@@ -110,7 +110,13 @@ Key table(std::string about) {
               list("rows", list("", number("", none), "").items(4, 7),
                    "the same, written here: "
                    "`[[t, x, y, z], ...]`")
-                  .items(2)},
+                  .items(2),
+              word(
+                  "interpolation", {"spline", "monotone", "linear"},
+                  "between rows: a cubic spline, smooth in its acceleration; a cubic that stays between "
+                  "neighbouring rows, smooth in its velocity; or straight lines, whose velocity jumps at the "
+                  "rows")
+                  .or_else("spline")},
              std::move(about))
       .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true);
 }
@@ -140,7 +146,7 @@ Key motion() {
                        .is_required()},
                   "constant turning"),
               harmonic("sinusoidal motion about the position at rest"),
-              table("offsets from `position` against time; a cubic spline goes through them"),
+              table("offsets from `position` against time"),
               map("rao",
                   {text("file",
                         "text file beside the case: columns period [s], direction [deg] the wave goes to as "

@@ -240,8 +240,15 @@ class Checker {
     for (std::size_t i = 0; i < n; ++i) check(v.items[i], k.keys[0], fmt::format("{}[{}]", path, i));
   }
 
+  // No map where there should be one.
+  static std::string no_keys(const Value& v) {
+    if (v.kind == Kind::null) return "; its keys are those below it that are indented further";
+    const std::string blank = v.kind == Kind::scalar ? missing_blank(v.text) : "";
+    return blank.empty() ? "" : "; " + blank;
+  }
+
   void check_names(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::map) wrong_type(v, k, path);
+    if (v.kind != Kind::map) wrong_type(v, k, path, no_keys(v));
     if (v.items.size() < k.min_items) bad(v, path, "is empty; at least one entry is needed");
     for (std::size_t i = 0; i < v.items.size(); ++i) {
       check_name_text(v.items[i], v.keys[i], path);
@@ -250,7 +257,7 @@ class Checker {
   }
 
   void check_map(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::map) wrong_type(v, k, path);
+    if (v.kind != Kind::map) wrong_type(v, k, path, no_keys(v));
     const std::string prefix = path.empty() ? "" : path + ".";
     std::vector<std::string> allowed;
     for (const Key& c : k.keys) allowed.push_back(c.name);
@@ -258,8 +265,7 @@ class Checker {
     for (std::size_t i = 0; i < v.keys.size(); ++i)
       if (!std::binary_search(allowed.begin(), allowed.end(), v.keys[i]))
         bad(v.items[i], prefix + printable(v.keys[i]),
-            fmt::format("unknown key{} (allowed: {})", did_you_mean(v.keys[i], allowed),
-                        fmt::join(allowed, ", ")));
+            fmt::format("unknown key{} (allowed: {})", likely(v, i, k, allowed), fmt::join(allowed, ", ")));
     for (const Key& c : k.keys)
       if (c.required && !v.has(c.name))
         bad(v, prefix + c.name,
@@ -276,6 +282,20 @@ class Checker {
         v.keys.push_back(c.name);
         v.items.push_back(std::move(filled));
       }
+  }
+
+  // What was probably meant by the i-th key, which the map does not know.
+  static std::string likely(const Value& v, std::size_t i, const Key& k,
+                            const std::vector<std::string>& allowed) {
+    if (const std::string blank = missing_blank(v.keys[i]); !blank.empty()) return "; " + blank;
+    // The keys of a map that was left empty because they are not further in than its own.
+    for (std::size_t j = i; j-- > 0;)
+      for (const Key& above : k.keys)
+        if (above.name == v.keys[j] && v.items[j].kind == Kind::null)
+          for (const Key& inner : above.keys)
+            if (inner.name == v.keys[i])
+              return fmt::format("; it belongs to '{}' if it is indented further than that", above.name);
+    return did_you_mean(v.keys[i], allowed);
   }
 
   static std::string printable(const std::string& key) {

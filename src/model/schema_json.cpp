@@ -233,6 +233,8 @@ std::string quantity_pattern(Dimension d) {
       else if (c == 'm' && !text.empty() &&
                std::string_view("Nfgt").find(text.back()) != std::string_view::npos)
         text += "[ .·*]?m";
+      else if (c == 's' && text.find('N') != std::string::npos)
+        text += "[ .·*]?s";
       else
         text += c;
     }
@@ -255,8 +257,7 @@ std::string schema_json() {
   members(case_schema(), w);
   w.open("$defs", '{');
   w.member("name", "{\"type\": [\"string\", \"integer\"]}");
-  for (int i = 0; i <= static_cast<int>(Dimension::inertia_per_length); ++i) {
-    const Dimension d = static_cast<Dimension>(i);
+  for (const Dimension d : dimensions()) {
     w.member(definition(d), fmt::format("{{\"type\": \"string\", \"pattern\": {}}}", quantity_pattern(d)));
   }
   w.close('}');

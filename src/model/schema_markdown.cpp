@@ -157,8 +157,7 @@ std::string units_table() {
       "no "
       "difference.\nKeys that end in `_deg` take degrees; results and the program inside use rad.\n\n"
       "| quantity | bare number | may be written |\n|---|---|---|\n";
-  for (int i = 0; i <= static_cast<int>(Dimension::inertia_per_length); ++i) {
-    const Dimension d = static_cast<Dimension>(i);
+  for (const Dimension d : dimensions()) {
     std::vector<std::string> names;
     for (const Unit& u : units_of(d))
       if (u.name != "1") names.push_back(fmt::format("`{}`", u.name));

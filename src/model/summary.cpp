@@ -10,6 +10,7 @@
 
 #include "hawser/model/check.hpp"
 #include "hawser/model/longest_step.hpp"
+#include "hawser/model/notes.hpp"
 
 namespace hawser::model {
 namespace {
@@ -56,8 +57,11 @@ std::string motion_text(const Body& b) {
   } else if (const auto* h = std::get_if<HarmonicMotion>(&b.motion)) {
     s = fmt::format("moves harmonically, period {:g} s", h->period);
   } else if (const auto* t = std::get_if<TableMotion>(&b.motion)) {
-    s = fmt::format("moves by a table of {} rows, {:g} to {:g} s", t->time.size(), t->time.front(),
-                    t->time.back());
+    s = fmt::format("moves by a table of {} rows, {:g} to {:g} s{}", t->time.size(), t->time.front(),
+                    t->time.back(),
+                    t->between == BetweenRows::linear     ? ", straight lines between them"
+                    : t->between == BetweenRows::monotone ? ", monotone between them"
+                                                          : "");
   }
   if (b.ramp > 0) s += fmt::format(", starting smoothly over {:g} s", b.ramp);
   if (b.drift) s += ", carried by a slow drift";
@@ -237,7 +241,6 @@ LineSize size_of(const Case& c, const Line& line) {
 
 std::string summary(const Case& c) {
   std::string s;
-  if (!c.title.empty()) s += c.title + "\n";
   long long nodes = 0, elements = 0, unknowns = 0;
   for (const Line& l : c.lines) {
     const LineSize z = size_of(c, l);
@@ -265,7 +268,7 @@ std::string summary(const Case& c) {
                      c.dynamics.rho_infinity);
   s += "\n";
   s += fmt::format("results: {}{}\n", c.output.file, c.output.xdmf ? " and .xdmf" : "");
-  for (const std::string& n : c.notes) s += "note: " + n + "\n";
+  for (const std::string& n : grouped_notes(c.notes)) s += "note: " + n + "\n";
   return s;
 }
 

@@ -50,33 +50,39 @@ struct Entry {
   std::span<const Unit> units;
 };
 // In the order of Dimension.
-const std::array<Entry, 27> kTable = {{{"dimensionless number", "-", kNone},
-                                       {"length", "m", kLength},
-                                       {"time", "s", kTime},
-                                       {"mass", "kg", kMass},
-                                       {"mass per length", "kg/m", kMassPerLength},
-                                       {"force", "N", kForce},
-                                       {"force per length", "N/m", kForcePerLength},
-                                       {"moment", "N m", kMoment},
-                                       {"bending or torsion stiffness", "N m²", kBending},
-                                       {"stiffness per point", "N/m", kForcePerLength},
-                                       {"stiffness per length", "N/m²", kLineStiffness},
-                                       {"stiffness per area", "N/m³", kAreaStiffness},
-                                       {"velocity", "m/s", kVelocity},
-                                       {"acceleration", "m/s²", kAcceleration},
-                                       {"angle", "deg", kAngle},
-                                       {"angular velocity", "rad/s", kAngularVelocity},
-                                       {"rotary inertia per length", "kg m", kInertia},
-                                       {"moment of inertia", "kg m²", kMomentOfInertia},
-                                       {"damping of a point", "N s/m", kPointDamping},
-                                       {"stiffness against turning", "N m/rad", kTurningStiffness},
-                                       {"damping of turning", "N m s/rad", kTurningDamping},
-                                       {"density", "kg/m³", kDensity},
-                                       {"pressure", "Pa", kPressure},
-                                       {"volume", "m³", kVolume},
-                                       {"area", "m²", kArea},
-                                       {"temperature change", "K", kTemperatureChange},
-                                       {"thermal expansion", "1/K", kThermalExpansion}}};
+const std::array kTable = std::to_array<Entry>({{"dimensionless number", "-", kNone},
+                                                {"length", "m", kLength},
+                                                {"time", "s", kTime},
+                                                {"mass", "kg", kMass},
+                                                {"mass per length", "kg/m", kMassPerLength},
+                                                {"force", "N", kForce},
+                                                {"force per length", "N/m", kForcePerLength},
+                                                {"moment", "N m", kMoment},
+                                                {"bending or torsion stiffness", "N m²", kBending},
+                                                {"stiffness per point", "N/m", kForcePerLength},
+                                                {"stiffness per length", "N/m²", kLineStiffness},
+                                                {"stiffness per area", "N/m³", kAreaStiffness},
+                                                {"velocity", "m/s", kVelocity},
+                                                {"acceleration", "m/s²", kAcceleration},
+                                                {"angle", "deg", kAngle},
+                                                {"angular velocity", "rad/s", kAngularVelocity},
+                                                {"rotary inertia per length", "kg m", kInertia},
+                                                {"moment of inertia", "kg m²", kMomentOfInertia},
+                                                {"damping of a point", "N s/m", kPointDamping},
+                                                {"stiffness against turning", "N m/rad", kTurningStiffness},
+                                                {"damping of turning", "N m s/rad", kTurningDamping},
+                                                {"density", "kg/m³", kDensity},
+                                                {"pressure", "Pa", kPressure},
+                                                {"volume", "m³", kVolume},
+                                                {"area", "m²", kArea},
+                                                {"temperature change", "K", kTemperatureChange},
+                                                {"thermal expansion", "1/K", kThermalExpansion}});
+constexpr auto kDimensions = [] {
+  std::array<Dimension, kTable.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Dimension>(i);
+  return all;
+}();
+static_assert(kDimensions.back() == Dimension::thermal_expansion, "a row for each dimension");
 
 const Entry& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
 
@@ -112,6 +118,7 @@ bool names_no_finite_number(std::string_view s) {
 
 }  // namespace
 
+std::span<const Dimension> dimensions() { return kDimensions; }
 std::string_view dimension_name(Dimension d) { return entry(d).name; }
 std::string_view base_unit(Dimension d) { return entry(d).base; }
 std::span<const Unit> units_of(Dimension d) { return entry(d).units; }

@@ -120,7 +120,7 @@ LineStart along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpa
 // proportion to how near it is.
 LineStart as_left(const model::LeftShape& left, const std::optional<Vec3>& xa, const std::optional<Vec3>& xb,
                   const Mesh& mesh, const LineSpan& span) {
-  const SplineMotion spline(left.arc, left.position);
+  const RowCurve spline(left.arc, left.position);
   const double there = left.arc.back();
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
   if (xa) a = *xa - left.position.front();

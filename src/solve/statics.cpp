@@ -77,6 +77,7 @@ class Search : StaticTrial {
         norms = system_.norms(r_.get());
       }
       report.norms = norms;
+      if (settings_.told) settings_.told(report);
       energy = potential(state_);  // and so does what moments are measured from
       if (norms.small(tolerance)) return;
       if (it >= settings_.max_iterations) throw SolveError(failure(norms, "too many iterations"));
@@ -181,9 +182,20 @@ class Search : StaticTrial {
   const RelaxationSettings* relaxation_ = nullptr;
 };
 
+// Steps of relaxation are told as statics is.
+void tell_of(const StaticsSettings& settings, RelaxationSettings& r) {
+  if (!settings.told) return;
+  r.told = [told = settings.told](const RelaxationReport& now) {
+    StaticsReport report;
+    report.iterations = now.iterations, report.relaxation_steps = now.steps, report.norms = now.norms;
+    told(report);
+  };
+}
+
 StaticsReport relaxed(System& system, const StaticsSettings& settings, State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps;
+  tell_of(settings, r);
   RelaxationReport rest;
   const State from = state;
   try {
@@ -214,6 +226,7 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
 StaticsReport against_friction(System& system, const StaticsSettings& settings, State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps, r.tolerance = settings.tolerance, r.friction = true;
+  tell_of(settings, r);
   const RelaxationReport rest = relax(system, r, state);
   StaticsReport report;
   report.iterations = rest.iterations, report.relaxation_steps = rest.steps, report.norms = rest.norms;

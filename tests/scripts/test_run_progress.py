@@ -57,6 +57,41 @@ class Progress(unittest.TestCase):
                 self.assertIn(part, result.stdout)
         self.assertEqual(run(HAWSER, "run", "rod.yaml", "-q", cwd=self.folder).stdout, "")
 
+    def test_title_comes_first(self):
+        """Before a mesh that takes long to read; what is being read, elsewhere than on a terminal, only where it is large."""
+        box = (ROOT / "tests/data/bad/box.obj").read_text("utf-8")
+        write(self.folder, "box.obj", box)
+        write(self.folder, "large.obj", box + "# nothing but this comment, again and again, as long as a row of numbers\n" * 600_000)
+        case = CASE.replace("lines:\n", "volumes:\n  deck: {mesh: MESH}\nlines:\n", 1).replace("[0, 0, 0], dir", "[0, 0, 200], dir")
+        for mesh, told in [("box.obj", False), ("large.obj", True)]:
+            write(self.folder, "deck.yaml", case.replace("MESH", mesh))
+            for command in ("check", "run"):
+                lines = run(HAWSER, command, "deck.yaml", cwd=self.folder).stdout.splitlines()
+                self.assertEqual(lines[0], "a cantilever")
+                self.assertEqual(lines[1] == "reading the mesh large.obj (44 MB)", told, lines[:3])
+                self.assertEqual("making the mesh large.obj ready" in lines, told, lines[:3])
+                self.assertEqual(lines.count("a cantilever"), 1)
+        _, text = on_terminal(HAWSER, "run", "deck.yaml", cwd=self.folder)
+        self.assertTrue(text.startswith("a cantilever\r\n\r\033[Kreading the mesh large.obj (44 MB)\r\033[K"), text[:200])
+        # A mesh that is refused: the title is there all the same, and the sentence begins a line.
+        write(self.folder, "box.obj", "v 0 0 0\n")
+        write(self.folder, "deck.yaml", case.replace("MESH", "box.obj"))
+        code, text = on_terminal(HAWSER, "run", "deck.yaml", cwd=self.folder)
+        self.assertEqual(code, 2)
+        self.assertRegex(text, r"\Aa cantilever\r\n\r\033\[Kreading the mesh box.obj \([^)]*\)\r\033\[Khawser: deck.yaml:")
+
+    def test_statics(self):
+        """On a terminal a line is rewritten and gone once statics is done."""
+        case = CASE.replace("elements: 8", "elements: 800").replace("duration: 0.2", "duration: 0.1")
+        write(self.folder, "slow.yaml", case.replace("start: straight", "start: straight\nstatics: {dynamic_relaxation: always}"))
+        line = r"\r\033\[Kstatics: \d+ iterations(, \d+ steps of dynamic relaxation)?, out of balance by \d\.\de[-+]\d\d of the forces so far"
+        code, text = on_terminal(HAWSER, "run", "slow.yaml", columns=120, cwd=self.folder)
+        self.assertEqual(code, 0, text)
+        self.assertRegex(text, f"{line}\r\033\\[K")
+        self.assertRegex(text, "steps of dynamic relaxation, out of balance")
+        self.assertNotRegex(text, "so far\r\n")
+        self.assertNotIn("so far", run(HAWSER, "run", "slow.yaml", cwd=self.folder).stdout)
+
     def test_terminal(self):
         code, text = on_terminal(HAWSER, "run", "rod.yaml", cwd=self.folder)
         self.assertEqual(code, 0, text)

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "hawser/io/case_reader.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/wave_components.hpp"
@@ -144,8 +147,54 @@ dynamics: {duration: 20}
   EXPECT_TRUE(read(wave(210), "").notes.empty());
   EXPECT_TRUE(read(wave(150), "").notes.empty());
   const auto sea = read("jonswap: {hs: 3, tp: 9, direction_deg: 300, components: 20}", "").notes;
-  ASSERT_EQ(sea.size(), 1U);
+  ASSERT_FALSE(sea.empty());
   EXPECT_NE(sea[0].find("20 components of the sea go to 270 deg"), std::string::npos) << sea[0];
+}
+
+// A table used for waves shorter and longer than its periods, and for directions it does not have.
+TEST(CaseRao, WavesBeyondTheTable) {
+  const auto notes = [](const std::string& sea, const std::vector<double>& periods,
+                        const std::vector<int>& directions) {
+    std::string rows;
+    for (const int direction : directions)
+      for (const double period : periods)
+        rows += fmt::format("{}[{}, {}, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0]", rows.empty() ? "" : ", ",
+                            period, direction);
+    return io::read_case_text(R"(
+hawser: 1
+environment: {water: {depth: 100}, waves: {)" +
+                                  sea + R"(, ramp: 0}}
+line_types: {chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}}
+bodies: {ship: {position: [0, 0, 0], rotation_deg: [0, 0, 30], motion: {rao: {rows: [)" +
+                                  rows + R"(]}}}}
+lines:
+  mooring: {sections: [{type: chain, length: 120, elements: 4}], end_a: {anchor: [100, 0, -50]}, end_b: {body: ship, at: [0, 0, 0]}}
+dynamics: {duration: 20}
+)",
+                              "/nowhere/case.yaml")
+        .notes;
+  };
+  const std::string wave = "regular: {height: 3, period: 9, direction_deg: 90}";  // 60 deg from the bow
+  EXPECT_TRUE(notes(wave, {5, 12}, {0, 90, 180, 270}).empty());
+  EXPECT_TRUE(notes(wave, {9}, {60}).empty());
+  const auto shorter = notes(wave, {10, 12}, {60});
+  ASSERT_EQ(shorter.size(), 1U);
+  EXPECT_EQ(
+      shorter[0],
+      "bodies.ship.motion.rao: 100 % of the sea's energy has shorter periods than the table, as far as 9 "
+      "s, and there the responses of its shortest one, 10 s, are used: give rows there");
+  const auto longer = notes(wave, {4, 6}, {60});
+  ASSERT_EQ(longer.size(), 1U);
+  EXPECT_NE(longer[0].find("has longer periods than the table, as far as 9 s, and there the responses of its "
+                           "longest one, 6 s, are used"),
+            std::string::npos)
+      << longer[0];
+  const auto astray = notes(wave, {5, 12}, {0});
+  ASSERT_EQ(astray.size(), 1U);
+  EXPECT_EQ(
+      astray[0],
+      "bodies.ship.motion.rao: the table has one direction, 0 deg, whose responses are used for waves up "
+      "to 60 deg away from it: give rows for the directions of the sea");
 }
 
 }  // namespace

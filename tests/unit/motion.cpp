@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 #include "hawser/math/so3.hpp"
 
@@ -79,6 +81,58 @@ TEST(Motion, TableDerivativesAndContinuity) {
   }
 }
 
+// A body that moves 1 m in a second and stops: rows that a spline swings about.
+TEST(Motion, CurvesBetweenRows) {
+  const std::vector<double> time{0, 1, 2, 3, 4.5, 6};
+  std::vector<Vec3> offset, rotation;
+  for (const double z : {0.0, 0.0, 1.0, 1.0, 0.4, 0.7}) offset.emplace_back(z, -2 * z, 0);
+  for (const double t : time) rotation.emplace_back(0, 0.3 * t * t, 0.1 * t);
+  const auto motion = [&](BetweenRows between) {
+    return RigidMotion({0, 0, 0}, {0.4, 0, 0}, TableLaw{{time, offset, between}, {time, rotation, between}},
+                       0);
+  };
+  for (const BetweenRows between : {BetweenRows::spline, BetweenRows::monotone, BetweenRows::linear}) {
+    const RigidMotion m = motion(between);
+    for (double t : {0.3, 1.2, 2.7, 3.3, 5.8, 6.5}) expect_derivatives(m, t, 1e-8);
+    for (size_t i = 0; i < time.size(); ++i)
+      EXPECT_NEAR((m.at(time[i]).position - offset[i]).norm(), 0, 1e-13);
+    // Between neighbouring rows, but for the spline.
+    const RowCurve curve(time, offset, between);
+    double out = 0;
+    for (size_t i = 0; i + 1 < time.size(); ++i)
+      for (double z = 0.01; z < 1; z += 0.01) {
+        const double x = curve.at(time[i] + z * (time[i + 1] - time[i])).value.x();
+        out = std::max({out, x - std::max(offset[i].x(), offset[i + 1].x()),
+                        std::min(offset[i].x(), offset[i + 1].x()) - x});
+      }
+    const auto found = curve.overshoots(0.02);
+    if (between == BetweenRows::spline) {
+      double most = 0;
+      for (const auto& o : found) most = std::max(most, o.component == 0 ? o.by : 0);
+      EXPECT_GT(out, 0.1);
+      EXPECT_NEAR(most, out, 1e-3);
+      // The place is the crest: what the curve is there, and flat.
+      for (const auto& o : found) {
+        EXPECT_NEAR(curve.at(o.time).value[o.component], o.value, 1e-14);
+        EXPECT_NEAR(curve.at(o.time).rate[o.component], 0, 1e-12);
+        EXPECT_TRUE(time[o.row] < o.time && o.time < time[o.row + 1]);
+      }
+    } else {
+      EXPECT_LT(out, 1e-14);
+      EXPECT_TRUE(found.empty());
+    }
+  }
+  // The monotone curve's velocity is continuous, the broken line's jumps, to that of the line after the row.
+  const RigidMotion monotone = motion(BetweenRows::monotone), linear = motion(BetweenRows::linear);
+  for (const double row : {1.0, 2.0, 3.0, 4.5})
+    EXPECT_NEAR((monotone.at(row - 1e-9).velocity - monotone.at(row + 1e-9).velocity).norm(), 0, 1e-7);
+  EXPECT_EQ(linear.at(0.999).velocity.x(), 0);
+  EXPECT_EQ(linear.at(1).velocity.x(), 1);
+  EXPECT_EQ(linear.at(2).velocity.x(), 0);
+  EXPECT_EQ(linear.at(1.5).acceleration.norm(), 0);
+  EXPECT_NEAR(linear.at(1.5).position.y(), -1, 1e-14);
+}
+
 // What carries and what is carried: a body that rolls about its own axis while it drifts round.
 TEST(Motion, DriftCarriesTheOtherMotion) {
   DriftLaw drift;
@@ -146,8 +200,8 @@ TEST(Motion, RestsBeforeTimeZeroAndRefusesNonsense) {
   const Vec3 o = Vec3::Zero();
   EXPECT_THROW(RigidMotion(o, o, SteadyLaw{o, o, 1}), std::invalid_argument);
   EXPECT_THROW(RigidMotion(o, o, HarmonicLaw{o, o, 0, o, o}), std::invalid_argument);
-  EXPECT_THROW(SplineMotion({0, 0}, {o, o}), std::invalid_argument);
-  EXPECT_THROW(SplineMotion({0, 1}, {o}), std::invalid_argument);
+  EXPECT_THROW(RowCurve({0, 0}, {o, o}), std::invalid_argument);
+  EXPECT_THROW(RowCurve({0, 1}, {o}), std::invalid_argument);
 }
 
 }  // namespace

@@ -8,24 +8,34 @@ namespace hawser::app {
 
 class Progress {
  public:
-  // Only rank 0 speaks. `duration`: the simulated time at the end, s.
-  Progress(bool speak, double duration);
+  // Only rank 0 speaks.
+  explicit Progress(bool speak);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
 
-  // The steps begin at this simulated time [s]: what came before does not count for the time left.
-  void begin(double time);
+  // What begins now and takes about so many seconds: at once on a terminal, elsewhere when it takes long.
+  void busy(const std::string& what, double seconds);
+  // How far statics is; residual: over the size of the forces.
+  void statics(int iterations, int relaxation_steps, double residual);
+  // The steps begin at this simulated time and end at that one [s]: what came before does not count for the
+  // time left.
+  void begin(double time, double end);
   void step(double time, double step, int iterations);
   // A line of its own, not lost in the rewritten one.
   void say(const std::string& text);
   void end();
+  ~Progress() { end(); }
 
  private:
   using Clock = std::chrono::steady_clock;
   bool speak_;
   int columns_;  // of the terminal; 0: none
-  double start_ = 0, duration_;
+  double start_ = 0, duration_ = 0;
   Clock::time_point began_ = Clock::now(), last_ = Clock::now();
   double next_share_ = 0.1;
-  bool open_ = false;  // a rewritten line stands on the terminal
+  void rewrite(std::string text);
+  bool open_ = false;     // a rewritten line stands on the terminal
+  bool passing_ = false;  // and is of no interest once something else is said
 };
 
 // "1:02:03" or "0:05".

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,8 +57,8 @@ class Simulation {
   // InputError if what starts inside a volume is still there. Collective.
   void check_inside() const;
   // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
-  // InputError as of check_inside().
-  StaticsReport solve_statics();
+  // InputError as of check_inside(). told: how far it is, now and then; on all ranks.
+  StaticsReport solve_statics(std::function<void(const StaticsReport&)> told = {});
   DynamicsSettings dynamics_settings() const;
 
  private:

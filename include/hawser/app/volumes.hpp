@@ -9,6 +9,7 @@
 
 #include "hawser/geometry/surface.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
+#include "hawser/io/case_reader.hpp"
 #include "hawser/io/results.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/terms/body_skeleton.hpp"
@@ -27,7 +28,8 @@ struct LoadedVolume {
 // In the order of the case. Throws InputError, on all ranks alike. Collective over comm: where several of its
 // ranks run on a host, one of them reads each mesh and all use what it made of it, in memory they share.
 // Ranks let go of the volumes in the same order, before MPI_Finalize.
-std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI_COMM_SELF);
+std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI_COMM_SELF,
+                                       const io::ReadingNews& news = {});
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes);
 // What stands out of the volumes that touch other bodies with it, and where they are watched.

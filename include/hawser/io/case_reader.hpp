@@ -1,18 +1,30 @@
 // From a case file to checked data.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "hawser/model/case.hpp"
 
 namespace hawser::io {
 
+// What is told while a case is read, before what may take long; members may be empty.
+struct ReadingNews {
+  std::function<void(const std::string& title)> title;  // or the path, where it has none
+  std::function<void(const std::string& what, double seconds)>
+      busy;  // what begins, and about how long it takes
+};
+// Seconds that a mesh file takes to read, by its size.
+double reading_time(const std::string& path);
+// "reading the mesh hull.stl (41 MB)"
+std::string reading_text(const std::string& path);
+
 // Read and check a case file: form, units, references, sense, and the meshes it names.
 // Deterministic and without MPI: every rank may call it.
 // Throws InputError; what() is one sentence "file:line: dotted.key: what is wrong".
-model::Case read_case(const std::string& path);
+model::Case read_case(const std::string& path, const ReadingNews& news = {});
 
 // The same for text already read; `path` names the file and gives the directory of relative paths.
-model::Case read_case_text(const std::string& text, const std::string& path);
+model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news = {});
 
 }  // namespace hawser::io

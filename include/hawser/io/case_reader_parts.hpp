@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/io/case_reader.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/value.hpp"
 
@@ -52,8 +53,9 @@ model::TableMotion read_rao(const model::Value& rao, const std::string& key, con
                             std::vector<std::string>& notes);
 
 // `table: {file}` or `{rows}`: t [s], x, y, z [m] and maybe the rotation vector [deg, here to rad].
+// notes: where the curve leaves what neighbouring rows span.
 model::TableMotion read_motion_table(const model::Value& table, const std::string& key,
-                                     const CaseSource& source);
+                                     const CaseSource& source, std::vector<std::string>& notes);
 
 // `contact.between_lines`. Two different sets of settings for one pair are refused.
 model::BetweenLines read_between_lines(const model::Value& v, const CaseSource& source);
@@ -110,7 +112,8 @@ void check_left_shape(const model::Line& line, const model::Value& at, const std
 model::SignTest read_sign(const std::string& word);
 
 // Read every mesh, refuse what is no closed volume or has the wrong scale; repairs go to Case::notes.
-void check_meshes(const model::Value& root, const CaseSource& source, model::Case& c);
+void check_meshes(const model::Value& root, const CaseSource& source, model::Case& c,
+                  const ReadingNews& news);
 
 // Rows of force over penetration, and friction given as a map.
 std::shared_ptr<const ForceTable> read_force_table(const model::Value& table, const std::string& key,

@@ -2,6 +2,8 @@
 // x(t) = position + offset(t), R(t) = exp(psi(t)) R0; a rotation about a fixed axis is psi = angle(t) axis.
 #pragma once
 
+#include <cstddef>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,18 +35,38 @@ struct VectorMotion {
   Vec3 value = Vec3::Zero(), rate = Vec3::Zero(), second = Vec3::Zero();
 };
 
-// Natural cubic spline through rows (time [s], value); beyond its ends it goes on with the end slope, so the
-// second derivative is continuous everywhere. One row: constant. No rows: zero.
-class SplineMotion {
+// What goes through the rows of a table: the natural cubic spline (second derivative continuous, may go
+// beyond the rows on either side), a monotone cubic (slope continuous; no component leaves what the rows on
+// either side span: Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, slopes by Fritsch & Butland 1984) or
+// straight lines (the slope jumps at the rows, where it is that of the line after).
+enum class BetweenRows { spline, monotone, linear };
+
+// A piecewise cubic through rows (time [s], value) with its exact derivatives; beyond its ends it goes on
+// with the end slope. One row: constant. No rows: zero.
+class RowCurve {
  public:
-  SplineMotion() = default;
+  RowCurve() = default;
   // Throws std::invalid_argument when the times don't increase or the sizes differ.
-  SplineMotion(std::vector<double> time, std::vector<Vec3> value);
+  RowCurve(std::vector<double> time, std::vector<Vec3> value, BetweenRows between = BetweenRows::spline);
   VectorMotion at(double t) const;
 
+  // Where a component is furthest outside what two neighbouring rows span.
+  struct Overshoot {
+    size_t row = 0;     // the first of the two, from 0
+    int component = 0;  // of the value
+    double time = 0;    // s
+    double value = 0, by = 0;
+  };
+  // One for each interval and component that leaves the span by more than `share` of what the rows of its
+  // component span in all.
+  std::vector<Overshoot> overshoots(double share) const;
+
  private:
+  void bend_spline();
+  void bend_monotone();
   std::vector<double> time_;
-  std::vector<Vec3> value_, curvature_;
+  std::vector<Vec3> value_;
+  std::vector<std::pair<Vec3, Vec3>> bend_;  // second derivatives at the start and end of each interval
 };
 
 // Velocity and rate of turning about a space-fixed axis through the body's origin, both started by the ramp.
@@ -64,9 +86,9 @@ struct HarmonicLaw {
   Vec3 rotation_phase = Vec3::Zero();      // rad
 };
 
-// Offset [m] and rotation vector [rad] by splines. The ramp multiplies them.
+// Offset [m] and rotation vector [rad] by tables. The ramp multiplies them.
 struct TableLaw {
-  SplineMotion offset, rotation;
+  RowCurve offset, rotation;
 };
 
 using MotionLaw = std::variant<std::monostate, SteadyLaw, HarmonicLaw, TableLaw>;

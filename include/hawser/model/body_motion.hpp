@@ -1,6 +1,8 @@
 // How a body of a case moves when its motion is prescribed.
 #pragma once
 
+#include <vector>
+
 #include "hawser/kernels/motion.hpp"
 #include "hawser/model/case.hpp"
 
@@ -9,5 +11,8 @@ namespace hawser::model {
 // std::invalid_argument for a motion that makes no sense (check() and the reader have refused it before).
 RigidMotion rigid_motion(const Body& body);
 DriftLaw drift_law(const Drift& drift);
+
+// When a body's velocity jumps: times of the rows of tables with straight lines between them, s, increasing.
+std::vector<double> velocity_jumps(const std::vector<Body>& bodies);
 
 }  // namespace hawser::model

@@ -13,6 +13,7 @@
 
 #include "hawser/geometry/primitive_shape.hpp"
 #include "hawser/kernels/force_table.hpp"
+#include "hawser/kernels/motion.hpp"
 #include "hawser/kernels/stiffness_table.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/model/bend_stiffener.hpp"
@@ -64,10 +65,11 @@ struct HarmonicMotion {           // offset(t) = amplitude * sin(2 pi t / period
   Vec3 phase = Vec3::Zero();               // rad
   Vec3 rotation_phase = Vec3::Zero();
 };
-struct TableMotion {           // cubic spline through the rows
+struct TableMotion {
   std::vector<double> time;    // s, increasing
   std::vector<Vec3> offset;    // m
   std::vector<Vec3> rotation;  // rad, rotation vector (may be empty)
+  BetweenRows between = BetweenRows::spline;
 };
 using Motion = std::variant<std::monostate, ConstantMotion, HarmonicMotion, TableMotion>;
 

@@ -18,6 +18,10 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
 // "; did you mean 'x'?" or nothing.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
+// "a blank is missing after the colon in 'key:value': write 'key: value'" of a text that begins so; else
+// empty.
+std::string missing_blank(std::string_view text);
+
 // In quotes, one line, at most 60 characters; control characters become '?'.
 std::string quote(std::string_view text);
 

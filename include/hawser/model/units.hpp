@@ -36,6 +36,8 @@ enum class Dimension {
   temperature_change,  // K
   thermal_expansion,   // 1/K
 };
+// Every dimension, in their order.
+std::span<const Dimension> dimensions();
 
 struct Unit {
   std::string_view name;            // canonical: no blanks or dots, powers as ^2

@@ -7,10 +7,20 @@
 // docs/theory/relaxation.md.
 #pragma once
 
+#include <functional>
+
 #include "hawser/state/state.hpp"
 #include "hawser/system/system.hpp"
 
 namespace hawser {
+
+struct RelaxationReport {
+  int steps = 0;       // that were taken
+  int rejected = 0;    // that were tried again with more mass
+  int iterations = 0;  // of Newton
+  int peaks = 0;       // of kinetic energy: restarts from rest
+  ResidualNorms norms;
+};
 
 struct RelaxationSettings {
   double tolerance = 1e-4;  // of the residual, against the size of its contributions
@@ -19,14 +29,7 @@ struct RelaxationSettings {
   // Friction acts against the way of the lines: no motion is carried from step to step, as in a thick fluid,
   // and the terms are committed after each.
   bool friction = false;
-};
-
-struct RelaxationReport {
-  int steps = 0;       // that were taken
-  int rejected = 0;    // that were tried again with more mass
-  int iterations = 0;  // of Newton
-  int peaks = 0;       // of kinetic energy: restarts from rest
-  ResidualNorms norms;
+  std::function<void(const RelaxationReport&)> told;  // before every step, on all ranks
 };
 
 // Moves `state` (positions and rotations) near an equilibrium at state.time, from where Newton's iteration

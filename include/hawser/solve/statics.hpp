@@ -7,6 +7,7 @@
 // (a straight line of compressed elements, say), which is left and the search goes on.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "hawser/solve/linear_solver.hpp"
@@ -18,6 +19,14 @@ namespace hawser {
 // Whether lines come to rest by dynamic relaxation (relaxation.hpp) before Newton's iteration.
 enum class RelaxationUse { when_newton_fails, always, never };
 
+struct StaticsReport {
+  int iterations = 0;
+  int relaxation_steps = 0;      // of dynamic relaxation before; their iterations are counted too
+  int escapes = 0;               // false equilibria left
+  int negative_eigenvalues = 0;  // of the final tangent; -1: not known
+  ResidualNorms norms;
+};
+
 struct StaticsSettings {
   double tolerance = 1e-8;  // of the residual, against the size of its contributions
   int max_iterations = 500;
@@ -27,14 +36,8 @@ struct StaticsSettings {
   int relaxation_steps = 5000;                                  // at most
   // Friction of contact acts on the way: by relaxation alone, which commits the terms step by step.
   bool friction = false;
-};
-
-struct StaticsReport {
-  int iterations = 0;
-  int relaxation_steps = 0;      // of dynamic relaxation before; their iterations are counted too
-  int escapes = 0;               // false equilibria left
-  int negative_eigenvalues = 0;  // of the final tangent; -1: not known
-  ResidualNorms norms;
+  // Told how far the search is, before every iteration or step of relaxation; on all ranks.
+  std::function<void(const StaticsReport&)> told;
 };
 
 // Moves `state` (positions and rotations; rates are zeroed) to equilibrium at state.time and commits the

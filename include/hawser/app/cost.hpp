@@ -1,0 +1,27 @@
+// What a run will about cost, from what its parts cost on this machine.
+#pragma once
+
+#include <string>
+
+#include "hawser/app/simulation.hpp"
+
+namespace hawser::app {
+
+struct CostParts {
+  double residual = 0;  // CPU s: of one residual
+  double tangent = 0;   // of one tangent with its factorisation and solution
+  bool statics = false;
+  bool meshes = false;            // that lines touch
+  double duration = 0, step = 0;  // s, simulated; duration 0: no dynamics
+};
+// CPU s. Steps, and what each needs, by the mean of the cases that come with the program.
+double expected_cost(const CostParts& parts);
+
+// Measures residual and tangent at the start shape; a fraction of a second, or a few evaluations. The state
+// stays as it is. Collective.
+CostParts measured_parts(Simulation& sim);
+
+// "expected cost: about 12 CPU s, if steps are of about 0.06 s"
+std::string cost_sentence(const CostParts& parts);
+
+}  // namespace hawser::app

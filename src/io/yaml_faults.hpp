@@ -1,0 +1,18 @@
+// What a user has probably got wrong in a file that is no YAML.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace hawser::io {
+
+struct YamlFault {
+  int line = 0;      // of the file, from 1
+  std::string text;  // the rest of the sentence: what is wrong and what to do
+};
+
+// Looks for tabs in indentation, colons without a blank after them and keys that do not begin in one column,
+// in `text` around the line (from 1) where the parser gave up. Nothing: it is something else.
+std::optional<YamlFault> find_yaml_fault(const std::string& text, int line);
+
+}  // namespace hawser::io
