@@ -49,6 +49,8 @@ class Simulation {
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
+  // Of automatic contact stiffness that is higher than it was when this was last asked, one sentence a volume.
+  std::vector<std::string> raised_stiffness(const std::string& when);
   int cut_elements() const { return cut_; }
 
   // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
@@ -69,6 +71,7 @@ class Simulation {
   State state_;
   std::unique_ptr<Dynamics> dynamics_;
   std::vector<std::string> notes_;
+  std::vector<double> told_stiffness_;  // of the contact's volumes, in their basis
   int cut_ = 0;
   RigidBodies* floating_ = nullptr;
   BodyContactTerm* body_contact_ = nullptr;
