@@ -116,8 +116,8 @@ Key volumes() {
                 number("per_area", area_stiffness, "per projected area (length times contact diameter)")
                     .above(0),
                 number("allowed_penetration", length,
-                       "as `auto`, for this penetration instead of 0.5 % of the line's radius: the most in "
-                       "statics, twice that in motion but for blows")
+                       "as `auto`, for this penetration: the most in statics, twice that in motion but for "
+                       "blows; else 0.2 % of the line's radius")
                     .above(0),
                 force_rows(),
                 word(

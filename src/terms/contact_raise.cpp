@@ -11,8 +11,8 @@
 namespace hawser {
 namespace {
 
-// Of what an automatic stiffness allows: deeper than that it is raised, in statics and in motion, to this.
-constexpr double kStill = 1, kMoving = 2, kRaisedTo = 0.5;
+// Of the radius, deeper than which an automatic stiffness is raised; how often that in motion; to what of it.
+constexpr double kAllowed = 0.002, kMoving = 2, kRaisedTo = 0.5;
 // Of the radius: what a blow may take it in by, with all of its mass at all of its speed.
 constexpr double kBlow = 0.5;
 
@@ -41,10 +41,10 @@ void Contact::ask(int volume, const NormalLaw& law, const Pressed& p, double ste
                   std::vector<double>& wanted) const {
   const size_t k = static_cast<size_t>(volume);
   const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
-  const double allowed = given > 0 ? given : kAllowedPenetration * p.radius, blow = kBlow * p.radius;
+  const double allowed = given > 0 ? given : kAllowed * p.radius, blow = kBlow * p.radius;
   double& want = wanted[k];
   if (p.held) return;
-  if (p.still * p.depth > (step > 0 ? kMoving : kStill) * allowed)
+  if (p.still * p.depth > (step > 0 ? kMoving : 1) * allowed)
     want = std::max(want, now * p.still * p.depth / (kRaisedTo * allowed));
   // u sqrt(m/k) is how deep a blow goes.
   if (step > 0) want = std::max(want, now * p.mass * std::pow(p.speed / blow, 2) / law.stiffness);

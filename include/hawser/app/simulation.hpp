@@ -49,7 +49,8 @@ class Simulation {
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
-  // Of automatic contact stiffness that is higher than it was when this was last asked, one sentence a volume.
+  // Of automatic contact stiffness that is higher than it was when this was last asked, one sentence a
+  // volume.
   std::vector<std::string> raised_stiffness(const std::string& when);
   int cut_elements() const { return cut_; }
 

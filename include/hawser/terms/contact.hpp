@@ -103,7 +103,8 @@ class Contact : public ForceTerm {
   bool automatic(int volume) const { return volumes_[static_cast<size_t>(volume)].automatic; }
   // Of each volume what it has, to be asked for more.
   std::vector<double> stiffnesses() const;
-  void ask(int volume, const NormalLaw& law, const Pressed& p, double step, std::vector<double>& wanted) const;
+  void ask(int volume, const NormalLaw& law, const Pressed& p, double step,
+           std::vector<double>& wanted) const;
   // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
   // where a volume is automatic.
   bool raise(std::vector<double>& wanted);
@@ -211,7 +212,7 @@ class Contact : public ForceTerm {
                        const Vec3& y0, const Vec3& y1, double share);
 
   std::shared_ptr<const Bodies> bodies_;
-  std::vector<ContactVolume> volumes_;          // with the stiffness of the trial
+  std::vector<ContactVolume> volumes_;  // with the stiffness of the trial
   std::vector<double> committed_stiffness_;
   std::vector<Box> boxes_;                      // of the volumes
   std::vector<RigidPose> poses_, start_poses_;  // of space and of the bodies, at the trial and at the start
