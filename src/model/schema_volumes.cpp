@@ -117,7 +117,7 @@ Key volumes() {
                     .above(0),
                 number("allowed_penetration", length,
                        "as `auto`, for this penetration: the most in statics, twice that in motion but for "
-                       "blows; else 0.2 % of the line's radius")
+                       "blows; else 0.4 % of the line's radius")
                     .above(0),
                 force_rows(),
                 word(

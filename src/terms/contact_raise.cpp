@@ -1,9 +1,10 @@
-// The stiffness of contact with volumes against what the run meets: an automatic one is raised until lines are
-// no deeper than they may be, and one that is too soft for that, and not the program's, is refused.
+// The stiffness of contact with volumes against what the run meets: an automatic one is raised until lines
+// are no deeper than they may be, and one that is too soft for that, and not the program's, is refused.
 // docs/theory/contact.md, "Stiffness that follows the run".
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/geometry/surface.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/volume_contact.hpp"
@@ -12,7 +13,7 @@ namespace hawser {
 namespace {
 
 // Of the radius, deeper than which an automatic stiffness is raised; how often that in motion; to what of it.
-constexpr double kAllowed = 0.002, kMoving = 2, kRaisedTo = 0.5;
+constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
 // Of the radius: what a blow may take it in by, with all of its mass at all of its speed.
 constexpr double kBlow = 0.5;
 
@@ -78,7 +79,10 @@ bool Contact::forget_raise() {
 void Contact::keep_raise() { committed_stiffness_ = stiffnesses(); }
 
 double Contact::deepest(int volume, double radius) const {
-  const model::Volume& v = volumes_[static_cast<size_t>(volume)].settings;
+  const ContactVolume& c = volumes_[static_cast<size_t>(volume)];
+  const model::Volume& v = c.settings;
+  // A plane has no other side that a line could come to: a soft floor is a floor.
+  if (!c.automatic && dynamic_cast<const PlaneSurface*>(c.surface.get())) return HUGE_VAL;
   return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;
 }
 
@@ -116,11 +120,11 @@ bool LineContact::augment(const Kinematics& equilibrium) {
                  normal_force(pair.law.normal, gap, 0).elastic;
         if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * p.normal;
       }
-      const Vec3 acceleration = 0.5 * (equilibrium.a[static_cast<size_t>(e.first)] +
-                                       equilibrium.a[static_cast<size_t>(e.second)]);
+      const Vec3 acceleration =
+          0.5 * (equilibrium.a[static_cast<size_t>(e.first)] + equilibrium.a[static_cast<size_t>(e.second)]);
       if (equilibrium.step > 0)
-        at.still = left_by_inertia(force, element.mass_per_length * length(pair.element),
-                                   normal.dot(acceleration));
+        at.still =
+            left_by_inertia(force, element.mass_per_length * length(pair.element), normal.dot(acceleration));
     }
     ask(pair.volume, pair.law.normal, at, equilibrium.step, wanted);
   }
@@ -131,8 +135,8 @@ bool LineContact::augment(const Kinematics& equilibrium) {
 
 void LineContact::renew_laws() {
   for (Pair& pair : pairs_)
-    pair.law = element_law(static_cast<size_t>(pair.element),
-                           volumes_[static_cast<size_t>(pair.volume)].settings);
+    pair.law =
+        element_law(static_cast<size_t>(pair.element), volumes_[static_cast<size_t>(pair.volume)].settings);
 }
 
 void LineContact::reset_multipliers() {

@@ -46,28 +46,31 @@ double most_stiffness(const StiffnessDemand& d) {
 
 std::string raised_note(const std::string& volume, double from, double to, const std::string& when) {
   return "volume " + volume + ": normal stiffness raised from " + number(from) + " to " + number(to) +
-         " N/m per m " + when + ", so that what presses the line on it, its tension times the curvature and "
+         " N/m per m " + when +
+         ", so that what presses the line on it, its tension times the curvature and "
          "blows, takes it no deeper than is allowed";
 }
 
 std::string too_soft_for_line(const std::string& place, const model::Volume& v, bool automatic, double depth,
                               double radius, double time) {
   const bool table = v.force_table != nullptr;
-  std::string text = place + ", is " + number(depth) + " m deep in volume " + v.name + " at t = " +
-                     number(time) + " s, deeper than " +
+  std::string text = place + ", is " + number(depth) + " m deep in volume " + v.name +
+                     " at t = " + number(time) + " s, deeper than " +
                      (table ? "its radius of " + number(radius) + " m and than the table of forces tells"
                             : "its radius of " + number(radius) + " m");
   if (automatic)
     return text + ", at a stiffness of " + number(v.normal_stiffness) +
            " N/m per m, which the program has raised as far as that helps: it starts inside the volume or "
-           "is drawn into it by its ends; move it or the volume, or take that volume out of the line's contact";
-  if (table) return text + ": give the table rows up to the forces that are met, or leave the stiffness to 'auto'";
+           "is drawn into it by its ends; move it or the volume, or take that volume out of the line's "
+           "contact";
+  if (table)
+    return text + ": give the table rows up to the forces that are met, or leave the stiffness to 'auto'";
   const std::string key = v.basis == model::StiffnessBasis::per_point    ? "per_point"
                           : v.basis == model::StiffnessBasis::per_length ? "per_length"
                                                                          : "per_area";
   return text + ": its normal_stiffness is too small for what presses; {" + key + ": " +
-         number(v.normal_stiffness * depth / (kHeldOut * radius)) + "} would hold it to about 5 % of the radius, " +
-         "'auto' finds that by itself";
+         number(v.normal_stiffness * depth / (kHeldOut * radius)) +
+         "} would hold it to about 5 % of the radius, " + "'auto' finds that by itself";
 }
 
 double crossing_force(double EA, double weight_of_line) { return std::max(kDrawn * EA, weight_of_line); }

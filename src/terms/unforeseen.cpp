@@ -10,7 +10,9 @@ namespace hawser {
 namespace {
 
 // Twice what limit_depth() trusts a step with: what comes as foreseen stays clear of it.
-bool sinks_too_far(double radius, double before, double after) { return after > std::max(before, 0.0) + radius; }
+bool sinks_too_far(double radius, double before, double after) {
+  return after > std::max(before, 0.0) + radius;
+}
 
 void add(double made, int line, Unforeseen& to) {
   if (made > 0) to.partings.push_back({line, -1, made});

@@ -1,6 +1,7 @@
-// Contact whose stiffness nobody chose (docs/theory/contact.md, "Stiffness that follows the run"): slings over a
-// bar and a torus at tensions of 1 to 10^6 times the weight of a radius of line, a capstan whose tension grows a
-// hundredfold in the run, what a checkpoint keeps of it, and what is said of a stiffness that is too soft.
+// Contact whose stiffness nobody chose (docs/theory/contact.md, "Stiffness that follows the run"): slings
+// over a bar and a torus at tensions of 1 to 10^6 times the weight of a radius of line, a capstan whose
+// tension grows a hundredfold in the run, what a checkpoint keeps of it, and what is said of a stiffness that
+// is too soft.
 #include <fmt/format.h>
 
 #include "hawser/app/volumes.hpp"
@@ -36,9 +37,11 @@ std::string points(double radius) {
 // Over a bar or a torus, strained by about 1 %: both ends held, and the sling so short; or one end loaded.
 std::string sling(const std::string& shape, double tension, bool loaded, const std::string& stiffness,
                   bool beam = false) {
-  const double EA = 100 * (loaded ? std::max(tension, 10 * kWeight) : tension), length = M_PI * kRho + 2 * kLeg;
-  const std::string end = loaded ? fmt::format("free\n    loads: [{{at: end_b, force: [0, 0, -{:.9g}]}}]", tension)
-                                 : fmt::format("{{anchor: [-{}, 0, -{}]}}", kRho, kLeg);
+  const double EA = 100 * (loaded ? std::max(tension, 10 * kWeight) : tension),
+               length = M_PI * kRho + 2 * kLeg;
+  const std::string end =
+      loaded ? fmt::format("free\n    loads: [{{at: end_b, force: [0, 0, -{:.9g}]}}]", tension)
+             : fmt::format("{{anchor: [-{}, 0, -{}]}}", kRho, kLeg);
   return fmt::format(R"(hawser: 1
 line_types:
   rope: {{outer_diameter: {}, mass_per_length: 2.5, EA: {:.9g}, {}}}
@@ -55,9 +58,10 @@ lines:
                      length / (1 + tension / EA), kRho, kLeg, end, points(kRho));
 }
 
-// A rope half a turn about a bar, held at one end and drawn at the other: its tension grows with the way. Its chords
-// about the bar take 0.23 % of its length.
-const std::string kDrawn = fmt::format(R"(hawser: 1
+// A rope half a turn about a bar, held at one end and drawn at the other: its tension grows with the way. Its
+// chords about the bar take 0.23 % of its length.
+const std::string kDrawn =
+    fmt::format(R"(hawser: 1
 environment: {{gravity: 0}}
 line_types:
   rope: {{outer_diameter: {}, mass_per_length: 2.5, EA: 1.0e7, bending: false, stiffness_damping: 0.001}}
@@ -74,8 +78,7 @@ lines:
 dynamics: {{duration: 1.2, max_step: 0.01}}
 output: {{every: 0.1, histories: [{{line: rope, at: end_a}}]}}
 )",
-                                       2 * kLine, kRho, kLeg, kBar, (M_PI * kRho + 2 * kLeg) * 1.0021, kRho, kLeg,
-                                       points(kRho));
+                2 * kLine, kRho, kLeg, kBar, (M_PI * kRho + 2 * kLeg) * 1.0021, kRho, kLeg, points(kRho));
 
 double most(double x) {
   MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
@@ -122,10 +125,12 @@ TEST_P(Sling, IsHeldOut) {
   const Held own = still("sling", sling(shape, tension, loaded, ""));
   const Held stiff =
       still("stiff", sling(shape, tension, loaded,
-                           fmt::format(", smoothing: 1.0e-7, normal_stiffness: {{per_length: {:.9g}}}", 100 * own.stiffness)));
+                           fmt::format(", smoothing: 1.0e-7, normal_stiffness: {{per_length: {:.9g}}}",
+                                       100 * own.stiffness)));
   if (rank_of(MPI_COMM_WORLD) == 0)
-    std::printf("tension %.3g of the weight of a radius: %.6g N of %.6g, %.3g of the radius deep, %.3g N/m²\n",
-                over_weight, own.tension, stiff.tension, own.depth / kLine, own.stiffness);
+    std::printf(
+        "tension %.3g of the weight of a radius: %.6g N of %.6g, %.3g of the radius deep, %.3g N/m²\n",
+        over_weight, own.tension, stiff.tension, own.depth / kLine, own.stiffness);
   EXPECT_GT(own.depth, 0);
   EXPECT_LE(own.depth, 0.05 * kLine);
   EXPECT_NEAR(own.tension, stiff.tension, 0.01 * stiff.tension);
@@ -159,19 +164,20 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   Dynamics& d = s->dynamics();
   d.start(s->state());
   const Energy start = s->system().energy(d.kinematics());
-  d.run(1.2, [](double t) { return t + 100; }, [&](const StepInfo&) { return ++after.steps, true; });
+  d.run(
+      1.2, [](double t) { return t + 100; }, [&](const StepInfo&) { return ++after.steps, true; });
   look(*s, d.kinematics(), after);
   const Energy e = s->system().energy(d.kinematics());
-  double sums[2] = {e.work + d.support_work(), e.kinetic + e.strain - start.kinetic - start.strain + e.friction +
-                                                   e.damping - start.friction - start.damping};
+  double sums[2] = {e.work + d.support_work(), e.kinetic + e.strain - start.kinetic - start.strain +
+                                                   e.friction + e.damping - start.friction - start.damping};
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
   after.amiss = sums[1] / sums[0] - 1;
   if (rank_of(MPI_COMM_WORLD) == 0)
     std::printf(
         "drawn: %.6g N, then %.6g; T2/T1 %.5f, exact %.5f; %.3g of the radius deep; %.3g, then %.3g N/m²; %g "
         "steps, %.3g of the energy not accounted for\n",
-        before.tension, after.tension, after.ratio, std::exp(0.3 * M_PI), after.depth / kLine, before.stiffness,
-        after.stiffness, after.steps, after.amiss);
+        before.tension, after.tension, after.ratio, std::exp(0.3 * M_PI), after.depth / kLine,
+        before.stiffness, after.stiffness, after.steps, after.amiss);
   EXPECT_GT(after.tension, 100 * before.tension);
   EXPECT_GT(after.stiffness, 2 * before.stiffness);
   EXPECT_LE(after.depth, 0.05 * kLine);
@@ -203,18 +209,23 @@ std::string refusal(const std::string& text, bool moves) {
     s->solve_statics();
     EXPECT_TRUE(moves) << "statics is good";
     s->dynamics().start(s->state());
-    s->dynamics().run(1.2, [](double t) { return t + 100; }, [](const StepInfo&) { return true; });
+    s->dynamics().run(
+        1.2, [](double t) { return t + 100; }, [](const StepInfo&) { return true; });
   } catch (const SolveError& e) {
     return e.what();
   }
   return {};
 }
 
-// What is the user's own and too soft ends the run, with a sentence that says where, how deep and what it takes.
+// What is the user's own and too soft ends the run, with a sentence that says where, how deep and what it
+// takes.
 TEST(TooSoft, IsRefused) {
-  const std::string still = refusal(sling(kCylinder, 5e4, true, ", normal_stiffness: {per_length: 5.0e6}"), false);
-  for (const char* part : {"statics: line rope, arc length ", " m deep in volume bar at t = 0 s, deeper than its "
-                           "radius of 0.02 m", "{per_length: "})
+  const std::string still =
+      refusal(sling(kCylinder, 5e4, true, ", normal_stiffness: {per_length: 5.0e6}"), false);
+  for (const char* part : {"statics: line rope, arc length ",
+                           " m deep in volume bar at t = 0 s, deeper than its "
+                           "radius of 0.02 m",
+                           "{per_length: "})
     EXPECT_NE(still.find(part), std::string::npos) << still;
   std::string text = kDrawn;
   text.replace(text.find("friction: 0.3,"), 14, "friction: 0.3, normal_stiffness: {per_length: 1.0e6},");
