@@ -225,6 +225,10 @@ int run(MPI_Comm comm, const RunOptions& options) {
     }
   }
   progress.end();
+  if (c.dynamics.enabled)
+    for (const std::string& n :
+         sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)))
+      progress.say("note: " + n);
   const std::string table = recorder.finish();
   if (speak) {
     fmt::print("\n{}", table);

@@ -27,6 +27,9 @@ const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 const char* const kHeld = "held_acceleration";
 const char* const kHeldTurns = "held_angular_acceleration";
 
+// Of contact, and the name of a volume: N/m per m, what an automatic stiffness was raised to.
+const std::string kStiffness = "contact.stiffness.";
+
 std::vector<Vec3>& vectors(AlphaState& s, size_t i) {
   std::vector<Vec3>* all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
   return *all[i];
@@ -93,6 +96,9 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   double work = d.support_work();
   MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, simulation.system().comm());
   c.scalars["support_work"] = work;
+  const Contact* contact = simulation.contact();
+  for (int v = 0; contact && v < contact->volumes(); ++v)
+    c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
   recorder.save(c);
   // Which nodes the matrix couples depends on what was near in all the run so far, and the order of
   // elimination on that. A run that goes on from here knows what is near now; so that it takes the same steps
@@ -164,6 +170,11 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   for (const auto& term : simulation.system().terms())
     if (const auto it = c.records.find(std::string(term->name())); it != c.records.end())
       term->restore(it->second);
+  Contact* contact = simulation.contact();
+  for (int v = 0; contact && v < contact->volumes(); ++v)
+    if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
+      contact->raise_to(v, it->second);
+  simulation.raised_stiffness("");  // that was told by the run that raised it
 
   int rank = 0;
   MPI_Comm_rank(system.comm(), &rank);

@@ -7,6 +7,7 @@
 #include "hawser/app/line_pairs.hpp"
 #include "hawser/app/share_nodes.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/body_pairs.hpp"
@@ -62,12 +63,21 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
   return out;
 }
 
+// Local nodes whose place is prescribed.
+std::vector<bool> held_nodes(const LocalMesh& mesh, const std::vector<Support>& supports) {
+  std::vector<bool> held(static_cast<size_t>(mesh.nodes()), false);
+  for (const Support& s : supports)
+    if (s.position_mask != 0) held[static_cast<size_t>(s.node)] = true;
+  return held;
+}
+
 // The line that needs most decides an automatic stiffness. The note says why, and when the steps are too long
 // to follow a bounce on it.
-void choose_stiffness(const model::Case& c, const Mesh& mesh, model::Volume& v,
+void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& volume,
                       std::vector<std::string>& notes) {
+  model::Volume& v = volume.settings;
   AutomaticStiffness best;
-  double mass = 0;
+  double mass = 0, most = 0;
   for (const Element& e : mesh.elements) {
     const auto& t = c.line_types[static_cast<size_t>(e.type)];
     StiffnessDemand d;
@@ -78,10 +88,12 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, model::Volume& v,
     d.bend = bending_radius(v, d.radius);
     d.allowed_penetration = v.allowed_penetration;
     const AutomaticStiffness s = automatic_contact_stiffness(d);
+    most = std::max(most, most_stiffness(d));
     if (s.per_length > best.per_length) best = s, mass = t.mass_per_length;
   }
   v.basis = model::StiffnessBasis::per_length;
   v.normal_stiffness = best.per_length;
+  volume.automatic = true, volume.most = std::max(most, best.per_length);
   std::string note =
       fmt::format("volume {}: normal stiffness {:.3g} N/m per m: {}", v.name, best.per_length, best.reason);
   const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
@@ -136,22 +148,28 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   }
   std::vector<ContactVolume> volumes;
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
-    model::Volume settings = c.volumes[v];
+    ContactVolume volume{surfaces[v], c.body_index(c.volumes[v].body), c.volumes[v]};
+    const model::Volume& settings = volume.settings;
     if (!c.contact.takes_part(settings) || c.lines.empty()) continue;
     if (c.floats(c.body_index(settings.body))) {
       notes_.push_back(
           fmt::format("volume {}: body {} floats; lines do not feel it", settings.name, settings.body));
       continue;
     }
-    if (settings.basis == model::StiffnessBasis::automatic) choose_stiffness(c, *mesh_, settings, notes_);
-    volumes.push_back({surfaces[v], c.body_index(settings.body), settings});
+    if (settings.basis == model::StiffnessBasis::automatic) choose_stiffness(c, *mesh_, volume, notes_);
+    volumes.push_back(std::move(volume));
   }
   volumes_ = volumes;
   start_contact_ = start_contact(comm, c, local, start.state.view(0), *bodies_, volumes_);
   notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
   if (!volumes.empty() && c.contact.method == model::ContactMethod::line) {
+    std::vector<LineContactElement> elements = contact_elements(c, local);
+    const std::vector<bool> held = held_nodes(local, start.supports);
+    for (size_t e = 0; e < elements.size(); ++e)
+      elements[e].held = held[static_cast<size_t>(local.elements[e].first)] ||
+                         held[static_cast<size_t>(local.elements[e].second)];
     auto contact =
-        std::make_unique<LineContact>(local, bodies_, std::move(volumes), contact_elements(c, local));
+        std::make_unique<LineContact>(local, bodies_, std::move(volumes), std::move(elements), comm);
     contact_ = contact.get();
     system_->add(std::move(contact));
   } else if (!volumes.empty()) {
@@ -163,13 +181,14 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     if (c.contact.method == model::ContactMethod::rigid) model = NodeContact::rigid;
     if (c.contact.method == model::ContactMethod::gap) model = NodeContact::gap;
     auto contact = std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), std::move(nodes),
-                                                   model, c.contact.allowed_penetration);
+                                                   model, c.contact.allowed_penetration, comm);
     contact_ = contact.get();
     system_->add(std::move(contact));
   }
 
   if (contact_) contact_->leave_out(start_contact_.left_out);
 
+  for (int v = 0; contact_ && v < contact_->volumes(); ++v) told_stiffness_.push_back(contact_->stiffness(v));
   if (mesh_->line_nodes() < static_cast<int>(mesh_->nodes.size())) {
     auto floating = std::make_unique<RigidBodies>(c, local, bodies_);
     floating_ = floating.get();
@@ -287,7 +306,22 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   if (contact_ || line_pairs_) system_->commit(state_.view(0));
   if (body_contact_) body_contact_->watch(state_.view(0));
   check_inside();
+  if (contact_)
+    if (const std::string why = first_text(system_->comm(), contact_->refusal(state_.view(0))); !why.empty())
+      throw SolveError("statics: " + why);
+  for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
   return report;
+}
+
+std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
+  std::vector<std::string> out;
+  for (int v = 0; contact_ && v < contact_->volumes(); ++v) {
+    double& told = told_stiffness_[static_cast<size_t>(v)];
+    if (contact_->stiffness(v) == told) continue;
+    out.push_back(raised_note(contact_->volume_name(v), told, contact_->stiffness(v), when));
+    told = contact_->stiffness(v);
+  }
+  return out;
 }
 
 void Simulation::check_inside() const {

@@ -54,17 +54,8 @@ std::string System::refusal(const Kinematics& trial) const {
   std::string text;
   for (const auto& t : terms_)
     if (text.empty()) text = t->refusal(trial);
-  int rank = 0, size = 0;
-  MPI_Comm_rank(comm_, &rank);
-  MPI_Comm_size(comm_, &size);
-  int first = text.empty() ? size : rank;
-  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm_);
-  if (first == size) return "in it something would go through a volume or a body";
-  int length = static_cast<int>(text.size());
-  MPI_Bcast(&length, 1, MPI_INT, first, comm_);
-  text.resize(static_cast<size_t>(length));
-  MPI_Bcast(text.data(), length, MPI_CHAR, first, comm_);
-  return text;
+  text = first_text(comm_, std::move(text));
+  return text.empty() ? "in it something would go through a volume or a body" : text;
 }
 
 bool System::outdated() const {

@@ -221,8 +221,7 @@ bool System::augments() const {
 bool System::augment(const Kinematics& equilibrium) {
   int again = 0, asked = 0;
   for (auto& t : terms_) {
-    if (!t->augments()) continue;
-    asked = 1;
+    if (t->augments()) asked = 1;  // where multipliers are, a rank knows of its own only
     if (t->augment(equilibrium)) again = 1;
   }
   if (asked) MPI_Allreduce(MPI_IN_PLACE, &again, 1, MPI_INT, MPI_MAX, comm_);

@@ -22,8 +22,8 @@ NormalLaw normal_law(const model::Volume& v, double share, double smoothing, dou
   return law;
 }
 
-Contact::Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes)
-    : bodies_(std::move(bodies)), volumes_(std::move(volumes)) {
+Contact::Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes, MPI_Comm comm)
+    : bodies_(std::move(bodies)), volumes_(std::move(volumes)), comm_(comm) {
   if (!bodies_) bodies_ = std::make_shared<const Bodies>();
   for (const ContactVolume& v : volumes_) {
     if (!v.surface) throw std::invalid_argument("volume " + v.settings.name + " has no surface");
@@ -32,6 +32,7 @@ Contact::Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume
     if (v.settings.basis == model::StiffnessBasis::automatic || !(v.settings.normal_stiffness > 0))
       throw std::invalid_argument("volume " + v.settings.name + " has no contact stiffness");
     boxes_.push_back(v.surface->bounds());
+    committed_stiffness_.push_back(v.settings.normal_stiffness);
   }
   pose_bodies(0, poses_);
   start_poses_ = poses_;

@@ -12,6 +12,7 @@ namespace {
 constexpr double kLeast = 1, kMost = 10;  // m, of the radius of bending
 // Lines that cross: strain they are drawn with, and depth over the radii that it makes.
 constexpr double kDrawn = 0.01, kCrossing = 0.05;
+constexpr double kHeldOut = 0.05;  // of the radius: penetration of the stiffness that is proposed
 
 std::string number(double v) {
   char text[32];
@@ -24,7 +25,7 @@ std::string number(double v) {
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
   const double hanging = d.weight * d.length, tension = std::max(hanging, 1e-4 * d.EA);
   const double bend = d.bend > 0 ? d.bend : std::max(d.radius, kLeast);
-  const double allowed = d.allowed_penetration > 0 ? d.allowed_penetration : 0.005 * d.radius;
+  const double allowed = d.allowed_penetration > 0 ? d.allowed_penetration : kAllowedPenetration * d.radius;
   const double pressure = d.weight + tension / bend;
   return {pressure / allowed,
           "a tension of " + number(tension) + " N (" +
@@ -36,6 +37,40 @@ AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
               ") and the line's weight of " + number(d.weight) + " N/m press in by " +
               (d.allowed_penetration > 0 ? "the allowed " : "0.5 % of the line's radius, ") +
               number(allowed) + " m"};
+}
+
+double most_stiffness(const StiffnessDemand& d) {
+  const double allowed = d.allowed_penetration > 0 ? d.allowed_penetration : kAllowedPenetration * d.radius;
+  return std::max(d.EA, d.weight * d.length) / (d.radius * allowed);
+}
+
+std::string raised_note(const std::string& volume, double from, double to, const std::string& when) {
+  return "volume " + volume + ": normal stiffness raised from " + number(from) + " to " + number(to) +
+         " N/m per m " + when +
+         ", so that what presses the line on it, its tension times the curvature and "
+         "blows, takes it no deeper than is allowed";
+}
+
+std::string too_soft_for_line(const std::string& place, const model::Volume& v, bool automatic, double depth,
+                              double radius, double time) {
+  const bool table = v.force_table != nullptr;
+  std::string text = place + ", is " + number(depth) + " m deep in volume " + v.name +
+                     " at t = " + number(time) + " s, deeper than " +
+                     (table ? "its radius of " + number(radius) + " m and than the table of forces tells"
+                            : "its radius of " + number(radius) + " m");
+  if (automatic)
+    return text + ", at a stiffness of " + number(v.normal_stiffness) +
+           " N/m per m, which the program has raised as far as that helps: it starts inside the volume or "
+           "is drawn into it by its ends; move it or the volume, or take that volume out of the line's "
+           "contact";
+  if (table)
+    return text + ": give the table rows up to the forces that are met, or leave the stiffness to 'auto'";
+  const std::string key = v.basis == model::StiffnessBasis::per_point    ? "per_point"
+                          : v.basis == model::StiffnessBasis::per_length ? "per_length"
+                                                                         : "per_area";
+  return text + ": its normal_stiffness is too small for what presses; {" + key + ": " +
+         number(v.normal_stiffness * depth / (kHeldOut * radius)) +
+         "} would hold it to about 5 % of the radius, " + "'auto' finds that by itself";
 }
 
 double crossing_force(double EA, double weight_of_line) { return std::max(kDrawn * EA, weight_of_line); }

@@ -10,8 +10,9 @@
 namespace hawser {
 
 LineContact::LineContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
-                         std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements)
-    : Contact(std::move(bodies), std::move(volumes)), mesh_(mesh), elements_(std::move(elements)) {
+                         std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
+                         MPI_Comm comm)
+    : Contact(std::move(bodies), std::move(volumes), comm), mesh_(mesh), elements_(std::move(elements)) {
   if (elements_.size() != mesh_.elements.size())
     throw std::invalid_argument("contact along lines needs one LineContactElement for each local element");
   for (const LocalElement& e : mesh_.elements)
@@ -80,6 +81,7 @@ void LineContact::commit(const Kinematics& accepted) {
     if (accepted.step > 0 && !(next.empty() && pair.history.empty())) account(pair, shape, next);
     pair.history = std::move(next);
   }
+  keep_raise();
 }
 
 // Trapezoid over the step, as in the nodes method: half with the forces at its start where they were, half
@@ -114,15 +116,22 @@ void LineContact::account(Pair& pair, const AxisShape& shape, const std::vector<
     w.lifted = moved - w.along * w.along.dot(moved);
     return w;
   };
+  // Where the stiffness was raised, what the spring gave and has is not its own: it was brought in.
+  const double raise = raised(pair.volume) ? 1 : 0;
+  const auto elastic = [](const Point& p) { return p.normal_force - p.damping_force; };
   for (const Point& p : pair.history) {
     const Way w = way(p.xi);
     const double away = p.normal.dot(w.lifted), deep = std::max(smoothing - p.gap, 0.0);
-    add(p, step.R0, w, p.weight * (away > deep ? deep / away : 1));
+    const double share = p.weight * (away > deep ? deep / away : 1);
+    add(p, step.R0, w, share);
+    sum.work += raise * (0.5 * share * elastic(p) * p.normal.dot(w.y1 - w.y0) - p.weight * p.potential);
   }
   for (const Point& p : next) {
     const Way w = way(p.xi);
     const double came = -p.normal.dot(w.lifted), deep = smoothing - p.gap;
-    add(p, step.R1, w, p.weight * (came > deep ? deep / came : 1));
+    const double share = p.weight * (came > deep ? deep / came : 1);
+    add(p, step.R1, w, share);
+    sum.work += raise * (0.5 * share * elastic(p) * p.normal.dot(w.y1 - w.y0) + p.weight * p.potential);
   }
 }
 

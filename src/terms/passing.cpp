@@ -23,7 +23,9 @@ DistanceField distance_to(const Surface& surface) {
 }  // namespace
 
 bool VolumeContact::covers(const Kinematics& trial) const {
-  if (model_ == NodeContact::gap || !(trial.step > 0)) return true;
+  if (!(trial.step > 0)) return true;
+  if (too_deep(trial).node >= 0) return false;
+  if (model_ == NodeContact::gap) return true;
   std::vector<RigidPose> poses;
   pose_bodies(trial.time, poses);
   return std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
@@ -43,6 +45,7 @@ bool VolumeContact::covers(const Kinematics& trial) const {
 // Most are far away, or move less than they are thick.
 bool LineContact::covers(const Kinematics& trial) const {
   if (!(trial.step > 0)) return true;
+  if (too_deep(trial).node >= 0) return false;
   std::vector<RigidPose> poses;
   pose_bodies(trial.time, poses);
   const auto way = [&](const Group& g, int node) {

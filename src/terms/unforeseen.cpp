@@ -10,7 +10,9 @@ namespace hawser {
 namespace {
 
 // Twice what limit_depth() trusts a step with: what comes as foreseen stays clear of it.
-bool too_deep(double radius, double before, double after) { return after > std::max(before, 0.0) + radius; }
+bool sinks_too_far(double radius, double before, double after) {
+  return after > std::max(before, 0.0) + radius;
+}
 
 void add(double made, int line, Unforeseen& to) {
   if (made > 0) to.partings.push_back({line, -1, made});
@@ -27,7 +29,7 @@ void VolumeContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
     const History& was = pair.history;
     ContactTrial at;
     if (contact(pair, trial, false, false, at).normal.elastic != 0) {
-      to.too_deep = to.too_deep || too_deep(radius, was.touches ? was.depth : 0, -at.gap);
+      to.too_deep = to.too_deep || sinks_too_far(radius, was.touches ? was.depth : 0, -at.gap);
       continue;
     }
     if (!was.touches || follows(pair.law.normal, mass, trial.step)) continue;
@@ -53,7 +55,7 @@ void LineContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
     double deepest = 0, was = 0;
     for (const SurfacePoint& p : found.points) deepest = std::max(deepest, element.radius - p.distance);
     for (const Point& p : pair.past()) was = std::max(was, -p.gap);
-    to.too_deep = to.too_deep || too_deep(element.radius, was, deepest);
+    to.too_deep = to.too_deep || sinks_too_far(element.radius, was, deepest);
     if (follows(pair.law.normal, element.mass_per_length, trial.step)) continue;
     for (const Point& p : pair.past()) {
       const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };

@@ -289,6 +289,7 @@ void VolumeContact::commit(const Kinematics& accepted) {
     next.direction = pair.history.direction;
     pair.history = next;
   }
+  keep_raise();
 }
 
 // Trapezoid over the step, of which only the part in touch counts when the pair met or parted in it.
@@ -314,6 +315,12 @@ void VolumeContact::account(const Pair& pair, const History& next, const Vec3& y
   }
   add_work(sum, step, last, step.R0, y0, y, part);
   add_work(sum, step, next, step.R1, y0, y, part);
+  if (!raised(pair.volume)) return;
+  // What the spring gave and has is not its own then: it was brought in.
+  const auto gave = [&](const History& h) {
+    return 0.5 * part * (h.normal_force - h.damping_force) * h.normal.dot(y - y0);
+  };
+  sum.work += gave(last) + gave(next) + next.potential - last.potential;
 }
 
 }  // namespace hawser

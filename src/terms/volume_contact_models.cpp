@@ -87,6 +87,7 @@ void VolumeContact::choose_gap(Pair& pair, const Vec3& y) const {
 }
 
 bool VolumeContact::augment(const Kinematics& equilibrium) {
+  if (!augments()) return stiffen(equilibrium);
   pose_bodies(equilibrium.time, poses_);
   bool again = false;
   for (Pair& pair : pairs_) {
@@ -223,6 +224,8 @@ void VolumeContact::set_multipliers(std::span<const double> values) {
 }
 
 void VolumeContact::reset_multipliers() {
+  if (forget_raise())
+    for (Pair& pair : pairs_) pair.law = node_law(pair.node, pair.volume);
   for (Pair& pair : pairs_) {
     pair.multiplier = pair.history.multiplier;
     pair.held = pair.history.held;

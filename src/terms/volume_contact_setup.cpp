@@ -10,8 +10,8 @@ namespace hawser {
 
 VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                              std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes,
-                             NodeContact model, double allowed_penetration)
-    : Contact(std::move(bodies), std::move(volumes)),
+                             NodeContact model, double allowed_penetration, MPI_Comm comm)
+    : Contact(std::move(bodies), std::move(volumes), comm),
       mesh_(*mesh.mesh),
       model_(model),
       allowed_(allowed_penetration),

@@ -41,7 +41,9 @@ TEST(CapstanSteps, Automatic) {
   const Pulled o = run(p);
   report(p, o);
   EXPECT_NEAR(o.ratio.mean(), std::exp(0.3 * M_PI), 0.003 * std::exp(0.3 * M_PI));
-  EXPECT_LT(o.steps, 400);
+  // The stiffness is raised until the nodes on the edges of facets are held out: 602, with 2.7e-5 m of
+  // penetration.
+  EXPECT_LT(o.steps, 650);
 }
 
 // A smooth drum: what is left is the polygon of the line itself, and no spread.

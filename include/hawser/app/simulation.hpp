@@ -52,6 +52,9 @@ class Simulation {
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
   const std::vector<std::string>& warnings() const { return start_contact_.warnings; }  // of the start shape
+  // Of automatic contact stiffness that is higher than it was when this was last asked, one sentence a
+  // volume.
+  std::vector<std::string> raised_stiffness(const std::string& when);
   int cut_elements() const { return cut_; }
 
   // InputError if what starts inside a volume is still there. Collective.
@@ -77,6 +80,7 @@ class Simulation {
   std::vector<std::string> notes_;
   std::vector<ContactVolume> volumes_;  // that lines may touch
   StartContact start_contact_;
+  std::vector<double> told_stiffness_;  // of the contact's volumes, in their basis
   int cut_ = 0;
   RigidBodies* floating_ = nullptr;
   BodyContactTerm* body_contact_ = nullptr;

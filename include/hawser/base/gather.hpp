@@ -4,9 +4,25 @@
 #include <mpi.h>
 
 #include <numeric>
+#include <string>
 #include <vector>
 
 namespace hawser {
+
+// The text of the first rank that has one; empty: none has. Collective.
+inline std::string first_text(MPI_Comm comm, std::string mine) {
+  int rank = 0, size = 0;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &size);
+  int first = mine.empty() ? size : rank;
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
+  if (first == size) return {};
+  int length = static_cast<int>(mine.size());
+  MPI_Bcast(&length, 1, MPI_INT, first, comm);
+  mine.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(mine.data(), length, MPI_CHAR, first, comm);
+  return mine;
+}
 
 class GatherPlan {
  public:

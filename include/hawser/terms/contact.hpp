@@ -3,7 +3,10 @@
 // of looking are VolumeContact (at nodes) and LineContact (along elements). See docs/theory/contact.md.
 #pragma once
 
+#include <mpi.h>
+
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +25,8 @@ struct ContactVolume {
   std::shared_ptr<const Surface> surface;  // in the body's frame
   int body = -1;                           // index into Bodies; -1: fixed in space
   model::Volume settings;  // basis, stiffness, smoothing, damping, friction; basis not automatic
+  bool automatic = false;  // the stiffness is the program's own, per length: raised as far as lines need it
+  double most = std::numeric_limits<double>::infinity();  // N/m², but no further
 };
 
 // The ends of a line that have no contact with a volume: material, whatever moves.
@@ -75,6 +80,12 @@ class Contact : public ForceTerm {
   int volumes() const { return static_cast<int>(volumes_.size()); }
   // Before the first step, and the same on all ranks.
   void leave_out(std::vector<LeftOut> ends);
+  // In the volume's basis; of an automatic one as far as it has been raised in accepted states, and so far it
+  // is raised again when a run goes on from a checkpoint.
+  double stiffness(int volume) const { return committed_stiffness_[static_cast<size_t>(volume)]; }
+  void raise_to(int volume, double stiffness);
+  // Where a line is deeper in a volume than its law is for, in words for the user; empty: nowhere. Local.
+  std::string refusal(const Kinematics& trial) const override;
   const std::string& volume_name(int volume) const {
     return volumes_[static_cast<size_t>(volume)].settings.name;
   }
@@ -84,8 +95,43 @@ class Contact : public ForceTerm {
   // which contact begins: so walls part and come together while the farther of them is out of touch.
   static constexpr double kTogether = 1.1;
 
-  // std::invalid_argument when a volume has no surface, no such body or no stiffness.
-  Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes);
+  // std::invalid_argument when a volume has no surface, no such body or no stiffness. comm: of those who hold
+  // the lines.
+  Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes, MPI_Comm comm);
+
+  // Automatic stiffness (docs/theory/contact.md, "Stiffness that follows the run"). A place of a line in the
+  // trial: how deep, the part of its force that inertia does not take (0 to 1), how fast it moves relative to
+  // the volume.
+  struct Pressed {
+    double depth = 0, radius = 0;  // m
+    double still = 1;
+    double speed = 0, mass = 0;  // m/s; kg in the sense of law()
+    bool held = false;           // by an end of the line: no stiffness moves it
+  };
+  bool automatic(int volume) const { return volumes_[static_cast<size_t>(volume)].automatic; }
+  // Of each volume what it has, to be asked for more.
+  std::vector<double> stiffnesses() const;
+  void ask(int volume, const NormalLaw& law, const Pressed& p, double step,
+           std::vector<double>& wanted) const;
+  // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
+  // where a volume is automatic.
+  bool raise(std::vector<double>& wanted);
+  // Trial stiffness is that of the last accepted state, or becomes it; whether that changed anything.
+  bool forget_raise();
+  void keep_raise();
+  bool raised(int volume) const {
+    const size_t k = static_cast<size_t>(volume);
+    return volumes_[k].settings.normal_stiffness != committed_stiffness_[k];
+  }
+  // m, how deep a volume's law is for: the radius, or what its table tells.
+  double deepest(int volume, double radius) const;
+  // Where a line is deeper than that in the trial that was evaluated last.
+  struct TooDeep {
+    int node = -1, volume = -1;  // of the mesh; -1: nowhere
+    double depth = 0, radius = 0;
+  };
+  virtual TooDeep too_deep(const Kinematics& trial) const = 0;
+  virtual const Mesh& lines() const = 0;
 
   // share: what turns the stiffness basis of the volume into the method's own (N/m a node, N/m² a length);
   // diameter [m] of the line there; mass: effective, of the damping, in the same sense.
@@ -184,11 +230,15 @@ class Contact : public ForceTerm {
                        const Vec3& y0, const Vec3& y1, double share);
 
   std::shared_ptr<const Bodies> bodies_;
-  std::vector<ContactVolume> volumes_;
+  std::vector<ContactVolume> volumes_;  // with the stiffness of the trial
+  std::vector<double> committed_stiffness_;
   std::vector<Box> boxes_;                      // of the volumes
   std::vector<LeftOut> left_out_;               // sorted by line and volume
   std::vector<RigidPose> poses_, start_poses_;  // of space and of the bodies, at the trial and at the start
   bool friction_on_ = true;
+
+ private:
+  MPI_Comm comm_;
 };
 
 }  // namespace hawser

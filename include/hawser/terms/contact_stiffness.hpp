@@ -7,6 +7,9 @@
 
 namespace hawser {
 
+// Of the radius: the penetration that an automatic stiffness aims at.
+constexpr double kAllowedPenetration = 0.005;
+
 struct StiffnessDemand {
   double radius = 0;               // m, half the contact diameter
   double weight = 0;               // N/m, of the line
@@ -24,6 +27,17 @@ struct AutomaticStiffness {
 // Lets the line's own weight and its hanging tension, bent to the radius, press in by what is allowed. Where
 // that radius is not known it is taken as the larger of 1 m and the line's; very light lines use 1e-4 EA.
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d);
+
+// N/m², beyond which an automatic stiffness is not raised: all of the line's EA, bent as sharply as its own
+// radius, presses in by what is allowed. What is deeper then is held inside by something else.
+double most_stiffness(const StiffnessDemand& d);
+
+// For the user, no full stop: what an automatic stiffness was raised to, and why.
+std::string raised_note(const std::string& volume, double from, double to, const std::string& when);
+
+// For the user: that a line is deeper in a volume than its law is for [m], where, when [s], and what helps.
+std::string too_soft_for_line(const std::string& place, const model::Volume& v, bool automatic, double depth,
+                              double radius, double time);
 
 // N, what a line that crosses another is taken to be drawn over it with: a hundredth of its EA, which few
 // lines survive, or its weight if that is more.

@@ -19,6 +19,7 @@ namespace hawser {
 struct LineContactElement {
   double radius = 0;             // m, half the contact diameter; 0: the element takes no part
   double mass_per_length = 0;    // kg/m: the effective mass of relative_damping
+  bool held = false;             // at an end of it: by a support or a body
   bool rolling = false;          // of a beam: friction acts at the line's surface and turns it about its axis
   Vec3 tangent = Vec3::UnitX();  // of a beam's axis, in the material axes of its nodes
 };
@@ -28,7 +29,7 @@ class LineContact final : public Contact {
   // elements: one for each of mesh.elements. Indices are checked, std::invalid_argument otherwise. A
   // stiffness per point counts once an element.
   LineContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes,
-              std::vector<LineContactElement> elements);
+              std::vector<LineContactElement> elements, MPI_Comm comm = MPI_COMM_SELF);
 
   std::string_view name() const override { return "line contact"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -38,6 +39,9 @@ class LineContact final : public Contact {
   // Nothing goes through a volume between the ends of a step.
   bool covers(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
+  // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
+  bool augment(const Kinematics& equilibrium) override;
+  void reset_multipliers() override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   // contact_force, contact_normal_force, friction_force as the element's shape functions share them out.
@@ -213,6 +217,9 @@ class LineContact final : public Contact {
   void panel(Pair& pair, const AxisShape& shape, const RigidPose& pose, size_t panel, bool moves,
              const Sink& sink, AxisShape::Generalised& g, Rolled& rolled) const;
   ContactLaw element_law(size_t element, const model::Volume& v) const;
+  void renew_laws();
+  TooDeep too_deep(const Kinematics& trial) const override;
+  const Mesh& lines() const override { return *mesh_.mesh; }
   void account(Pair& pair, const AxisShape& shape, const std::vector<Point>& next);
   AxisEnds ends(const Kinematics& at, int element) const;
   double length(int element) const { return lengths_[static_cast<size_t>(element)]; }

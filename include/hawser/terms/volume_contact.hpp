@@ -27,7 +27,8 @@ class VolumeContact final : public Contact {
   // nodes: one for each owned node. All lengths and indices are checked, std::invalid_argument otherwise.
   VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                 std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes,
-                NodeContact model = NodeContact::elastic, double allowed_penetration = 0);
+                NodeContact model = NodeContact::elastic, double allowed_penetration = 0,
+                MPI_Comm comm = MPI_COMM_SELF);
 
   std::string_view name() const override { return "volume contact"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -154,6 +155,10 @@ class VolumeContact final : public Contact {
   bool improve(Pair& pair, double gap, double known, double step);
   void choose_gap(Pair& pair, const Vec3& y) const;
   void account(const Pair& pair, const History& next, const Vec3& y);
+
+  bool stiffen(const Kinematics& equilibrium);
+  TooDeep too_deep(const Kinematics& trial) const override;
+  const Mesh& lines() const override { return mesh_; }
 
   const Mesh& mesh_;
   NodeContact model_;

@@ -1,0 +1,207 @@
+// The stiffness of contact with volumes against what the run meets: an automatic one is raised until lines
+// are no deeper than they may be, and one that is too soft for that, and not the program's, is refused.
+// docs/theory/contact.md, "Stiffness that follows the run".
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/geometry/surface.hpp"
+#include "hawser/terms/contact_stiffness.hpp"
+#include "hawser/terms/line_contact.hpp"
+#include "hawser/terms/volume_contact.hpp"
+
+namespace hawser {
+namespace {
+
+// Of the radius, deeper than which an automatic stiffness is raised; how often that in motion; to what of it.
+constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
+// Of the radius: what a blow may take it in by, with all of its mass at all of its speed.
+constexpr double kBlow = 0.5;
+
+// The part of a force that is left when inertia has taken `mass` times the acceleration [m/s²] away from the
+// surface.
+double left_by_inertia(double force, double mass, double acceleration) {
+  return force > 0 ? std::clamp(1 - mass * acceleration / force, 0.0, 1.0) : 1;
+}
+
+}  // namespace
+
+std::vector<double> Contact::stiffnesses() const {
+  std::vector<double> all;
+  for (const ContactVolume& v : volumes_) all.push_back(v.settings.normal_stiffness);
+  return all;
+}
+
+void Contact::raise_to(int volume, double stiffness) {
+  const size_t k = static_cast<size_t>(volume);
+  if (!automatic(volume)) return;
+  volumes_[k].settings.normal_stiffness = committed_stiffness_[k] =
+      std::max(stiffness, committed_stiffness_[k]);
+}
+
+void Contact::ask(int volume, const NormalLaw& law, const Pressed& p, double step,
+                  std::vector<double>& wanted) const {
+  const size_t k = static_cast<size_t>(volume);
+  const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
+  const double allowed = given > 0 ? given : kAllowed * p.radius, blow = kBlow * p.radius;
+  double& want = wanted[k];
+  if (p.held) return;
+  if (p.still * p.depth > (step > 0 ? kMoving : 1) * allowed)
+    want = std::max(want, now * p.still * p.depth / (kRaisedTo * allowed));
+  // u sqrt(m/k) is how deep a blow goes.
+  if (step > 0) want = std::max(want, now * p.mass * std::pow(p.speed / blow, 2) / law.stiffness);
+  if (p.depth > p.radius) want = std::max(want, now * std::pow(p.depth / blow, 2));
+}
+
+bool Contact::raise(std::vector<double>& wanted) {
+  if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
+    return false;
+  MPI_Allreduce(MPI_IN_PLACE, wanted.data(), static_cast<int>(wanted.size()), MPI_DOUBLE, MPI_MAX, comm_);
+  bool more = false;
+  for (size_t k = 0; k < wanted.size(); ++k) {
+    ContactVolume& v = volumes_[k];
+    const double to = std::min(wanted[k], v.most);
+    if (!v.automatic || !(to > (1 + 1e-9) * v.settings.normal_stiffness)) continue;
+    v.settings.normal_stiffness = to;
+    more = true;
+  }
+  return more;
+}
+
+bool Contact::forget_raise() {
+  bool changed = false;
+  for (size_t k = 0; k < volumes_.size(); ++k) {
+    changed = changed || raised(static_cast<int>(k));
+    volumes_[k].settings.normal_stiffness = committed_stiffness_[k];
+  }
+  return changed;
+}
+
+void Contact::keep_raise() { committed_stiffness_ = stiffnesses(); }
+
+double Contact::deepest(int volume, double radius) const {
+  const ContactVolume& c = volumes_[static_cast<size_t>(volume)];
+  const model::Volume& v = c.settings;
+  // A plane has no other side that a line could come to: a soft floor is a floor.
+  if (!c.automatic && dynamic_cast<const PlaneSurface*>(c.surface.get())) return HUGE_VAL;
+  return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;
+}
+
+std::string Contact::refusal(const Kinematics& trial) const {
+  const TooDeep at = too_deep(trial);
+  if (at.node < 0) return {};
+  const ContactVolume& v = volumes_[static_cast<size_t>(at.volume)];
+  return too_soft_for_line(lines().place(at.node), v.settings, v.automatic, at.depth, at.radius, trial.time);
+}
+
+bool LineContact::augment(const Kinematics& equilibrium) {
+  pose_bodies(equilibrium.time, poses_);
+  std::vector<double> wanted = stiffnesses();
+  for (Pair& pair : pairs_) {
+    const bool touches = !pair.found.panels.empty() || pair.walls;
+    if (!automatic(pair.volume) || (!touches && !(equilibrium.step > 0))) continue;
+    const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
+    const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
+    const AxisShape shape(ends(equilibrium, pair.element));
+    const RigidPose& pose = poses_[body(pair.volume)];
+    Pressed at;
+    at.radius = element.radius, at.mass = element.mass_per_length, at.held = element.held;
+    for (const double xi : {0.0, 1.0})
+      at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
+    if (touches) {
+      const Found& found = find(pair, shape, pose);
+      double force = 0;  // N, of all of it
+      Vec3 normal = Vec3::Zero();
+      for (size_t i = 0; i < found.points.size(); ++i) {
+        const SurfacePoint& p = found.points[i];
+        if (!seen(pair, p)) continue;
+        const ContactStretch& s = found.panels[i / ContactRule::kPoints];
+        const double gap = p.distance - element.radius;
+        force += length(pair.element) * (s.to - s.from) * ContactRule::weight()[i % ContactRule::kPoints] *
+                 normal_force(pair.law.normal, gap, 0).elastic;
+        if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * p.normal;
+      }
+      const Vec3 acceleration =
+          0.5 * (equilibrium.a[static_cast<size_t>(e.first)] + equilibrium.a[static_cast<size_t>(e.second)]);
+      if (equilibrium.step > 0)
+        at.still =
+            left_by_inertia(force, element.mass_per_length * length(pair.element), normal.dot(acceleration));
+    }
+    ask(pair.volume, pair.law.normal, at, equilibrium.step, wanted);
+  }
+  if (!raise(wanted)) return false;
+  renew_laws();
+  return true;
+}
+
+void LineContact::renew_laws() {
+  for (Pair& pair : pairs_)
+    pair.law =
+        element_law(static_cast<size_t>(pair.element), volumes_[static_cast<size_t>(pair.volume)].settings);
+}
+
+void LineContact::reset_multipliers() {
+  if (forget_raise()) renew_laws();
+}
+
+Contact::TooDeep LineContact::too_deep(const Kinematics& trial) const {
+  TooDeep at;
+  for (const Pair& pair : pairs_) {
+    const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
+    if (element.held) continue;
+    const double most = deepest(pair.volume, element.radius);
+    for (size_t i = 0; i < pair.found.points.size(); ++i) {
+      const double depth = element.radius - pair.found.points[i].distance;
+      // What did not move since it was clear is not looked at in a trial, and keeps what it was before.
+      if (!(depth > std::max(most, at.depth)) ||
+          !pair.found.shape.same_axis(AxisShape(ends(trial, pair.element))))
+        continue;
+      const ContactStretch& s = pair.found.panels[i / ContactRule::kPoints];
+      const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
+      const double xi = s.from + (s.to - s.from) * ContactRule::place()[i % ContactRule::kPoints];
+      at = {mesh_.global[static_cast<size_t>(xi < 0.5 ? e.first : e.second)], pair.volume, depth,
+            element.radius};
+    }
+  }
+  return at;
+}
+
+bool VolumeContact::stiffen(const Kinematics& equilibrium) {
+  pose_bodies(equilibrium.time, poses_);
+  std::vector<double> wanted = stiffnesses();
+  for (Pair& pair : pairs_) {
+    if (!automatic(pair.volume)) continue;
+    const size_t n = static_cast<size_t>(pair.node);
+    const RigidPose& pose = poses_[body(pair.volume)];
+    const Vec3& x = equilibrium.x[n];
+    Pressed at;
+    at.radius = nodes_[n].radius, at.mass = nodes_[n].mass;
+    if (equilibrium.step > 0) at.speed = (equilibrium.v[n] - pose.velocity_at(x)).norm();
+    ContactTrial trial;
+    if (locate(pair, pose.to_body(x), 0.5 * element_[n], trial)) {
+      at.depth = std::max(0.0, -trial.gap);
+      if (equilibrium.step > 0)
+        at.still = left_by_inertia(normal_force(pair.law.normal, trial.gap, 0).elastic, at.mass,
+                                   (pose.rotation * trial.normal).dot(equilibrium.a[n]));
+    }
+    ask(pair.volume, pair.law.normal, at, equilibrium.step, wanted);
+  }
+  if (!raise(wanted)) return false;
+  for (Pair& pair : pairs_) pair.law = node_law(pair.node, pair.volume);
+  return true;
+}
+
+// Multipliers hold what the spring is too soft for.
+Contact::TooDeep VolumeContact::too_deep(const Kinematics&) const {
+  TooDeep at;
+  if (augments() || model_ == NodeContact::gap) return at;
+  for (const Pair& pair : pairs_) {
+    const size_t n = static_cast<size_t>(pair.node);
+    if (!pair.seen) continue;
+    const double radius = nodes_[n].radius, depth = radius - pair.seen->distance;
+    if (depth > std::max(deepest(pair.volume, radius), at.depth))
+      at = {global_[n], pair.volume, depth, radius};
+  }
+  return at;
+}
+
+}  // namespace hawser
