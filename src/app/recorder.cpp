@@ -271,7 +271,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   fill(at, false);
   Energy share = sim_.system().energy(at);
   share.work += support_work;
-  if (audit_.update(start_, sum(comm_, share), info.time, info.h) && info.h > 0) find_worst();
+  if (audit_.update(start_, sum(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);
   const Energy& e = audit_.now;
 
   std::vector<std::vector<double>> rows;
@@ -321,7 +321,8 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
 }
 
 // Where the step that made most energy so far changed the motion most, and what acted there.
-void Recorder::find_worst() {
+void Recorder::find_worst(const Kinematics& at) {
+  fill(at, true);
   const NodeValue most = sim_.dynamics().roughest();
   int touch = 0;
   const int n = sim_.local().find(most.node);

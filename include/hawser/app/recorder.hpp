@@ -54,7 +54,7 @@ class Recorder {
  private:
   void restore(const io::Checkpoint& from);
   void fill(const Kinematics& at, bool all);
-  void find_worst();
+  void find_worst(const Kinematics& at);
   void correct_ends(const Kinematics& at);
   std::vector<io::SummaryRow> summary() const;
   std::vector<io::BodyPose> poses(const Kinematics& at) const;
