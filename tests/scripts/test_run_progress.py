@@ -82,7 +82,7 @@ class Progress(unittest.TestCase):
 
     def test_statics(self):
         """On a terminal a line is rewritten and gone once statics is done."""
-        case = CASE.replace("elements: 8", "elements: 800").replace("duration: 0.2", "duration: 0.1")
+        case = CASE.replace("elements: 8", "elements: 400").replace("duration: 0.2", "duration: 0.1")
         write(self.folder, "slow.yaml", case.replace("start: straight", "start: straight\nstatics: {dynamic_relaxation: always}"))
         line = r"\r\033\[Kstatics: \d+ iterations(, \d+ steps of dynamic relaxation)?, out of balance by \d\.\de[-+]\d\d of the forces so far"
         code, text = on_terminal(HAWSER, "run", "slow.yaml", columns=120, cwd=self.folder)

@@ -444,8 +444,8 @@ lines:
 
 TEST(CaseSummary, OfTheReel) {
   const std::string s = model::summary(io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml"));
-  for (const char* part : {"Marlim Sul", "hose: 250 m, 250 elements, 251 nodes, 1506 unknowns",
-                           "weight 670.3 kN", "drum: drum.stl, on reel", "friction 0.3", "dynamics of 325 s"})
+  for (const char* part : {"hose: 250 m, 250 elements, 251 nodes, 1506 unknowns", "weight 670.3 kN",
+                           "drum: drum.stl, on reel", "friction 0.3", "dynamics of 325 s"})
     EXPECT_NE(s.find(part), std::string::npos) << part << "\n" << s;
 }
 
