@@ -186,7 +186,7 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   EXPECT_LT(after.steps, 600);
 }
 
-// A run that goes on has what the first part raised. (Without that the tension differs by 1e-4.)
+// A run that goes on has what the first part raised.
 TEST(Drawn, GoesOnFromACheckpoint) {
   const std::string path = folder("contact_automatic_restart"), input = path + "/case.yaml";
   write_case(input, kDrawn);
