@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/kernels/line_pair_closing.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -128,23 +129,52 @@ void LinePairSide::split(const Panel& panel, std::vector<Panel>& out) const {
   out.push_back(rest);
 }
 
-// What a material point of the slave brings from the start of the step, with derivatives along the slave.
-struct LinePairSide::Start {
-  bool touched = true;
-  double slip[2] = {0, 0}, slip_slope[2] = {0, 0};
-  double gap = 0, gap_slope = 0;
+struct LinePairSide::Point {
+  double xi = 0;
+  AxisFoot foot;
+  AxisShape::Weights H, G;  // slave's at xi, master's at eta
+  Vec3 slope, along;        // x', y', m
+  Vec3 velocity;            // m/s, of x relative to y
+  Mat3 Ta, Tb;              // turns of the sections
+  Vec3 was;                 // m, x - y of the same material at the start
 };
 
+// What a material point of the slave brings from the start of the step. Derivatives along the slave, along
+// the master, and by the generalised positions at these places.
+struct LinePairSide::Start {
+  double slip[2] = {0, 0}, slip_slope[2] = {0, 0};
+  double closing = 0, closing_xi = 0, closing_eta = 0;
+  std::array<Vec3, LinePairForces::kPositions> closing_by;
+};
+
+// Of material that did not touch.
+void LinePairSide::close(const Point& p, bool derivatives, Start& s) const {
+  using C = LinePairClosing;
+  const double eta = p.foot.eta;
+  const Vec3 slope0 = slave_.start.slope(p.xi), along0 = master_.start.slope(eta);
+  const C c = line_pair_closing({p.foot.away, p.was, p.slope, slope0, p.along, along0}, derivatives);
+  s.closing = c.value;
+  if (!derivatives) return;
+  const auto by = [&c](int row) -> Vec3 { return c.by.segment<3>(row); };
+  s.closing_xi = by(C::kAway).dot(p.slope) + by(C::kAwayBefore).dot(slope0) +
+                 by(C::kSlope).dot(slave_.now.bend(p.xi)) + by(C::kSlopeBefore).dot(slave_.start.bend(p.xi));
+  s.closing_eta = -by(C::kAway).dot(p.along) - by(C::kAwayBefore).dot(along0) +
+                  by(C::kAlong).dot(master_.now.bend(eta)) + by(C::kAlongBefore).dot(master_.start.bend(eta));
+  const AxisShape::Weights dH = slave_.now.derivatives(p.xi), dG = master_.now.derivatives(eta);
+  const size_t na = static_cast<size_t>(slave_.now.count()), nb = static_cast<size_t>(master_.now.count());
+  for (size_t j = 0; j < na; ++j) s.closing_by[j] = p.H[j] * by(C::kAway) + dH[j] * by(C::kSlope);
+  for (size_t k = 0; k < nb; ++k) s.closing_by[na + k] = -p.G[k] * by(C::kAway) + dG[k] * by(C::kAlong);
+}
+
 // Slip is interpolated between the Gauss points of one stretch. Material that did not touch has none.
-LinePairSide::Start LinePairSide::start(double xi) const {
+LinePairSide::Start LinePairSide::start(const Point& p, bool derivatives) const {
   Start s;
+  const double xi = p.xi;
   const bool touched = std::any_of(history_.begin(), history_.end(),
                                    [xi](const LinePairHistory& h) { return h.from <= xi && xi <= h.to; });
+  s.closing_by.fill(Vec3::Zero());
   if (!touched) {
-    s.touched = false;
-    const AxisFoot f = foot(master_.start, part_, slave_.start.point(xi));
-    s.gap = f.distance - set_.law.reach;
-    s.gap_slope = f.normal.dot(slave_.start.slope(xi));
+    close(p, derivatives, s);
     return s;
   }
   const auto after =
@@ -167,16 +197,6 @@ LinePairSide::Start LinePairSide::start(double xi) const {
   return s;
 }
 
-struct LinePairSide::Point {
-  double xi = 0;
-  AxisFoot foot;
-  AxisShape::Weights H, G;  // slave's at xi, master's at eta
-  Vec3 slope, along;        // x', y', m
-  Vec3 velocity;            // m/s, of x relative to y
-  Mat3 Ta, Tb;              // turns of the sections
-  Vec3 was;                 // m, x - y of the same material at the start
-};
-
 LinePairSide::Point LinePairSide::point(double xi) const {
   Point p;
   p.xi = xi;
@@ -198,8 +218,7 @@ LinePairPoint LinePairSide::local(const Point& p, const Start& s) const {
   l.rate = p.foot.normal.dot(p.velocity);
   if (set_.law.friction.active()) {
     l.moved = l.away - wa_ * (p.Ta * p.was) - wb_ * (p.Tb * p.was);
-    l.touched = s.touched;
-    l.start_gap = s.gap;
+    l.closing = s.closing;
     l.slip[0] = s.slip[0], l.slip[1] = s.slip[1];
   }
   return l;
@@ -211,7 +230,7 @@ void LinePairSide::keep(const std::vector<Panel>& panels, std::vector<LinePairHi
       const double xi = s.from + (s.to - s.from) * ContactRule::place()[q];
       const Point p = point(xi);
       const LinePairForce c =
-          line_pair_force(set_.law, local(p, set_.law.friction.active() ? start(xi) : Start{}), false);
+          line_pair_force(set_.law, local(p, set_.law.friction.active() ? start(p, false) : Start{}), false);
       if (!(c.normal.elastic > 0)) continue;
       LinePairHistory h;
       h.xi = xi, h.from = s.from, h.to = s.to;
@@ -298,7 +317,7 @@ void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, LineP
       const double place = ContactRule::place()[q], weight = ContactRule::weight()[q];
       const double xi = s.from + span * place, w = L * span * weight;
       const Point p = point(xi);
-      const Start from = rubs ? start(xi) : Start{};
+      const Start from = rubs ? start(p, derivatives && !set_.convex) : Start{};
       const F c = line_pair_force(set_.law, local(p, from), derivatives);
       if (!(c.normal.force > 0)) continue;
       const double eta = p.foot.eta;
@@ -351,7 +370,8 @@ void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, LineP
         q_eta +=
             by_moved * (T * master_.start.slope(eta) - wb_ * ((master_.turn[1] - master_.turn[0]) * p.was));
         q_xi += by_moved * (-T * slave_.start.slope(xi) - wa_ * ((slave_.turn[1] - slave_.turn[0]) * p.was));
-        q_xi += c.by.col(F::kStartGap) * from.gap_slope + c.by.col(F::kSlip) * from.slip_slope[0] +
+        q_eta += c.by.col(F::kClosing) * from.closing_eta;
+        q_xi += c.by.col(F::kClosing) * from.closing_xi + c.by.col(F::kSlip) * from.slip_slope[0] +
                 c.by.col(F::kSlip + 1) * from.slip_slope[1];
       }
       // d eta / dZ and / d xi.
@@ -375,6 +395,7 @@ void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, LineP
         const size_t b = static_cast<size_t>(m);
         J[b] = (m < na ? p.H[b] : -p.G[b - static_cast<size_t>(na)]) * QD;
         if (m >= na && rubs) J[b] += dG[b - static_cast<size_t>(na)] * by(F::kAlong);
+        if (rubs) J[b] += c.by.col(F::kClosing) * from.closing_by[b].transpose();
         if (slides_on) J[b] += q_eta * e[b].transpose();
       }
       for (size_t i = 0; i < 2; ++i) {

@@ -11,7 +11,7 @@ using Dual = Eigen::AutoDiffScalar<Row>;
 template <class S>
 struct Local {
   Vector3<S> away, along, moved;
-  S force, start_gap, slip[2];
+  S force, closing, slip[2];
 };
 
 template <class S>
@@ -34,11 +34,10 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   b /= S(sqrt(S(b.squaredNorm())));
   const Vector3<S> l = n.cross(b);
   Vector3<S> slip = v.moved - n * S(n.dot(v.moved));
-  const double touch = law.normal.smoothing;
-  if (!at.touched && at.start_gap > touch) {
-    const S gap = d - S(law.reach);
-    slip *= S((S(touch) - gap) / (v.start_gap - gap));
-  }
+  // What closed by less than the ramp is wide was there.
+  const double ramp = law.normal.smoothing;
+  const S deep = S(law.reach + ramp) - d;
+  if (v.closing > deep) slip *= S((deep + ramp) / (v.closing + ramp));
   slip += b * v.slip[0] + l * v.slip[1];
   const Friction<S> f = friction<S>(law.friction, Coulomb<double>{law.friction.axial, law.friction.lateral},
                                     v.force, slip, n, Vec3::UnitX());
@@ -73,7 +72,7 @@ LinePairForce line_pair_force(const LinePairLaw& law, const LinePairPoint& at, b
   if (!law.friction.active()) return r;
   if (!derivatives) {
     const Tangential<double> t = tangential<double>(
-        law, at, {at.away, at.along, at.moved, r.normal.force, at.start_gap, {at.slip[0], at.slip[1]}});
+        law, at, {at.away, at.along, at.moved, r.normal.force, at.closing, {at.slip[0], at.slip[1]}});
     r.friction = t.force, r.couple = t.couple, r.slides = t.slides;
     r.slip[0] = t.slip[0], r.slip[1] = t.slip[1];
   } else {
@@ -87,7 +86,7 @@ LinePairForce line_pair_force(const LinePairLaw& law, const LinePairPoint& at, b
     by.head<3>() = r.normal.by_gap * n;
     by[LinePairForce::kRate] = r.normal.by_rate;
     v.force = Dual(r.normal.force, by);
-    v.start_gap = Dual(at.start_gap, LinePairForce::kInputs, LinePairForce::kStartGap);
+    v.closing = Dual(at.closing, LinePairForce::kInputs, LinePairForce::kClosing);
     for (int c = 0; c < 2; ++c)
       v.slip[c] = Dual(at.slip[c], LinePairForce::kInputs, LinePairForce::kSlip + c);
     const Tangential<Dual> t = tangential<Dual>(law, at, v);

@@ -174,29 +174,30 @@ void LinePairs::commit(const Kinematics& accepted) {
   }
 }
 
-// Trapezoid over the step, as for contact with volumes: half with the forces at its start, half with those at
-// its end, each at their points. Of a step in which a point met or left only the part in touch counts.
+// The work that is done on the lines in the step by the trapezoid rule, half by the forces at its start on
+// the material that they acted on, half by those at its end on theirs: each on the whole way that this
+// material has gone relative to what it touched, however far it slid. Friction has the way of the surfaces, a
+// pair that turns as one body none; a cable has no sections that its part of the couple could turn. The gap
+// is what changes along the normal: far along the other line it is no distance.
 void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next) {
-  const double smoothing = pair.law.normal.smoothing, reach = pair.law.reach;
   const ContactSegment& first = candidates_.segments()[static_cast<size_t>(pair.a)];
   Account& sum = accounts_[static_cast<size_t>(first.first)];
+  const auto turn = [](const PairAxis& axis, double xi) -> Mat3 {
+    return axis.beam() ? axis.turn_at(xi) : Mat3::Identity();
+  };
   for (size_t k = 0; k < kParts; ++k) {
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const double share =
-        elements_[static_cast<size_t>(swapped ? pair.key.second : pair.key.first)].radius / reach;
+        elements_[static_cast<size_t>(swapped ? pair.key.second : pair.key.first)].radius / pair.law.reach;
     const auto add = [&](const LinePairHistory& h, bool at_end) {
       const Vec3 was = slave.start.point(h.xi) - master.start.point(h.eta),
                  is = slave.now.point(h.xi) - master.now.point(h.eta);
-      const Vec3 moved =
-          is - share * (slave.turn_at(h.xi) * was) - (1 - share) * (master.turn_at(h.eta) * was);
-      const double before = was.norm() - reach, after = is.norm() - reach;
-      double part = 1;  // of the step in which they touch
-      if (at_end && before > smoothing) part = (smoothing - h.gap) / (before - h.gap);
-      if (!at_end && after > smoothing) part = (smoothing - h.gap) / (after - h.gap);
-      const double w = 0.5 * std::clamp(part, 0.0, 1.0) * h.weight;
-      sum.friction -= w * h.friction.dot(moved);
-      sum.damping -= w * h.damping_force * (after - before);
+      const Mat3 turned = share * turn(slave, h.xi) + (1 - share) * turn(master, h.eta);
+      // The lever of the couple is what is between the axes while the force acts.
+      const Vec3 moved = at_end ? Vec3(turned.transpose() * is - was) : Vec3(is - turned * was);
+      sum.friction -= 0.5 * h.weight * h.friction.dot(moved);
+      sum.damping -= 0.5 * h.weight * h.damping_force * h.normal.dot(is - was);
     };
     if (pair.history)
       for (const LinePairHistory& h : (*pair.history)[k]) add(h, false);

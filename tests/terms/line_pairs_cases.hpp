@@ -34,6 +34,7 @@ inline std::vector<PairCase> pair_cases() {
       out.push_back({what + ", ramp", angle, 5e-4, 4e-4, 1e-4, friction});
       out.push_back({what + ", pressed", angle, -6e-3, -5e-3, 1e-4, friction});
       out.push_back({what + ", slides", angle, -5e-3, -5e-3, 0.02, friction});
+      if (angle > 0) out.push_back({what + ", sweeps", angle, -5e-3, -5e-3, 0.4, friction});
       out.push_back({what + ", first touch", angle, -4e-3, 0.01, 3e-4, friction});
       out.push_back({what + ", at a joint", angle, -5e-3, -5e-3, 1e-4, friction, 0.604});
       out.push_back({what + ", at an end", angle, -5e-3, -5e-3, 1e-4, friction, 1.795});
@@ -90,7 +91,7 @@ struct PairModel : SuiteModel {
     system->prepare(before.view(trial.h), trial.h);
     system->commit(trial.from.view(trial.h));
     system->prepare(trial.from.view(trial.h), trial.h);
-    trial.length = 1e-4, trial.angle = 1e-4;
+    trial.length = 2e-5, trial.angle = 2e-5;
   }
 
   // The lines before the step of history (-1), at the start (0) and in the trial (1).

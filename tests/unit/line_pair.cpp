@@ -72,6 +72,21 @@ std::vector<Situation> situations() {
        {0.13, 0.6, 0},
        0,
        {0.02, 0.01, 0}},
+      // New material of b meets a all the time, or all of b does.
+      {"crossing, sweeps",
+       {-0.5, 0.02, z},
+       {0.5, -0.01, z},
+       {0.1, -0.4, 0},
+       {0.13, 0.6, 0},
+       0,
+       {0.02, 0.3, 0}},
+      {"crossing, sweeps from beyond",
+       {-0.5, 0.02, z},
+       {0.5, -0.01, z},
+       {0.1, -0.4, 0},
+       {0.13, 0.6, 0},
+       0,
+       {0.02, 0.6, 0}},
       {"crossing, ramp",
        {-0.5, 0.02, 0.1 + 2e-4},
        {0.5, -0.01, 0.1 + 2e-4},
@@ -249,6 +264,43 @@ TEST(LinePair, Tangents) {
     }
   });
   printf("  largest error of a tangent %.1e\n", worst);
+}
+
+// A cable swept along another one, in steps of `way`, 0.3 m in all: what it leaves behind.
+std::array<std::vector<LinePairHistory>, 6> swept(double way, double mu) {
+  Rig rig({"swept", {-0.5, 0, 0.094}, {0.5, 0, 0.094}, {0.1, -0.4, 0}, {0.1, 0.6, 0}}, false, false, mu);
+  auto at = [&](double y) {
+    AxisEnds a = rig.a;
+    a.x1.y() += y, a.x2.y() += y;
+    return a;
+  };
+  std::array<std::vector<LinePairHistory>, 6> past, next;
+  const int steps = static_cast<int>(std::lround(0.3 / way));
+  for (int i = 1; i <= steps; ++i) {
+    for (auto& part : next) part.clear();
+    rig.each(at((i - steps) * way), rig.b, at((i - 1 - steps) * way), rig.b, past,
+             [&](size_t k, const LinePairSide& side) { side.keep(side.panels(), next[k]); });
+    past = next;
+  }
+  return past;
+}
+
+// The crossing was there all the time, so the material that it meets has the slip of its motion: that of the
+// crossing, not of the time for which it is touched itself. In steps of any length friction is mu N.
+TEST(LinePair, NewMaterialHasTheSlipOfTheSweep) {
+  const double mu = 0.3, mobilised = 5e-3;
+  const auto once = swept(0.3, mu);
+  EXPECT_GE(once[3].size(), 4U);
+  for (const LinePairHistory& h : once[3]) EXPECT_NEAR(std::hypot(h.slip[0], h.slip[1]), mobilised, 1e-9);
+  for (const double way : {0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3}) {
+    const auto left = swept(way, mu);
+    double friction = 0, normal = 0;
+    for (const auto& part : left)
+      for (const LinePairHistory& h : part)
+        friction += h.weight * h.friction.norm(), normal += h.weight * h.normal_force;
+    printf("  swept in steps of %3.0f mm: friction/N %.5f\n", 1e3 * way, friction / normal);
+    EXPECT_NEAR(friction / normal, mu, 0.005 * mu) << way;
+  }
 }
 
 // Without friction and damping the forces are the gradient of the potential.

@@ -91,7 +91,8 @@ class LinePairSide {
   struct Point;
   class Gap;
   Point point(double xi) const;
-  Start start(double xi) const;
+  Start start(const Point& p, bool derivatives) const;
+  void close(const Point& p, bool derivatives, Start& s) const;
   double touch() const { return set_.law.reach + set_.law.normal.smoothing; }  // m, between the axes
   std::optional<double> passes(double eta, double lo, double hi) const;
   std::vector<double> kinks(int levels) const;

@@ -20,14 +20,13 @@ struct LinePairPoint {
   Vec3 along = Vec3::UnitX();  // m, T: the other's tangent at y, any length
   Vec3 moved = Vec3::Zero();   // m, M: motion of x's surface along y's in the step
   double rate = 0;             // m/s, of the gap
-  bool touched = true;         // at the start of the step
-  double start_gap = 0;        // m, when it did not
+  double closing = 0;          // m, by which the contact closed in the step; 0: it was there from its start
   double slip[2] = {0, 0};     // m, elastic slip at the start: along T and along n x T
 };
 
 struct LinePairForce {
-  // Columns of `by`: D, T, M, rate, start_gap, slip.
-  static constexpr int kAway = 0, kAlong = 3, kMoved = 6, kRate = 9, kStartGap = 10, kSlip = 11, kInputs = 13;
+  // Columns of `by`: D, T, M, rate, closing, slip.
+  static constexpr int kAway = 0, kAlong = 3, kMoved = 6, kRate = 9, kClosing = 10, kSlip = 11, kInputs = 13;
 
   NormalForce normal;
   double gap = 0;                // m
@@ -40,8 +39,8 @@ struct LinePairForce {
 };
 
 // Trial slip: what there was in the frame (T, n x T) of the other line, which both carry along, plus the part
-// of M in the tangent plane (of a step in which they met only the part after that). Friction acts at the
-// surfaces: forces t at x and -t at y and the couple -D x t have no moment together.
+// of M in the tangent plane (of a step in which they closed from out of touch only the part after that).
+// Friction acts at the surfaces: forces t at x and -t at y and the couple -D x t have no moment together.
 LinePairForce line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives);
 
 }  // namespace hawser
