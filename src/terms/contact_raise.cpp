@@ -16,6 +16,8 @@ namespace {
 constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
 // Of the radius: what a blow may take it in by, with all of its mass at all of its speed.
 constexpr double kBlow = 0.5;
+// Of the period of the mass on its spring: shorter steps follow a blow, and what is deep in them is the blow's.
+constexpr double kFollowing = 0.5;
 
 // The part of a force that is left when inertia has taken `mass` times the acceleration [m/s²] away from the
 // surface.
@@ -45,11 +47,13 @@ void Contact::ask(int volume, const NormalLaw& law, const Pressed& p, double ste
   const double allowed = given > 0 ? given : kAllowed * p.radius, blow = kBlow * p.radius;
   double& want = wanted[k];
   if (p.held) return;
-  if (p.still * p.depth > (step > 0 ? kMoving : 1) * allowed)
+  const bool follows_a_blow =
+      step > 0 && p.mass > 0 && step < kFollowing * contact_period(law.stiffness, p.mass);
+  if (!follows_a_blow && p.still * p.depth > (step > 0 ? kMoving : 1) * allowed)
     want = std::max(want, now * p.still * p.depth / (kRaisedTo * allowed));
   // u sqrt(m/k) is how deep a blow goes.
   if (step > 0) want = std::max(want, now * p.mass * std::pow(p.speed / blow, 2) / law.stiffness);
-  if (p.depth > p.radius) want = std::max(want, now * std::pow(p.depth / blow, 2));
+  if (p.depth > (follows_a_blow ? blow : p.radius)) want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
 }
 
 bool Contact::raise(std::vector<double>& wanted) {
