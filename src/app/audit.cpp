@@ -59,21 +59,21 @@ double Audit::percent() const { return size() > 0 ? 100 * error / size() : 0; }
 bool Audit::wrong() const { return share(made) > kMadeWrong || share(lost) > kLostWrong; }
 
 std::string Audit::warning(bool fixed, const std::string& where) const {
+  const double making = share(made) / kMadeTold, losing = share(lost) / kLostTold;
+  if (std::max(making, losing) <= 1) return "";
   std::string text;
-  if (share(made) > kMadeTold)
+  if (making > losing)
     text = fmt::format(
         "the steps made {:.3g} J out of nothing by t = {:.6g} s, {:.3g} % of the work done; the one of "
         "{:.3g} s "
         "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",
         made.value, made.time, 100 * share(made), worst.length, worst.time, worst.value, where,
         words(worst.touch), remedy(fixed, worst.length));
-  else if (share(lost) > kLostTold)
+  else
     text = fmt::format(
         "the steps lost {:.3g} J by t = {:.6g} s, {:.3g} % of the work done: they are too long for what "
         "moves; {}",
         lost.value, lost.time, 100 * share(lost), remedy(fixed, lost.step));
-  else
-    return "";
   return wrong() ? text + ". The results are not to be used" : text;
 }
 

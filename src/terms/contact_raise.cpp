@@ -18,6 +18,11 @@ constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
 constexpr double kBlow = 0.5;
 // Of the period of the mass on its spring: shorter steps follow a blow, and what is deep in them is the blow's.
 constexpr double kFollowing = 0.5;
+// Most that what presses raises a stiffness in a step: what grows faster is a blow.
+constexpr double kMostInAStep = 4;
+
+// A raise is solved again with, and what it is for moves with it: less than this is left.
+constexpr double kWorthIt = 1.05;
 
 // The part of a force that is left when inertia has taken `mass` times the acceleration [m/s²] away from the
 // surface.
@@ -49,8 +54,10 @@ void Contact::ask(int volume, const NormalLaw& law, const Pressed& p, double ste
   if (p.held) return;
   const bool follows_a_blow =
       step > 0 && p.mass > 0 && step < kFollowing * contact_period(law.stiffness, p.mass);
-  if (!follows_a_blow && p.still * p.depth > (step > 0 ? kMoving : 1) * allowed)
-    want = std::max(want, now * p.still * p.depth / (kRaisedTo * allowed));
+  if (!follows_a_blow && p.still * p.depth > (step > 0 ? kMoving : 1) * allowed) {
+    const double pressed = now * p.still * p.depth / (kRaisedTo * allowed);
+    want = std::max(want, step > 0 ? std::min(pressed, kMostInAStep * committed_stiffness_[k]) : pressed);
+  }
   // u sqrt(m/k) is how deep a blow goes.
   if (step > 0) want = std::max(want, now * p.mass * std::pow(p.speed / blow, 2) / law.stiffness);
   if (p.depth > (follows_a_blow ? blow : p.radius)) want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
@@ -64,7 +71,7 @@ bool Contact::raise(std::vector<double>& wanted) {
   for (size_t k = 0; k < wanted.size(); ++k) {
     ContactVolume& v = volumes_[k];
     const double to = std::min(wanted[k], v.most);
-    if (!v.automatic || !(to > (1 + 1e-9) * v.settings.normal_stiffness)) continue;
+    if (!v.automatic || !(to > kWorthIt * v.settings.normal_stiffness)) continue;
     v.settings.normal_stiffness = to;
     more = true;
   }

@@ -58,6 +58,61 @@ class Messages(unittest.TestCase):
                 self.assertEqual(sorted(self.folder.rglob("*")), before, "something was written")
         return result
 
+    def test_longest_step_comes_from_what_moves(self):
+        write(self.folder, "ship.yaml", """\
+hawser: 1
+line_types:
+  chain: {outer_diameter: 0.252, mass_per_length: 390, EA: 1.674 GN, bending: false}
+bodies:
+  ship: {motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}
+lines:
+  mooring:
+    sections: [{type: chain, length: 120, elements: 24}]
+    end_a: {anchor: [0, 0, -90]}
+    end_b: {body: ship, at: [60, 0, 0]}
+dynamics: {duration: 3 h}
+""")
+        said = self.hawser("check", "ship.yaml").stdout
+        self.assertIn("automatic steps of at most 0.1 s (a hundredth of the period of body ship)", said)
+
+    def test_statics_that_snaps_says_so(self):
+        write(self.folder, "strut.yaml", """\
+hawser: 1
+environment: {gravity: 0}
+line_types:
+  rod: {outer_diameter: 0.1, mass_per_length: 20, EA: 2.0e7, EI: 3.0e4, GJ: 3.0e4}
+lines:
+  rod:
+    sections: [{type: rod, length: 12, elements: 8}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: {anchor: [11.9, 0, 0]}
+    start: straight
+""")
+        result = self.hawser("run", "strut.yaml")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("note: statics left 1 unstable equilibrium on its way", result.stdout)
+
+    def test_wrong_energy_is_not_called_good(self):
+        # A pendulum in steps of a sixth of its period, with as much damping as there is.
+        write(self.folder, "pendulum.yaml", """\
+hawser: 1
+line_types:
+  rope: {outer_diameter: 0.1, mass_per_length: 20, EA: 2.0e6, bending: false}
+lines:
+  rope:
+    sections: [{type: rope, length: 3, elements: 6}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: free
+    start: {points: [[0, 0, 0], [3, 0, 0]]}
+statics: false
+dynamics: {duration: 20, step: 0.5, rho_infinity: 0}
+output: {every: 5}
+""")
+        result = self.hawser("run", "pendulum.yaml")
+        self.assertEqual(result.returncode, 4, result.stderr)
+        self.assertRegex(result.stdout, r"warning: the steps lost \d+ J by t = [\d.]+ s, \d+\.?\d* % of the work done: they are "
+                                        r"too long for what moves; give dynamics.step: 0.12 s. The results are not to be used")
+
     def test_help(self):
         for arguments, words in [(["--help"], ["run", "check", "schema", "Exit codes", "mpirun"]),
                                  (["run", "--help"], ["--restart", "--output", "--stop-at", "PETSc options", "--quiet"]),
