@@ -12,8 +12,8 @@ namespace {
 constexpr double kMadeTold = 0.01, kMadeWrong = 0.05, kLostTold = 0.05, kLostWrong = 0.20,
                  kUnresolvedTold = 0.02;
 
-double share(double value, double size) { return size > 0 ? value / size : value > 0 ? HUGE_VAL : 0.0; }
-double share(const Audit::Largest& l) { return share(l.value, l.size); }
+// Rounding and Newton's tolerance: of the strain energy that is there; and what is nothing to any line, J.
+constexpr double kRounding = 1e-6, kNothing = 1e-6;
 
 const char* words(Audit::Step::Touch touch) {
   switch (touch) {
@@ -45,46 +45,60 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h) 
   at_start = start.kinetic;
   worked += std::abs(brought_in - brought_before);
   set_free = std::max(set_free, start.strain - e.strain);
-  least_error = std::min(least_error, error);
+  held = std::max(held, e.strain);
+  if (error < least_error) least_error = error, climb = {};
   const double rise = error - least_error;
-  if (share(rise, size()) > share(made)) made = {rise, time, h, size()};
-  if (share(-error, size()) > share(lost)) lost = {-error, time, h, size()};
-  if (error - before <= worst.value) return false;
-  worst = {error - before, time, h, -1, Step::Touch::nothing};
-  return true;
+  there = std::max(there, e.kinetic + std::abs(e.strain - start.strain) - rise);
+  const bool most = error - before > climb.value;
+  if (most) climb = {error - before, time, h, -1, Step::Touch::nothing};
+  if (rise > made.value) made = {rise, time, h}, worst = climb;
+  if (-error > lost.value) lost = {-error, time, h};
+  return most && climb.value > 1e-4 * size();
 }
 
-double Audit::percent() const { return size() > 0 ? 100 * error / size() : 0; }
+void Audit::located(int node, Step::Touch touch) {
+  climb.node = node, climb.touch = touch;
+  if (worst.time == climb.time) worst = climb;
+}
 
-bool Audit::wrong() const { return share(made) > kMadeWrong || share(lost) > kLostWrong; }
+double Audit::size() const { return at_start + worked + set_free + kRounding * held + kNothing; }
+
+double Audit::percent() const { return 100 * error / size(); }
+
+// What is made in a long run is not made good by the work of all its waves: no more than ever was there.
+bool Audit::wrong() const {
+  return !std::isfinite(error) || made.value > kMadeWrong * size() ||
+         made.value > there + kRounding * held + kNothing || lost.value > kLostWrong * size();
+}
 
 std::string Audit::warning(bool fixed, const std::string& where) const {
-  const double making = share(made) / kMadeTold, losing = share(lost) / kLostTold;
-  if (std::max(making, losing) <= 1) return "";
+  if (!std::isfinite(error)) return "the energy is no number. The results are not to be used";
+  const double making = made.value / (kMadeTold * size()), losing = lost.value / (kLostTold * size());
+  if (std::max(making, losing) <= 1 && !wrong()) return "";
   std::string text;
   if (making > losing)
     text = fmt::format(
         "the steps made {:.3g} J out of nothing by t = {:.6g} s, {:.3g} % of the work done; the one of "
         "{:.3g} s "
         "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",
-        made.value, made.time, 100 * share(made), worst.length, worst.time, worst.value, where,
+        made.value, made.time, 100 * made.value / size(), worst.length, worst.time, worst.value, where,
         words(worst.touch), remedy(fixed, worst.length));
   else
     text = fmt::format(
         "the steps lost {:.3g} J by t = {:.6g} s, {:.3g} % of the work done: they are too long for what "
         "moves; {}",
-        lost.value, lost.time, 100 * share(lost), remedy(fixed, lost.step));
+        lost.value, lost.time, 100 * lost.value / size(), remedy(fixed, lost.step));
   return wrong() ? text + ". The results are not to be used" : text;
 }
 
 std::string Audit::note() const {
-  const double part = share(now.unresolved, size());
-  if (part < kUnresolvedTold) return "";
+  const double size = std::max(std::abs(brought_in), there) + kRounding * held + kNothing;
+  if (now.unresolved < kUnresolvedTold * size) return "";
   return fmt::format(
-      "{:.3g} J, {:.2g} % of the work done, went into axial vibration too fast for the steps, which take it "
-      "out; "
-      "what is tightened at a blow may peak higher for less than a step",
-      now.unresolved, 100 * part);
+      "{:.3g} J went into axial vibration too fast for the steps, which take it out ({:.2g} % of the most "
+      "that moved "
+      "at a time); what is tightened at a blow may peak higher for less than a step",
+      now.unresolved, 100 * now.unresolved / size);
 }
 
 }  // namespace hawser::app

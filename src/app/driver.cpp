@@ -237,9 +237,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
     if (c.dynamics.enabled) {
       fmt::print(
           "\nenergy: brought in {:.6g} J; kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g}, "
-          "unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} %)\n",
+          "unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} % of the work done, {:.3g} J)\n",
           a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.now.unresolved, a.error,
-          a.percent());
+          a.percent(), a.size());
       if (const std::string n = a.note(); !n.empty()) fmt::print("\nnote: {}\n", n);
       if (const std::string w = recorder.audit_warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
     }

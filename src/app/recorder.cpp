@@ -16,8 +16,8 @@ namespace hawser::app {
 namespace {
 
 constexpr std::pair<const char*, double Energy::*> kEnergies[] = {
-    {"kinetic", &Energy::kinetic},   {"strain", &Energy::strain},   {"potential", &Energy::potential},
-    {"friction", &Energy::friction}, {"damping", &Energy::damping}, {"work", &Energy::work},
+    {"kinetic", &Energy::kinetic},      {"strain", &Energy::strain},   {"potential", &Energy::potential},
+    {"friction", &Energy::friction},    {"damping", &Energy::damping}, {"work", &Energy::work},
     {"unresolved", &Energy::unresolved}};
 
 Energy sum(MPI_Comm comm, Energy e) {
@@ -34,16 +34,21 @@ void save_energy(std::map<std::string, double>& to, const std::string& prefix, c
 
 // What of an audit a checkpoint keeps, by name.
 std::map<std::string, double*> numbers(Audit& a) {
-  std::map<std::string, double*> out = {
-      {"audit.brought_in", &a.brought_in},    {"audit.error", &a.error},
-      {"audit.at_start", &a.at_start},        {"audit.worked", &a.worked},
-      {"audit.set_free", &a.set_free},        {"audit.least_error", &a.least_error},
-      {"audit.worst.value", &a.worst.value},  {"audit.worst.time", &a.worst.time},
-      {"audit.worst.length", &a.worst.length}};
+  std::map<std::string, double*> out = {{"audit.brought_in", &a.brought_in},
+                                        {"audit.error", &a.error},
+                                        {"audit.at_start", &a.at_start},
+                                        {"audit.worked", &a.worked},
+                                        {"audit.set_free", &a.set_free},
+                                        {"audit.there", &a.there},
+                                        {"audit.held", &a.held},
+                                        {"audit.least_error", &a.least_error}};
   for (const auto& [name, l] : {std::pair{"audit.made.", &a.made}, {"audit.lost.", &a.lost}}) {
     const std::string prefix = name;
-    out[prefix + "value"] = &l->value, out[prefix + "time"] = &l->time;
-    out[prefix + "step"] = &l->step, out[prefix + "size"] = &l->size;
+    out[prefix + "value"] = &l->value, out[prefix + "time"] = &l->time, out[prefix + "step"] = &l->step;
+  }
+  for (const auto& [name, s] : {std::pair{"audit.climb.", &a.climb}, {"audit.worst.", &a.worst}}) {
+    const std::string prefix = name;
+    out[prefix + "value"] = &s->value, out[prefix + "time"] = &s->time, out[prefix + "length"] = &s->length;
   }
   return out;
 }
@@ -338,7 +343,7 @@ void Recorder::find_worst(const Kinematics& at) {
       if (fields_[f].name == "seabed_force") touch = static_cast<int>(Audit::Step::Touch::seabed);
     }
   MPI_Allreduce(MPI_IN_PLACE, &touch, 1, MPI_INT, MPI_MAX, comm_);
-  audit_.worst.node = most.node, audit_.worst.touch = static_cast<Audit::Step::Touch>(touch);
+  audit_.located(most.node, static_cast<Audit::Step::Touch>(touch));
 }
 
 std::string Recorder::audit_warning() const {
@@ -436,8 +441,10 @@ void Recorder::save(io::Checkpoint& to) {
   save_energy(scalars, "audit.start.", start_);
   save_energy(scalars, "audit.now.", audit_.now);
   for (const auto& [name, value] : numbers(audit_)) scalars[name] = *value;
-  scalars["audit.worst.node"] = audit_.worst.node;
-  scalars["audit.worst.touch"] = static_cast<int>(audit_.worst.touch);
+  for (const auto& [name, s] : {std::pair{"audit.climb.", &audit_.climb}, {"audit.worst.", &audit_.worst}}) {
+    scalars[std::string(name) + "node"] = s->node;
+    scalars[std::string(name) + "touch"] = static_cast<int>(s->touch);
+  }
   for (const auto& r : summary()) {
     const std::string key = "extreme." + r.line + "." + r.quantity;
     scalars[key] = r.value, scalars[key + ".time"] = r.time, scalars[key + ".arc"] = r.arc_length;
@@ -457,8 +464,10 @@ void Recorder::restore(const io::Checkpoint& from) {
   start_ = saved_energy(get, "audit.start.");
   audit_.now = saved_energy(get, "audit.now.");
   for (const auto& [name, value] : numbers(audit_)) *value = get(name);
-  audit_.worst.node = static_cast<int>(get("audit.worst.node"));
-  audit_.worst.touch = static_cast<Audit::Step::Touch>(static_cast<int>(get("audit.worst.touch")));
+  for (const auto& [name, s] : {std::pair{"audit.climb.", &audit_.climb}, {"audit.worst.", &audit_.worst}}) {
+    s->node = static_cast<int>(get(std::string(name) + "node"));
+    s->touch = static_cast<Audit::Step::Touch>(static_cast<int>(get(std::string(name) + "touch")));
+  }
   for (size_t l = 0; l < extremes_.size(); ++l)
     for (const Wanted& w : kExtremes) {
       const std::string key = "extreme." + sim_.model().lines[l].name + "." + w.quantity;

@@ -129,6 +129,12 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
   const auto more = std::count_if(c.scalars.begin(), c.scalars.end(),
                                   [](const auto& s) { return s.first.starts_with("case."); });
   if (more != static_cast<long>(here.size())) throw refuse("other volumes");
+  if (!c.nodes.count(kMeanQ))
+    throw InputError(
+        fmt::format("cannot go on from {}: an earlier version of hawser wrote it, which carried less from "
+                    "step to step; begin "
+                    "with its last shape by 'start: {{from: {}}}', or anew",
+                    path, path));
   return c;
 }
 

@@ -228,6 +228,11 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
   return out;
 }
 
+namespace {
+// Of the depth it started at: what is less deep lies on the surface, pressed into it by its own contact.
+constexpr double kLeft = 0.1;
+}  // namespace
+
 std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
                          const Bodies& bodies, const std::vector<ContactVolume>& volumes,
                          const StartContact& start) {
@@ -236,7 +241,8 @@ std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& m
   take_off(now, start.left_out, *mesh.mesh);
   for (const Inside& s : now) {
     const bool before = std::any_of(start.inside.begin(), start.inside.end(), [&](const Inside& o) {
-      return o.line == s.line && o.volume == s.volume && o.from <= s.to && s.from <= o.to;
+      return o.line == s.line && o.volume == s.volume && o.from <= s.to && s.from <= o.to &&
+             s.depth > kLeft * o.depth;
     });
     if (!before) continue;
     const model::Line& line = c.lines[static_cast<size_t>(s.line)];

@@ -115,7 +115,7 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
                     "{:.3g} deg away from it: give rows for the directions of the sea",
                     key, only, furthest));
   const auto beyond = [&](double energy, const char* which, const char* end, double omega, double last) {
-    if (energy > 0)
+    if (energy > 1e-3 * all)
       notes.push_back(fmt::format(
           "{}: {:.3g} % of the sea's energy has {} periods than the table, as far as {:.3g} s, and there the "
           "responses of its {} one, {:.4g} s, are used: give rows there",
@@ -151,6 +151,7 @@ model::TableMotion read_rao(const model::Value& rao, const std::string& key, con
                fmt::format("{:g} s of this motion are {:.3g} rows of a table; the limit is {:g}", duration,
                            count, kMost));
   model::TableMotion m;
+  m.of_waves = true;
   for (int i = -10; i <= static_cast<int>(count) - 10; ++i) {
     Vec3 offset, rotation;
     m.time.push_back(i * step);

@@ -17,7 +17,7 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   Local o;
   const Vec3 d = e.x2 - e.x1;
   o.l = d.norm();
-  o.t = d / o.l;
+  o.t = o.l > 0 ? Vec3(d / o.l) : Vec3(0, 0, 0);
   o.strain = (o.l - s.length) / s.length - s.free_strain;
   o.dv = e.v2 - e.v1;
   o.rate = o.t.dot(o.dv) / s.length;
@@ -38,7 +38,7 @@ struct Mean {
   Vec3 t;                         // unit chord at the end
   double l = 0;                   // m, chord at the end
   double tension = 0, slope = 0;  // N, never negative; derivative by the strain at the end
-  double elastic = 0, damper = 0, filter = 0;  // N, parts of the tension, while it pulls
+  double elastic = 0, damper = 0, filter = 0;  // N, parts of the tension; the last two while it pulls
   double grown = 0;                            // of the taut part of the strain
 };
 
@@ -73,8 +73,8 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
 Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& chord) {
   Mean o;
   o.l = chord.norm();
-  o.t = chord / o.l;
-  o.n = (from.chord + chord) / (from.length + o.l);
+  o.t = o.l > 0 ? Vec3(chord / o.l) : Vec3(0, 0, 0);
+  o.n = from.length + o.l > 0 ? Vec3((from.chord + chord) / (from.length + o.l)) : Vec3(0, 0, 0);
   const double strain = (o.l - s.length) / s.length - s.free_strain;
   const Elastic e = elastic_mean(s, from.strain, strain);
   o.grown = std::max(strain, 0.0) - std::max(from.strain, 0.0);
@@ -82,7 +82,7 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   o.damper = s.EA * s.beta / step.h * o.grown;
   o.filter = step.filter * s.EA * (o.grown - e.share * from.stretch);
   o.tension = o.elastic + o.damper + o.filter;
-  if (o.tension <= 0) return o.tension = o.elastic = o.damper = o.filter = 0, o;
+  if (o.tension <= 0) return o.tension = o.damper = o.filter = 0, o;
   const double way = strain - from.strain;
   o.slope = e.slope;
   if (strain > 0) o.slope += s.EA * (s.beta / step.h + step.filter);
@@ -112,7 +112,7 @@ Vec3 cable_mean(const CableSection& s, const CableStart& from, const CableStep& 
 void cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                 const Vec3& x2, CablePull& out) {
   const Mean m = mean_of(s, from, step, x2 - x1);
-  const double across = m.tension / (from.length + m.l);
+  const double across = m.tension > 0 ? m.tension / (from.length + m.l) : 0;
   out.force = m.tension * m.n;
   const Vec3 along = (m.slope / s.length) * m.t;
   out.k = m.n * along.transpose() - (across * m.n) * m.t.transpose();
@@ -124,8 +124,12 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
                      const Vec3& x2) {
   const Mean m = mean_of(s, from, step, x2 - x1);
   const double way = m.l - from.length;
-  return {m.damper * way, m.filter * way,
-          m.tension > 0 && m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0};
+  // Where it would push, the spring has worked against what holds it back alone.
+  if (m.tension == 0) {
+    const double spent = -m.elastic * way;
+    return s.beta > 0 ? CableLoss{spent, 0, 0} : CableLoss{0, spent, 0};
+  }
+  return {m.damper * way, m.filter * way, m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0};
 }
 
 Vec3 cable_pull(const CableSection& s, const CableEnds& e) {
@@ -137,7 +141,7 @@ void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePul
   const Local o = local(s, e);
   out.force = o.tension * o.t;
   const bool taut = o.tension > 0;
-  const double ea = s.EA / s.length, across = o.tension / o.l;
+  const double ea = s.EA / s.length, across = taut ? o.tension / o.l : 0;
   const double stiff = taut ? o.axial.slope / s.length : ea;
   Vec3 along = (taut || convex ? stiff : 0.0) * o.t - across * o.t;
   // rate = t.dv/L turns with the chord: its gradient is (dv - t (t.dv))/(l L)

@@ -2,13 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "hawser/math/so3.hpp"
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::model {
 namespace {
 
 constexpr double kOfPeriod = 100, kOfRamp = 20, kOfOwn = 20, kOfDrag = 10, kOfDuration = 50;
+// What lines do by themselves, and drag, shortens what drives them to no less than this; the local error does
+// more.
+constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
+constexpr double kDensest = 0.1;  // of a table's time
 
 // The shortest of what it is told.
 class Shortest {
@@ -46,12 +54,18 @@ void add_harmonic(const HarmonicMotion& m, const std::string& who, Shortest& to)
 }
 
 void add_table(const TableMotion& m, const std::string& who, Shortest& to) {
-  for (size_t i = 1; i < m.time.size(); ++i)
-    to.of(m.time[i] - m.time[i - 1], "the rows of the motion table of " + who);
+  if (m.of_waves || m.time.size() < 2) return;
+  std::vector<double> rows;
+  for (size_t i = 1; i < m.time.size(); ++i) rows.push_back(m.time[i] - m.time[i - 1]);
+  std::sort(rows.begin(), rows.end());
+  double covered = 0;
+  const double enough = kDensest * (m.time.back() - m.time.front());
+  for (const double row : rows)
+    if ((covered += row) >= enough) return to.of(row, "the rows of the motion table of " + who);
 }
 
 // Speed of a body's points by its own motion, m/s.
-double add_body(const Body& b, Shortest& to) {
+double add_body(const Body& b, Shortest& to, Shortest& own) {
   const std::string who = "body " + b.name;
   double speed = 0;
   if (const auto* h = std::get_if<HarmonicMotion>(&b.motion)) {
@@ -69,52 +83,75 @@ double add_body(const Body& b, Shortest& to) {
     to.of(b.drift->ramp / kOfRamp, "a twentieth of the ramp of " + who);
   }
   if (b.mass && b.mass->stiffness.maxCoeff() > 0)
-    to.of(2 * M_PI * std::sqrt(b.mass->mass / b.mass->stiffness.maxCoeff()) / kOfOwn,
-          "a twentieth of the period of " + who + " on its springs");
+    own.of(2 * M_PI * std::sqrt(b.mass->mass / b.mass->stiffness.maxCoeff()) / kOfOwn,
+           "a twentieth of the period of " + who + " on its springs");
   return speed;
+}
+
+// Where an end is held at the start.
+std::optional<Vec3> held_at(const Case& c, const End& e) {
+  if (e.kind == EndKind::anchor) return e.at;
+  if (e.kind != EndKind::body) return std::nullopt;
+  const Body& b = c.bodies[static_cast<size_t>(c.body_index(e.body))];
+  return Vec3(b.position + exp_so3(b.rotation) * e.at);
 }
 
 // Slowest period of a line, from its weight as a hanging chain (2.405/2 sqrt(g/L)), its bending stiffness
 // (pi²/L² sqrt(EI/m)) and the tension of a start that is shorter than its chord (pi/L sqrt(T/m)).
-void add_line(const Case& c, const Line& line, double speed, Shortest& to) {
-  double length = 0, mass = 0, bend = 0, give = 0;
+void add_line(const Case& c, const Line& line, double speed, bool jolted, Shortest& own, Shortest& drags) {
+  double length = 0, loose = 0, mass = 0, bend = 0, give = 0, along = 0;
   for (const Section& s : line.sections) {
     const LineType& t = c.line_type(s.type);
+    loose += s.length * (1 + thermal_strain(t, line, length, length + s.length));
     length += s.length, mass += s.length * t.mass_per_length;
     bend += s.length * (t.kind == LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
-    give += s.length / t.EA;
+    give += s.length / t.EA, along += s.length * std::sqrt(t.mass_per_length / t.EA);
     if (!c.environment.water.present || speed == 0) continue;
     const double area = 0.25 * M_PI * t.displaced() * t.displaced(),
                  drag = 0.5 * c.environment.water.density * t.Cd_normal * t.dragged() * speed;
     if (drag > 0)
-      to.of((t.mass_per_length + c.environment.water.density * area * t.Ca_normal) / drag / kOfDrag,
-            "a tenth of the time in which drag carries line " + line.name + " along");
+      drags.of((t.mass_per_length + c.environment.water.density * area * t.Ca_normal) / drag / kOfDrag,
+               "a tenth of the time in which drag carries line " + line.name + " along");
   }
   if (length == 0 || mass == 0) return;
-  const double per_length = mass / length;
   double square = 1.45 * c.environment.gravity / length + std::pow(M_PI / length, 4) * bend / mass;
-  if (line.end_a.kind == EndKind::anchor && line.end_b.kind == EndKind::anchor) {
-    const double tension = ((line.end_b.at - line.end_a.at).norm() - length) / give;
-    square += std::pow(M_PI / length, 2) * std::max(tension, 0.0) / per_length;
-  }
+  const auto a = held_at(c, line.end_a), b = held_at(c, line.end_b);
+  if (a && b)
+    square += std::pow(M_PI / length, 2) * std::max((*b - *a).norm() - loose, 0.0) / give / (mass / length);
   if (square > 0)
-    to.of(2 * M_PI / std::sqrt(square) / kOfOwn, "a twentieth of the slowest period of line " + line.name);
-  for (const auto& l : line.loads) to.of(l.ramp / kOfRamp, "a twentieth of the ramp of a load");
-  for (const auto& l : line.point_loads) to.of(l.ramp / kOfRamp, "a twentieth of the ramp of a load");
+    own.of(2 * M_PI / std::sqrt(square) / kOfOwn, "a twentieth of the slowest period of line " + line.name);
+  if (jolted)
+    own.of(2 * along / kOfOwn, "a twentieth of the time of a wave along line " + line.name + " and back");
+}
+
+void add_ramps(const Case& c, Shortest& to) {
+  const Water& w = c.environment.water;
+  if (!w.current.profile.empty()) to.of(w.current.ramp / kOfRamp, "a twentieth of the ramp of the current");
+  for (const Line& line : c.lines) {
+    for (const auto& l : line.loads) to.of(l.ramp / kOfRamp, "a twentieth of the ramp of a load");
+    for (const auto& l : line.point_loads) to.of(l.ramp / kOfRamp, "a twentieth of the ramp of a load");
+  }
 }
 
 }  // namespace
 
 LongestStep longest_step(const Case& c) {
-  Shortest to;
+  Shortest to, own, drags;
   const Sea waves = sea(c.environment);
   to.of(waves.period / kOfPeriod, "a hundredth of the period of the waves");
   double speed = waves.speed;
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
-  for (const Body& b : c.bodies) speed = std::max(speed, add_body(b, to));
-  for (const Line& line : c.lines) add_line(c, line, speed, to);
+  for (const Body& b : c.bodies) speed = std::max(speed, add_body(b, to, own));
+  add_ramps(c, to);
   to.of(c.output.every, "the time between outputs");
   to.of(c.dynamics.duration / kOfDuration, "a fiftieth of the duration");
+  const bool jolted = !c.statics.enabled || !velocity_jumps(c.bodies).empty();
+  for (const Line& line : c.lines) add_line(c, line, speed, jolted, own, drags);
+  const double driven = to.best().length;
+  const auto follow = [&](const LongestStep& what, double least) {
+    if (what.length > 0) to.of(std::max(what.length, least * driven), what.reason);
+  };
+  follow(own.best(), kLeastOwn), follow(drags.best(), kLeastDrag);
   return to.best();
 }
 

@@ -88,6 +88,7 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
 
 void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
   const CableStep step{trial.step, trial.mean.filter};
+  const bool in_step = trial.mean.weight != 1;
   if (sink.wants_tangent()) {
     double f[12], K[144], C[144];
     for (const Beam& b : beams_) {
@@ -97,7 +98,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
     for (const Cable& c : cables_) {
       CablePull o;
       const CableEnds e = ends(c, trial);
-      if (trial.step > 0) {
+      if (in_step) {
         cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
         sink.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
@@ -114,12 +115,9 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
   }
   for (const Cable& c : cables_) {
     const CableEnds e = ends(c, trial);
-    if (trial.step > 0)
-      sink.add_mean_between(c.blocks[0], c.blocks[1],
-                            cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2),
-                            nullptr);
-    else
-      sink.add_between(c.blocks[0], c.blocks[1], cable_pull(c.section, e), nullptr, nullptr);
+    const Vec3 pull = in_step ? cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
+                              : cable_pull(c.section, e);
+    sink.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
   }
 }
 

@@ -15,30 +15,33 @@ struct Audit {
   // Kinetic + strain + friction + damping + unresolved - brought in: made out of nothing, or lost if
   // negative.
   double error = 0;
-  // What made and lost energy is judged against: what moved at the start, the work of every step whichever
-  // way it went, and the strain energy that the start has set free.
+  // What made and lost energy is judged against, all of the run so far: what moved at the start, the work of
+  // every step whichever way it went, and the strain energy that the start has set free.
   double at_start = 0, worked = 0, set_free = 0;
+  double there = 0;        // the most that moved and was strained at a time, without what was made
+  double held = 0;         // the most strain energy: what rounding of an error is a part of
   double least_error = 0;  // so far
-  struct Largest {
-    double value = 0, time = 0, step = 0;  // J; s, at the end of the step; s, its length
-    double size = 0;                       // J, what it is judged against at that time
-  } made, lost;                            // since the error was least; against the start
   struct Step {
     double value = 0, time = 0, length = 0;  // J; s, at its end; s
     int node = -1;                           // of the mesh, where the motion changed most; -1: not known
     enum class Touch { nothing, volume, line, seabed } touch = Touch::nothing;  // what acted there
-  } worst;                                                                      // the step that made most
+  } climb;  // the step that made most since the error was least
+  struct Largest {
+    double value = 0, time = 0, step = 0;  // J; s, at the end of the step; s, its length
+  } made, lost;                            // since the error was least; against the start
+  Step worst;                              // of what was made, the step that made most
 
-  // After a step of h [s] that ended at this time; start: of the run. True: no step before made as much, so
-  // that worst.node and worst.touch are to be found out.
+  // After a step of h [s] that ended at this time; start: of the run. True: where it changed the motion most
+  // is worth knowing; located() follows.
   bool update(const Energy& start, const Energy& now, double time, double h);
-  double size() const { return at_start + worked + set_free; }
+  void located(int node, Step::Touch touch);
+  double size() const;
   // %, of the error against size().
   double percent() const;
   // What a user must not overlook; empty: nothing. fixed: the user chose the step; where: words for
   // worst.node.
   std::string warning(bool fixed, const std::string& where) const;
-  // More was made or lost than any result can bear: the run has failed.
+  // More was made or lost than any result can bear, or it is no number: the run has failed.
   bool wrong() const;
   // What a user may want to know of what the steps did not resolve; empty: it is little.
   std::string note() const;

@@ -70,6 +70,7 @@ struct TableMotion {
   std::vector<Vec3> offset;    // m
   std::vector<Vec3> rotation;  // rad, rotation vector (may be empty)
   BetweenRows between = BetweenRows::spline;
+  bool of_waves = false;  // the rows are responses to the waves of the case
 };
 using Motion = std::variant<std::monostate, ConstantMotion, HarmonicMotion, TableMotion>;
 

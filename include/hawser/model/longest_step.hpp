@@ -14,9 +14,11 @@ struct LongestStep {
 };
 
 // A hundredth of the period of waves (mean period T01 of a spectrum, DNV-RP-C205 3.5.2.3) and of prescribed
-// motions and turns; a row of a table; a twentieth of a ramp, of each line's slowest period and of a floating
-// body's on its springs; a tenth of the time in which drag slows what is carried along; the time between
-// outputs; a fiftieth of the duration.
+// motions and turns; a row of a table, but for the densest that cover a tenth of its time; a twentieth of a
+// ramp; the time between outputs; a fiftieth of the duration. Of the lines themselves, as far as that is no
+// less than a tenth of it, a twentieth of the slowest period of each (and of a wave along it, where a run
+// starts out of balance or a speed jumps), and of a floating body's on its springs; as far as it is no less
+// than half, a tenth of the time in which drag slows what is carried along.
 LongestStep longest_step(const Case& c);
 
 }  // namespace hawser::model
