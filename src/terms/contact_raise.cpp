@@ -16,7 +16,8 @@ namespace {
 constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
 // Of the radius: what a blow may take it in by, with all of its mass at all of its speed.
 constexpr double kBlow = 0.5;
-// Of the period of the mass on its spring: shorter steps follow a blow, and what is deep in them is the blow's.
+// Of the period of the mass on its spring: shorter steps follow a blow, and what is deep in them is the
+// blow's.
 constexpr double kFollowing = 0.5;
 // Most that what presses raises a stiffness in a step: what grows faster is a blow.
 constexpr double kMostInAStep = 4;
@@ -60,7 +61,8 @@ void Contact::ask(int volume, const NormalLaw& law, const Pressed& p, double ste
   }
   // u sqrt(m/k) is how deep a blow goes.
   if (step > 0) want = std::max(want, now * p.mass * std::pow(p.speed / blow, 2) / law.stiffness);
-  if (p.depth > (follows_a_blow ? blow : p.radius)) want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
+  if (p.depth > (follows_a_blow ? blow : p.radius))
+    want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
 }
 
 bool Contact::raise(std::vector<double>& wanted) {

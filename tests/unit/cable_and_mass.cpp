@@ -113,8 +113,9 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
           pulled += S.norm() > 0, taut += S.norm() > 0 && energy(chord) > 0 && energy(p.from.chord) > 0;
           EXPECT_NEAR(work, stored + lost.damped + lost.filtered, 1e-10 * (1 + std::abs(stored)));
           // Where it would push, nothing acts, and what it gains is of what the filter holds.
-          if (S.norm() == 0)
+          if (S.norm() == 0) {
             EXPECT_LE(stored, 0.5 * filter * 300 * s.length * std::pow(p.from.stretch, 2) + 1e-12);
+          }
         }
       }
   EXPECT_GT(pulled, 1500);

@@ -106,7 +106,9 @@ bodies:
 volumes:
 )";
   for (const std::string& v : volumes)
-    text += "  " + v + ": {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, friction: 0.3, normal_stiffness: {per_length: 1e7}}\n";
+    text += "  " + v +
+            ": {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, friction: 0.3, normal_stiffness: "
+            "{per_length: 1e7}}\n";
   return text + R"(lines:
   hose:
     sections: [{type: hose, length: 10.1, elements: 26}]

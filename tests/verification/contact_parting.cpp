@@ -119,8 +119,8 @@ TEST(ContactParting, StringReleased) {
           "%.3f s, energy made %.4f %%\n",
           bar == Bar::line ? "line" : "volume", step, r.steps, r.rejected,
           100 * (r.reaction.mean() / force - 1), r.lifted, 100 * r.made);
-      // It starts out of balance: the first accelerations hold 0.1 % of the energy at steps of 0.03 s, with the
-      // square of the step (docs/theory/time-integration.md, "Cables").
+      // It starts out of balance: the first accelerations hold 0.1 % of the energy at steps of 0.03 s, with
+      // the square of the step (docs/theory/time-integration.md, "Cables").
       EXPECT_LT(r.made, std::max(1e-3, 1.2e-3 * std::pow(step / 0.03, 2)));
     }
 }

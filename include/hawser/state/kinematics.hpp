@@ -8,8 +8,8 @@
 namespace hawser {
 
 // Of forces that are given as their mean over the step that led to a trial state
-// (docs/theory/time-integration.md#cables): what they count in the residual, more than 1, and the filter of the
-// cables. A weight of 1 is that of a state that is not the end of a trial step: its own forces act.
+// (docs/theory/time-integration.md#cables): what they count in the residual, more than 1, and the filter of
+// the cables. A weight of 1 is that of a state that is not the end of a trial step: its own forces act.
 struct StepMean {
   double weight = 1, filter = 0;
 };

@@ -20,7 +20,8 @@ namespace hawser {
 // Sums over what this rank counts, J. All but the first three are accumulated over the accepted steps.
 struct Energy {
   double kinetic = 0, strain = 0, potential = 0;
-  double friction = 0, damping = 0, work = 0;  // taken out by friction, by damping; brought in by moving bodies
+  double friction = 0, damping = 0,
+         work = 0;        // taken out by friction, by damping; brought in by moving bodies
   double unresolved = 0;  // taken by the time integration out of axial vibration too fast for its steps
 
   Energy& operator+=(const Energy& o) {
