@@ -76,10 +76,11 @@ TEST(Audit, AGainAfterALossCounts) {
 TEST(Audit, ASlowLossInALongRunIsNoAlarm) {
   app::Audit a;
   double in = 0;
-  a.update(moving(0), moving(0), 0, 0);
+  const Energy start = moving(1000);
+  a.update(start, start, 0, 0);
   for (int wave = 1; wave <= 10000; ++wave) {
-    in += 100, a.update(moving(0), moving(100 - 0.05 * wave, in), wave, 1);
-    in -= 100, a.update(moving(0), moving(-0.1 * wave, in), wave + 0.5, 1);
+    in += 100, a.update(start, moving(1100.05 - 0.1 * wave, in), wave, 1);
+    in -= 100, a.update(start, moving(1000 - 0.1 * wave, in), wave + 0.5, 1);
   }
   EXPECT_NEAR(a.error, -1000, 1);
   EXPECT_EQ(a.warning(false, "here"), "");
