@@ -274,6 +274,7 @@ std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
 
 void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work) {
   fill(at, false);
+  audit_.plastic = sim_.system().augments();
   Energy share = sim_.system().energy(at);
   share.work += support_work;
   if (audit_.update(start_, sum(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);

@@ -111,11 +111,9 @@ Key table(std::string about) {
                    "the same, written here: "
                    "`[[t, x, y, z], ...]`")
                   .items(2),
-              word(
-                  "interpolation", {"spline", "monotone", "linear"},
-                  "between rows: a cubic spline, smooth in its acceleration; a cubic that stays between "
-                  "neighbouring rows, smooth in its velocity; or straight lines, whose velocity jumps at the "
-                  "rows")
+              word("interpolation", {"spline", "monotone", "linear"},
+                   "between rows: a cubic spline; a cubic that stays between them; straight lines, whose "
+                   "velocity jumps at the rows")
                   .or_else("spline")},
              std::move(about))
       .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true);
@@ -221,10 +219,8 @@ Key line_end(std::string name, const std::string& about) {
       std::move(name),
       {word("", {"free"}),
        map("",
-           {vec3(
-                "anchor", length,
-                "fixed at this point in space; on the seabed (within half a contact diameter of it) the line "
-                "lies there, its axis half a contact diameter above"),
+           {vec3("anchor", length,
+                 "fixed at this point in space; at the height of the seabed the line lies on it there"),
             reference("body", "bodies", "tied to this body ..."),
             vec3("at", length, "... at this point of its frame"),
             reference("joint", "joints", "pinned to the other ends at this joint, which moves freely"),

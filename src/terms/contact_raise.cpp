@@ -18,7 +18,7 @@ constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
 constexpr double kBlow = 0.5;
 // Of the period of the mass on its spring: shorter steps follow a blow, and what is deep in them is the
 // blow's.
-constexpr double kFollowing = 0.5;
+constexpr double kFollowing = 2;
 // Most that what presses raises a stiffness in a step: what grows faster is a blow.
 constexpr double kMostInAStep = 4;
 
@@ -29,6 +29,12 @@ constexpr double kWorthIt = 1.05;
 // surface.
 double left_by_inertia(double force, double mass, double acceleration) {
   return force > 0 ? std::clamp(1 - mass * acceleration / force, 0.0, 1.0) : 1;
+}
+
+// Whether what is pressed in moves so slowly that its speed is worth no more than a sixteenth of the spring's
+// energy: it is pressed, and does not strike or leap.
+bool resting(double stiffness, double depth, double mass, double speed) {
+  return stiffness * std::pow(0.25 * depth, 2) >= mass * speed * speed;
 }
 
 }  // namespace
@@ -133,11 +139,15 @@ bool LineContact::augment(const Kinematics& equilibrium) {
                  normal_force(pair.law.normal, gap, 0).elastic;
         if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * p.normal;
       }
-      const Vec3 acceleration =
-          0.5 * (equilibrium.a[static_cast<size_t>(e.first)] + equilibrium.a[static_cast<size_t>(e.second)]);
-      if (equilibrium.step > 0)
-        at.still =
-            left_by_inertia(force, element.mass_per_length * length(pair.element), normal.dot(acceleration));
+      const size_t first = static_cast<size_t>(e.first), second = static_cast<size_t>(e.second);
+      const Vec3 place = 0.5 * (equilibrium.x[first] + equilibrium.x[second]);
+      const double speed =
+          normal.dot(0.5 * (equilibrium.v[first] + equilibrium.v[second]) - pose.velocity_at(place));
+      if (equilibrium.step > 0 && resting(pair.law.normal.stiffness, at.depth, at.mass, speed))
+        at.still = left_by_inertia(force, element.mass_per_length * length(pair.element),
+                                   0.5 * normal.dot(equilibrium.a[first] + equilibrium.a[second]));
+      else if (equilibrium.step > 0)
+        at.still = 0;
     }
     ask(pair.volume, pair.law.normal, at, equilibrium.step, wanted);
   }

@@ -15,7 +15,7 @@ void compare(const std::string& name, const Edits& edits) {
   if (rank_of(MPI_COMM_WORLD) > 0) return;
   const Results one = read(path + "/one.h5"), all = read(path + "/all.h5");
 
-  EXPECT_GT(one.step_times.size(), 120u);
+  EXPECT_GT(one.step_times.size(), 60u);
   EXPECT_EQ(one.output_times, all.output_times);
   EXPECT_EQ(one.step_times, all.step_times);
   EXPECT_EQ(one.column("solver", 1), all.column("solver", 1)) << "Newton iterations";
