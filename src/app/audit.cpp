@@ -67,8 +67,10 @@ double Audit::percent() const { return 100 * error / size(); }
 
 // What is made in a long run is not made good by the work of all its waves: no more than ever was there.
 bool Audit::wrong() const {
-  return !std::isfinite(error) || made.value > kMadeWrong * size() ||
-         made.value > there + kRounding * held + kNothing || (!plastic && lost.value > kLostWrong * size());
+  if (!std::isfinite(error)) return true;
+  if (plastic) return false;  // what multipliers hold back and give again is not booked
+  return made.value > kMadeWrong * size() || made.value > there + kRounding * held + kNothing ||
+         lost.value > kLostWrong * size();
 }
 
 std::string Audit::warning(bool fixed, const std::string& where) const {
