@@ -97,7 +97,7 @@ bool Dynamics::let_go() {
     loaded_ = false;
   }
   for (size_t n = 0; n < v.size(); ++n) held_v_[n] = s.v[n] - v[n], held_w_[n] = s.w[n] - w[n];
-  system_.residual(s.view(h_), r_.get());  // the reactions
+  system_.residual(s.view(h_), r_.get(), carried_);  // the reactions
   if (system_.norms(r_.get()).small(settings_.tolerance)) return false;
   put(local_u_);
   return true;
