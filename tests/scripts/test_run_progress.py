@@ -82,8 +82,12 @@ class Progress(unittest.TestCase):
 
     def test_statics(self):
         """On a terminal a line is rewritten and gone once statics is done."""
+        # Long enough on any machine for a line that is rewritten every 0.2 s: ten rods beside each other.
         case = CASE.replace("elements: 8", "elements: 400").replace("duration: 0.2", "duration: 0.1")
-        write(self.folder, "slow.yaml", case.replace("start: straight", "start: straight\nstatics: {dynamic_relaxation: always}"))
+        rod = case[case.index("  rod:\n    sections"):case.index("dynamics:")]
+        for i in range(9):
+            case = case.replace("dynamics:", rod.replace("rod:", f"rod{i}:").replace("[0, 0, 0], dir", f"[0, {i + 1}, 0], dir") + "dynamics:")
+        write(self.folder, "slow.yaml", case + "statics: {dynamic_relaxation: always}\n")
         line = r"\r\033\[Kstatics: \d+ iterations(, \d+ steps of dynamic relaxation)?, out of balance by \d\.\de[-+]\d\d of the forces so far"
         code, text = on_terminal(HAWSER, "run", "slow.yaml", columns=120, cwd=self.folder)
         self.assertEqual(code, 0, text)
