@@ -82,8 +82,7 @@ std::string Audit::warning(bool fixed, const std::string& where) const {
   if (making > losing)
     text = fmt::format(
         "the steps made {:.3g} J out of nothing by t = {:.6g} s, {:.3g} % of the work done; the one of "
-        "{:.3g} s "
-        "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",
+        "{:.3g} s that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",
         made.value, made.time, 100 * made.value / size(), worst.length, worst.time, worst.value, where,
         words(worst.touch), remedy(fixed, worst.length));
   else
@@ -99,8 +98,7 @@ std::string Audit::note() const {
   if (now.unresolved < kUnresolvedTold * size) return "";
   return fmt::format(
       "{:.3g} J went into axial vibration too fast for the steps, which take it out ({:.2g} % of the most "
-      "that moved "
-      "at a time); what is tightened at a blow may peak higher for less than a step",
+      "that moved at a time); what is tightened at a blow may peak higher for less than a step",
       now.unresolved, 100 * now.unresolved / size);
 }
 

@@ -30,6 +30,8 @@
 namespace hawser::app {
 namespace {
 
+constexpr int kWrongEnergy = 4;  // exit code: the run has ended, but its energy does not add up
+
 // Set by SIGINT and SIGTERM: the run ends at the next output, with everything on disk. Who cannot wait
 // sends the signal again.
 volatile std::sig_atomic_t stop_requested = 0;
@@ -103,10 +105,6 @@ bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
 }
 
 }  // namespace
-
-namespace {
-constexpr int kWrongEnergy = 4;  // exit code: the run has ended, but its energy does not add up
-}
 
 int run(MPI_Comm comm, const RunOptions& options) {
   int rank = 0, size = 1;

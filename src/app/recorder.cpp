@@ -102,6 +102,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)) {
   const model::Case& c = sim_.model();
   const LocalMesh& local = sim_.local();
+  audit_.plastic = sim_.system().augments();
   fields_ = {{"position", "m", 3}, {"velocity", "m/s", 3}};
   for (const FieldSource& s : registry_.sources()) fields_.push_back({s.name, s.unit, s.components});
   if (std::any_of(fields_.begin(), fields_.end(),
@@ -274,7 +275,6 @@ std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
 
 void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work) {
   fill(at, false);
-  audit_.plastic = sim_.system().augments();
   Energy share = sim_.system().energy(at);
   share.work += support_work;
   if (audit_.update(start_, sum(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);

@@ -64,10 +64,10 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
 }
 
 // Local nodes whose place is prescribed.
-std::vector<bool> held_nodes(const LocalMesh& mesh, const std::vector<Support>& supports) {
-  std::vector<bool> held(static_cast<size_t>(mesh.nodes()), false);
+std::vector<int> held_nodes(const std::vector<Support>& supports) {
+  std::vector<int> held;
   for (const Support& s : supports)
-    if (s.position_mask != 0) held[static_cast<size_t>(s.node)] = true;
+    if (s.position_mask != 0) held.push_back(s.node);
   return held;
 }
 
@@ -137,34 +137,27 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 
   StartShape start = start_shape(c, local, *bodies_);
   if (c.environment.seabed.present) {
-    std::vector<int> held;
-    for (const Support& s : start.supports)
-      if (s.position_mask != 0) held.push_back(s.node);
+    const std::vector<int> held = held_nodes(start.supports);
     auto seabed = std::make_unique<SeabedTerm>(local, c, held);
     seabed_ = seabed.get();
     system_->add(std::move(seabed));
     if (std::any_of(c.lines.begin(), c.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
       system_->add(std::make_unique<BuriedTerm>(local, c, start.state.view(0), held));
   }
-  std::vector<ContactVolume> volumes;
-  for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
-    ContactVolume volume{surfaces[v], c.body_index(c.volumes[v].body), c.volumes[v]};
-    const model::Volume& settings = volume.settings;
-    if (!c.contact.takes_part(settings) || c.lines.empty()) continue;
-    if (c.floats(c.body_index(settings.body))) {
-      notes_.push_back(
-          fmt::format("volume {}: body {} floats; lines do not feel it", settings.name, settings.body));
-      continue;
-    }
-    if (settings.basis == model::StiffnessBasis::automatic) choose_stiffness(c, *mesh_, volume, notes_);
-    volumes.push_back(std::move(volume));
-  }
+  for (const model::Volume& v : c.volumes)
+    if (c.contact.takes_part(v) && !c.lines.empty() && c.floats(c.body_index(v.body)))
+      notes_.push_back(fmt::format("volume {}: body {} floats; lines do not feel it", v.name, v.body));
+  std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
+  for (ContactVolume& volume : volumes)
+    if (volume.settings.basis == model::StiffnessBasis::automatic)
+      choose_stiffness(c, *mesh_, volume, notes_);
   volumes_ = volumes;
   start_contact_ = start_contact(comm, c, local, start.state.view(0), *bodies_, volumes_);
   notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
   if (!volumes.empty() && c.contact.method == model::ContactMethod::line) {
     std::vector<LineContactElement> elements = contact_elements(c, local);
-    const std::vector<bool> held = held_nodes(local, start.supports);
+    std::vector<bool> held(static_cast<size_t>(local.nodes()), false);
+    for (const int n : held_nodes(start.supports)) held[static_cast<size_t>(n)] = true;
     for (size_t e = 0; e < elements.size(); ++e)
       elements[e].held = held[static_cast<size_t>(local.elements[e].first)] ||
                          held[static_cast<size_t>(local.elements[e].second)];
@@ -175,8 +168,8 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   } else if (!volumes.empty()) {
     std::vector<ContactNode> nodes = contact_nodes(c, local);
     // A held end touches nothing: its support carries whatever a surface would.
-    for (const Support& held : start.supports)
-      if (held.node < local.owned) nodes[static_cast<size_t>(held.node)].radius = 0;
+    for (const int n : held_nodes(start.supports))
+      if (n < local.owned) nodes[static_cast<size_t>(n)].radius = 0;
     NodeContact model = c.contact.augmented ? NodeContact::augmented : NodeContact::elastic;
     if (c.contact.method == model::ContactMethod::rigid) model = NodeContact::rigid;
     if (c.contact.method == model::ContactMethod::gap) model = NodeContact::gap;

@@ -13,6 +13,8 @@ namespace hawser::app {
 namespace {
 
 constexpr size_t kMostTold = 5;  // sentences of one kind
+// Of the depth it started at: what is less deep lies on the surface, pressed into it by its own contact.
+constexpr double kLeft = 0.1;
 
 bool held(const model::End& e) { return e.kind == model::EndKind::anchor || e.kind == model::EndKind::body; }
 
@@ -184,14 +186,12 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
     const Chord& chord = chords[static_cast<size_t>(l)];
     const double share = row[2] / mesh.mesh->lines[static_cast<size_t>(l)].length;
     const bool under = (chord.a + share * (chord.b - chord.a)).z() >= row[6];
-    told.push_back(
-        fmt::format("lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc "
-                    "length, {}, while "
-                    "the straight way between its ends passes {} it; if it is to lie there, say so with "
-                    "'start: {{points: "
-                    "[[x, y, z], ...]}}'",
-                    line.name, under ? "under" : "over", volume.name, row[3], row[2],
-                    point(Vec3(row[4], row[5], row[6])), under ? "over" : "under"));
+    told.push_back(fmt::format(
+        "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc "
+        "length, {}, while the straight way between its ends passes {} it; if it is to lie there, say "
+        "so with 'start: {{points: [[x, y, z], ...]}}'",
+        line.name, under ? "under" : "over", volume.name, row[3], row[2], point(Vec3(row[4], row[5], row[6])),
+        under ? "over" : "under"));
   }
   shorten(told, "lines start like these");
   start.warnings.insert(start.warnings.end(), told.begin(), told.end());
@@ -227,11 +227,6 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
   hang_past(comm, c, mesh, at, bodies, volumes, all, out);
   return out;
 }
-
-namespace {
-// Of the depth it started at: what is less deep lies on the surface, pressed into it by its own contact.
-constexpr double kLeft = 0.1;
-}  // namespace
 
 std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
                          const Bodies& bodies, const std::vector<ContactVolume>& volumes,

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
-#include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
+#include "hawser/model/check.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::model {
@@ -31,7 +30,9 @@ class Shortest {
   LongestStep best_;
 };
 
-// Water's speed and T01 = sum of a² over that of a² f, of linear components.
+// Speed of the water that drag meets, twice the root of the sum of (a omega)² at the surface: the significant
+// amplitude of irregular waves, twice the amplitude of regular ones; and T01 = sum of a² over that of a² f,
+// of linear components.
 struct Sea {
   double speed = 0, period = 0;
 };
@@ -88,13 +89,7 @@ double add_body(const Body& b, Shortest& to, Shortest& own) {
   return speed;
 }
 
-// Where an end is held at the start.
-std::optional<Vec3> held_at(const Case& c, const End& e) {
-  if (e.kind == EndKind::anchor) return e.at;
-  if (e.kind != EndKind::body) return std::nullopt;
-  const Body& b = c.bodies[static_cast<size_t>(c.body_index(e.body))];
-  return Vec3(b.position + exp_so3(b.rotation) * e.at);
-}
+bool held(const End& e) { return e.kind == EndKind::anchor || e.kind == EndKind::body; }
 
 // Slowest period of a line, from its weight as a hanging chain (2.405/2 sqrt(g/L)), its bending stiffness
 // (pi²/L² sqrt(EI/m)) and the tension of a start that is shorter than its chord (pi/L sqrt(T/m)).
@@ -115,9 +110,10 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
   }
   if (length == 0 || mass == 0) return;
   double square = 1.45 * c.environment.gravity / length + std::pow(M_PI / length, 4) * bend / mass;
-  const auto a = held_at(c, line.end_a), b = held_at(c, line.end_b);
-  if (a && b)
-    square += std::pow(M_PI / length, 2) * std::max((*b - *a).norm() - loose, 0.0) / give / (mass / length);
+  if (held(line.end_a) && held(line.end_b)) {
+    const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
+    square += std::pow(M_PI / length, 2) * std::max(chord - loose, 0.0) / give / (mass / length);
+  }
   if (square > 0)
     own.of(2 * M_PI / std::sqrt(square) / kOfOwn, "a twentieth of the slowest period of line " + line.name);
   if (jolted)
