@@ -62,7 +62,14 @@ std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalM
 
 std::string point(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
 
-std::string remedy(const model::Line& line) {
+// Next to a held end whose stretch without contact is too short, that; else where the line starts.
+std::string remedy(const model::Line& line, const Inside& s, double length) {
+  for (const bool b : {false, true}) {
+    const double within = (b ? line.end_b : line.end_a).no_contact_within.value_or(-1);
+    if (within >= 0 && (b ? s.to >= length - within - 1e-9 * length : s.from <= within + 1e-9 * length))
+      return fmt::format("'no_contact_within' of end_{} must be at least {:.3g} m to leave it out",
+                         b ? "b" : "a", b ? length - s.from : s.to);
+  }
   if (line.start == model::Start::points) return "move the points of its 'start' out of it";
   return "say where it lies outside of it with 'start: {points: [[x, y, z], ...]}'";
 }
@@ -75,7 +82,7 @@ std::string where(const Inside& s) {
 std::string inside_text(const model::Line& line, const std::string& volume, const Inside& s, double length) {
   const bool through = s.from > 0 && s.to < length;
   return fmt::format("lines.{}: its start shape {} volume {} {}; {}", line.name,
-                     through ? "passes through" : "lies in", volume, where(s), remedy(line));
+                     through ? "passes through" : "lies in", volume, where(s), remedy(line, s, length));
 }
 
 // No more of a kind than anyone reads.
@@ -245,7 +252,7 @@ std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& m
         "lines.{}: starts inside volume {}, and {} {}; {}", line.name,
         volumes[static_cast<size_t>(s.volume)].settings.name,
         c.statics.enabled ? "statics leaves it there," : "there are no statics to bring it out:", where(s),
-        remedy(line));
+        remedy(line, s, mesh.mesh->lines[static_cast<size_t>(s.line)].length));
   }
   return "";
 }

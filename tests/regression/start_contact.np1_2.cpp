@@ -102,7 +102,7 @@ TEST(StartContact, AStretchThatIsSaidCounts) {
   const std::string what = refused(r);
   EXPECT_HAS(what, "said.yaml: lines.mooring: starts inside volume hull, and statics leaves it there, from ");
   EXPECT_HAS(what, " to 124 m of arc length, deepest at ");
-  EXPECT_HAS(what, "; say where it lies outside of it with 'start: {points: ");
+  EXPECT_HAS(what, "; 'no_contact_within' of end_b must be at least ");
   write_case(path, kFairlead,
              {{"METHOD", "line"}, {"at: [17, 0, 0]}", "at: [17, 0, 0], no_contact_within: 12}"}});
   Ready enough = ready(path);
