@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "hawser/app/cost.hpp"
-#include "hawser/app/files.hpp"
+#include "hawser/app/output_place.hpp"
 #include "hawser/app/progress.hpp"
 #include "hawser/app/recorder.hpp"
 #include "hawser/app/restart.hpp"
@@ -64,11 +64,6 @@ class Stage {
   ~Stage() { PetscLogStagePop(); }
 };
 
-bool same_file(const std::string& a, const std::string& b) {
-  std::error_code e;
-  return std::filesystem::equivalent(a, b, e);
-}
-
 // What is said while a case is read.
 io::ReadingNews news(Progress& progress) {
   return {[&progress](const std::string& title) { progress.say(title); },
@@ -114,7 +109,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
   Progress progress(speak);
   model::Case c = io::read_case(options.case_path, news(progress));
   if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
-  check_output_place(comm, c.output.file);
+  const OutputPlace place(comm, c.output.file, options.restart);
+  c.output.file = place.path();
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
@@ -126,6 +122,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   progress.say(
       fmt::format("{} nodes on {}", sim.mesh().nodes.size(),
                   size == 1 ? "1 rank" : fmt::format("{} ranks, {} cut elements", size, sim.cut_elements())));
+  for (const auto& n : place.notes()) progress.say("note: " + n);
   for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
   if (!restarted) {
     for (const auto& w : sim.warnings()) progress.say("warning: " + w);
@@ -158,13 +155,12 @@ int run(MPI_Comm comm, const RunOptions& options) {
                                s.negative_eigenvalues));
   }
 
-  const bool append = restarted && same_file(options.restart, c.output.file);
   Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes), run_info(c, options, size),
-                    restarted ? &checkpoint : nullptr, append);
+                    restarted ? &checkpoint : nullptr, place.appends());
   if (restarted) {
     restore(checkpoint, sim);
     // A new file begins with the state the run goes on from.
-    if (!append) recorder.output(checkpoint.time, sim.dynamics().kinematics());
+    if (!place.appends()) recorder.output(checkpoint.time, sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
     sim.dynamics().start(sim.state());
     recorder.start(0, sim.dynamics().kinematics());

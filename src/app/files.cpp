@@ -60,22 +60,6 @@ void on_root(MPI_Comm comm, const std::function<void()>& work) {
   throw InputError(text);
 }
 
-void check_output_place(MPI_Comm comm, const std::string& path) {
-  on_root(comm, [&] {
-    const fs::path file(path), folder = fs::absolute(file).parent_path();
-    const auto refuse = [&](const std::string& why) {
-      return InputError(fmt::format("cannot write the results to {}: {}", path, why));
-    };
-    std::error_code e;
-    if (file.extension() != ".h5") throw refuse("the name must end in .h5");
-    if (fs::is_directory(file, e)) throw refuse("that is a folder");
-    if (!fs::exists(folder, e)) throw refuse("there is no folder " + folder.string());
-    if (!fs::is_directory(folder, e)) throw refuse(folder.string() + " is not a folder");
-    if (access(folder.c_str(), W_OK | X_OK) != 0)
-      throw refuse("the folder " + folder.string() + " cannot be written");
-  });
-}
-
 void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh) {
   on_root(comm, [&] {
     std::error_code e;

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -93,6 +94,8 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file larger than the shell allows (ulimit -f) is then an error of writing, as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
   // What follows a lone "--" is PETSc's.
   std::vector<char*> mine, theirs{argv[0]};
   std::string options;

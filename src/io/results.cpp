@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hawser/base/error.hpp"
+#include "hawser/io/old_results.hpp"
 #include "hawser/io/results_build.hpp"
 #include "hawser/io/results_rows.hpp"
 #include "hawser/io/xdmf.hpp"
@@ -232,8 +233,7 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents w
     }
   end_runs = runs_of(ends);
   const size_t slash = path.rfind('/'), name = slash == std::string::npos ? 0 : slash + 1;
-  const size_t dot = path.rfind('.');
-  xdmf_path = path.substr(0, dot == std::string::npos || dot < name ? path.size() : dot) + ".xdmf";
+  xdmf_path = xdmf_beside(path);
   xdmf.emplace(contents, path.substr(name));
   steps.resize(contents.series.size());
   mine.resize(contents.series.size());
@@ -258,12 +258,8 @@ ResultsFile ResultsFile::create(MPI_Comm comm, const std::string& path, ResultCo
                                 std::vector<int> owned) {
   auto impl = std::make_unique<Impl>(comm, path, std::move(contents), std::move(owned));
   auto& m = *impl;
-  try {
-    m.build({std::max(m.contents.expected_outputs, 1), std::max(m.contents.expected_steps, 1), 0, 0}, "");
-    m.save_xdmf(true);
-  } catch (const std::runtime_error& e) {
-    throw InputError(e.what());
-  }
+  m.build({std::max(m.contents.expected_outputs, 1), std::max(m.contents.expected_steps, 1), 0, 0}, "");
+  m.save_xdmf(true);
   return ResultsFile(std::move(impl));
 }
 

@@ -13,6 +13,7 @@
 #include <stdexcept>
 
 #include "hawser/base/error.hpp"
+#include "hawser/io/old_results.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/io/xdmf.hpp"
 
@@ -325,6 +326,7 @@ void build_results(const std::string& path, const ResultContents& contents, cons
                    const std::string& from, const ResultCount& kept, long long clashes,
                    const ResultLast* last) {
   const std::string made = path + ".new";
+  std::remove(made.c_str());  // it may be a link, and lead to something else
   try {
     const h5::Id file = h5::create(made);
     {
@@ -353,6 +355,7 @@ void build_results(const std::string& path, const ResultContents& contents, cons
     std::remove(made.c_str());
     throw WriteError(text);
   }
+  if (from.empty()) keep_results(path);
   put_in_place(made, path);
 }
 

@@ -1,6 +1,7 @@
 #include "hawser/io/results_rows.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -20,6 +21,10 @@ std::vector<RowRun> runs_of(const std::vector<int>& ascending) {
 
 SharedFile::SharedFile(MPI_Comm comm, std::string path) : comm_(comm), path_(std::move(path)) {
   MPI_Comm_rank(comm_, &rank_);
+  // Open MPI's own way to files makes names of less than 256 characters from the path, and aborts when it
+  // does not fit. Its other way, ROMIO, has no such limit, but is slower. Which it takes it decides at the
+  // first file.
+  if (path_.size() > 200) setenv("OMPI_MCA_io", "^ompio", 0);
 }
 
 void SharedFile::open(const std::vector<std::string>& datasets) {

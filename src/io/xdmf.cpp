@@ -184,8 +184,7 @@ void XdmfWriter::save(const std::string& path) const {
   const std::string made = path + ".new";
   {
     std::ofstream out(made, std::ios::binary);
-    out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n"
-        << "<Grid Name=\"" << escaped(contents_->run.case_path.empty() ? "hawser" : contents_->run.case_path)
+    out << kXdmfBegin << escaped(contents_->run.case_path.empty() ? "hawser" : contents_->run.case_path)
         << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
         << body_ << "</Grid>\n</Domain>\n</Xdmf>\n";
     out.flush();

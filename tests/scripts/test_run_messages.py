@@ -150,7 +150,7 @@ output: {every: 5}
                             ("rod.yaml/x.h5", "rod.yaml is not a folder")]:
             self.refused(["run", "rod.yaml", "-o", output], "cannot write the results to", why)
         (self.folder / "d.h5").mkdir()
-        self.refused(["run", "rod.yaml", "-o", "d.h5"], "that is a folder")
+        self.refused(["run", "rod.yaml", "-o", "d.h5"], "d.h5 is a folder")
         self.refused(["run", "rod.yaml", "-o", "no/x.h5"], "there is no folder", ranks=2)
 
     def test_options_that_nothing_uses(self):

@@ -15,6 +15,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/io/results.hpp"
+#include "hawser/io/write_error.hpp"
 
 namespace hawser::io {
 namespace {
@@ -254,7 +255,7 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
   auto other = contents();
   other.lines[1].arc[3] += 0.5;
   EXPECT_THROW(ResultsFile::resume(MPI_COMM_WORLD, path, other, owned, 4), InputError);
-  EXPECT_THROW(ResultsFile::create(MPI_COMM_WORLD, "/nowhere/run.h5", contents(), owned), InputError);
+  EXPECT_THROW(ResultsFile::create(MPI_COMM_WORLD, "/nowhere/run.h5", contents(), owned), WriteError);
 }
 
 TEST(ResultsRanks, ErrorOfOneRankReachesAll) {

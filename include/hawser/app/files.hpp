@@ -1,4 +1,4 @@
-// Whether the files that a run is told to write and to read will do, before anything is computed.
+// Whether the file that a run is told to go on from will do, before anything is computed.
 #pragma once
 
 #include <mpi.h>
@@ -12,9 +12,6 @@ namespace hawser::app {
 
 // Runs `work` on rank 0 only; an InputError there is thrown on all ranks. Collective.
 void on_root(MPI_Comm comm, const std::function<void()>& work);
-
-// Throws InputError unless a results file can be made at `path`. Collective.
-void check_output_place(MPI_Comm comm, const std::string& path);
 
 // Throws InputError unless `path` is a results file of lines cut like those of `mesh`. Collective.
 void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh);

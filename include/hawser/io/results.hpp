@@ -89,8 +89,8 @@ struct SummaryRow {
 // std::runtime_error on all ranks; what was accepted before stays readable.
 class ResultsFile {
  public:
-  // New file; an old one at `path` is replaced. `owned`: this rank's nodes, ascending, in file order.
-  // Throws InputError when the place cannot be written.
+  // New file; an old one at `path` is kept (keep_results). `owned`: this rank's nodes, ascending, in file
+  // order. Throws WriteError when the place cannot be written.
   static ResultsFile create(MPI_Comm comm, const std::string& path, ResultContents contents,
                             std::vector<int> owned);
 

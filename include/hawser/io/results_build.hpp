@@ -56,8 +56,9 @@ struct DrawnMesh {
 DrawnMesh drawn_mesh(const VolumeMesh& volume, int limit);
 
 // Write `path` anew. `from`: an earlier file whose first `kept` rows, ended `clashes` and newest checkpoint
-// are taken over, or empty. Serial. Throws InputError when `from` does not hold the same things,
-// std::runtime_error when the disk fails; the file at `path` is then as it was.
+// are taken over, or empty; one at `path` is then kept (keep_results). Serial. Throws InputError when `from`
+// does not hold the same things, std::runtime_error when the disk fails; the file at `path` is then as it
+// was.
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
                    const std::string& from, const ResultCount& kept, long long clashes,
                    const ResultLast* last);

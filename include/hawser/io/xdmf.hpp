@@ -2,11 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace hawser::io {
 
 struct ResultContents;
+
+// What every such file of hawser's begins with.
+inline constexpr std::string_view kXdmfBegin =
+    "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n<Grid Name=\"";
 
 // Names in the HDF5 file: what a path or an XDMF reader could trip over becomes '_'.
 std::string safe_name(const std::string& name);

@@ -1,0 +1,58 @@
+#include "hawser/io/run_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser::io {
+namespace {
+
+// Another process removes the file when it is done; what was opened before is then no longer what others see.
+bool still_there(int file, const std::string& path) {
+  struct stat mine {
+  }, there{};
+  return fstat(file, &mine) == 0 && stat(path.c_str(), &there) == 0 && mine.st_ino == there.st_ino &&
+         mine.st_dev == there.st_dev;
+}
+
+}  // namespace
+
+RunLock::RunLock(const std::string& results) : path_(results + ".lock") {
+  const std::string begin = "cannot write the results to " + results + ": ";
+  for (;;) {
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (file_ < 0)
+      throw InputError(fmt::format("{}{} cannot be made ({})", begin, path_, std::strerror(errno)));
+    held_ = flock(file_, LOCK_EX | LOCK_NB) == 0;
+    if (!held_ && errno == EWOULDBLOCK) {
+      close(file_);
+      std::string who;
+      std::getline(std::ifstream(path_), who);
+      throw InputError(fmt::format(
+          "{}another run is writing them{}; wait for its end, or give this one another file with -o", begin,
+          who.empty() ? "" : " (" + who + ")"));
+    }
+    if (!held_ || still_there(file_, path_)) break;
+    close(file_);
+  }
+  char host[256] = "";
+  gethostname(host, sizeof host - 1);
+  // For people only: a full disk, which takes no text, does not matter.
+  if (ftruncate(file_, 0) == 0) dprintf(file_, "process %d on %s\n", static_cast<int>(getpid()), host);
+}
+
+RunLock::~RunLock() {
+  unlink(path_.c_str());  // before others can have it
+  close(file_);
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,197 @@
+"""Results files under attack: by other runs, other people's files, full disks and odd names."""
+import os
+import re
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from support import run, write
+from test_run_messages import CASE, HAWSER
+
+LONG = CASE.replace("duration: 0.2, step: 0.05", "duration: 4000, step: 0.002").replace("every: 0.1", "every: 0.5")
+ALONE = ["unshare", "--map-root-user", "--mount", "sh", "-c"]  # a file system of one's own
+
+
+class Attack(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        write(self.folder, "rod.yaml", CASE)
+        write(self.folder, "long.yaml", LONG)
+
+    def hawser(self, *arguments, ranks=0, **options):
+        launch = ["mpirun", "-q", "-n", ranks, HAWSER] if ranks else [HAWSER]
+        environment = {**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0"}
+        return run(*launch, "run", *arguments, cwd=self.folder, timeout=60, env=environment, **options)
+
+    def good(self, *arguments, **options):
+        result = self.hawser(*arguments, **options)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+        return result
+
+    def refused(self, arguments, *parts, code=2, **options):
+        """One sentence with these parts, and nothing is other than before."""
+        def state():
+            return {p: p.is_file() and not p.is_symlink() and p.read_bytes() for p in self.folder.rglob("*")}
+        before = state()
+        result = self.hawser(*arguments, **options)
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertRegex(result.stderr, r"\Ahawser: [^\n]+\n\Z")
+        for part in parts:
+            self.assertIn(part, result.stderr)
+        self.assertEqual(state(), before)
+        return result
+
+    def running(self, *arguments, ranks=0):
+        """A run that is on its way."""
+        launch = ["mpirun", "-q", "-n", str(ranks), HAWSER] if ranks else [HAWSER]
+        process = subprocess.Popen([*launch, "run", *arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        table = self.folder / "long.xdmf"
+        while not table.exists() or table.read_text().count("<Time") < 3:
+            self.assertIsNone(process.poll())
+            time.sleep(0.05)
+        return process
+
+
+class TwoRuns(Attack):
+    def test_one_file_is_one_run_s(self):
+        (self.folder / "link.h5").symlink_to("long.h5")
+        for ranks in (0, 2):
+            with self.subTest(ranks=ranks):
+                first = self.running("long.yaml", ranks=ranks)
+                lock = self.folder / "long.h5.lock"
+                who = lock.read_text().strip()
+                self.assertRegex(who, rf"\Aprocess \d+ on {re.escape(os.uname().nodename)}\Z")
+                if not ranks:
+                    self.assertEqual(who.split()[1], str(first.pid))
+                for arguments in (["long.yaml"], ["rod.yaml", "-o", "link.h5"], ["long.yaml", "--restart", "long.h5"]):
+                    result = self.hawser(*arguments, ranks=2 - ranks)
+                    self.assertEqual(result.returncode, 2, result.stderr)
+                    self.assertRegex(result.stderr, r"\Ahawser: cannot write the results to \S+/long.h5: another run is writing "
+                                                    rf"them \({who}\); wait for its end, or give this one another file with -o\n\Z")
+                # Only reading is let be.
+                self.good("long.yaml", "-q", "--restart", "long.h5", "-o", "other.h5", "--stop-at", "0.001")
+                os.kill(int(who.split()[1]), signal.SIGTERM)
+                first.wait()
+                self.assertFalse(lock.exists())
+                for name in ("long.h5", "long.xdmf"):
+                    (self.folder / name).unlink()
+
+    def test_a_lock_of_the_dead_is_none(self):
+        first = self.running("long.yaml")
+        first.kill()
+        first.wait()
+        self.assertTrue((self.folder / "long.h5.lock").exists())
+        self.good("long.yaml", "-q", "--restart", "long.h5", "--stop-at", "1")
+        self.assertFalse((self.folder / "long.h5.lock").exists())
+
+    def test_a_lock_is_no_link_to_something_else(self):
+        (self.folder / "rod.h5.lock").symlink_to("rod.yaml")
+        self.refused(["rod.yaml"], "rod.h5.lock cannot be made")
+
+
+class OldFiles(Attack):
+    def names(self):
+        return sorted(p.name for p in self.folder.iterdir() if p.name.startswith("rod") and p.suffix != ".yaml")
+
+    def test_old_results_are_kept(self):
+        for ranks in (0, 2):
+            self.good("rod.yaml", "-q")
+            first, table = [(self.folder / name).read_bytes() for name in ("rod.h5", "rod.xdmf")]
+            write(self.folder, "shorter.yaml", CASE.replace("duration: 0.2", "duration: 0.1"))
+            result = self.good("shorter.yaml", "-o", "rod.h5", ranks=ranks)
+            self.assertRegex(result.stdout, r"note: the results that are at \S+/rod.h5 will be kept as \S+/rod.h5~")
+            self.assertEqual(self.names(), ["rod.h5", "rod.h5~", "rod.xdmf", "rod.xdmf~"])
+            self.assertEqual((self.folder / "rod.h5~").read_bytes(), first)
+            self.assertEqual((self.folder / "rod.xdmf~").read_bytes(), table)
+            self.assertNotEqual((self.folder / "rod.h5").read_bytes(), first)
+            # In the same file nothing is replaced.
+            self.good("rod.yaml", "-q", "--restart", "rod.h5")
+            self.assertEqual((self.folder / "rod.h5~").read_bytes(), first)
+
+    def test_a_run_that_fails_leaves_them(self):
+        self.good("rod.yaml", "-q")
+        before = (self.folder / "rod.h5").read_bytes()
+        write(self.folder, "rod.yaml", CASE.replace("elements: 8}]", "elements: 8}]\n    loads: [{per_length: [0, 0, 1.0e9]}]")
+              + "statics: {max_iterations: 3}\n")
+        self.assertEqual(self.hawser("rod.yaml").returncode, 3)
+        self.assertEqual(self.names(), ["rod.h5", "rod.xdmf"])
+        self.assertEqual((self.folder / "rod.h5").read_bytes(), before)
+
+    def test_files_of_others_stay(self):
+        for name in ("rod.h5", "rod.xdmf", "rod.h5~", "rod.xdmf~"):
+            for content in ("somebody's work", ""):
+                write(self.folder, name, content)
+                self.refused(["rod.yaml"], f"/{name} is not of hawser's making, and is not replaced")
+            self.refused(["rod.yaml", "-q"], f"/{name} is not of hawser's making", ranks=2)
+            (self.folder / name).unlink()
+        os.mkfifo(self.folder / "rod.h5")
+        self.refused(["rod.yaml"], "is not of hawser's making")
+
+    def test_what_is_gone_on_from_stays(self):
+        self.good("rod.yaml", "-q")
+        self.good("rod.yaml", "-q")
+        self.refused(["rod.yaml", "--restart", "rod.h5~"], "would take the place of", "from which the run goes on")
+
+    def test_links_are_followed(self):
+        (self.folder / "far").mkdir()
+        (self.folder / "rod.h5").symlink_to("link.h5")
+        (self.folder / "link.h5").symlink_to("far/data.h5")
+        for _ in range(2):
+            self.good("rod.yaml", "-q")
+            self.assertTrue((self.folder / "rod.h5").is_symlink())
+            self.assertTrue((self.folder / "far/data.xdmf").exists())
+        self.assertTrue((self.folder / "far/data.h5~").exists())
+        self.good("rod.yaml", "-q", "--restart", "rod.h5")
+        (self.folder / "loop.h5").symlink_to("loop.h5")
+        self.refused(["rod.yaml", "-o", "loop.h5"], "loop.h5")
+
+
+class Places(Attack):
+    def test_found_before_statics(self):
+        for name in ("rod.xdmf", "rod.h5.new", "rod.xdmf.new", "rod.h5~", "rod.xdmf~"):
+            (self.folder / name).mkdir()
+            result = self.refused(["rod.yaml"], f"/{name} is a folder")
+            self.assertNotIn("statics", result.stdout)
+            (self.folder / name).rmdir()
+        result = self.refused(["rod.yaml", "-o", "/proc/x.h5"], "/proc/x.h5")
+        self.assertNotIn("statics", result.stdout)
+
+    def test_long_names(self):
+        for length, fits in ((249, True), (250, False)):
+            name = "x" * (length - 3) + ".h5"
+            for ranks in (0, 2):
+                if fits:
+                    self.good("rod.yaml", "-q", "-o", name, ranks=ranks)
+                else:
+                    self.refused(["rod.yaml", "-q", "-o", name], "the name is too long", ranks=ranks)
+        deep = self.folder
+        while len(str(deep)) < 3000:
+            deep = deep / ("d" * 200)
+        deep.mkdir(parents=True)
+        for ranks in (0, 2):
+            self.good("rod.yaml", "-q", "-o", deep / "x.h5", ranks=ranks)
+
+    def test_full_disk_from_the_beginning(self):
+        (self.folder / "disk").mkdir()
+        mount = 'mount -t tmpfs -o size=64k none disk || exit 99; cp rod.yaml disk; '
+        if not shutil.which("unshare") or run(*ALONE, mount, cwd=self.folder).returncode:
+            self.skipTest("no file system of one's own may be made here")
+        for fill in ("", "head -c 100000 /dev/zero >disk/more 2>&-;"):
+            for ranks in ([], ["mpirun", "-q", "-n", "2"]):
+                result = run(*ALONE, mount + fill + '"$@"; code=$?; ls disk; exit $code', "sh", *ranks, HAWSER, "run", "disk/rod.yaml",
+                             "-q", cwd=self.folder, timeout=60)
+                self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
+                self.assertRegex(result.stderr, r"\Ahawser: cannot write \S*rod\.h5: no space left on the disk\n\Z")
+                self.assertEqual(result.stdout.split(), (["more"] if fill else []) + ["rod.yaml"])
+
+
+if __name__ == "__main__":
+    unittest.main()
