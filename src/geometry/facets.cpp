@@ -41,30 +41,25 @@ FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) 
   tree_ = PatchTree(items);
 }
 
-FacetSearch::Foot FacetSearch::nearest(const Facets& facets, const Vec3& y, double max_distance,
-                                       int hint) const {
-  Foot best;
+std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, const Vec3& y,
+                                                      double max_distance, int hint) const {
+  std::optional<Foot> best;
   if (tree_.empty()) {
-    const int t = hash_.nearest(y, max_distance, hint).triangle;
-    if (t < 0) return best;
-    static_cast<PatchPoint&>(best) = facets.closest(t, y);
-    best.triangle = t;
+    if (const auto found = hash_.nearest(y, max_distance, hint))
+      best = Foot{facets.closest(found->triangle, y), found->triangle};
     return best;
   }
   if (!y.allFinite() || !(max_distance >= 0)) return best;
   double limit = max_distance * max_distance;
   const auto visit = [&](int t, double& squared) {
-    if (t == best.triangle) return;
+    if (best && t == best->triangle) return;
     const PatchPoint p = facets.closest(t, y);
-    if (p.squared_distance > squared) return;
-    if (p.squared_distance == squared && best.triangle >= 0 && t > best.triangle) return;
-    static_cast<PatchPoint&>(best) = p;
-    best.triangle = t;
+    if (!(p.squared_distance <= squared)) return;
+    if (p.squared_distance == squared && best && t > best->triangle) return;
+    best = Foot{p, t};
     squared = p.squared_distance;
   };
-  if (hint >= 0 && static_cast<std::size_t>(hint) < facets.mesh().triangles.size() &&
-      (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)]))
-    visit(hint, limit);
+  if (facets.has(hint) && (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)])) visit(hint, limit);
   tree_.nearest(y, limit, visit);
   return best;
 }
@@ -95,7 +90,7 @@ std::vector<std::uint32_t> FacetSearch::order_of(std::span<const SpatialHash::Qu
 }
 
 void FacetSearch::nearest(const Facets& facets, std::span<const SpatialHash::Question> questions,
-                          std::span<Foot> feet) const {
+                          std::span<std::optional<Foot>> feet) const {
   const std::size_t n = questions.size();
   constexpr std::size_t kAhead = 8;
   const auto fetch = [&](auto&& triangle, std::size_t i) {
@@ -114,15 +109,12 @@ void FacetSearch::nearest(const Facets& facets, std::span<const SpatialHash::Que
     }
     return;
   }
-  std::vector<SpatialHash::Nearest> found(n);
+  std::vector<std::optional<SpatialHash::Nearest>> found(n);
   hash_.nearest(questions, found);
   for (std::size_t i = 0; i < n; ++i) {
-    fetch([&](std::size_t k) { return found[k].triangle; }, i);
-    feet[i] = Foot{};
-    const int t = found[i].triangle;
-    if (t < 0) continue;
-    static_cast<PatchPoint&>(feet[i]) = facets.closest(t, questions[i].point);
-    feet[i].triangle = t;
+    fetch([&](std::size_t k) { return found[k] ? found[k]->triangle : -1; }, i);
+    feet[i].reset();
+    if (found[i]) feet[i] = Foot{facets.closest(found[i]->triangle, questions[i].point), found[i]->triangle};
   }
 }
 

@@ -63,16 +63,16 @@ class Facets {
 class FacetSearch {
  public:
   struct Foot : PatchPoint {
-    int triangle = -1;
+    int triangle = 0;
   };
   FacetSearch() = default;
   FacetSearch(const Facets& facets, const std::vector<bool>& chosen);
 
-  // triangle is -1 when none is within max_distance [m]. Of facets at equal distance always the same.
-  Foot nearest(const Facets& facets, const Vec3& y, double max_distance, int hint) const;
+  // Nothing when none is within max_distance [m]. Of facets at equal distance always the same.
+  std::optional<Foot> nearest(const Facets& facets, const Vec3& y, double max_distance, int hint) const;
   // The same for many: questions[i] to feet[i].
   void nearest(const Facets& facets, std::span<const SpatialHash::Question> questions,
-               std::span<Foot> feet) const;
+               std::span<std::optional<Foot>> feet) const;
   const Box& box() const { return tree_.empty() ? hash_.box() : tree_.box(); }
   template <class Self, class P>
   static void pack(Self& self, P& p) {

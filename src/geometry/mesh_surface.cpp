@@ -51,12 +51,14 @@ struct MeshSurface::Data {
   }
   detail::MeshWalls walls() const { return {facets, normals, boxes}; }
   MeshView mesh() const { return facets.mesh(); }
-  FacetSearch::Foot nearest(const FacetSearch& among, const Vec3& y, double max_distance, int hint) const {
-    return on_face_or_edge(among.nearest(facets, y, max_distance, hint), y);
+  std::optional<FacetSearch::Foot> nearest(const FacetSearch& among, const Vec3& y, double max_distance,
+                                           int hint) const {
+    const auto foot = among.nearest(facets, y, max_distance, hint);
+    return foot ? std::optional(on_face_or_edge(*foot, y)) : std::nullopt;
   }
   FacetSearch::Foot on_face_or_edge(FacetSearch::Foot best, const Vec3& y) const {
     const int t = best.triangle;
-    if (t < 0 || best.feature != Feature::face || normals.has_area(facets, t)) return best;
+    if (best.feature != Feature::face || normals.has_area(facets, t)) return best;
     // No area, so no face: the nearest of its edges.
     for (int i = 0; i < 3; ++i) {
       ClosestPoint c = closest_point_on_segment(y, facets.corner(t, i), facets.corner(t, (i + 1) % 3));
@@ -90,9 +92,8 @@ struct MeshSurface::Data {
     return y - (c.point - (p0 + c.u * (p1 - p0) + c.v * (p2 - p0)));
   }
   bool inside_whole(const Vec3& y, double bound, int hint) const {
-    const FacetSearch::Foot c = nearest(whole, y, bound, hint);
-    if (c.triangle < 0) return false;  // cannot be: `hint` is within the bound
-    return behind(c, y, normals.at(facets, c.triangle, c));
+    const auto c = nearest(whole, y, bound, hint);
+    return c && behind(*c, y, normals.at(facets, c->triangle, *c));  // `hint` is within the bound
   }
   // Of a point behind the border of the active part: does it lie under an active face, to 45 degrees?
   bool under_active(const FacetSearch::Foot& c, const Vec3& y) const;
@@ -174,14 +175,16 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   d.small = 1e-6 * d.bounds.extent().maxCoeff();
   d.coarse = detail::CoarseDistance(d.bounds, d.mesh().triangles.size(), [&](const Vec3& y, int hint) {
     const auto near = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
-    const double away = std::sqrt(near.squared_distance);
-    const auto all = d.partial ? d.nearest(d.whole, y, away * (1 + 1e-6) + d.small, near.triangle) : near;
-    double whole = std::sqrt(all.squared_distance), closed = std::numeric_limits<double>::infinity();
+    const double away = near ? std::sqrt(near->squared_distance) : 0;
+    const auto all =
+        d.partial && near ? d.nearest(d.whole, y, away * (1 + 1e-6) + d.small, near->triangle) : near;
+    if (!all) throw std::invalid_argument("the mesh is too large: squares of its lengths are no numbers");
+    double whole = std::sqrt(all->squared_distance), closed = std::numeric_limits<double>::infinity();
     // The sign may change where no facet is: in the holes.
     for (const auto& hole : defects.holes) closed = std::min(closed, hole.distance(y));
     whole = std::min(whole, closed);
-    if (d.behind(all, y, d.normals.at(d.facets, all.triangle, all))) whole = -whole;
-    return detail::CoarseDistance::Sample{near.triangle, away, whole, d.partial ? whole : closed};
+    if (d.behind(*all, y, d.normals.at(d.facets, all->triangle, *all))) whole = -whole;
+    return detail::CoarseDistance::Sample{near->triangle, away, whole, d.partial ? whole : closed};
   });
   data_ = std::move(data);
 }
@@ -219,7 +222,8 @@ double MeshSurface::Data::reach(const Vec3& y, double max_distance) const {
 std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distance, int hint) const {
   const double reach = data_->reach(y, max_distance);
   if (reach < 0) return std::nullopt;
-  return data_->seen(y, max_distance, data_->nearest(data_->active, y, reach, hint));
+  const auto foot = data_->nearest(data_->active, y, reach, hint);
+  return foot ? data_->seen(y, max_distance, *foot) : std::nullopt;
 }
 
 void MeshSurface::query(std::span<const SurfaceQuestion> questions,
@@ -239,18 +243,18 @@ void MeshSurface::query(std::span<const SurfaceQuestion> questions,
     near.push_back({q.point, reach, q.hint});
     which.push_back(i);
   }
-  std::vector<FacetSearch::Foot> feet(near.size());
+  std::vector<std::optional<FacetSearch::Foot>> feet(near.size());
   d.active.nearest(d.facets, near, feet);
   for (std::size_t k = 0; k < near.size(); ++k)
-    answers[which[k]] =
-        d.seen(near[k].point, questions[which[k]].max_distance, d.on_face_or_edge(feet[k], near[k].point));
+    if (feet[k])
+      answers[which[k]] =
+          d.seen(near[k].point, questions[which[k]].max_distance, d.on_face_or_edge(*feet[k], near[k].point));
 }
 
 // What is seen from y of its nearest point.
 std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_distance,
                                                     const FacetSearch::Foot& c) const {
   const int t = c.triangle;
-  if (t < 0) return std::nullopt;
   const Vec3 pseudonormal = normals.at(facets, t, c);
   const bool is_behind = behind(c, y, pseudonormal);
   const double length = std::sqrt(c.squared_distance);

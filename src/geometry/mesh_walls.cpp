@@ -220,15 +220,14 @@ bool MeshWalls::through(const SurfaceWall& wall, const FacetSearch::Foot& foot, 
 
 std::optional<MeshWalls::Foot> MeshWalls::nearest(const SurfaceWall& wall, const Vec3& y,
                                                   double within) const {
-  Foot out;
-  FacetSearch::Foot& best = out.foot;
-  best.squared_distance = within * within;
+  std::optional<FacetSearch::Foot> best;
+  double limit = within * within;
   const auto test = [&](int t) {
     const PatchPoint p = facets_.closest(t, y);
-    if (p.squared_distance > best.squared_distance) return;
-    if (p.squared_distance == best.squared_distance && best.triangle >= 0 && t > best.triangle) return;
-    static_cast<PatchPoint&>(best) = p;
-    best.triangle = t;
+    if (!(p.squared_distance <= limit)) return;
+    if (p.squared_distance == limit && best && t > best->triangle) return;
+    best = FacetSearch::Foot{p, t};
+    limit = p.squared_distance;
   };
   // The most promising first; then most of the others are out of reach.
   const SurfaceWall::Facet* first = nullptr;
@@ -237,14 +236,14 @@ std::optional<MeshWalls::Foot> MeshWalls::nearest(const SurfaceWall& wall, const
     if (const double squared = (f.centre - y).squaredNorm(); squared < least) least = squared, first = &f;
   if (first) test(first->triangle);
   for (const SurfaceWall::Facet& f : wall.facets) {
-    const double far = std::sqrt(best.squared_distance) + f.radius;
+    const double far = std::sqrt(limit) + f.radius;
     if (&f != first && (f.centre - y).squaredNorm() <= far * far * (1 + 1e-12)) test(f.triangle);
   }
-  if (best.triangle < 0) return std::nullopt;
-  out.pseudonormal = pseudonormal(wall, best);
-  const bool flat = best.feature == Feature::face && !facets_.curved(best.triangle);
-  out.front = out.pseudonormal.dot(y - (flat ? facets_.corner(best.triangle, 0) : best.point)) >= 0;
-  return out;
+  if (!best) return std::nullopt;
+  const Vec3 normal = pseudonormal(wall, *best);
+  const bool flat = best->feature == Feature::face && !facets_.curved(best->triangle);
+  const Vec3& on = flat ? facets_.corner(best->triangle, 0) : best->point;
+  return Foot{*best, normal, normal.dot(y - on) >= 0};
 }
 
 // What may come within reach of the axis, by triangle; nothing where all there is one wall for sure.

@@ -63,9 +63,9 @@ void SpatialHash::test(Ball& q, std::uint32_t slot) const {
                          : squared_distance_to(a - q.p, b - q.p, c - q.p));
 }
 
-SpatialHash::Nearest SpatialHash::answer(const Ball& q) const {
-  if (q.slot == kNone) return {};
-  return {corners_[q.slot].index(), q.best};
+std::optional<SpatialHash::Nearest> SpatialHash::answer(const Ball& q) const {
+  if (q.slot == kNone) return std::nullopt;
+  return Nearest{corners_[q.slot].index(), q.best};
 }
 
 // Exact distances of the triangles that still could be the nearest, the most promising first.
@@ -137,9 +137,9 @@ void SpatialHash::descend(Search& q, std::uint32_t block) const {
   }
 }
 
-SpatialHash::Nearest SpatialHash::search(const Question& ask, Counters& count) const {
+std::optional<SpatialHash::Nearest> SpatialHash::search(const Question& ask, Counters& count) const {
   Search q(count);
-  if (!begin(q, ask.point, ask.max_distance)) return {};
+  if (!begin(q, ask.point, ask.max_distance)) return std::nullopt;
   ++count.queries;
   if (const int hint = slot_of(ask.hint); hint >= 0) {
     const auto s = static_cast<std::uint32_t>(hint);
@@ -178,8 +178,8 @@ SpatialHash::Nearest SpatialHash::search(const Question& ask, Counters& count) c
   return answer(q);
 }
 
-SpatialHash::Nearest SpatialHash::nearest(const Vec3& p, double max_distance, int hint,
-                                          Counters* counters) const {
+std::optional<SpatialHash::Nearest> SpatialHash::nearest(const Vec3& p, double max_distance, int hint,
+                                                         Counters* counters) const {
   Counters unused;
   return search({p, max_distance, hint}, counters ? *counters : unused);
 }

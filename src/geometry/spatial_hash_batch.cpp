@@ -219,7 +219,7 @@ void SpatialHash::Group::settle(std::size_t next) {
   }
 }
 
-void SpatialHash::nearest(std::span<const Question> questions, std::span<Nearest> answers,
+void SpatialHash::nearest(std::span<const Question> questions, std::span<std::optional<Nearest>> answers,
                           Counters* counters) const {
   const std::size_t n = questions.size();
   if (answers.size() != n)

@@ -48,6 +48,10 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const std::string& k
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() != 3)
       refuse(i, fmt::format("a row of a bed has 3 numbers, x, y and z, but this one has {}", rows[i].size()));
+    for (const double coordinate : rows[i])
+      if (!(std::abs(coordinate) <= kFarthest))
+        refuse(i, fmt::format("{:g} m is beyond {:g} m from the origin; is it in other units than metres?",
+                              coordinate, kFarthest));
     x.push_back(rows[i][0]), y.push_back(rows[i][1]);
   }
   if (rows.empty()) source.bad(v["file"], where, path + ": the file has no rows");
@@ -160,6 +164,7 @@ class BedCheck {
     if (bed_.surface) {
       grid_ = dynamic_cast<const HeightGrid*>(bed_.surface.get());
       box_ = bed_.surface->bounds();
+      size();
     }
     for (model::Line& line : c_.lines) {
       rest(line, line.end_a, line.sections.front(), false);
@@ -171,6 +176,18 @@ class BedCheck {
   }
 
  private:
+  // No bed under a line is as large, one in mm taken for m is, nor as small as the line is thick.
+  void size() const {
+    constexpr SizeLimits kSizes{1e6, 1, std::numeric_limits<double>::infinity()};
+    const double size =
+        grid_ ? std::max(grid_->x().back() - grid_->x().front(), grid_->y().back() - grid_->y().front())
+              : std::max(box_.extent().x(), box_.extent().y());
+    const Value& seabed = root_["environment"]["seabed"];
+    const char* kind = grid_ ? "grid" : "mesh";
+    if (const std::string odd = other_units(size, kSizes, c_); !odd.empty())
+      source_.bad(seabed[kind]["file"], fmt::format("environment.seabed.{}.file", kind),
+                  fmt::format("{}: the bed {}", bed_.file, odd));
+  }
   // Whether a share of the line's length is in the soil or where it comes out of it.
   static bool buried(const model::Line& line, double share) {
     const double length = model::length_of(line), s = share * length, near = 1e-3 * length;

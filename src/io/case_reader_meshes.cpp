@@ -79,15 +79,8 @@ std::string reading_text(const std::string& path) {
 }
 
 void check_meshes(const Value& root, const CaseSource& source, model::Case& c, const ReadingNews& news) {
-  constexpr double kHuge = 5000;  // m; no body at sea is as large, a mesh in mm taken for m is
-  constexpr double kThin = 1e5;   // a volume this much larger than the thinnest line
-  constexpr double kTiny = 0.02;  // a volume this much smaller than the thinnest line
-  double thinnest = 0;
-  for (const model::Line& l : c.lines)
-    for (const model::Section& s : l.sections) {
-      const double d = c.line_type(s.type).contact_diameter;
-      thinnest = thinnest > 0 ? std::min(thinnest, d) : d;
-    }
+  // No body at sea is as large, a mesh in mm taken for m is.
+  constexpr SizeLimits kSizes{5000, 0.02, 1e5};
   std::vector<char> blunt(c.volumes.size(), 0);  // no edge or corner leads, where edges or corners are to
   for (std::size_t i = 0; i < c.volumes.size(); ++i) {
     const model::Volume& v = c.volumes[i];
@@ -102,16 +95,9 @@ void check_meshes(const Value& root, const CaseSource& source, model::Case& c, c
       source.bad(given["mesh"], key + ".mesh", e.what());
     }
     const double size = loaded.report.box.extent().maxCoeff();
-    const bool beside = thinnest > 0 && (size > kThin * thinnest || size < kTiny * thinnest);
-    if (size > kHuge || beside)
-      source.bad(
-          given["scale"].given ? given["scale"] : given["mesh"], key + ".scale",
-          fmt::format("the mesh is {:.4g} m large{}; is it in other units than metres (scale is {:g})?", size,
-                      thinnest > 0 ? fmt::format(", {:.3g} times the contact diameter of the thinnest line "
-                                                 "({:.4g} m)",
-                                                 size / thinnest, thinnest)
-                                   : "",
-                      v.scale));
+    if (const std::string odd = other_units(size, kSizes, c); !odd.empty())
+      source.bad(given["scale"].given ? given["scale"] : given["mesh"], key + ".scale",
+                 fmt::format("the mesh, with scale {:g}, {}", v.scale, odd));
     if (const std::string why = unfit(loaded, v.sign); !why.empty())
       source.bad(given["sign"], key + ".sign", "'" + given["sign"].text + "' " + why);
     try {

@@ -52,6 +52,22 @@ void CaseSource::bad(const Value& v, const std::string& key, const std::string& 
   model::fail(file, v.line, key, text);
 }
 
+std::string other_units(double size, const SizeLimits& limits, const model::Case& c) {
+  double thin = 0;
+  for (const model::Line& l : c.lines)
+    for (const model::Section& s : l.sections) {
+      const double d = c.line_type(s.type).contact_diameter;
+      thin = thin > 0 ? std::min(thin, d) : d;
+    }
+  const bool beside = thin > 0 && (size > limits.most_thin * thin || size < limits.least_thin * thin);
+  if (size <= limits.most && !beside) return "";
+  return fmt::format("is {:.4g} m large{}; is it in other units than metres?", size,
+                     thin > 0
+                         ? fmt::format(", {:.3g} times the contact diameter of the thinnest line ({:.4g} m)",
+                                       size / thin, thin)
+                         : "");
+}
+
 Vec3 as_vec3(const Value& v) { return {v.items[0].number, v.items[1].number, v.items[2].number}; }
 
 Vec3 read_direction(const Value& v, const char* key, const std::string& path, const CaseSource& source) {

@@ -86,8 +86,14 @@ TriangleMesh import(const std::string& path, double scale) {
     append(*scene, *scene->mRootNode, aiMatrix4x4(), scale, mesh);
   }
   if (mesh.triangles.empty()) bad(path, "holds no triangles");
-  for (const Vec3& v : mesh.vertices)
+  for (const Vec3& v : mesh.vertices) {
     if (!v.allFinite()) bad(path, "has a vertex that is no finite number");
+    if (const double far = v.cwiseAbs().maxCoeff(); far > kFarthest)
+      bad(path,
+          fmt::format("has a vertex {:.4g} m from the origin; is it in other units than metres (scale is "
+                      "{:g})?",
+                      far, scale));
+  }
   return mesh;
 }
 

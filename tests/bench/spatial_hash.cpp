@@ -107,7 +107,7 @@ const Queries& queries(int kind) {
   while (static_cast<int>(q.along.size()) < points) {
     Vec3 x = on_surface(), way = direction();
     for (int i = 0; i < 250; ++i) {
-      const auto near = q.hash.nearest(x);
+      const SpatialHash::Nearest near = q.hash.nearest(x).value();
       const auto& t = q.mesh.triangles[static_cast<std::size_t>(near.triangle)];
       const auto v = [&](std::size_t k) { return q.mesh.vertices[static_cast<std::size_t>(t[k])]; };
       const Vec3 n = (v(1) - v(0)).cross(v(2) - v(0)).stableNormalized();
@@ -119,7 +119,8 @@ const Queries& queries(int kind) {
   }
   for (int i = 0; i < points; ++i) q.scattered.push_back(on_surface() + 0.3 * uniform(gen) * direction());
   for (const Vec3& x : q.along) {
-    q.answer.push_back(q.hash.nearest(x, 0.5).triangle);
+    const auto near = q.hash.nearest(x, 0.5);
+    q.answer.push_back(near ? near->triangle : -1);
     q.moved.push_back(x + 0.02 * direction());
   }
   return q;
@@ -156,7 +157,7 @@ void together(benchmark::State& state, Way way) {
   std::vector<SpatialHash::Question> ask;
   for (std::size_t i = 0; i < (way == warm ? 250 : points.size()); ++i)
     ask.push_back({points[i], 0.5, hinted ? q.answer[i] : -1});
-  std::vector<SpatialHash::Nearest> answers(ask.size());
+  std::vector<std::optional<SpatialHash::Nearest>> answers(ask.size());
   while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(ask.size()))) {
     q.hash.nearest(ask, answers);
     benchmark::DoNotOptimize(answers.data());
@@ -278,8 +279,9 @@ void embree(benchmark::State& state, Way way) {
   double worst = 0;
   for (std::size_t k = 0; k < n; k += 7) {
     const auto other = tree->nearest(points[k], 0.5, -1), own = q.hash.nearest(points[k], 0.5);
-    if (own.triangle < 0 && other.triangle < 0) continue;
-    worst = std::max(worst, std::abs(std::sqrt(other.squared_distance) - std::sqrt(own.squared_distance)));
+    if (!own && other.triangle < 0) continue;
+    const double found = own ? std::sqrt(own->squared_distance) : 0;
+    worst = std::max(worst, std::abs(std::sqrt(other.squared_distance) - found));
   }
   state.counters["differs_m"] = worst;
 }

@@ -50,8 +50,9 @@ TEST(CaseBodies, MeshesNeedNoLine) {
   const std::string box = "mesh: box.obj, normal_stiffness: {per_point: 1e6}";
   EXPECT_EQ(wrong(box, box), "");
   const std::string large = wrong("scale: 1e4, " + box, box);
-  EXPECT_NE(large.find(":6: volumes.a.scale: the mesh is 2e+04 m large; is it in other units"),
-            std::string::npos)
+  EXPECT_NE(
+      large.find(":6: volumes.a.scale: the mesh, with scale 10000, is 2e+04 m large; is it in other units"),
+      std::string::npos)
       << large;
 }
 

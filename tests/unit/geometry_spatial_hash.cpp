@@ -42,16 +42,16 @@ void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
   std::uniform_int_distribution<std::size_t> any(0, m.vertices.size() - 1);
   const double size = hash.box().diagonal();
   std::vector<SpatialHash::Question> questions;
-  std::vector<SpatialHash::Nearest> expected;
+  std::vector<std::optional<SpatialHash::Nearest>> expected;
   for (int i = 0; i < n; ++i) {
     const Vec3 shift(u(gen), u(gen), u(gen));
     const Vec3 y = m.vertices[any(gen)] + size * std::pow(finest, std::abs(u(gen))) * shift;
     const double exact = brute_force(m, y);
-    const auto all = hash.nearest(y);
+    const SpatialHash::Nearest all = hash.nearest(y).value();
     ASSERT_NEAR(std::sqrt(all.squared_distance), std::sqrt(exact), 1e-13 * size) << y.transpose();
     // Whatever the hint and the limit: the same, to the last bit.
     const int hint = static_cast<int>(gen() % m.triangles.size());
-    const auto warm = hash.nearest(y, std::numeric_limits<double>::infinity(), hint);
+    const SpatialHash::Nearest warm = hash.nearest(y, std::numeric_limits<double>::infinity(), hint).value();
     ASSERT_EQ(warm.triangle, all.triangle);
     ASSERT_EQ(warm.squared_distance, all.squared_distance);
     for (const double factor : {1.0 + 1e-9, 1.5, 4.0, 50.0}) {
@@ -59,8 +59,9 @@ void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
                                      i % 3 == 0   ? -1
                                      : i % 3 == 1 ? hint
                                                   : all.triangle);
-      ASSERT_EQ(near.squared_distance, all.squared_distance) << y.transpose() << " x " << factor;
-      ASSERT_EQ(near.triangle, all.triangle) << y.transpose() << " x " << factor;
+      ASSERT_TRUE(near) << y.transpose() << " x " << factor;
+      ASSERT_EQ(near->squared_distance, all.squared_distance) << y.transpose() << " x " << factor;
+      ASSERT_EQ(near->triangle, all.triangle) << y.transpose() << " x " << factor;
     }
     for (const int any_hint : {-1, hint, all.triangle}) {
       questions.push_back({y, std::sqrt(exact) * (i % 2 ? 1.5 : 1e3) + 1e-13 * size, any_hint});
@@ -68,19 +69,21 @@ void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
     }
     const double less = (1 - 1e-9) * std::sqrt(exact) - 1e-13 * size;
     if (less > 0) {
-      ASSERT_EQ(hash.nearest(y, less).triangle, -1);
+      ASSERT_FALSE(hash.nearest(y, less));
       questions.push_back({y, less, hint});
-      expected.push_back({});
+      expected.push_back(std::nullopt);
     }
   }
   // All together: the same as one by one, to the last bit.
-  std::vector<SpatialHash::Nearest> answers(questions.size());
+  std::vector<std::optional<SpatialHash::Nearest>> answers(questions.size());
   SpatialHash::Counters c;
   hash.nearest(questions, answers, &c);
   EXPECT_EQ(c.queries, static_cast<long>(questions.size()));
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    ASSERT_EQ(answers[i].triangle, expected[i].triangle) << i << ": " << questions[i].point.transpose();
-    ASSERT_EQ(answers[i].squared_distance, expected[i].squared_distance) << i;
+    ASSERT_EQ(answers[i].has_value(), expected[i].has_value()) << i;
+    if (!expected[i]) continue;
+    ASSERT_EQ(answers[i]->triangle, expected[i]->triangle) << i << ": " << questions[i].point.transpose();
+    ASSERT_EQ(answers[i]->squared_distance, expected[i]->squared_distance) << i;
   }
 }
 
@@ -131,7 +134,8 @@ TEST(GeometrySpatialHash, FarApart) {
       y[a] += side * (static_cast<int>(gen() % 65) / 64.0 + 1e-3 * u(gen) * (i % 2));
     const double exact = std::sqrt(brute_force(m, y));
     for (const double factor : {1.0 + 1e-9, 1.2, 3.0})
-      ASSERT_NEAR(std::sqrt(hash.nearest(y, factor * exact).squared_distance), exact, 1e-11) << y.transpose();
+      ASSERT_NEAR(std::sqrt(hash.nearest(y, factor * exact).value().squared_distance), exact, 1e-11)
+          << y.transpose();
   }
 }
 
@@ -165,33 +169,33 @@ TEST(GeometrySpatialHash, OnlyActiveTriangles) {
   std::uniform_real_distribution<double> u(-2, 2);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 y(u(gen), u(gen), u(gen));
-    const auto near = hash.nearest(y, 10, i % static_cast<int>(active.size()));
+    const SpatialHash::Nearest near = hash.nearest(y, 10, i % static_cast<int>(active.size())).value();
     ASSERT_TRUE(active[static_cast<std::size_t>(near.triangle)]);
     ASSERT_NEAR(near.squared_distance, brute_force(some, y), 1e-13);
   }
 }
 
 TEST(GeometrySpatialHash, EmptyAndStrangePoints) {
-  EXPECT_EQ(SpatialHash().nearest({0, 0, 0}).triangle, -1);
+  EXPECT_FALSE(SpatialHash().nearest({0, 0, 0}));
   const TriangleMesh m = sphere_mesh(2);
   const SpatialHash hash(m.vertices, m.triangles);
-  EXPECT_EQ(hash.nearest({0, 0, 0}, -1).triangle, -1);
-  EXPECT_EQ(hash.nearest(Vec3::Constant(std::nan(""))).triangle, -1);
-  EXPECT_GE(hash.nearest(Vec3::Constant(1e12)).triangle, 0);
-  EXPECT_EQ(hash.nearest(Vec3::Constant(1e12), 5).triangle, -1);
+  EXPECT_FALSE(hash.nearest({0, 0, 0}, -1));
+  EXPECT_FALSE(hash.nearest(Vec3::Constant(std::nan(""))));
+  EXPECT_TRUE(hash.nearest(Vec3::Constant(1e12)));
+  EXPECT_FALSE(hash.nearest(Vec3::Constant(1e12), 5));
 
   const std::vector<SpatialHash::Question> strange = {{{0, 0, 0}, -1, 3},
                                                       {Vec3::Constant(std::nan("")), 1, 3},
                                                       {Vec3::Constant(1e12), 5, 3},
                                                       {Vec3(0, 0, 1.01), 1, 1 << 30},
                                                       {Vec3(0, 0, 1.01), std::nan(""), 0}};
-  std::vector<SpatialHash::Nearest> answers(strange.size());
+  std::vector<std::optional<SpatialHash::Nearest>> answers(strange.size());
   hash.nearest(strange, answers);
-  for (const std::size_t i : {0, 1, 2, 4}) EXPECT_EQ(answers[i].triangle, -1) << i;
-  EXPECT_EQ(answers[3].triangle, hash.nearest(Vec3(0, 0, 1.01)).triangle);
+  for (const std::size_t i : {0, 1, 2, 4}) EXPECT_FALSE(answers[i]) << i;
+  EXPECT_EQ(answers[3].value().triangle, hash.nearest(Vec3(0, 0, 1.01)).value().triangle);
   SpatialHash().nearest(strange, answers);
-  for (const auto& a : answers) EXPECT_EQ(a.triangle, -1);
-  hash.nearest(std::span<const SpatialHash::Question>(), std::span<SpatialHash::Nearest>());
+  for (const auto& a : answers) EXPECT_FALSE(a);
+  hash.nearest(std::span<const SpatialHash::Question>(), std::span<std::optional<SpatialHash::Nearest>>());
   answers.pop_back();
   EXPECT_THROW(hash.nearest(strange, answers), std::invalid_argument);
 }
@@ -217,20 +221,21 @@ TEST(GeometrySpatialHash, ManyAtOnce) {
     const Vec3 y = (10 + d) * Vec3(g(gen), g(gen), g(gen)).normalized();
     const int hint = i % 7 == 0   ? -1
                      : i % 7 == 1 ? static_cast<int>(gen() % (m.triangles.size() + 100))
-                                  : hash.nearest(y + 0.05 * Vec3(g(gen), g(gen), g(gen))).triangle;
+                                  : hash.nearest(y + 0.05 * Vec3(g(gen), g(gen), g(gen))).value().triangle;
     questions.push_back({y, i % 3 == 0 ? 0.1 : 0.5, hint});
   }
-  std::vector<SpatialHash::Nearest> answers(questions.size());
+  std::vector<std::optional<SpatialHash::Nearest>> answers(questions.size());
   SpatialHash::Counters c;
   hash.nearest(questions, answers, &c);
   EXPECT_EQ(c.queries, static_cast<long>(questions.size()));
   int found = 0;
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const auto one = hash.nearest(questions[i].point, questions[i].max_distance);
-    ASSERT_EQ(answers[i].triangle, one.triangle) << i;
-    if (one.triangle < 0) continue;
+    ASSERT_EQ(answers[i].has_value(), one.has_value()) << i;
+    if (!one) continue;
     ++found;
-    ASSERT_EQ(answers[i].squared_distance, one.squared_distance) << i;
+    ASSERT_EQ(answers[i]->triangle, one->triangle) << i;
+    ASSERT_EQ(answers[i]->squared_distance, one->squared_distance) << i;
   }
   EXPECT_GT(found, 3000);
   EXPECT_LT(found, 8900);
@@ -249,10 +254,10 @@ TEST(GeometrySpatialHash, WorkDoesNotGrowWithTheMesh) {
     for (int i = 0; i < 2000; ++i) {
       const Vec3 y = (10 + d) * Vec3(g(gen), g(gen), g(gen)).normalized();
       const Vec3 before = y + 0.1 * d * Vec3(g(gen), g(gen), g(gen)).normalized();
-      questions.push_back({y, 2 * d, hash.nearest(before).triangle});
+      questions.push_back({y, 2 * d, hash.nearest(before).value().triangle});
       if (!together) hash.nearest(y, 2 * d, -1, &c);
     }
-    std::vector<SpatialHash::Nearest> answers(questions.size());
+    std::vector<std::optional<SpatialHash::Nearest>> answers(questions.size());
     if (together) hash.nearest(questions, answers, &c);
     return static_cast<double>(c.triangles + c.cells + c.lookups) / static_cast<double>(c.queries);
   };

@@ -310,6 +310,19 @@ TEST(GeometrySurface, SignWhereTheSurfaceTouchesItselfOrHasNoArea) {
   }
 }
 
+// Where squares of lengths leave the range of numbers no facet is the nearest: refused, with all facets
+// active or some, flat or smooth.
+TEST(GeometrySurface, TooLarge) {
+  for (const bool smooth : {false, true})
+    for (const bool partial : {false, true}) {
+      TriangleMesh m = sphere_mesh(2);
+      for (Vec3& v : m.vertices) v *= 1e160;
+      std::vector<bool> active(m.triangles.size(), true);
+      active[0] = !partial;
+      EXPECT_THROW(MeshSurface(m, active, {.smooth = smooth}), std::invalid_argument) << smooth << partial;
+    }
+}
+
 TEST(GeometrySurface, ThreadsAgree) {
   const MeshSurface s(sphere_mesh(3));
   std::vector<Vec3> points;

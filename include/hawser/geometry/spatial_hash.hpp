@@ -19,6 +19,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,7 @@ namespace hawser {
 class SpatialHash {
  public:
   struct Nearest {
-    int triangle = -1;            // index in the mesh; -1: none within the distance
+    int triangle = 0;             // index in the mesh
     double squared_distance = 0;  // m²
   };
   // What a query did, added up.
@@ -56,13 +57,14 @@ class SpatialHash {
   SpatialHash(std::span<const Vec3> vertices, std::span<const std::array<int, 3>> triangles,
               const std::vector<bool>& active = {});
 
-  // The triangle nearest to p within max_distance [m] (infinity allowed). `hint`: a triangle likely to be
-  // near. Among triangles at exactly equal distance always the same is chosen, whatever the hint.
-  Nearest nearest(const Vec3& p, double max_distance = std::numeric_limits<double>::infinity(), int hint = -1,
-                  Counters* counters = nullptr) const;
+  // The triangle nearest to p within max_distance [m] (infinity allowed), if there is one. `hint`: a triangle
+  // likely to be near. Among triangles at exactly equal distance always the same is chosen, whatever the
+  // hint.
+  std::optional<Nearest> nearest(const Vec3& p, double max_distance = std::numeric_limits<double>::infinity(),
+                                 int hint = -1, Counters* counters = nullptr) const;
 
   // The same for many points, best in the order of a walk and with hints: half the time of one by one.
-  void nearest(std::span<const Question> questions, std::span<Nearest> answers,
+  void nearest(std::span<const Question> questions, std::span<std::optional<Nearest>> answers,
                Counters* counters = nullptr) const;
 
   const Box& box() const { return box_; }  // of the active triangles
@@ -144,8 +146,8 @@ class SpatialHash {
   void descend(Search& search, std::uint32_t block) const;
   unsigned bound(Ball& ball, Entry run, std::uint32_t block, float* at_least, std::uint32_t* slots) const;
   void test(Ball& ball, std::uint32_t slot) const;
-  Nearest answer(const Ball& ball) const;
-  Nearest search(const Question& question, Counters& count) const;
+  std::optional<Nearest> answer(const Ball& ball) const;
+  std::optional<Nearest> search(const Question& question, Counters& count) const;
   void settle(Search& search) const;
   std::vector<std::uint32_t> order_of(std::span<const std::int32_t> slots) const;
 

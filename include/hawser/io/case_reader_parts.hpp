@@ -24,6 +24,14 @@ struct CaseSource {
 
 Vec3 as_vec3(const model::Value& v);
 
+// What may be as large as it is, m, by itself and in contact diameters of the thinnest line of the case.
+struct SizeLimits {
+  double most;
+  double least_thin, most_thin;
+};
+// Asks whether something of this size [m] is in other units than metres; empty: it is within its limits.
+std::string other_units(double size, const SizeLimits& limits, const model::Case& c);
+
 // The key's three numbers as a unit vector; zero is refused.
 Vec3 read_direction(const model::Value& v, const char* key, const std::string& path,
                     const CaseSource& source);

@@ -9,6 +9,9 @@
 
 namespace hawser::io {
 
+// m; no coordinate of a file is farther from the origin. The earth has 4e7 around, and squares stay numbers.
+inline constexpr double kFarthest = 1e8;
+
 struct LoadedMesh {
   TriangleMesh mesh;               // m, welded, outward
   bool open = false;               // not closed, or not consistently oriented, after all
