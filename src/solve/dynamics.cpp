@@ -158,6 +158,10 @@ PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal,
     d.error_ = std::current_exception();
     PetscFunctionReturn(PETSC_ERR_LIB);
   }
+  if (!d.norms_.finite()) {  // what they are the squares' root of overflows before the residual
+    *reason = SNES_DIVERGED_FNORM_NAN;
+    PetscFunctionReturn(0);
+  }
   if (it == 0) d.first_ = std::max({fnorm, d.norms_.force_scale, d.norms_.moment_scale});
   if (fnorm > kHopeless * d.first_ && d.first_ > 0) {
     *reason = SNES_DIVERGED_DTOL;
@@ -231,6 +235,9 @@ Dynamics::Attempt Dynamics::attempt(double h) {
 }
 
 void Dynamics::accept(double h) {
+  if (const std::string why = system_.overstretched(trial_.s.view(h)); !why.empty())
+    throw SolveError(fmt::format("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?",
+                                 trial_.s.time, why));
   // Work of whatever holds the ends, by the trapezoidal rule; that of mean forces by the mean.
   const std::vector<double>&now = system_.reactions(), &mean = system_.mean_forces();
   const std::vector<double> before = mean_.f;
@@ -273,6 +280,8 @@ void Dynamics::start(const State& state) {
   last_step_ = 0;
   const double h = control_.wish();  // that it moves: dampers act from the start
   prepare(h);
+  if (const std::string why = system_.lost_in_rounding(s.view(0)); !why.empty())
+    throw SolveError("at t = 0 " + why);
   s.mean = {};
   system_.residual(s.view(h), r_.get());
   mean_.q = mean_.f = system_.mean_forces();

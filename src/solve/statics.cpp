@@ -53,6 +53,13 @@ class Search : StaticTrial {
     return report;
   }
 
+  // Nothing leads out of forces whose squares are beyond all numbers.
+  void check_start() {
+    system_.residual(state_.view(0), r_.get());
+    const ResidualNorms norms = system_.norms(r_.get());
+    if (!norms.finite()) throw SolveError("statics: " + imbalance(system_, r_.get(), norms));
+  }
+
  private:
   // Where the axial stiffness is far above the forces, equilibrium is found with a soft line first.
   void approach(StaticsReport& report) {
@@ -234,6 +241,7 @@ StaticsReport against_friction(System& system, const StaticsSettings& settings, 
 }
 
 StaticsReport first_equilibrium(System& system, const StaticsSettings& settings, State& state) {
+  Search(system, settings, state).check_start();
   if (settings.friction) return against_friction(system, settings, state);
   if (settings.near || settings.relaxation == RelaxationUse::never)
     return Search(system, settings, state).run(settings.near);
@@ -269,6 +277,10 @@ StaticsReport solve_statics(System& system, const StaticsSettings& settings, Sta
     report.iterations += more.iterations, report.escapes += more.escapes;
     report.negative_eigenvalues = more.negative_eigenvalues, report.norms = more.norms;
   }
+  if (std::string why = system.overstretched(state.view(0)); !why.empty())
+    throw SolveError("statics: " + why + ": is the load, the length or the EA in another unit?");
+  if (const std::string why = system.lost_in_rounding(state.view(0)); !why.empty())
+    throw SolveError("statics: " + why);
   system.commit(state.view(0));
   return report;
 }

@@ -44,7 +44,9 @@ std::string imbalance(const System& system, Vec residual, const ResidualNorms& n
                      norms.moment_scale > 0;
   const Worst& worst = turns ? moment : force;
   const std::string place = m.mesh->place(worst.node);
-  if (!std::isfinite(worst.value)) return place + ", has forces beyond all numbers";
+  if (!std::isfinite(worst.value) || !norms.finite())
+    return place +
+           ", has forces beyond all numbers; is its mass, its load, its EA or the gravity in another unit?";
   return turns ? fmt::format("{}, is out of balance by {:.3g} N m (moments of size {:.3g} N m)", place,
                              worst.value, norms.moment_scale)
                : fmt::format("{}, is out of balance by {:.3g} N (forces of size {:.3g} N)", place,

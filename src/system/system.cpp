@@ -182,8 +182,13 @@ double force_size(const ResidualNorms& n) { return std::max(n.force_scale, n.mom
 double moment_size(const ResidualNorms& n) { return std::max(n.moment_scale, 1e-3 * n.force_scale); }
 }  // namespace
 
+bool ResidualNorms::finite() const {
+  return std::isfinite(force) && std::isfinite(moment) && std::isfinite(force_scale) &&
+         std::isfinite(moment_scale) && std::isfinite(round_off);
+}
+
 bool ResidualNorms::small(double tolerance) const {
-  return force <= tolerance * force_size(*this) + 4 * round_off &&
+  return finite() && force <= tolerance * force_size(*this) + 4 * round_off &&
          moment <= tolerance * moment_size(*this) + 4 * round_off * arm;
 }
 

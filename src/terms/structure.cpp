@@ -121,16 +121,32 @@ void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
   }
 }
 
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+// Distance of the ends from the origin, by component, the larger of both.
+Vec3 far(const Kinematics& at, const LocalElement& e) {
+  return at.x[static_cast<size_t>(e.first)].cwiseAbs().cwiseMax(
+      at.x[static_cast<size_t>(e.second)].cwiseAbs());
+}
+
+// N, in the tension: a strain is a difference of positions, and each is known to eps |x|.
+double pull_round_off(const Kinematics& at, const auto& e) {
+  return e.section.EA / e.section.length * eps * far(at, e.at).maxCoeff();
+}
+
+double chord_strain(const Kinematics& at, const auto& e, double free_strain) {
+  const Vec3 d = at.x[static_cast<size_t>(e.at.second)] - at.x[static_cast<size_t>(e.at.first)];
+  return d.norm() / e.section.length - 1 - free_strain;
+}
+
+}  // namespace
+
 double StructureTerm::round_off(const Kinematics& at, double) const {
-  constexpr double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
-  const auto far = [&](const LocalElement& e) {
-    return Vec3(at.x[static_cast<size_t>(e.first)].cwiseAbs().cwiseMax(
-        at.x[static_cast<size_t>(e.second)].cwiseAbs()));
-  };
-  // A strain is a difference of positions: each is known to eps |x|.
   const auto pull = [&](const auto& e) {
-    if (e.at.counted) sum += std::pow(e.section.EA / e.section.length * eps * far(e.at).maxCoeff(), 2);
+    if (e.at.counted) sum += std::pow(pull_round_off(at, e), 2);
   };
   for (const Beam& b : beams_) {
     pull(b);
@@ -140,12 +156,46 @@ double StructureTerm::round_off(const Kinematics& at, double) const {
     const BeamSection& s = b.section;
     const Vec3 t =
         (at.x[static_cast<size_t>(b.at.second)] - at.x[static_cast<size_t>(b.at.first)]).normalized();
-    const double across = (far(b.at).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
+    const double across = (far(at, b.at).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
     const double bend = std::max(s.EI2, s.EI3), turn = 4 * std::max(bend, s.GJ);
     sum += std::pow(eps * (bend * across / s.length + turn) / (s.length * s.length), 2);
   }
   for (const Cable& c : cables_) pull(c);
   return sum;
+}
+
+// Rubber doubles its length, but not at a constant EA: of what is given by that, nylon ropes stretch most, by
+// 0.4 or so before they break. A table holds as far beyond its rows.
+Overstretch StructureTerm::overstretched(const Kinematics& at) const {
+  constexpr double kBeyond = 0.5;
+  Overstretch worst;
+  const auto look = [&](const auto& e, double strain) {
+    const StiffnessTable* table = e.section.tension;
+    const double most = strain > 0 ? (table ? table->last() : 0) + kBeyond
+                                   : (table ? std::min(table->first(), 0.0) : 0) - kBeyond;
+    const double beyond = std::abs(strain) - std::abs(most);
+    if (!(beyond > worst.beyond)) return;
+    const int node = mesh_.global[static_cast<size_t>(e.at.first)];
+    worst = {beyond,      node, strain, most, table ? table->at(strain).force : e.section.EA * strain,
+             e.section.EA};
+  };
+  for (const Beam& b : beams_)
+    if (b.at.counted) look(b, chord_strain(at, b, b.reference.strain));
+  for (const Cable& c : cables_)
+    if (c.at.counted) look(c, std::max(chord_strain(at, c, c.section.free_strain), 0.0));
+  return worst;
+}
+
+void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines) const {
+  const auto look = [&](const auto& e, double tension) {
+    const Element& g = mesh_.mesh->elements[static_cast<size_t>(e.at.global)];
+    LineTension& line = lines[static_cast<size_t>(g.line)];
+    line.tension = std::max(line.tension, std::abs(tension));
+    line.round_off = std::max(line.round_off, pull_round_off(at, e));
+    line.EA = std::max(line.EA, e.section.EA);
+  };
+  for (const Beam& b : beams_) look(b, beam_stress(b.section, b.reference, ends(b, at)).tension);
+  for (const Cable& c : cables_) look(c, cable_stress(c.section, ends(c, at)).tension);
 }
 
 // From the true stiffness each time: no bound gives it back to the last bit.

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "hawser/app/driver.hpp"
+#include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/kernels/catenary.hpp"
 
@@ -26,6 +29,49 @@ TEST(HangingLine, TensionsOfTheElasticCatenary) {
   EXPECT_NEAR(tension.front(), exact.tension_a().norm(), 5e-4 * exact.tension_a().norm());
   EXPECT_NEAR(tension.back(), exact.tension_b().norm(), 5e-4 * exact.tension_b().norm());
   for (const char* end : {".h5", ".xdmf"}) std::filesystem::remove(out.substr(0, out.size() - 3) + end);
+}
+
+// Numbers that solve the equations, or overflow in them, and are no result: one sentence, and no exit code 0.
+TEST(HangingLine, NonsenseIsRefused) {
+  struct Wrong {
+    const char *from, *to, *sentence;
+  };
+  const std::string still = "statics: false\ndynamics: {duration: 1, step: 0.1}\n\nlines:";
+  const std::string pulled =
+      "dynamics: {duration: 5, step: 0.01}\nlines:\n  chain:\n    loads: [{at: 60, force: [0, 0, -1.0e9], "
+      "ramp: 1}]\n";
+  const Wrong wrong[] = {
+      {"lines:", "environment: {gravity: 1.0e200}\n\nlines:", "beyond all numbers"},
+      {"mass_per_length: 100", "mass_per_length: 1.0e154", "beyond all numbers"},
+      {"mass_per_length: 100", "mass_per_length: 1.0e8", "is stretched by 1.15e+04 %"},
+      {"EA: 500 MN", "EA: 1.0e18", "the tension of line chain is known to within"},
+      {"lines:", still.c_str(), nullptr},
+      {"lines:\n  chain:\n", pulled.c_str(), "and 50 % is more than any line of such an EA bears"},
+  };
+  std::ostringstream text;
+  text << std::ifstream(HAWSER_SOURCE_DIR "/cases/hanging-line/hanging-line.yaml").rdbuf();
+  const std::string file = ::testing::TempDir() + "nonsense";
+  for (const Wrong& w : wrong) {
+    std::string changed = text.str();
+    const size_t at = changed.find(w.from);
+    ASSERT_NE(at, std::string::npos);
+    changed.replace(at, std::string(w.from).size(), w.to);
+    std::ofstream(file + ".yaml") << changed;
+    app::RunOptions options;
+    options.case_path = file + ".yaml", options.output = file + ".h5";
+    options.quiet = true;
+    std::string said;
+    try {
+      EXPECT_EQ(app::run(MPI_COMM_WORLD, options), 0);
+    } catch (const SolveError& e) {
+      said = e.what();
+    }
+    if (w.sentence)
+      EXPECT_NE(said.find(w.sentence), std::string::npos) << w.to << ": " << said;
+    else
+      EXPECT_EQ(said, "");
+  }
+  for (const char* end : {".yaml", ".h5", ".xdmf"}) std::filesystem::remove(file + end);
 }
 
 }  // namespace hawser::hanging_line_test

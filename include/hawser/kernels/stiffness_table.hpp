@@ -24,6 +24,8 @@ class StiffnessTable {
   };
   Value at(double strain) const;
 
+  double first() const { return curve_.rows().front().first; }  // of the rows, with that at zero
+  double last() const { return curve_.rows().back().first; }
   double initial() const { return initial_; }   // slope at zero
   std::size_t given() const { return given_; }  // rows
 

@@ -31,6 +31,19 @@ struct Energy {
   }
 };
 
+// The element that is stretched (or pressed) furthest beyond what its law can mean.
+struct Overstretch {
+  double beyond = 0;            // of the strain; 0: none is
+  int node = -1;                // of the mesh, at its first end
+  double strain = 0, most = 0;  // and what is borne, both signed
+  double tension = 0, EA = 0;   // N
+};
+
+// Of a line: the largest tension, round-off in one, and EA, N.
+struct LineTension {
+  double tension = 0, round_off = 0, EA = 0;
+};
+
 class ForceTerm {
  public:
   virtual ~ForceTerm() = default;
@@ -102,6 +115,9 @@ class ForceTerm {
   // Axial stiffness is at most this, N, until told otherwise (HUGE_VAL: the true one): statics starts soft,
   // where a very stiff line would have to creep along a narrow valley of its energy.
   virtual void soften(double most) { (void)most; }
+  // Of the elements on this rank; by line of the mesh.
+  virtual Overstretch overstretched(const Kinematics& at) const { return (void)at, Overstretch{}; }
+  virtual void tensions(const Kinematics& at, std::span<LineTension> lines) const { (void)at, (void)lines; }
   // Sum of the sizes of the dead loads on this rank, N: what a static residual is judged against.
   virtual double dead_load() const { return 0; }
   // Largest EA, N, of this rank; 0: none.

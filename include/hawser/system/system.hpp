@@ -30,6 +30,7 @@ struct ResidualNorms {
   // Whether the residual is down to `tolerance` of what makes it up, or to round-off. Where nothing bends,
   // moments are measured against forces over a millimetre.
   bool small(double tolerance) const;
+  bool finite() const;  // what is beyond all numbers is in balance with nothing
   // Residual over its scale, the larger of forces and moments.
   double relative() const;
 };
@@ -116,6 +117,10 @@ class System {
   // it. Collective.
   void expect(const Kinematics& committed, double h);
   void commit(const Kinematics& accepted);
+  // Of an equilibrium or an accepted step: why, in words, it can be no result; empty: it can. The second is
+  // of lines that carry what they weigh. Collective.
+  std::string overstretched(const Kinematics& at) const;
+  std::string lost_in_rounding(const Kinematics& at) const;
   // Summed over the terms, this rank's share.
   Energy energy(const Kinematics& at) const;
   FieldRegistry fields() const;

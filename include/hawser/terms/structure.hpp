@@ -41,6 +41,8 @@ class StructureTerm final : public ForceTerm {
   Energy energy(const Kinematics& at) const override;
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   double round_off(const Kinematics& at, double h) const override;
+  Overstretch overstretched(const Kinematics& at) const override;
+  void tensions(const Kinematics& at, std::span<LineTension> lines) const override;
   void soften(double most) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;

@@ -1,0 +1,55 @@
+// What solves the equations and is no result all the same.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/system/system.hpp"
+
+namespace hawser {
+namespace {
+constexpr double kUnsure = 0.01;  // of a tension that rounding may be
+constexpr double kSure = 1e-3;    // what is left of it by the EA that is told as the remedy
+}  // namespace
+
+std::string System::overstretched(const Kinematics& at) const {
+  Overstretch worst;
+  for (const auto& t : terms_)
+    if (const Overstretch o = t->overstretched(at); o.beyond > worst.beyond) worst = o;
+  struct {
+    double value;
+    int rank;
+  } most{worst.beyond, 0};
+  MPI_Comm_rank(comm_, &most.rank);
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
+  if (!(most.value > 0)) return {};
+  MPI_Bcast(&worst, sizeof worst, MPI_BYTE, most.rank, comm_);
+  return fmt::format(
+      "{}, is {} by {:.3g} % by {:.3g} N on an EA of {:.3g} N, and {:g} % is more than any line of such an "
+      "EA "
+      "bears",
+      mesh_.mesh->place(worst.node), worst.strain > 0 ? "stretched" : "pressed together",
+      100 * std::abs(worst.strain), std::abs(worst.tension), worst.EA, 100 * std::abs(worst.most));
+}
+
+// Where nothing weighs, there may be no tension but rounding, and rightly so.
+std::string System::lost_in_rounding(const Kinematics& at) const {
+  const double load = dead_load();
+  if (load == 0) return {};
+  std::vector<LineTension> lines(mesh_.mesh->lines.size());
+  for (const auto& t : terms_) t->tensions(at, lines);
+  MPI_Allreduce(MPI_IN_PLACE, lines.data(), static_cast<int>(3 * lines.size()), MPI_DOUBLE, MPI_MAX, comm_);
+  for (size_t l = 0; l < lines.size(); ++l) {
+    const LineTension& t = lines[l];
+    const double share = t.round_off / std::max(t.tension, load);
+    if (share <= kUnsure) continue;
+    return fmt::format(
+        "the tension of line {} is known to within {:.2g} % only, so large is rounding beside an EA of "
+        "{:.3g} N; an "
+        "EA "
+        "of {:.0e} N is as good as one that does not stretch",
+        mesh_.mesh->lines[l].name, 100 * share, t.EA, t.EA * kSure / share);
+  }
+  return {};
+}
+
+}  // namespace hawser
