@@ -1,8 +1,8 @@
-"""Peak reaction of the falling pipe against the step, elastic and rigid: a table, and a figure as SVG.
+"""Peak reaction of the falling pipe against the step, on supports of three stiffnesses: a table, and a figure as SVG.
 
     python3 cases/impact/figures.py build/hawser [cases/impact/impact.svg]
 
-Runs cases/impact/impact.yaml with other steps and methods in a scratch folder; reads the results with h5dump.
+Runs cases/impact/impact.yaml with other steps and stiffnesses in a scratch folder; reads the results with h5dump.
 """
 import math
 import os
@@ -13,7 +13,7 @@ import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 STEPS = [8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4, 1.25e-4, 6.25e-5]
-METHODS = [("elastic", "nodes", "#0b6e99"), ("rigid", "rigid", "#c0392b")]
+STIFFNESSES = [(1e6, "#2e8b57"), (1e7, "#0b6e99"), (1e8, "#c0392b")]  # N/m, colour
 
 
 def dump(*arguments):
@@ -29,10 +29,10 @@ def column(file, dataset, name):
     return values[names.index(name)::int(re.search(r"SIMPLE { \( \d+, (\d+) \)", head).group(1))]
 
 
-def peak(program, folder, method, step):
+def peak(program, folder, stiffness, step):
     with open(os.path.join(HERE, "impact.yaml")) as f:
         case = f.read()
-    case = case.replace("method: nodes}", f"method: {method}}}").replace("step: 0.0005", f"step: {step:g}")
+    case = case.replace("per_point: 1.0e7", f"per_point: {stiffness:.1e}").replace("step: 0.0005", f"step: {step:g}")
     path = os.path.join(folder, "impact.yaml")
     with open(path, "w") as f:
         f.write(case)
@@ -58,13 +58,13 @@ def svg(rows):
     for kn in (50, 100, 200, 500, 1000, 2000, 5000):
         out.append(f'<path d="M{left} {y(1e3 * kn):.1f}h{width}" stroke="#ddd"/>'
                    f'<text x="{left - 8}" y="{y(1e3 * kn) + 4:.1f}" text-anchor="end">{kn}</text>')
-    for name, _, colour in METHODS:
-        points = [(x(s), y(p)) for n, s, p in rows if n == name]
+    for stiffness, colour in STIFFNESSES:
+        points = [(x(s), y(p)) for k, s, p in rows if k == stiffness]
         line = " ".join(f"{a:.1f},{b:.1f}" for a, b in points)
         out.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"/>')
         out += [f'<circle cx="{a:.1f}" cy="{b:.1f}" r="3.5" fill="{colour}"/>' for a, b in points]
         a, b = points[len(points) // 2]
-        out.append(f'<text x="{a + 8:.1f}" y="{b - 10:.1f}" fill="{colour}">{name}</text>')
+        out.append(f'<text x="{a + 8:.1f}" y="{b - 10:.1f}" fill="{colour}">{stiffness:.0e} N/m</text>')
     out.append(f'<text x="{left + width / 2}" y="{bottom + 44}" text-anchor="middle">time step [ms]</text>'
                f'<text x="18" y="{bottom - height / 2}" text-anchor="middle" '
                f'transform="rotate(-90 18 {bottom - height / 2})">peak reaction [kN]</text></svg>')
@@ -74,10 +74,10 @@ def svg(rows):
 def main(program, figure=None):
     rows = []
     with tempfile.TemporaryDirectory() as folder:
-        for name, method, _ in METHODS:
+        for stiffness, _ in STIFFNESSES:
             for step in STEPS:
-                rows.append((name, step, peak(os.path.abspath(program), folder, method, step)))
-                print(f"{name:8} {1e3 * step:6.2f} ms  {rows[-1][2] / 1e3:9.2f} kN", flush=True)
+                rows.append((stiffness, step, peak(os.path.abspath(program), folder, stiffness, step)))
+                print(f"{stiffness:.0e} N/m {1e3 * step:6.2f} ms  {rows[-1][2] / 1e3:9.2f} kN", flush=True)
     if figure:
         os.makedirs(os.path.dirname(os.path.abspath(figure)), exist_ok=True)
         with open(figure, "w") as f:

@@ -68,7 +68,6 @@ double Audit::percent() const { return 100 * error / size(); }
 // What is made in a long run is not made good by the work of all its waves: no more than ever was there.
 bool Audit::wrong() const {
   if (!std::isfinite(error)) return true;
-  if (plastic) return false;  // what multipliers hold back and give again is not booked
   return made.value > kMadeWrong * size() || made.value > there + kRounding * held + kNothing ||
          lost.value > kLostWrong * size();
 }
@@ -76,7 +75,7 @@ bool Audit::wrong() const {
 std::string Audit::warning(bool fixed, const std::string& where) const {
   if (!std::isfinite(error)) return "the energy is no number. The results are not to be used";
   const double making = made.value / (kMadeTold * size()),
-               losing = plastic ? 0 : lost.value / (kLostTold * size());
+               losing = lost.value / (kLostTold * size());
   if (std::max(making, losing) <= 1 && !wrong()) return "";
   std::string text;
   if (making > losing)

@@ -102,7 +102,6 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)) {
   const model::Case& c = sim_.model();
   const LocalMesh& local = sim_.local();
-  audit_.plastic = sim_.system().augments();
   fields_ = {{"position", "m", 3}, {"velocity", "m/s", 3}};
   for (const FieldSource& s : registry_.sources()) fields_.push_back({s.name, s.unit, s.components});
   if (std::any_of(fields_.begin(), fields_.end(),

@@ -23,10 +23,6 @@ const char *const kReaction = "reaction", *const kMeanQ = "mean_force_algorithmi
 const char* const kDirectors = "director_acceleration";
 const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
-// Of hard contact alone: what the scheme does not carry.
-const char* const kHeld = "held_acceleration";
-const char* const kHeldTurns = "held_angular_acceleration";
-
 // Of contact, and the name of a volume: N/m per m, what an automatic stiffness was raised to.
 const std::string kStiffness = "contact.stiffness.";
 
@@ -62,10 +58,6 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   c.time = s.s.time;
   const size_t owned = static_cast<size_t>(m.owned);
   for (size_t i = 0; i < std::size(kVectors); ++i) c.nodes[kVectors[i]] = field_of(vectors(s, i), owned);
-  if (simulation.system().augments()) {
-    s.hx.resize(s.s.x.size(), Vec3::Zero()), s.hw.resize(s.s.x.size(), Vec3::Zero());
-    c.nodes[kHeld] = field_of(s.hx, owned), c.nodes[kHeldTurns] = field_of(s.hw, owned);
-  }
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
     io::CheckpointField& f = c.nodes[name];
     f.components = 9;
@@ -151,11 +143,6 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     for (size_t n = 0; n < owned; ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
   };
   for (size_t i = 0; i < std::size(kVectors); ++i) take(kVectors[i], vectors(s, i));
-  if (system.augments() && c.nodes.count(kHeld)) {  // older files lack it
-    s.hx.assign(s.s.x.size(), Vec3::Zero()), s.hw.assign(s.s.x.size(), Vec3::Zero());
-    take(kHeld, s.hx), take(kHeldTurns, s.hw);
-    system.spread(s.hx), system.spread(s.hw);
-  }
   const auto& q = c.nodes.at("rotation").values;
   for (size_t n = 0; n < owned; ++n) s.s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {

@@ -13,7 +13,6 @@
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/longest_step.hpp"
 #include "hawser/solve/start_shape.hpp"
-#include "hawser/solve/unilateral.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/buried.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
@@ -170,11 +169,10 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     // A held end touches nothing: its support carries whatever a surface would.
     for (const int n : held_nodes(start.supports))
       if (n < local.owned) nodes[static_cast<size_t>(n)].radius = 0;
-    NodeContact model = c.contact.augmented ? NodeContact::augmented : NodeContact::elastic;
-    if (c.contact.method == model::ContactMethod::rigid) model = NodeContact::rigid;
-    if (c.contact.method == model::ContactMethod::gap) model = NodeContact::gap;
+    const NodeContact model =
+        c.contact.method == model::ContactMethod::gap ? NodeContact::gap : NodeContact::elastic;
     auto contact = std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), std::move(nodes),
-                                                   model, c.contact.allowed_penetration, comm);
+                                                   model, comm);
     contact_ = contact.get();
     system_->add(std::move(contact));
   }
@@ -279,16 +277,9 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
                             ? RelaxationUse::never
                             : RelaxationUse::when_newton_fails;
   settings.relaxation_steps = case_.statics.relaxation_steps;
-  settings.augment = !case_.statics.exact_contact;
   settings.friction = case_.statics.contact_friction;
   settings.told = std::move(told);
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
-  if (case_.statics.exact_contact && contact_) {
-    const UnilateralReport exact = solve_unilateral(*system_, settings, state_);
-    report.iterations += exact.iterations, report.norms = exact.norms;
-    notes_.push_back(fmt::format("exact contact: {} of {} constraints press, {} iterations, {:.1e} m left",
-                                 exact.active, exact.constraints, exact.iterations, exact.deepest));
-  }
   lay_lines(settings, report);
   enable_friction(true);
   if (floating_) {

@@ -301,15 +301,9 @@ class Reader {
 
   void contact(const Value& v) {
     c_.contact.method = v["method"].is("line")    ? model::ContactMethod::line
-                        : v["method"].is("rigid") ? model::ContactMethod::rigid
                         : v["method"].is("gap")   ? model::ContactMethod::gap
                                                   : model::ContactMethod::nodes;
-    const Value& augmented = v["augmented"];
-    c_.contact.augmented = augmented.kind == Kind::map || augmented.number != 0;
-    c_.contact.allowed_penetration = number(augmented, "penetration");
     c_.contact.warned_penetration = v["penetration_warning"].number;
-    if (c_.contact.augmented && c_.contact.method != model::ContactMethod::nodes)
-      source_.bad(augmented, "contact.augmented", "is for 'method: nodes' only");
     c_.contact.rolling = v["rolling"].number != 0;
     if (c_.contact.rolling && c_.contact.method != model::ContactMethod::line)
       source_.bad(v["rolling"], "contact.rolling", "needs 'method: line'; nodes touch without turning");
@@ -336,12 +330,7 @@ class Reader {
                             : relaxation.is("never") ? model::Relaxation::never
                                                      : model::Relaxation::automatic;
     c_.statics.relaxation_steps = static_cast<int>(v["relaxation_steps"].number);
-    c_.statics.exact_contact = v["exact_contact"].number != 0;
-    if (c_.statics.exact_contact && !c_.contact.augmented)
-      source_.bad(v["exact_contact"], "statics.exact_contact", "needs 'contact: {augmented: true}'");
     c_.statics.contact_friction = v["contact_friction"].number != 0;
-    if (c_.statics.exact_contact && c_.statics.contact_friction)
-      source_.bad(v["contact_friction"], "statics.contact_friction", "there is none with 'exact_contact'");
   }
 
   void dynamics(const Value& v) {

@@ -72,8 +72,8 @@ Vector3<S> trial_slip(const ContactLaw& law, const ContactStart& start, const Lo
   Vector3<S> moved = t.point - start.point.cast<S>();
   moved -= t.normal * S(t.normal.dot(moved));
   if (t.lever > 0) moved -= start.tangent.cast<S>().cross(t.normal) * S(t.roll * t.lever);
-  const double touch = law.normal.smoothing + law.normal.ahead;
-  if (start.gap > touch && !law.normal.holds) moved *= S((S(touch) - t.gap) / (S(start.gap) - t.gap));
+  const double touch = law.normal.smoothing;
+  if (start.gap > touch) moved *= S((S(touch) - t.gap) / (S(start.gap) - t.gap));
   Vector3<S> slip = moved;
   if (!start.slip.isZero(0)) slip += transport_slip<S>(start.slip, start.normal, t.normal);
   return slip;
@@ -105,7 +105,7 @@ PointContact volume_contact(const ContactLaw& law, const ContactStart& start, co
   PointContact r;
   const Vec3& n = trial.normal;
   r.normal = normal_force(law.normal, trial.gap, n.dot(trial.velocity));
-  if (!(r.normal.force > 0 || law.normal.holds)) return r;
+  if (!(r.normal.force > 0)) return r;
   r.force = r.normal.force * n;
   if (derivatives) {
     const Vec3 rate_by_point = trial.curvature * trial.velocity;

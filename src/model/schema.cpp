@@ -400,26 +400,14 @@ const Key& case_schema() {
        map("contact",
            {all_or_names("lines", "lines", "lines that take part in contact"),
             all_or_names("volumes", "volumes", "volumes that take part in contact"),
-            word("method", {"line", "nodes", "rigid", "gap"},
+            word("method", {"line", "nodes", "gap"},
                  "where a line touches: anywhere along its elements (`line`) or at its nodes alone; to "
-                 "compare "
-                 "with, at the nodes: `rigid` puts them on the surface and holds them there until the "
-                 "reaction "
-                 "pulls, `gap` has a spring each, in the direction of the surface nearest at the start")
+                 "compare with, at the nodes: `gap` has a spring each, in the direction of the surface "
+                 "nearest at the start")
                 .or_else("line"),
             boolean("rolling",
                     "friction acts at the lines' surface: it turns them about their axes, and a line that "
                     "rolls does not slide (beams, method `line`)")
-                .or_else("false"),
-            one_of("augmented",
-                   {boolean(""),
-                    map("",
-                        {number("penetration", length, "that statics leaves; in motion none is made")
-                             .above(0)
-                             .or_else_note("1e-4 of the radius")},
-                        "")},
-                   "works off the penetration by multipliers (augmented Lagrangian), so that the stiffness "
-                   "does not matter; with `method: nodes`")
                 .or_else("false"),
             number("penetration_warning", none,
                    "share of a line's radius above which a penetration is warned of")
@@ -436,10 +424,6 @@ const Key& case_schema() {
                         .above(0)
                         .at_most(1e-2)
                         .or_else("1e-8"),
-                    boolean("exact_contact",
-                            "solve contact as an exact complementarity problem (PETSc's SNESVI) "
-                            "instead of by updates of the multipliers; needs `contact.augmented`")
-                        .or_else("false"),
                     boolean("contact_friction",
                             "friction of volumes and between lines acts in statics too, against the "
                             "way of the lines from where their `start` puts them; else it acts from "

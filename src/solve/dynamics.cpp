@@ -17,7 +17,7 @@ namespace {
 // must not show it: what passed the tolerance is improved once more with the factors at hand, which costs
 // little, and steps are chosen by the iterations to this residual, far above rounding, and one that follows.
 constexpr double kCounted = 1e-5;
-constexpr int kMostAugmentations = 40;  // of one try of a step
+constexpr int kMostRaises = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
 // With the old tangent the residual must fall so in an iteration, and reach the tolerance in so many; else a
@@ -88,7 +88,6 @@ void Dynamics::prepare(double h, const State* end) {
     build();
     system_.spread(committed_.s);
     system_.spread(committed_.ax), system_.spread(committed_.aw), system_.spread(committed_.ad);
-    if (!committed_.hx.empty()) system_.spread(committed_.hx), system_.spread(committed_.hw);
     const size_t size = 3 * static_cast<size_t>(system_.mesh().blocks());
     for (auto* rows : {&reactions_, &mean_.q, &mean_.f}) rows->resize(size, 0);
   }
@@ -101,7 +100,6 @@ void Dynamics::load(Vec u) {
   if (loaded_ && gathered_ == local_u_) return;  // the tangent is asked where the residual was
   std::swap(gathered_, local_u_);
   alpha_trial(system_.mesh(), system_.supports(), alpha_, h_, committed_, local_u_, trial_);
-  add_held(1);
   loaded_ = true;
 }
 
@@ -209,16 +207,15 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
   put(local_u_);
   error_ = nullptr;
-  system_.reset_multipliers();
-  expect_held();
+  system_.forget_stiffening();
   turned_ = missed_ = false;
   Attempt a;
   for (int round = 0;; ++round) {
     solve_once(a);
     if (!a.converged) break;
     load(u_.get());
-    if (!system_.augment(trial_.s.view(h_)) && !let_go()) break;
-    a.converged = round < kMostAugmentations;
+    if (!system_.stiffen(trial_.s.view(h_))) break;
+    a.converged = round < kMostRaises;
     if (!a.converged) break;
   }
   if (!a.converged) return a;
@@ -269,6 +266,25 @@ NodeValue Dynamics::roughest() const {
   return most;
 }
 
+// Of the masses in J_ under the forces -r_: minus the accelerations, with ghosts, to gathered_. Throws
+// SolveError when the masses cannot be solved with.
+void Dynamics::solve_masses() {
+  KSP ksp = nullptr;
+  check(SNESGetKSP(snes_, &ksp));
+  check(KSPSetOperators(ksp, J_.get(), J_.get()));
+  check(KSPSolve(ksp, r_.get(), u_.get()));
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(ksp, &reason));
+  PetscReal size = 0;
+  check(VecNorm(u_.get(), NORM_INFINITY, &size));
+  if (reason < 0 || !std::isfinite(size))
+    throw SolveError(
+        fmt::format("at t = {:.6g} s forces give no accelerations: some part of a line has no mass (is a "
+                    "rotary_inertia zero?)",
+                    committed_.s.time));
+  system_.gather(u_.get(), gathered_);
+}
+
 void Dynamics::start(const State& state) {
   committed_.s = state;
   copied_ = false;
@@ -294,7 +310,6 @@ void Dynamics::start(const State& state) {
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
   alpha_start(committed_);
-  start_held(h);
   system_.residual(s.view(h), r_.get());
   reactions_ = system_.reactions();
 }

@@ -11,26 +11,6 @@ AlphaCoefficients::AlphaCoefficients(double rho)
       gamma(0.5 + af - am),
       beta(0.25 * (gamma + 0.5) * (gamma + 0.5)) {}
 
-namespace {
-
-// Of c in the true acceleration of a try whose increment has h²/2 c.
-double alpha_hold_weight(const AlphaCoefficients& c) { return 0.5 * (1 - c.am) / ((1 - c.af) * c.beta); }
-
-// What is known by local block, by node; and the same of the directors.
-void keep_held(const LocalMesh& mesh, const std::vector<double>& c, AlphaState& to) {
-  to.hx.assign(to.s.x.size(), Vec3::Zero()), to.hw.assign(to.s.x.size(), Vec3::Zero());
-  for (size_t n = 0; n < to.s.x.size(); ++n) {
-    const double* p = c.data() + 3 * mesh.block[n];
-    to.hx[n] = Eigen::Map<const Vec3>(p);
-    if (mesh.rotates(static_cast<int>(n))) to.hw[n] = Eigen::Map<const Vec3>(p + 3);
-  }
-}
-Mat3 directors_held(const AlphaState& of, size_t node) {
-  return of.s.q[node].toRotationMatrix() * hat(of.hw[node]);
-}
-
-}  // namespace
-
 void alpha_start(AlphaState& state) {
   State& s = state.s;
   state.ax = s.a, state.aw = s.alpha;
@@ -47,9 +27,7 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
   const double b = 1 / (h * h * c.beta), k1 = h * (1 - c.gamma), k2 = h * c.gamma,
                half = h * h * (0.5 - c.beta);
   const double m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
-  s.hold_weight = alpha_hold_weight(c);
   s.mean = alpha_mean(c);
-  const bool holds = !from.hx.empty();
   auto advance = [&](const double* p, const Vec3& v0, const Vec3& a0, const Vec3& true0, Vec3& v, Vec3& a,
                      Vec3& true1) {
     const Eigen::Map<const Vec3> du(p);
@@ -59,11 +37,9 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
   };
   for (size_t n = 0; n < s.x.size(); ++n) {
     const double* p = u.data() + 3 * mesh.block[n];
-    Vec3 a0 = from.s.a[n], alpha0 = from.s.alpha[n];
-    if (holds) a0 -= from.hx[n], alpha0 -= from.hw[n];
-    advance(p, from.s.v[n], from.ax[n], a0, s.v[n], trial.ax[n], s.a[n]);
+    advance(p, from.s.v[n], from.ax[n], from.s.a[n], s.v[n], trial.ax[n], s.a[n]);
     if (mesh.rotates(static_cast<int>(n)))
-      advance(p + 3, from.s.w[n], from.aw[n], alpha0, s.w[n], trial.aw[n], s.alpha[n]);
+      advance(p + 3, from.s.w[n], from.aw[n], from.s.alpha[n], s.w[n], trial.aw[n], s.alpha[n]);
   }
   // What is prescribed moves exactly, not as the scheme would have it (no ringing at rho = 1).
   supports.rates(s.time, s);
@@ -73,9 +49,7 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
     const Mat3 rate0 = from.s.q[n].toRotationMatrix() * hat(from.s.w[n]),
                rate1 = s.q[n].toRotationMatrix() * hat(s.w[n]);
     trial.ad[n] = (rate1 - rate0 - k1 * from.ad[n]) / k2;
-    Mat3 true0 = from.s.directors[n];
-    if (holds) true0 -= directors_held(from, n);
-    s.directors[n] = m1 * trial.ad[n] + m0 * from.ad[n] - d0 * true0;
+    s.directors[n] = m1 * trial.ad[n] + m0 * from.ad[n] - d0 * from.s.directors[n];
   }
   for (const Support& p : supports.list()) {
     const size_t n = static_cast<size_t>(p.node);
@@ -85,33 +59,6 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
       if (p.position_mask >> i & 1) trial.ax[n][i] = s.a[n][i];
       if (p.rotation_mask >> i & 1) trial.aw[n][i] = s.alpha[n][i];
     }
-  }
-}
-
-void alpha_start_held(const LocalMesh& mesh, const std::vector<double>& c, AlphaState& state) {
-  keep_held(mesh, c, state);
-  for (size_t n = 0; n < state.s.x.size(); ++n) {
-    state.ax[n] -= state.hx[n], state.aw[n] -= state.hw[n];
-    state.ad[n] -= directors_held(state, n);
-  }
-}
-
-double alpha_held_speed(const AlphaCoefficients& c, double h) { return h * (1 - 0.5 * c.gamma / c.beta); }
-
-void alpha_hold(const LocalMesh& mesh, const AlphaCoefficients& k, double h, const std::vector<double>& c,
-                AlphaState& trial) {
-  // In the increment c counts h²/2, of which the trial made a change of A by c/2 beta; in the speed it is to
-  // count h.
-  State& s = trial.s;
-  const double carried = 0.5 / k.beta, over = alpha_hold_weight(k) - 1, speed = alpha_held_speed(k, h);
-  keep_held(mesh, c, trial);
-  for (size_t n = 0; n < s.x.size(); ++n) {
-    s.v[n] += speed * trial.hx[n], s.w[n] += speed * trial.hw[n];
-    trial.ax[n] -= carried * trial.hx[n], trial.aw[n] -= carried * trial.hw[n];
-    s.a[n] -= over * trial.hx[n], s.alpha[n] -= over * trial.hw[n];
-    if (!mesh.rotates(static_cast<int>(n))) continue;
-    const Mat3 d = directors_held(trial, n);
-    trial.ad[n] -= carried * d, s.directors[n] -= over * d;
   }
 }
 

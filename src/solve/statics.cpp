@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kArmijo = 1e-4;
 constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at the start, and a stage on
-constexpr int kMostAugmentations = 100;
+constexpr int kMostRaises = 100;
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
     1e-7;  // shift that eigenvalues of what lies slack, nothing but round-off, stay below
@@ -267,11 +267,10 @@ StaticsReport solve_statics(System& system, const StaticsSettings& settings, Sta
   const size_t n = state.x.size();
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
   StaticsReport report = first_equilibrium(system, settings, state);
-  for (int round = 0; settings.augment && system.augment(state.view(0)); ++round) {
-    if (round == kMostAugmentations)
+  for (int round = 0; system.stiffen(state.view(0)); ++round) {
+    if (round == kMostRaises)
       throw SolveError(
-          "statics: the multipliers of contact do not settle; is contact.augmented.penetration "
-          "within reach?");
+          "statics: the automatic stiffness of contact does not settle; give the volumes a normal_stiffness");
     const StaticsReport more = settings.friction ? against_friction(system, settings, state)
                                                  : Search(system, settings, state).run(true);
     report.iterations += more.iterations, report.escapes += more.escapes;

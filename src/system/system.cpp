@@ -81,23 +81,20 @@ void System::gather(Vec u, std::vector<double>& out) const {
   check(VecGhostRestoreLocalForm(u, &local));
 }
 
-void System::residual(const Kinematics& trial, Vec r, Part part, std::span<const double> carried) {
+void System::residual(const Kinematics& trial, Vec r, std::span<const double> carried) {
   std::fill(force_.begin(), force_.end(), 0.0);
   std::copy(carried.begin(), carried.end(), force_.begin());
   Sink sink;
   sink.force_ = &force_;
   sink.mean_weight_ = trial.mean.weight;
-  if (part == Part::all) {
-    std::fill(mean_.begin(), mean_.end(), 0.0);
-    sink.mean_ = &mean_;
-  }
+  std::fill(mean_.begin(), mean_.end(), 0.0);
+  sink.mean_ = &mean_;
   std::fill(squares_.begin(), squares_.end(), 0.0);
   sink.squares_ = &squares_;
   sink.owned_blocks_ = mesh_.owned_blocks;
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].force);
-    if (part != Part::all && !terms_[i]->augments()) continue;
-    part == Part::stops ? terms_[i]->stop(trial, sink) : terms_[i]->evaluate(trial, sink);
+    terms_[i]->evaluate(trial, sink);
   }
   PetscScalar* p = nullptr;
   check(VecGetArray(r, &p));
@@ -112,7 +109,7 @@ void System::residual(const Kinematics& trial, Vec r, Part part, std::span<const
 }
 
 void System::tangent(const Kinematics& trial, Weights weights, const std::vector<double>& u, bool convex,
-                     Mat J, bool stops) {
+                     Mat J) {
   for (size_t b = 0; b < is_rotation_.size(); ++b)
     if (is_rotation_[b]) retraction_[b] = right_jacobian(Eigen::Map<const Vec3>(u.data() + 3 * b));
   check(MatZeroEntries(J));
@@ -131,7 +128,6 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].tangent);
     terms_[i]->evaluate(trial, sink);
-    if (stops) terms_[i]->stop(trial, sink);
   }
   const auto& held = supports_.held();
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;
@@ -219,22 +215,14 @@ double System::dead_load() const {
   return steady(sum);
 }
 
-bool System::augments() const {
-  return std::any_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->augments(); });
+bool System::stiffen(const Kinematics& equilibrium) {
+  bool again = false;
+  for (auto& t : terms_) again = t->stiffen(equilibrium) || again;
+  return again;
 }
 
-bool System::augment(const Kinematics& equilibrium) {
-  int again = 0, asked = 0;
-  for (auto& t : terms_) {
-    if (t->augments()) asked = 1;  // where multipliers are, a rank knows of its own only
-    if (t->augment(equilibrium)) again = 1;
-  }
-  if (asked) MPI_Allreduce(MPI_IN_PLACE, &again, 1, MPI_INT, MPI_MAX, comm_);
-  return again != 0;
-}
-
-void System::reset_multipliers() {
-  for (auto& t : terms_) t->reset_multipliers();
+void System::forget_stiffening() {
+  for (auto& t : terms_) t->forget_stiffening();
 }
 
 void System::prepare(const Kinematics& committed, double h) {

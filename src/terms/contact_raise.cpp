@@ -112,7 +112,7 @@ std::string Contact::refusal(const Kinematics& trial) const {
   return too_soft_for_line(lines().place(at.node), v.settings, v.automatic, at.depth, at.radius, trial.time);
 }
 
-bool LineContact::augment(const Kinematics& equilibrium) {
+bool LineContact::stiffen(const Kinematics& equilibrium) {
   pose_bodies(equilibrium.time, poses_);
   std::vector<double> wanted = stiffnesses();
   for (Pair& pair : pairs_) {
@@ -162,7 +162,7 @@ void LineContact::renew_laws() {
         element_law(static_cast<size_t>(pair.element), volumes_[static_cast<size_t>(pair.volume)].settings);
 }
 
-void LineContact::reset_multipliers() {
+void LineContact::forget_stiffening() {
   if (forget_raise()) renew_laws();
 }
 
@@ -213,10 +213,14 @@ bool VolumeContact::stiffen(const Kinematics& equilibrium) {
   return true;
 }
 
-// Multipliers hold what the spring is too soft for.
+void VolumeContact::forget_stiffening() {
+  if (!forget_raise()) return;
+  for (Pair& pair : pairs_) pair.law = node_law(pair.node, pair.volume);
+}
+
 Contact::TooDeep VolumeContact::too_deep(const Kinematics&) const {
   TooDeep at;
-  if (augments() || model_ == NodeContact::gap) return at;
+  if (model_ == NodeContact::gap) return at;  // a spring through the air may be as long as it likes
   for (const Pair& pair : pairs_) {
     const size_t n = static_cast<size_t>(pair.node);
     if (!pair.seen) continue;

@@ -18,7 +18,6 @@ constexpr double kRounding = 1e-12;  // of coordinates, far above that of a dist
 // iteration may go anywhere, so every pair is one.
 void VolumeContact::prepare(const Kinematics& committed, double h) {
   pose_bodies(committed.time, start_poses_);
-  moves_ = h > 0;
   std::vector<Pair> old;
   old.swap(pairs_);
   size_t known = 0;
@@ -53,16 +52,9 @@ void VolumeContact::prepare(const Kinematics& committed, double h) {
         histories[static_cast<size_t>(was.slot)] = was.history;
         more = more || (was.slot > 0 && was.history.touches);
         if (was.slot > 0) continue;
-        pair.multiplier = was.multiplier, pair.held = was.held;
-        pair.released = was.released;
         pair.centre = was.centre, pair.clear = was.clear;
       }
       pair.history = histories[0];
-      // What statics left as a spring's force is the multiplier's in motion, where nothing is left.
-      if (h > 0 && committed.step == 0 && augments() && pair.history.touches) {
-        pair.multiplier = pair.history.multiplier = pair.history.normal_force;
-        pair.held = pair.history.held = model_ == NodeContact::rigid;
-      }
       pair.margin = margin;
       if (model_ == NodeContact::gap && !pair.history.paired) choose_gap(pair, y);
       pair.start.gap = std::max(margin, away - touch) + laws.normal.smoothing;  // a bound
@@ -159,7 +151,7 @@ void VolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
                  room = pair.walls ? 0 : std::max(pair.clear - (y - pair.centre).norm(), 0.0);
     if (room * (1 - 1e-9) > ahead - pair.touch ||
         (!may_limit(radius, room, speed, to) &&
-         (augments() || !may_strike(pair.law.normal, nodes_[n].mass, radius, speed, committed.a[n].norm()))))
+         !may_strike(pair.law.normal, nodes_[n].mass, radius, speed, committed.a[n].norm())))
       continue;
     met.clear();
     if (pair.walls) {
@@ -173,7 +165,6 @@ void VolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
       const Approach at{p.distance - pair.touch, -p.normal.dot(v),
                         p.normal.dot(pose.rotation.conjugate() * committed.a[n])};
       limit_depth(nodes_[n].radius, at, to);
-      if (augments()) continue;  // has no period
       to.add(strikes(pair.law.normal, nodes_[n].mass, 1, nodes_[n].radius, at),
              mesh_.nodes[static_cast<size_t>(global_[n])].line);
     }
@@ -181,7 +172,7 @@ void VolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
 }
 
 bool VolumeContact::locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const {
-  if (model_ != NodeContact::elastic) return locate_held(pair, y, reach, trial);
+  if (model_ == NodeContact::gap) return locate_gap(pair, y, trial);
   if (clear_of(pair, y)) return false;
   const auto& p = look(pair, y, pair.touch + reach);
   pair.centre = y;
@@ -205,11 +196,8 @@ PointContact VolumeContact::contact(Pair& pair, const Kinematics& at, bool deriv
   know_start(pair);
   if (at.step > 0) trial.velocity = pose.rotation.conjugate() * (at.v[n] - pose.velocity_at(x));
   if (convex) trial.curvature.setZero();  // -N H is the negative geometric stiffness of contact
-  if (pair.walls)
-    return volume_contact(in_force(pair, at.step), start(pair, trial.point), trial, derivatives);
-  PointContact c = volume_contact(in_force(pair, at.step), pair.start, trial, derivatives);
-  if (augments() && at.step > 0) mean_direction(pair, trial, derivatives, c);
-  return c;
+  return volume_contact(applied(pair.law), pair.walls ? start(pair, trial.point) : pair.start, trial,
+                        derivatives);
 }
 
 VolumeContact::Force VolumeContact::force(const Kinematics& trial, int pair, bool tangent, bool convex) {
@@ -244,7 +232,6 @@ void VolumeContact::evaluate(const Kinematics& trial, Sink& sink) {
   for (Pair& pair : pairs_) {
     Force f = resolve(pair, trial, tangent, convex);
     if (!f.touches) continue;
-    if (augments()) f.total *= trial.hold_weight, f.K *= trial.hold_weight, f.C *= trial.hold_weight;
     const int block = block_[static_cast<size_t>(pair.node)];
     const Vec3 residual = -f.total;
     const RowMajor K = f.K, C = f.C;
@@ -270,21 +257,6 @@ void VolumeContact::commit(const Kinematics& accepted) {
     accounts_[static_cast<size_t>(pair.node)].reaches(next.depth, accepted.time, pair.volume);
     if (pair.walls && c.normal.elastic != 0) pair.start.gap = start(pair, at.point).gap;
     if (accepted.step > 0 && (next.touches || pair.history.touches)) account(pair, next, at.point);
-    if (pair.speed) {  // and the blow at its end
-      const RigidPose& pose = poses_[body(pair.volume)];
-      Account& sum = accounts_[static_cast<size_t>(pair.node)];
-      sum.damping -= 0.5 * pair.impulse * *pair.speed;
-      sum.work += pair.impulse * at.normal.dot(pose.rotation.conjugate() *
-                                               pose.velocity_at(accepted.x[static_cast<size_t>(pair.node)]));
-    }
-    next.multiplier = pair.multiplier, next.held = pair.held;
-    if (augments() && next.touches && accepted.step > 0) {
-      // The force that is told is the whole impulse over the step.
-      const double blow = pair.impulse / accepted.step;
-      next.multiplier = c.normal.elastic;
-      next.normal_force += blow, next.force += blow * at.normal;
-    }
-    if (augments() && next.touches) next.rest = accepted.step > 0 ? pair.history.rest : at.gap;
     next.paired = pair.history.paired, next.anchor = pair.history.anchor;
     next.direction = pair.history.direction;
     pair.history = next;
@@ -299,12 +271,6 @@ void VolumeContact::account(const Pair& pair, const History& next, const Vec3& y
   const Vec3& y0 = pair.start.point;
   Account& sum = accounts_[static_cast<size_t>(pair.node)];
   double part = 1;
-  if (augments()) {  // its force is that of the whole step, and what it does to stop the node is lost
-    History whole = next;
-    whole.damping_force = 1, whole.normal = next.force - next.friction;
-    add_work(sum, step, whole, step.R1, y0, y, 2);
-    return;
-  }
   const double smoothing = pair.law.normal.smoothing;
   if (!last.touches) {
     const double moved = std::max(pair.start.gap - smoothing, 0.0), deep = smoothing + next.depth;

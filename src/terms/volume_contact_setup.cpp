@@ -10,11 +10,10 @@ namespace hawser {
 
 VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                              std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes,
-                             NodeContact model, double allowed_penetration, MPI_Comm comm)
+                             NodeContact model, MPI_Comm comm)
     : Contact(std::move(bodies), std::move(volumes), comm),
       mesh_(*mesh.mesh),
       model_(model),
-      allowed_(allowed_penetration),
       nodes_(std::move(nodes)),
       line_(mesh) {
   const size_t owned = static_cast<size_t>(mesh.owned);
@@ -42,9 +41,7 @@ ContactLaw VolumeContact::node_law(int node, int volume) const {
   double share = 1;  // of the node: what turns the basis into N/m
   if (v.basis == model::StiffnessBasis::per_length) share = tributary_[n];
   if (v.basis == model::StiffnessBasis::per_area) share = tributary_[n] * diameter;
-  ContactLaw l = law(v, share, diameter, nodes_[n].mass);
-  if (augments()) l.normal.smoothing = 0;  // a multiplier needs no ramp, and none would end at the surface
-  return l;
+  return law(v, share, diameter, nodes_[n].mass);
 }
 
 bool VolumeContact::left_out(int node, int volume) const {
@@ -53,13 +50,12 @@ bool VolumeContact::left_out(int node, int volume) const {
   return takes_part(mesh_, n.line, volume, n.arc, n.arc).none();
 }
 
-// In dynamics of the committed state; of multipliers none, from the start on. Statics asks for trials: its
-// line search goes down this energy.
+// In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
 Energy VolumeContact::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
-    if (at.step > 0 || (moves_ && augments())) {
-      if (!augments()) e.strain += p.history.potential;
+    if (at.step > 0) {
+      e.strain += p.history.potential;
       continue;
     }
     const size_t n = static_cast<size_t>(p.node);
@@ -67,7 +63,7 @@ Energy VolumeContact::energy(const Kinematics& at) const {
     ContactTrial trial;
     const Vec3 y = bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time).to_body(at.x[n]);
     if (locate(pair, y, 0.5 * element_[n], trial))
-      e.strain += normal_force(in_force(p, 0).normal, trial.gap, 0).potential;
+      e.strain += normal_force(applied(p.law).normal, trial.gap, 0).potential;
   }
   for (const Account& a : accounts_) e.friction += a.friction, e.damping += a.damping, e.work += a.work;
   return e;
@@ -103,7 +99,6 @@ void VolumeContact::fields(FieldRegistry& registry) const {
 
 namespace {
 constexpr int kAccount = -1;  // key of a node's sums; volumes count from 0, those of second walls behind them
-constexpr size_t kWithoutRest = 27;  // values of a pair of older files, which kept no gap in motion
 
 void put(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), v.begin(), v.end()); }
 }  // namespace
@@ -119,14 +114,13 @@ std::vector<HistoryRecord> VolumeContact::save() const {
   }
   for (const Pair& p : pairs_) {
     const History& h = p.history;
-    if (!h.touches && !h.paired && h.multiplier == 0) continue;
+    if (!h.touches && !h.paired) continue;
     HistoryRecord r{global_[static_cast<size_t>(p.node)], p.volume + p.slot * volumes(), {}};
     for (const Vec3* v : {&h.slip, &h.normal, &h.force, &h.friction}) put(r.values, *v);
     r.values.insert(r.values.end(),
                     {h.normal_force, h.damping_force, h.potential, h.depth, static_cast<double>(h.hint)});
-    if (model_ != NodeContact::elastic) {
-      r.values.insert(r.values.end(),
-                      {h.multiplier, h.held ? 1.0 : 0, h.touches ? 1.0 : 0, h.paired ? 1.0 : 0, h.rest});
+    if (model_ == NodeContact::gap) {
+      r.values.insert(r.values.end(), {h.touches ? 1.0 : 0, h.paired ? 1.0 : 0});
       put(r.values, h.anchor), put(r.values, h.direction);
     }
     records.push_back(std::move(r));
@@ -148,11 +142,8 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
       accounts_[static_cast<size_t>(found->second)] = {v[0], v[1], v[2], v[3], v[4], static_cast<int>(v[5])};
       continue;
     }
-    const bool more = model_ != NodeContact::elastic, rests = v.size() != kWithoutRest;
-    if (v.size() != (!more   ? 17U
-                     : rests ? 28U
-                             : kWithoutRest) ||
-        r.key < 0 || r.key >= SurfaceWalls::kMost * volumes())
+    const bool gap = model_ == NodeContact::gap;
+    if (v.size() != (gap ? 25U : 17U) || r.key < 0 || r.key >= SurfaceWalls::kMost * volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
     Pair& p = pairs_.emplace_back();
     p.node = found->second;
@@ -164,11 +155,9 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
     h.normal_force = v[12], h.damping_force = v[13], h.potential = v[14], h.depth = v[15];
     h.hint = static_cast<int>(v[16]);
     h.touches = true;
-    if (!more) continue;
-    h.multiplier = p.multiplier = v[17], h.held = p.held = v[18] != 0;
-    h.touches = v[19] != 0, h.paired = v[20] != 0;
-    at = 21;
-    if (rests) h.rest = v[static_cast<size_t>(at++)];
+    if (!gap) continue;
+    h.touches = v[17] != 0, h.paired = v[18] != 0;
+    at = 19;
     for (Vec3* part : {&h.anchor, &h.direction})
       for (int c = 0; c < 3; ++c) (*part)[c] = v[static_cast<size_t>(at++)];
   }

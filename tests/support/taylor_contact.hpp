@@ -85,21 +85,9 @@ inline constexpr NodeStory kStory[8] = {
     {-5 * mm, -4 * mm, 20 * mm, 0.1}, {-0.3 * mm, 0.2 * mm, 5 * mm, 0.02},    {10 * mm, -4 * mm, 1 * mm, 0.1},
     {10 * mm, -5 * mm, 40 * mm, 0.1}, {-3 * mm, 5 * mm, 1 * mm, 0.1}};
 
-// How a node is kept out; with multipliers or held, those of the start of the step. The last: by multipliers
-// alone, as the exact statics does it.
-enum class Kept { elastic, augmented, rigid, gap, exact };
-
-// A multiplier has no ramp: contact ends where k times the gap is the multiplier, which is k times the depth
-// at the start of the step. The node in the spring's ramp at 0.3 mm would be out of touch there (20 N less
-// 30); at 0.01 mm its multiplier holds it.
-inline NodeStory story(Kept kept, int g) {
-  NodeStory s = kStory[g];
-  if (kept == Kept::augmented && g == 1) s.gap = 0.01 * mm;
-  return s;
-}
-
 inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn on, double axial,
-                                  double lateral, Kept kept = Kept::elastic) {
+                                  double lateral,
+                                  NodeContact model = NodeContact::elastic) {
   const LocalMesh& l = m.system->mesh();
   const Quat start = exp_so3({0.3, -0.2, 0.5});
   const bool moves = on != ContactOn::plane && on != ContactOn::corner;
@@ -123,16 +111,9 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
     v.surface = std::make_shared<MeshSurface>(floor_and_wall());
   else
     v.surface = std::make_shared<MeshSurface>(test::box_mesh(Vec3(0, 0, -1), Vec3(3, 3, 2)));
-  // What holds a node in motion goes by its mass: one that asks for no more than the spring.
-  const double mass = kept == Kept::elastic || kept == Kept::gap ? 50 : 0.02;
-  v.settings.relative_damping *= std::sqrt(50 / mass);
-  const NodeContact model = kept == Kept::gap       ? NodeContact::gap
-                            : kept == Kept::rigid   ? NodeContact::rigid
-                            : kept == Kept::elastic ? NodeContact::elastic
-                                                    : NodeContact::augmented;
   auto term = std::make_unique<VolumeContact>(
       l, bodies, std::vector<ContactVolume>{v},
-      std::vector<ContactNode>(static_cast<size_t>(l.owned), {kContactRadius, mass}), model);
+      std::vector<ContactNode>(static_cast<size_t>(l.owned), {kContactRadius, 50}), model);
   VolumeContact& contact = *term;
   m.system->add(std::move(term));
 
@@ -144,7 +125,7 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
   before.time = t0 - t.h;
   for (int n = 0; n < l.nodes(); ++n) {
     const int g = l.global[static_cast<size_t>(n)];
-    const NodeStory s = story(kept, g);
+    const NodeStory s = kStory[g];
     const double old = g == 1 ? 0.02 * mm : 0.5 * mm;
     before.x[static_cast<size_t>(n)] = p0.to_space(place(on, g, s.before, -old));
     const Vec3 from = p1.to_space(place(on, g, s.before, 0)), to = p2.to_space(place(on, g, s.gap, s.slip));
@@ -156,22 +137,6 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
   m.system->commit(t.from.view(t.h));
   m.system->prepare(t.from.view(t.h), t.h);
   t.length = 0.2 * mm;
-  if (kept == Kept::augmented) contact.augment(t.from.view(t.h));
-  if (kept == Kept::rigid) {  // held where it is deep at the start, then with its force, or deep in the trial
-    contact.augment(t.from.view(t.h));
-    State beside = t.from;  // where a multiplier changes nothing it would be given up
-    for (Vec3& x : beside.x) x += at.rotation * Vec3::Constant(1e-12);
-    contact.augment(beside.view(t.h));
-    contact.augment(state_of(l, t).view(t.h));
-  }
-  if (kept == Kept::exact) {
-    std::vector<double> forces;
-    for (int n = 0; n < l.owned; ++n) {
-      const NodeStory& s = kStory[l.global[static_cast<size_t>(n)]];
-      forces.push_back(std::max(0.0, -kNormalStiffness * s.before));
-    }
-    contact.set_multipliers(forces);
-  }
   return contact;
 }
 

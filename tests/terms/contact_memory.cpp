@@ -233,38 +233,5 @@ TEST(ContactMemory, AsksLittle) {
   EXPECT_LE(later, kElements / 2);
 }
 
-// Older files of multipliers do not say which gap is kept in motion: none is.
-TEST(ContactMemory, ReadsOlderCheckpoints) {
-  Mesh mesh;
-  const LocalMesh local = chain(mesh, false);
-  const auto make = [&] {
-    return VolumeContact(local, nullptr,
-                         {volume(std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ()), -1)},
-                         std::vector<ContactNode>(kElements + 1, {0.1, 10}), NodeContact::augmented);
-  };
-  VolumeContact term = make(), copy = make();
-  const State deep = line_at(0, 0, 0);
-  term.prepare(deep.view(0), 0);
-  term.commit(deep.view(0));
-  const auto kept = term.save();
-  auto older = kept, expected = kept;
-  constexpr size_t kRest = 21;
-  int pairs = 0;
-  for (size_t i = 0; i < kept.size(); ++i) {
-    if (kept[i].key < 0) continue;
-    ++pairs;
-    EXPECT_LT(kept[i].values.at(kRest), 0);
-    expected[i].values[kRest] = 0;
-    older[i].values.erase(older[i].values.begin() + kRest);
-  }
-  ASSERT_EQ(pairs, kElements + 1);
-  copy.restore(older);
-  const auto read = copy.save();
-  ASSERT_EQ(read.size(), expected.size());
-  for (size_t i = 0; i < read.size(); ++i) EXPECT_EQ(read[i].values, expected[i].values);
-  older.back().values.pop_back();
-  EXPECT_THROW(copy.restore(older), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace hawser::test::contact_memory_test

@@ -1,4 +1,4 @@
-// The ways of keeping a node out of a volume beside each other: elastic, augmented, exact, rigid, gap spring.
+// The ways of keeping a node out of a volume beside each other: elastic, gap spring.
 // The pipe of the figure in cases/impact: 60 m of 12 inch, falls to 1.5 m/s and meets a point support with
 // its middle.
 #include "verification/contact_models.hpp"
@@ -62,91 +62,6 @@ TEST(ContactModels, ElasticPeakDoesNotDependOnTheStep) {
     expect("fixed", part, land(model::ContactMethod::nodes, period / part), 0.03);
   }
   expect("automatic, at most", 0, land(model::ContactMethod::nodes, 0), 0.03);
-}
-
-// The step decides the force: the speed of the node is taken out in one. No energy is made of it.
-TEST(ContactModels, RigidPeakGrowsAsTheStepFalls) {
-  double first = 0, before = 0, last = 0;
-  for (const double step : {8e-3, 4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4, 1.25e-4, 6.25e-5}) {
-    const Landing l = land(model::ContactMethod::rigid, step);
-    std::printf("rigid, %.3g ms: peak %.1f kN, impulse %.3f kN s, %d releases, %.1e m under, energy %+.2e\n",
-                1e3 * step, l.peak / 1e3, l.impulse / 1e3, l.releases, l.depth, l.energy / fallen_energy());
-    EXPECT_LT(l.depth, 1e-7 * kPipeRadius);
-    EXPECT_LT(l.energy, 1e-12 * fallen_energy());
-    EXPECT_GT(l.peak, last);
-    if (first == 0) first = l.peak;
-    before = last, last = l.peak;
-  }
-  EXPECT_GT(last, 10 * first);
-  EXPECT_NEAR(last, 2 * before, 0.2 * last);  // in short steps as one over the step
-}
-
-// A cable laid over a round bar from both sides, in statics: penetration by the spring, by multipliers, and
-// exactly, and the same shape whatever the stiffness.
-struct Hung {
-  double deepest = 0, force = 0, tension = 0;  // m, N, N
-  int touching = 0, iterations = 0;
-};
-Hung hang(double stiffness, bool augmented, bool exact) {
-  const model::Case c = hung_cable(stiffness, augmented, exact);
-  Simulation s(PETSC_COMM_WORLD, c, {round_drum(3.6, 2)});
-  Hung out;
-  out.iterations = s.solve_statics().iterations;
-  NodeField force(s, "contact_normal_force"), tension(s, "effective_tension");
-  for (const double f : force.at(s.state().view(0))) out.force += f, out.touching += f > 0;
-  for (const double t : tension.at(s.state().view(0))) out.tension = std::max(out.tension, t);
-  for (const Vec3& x : s.state().x) out.deepest = std::max(out.deepest, 3.65 - std::hypot(x.x(), x.z()));
-  return out;
-}
-
-TEST(ContactModels, MultipliersWorkOffThePenetration) {
-  const Hung soft = hang(1e5, false, false), exact = hang(1e6, true, true);
-  std::printf(
-      "elastic 1e5 N/m: %.2e m deep, %d nodes, %.1f N of contact, largest tension %.1f N, %d iterations\n",
-      soft.deepest, soft.touching, soft.force, soft.tension, soft.iterations);
-  std::printf("exact:           %.2e m deep, %d nodes, %.1f N, %.1f N, %d iterations\n", exact.deepest,
-              exact.touching, exact.force, exact.tension, exact.iterations);
-  EXPECT_GT(soft.deepest, 1e-3);
-  EXPECT_LT(exact.deepest, 1e-9);
-  for (const double k : {1e5, 1e6, 1e7}) {
-    const Hung h = hang(k, true, false);
-    std::printf("augmented %.0e:  %.2e m deep, %d nodes, %.1f N, %.1f N, %d iterations\n", k, h.deepest,
-                h.touching, h.force, h.tension, h.iterations);
-    EXPECT_LT(h.deepest, 2e-7);
-    EXPECT_EQ(h.touching, exact.touching);
-    EXPECT_NEAR(h.force, exact.force, 1e-4 * exact.force);
-    EXPECT_NEAR(h.tension, exact.tension, 1e-5 * exact.tension);
-  }
-}
-
-// In motion: with multipliers the node stops at the surface, and a step that is tried again leaves no trace.
-TEST(ContactModels, AugmentedInMotion) {
-  model::Case c = pipe(model::ContactMethod::nodes, 4e-3);
-  c.contact.augmented = true;
-  c.contact.allowed_penetration = 1e-6;
-  Simulation s(PETSC_COMM_WORLD, c, {point_support()});
-  Dynamics& d = s.dynamics();
-  d.start(s.state());
-  double deepest = 0, most = 0;
-  NodeField contact(s, "contact_normal_force");
-  d.run(
-      0.3, [](double t) { return t + 100; },
-      [&](const StepInfo&) {
-        deepest = std::max(deepest, kPipeRadius - d.committed().s.x[30].z());
-        for (const double f : contact.at(d.kinematics())) most = std::max(most, f);
-        return true;
-      });
-  std::printf("augmented in motion: %.1e m under the surface, peak %.1f kN\n", deepest, most / 1e3);
-  EXPECT_GT(most, 1e4);
-  EXPECT_LT(deepest, 2e-6);
-  // A try that is thrown away.
-  s.system().prepare(d.kinematics(), 4e-3);
-  const Dynamics::Attempt first = d.attempt(4e-3);
-  const double h2 = d.attempt(2e-3).converged ? 1 : 0;
-  const Dynamics::Attempt again = d.attempt(4e-3);
-  EXPECT_EQ(h2, 1);
-  EXPECT_EQ(first.iterations, again.iterations);
-  EXPECT_EQ(first.error, again.error);
 }
 
 // A gap spring knows the normal of the start alone: pushed off the side of a roller, the pipe still lies on

@@ -22,7 +22,6 @@ struct Plate {
 struct Throw {
   bool cable = false, of_mesh = false, nodes = false, plate_moves = false, resolve = true;
   double speed = 1, step = 0;  // m/s; s, 0: automatic
-  NodeContact model = NodeContact::elastic;
 };
 
 struct Course {
@@ -68,8 +67,6 @@ Course throw_line(const Throw& t, unsigned seed) {
   }
   c.volumes.push_back(v);
   if (t.nodes) c.contact.method = model::ContactMethod::nodes;
-  if (t.model == NodeContact::augmented) c.contact.augmented = true;
-  if (t.model == NodeContact::rigid) c.contact.method = model::ContactMethod::rigid;
   std::shared_ptr<const Surface> surface;
   if (t.of_mesh) {
     surface = std::make_shared<MeshSurface>(box_mesh(plate.low(), plate.high()));

@@ -21,7 +21,6 @@ struct Audit {
   double there = 0;        // the most that moved and was strained at a time, without what was made
   double held = 0;         // the most strain energy: what rounding of an error is a part of
   double least_error = 0;  // so far
-  bool plastic = false;    // contact by multipliers: its impacts take energy that nothing books
   struct Step {
     double value = 0, time = 0, length = 0;  // J; s, at its end; s
     int node = -1;                           // of the mesh, where the motion changed most; -1: not known

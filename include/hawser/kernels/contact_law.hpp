@@ -16,30 +16,20 @@ struct NormalLaw {
   double damping = 0;                 // N s/m, c at full stiffness
   const ForceTable* table = nullptr;  // instead of ramp and straight line; not owned
   double table_factor = 1;            // of its forces
-  // Augmented (Uzawa): the law is entered this much earlier, the multiplier over the stiffness. A law that
-  // holds is a spring both ways, without damping.
-  double ahead = 0;  // m
-  bool holds = false;
 };
 
 struct NormalForce {
-  double force = 0;      // N, elastic and damping together, >= 0 unless the law holds
+  double force = 0;      // N, elastic and damping together, >= 0
   double elastic = 0;    // N
   double potential = 0;  // J, of the elastic part
   double by_gap = 0;     // N/m, derivative of force
   double by_rate = 0;    // N s/m
 };
 
-// gap [m], its rate [m/s]. The damping force is -c e rate, where e = stiffness at g / k.
-inline NormalForce normal_force(const NormalLaw& law, double gap, double rate) {
-  const double k = law.stiffness, d = law.smoothing, g = gap - law.ahead;
+// Gap g [m], its rate [m/s]. The damping force is -c e rate, where e = stiffness at g / k.
+inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
+  const double k = law.stiffness, d = law.smoothing;
   NormalForce r;
-  if (law.holds) {
-    r.force = r.elastic = -k * g;
-    r.potential = 0.5 * k * g * g;
-    r.by_gap = -k;
-    return r;
-  }
   if (g >= d) return r;
   double fade = 1, fade_by_gap = 0;
   if (law.table) {

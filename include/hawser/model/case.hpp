@@ -227,7 +227,7 @@ double thermal_strain(const LineType& type, const Line& line, double from, doubl
 
 // rigid and gap are there to be compared with: at the nodes, held on the surface until the reaction pulls; at
 // the nodes, a spring along a direction that is chosen at the start.
-enum class ContactMethod { nodes, line, rigid, gap };
+enum class ContactMethod { nodes, line, gap };
 
 // How lines touch lines.
 struct LinePairSettings {
@@ -254,8 +254,6 @@ struct BetweenLines {
 struct Contact {
   ContactMethod method = ContactMethod::line;
   bool rolling = false;             // friction acts at the lines' surface and turns them about their axes
-  bool augmented = false;           // penetration is worked off by multipliers (Uzawa); nodes only
-  double allowed_penetration = 0;   // m, that is left of it; 0: 1e-4 of the radius
   double warned_penetration = 0.1;  // share of the radius
   bool all_lines = true, all_volumes = true;
   std::vector<std::string> lines, volumes;  // when not all
@@ -275,7 +273,6 @@ struct Statics {
   int max_iterations = 500;
   Relaxation relaxation = Relaxation::automatic;
   int relaxation_steps = 5000;    // at most
-  bool exact_contact = false;     // solved as a complementarity problem (SNESVI); needs contact.augmented
   bool contact_friction = false;  // of volumes and between lines, from the start shape on
 };
 

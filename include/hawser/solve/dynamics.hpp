@@ -91,10 +91,6 @@ class Dynamics {
   void load(Vec u);
   void solve_once(Attempt& a);
   void put(const std::vector<double>& u);
-  void start_held(double h);
-  void expect_held();
-  void add_held(double sign);
-  bool let_go();
   void solve_masses();
   std::string failure(double h) const;
 
@@ -107,9 +103,6 @@ class Dynamics {
   std::vector<double> local_u_, gathered_, reactions_;
   MeanForces mean_;              // of the committed state
   std::vector<double> carried_;  // what they add to the residuals of the step
-  // By how much speeds at the end of the step are others than the increments make them: what multipliers and
-  // stops do there. Empty: there are none.
-  std::vector<Vec3> held_v_, held_w_;
   double expected_ = -1;    // s, the step that the system was last told to expect
   bool copied_ = false;     // trial_ has all that a step leaves alone
   bool loaded_ = false;     // trial_ belongs to local_u_

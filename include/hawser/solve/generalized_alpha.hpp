@@ -22,9 +22,6 @@ struct AlphaState {
   State s;
   std::vector<Vec3> ax, aw;  // algorithmic accelerations, m/s² and rad/s² (material)
   std::vector<Mat3> ad;      // and of the directors, 1/s²
-  // What forces of multipliers make of the true accelerations (material where it turns): the scheme does not
-  // carry it from step to step. Empty: nothing.
-  std::vector<Vec3> hx, hw;
 };
 
 // Gives a state whose accelerations are right those that the scheme carries.
@@ -36,18 +33,6 @@ void alpha_start(AlphaState& state);
 // hat(w), exactly.
 void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoefficients& c, double h,
                  const AlphaState& from, const std::vector<double>& u, AlphaState& trial);
-
-// The same of a start whose true accelerations are those of all forces.
-void alpha_start_held(const LocalMesh& mesh, const std::vector<double>& c, AlphaState& state);
-
-// By how much of c the speeds of a try, in which the increment has h²/2 c, are short of h c.
-double alpha_held_speed(const AlphaCoefficients& coefficients, double h);
-
-// Of a converged try in which multipliers have the weight that it gave them: takes the acceleration c (3 *
-// local blocks) that they make by the masses out of what the scheme carries, so that they acted in this step
-// alone, evenly, and adds it to the true accelerations.
-void alpha_hold(const LocalMesh& mesh, const AlphaCoefficients& coefficients, double h,
-                const std::vector<double>& c, AlphaState& trial);
 
 // Increment that the scheme predicts when the algorithmic acceleration does not change.
 void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, const AlphaState& from,

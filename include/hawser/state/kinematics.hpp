@@ -27,10 +27,6 @@ struct Kinematics {
   // those that belong to w and alpha, R (hat(alpha) + hat(w)²).
   std::span<const Mat3> directors = {};
   double director_weight = 0;  // 1/s, their change in the trial per change of the rates
-  // In a try of a step: what forces of multipliers count for in the residual, in which accelerations are
-  // those of the whole step and these forces act in none but this one
-  // (docs/theory/contact-models.md#in-motion).
-  double hold_weight = 1;
   StepMean mean = {};
 };
 

@@ -14,7 +14,7 @@ struct State {
   std::vector<Quat> q;
   std::vector<Vec3> w, alpha;
   std::vector<Mat3> directors;  // accelerations; empty outside time integration (kinematics.hpp)
-  double director_weight = 0, hold_weight = 1;
+  double director_weight = 0;
   StepMean mean;
 
   explicit State(int nodes = 0) { resize(nodes); }
@@ -25,7 +25,7 @@ struct State {
     directors.clear();
   }
   Kinematics view(double step) const {
-    return {time, step, x, v, a, q, w, alpha, directors, director_weight, hold_weight, mean};
+    return {time, step, x, v, a, q, w, alpha, directors, director_weight, mean};
   }
 };
 

@@ -86,28 +86,11 @@ class ForceTerm {
   // The state is accepted: history that belongs to it becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
-  // Multipliers of constraints that are met by solving again (Uzawa). augment(): from an equilibrium, moves
-  // them and says so, or finds that they are good; reset_multipliers(): back to those of the last accepted
-  // state, before a step is tried (again). evaluate() never changes them. augment() may communicate.
-  virtual bool augments() const { return false; }
-  virtual bool augment(const Kinematics& equilibrium) { return (void)equilibrium, false; }
-  virtual void reset_multipliers() {}
-  // Of what multipliers hold in a converged step: a stiffness k, kg, far above the masses, times the speed u
-  // at which it moves on along the normal n all the same: k u n, and k n n' as a mass.
-  virtual void stop(const Kinematics& at, Sink& sink) { (void)at, (void)sink; }
-
-  // Exact unilateral statics: gaps that must not be negative, and their multipliers. After set_multipliers()
-  // the term's force is that of the multipliers alone (a value for each constraint, in their order), until
-  // it is called with none.
-  struct Constraint {
-    int block = 0;               // local 3-block of the position
-    double gap = 0;              // m
-    Vec3 normal = Vec3::Zero();  // derivative of the gap by the position; zero: far away
-    double stiffness = 0;        // N/m, of the spring it replaces: a scale
-    double force = 0;            // N, of that spring in this state
-  };
-  virtual void constraints(const Kinematics& at, std::vector<Constraint>& out) { (void)at, (void)out; }
-  virtual void set_multipliers(std::span<const double> values) { (void)values; }
+  // A stiffness that follows what the run meets: from an equilibrium, raises it where that asks for it and says
+  // so (solve again), and takes back what was raised since the last commit, before a step is tried (again).
+  // evaluate() never changes it. stiffen() is collective.
+  virtual bool stiffen(const Kinematics& equilibrium) { return (void)equilibrium, false; }
+  virtual void forget_stiffening() {}
 
   // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics):
   // no residual can be smaller.

@@ -79,20 +79,13 @@ class System {
 
   // r = sum of all terms at the trial state, and of what is `carried` (3 * local blocks; empty: nothing);
   // held components of r are zero, their reactions are kept.
-  void residual(const Kinematics& trial, Vec r, std::span<const double> carried = {}) {
-    residual(trial, r, Part::all, carried);
-  }
-  // Of the terms with multipliers alone: their forces, or what is to be stopped (ForceTerm::stop); these take
-  // the place of reactions() until the next call.
-  enum class Part { all, multipliers, stops };
-  void residual(const Kinematics& trial, Vec r, Part part, std::span<const double> carried = {});
+  void residual(const Kinematics& trial, Vec r, std::span<const double> carried = {});
   // Of the last residual() of all terms: the forces that are means over the step, without their weight; 3 *
   // local blocks, valid for owned blocks.
   const std::vector<double>& mean_forces() const { return mean_; }
   // J = K T(u) + wC C + wM M; rows and columns of held components are the identity's. `u` are the local
-  // increments that led to the trial (3 * local blocks). stops: with the masses of ForceTerm::stop.
-  void tangent(const Kinematics& trial, Weights weights, const std::vector<double>& u, bool convex, Mat J,
-               bool stops = false);
+  // increments that led to the trial (3 * local blocks).
+  void tangent(const Kinematics& trial, Weights weights, const std::vector<double>& u, bool convex, Mat J);
 
   // Of the last residual() call. Collective.
   ResidualNorms norms(Vec r) const;
@@ -108,9 +101,8 @@ class System {
   StepLimit longest_step(const Kinematics& committed, double most);
   // Whether all that matters in a converged step was foreseen by longest_step(), which is asked first.
   bool foreseen(const Kinematics& trial);
-  bool augments() const;                        // whether any term has multipliers
-  bool augment(const Kinematics& equilibrium);  // true on all ranks: solve again
-  void reset_multipliers();
+  bool stiffen(const Kinematics& equilibrium);  // true on all ranks: solve again
+  void forget_stiffening();
 
   void prepare(const Kinematics& committed, double h);
   // Says that the coming try is shorter than what was prepared for: what is noise in the residual depends on

@@ -40,8 +40,8 @@ class LineContact final : public Contact {
   bool covers(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
-  bool augment(const Kinematics& equilibrium) override;
-  void reset_multipliers() override;
+  bool stiffen(const Kinematics& equilibrium) override;
+  void forget_stiffening() override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   // contact_force, contact_normal_force, friction_force as the element's shape functions share them out.

@@ -17,18 +17,16 @@ struct ContactNode {
   double mass = 0;    // kg, nodal mass: the effective mass of relative_damping
 };
 
-// How a node is kept out: by springs; by springs whose penetration is worked off with multipliers; held on
-// the surface, once it got through it, until the reaction pulls; by a spring along the normal that was
-// nearest at the start, wherever the node goes. See docs/theory/contact-models.md.
-enum class NodeContact { elastic, augmented, rigid, gap };
+// How a node is kept out: by a spring along the normal of the surface where it is; by one along the normal that
+// was nearest at the start, wherever the node goes. See docs/theory/contact-models.md.
+enum class NodeContact { elastic, gap };
 
 class VolumeContact final : public Contact {
  public:
   // nodes: one for each owned node. All lengths and indices are checked, std::invalid_argument otherwise.
   VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                 std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes,
-                NodeContact model = NodeContact::elastic, double allowed_penetration = 0,
-                MPI_Comm comm = MPI_COMM_SELF);
+                NodeContact model = NodeContact::elastic, MPI_Comm comm = MPI_COMM_SELF);
 
   std::string_view name() const override { return "volume contact"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -39,13 +37,8 @@ class VolumeContact final : public Contact {
   bool covers(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
-  bool augments() const override { return model_ == NodeContact::augmented || model_ == NodeContact::rigid; }
-  bool augment(const Kinematics& equilibrium) override;
-  void reset_multipliers() override;
-  void stop(const Kinematics& at, Sink& sink) override;
-  double round_off(const Kinematics& at, double h) const override;
-  void constraints(const Kinematics& at, std::vector<Constraint>& out) override;
-  void set_multipliers(std::span<const double> values) override;
+  bool stiffen(const Kinematics& equilibrium) override;
+  void forget_stiffening() override;
   Energy energy(const Kinematics& at) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryRecord> save() const override;
@@ -72,9 +65,6 @@ class VolumeContact final : public Contact {
     double depth = 0;  // m
     int hint = -1;     // nearest triangle
     bool touches = false;
-    double multiplier = 0;  // N
-    bool held = false;
-    double rest = 0;  // m, gap that is kept in motion: of what statics left within the penetration allowed
     // Gap spring: where the surface was nearest at the start, and its normal.
     bool paired = false;
     Vec3 anchor = Vec3::Zero(), direction = Vec3::UnitZ();
@@ -110,18 +100,6 @@ class VolumeContact final : public Contact {
     Vec3 asked = Vec3::Zero();
     double asked_distance = -1;
     std::optional<SurfacePoint> seen;
-    // Of the try: multiplier, whether it is held, whether it was and is not to be again.
-    double multiplier = 0;
-    bool held = false, released = false;
-    // The gap that the multiplier was moved for last; whether it stayed the same all the same, for the node
-    // is pinched between two surfaces, which no multiplier moves: the spring then says how it presses, and
-    // the node's speed is not taken out.
-    std::optional<double> moved_for;
-    bool fixed = false;
-    // Speed along the normal, m/s, with which it came to the end of the step, and the impulse, N s, that
-    // takes it.
-    std::optional<double> speed;
-    double impulse = 0;
     std::shared_ptr<Walls> walls;  // none: there is one in this step
   };
 
@@ -143,28 +121,18 @@ class VolumeContact final : public Contact {
   double clear_about(const Pair& pair, const Vec3& y, double distance) const;
   // The surface seen from y (body frame); false when it is out of touch. With the gap in `trial` when known.
   bool locate(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const;
-  bool locate_held(Pair& pair, const Vec3& y, double reach, ContactTrial& trial) const;  // other models
+  bool locate_gap(Pair& pair, const Vec3& y, ContactTrial& trial) const;
   Force resolve(Pair& pair, const Kinematics& trial, bool tangent, bool convex);
   PointContact contact(Pair& pair, const Kinematics& at, bool derivatives, bool convex, ContactTrial& trial);
   ContactLaw node_law(int node, int volume) const;
-  // The law in force: with the multiplier, holding or not. step [s]; 0: statics.
-  ContactLaw in_force(const Pair& pair, double step) const;
-  void mean_direction(const Pair& pair, const ContactTrial& at, bool derivatives, PointContact& c) const;
-  // known [m]: round-off of the gap.
-  bool move_multiplier(Pair& pair, double gap, double known, double step) const;
-  bool improve(Pair& pair, double gap, double known, double step);
   void choose_gap(Pair& pair, const Vec3& y) const;
   void account(const Pair& pair, const History& next, const Vec3& y);
 
-  bool stiffen(const Kinematics& equilibrium);
   TooDeep too_deep(const Kinematics& trial) const override;
   const Mesh& lines() const override { return mesh_; }
 
   const Mesh& mesh_;
   NodeContact model_;
-  bool exact_ = false;  // the multipliers are the force
-  bool moves_ = false;  // prepared for a step in time
-  double allowed_;      // m, penetration that multipliers leave; 0: a share of the radius
   std::vector<ContactNode> nodes_;
   std::vector<int> global_, block_;  // of owned nodes: mesh node, local 3-block
   LineNeighbours line_;
