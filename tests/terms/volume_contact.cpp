@@ -60,10 +60,8 @@ std::vector<ContactLaw> laws() {
   static const std::vector<ForceTable::Row> rows{{0.003, 1000}, {0.006, 3500}, {0.02, 30000}};
   static const ForceTable table(rows);
   const NormalLaw normal{1e6, 1e-3, 2e3}, by_table{table.largest_slope(), 0, 2e3, &table};
-  // With a multiplier; held on the surface.
-  const NormalLaw ahead{1e6, 0, 2e3, nullptr, 1, 2e-3}, holds{1e6, 0, 0, nullptr, 1, 2e-3, true};
   std::vector<ContactLaw> out;
-  for (const NormalLaw& n : {normal, by_table, ahead, holds}) {
+  for (const NormalLaw& n : {normal, by_table}) {
     out.push_back({n, {}});
     for (const FrictionReturn back : {FrictionReturn::radial, FrictionReturn::associated})
       for (const double speed : {0.0, 0.3}) {
