@@ -30,10 +30,11 @@
 namespace hawser::app {
 namespace {
 
+constexpr int kStopped = 130;    // exit code: by a signal
 constexpr int kWrongEnergy = 4;  // exit code: the run has ended, but its energy does not add up
 
-// Set by SIGINT and SIGTERM: the run ends at the next output, with everything on disk. Who cannot wait
-// sends the signal again.
+// Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
+// with everything on disk. Who cannot wait sends the signal again.
 volatile std::sig_atomic_t stop_requested = 0;
 void request_stop(int signal) {
   stop_requested = 1;
@@ -173,10 +174,10 @@ int run(MPI_Comm comm, const RunOptions& options) {
     recorder.output(0, sim.state().view(0));
   }
 
+  bool stopped = false;  // before its end, the same on all ranks
   if (c.dynamics.enabled) {
     const Stage stage("dynamics");
-    std::signal(SIGINT, request_stop);
-    std::signal(SIGTERM, request_stop);
+    for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
     Dynamics& d = sim.dynamics();
     progress.begin(d.committed().s.time, end);
     const double every = c.output.every > 0 ? c.output.every : c.dynamics.duration / 100;
@@ -209,6 +210,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
         recorder.checkpoint(make_checkpoint(sim, recorder));
         checkpoint_at = keep > 0 ? next_multiple(info.time, keep) : output_at;
       }
+      stopped = stop && !last;
       return stop == 0;
     };
     try {
@@ -238,11 +240,15 @@ int run(MPI_Comm comm, const RunOptions& options) {
       if (const std::string w = recorder.audit_warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
     }
     for (const std::string& w : recorder.warnings()) fmt::print("\nwarning: {}\n", w);
+    if (stopped)
+      fmt::print(
+          "\nstopped by a signal at t = {:.6g} of {:.6g} s: all this is of that time; --restart {} goes on\n",
+          sim.dynamics().committed().s.time, end, recorder.file().path());
     fmt::print("\nresults: {}\n", recorder.file().path());
     if (c.output.xdmf) fmt::print("look at them: paraview {}\n", recorder.file().xdmf_path());
     std::fflush(stdout);
   }
-  if (stop_requested) return 130;
+  if (stopped) return kStopped;
   return c.dynamics.enabled && recorder.audit().wrong() ? kWrongEnergy : 0;
 }
 

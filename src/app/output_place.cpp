@@ -9,6 +9,7 @@
 #include "hawser/app/files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/old_results.hpp"
+#include "hawser/io/xml_text.hpp"
 
 namespace hawser::app {
 namespace {
@@ -43,6 +44,9 @@ OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::stri
       notes_.push_back(
           fmt::format("the file system of {} has no locks: see to it that no other run writes it", path_));
     check_old(restart);
+    if (!io::xml_holds(fs::path(path_).filename().string()))
+      notes_.push_back(
+          fmt::format("the name of {} is not UTF-8: the XDMF file cannot tell ParaView of it", path_));
   });
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "hawser/app/files.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 
 namespace hawser::app {
 namespace {
@@ -46,6 +48,21 @@ std::map<std::string, double> signature(const Simulation& simulation) {
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
   return out;
+}
+
+// What is wrong with the time, the numbers that steps go by, or this rank's part of the state; empty:
+// nothing.
+std::string damage(const io::Checkpoint& c) {
+  const auto wrong = [](const std::string& what, double value) {
+    return fmt::format("its checkpoint is damaged: {} is {:g}", what, value);
+  };
+  if (!(c.time >= 0 && c.time < HUGE_VAL)) return wrong("the time", c.time);
+  for (const auto& [name, value] : c.scalars)
+    if (name.starts_with("step.") && !(value >= 0 && value <= 1e9)) return wrong(name, value);
+  for (const auto& [name, field] : c.nodes)
+    for (const double value : field.values)
+      if (!std::isfinite(value)) return wrong(name, value);
+  return "";
 }
 
 }  // namespace
@@ -121,6 +138,8 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
   const auto more = std::count_if(c.scalars.begin(), c.scalars.end(),
                                   [](const auto& s) { return s.first.starts_with("case."); });
   if (more != static_cast<long>(here.size())) throw refuse("other volumes");
+  if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
+    throw InputError(fmt::format("cannot go on from {}: {}", path, wrong));
   if (!c.nodes.count(kMeanQ))
     throw InputError(
         fmt::format("cannot go on from {}: an earlier version of hawser wrote it, which carried less from "

@@ -1,5 +1,7 @@
 #include "hawser/io/checkpoint.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -179,6 +181,11 @@ Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>
   const auto wrong = [] { return InputError("the checkpoint belongs to another mesh"); };
   size_t at = 0;
   const auto next = [&] { return at < values.size() ? values[at++] : throw wrong(); };
+  const auto count = [&](double most) {
+    const double n = next();
+    if (!(n >= 0 && n <= most)) throw InputError(fmt::format("the checkpoint is damaged: it counts {:g}", n));
+    return static_cast<size_t>(n);
+  };
   Checkpoint c;
   c.time = next();
   std::istringstream lines(index);
@@ -204,21 +211,26 @@ Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>
       at += n;
     } else if (kind == "records") {
       auto& list = c.records[name];
-      const auto length = static_cast<size_t>(next());
+      const size_t length = count(static_cast<double>(values.size()));
       const size_t end = at + length;
       while (at < end) {
         HistoryRecord r;
-        r.node = static_cast<int>(next());
+        r.node = static_cast<int>(count(nodes_total - 1));
         r.key = static_cast<int>(next());
-        r.values.resize(static_cast<size_t>(next()));
+        r.values.resize(count(static_cast<double>(values.size())));
         for (double& v : r.values) v = next();
-        if (r.node >= nodes_total) throw wrong();
         if (std::binary_search(owned.begin(), owned.end(), r.node)) list.push_back(std::move(r));
       }
     }
   }
   if (at != values.size()) throw wrong();
   return c;
+}
+
+long long checkpoint_sequence(const std::string& path) {
+  Slot newest;
+  read_newest(path, newest);
+  return std::max(newest.sequence, 0LL);
 }
 
 Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
@@ -232,7 +244,11 @@ Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_tot
   if (!error.empty()) throw InputError(error);
   broadcast(comm, slot.index, MPI_CHAR);
   broadcast(comm, slot.values, MPI_DOUBLE);
-  return unpack_checkpoint(slot.index, slot.values, nodes_total, owned);
+  try {
+    return unpack_checkpoint(slot.index, slot.values, nodes_total, owned);
+  } catch (const InputError& e) {
+    throw InputError("cannot go on from " + path + ": " + e.what());
+  }
 }
 
 }  // namespace hawser::io

@@ -107,6 +107,18 @@ bool exists(hid_t file, const std::string& name) {
   }
 }
 
+std::vector<std::string> members(hid_t file, const std::string& group) {
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* to) -> herr_t {
+    static_cast<std::vector<std::string>*>(to)->push_back(name);
+    return 0;
+  };
+  std::vector<std::string> names;
+  check(
+      H5Literate_by_name(file, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names, H5P_DEFAULT),
+      "group " + group);
+  return names;
+}
+
 Id reserve(hid_t file, const std::string& name, hid_t type, const Shape& shape) {
   const Id list = creation_list();
   const Id space = own(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose,

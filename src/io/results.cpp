@@ -269,9 +269,14 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   std::string error;
+  // Times are compared with room for rounding: a step ends on the output time to the last few bits.
+  const double last = time + 1e-9 * std::max(std::abs(time), 1.0);
+  long long outputs = 0, steps = 0;
   if (rank == 0) {
     try {
       progress = read_progress(path);
+      outputs = rows_until(path, "outputs/time", progress.output_times, last);
+      steps = rows_until(path, "series/time", progress.step_times, last);
     } catch (const std::exception& e) {
       error = e.what();
     }
@@ -279,14 +284,9 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   int failed = !error.empty();
   MPI_Bcast(&failed, 1, MPI_INT, 0, comm);
   if (failed) throw InputError(rank == 0 ? error : "cannot read " + path);
-  // Times are compared with room for rounding: a step ends on the output time to the last few bits.
-  const double last = time + 1e-9 * std::max(std::abs(time), 1.0);
-  const auto until = [&](const std::vector<double>& t) {
-    return static_cast<long long>(std::upper_bound(t.begin(), t.end(), last) - t.begin());
-  };
   const ResultRoom& had = progress.room;
-  long long n[7] = {until(progress.output_times),
-                    until(progress.step_times),
+  long long n[7] = {outputs,
+                    steps,
                     had.slot_doubles,
                     had.slot_text,
                     progress.sequence,

@@ -10,6 +10,7 @@
 #include "hawser/io/results.hpp"
 #include "hawser/io/results_build.hpp"
 #include "hawser/io/write_error.hpp"
+#include "hawser/io/xml_text.hpp"
 
 namespace hawser::io {
 
@@ -17,23 +18,6 @@ namespace {
 
 // More lines than this become one grid, so that the text of an output stays short.
 constexpr size_t kSeparateLines = 16;
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
-  }
-  return out;
-}
 
 std::string joined(const std::vector<long long>& numbers) {
   std::string out;
@@ -79,7 +63,7 @@ std::string item(const std::string& h5, const Slab& s) {
 
 std::string attribute(const std::string& name, const std::string& kind, const std::string& center,
                       const std::string& data) {
-  return "<Attribute Name=\"" + escaped(name) + "\" AttributeType=\"" + kind + "\" Center=\"" + center +
+  return "<Attribute Name=\"" + xml_text(name) + "\" AttributeType=\"" + kind + "\" Center=\"" + center +
          "\">" + data + "</Attribute>\n";
 }
 
@@ -104,7 +88,7 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
 }
 
 XdmfWriter::XdmfWriter(const ResultContents& contents, const std::string& h5_name)
-    : contents_(&contents), h5_name_(escaped(h5_name)), places_(volume_places(contents)) {
+    : contents_(&contents), h5_name_(xml_text(h5_name)), places_(volume_places(contents)) {
   for (const auto& v : contents.volumes) {
     const DrawnMesh d = drawn_mesh(v, contents.moving_vertices);
     drawn_.push_back({static_cast<long long>(d.vertices.size()), static_cast<long long>(d.triangles.size()),
@@ -129,7 +113,7 @@ void XdmfWriter::add_lines(long long row) {
   const long long total = c.nodes_total(), lines = static_cast<long long>(c.lines.size());
   const auto grid = [&](const std::string& name, long long first, long long nodes,
                         const std::string& topology) {
-    body_ += "<Grid Name=\"" + escaped(name) + "\" GridType=\"Uniform\">\n" + topology;
+    body_ += "<Grid Name=\"" + xml_text(name) + "\" GridType=\"Uniform\">\n" + topology;
     for (const auto& f : c.fields) {
       Slab s{"fields/" + safe_name(f.name), kDouble, {first}, {nodes}, {total}, row};
       if (f.components > 1)
@@ -169,7 +153,7 @@ void XdmfWriter::add_volumes(long long row) {
         places_[i] + (d.boxed ? "/box_triangles" : "/triangles"), kInt, {0, 0}, {nt, 3}, {nt, 3}};
     const Slab points = d.moves ? Slab{places_[i] + "/moved", kFloat, {0, 0}, {nv, 3}, {nv, 3}, row}
                                 : Slab{places_[i] + "/vertices", kDouble, {0, 0}, {nv, 3}, {nv, 3}};
-    body_ += "<Grid Name=\"" + escaped(v.name) + "\" GridType=\"Uniform\">\n" +
+    body_ += "<Grid Name=\"" + xml_text(v.name) + "\" GridType=\"Uniform\">\n" +
              "<Topology TopologyType=\"Triangle\" NumberOfElements=\"" + std::to_string(nt) + "\">" +
              item(h5_name_, triangles) + "</Topology>\n<Geometry GeometryType=\"XYZ\">" +
              item(h5_name_, points) + "</Geometry>\n";
@@ -184,7 +168,7 @@ void XdmfWriter::save(const std::string& path) const {
   const std::string made = path + ".new";
   {
     std::ofstream out(made, std::ios::binary);
-    out << kXdmfBegin << escaped(contents_->run.case_path.empty() ? "hawser" : contents_->run.case_path)
+    out << kXdmfBegin << xml_text(contents_->run.case_path.empty() ? "hawser" : contents_->run.case_path)
         << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
         << body_ << "</Grid>\n</Domain>\n</Xdmf>\n";
     out.flush();

@@ -1,13 +1,16 @@
 """Results files under attack: by other runs, other people's files, full disks and odd names."""
+import math
 import os
 import re
 import shutil
 import signal
+import struct
 import subprocess
 import tempfile
 import time
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
 from support import run, write
 from test_run_messages import CASE, HAWSER
@@ -191,6 +194,101 @@ class Places(Attack):
                 self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
                 self.assertRegex(result.stderr, r"\Ahawser: cannot write \S*rod\.h5: no space left on the disk\n\Z")
                 self.assertEqual(result.stdout.split(), (["more"] if fill else []) + ["rod.yaml"])
+
+    def test_a_limit_of_the_shell(self):
+        # 5 or 10 MB, as the shell counts: Open MPI has files of its own. The results would have 50 MB.
+        write(self.folder, "rod.yaml", CASE.replace("elements: 8", "elements: 400").replace("duration: 0.2", "duration: 50"))
+        for ranks in ([], ["mpirun", "-q", "-n", "2"]):
+            result = run("sh", "-c", 'ulimit -f 10000; exec "$@"', "sh", *ranks, HAWSER, "run", "rod.yaml", "-q", cwd=self.folder, timeout=60)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertRegex(result.stderr, r"\Ahawser: cannot write \S+: File too large\n\Z")
+
+
+class Spoilt(Attack):
+    def test_counters(self):
+        write(self.folder, "rod.yaml", CASE.replace("duration: 0.2", "duration: 0.6"))
+        self.good("rod.yaml", "-q")
+        file = self.folder / "rod.h5"
+        whole = file.read_bytes()
+        counter, row = struct.pack("<qq", 7, 13), struct.pack("<d", 0.1)
+        self.assertEqual(whole.count(counter), 1)
+        outputs = [m.start() for m in re.finditer(re.escape(row), whole) if whole[m.start() - 8:m.start()] == bytes(8)]
+        self.assertEqual(len(outputs), 1)
+
+        def spoil(at, piece, *parts):
+            file.write_bytes(whole[:at] + piece + whole[at + len(piece):])
+            for ranks in (0, 2):
+                self.refused(["rod.yaml", "--restart", "rod.h5"], "rod.h5 is damaged and cannot be continued: ", *parts,
+                             "go on in another file with -o", ranks=ranks)
+        for numbers, told in [((-1, 13), "it counts -1 rows of outputs/time, which has 7"),
+                              ((7, -5), "it counts -5 rows of series/time, which has 13"),
+                              ((10**15, 13), "it counts 1000000000000000 rows of outputs/time")]:
+            spoil(whole.index(counter), struct.pack("<qq", *numbers), told)
+        spoil(outputs[0], struct.pack("<d", math.nan), "row 2 of outputs/time is nan, after 0 and before 0.2 s")
+        spoil(outputs[0], struct.pack("<d", 1e30), "row 2 of outputs/time is 1e+30")
+        self.good("rod.yaml", "-q", "--restart", "rod.h5", "-o", "other.h5")
+
+
+    def test_no_history_is_dropped(self):
+        def write_case(histories):
+            write(self.folder, "rod.yaml", CASE.replace("every: 0.1", "every: 0.1, histories: [" + ", ".join(
+                f"{{line: rod, at: {at}, name: {name}}}" for at, name in histories) + "]"))
+        write_case([(12, "tip"), (6, "half")])
+        self.good("rod.yaml", "-q", "--stop-at", "0.1")
+        write_case([(12, "tip")])
+        for ranks in (0, 2):
+            self.refused(["rod.yaml", "-q", "--restart", "rod.h5"],
+                         "rod.h5 cannot be continued: the case no longer has its history or clearance half, which would be lost; "
+                         "keep it, or go on in another file with -o", ranks=ranks)
+        self.good("rod.yaml", "-q", "--restart", "rod.h5", "-o", "other.h5")
+        write_case([(6, "half"), (12, "tip")])
+        self.good("rod.yaml", "-q", "--restart", "rod.h5")
+
+
+class Names(Attack):
+    def test_xdmf_is_xml_whatever_the_path(self):
+        folder = os.fsencode(self.folder) + b"/a&b<c>\"d'\xff\xc3\x01"
+        os.mkdir(folder)
+        shutil.copy(self.folder / "rod.yaml", folder + b"/rod.yaml")
+        for name, told in ((b"x&<>\"'.h5", False), ("Trosse → 🚢.h5".encode(), False), (b"bad\xff\xe2\x82.h5", True)):
+            result = subprocess.run([HAWSER, "run", folder + b"/rod.yaml", "-o", folder + b"/" + name], capture_output=True, check=False)
+            self.assertEqual((result.returncode, result.stderr), (0, b""))
+            self.assertEqual(b"is not UTF-8" in result.stdout, told)
+            root = ElementTree.parse((folder + b"/" + name).replace(b".h5", b".xdmf")).getroot()
+            items = [item.text for item in root.iter("DataItem")]
+            self.assertTrue(items)
+            if not told:
+                self.assertEqual({item.split(":/")[0] for item in items}, {name.decode()})
+
+
+class Signals(Attack):
+    def test_a_run_that_is_stopped_says_so(self):
+        for ranks, sign in ((0, signal.SIGTERM), (0, signal.SIGINT), (0, signal.SIGUSR1), (2, signal.SIGUSR1)):
+            with self.subTest(ranks=ranks, sign=sign):
+                process = self.running("long.yaml", ranks=ranks)
+                process.send_signal(sign)
+                out, _ = process.communicate()
+                self.assertEqual(process.returncode, 130)
+                time_told = re.search(r"^stopped by a signal at t = (\S+) of 4000 s: all this is of that time; --restart \S+/long.h5 goes on$",
+                                      out, re.M)[1]
+                self.assertIn("\nresults: ", out)
+                self.assertFalse((self.folder / "long.h5.lock").exists())
+                result = self.good("long.yaml", "--restart", "long.h5", "--stop-at", str(float(time_told) + 1))
+                self.assertIn(f"going on from t = {time_told} s", result.stdout)
+                self.assertNotIn("stopped", result.stdout)
+                for name in ("long.h5", "long.xdmf"):
+                    (self.folder / name).unlink()
+
+    def test_mpirun_on_its_own_terms(self):
+        # What it does with these signals no program can change; what was accepted is there.
+        for sign in (signal.SIGTERM, signal.SIGINT):
+            process = self.running("long.yaml", ranks=2)
+            process.send_signal(sign)
+            process.communicate()
+            self.assertEqual(process.returncode, 1)
+            self.good("long.yaml", "-q", "--restart", "long.h5", "--stop-at", "1")
+            for name in ("long.h5", "long.xdmf"):
+                (self.folder / name).unlink()
 
 
 if __name__ == "__main__":

@@ -258,6 +258,22 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
   EXPECT_THROW(ResultsFile::create(MPI_COMM_WORLD, "/nowhere/run.h5", contents(), owned), WriteError);
 }
 
+// On one rank: node 1 has the first records of "friction drum", of one value each.
+TEST(ResultsRanks, SpoiltCountersOfACheckpointAreTold) {
+  const std::vector<int> owned{0, 1, 2};
+  const PackedCheckpoint p = pack_checkpoint(MPI_COMM_SELF, checkpoint(owned, 7), 3, owned);
+  const size_t records =
+      3 + 3 * 3 + 3;  // after the time, two scalars and two fields: length; node, key, length
+  ASSERT_EQ(p.values[records + 1], 1);
+  ASSERT_EQ(p.values[records + 3], 1);
+  for (const size_t at : {records, records + 1, records + 3})
+    for (const double wrong : {-1.0, std::nan(""), 1e300}) {
+      auto values = p.values;
+      values[at] = wrong;
+      EXPECT_THROW(unpack_checkpoint(p.index, values, 3, owned), InputError) << at << ": " << wrong;
+    }
+}
+
 TEST(ResultsRanks, ErrorOfOneRankReachesAll) {
   const auto owned = owned_nodes(MPI_COMM_WORLD, 41);
   auto file = ResultsFile::create(MPI_COMM_WORLD, temporary("error.h5"), contents(), owned);

@@ -33,6 +33,9 @@ struct Checkpoint {
 Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
                            const std::vector<int>& owned);
 
+// The number of that checkpoint; 0: there is none. Serial.
+long long checkpoint_sequence(const std::string& path);
+
 // --- What results.cpp stores: the checkpoint as one array of doubles with a text that says what is where.
 
 struct PackedCheckpoint {

@@ -48,6 +48,7 @@ using Shape = std::vector<hsize_t>;
 Id open_dataset(hid_t file, const std::string& name);
 Shape shape_of(hid_t dataset);
 bool exists(hid_t file, const std::string& name);
+std::vector<std::string> members(hid_t file, const std::string& group);
 
 // A contiguous dataset whose place in the file is fixed at once and whose bytes are not written (a hole).
 Id reserve(hid_t file, const std::string& name, hid_t type, const Shape& shape);

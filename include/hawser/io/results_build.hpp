@@ -73,4 +73,9 @@ struct ResultProgress {
 };
 ResultProgress read_progress(const std::string& path);
 
+// Of such times, in the dataset `name`, the rows up to the time `last` [s]. What a power cut has lost at the
+// end counts as later. Throws InputError when rows that should stay come after one that is not in its place.
+long long rows_until(const std::string& path, const std::string& name, const std::vector<double>& times,
+                     double last);
+
 }  // namespace hawser::io
