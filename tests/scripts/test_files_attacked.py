@@ -229,6 +229,50 @@ class Spoilt(Attack):
         self.good("rod.yaml", "-q", "--restart", "rod.h5", "-o", "other.h5")
 
 
+    def test_checkpoints(self):
+        """Numbers that are none, under a checksum that is right (src/io/checkpoint.cpp)."""
+        def mix(h):
+            h ^= h >> 33
+            h = h * 0xff51afd7ed558ccd % 2**64
+            h ^= h >> 33
+            h = h * 0xc4ceb9fe1a85ec53 % 2**64
+            return h ^ h >> 33
+
+        def checksum(number, text, values):
+            total = (mix(3 * number + 1) + mix(5 * (len(values) // 8) + 2)) % 2**64
+            for c in text:
+                total = mix(total ^ c)
+            words = struct.unpack(f"<{len(values) // 8}Q", values)
+            return (total + sum(mix(mix(i + 1) ^ w) for i, w in enumerate(words))) % 2**64
+
+        self.good("rod.yaml", "-q")
+        file = self.folder / "rod.h5"
+        whole = file.read_bytes()
+        texts = [m.start() for m in re.finditer(b"mesh 9\nscalar ", whole)]
+        last = struct.unpack("<3d", whole[(at := whole.index(struct.pack("<2d", 0, 0.1))):at + 24])[2]
+        starts = [m.start() for m in re.finditer(re.escape(struct.pack("<d", last)), whole)]
+        found = []
+        for header in range(0, len(whole) - 32, 8):
+            number, size, length, total = struct.unpack_from("<4Q", whole, header)
+            if 0 < number < 100 and 100 < size < 10000 and 100 < length < 10000:
+                found += [(number, header, text, length, values, size) for text in texts for values in starts
+                          if values + 8 * size <= len(whole)
+                          and checksum(number, whole[text:text + length], whole[values:values + 8 * size]) == total]
+        self.assertTrue(found)
+        number, header, text, length, values, size = max(found)
+        names = [line.split(" ", 1) for line in whole[text:text + length].decode().splitlines()[1:]]
+        scalars = [name for kind, name in names if kind == "scalar"]
+        for name, place in [("the time", 0), ("step.wait", 1 + scalars.index("step.wait")),
+                            ("step.wish", 1 + scalars.index("step.wish")), ("acceleration", 1 + len(scalars))]:
+            for wrong in (math.nan, *([-5.0, 1e300] if place and name != "acceleration" else [])):
+                spoilt = bytearray(whole)
+                struct.pack_into("<d", spoilt, values + 8 * place, wrong)
+                struct.pack_into("<Q", spoilt, header + 24,
+                                 checksum(number, whole[text:text + length], spoilt[values:values + 8 * size]))
+                file.write_bytes(spoilt)
+                self.refused(["rod.yaml", "--restart", "rod.h5"], f"its checkpoint is damaged: {name} is {wrong:g}")
+        self.refused(["rod.yaml", "-q", "--restart", "rod.h5"], "its checkpoint is damaged: acceleration is nan", ranks=2)
+
     def test_no_history_is_dropped(self):
         def write_case(histories):
             write(self.folder, "rod.yaml", CASE.replace("every: 0.1", "every: 0.1, histories: [" + ", ".join(
