@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "hawser/math/ordered.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
 
@@ -43,7 +44,7 @@ std::vector<std::pair<int, int>> joined_ends(const model::Case& c, const Mesh& m
       if (p.end->kind != q.end->kind || p.end->body != q.end->body || q.end->at.x() - p.end->at.x() > widest)
         break;
       if ((p.end->at - q.end->at).norm() < 0.5 * (p.diameter + q.diameter))
-        out.push_back(std::minmax(p.node, q.node));
+        out.push_back(ordered(p.node, q.node));
     }
   return out;
 }
@@ -53,7 +54,7 @@ std::vector<std::pair<int, int>> joined_ends(const model::Case& c, const Mesh& m
 std::vector<std::pair<int, int>> excluded_pairs(const model::Case& c) {
   const model::BetweenLines& b = c.contact.between_lines;
   std::set<std::pair<int, int>> out;
-  for (const auto& [x, y] : b.exclude) out.insert(std::minmax(c.line_index(x), c.line_index(y)));
+  for (const auto& [x, y] : b.exclude) out.insert(ordered(c.line_index(x), c.line_index(y)));
   for (int l = 0; l < static_cast<int>(c.lines.size()) && !b.self; ++l) out.emplace(l, l);
   return {out.begin(), out.end()};
 }
@@ -78,7 +79,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
 
   options.general = b.general;
   for (const auto& t : b.pairs)
-    options.tuned[std::minmax(c.line_index(t.first), c.line_index(t.second))] = t.settings;
+    options.tuned[ordered(c.line_index(t.first), c.line_index(t.second))] = t.settings;
   std::vector<LineContactElement> elements;
   // Of each type that takes part, of its lines: the least and the most.
   struct Kind {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/math/ordered.hpp"
 
 namespace hawser::detail {
 namespace {
@@ -27,7 +28,7 @@ std::vector<Edge> boundary(const TriangleMesh& mesh) {
   uses.reserve(3 * mesh.triangles.size());
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto [lo, hi] = std::minmax(t[i], t[(i + 1) % 3]);
+      const auto [lo, hi] = ordered(t[i], t[(i + 1) % 3]);
       uses.push_back({lo, hi, t[i] == lo ? 1 : -1});
     }
   std::sort(uses.begin(), uses.end(),

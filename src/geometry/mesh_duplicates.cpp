@@ -10,6 +10,7 @@
 #include "groups.hpp"
 #include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/winding_tree.hpp"
+#include "hawser/math/ordered.hpp"
 #include "patch_sight.hpp"
 
 namespace hawser {
@@ -113,7 +114,7 @@ class Patches {
     uses.reserve(3 * faces_.size());
     for (const Face& f : faces_)
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto [a, b] = std::minmax(mesh_.triangles[f.stays][i], mesh_.triangles[f.stays][(i + 1) % 3]);
+        const auto [a, b] = ordered(mesh_.triangles[f.stays][i], mesh_.triangles[f.stays][(i + 1) % 3]);
         uses.push_back({a, b, f.patch});
       }
     std::sort(uses.begin(), uses.end(), [](const Use& x, const Use& y) {

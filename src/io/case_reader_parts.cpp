@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "hawser/base/error.hpp"
+#include "hawser/math/ordered.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 
@@ -105,7 +106,7 @@ model::BetweenLines read_between_lines(const Value& v, const CaseSource& source)
   for (std::size_t i = 0; i < v["pairs"].items.size(); ++i) {
     const Value& p = v["pairs"].items[i];
     const std::string &x = p["lines"].items[0].text, &y = p["lines"].items[1].text;
-    if (!seen.insert(std::minmax(x, y)).second)
+    if (!seen.insert(ordered(x, y)).second)
       source.bad(p, fmt::format("contact.between_lines.pairs[{}].lines", i),
                  fmt::format("lines {} and {} have settings already", model::quote(x), model::quote(y)));
     b.pairs.push_back({x, y, settings(p, b.general)});

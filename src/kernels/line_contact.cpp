@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/math/ordered.hpp"
+
 namespace hawser {
 namespace {
 
@@ -58,7 +60,7 @@ class Scan {
     const double mean = (B.gap - A.gap) / w, slack = 1e-9 * reach_;
     if (mean > std::min(A.slope, B.slope) - slack && mean < std::max(A.slope, B.slope) + slack) return false;
     const double off = 4.0 / 27 * w * (std::abs(A.slope - mean) + std::abs(B.slope - mean));
-    const auto [least, most] = std::minmax(A.gap, B.gap);
+    const auto [least, most] = ordered(A.gap, B.gap);
     return most < 0 ? most + off > 0 : least >= 0 ? least - off < 0 : true;
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "hawser/math/ordered.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/nearest.hpp"
 
@@ -67,9 +68,7 @@ void check_contact(const Case& c, std::vector<Issue>& issues) {
                                                     quote(name), fmt::join(c.contact.lines, ", "))});
       break;
     }
-    const auto same = [&](const auto& e) {
-      return std::minmax(e.first, e.second) == std::minmax(p.first, p.second);
-    };
+    const auto same = [&](const auto& e) { return ordered(e.first, e.second) == ordered(p.first, p.second); };
     if (std::any_of(b.exclude.begin(), b.exclude.end(), same))
       issues.push_back(
           {key + ".lines",

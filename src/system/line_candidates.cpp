@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "hawser/geometry/segment_distance.hpp"
+#include "hawser/math/ordered.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -230,8 +231,8 @@ std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptA
 }
 
 bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
-  if (!settings_.excluded.empty() && std::binary_search(settings_.excluded.begin(), settings_.excluded.end(),
-                                                        std::pair<int, int>(std::minmax(p.line, q.line))))
+  if (!settings_.excluded.empty() &&
+      std::binary_search(settings_.excluded.begin(), settings_.excluded.end(), ordered(p.line, q.line)))
     return true;
   const double apart = settings_.exclusion_diameters * (p.radius + q.radius);
   if (p.line == q.line)

@@ -7,6 +7,7 @@
 
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/kernels/axis_approach.hpp"
+#include "hawser/math/ordered.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {
@@ -156,7 +157,7 @@ std::string LinePairs::where(const Pair& p) const {
 double LinePairs::stored(const Pair& of) const {
   const auto lines = [&](const Pair& p) {
     const auto& e = mesh_.mesh->elements;
-    return std::minmax(e[static_cast<size_t>(p.key.first)].line, e[static_cast<size_t>(p.key.second)].line);
+    return ordered(e[static_cast<size_t>(p.key.first)].line, e[static_cast<size_t>(p.key.second)].line);
   };
   double sum = 0;
   for (const Pair& p : pairs_)
@@ -177,7 +178,7 @@ std::string LinePairs::too_soft(const Pair& p) const {
   const double wanted = k * std::pow(depth / (kProposed * reach), 2.5) * (1 + more / has);
   const Mesh& m = *mesh_.mesh;
   const auto line = [&](int element) { return m.elements[static_cast<size_t>(element)].line; };
-  const auto [one, other] = std::minmax(line(p.key.first), line(p.key.second));
+  const auto [one, other] = ordered(line(p.key.first), line(p.key.second));
   const std::string stiffness = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(wanted));
   const std::string advice =
       options_.tuned.count({one, other})

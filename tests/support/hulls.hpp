@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hawser/geometry/triangle_mesh.hpp"
+#include "hawser/math/ordered.hpp"
 #include "support/gzip.hpp"
 
 namespace hawser::test {
@@ -67,7 +68,7 @@ inline std::vector<std::array<int, 3>> boundary_of(const MeshView& mesh) {
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       const int a = t[i], b = t[(i + 1) % 3];
-      excess[std::minmax(a, b)] += a < b ? 1 : -1;
+      excess[ordered(a, b)] += a < b ? 1 : -1;
     }
   std::vector<std::array<int, 3>> out;
   for (const auto& [edge, n] : excess)

@@ -100,5 +100,20 @@ TEST(LinePairs, HistoryGoesThroughACheckpoint) {
   }
 }
 
+// Lines pressed in by 0.4 of their radii that a step takes through each other: what is proposed names them,
+// and the pair where it has settings of its own.
+TEST(LinePairs, AdviceNamesTheLines) {
+  for (const bool tuned : {false, true}) {
+    PairModel m({.name = "through", .angle = 1.3, .gap = -0.35, .before = -0.08, .tuned = tuned});
+    m.mesh.lines[0].name = "hose", m.mesh.lines[1].name = "rope";
+    const std::string said = m.contact->refusal(state_of(m.system->mesh(), m.trial).view(m.trial.h));
+    const std::string advice = "Try contact: {between_lines: {";
+    EXPECT_NE(said.find(advice + (tuned ? "pairs: [{lines: [hose, rope], normal_stiffness: {per_length: "
+                                        : "normal_s")),
+              std::string::npos)
+        << said;
+  }
+}
+
 }  // namespace
 }  // namespace hawser::test::line_pairs_test

@@ -22,6 +22,7 @@ struct PairCase {
   double friction = 0;
   double shift = 0;                         // m, along the second line, of where they cross
   double radius = 0.1, other_radius = 0.1;  // m, of the first line and of the second
+  bool tuned = false;                       // the law is that of the pair, not of all
   double reach() const { return radius + other_radius; }
 };
 
@@ -65,6 +66,7 @@ struct PairModel : SuiteModel {
     o.general.relative_damping = 0.1;
     o.general.friction = what.friction;
     o.general.mobilisation_length = 4e-3;
+    if (what.tuned) o.tuned[{0, 1}] = o.general;
     o.candidates.excluded = {{0, 0}, {1, 1}};
     std::vector<LineContactElement> elements;
     for (const Element& e : mesh.elements) elements.push_back({e.line ? what.other_radius : what.radius, 50});
