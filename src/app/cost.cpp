@@ -1,6 +1,7 @@
 #include "hawser/app/cost.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <ctime>
@@ -90,6 +91,18 @@ std::string cost_sentence(const CostParts& parts) {
   return fmt::format("expected cost: {} CPU s{}",
                      cost < 1 ? std::string("less than 1") : fmt::format("about {:.2g}", cost),
                      parts.duration > 0 ? fmt::format(", if steps are of about {:.2g} s", parts.step) : "");
+}
+
+double peak_memory() {
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  return 1024.0 * static_cast<double>(use.ru_maxrss);
+}
+
+std::string memory_sentence(double read, double measured) {
+  constexpr double kRun = 2.2;  // what a run takes beside the files over what its parts take
+  const double gb = 1e-9 * (read + kRun * (measured - read));
+  return fmt::format("expected memory: about {:.2g} GB", gb);
 }
 
 }  // namespace hawser::app

@@ -266,6 +266,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
     fmt::print("volume {}: {}\n", v.name, v.report);
     for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
   }
+  const double read = peak_memory();
   const Mesh mesh = build_mesh(c);
   const Bodies bodies(c.bodies);
   const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
@@ -278,6 +279,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
              ranks > 8 ? " each" : "", cut_elements(mesh, owner));
   Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
   fmt::print("{}\n", cost_sentence(measured_parts(sim)));
+  fmt::print("{}\n", memory_sentence(read, peak_memory()));
   fmt::print("{}", starts_well
                        ? "the case is good\n"
                        : "the case is good if statics brings its lines out of the volumes they start in; "

@@ -12,6 +12,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/input_file.hpp"
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/nearest.hpp"
@@ -265,7 +266,7 @@ class Reader {
     s.grading = v["grading"].number;
     double n = number(v, "elements");
     if (const Value* h = v.find("element_length")) n = elements_for(s.length, h->number, s.grading);
-    constexpr double kMost = 1e7;
+    constexpr double kMost = 1e6;
     if (!(n <= kMost))
       source_.bad(v["element_length"], path + ".element_length",
                   fmt::format("makes {:.3g} elements of this section; the limit is {:.0e}", n, kMost));
@@ -430,10 +431,9 @@ model::Case read_case_text(const std::string& text, const std::string& path, con
 }
 
 model::Case read_case(const std::string& path, const ReadingNews& news) {
+  if (const std::string why = unreadable(path, "case", kMostCase); !why.empty())
+    model::fail(path, 0, "", why);
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) model::fail(path, 0, "", "there is no such case file");
-  if (fs::is_directory(status)) model::fail(path, 0, "", "is a directory, not a case file");
   std::ifstream in(path, std::ios::binary);
   std::ostringstream text;
   if (!in || !(text << in.rdbuf())) {

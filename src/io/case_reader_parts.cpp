@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "hawser/base/error.hpp"
+#include "hawser/io/input_file.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
@@ -21,9 +22,10 @@ namespace fs = std::filesystem;
 
 std::vector<std::vector<double>> read_rows(const std::string& path, const Value& at, const std::string& key,
                                            const CaseSource& source, std::vector<int>* lines) {
-  std::error_code error;
+  if (const std::string why = unreadable(path, "table", kMostTable); !why.empty())
+    source.bad(at, key, path + ": " + why);
   std::ifstream in(path);
-  if (!fs::is_regular_file(path, error) || !in) source.bad(at, key, "there is no such file: " + path);
+  if (!in) source.bad(at, key, path + ": cannot be read");
   std::vector<std::vector<double>> rows;
   std::string line;
   for (int n = 1; std::getline(in, line); ++n) {

@@ -18,6 +18,7 @@
 #include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/geometry/mesh_weld.hpp"
+#include "hawser/io/input_file.hpp"
 #include "hawser/model/nearest.hpp"
 #include "ply_reader.hpp"
 #include "stl_reader.hpp"
@@ -64,9 +65,7 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, 
 TriangleMesh import(const std::string& path, double scale) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) bad(path, "there is no such mesh file");
-  if (!fs::is_regular_file(status)) bad(path, "is no file");
+  if (const std::string why = unreadable(path, "mesh", kMostMesh); !why.empty()) bad(path, why);
   std::string extension = fs::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension != ".stl" && extension != ".obj" && extension != ".ply")

@@ -47,7 +47,7 @@ class TreeBuilder final : public YAML::EventHandler {
     const auto known = anchors_.find(anchor);
     if (known == anchors_.end())  // the parser knows the name, so it is still being built
       model::fail(file_, line_of(mark), path(), "is an alias of something that holds it");
-    count_nodes(known->second.nodes, mark);
+    count_nodes(known->second.nodes, line_of(mark));
     leaf(known->second.value, mark, 0, 0);
   }
 
@@ -88,9 +88,12 @@ class TreeBuilder final : public YAML::EventHandler {
     return p;
   }
 
-  void count_nodes(long n, const YAML::Mark& mark) {
+  void count_nodes(long n, int line) {
     nodes_ += n;
-    if (nodes_ > kMostNodes) model::fail(file_, line_of(mark), path(), "has too many entries");
+    if (nodes_ + kept_ > kMostNodes)
+      model::fail(file_, line, path(),
+                  fmt::format("has too many entries, or aliases of them: more than {:g}",
+                              static_cast<double>(kMostNodes)));
   }
 
   void open(Value::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
@@ -101,20 +104,25 @@ class TreeBuilder final : public YAML::EventHandler {
     f.value.line = line_of(mark);
     f.anchor = anchor;
     f.nodes_before = nodes_;
-    count_nodes(1, mark);
+    count_nodes(1, f.value.line);
     stack_.push_back(std::move(f));
   }
 
   void close() {
     Frame f = std::move(stack_.back());
     stack_.pop_back();
-    if (f.anchor) anchors_[f.anchor] = {f.value, nodes_ - f.nodes_before};
+    if (f.anchor) {
+      const long nodes = nodes_ - f.nodes_before;
+      kept_ += nodes;  // each anchor that holds others keeps a copy of all
+      count_nodes(0, f.value.line);
+      anchors_[f.anchor] = {f.value, nodes};
+    }
     add(std::move(f.value));
   }
 
   void leaf(Value v, const YAML::Mark& mark, YAML::anchor_t anchor, long nodes) {
     v.line = line_of(mark);
-    count_nodes(nodes, mark);
+    count_nodes(nodes, v.line);
     if (anchor) anchors_[anchor] = {v, 1};
     add(std::move(v));
   }
@@ -155,7 +163,7 @@ class TreeBuilder final : public YAML::EventHandler {
   Value root_;
   std::vector<Frame> stack_;
   std::map<YAML::anchor_t, Anchor> anchors_;
-  long nodes_ = 0;
+  long nodes_ = 0, kept_ = 0;
 };
 
 // Refuses a document at its first event.
@@ -185,8 +193,27 @@ class NoDocument final : public YAML::EventHandler {
 
 }  // namespace
 
+namespace {
+
+// The parser reads to the end of a bracket before it says that one began, and keeps all that it reads. In
+// quotes and comments brackets count too: nobody leaves so many open there.
+void refuse_deep_brackets(const std::string& text, const std::string& file) {
+  std::size_t open = 0;
+  int line = 1;
+  for (const char c : text) {
+    line += c == '\n';
+    if ((c == ']' || c == '}') && open > 0) --open;
+    if ((c == '[' || c == '{') && ++open > kDeepest)
+      model::fail(file, line, "",
+                  fmt::format("is nested too deeply: more than {} brackets are open here", kDeepest));
+  }
+}
+
+}  // namespace
+
 model::Value parse_yaml(const std::string& text, const std::string& file) {
   if (text.find('\0') != std::string::npos) model::fail(file, 1, "", "is no text file: it holds zero bytes");
+  refuse_deep_brackets(text, file);
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);

@@ -263,7 +263,7 @@ Key lines() {
            map("",
                {reference("type", "line_types", "line type").is_required(),
                 number("length", length, "unstretched length").above(0).is_required(),
-                integer("elements", "number of elements").at_least(1).at_most(1e7),
+                integer("elements", "number of elements").at_least(1).at_most(1e6),
                 number("element_length", length, "longest element wanted, instead of their number").above(0),
                 number("grading", none, "length of the last element over the first")
                     .at_least(1e-3)

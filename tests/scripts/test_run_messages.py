@@ -228,7 +228,7 @@ output: {every: 5}
         result = self.hawser("check", "rod.yaml", "-n", "3")
         self.assertEqual(result.returncode, 0, result.stderr)
         for part in ["a cantilever", "rod: 12 m, 8 elements, 9 nodes, 54 unknowns", "partition: 3 ranks, 3 + 3 + 3 nodes",
-                     "2 cut elements", "expected cost", "the case is good"]:
+                     "2 cut elements", "expected cost", "expected memory: about 0.0", "the case is good"]:
             self.assertIn(part, result.stdout)
         self.assertEqual(sorted(self.folder.rglob("*")), before)
 

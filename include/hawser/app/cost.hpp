@@ -24,4 +24,11 @@ CostParts measured_parts(Simulation& sim);
 // "expected cost: about 12 CPU s, if steps are of about 0.06 s"
 std::string cost_sentence(const CostParts& parts);
 
+// Bytes: the most that this process has had in memory so far.
+double peak_memory();
+// "expected memory: about 0.9 GB", from peak_memory() when the files were read and after measured_parts(). A
+// run keeps beside what was measured its accepted states, the matrix of the other stage and rows of results,
+// as much again.
+std::string memory_sentence(double read, double measured);
+
 }  // namespace hawser::app
