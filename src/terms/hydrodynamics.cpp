@@ -22,15 +22,19 @@ Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> 
   group();
 }
 
+Vec3 Hydrodynamics::wave_place(const Kinematics& at, size_t node) const {
+  if (at.time > start_time_ && node < start_.size())
+    return start_[node] + (at.time - start_time_) * speed_[node];
+  return node < place_.size() ? place_[node] : at.x[node];
+}
+
 const std::vector<WaveMotion>& Hydrodynamics::waves(const Kinematics& at) const {
   if (wave_known_ && wave_time_ == at.time && wave_.size() == at.x.size()) return wave_;
   const Ramp ramp = sea_.wave_ramp > 0 ? quintic_ramp(at.time, sea_.wave_ramp) : Ramp{1, 0, 0};
-  const bool known = start_.size() == at.x.size();
   wave_.resize(at.x.size());
   const Vec3 still(0, 0, sea_.surface);
   for (size_t n = 0; n < at.x.size(); ++n) {
-    const Vec3 x = known ? Vec3(start_[n] + (at.time - start_time_) * speed_[n]) : at.x[n];
-    wave_[n] = sea_.waves.at(x - still, at.time, ramp.value, ramp.rate);
+    wave_[n] = sea_.waves.at(wave_place(at, n) - still, at.time, ramp.value, ramp.rate);
   }
   wave_time_ = at.time, wave_known_ = true;
   return wave_;
@@ -175,6 +179,7 @@ void Hydrodynamics::flow(const Kinematics& at, std::vector<Flow>& out) const {
 // In statics before every iteration: what the line search needs of forces without a potential.
 void Hydrodynamics::prepare(const Kinematics& committed, double h) {
   if (!sea_.waves.none()) {
+    if (!(committed.step > 0) || place_.empty()) place_.assign(committed.x.begin(), committed.x.end());
     start_.assign(committed.x.begin(), committed.x.end());
     speed_.assign(committed.v.begin(), committed.v.end());
     start_time_ = committed.time, wave_known_ = false;
@@ -187,6 +192,11 @@ void Hydrodynamics::commit(const Kinematics& accepted) {
   flow(accepted, now);
   if (accepted.step > 0 && flow_.size() == now.size()) work_ += work(flow_, now);
   flow_.swap(now);
+  if (sea_.waves.none()) return;
+  std::vector<Vec3> looked(accepted.x.size());
+  for (size_t n = 0; n < looked.size(); ++n) looked[n] = wave_place(accepted, n);
+  place_.swap(looked);
+  start_time_ = accepted.time;
 }
 
 // In statics forces without a potential are given the work they do on the way from the last iteration.
@@ -281,16 +291,41 @@ void Hydrodynamics::fields(FieldRegistry& registry) const {
                 }});
 }
 
-// One record a rank, at its first node: the sums over ranks are what counts.
+namespace {
+constexpr int kSums = 0, kOwn = -1;  // keys of records; others are nodes of the mesh, counted from 1
+}  // namespace
+
+// The sums at this rank's first node: over ranks they are what counts. Where the waves of the committed state
+// were looked at, at each node and for each of its neighbours, which another rank may own.
 std::vector<HistoryRecord> Hydrodynamics::save() const {
   if (mesh_.owned == 0) return {};
-  return {{mesh_.global[0], 0, {work_}}};
+  std::vector<HistoryRecord> out{{mesh_.global[0], kSums, {work_}}};
+  if (place_.empty()) return out;
+  const auto put = [&](int node, int key, const Vec3& x) {
+    out.push_back({mesh_.global[static_cast<size_t>(node)], key, {x.x(), x.y(), x.z()}});
+  };
+  for (int n = 0; n < mesh_.owned; ++n) put(n, kOwn, place_[static_cast<size_t>(n)]);
+  for (const Piece& p : pieces_)
+    for (const auto& [node, other] : {std::pair{p.at.first, p.at.second}, {p.at.second, p.at.first}})
+      if (node < mesh_.owned)
+        put(node, 1 + mesh_.global[static_cast<size_t>(other)], place_[static_cast<size_t>(other)]);
+  return out;
 }
 
+// A state that is gone on from has been looked at already.
 void Hydrodynamics::restore(const std::vector<HistoryRecord>& records) {
   work_ = 0;
-  for (const HistoryRecord& r : records) work_ += r.values[0];
-  flow_.clear();
+  flow_.clear(), start_.clear(), place_.clear();
+  wave_known_ = false;
+  for (const HistoryRecord& r : records) {
+    if (r.key == kSums) {
+      work_ += r.values[0];
+      continue;
+    }
+    place_.resize(static_cast<size_t>(mesh_.nodes()), Vec3::Zero());
+    const int n = mesh_.find(r.key == kOwn ? r.node : r.key - 1);
+    if (n >= 0) place_[static_cast<size_t>(n)] = Eigen::Map<const Vec3>(r.values.data());
+  }
 }
 
 }  // namespace hawser

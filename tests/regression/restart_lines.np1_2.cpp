@@ -1,6 +1,6 @@
-// Lines in the soil, and lines that are warmer than when they were cut to length: a run that was stopped and
-// goes on from its checkpoint is the run that was not, to the last bit, on the same number of ranks and on
-// another.
+// Lines in the soil, lines that are warmer than when they were cut to length, and lines in irregular waves: a
+// run that was stopped and goes on from its checkpoint is the run that was not, to the last bit, on the same
+// number of ranks and on another.
 #include <set>
 
 #include "regression/runs.hpp"
@@ -18,7 +18,7 @@ struct Kind {
 };
 
 // The anchor's end of a chain in soil so weak that it yields as the ship moves; a hot pipe on the bed, pulled
-// to and fro by one end.
+// to and fro by one end; a mooring line whose ship moves in irregular waves.
 const Kind kKinds[] = {{"buried",
                         R"(hawser: 1
 environment: {water: {depth: 200}, seabed: {depth: 200, friction: 0.6}}
@@ -49,7 +49,25 @@ lines:
 dynamics: {duration: 8, step: 0.1}
 output: {every: 0.5, histories: [{line: pipe, at: end_b, name: fairlead}]}
 )",
-                        "seabed_friction", "[300, 60]", "[300, 61]"}};
+                        "seabed_friction", "[300, 60]", "[300, 61]"},
+                       {"waves",
+                        R"(hawser: 1
+environment:
+  water: {depth: 100}
+  seabed: {depth: 100, friction: 0.6}
+  waves: {jonswap: {hs: 4, tp: 8, direction_deg: 30, spreading: 10}}
+line_types: {chain: {outer_diameter: 0.216, mass_per_length: 286, EA: 1.2e9, bending: false}}
+bodies: {ship: {position: [330, 0, -4], motion: {harmonic: {amplitude: [3, 4, 2], period: 9}, ramp: 2}}}
+lines:
+  chain:
+    sections: [{type: chain, length: 370, elements: 74}]
+    end_a: {anchor: [0, 0, -100]}
+    end_b: {body: ship, at: [0, 0, 0]}
+    masses: [{at: 300, mass: 1000, volume: 4}]
+dynamics: {duration: 8, step: 0.1}
+output: {every: 0.5, histories: [{line: chain, at: end_b, name: fairlead}]}
+)",
+                        "wall_tension", "hs: 4", "hs: 4.1"}};
 
 // Fields and histories are the same to the last bit. Energies are sums over ranks, and add up over time.
 void expect_same(const Results& whole, const Results& rest, double sums) {

@@ -82,6 +82,7 @@ class Hydrodynamics final : public ForceTerm {
   unsigned flow(const Four& q, const Kinematics& at, const std::vector<Water>& water, WaterForce* out) const;
   bool moving() const { return !sea_.current.none() || !sea_.waves.none(); }
   Water water(const Kinematics& at, size_t node) const;
+  Vec3 wave_place(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
   void look(const Kinematics& at, std::vector<Water>& out) const;
   WaterEnds ends(const Piece& p, const Kinematics& k, const Water& first, const Water& second) const;
@@ -102,6 +103,7 @@ class Hydrodynamics final : public ForceTerm {
   // Waves are looked at once a step: at its end, where the nodes get with their speed at its start.
   double start_time_ = 0;                 // s
   std::vector<Vec3> start_, speed_;       // m, m/s, at the start of the step
+  std::vector<Vec3> place_;               // m, where they were looked at for the state at start_time_
   mutable std::vector<WaveMotion> wave_;  // cache: what they are at wave_time_
   mutable double wave_time_ = 0;
   mutable bool wave_known_ = false;
