@@ -32,10 +32,9 @@ inline int size_of(MPI_Comm comm) {
   return size;
 }
 
-// A folder for the files of `test`, one for each number of ranks, since these run side by side.
+// A folder for the files of `test`.
 inline std::string folder(const std::string& test) {
-  const std::string path =
-      std::string(HAWSER_BINARY_DIR) + "/runs/" + test + "_np" + std::to_string(size_of(MPI_COMM_WORLD));
+  const std::string path = testing::TempDir() + test;
   if (rank_of(MPI_COMM_WORLD) == 0) std::filesystem::create_directories(path);
   MPI_Barrier(MPI_COMM_WORLD);
   return path;

@@ -1,7 +1,13 @@
 // main of every test program: PETSc and MPI up before the first test, quiet on ranks above 0,
-// and a failure on any rank is a failure of the program.
+// and a failure on any rank is a failure of the program. testing::TempDir() is a new folder, the same on all
+// ranks, that goes when the tests have ended; TEST_TMPDIR names another, as to a program that a test starts.
 #include <gtest/gtest.h>
 #include <petscsys.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
 
 int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
@@ -17,8 +23,14 @@ int main(int argc, char** argv) {
     auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
     delete listeners.Release(listeners.default_result_printer());
   }
+  std::string folder = (std::filesystem::temp_directory_path() / "hawser-test-XXXXXX").string();
+  const bool own = !std::getenv("TEST_TMPDIR");
+  if (own && rank == 0 && !mkdtemp(folder.data())) throw std::runtime_error("cannot make " + folder);
+  MPI_Bcast(folder.data(), static_cast<int>(folder.size()), MPI_CHAR, 0, PETSC_COMM_WORLD);
+  setenv("TEST_TMPDIR", folder.c_str(), 0);
   int bad = RUN_ALL_TESTS();
   MPI_Allreduce(MPI_IN_PLACE, &bad, 1, MPI_INT, MPI_MAX, PETSC_COMM_WORLD);
+  if (std::error_code error; own && rank == 0) std::filesystem::remove_all(folder, error);
   PetscFinalize();
   return bad;
 }

@@ -17,7 +17,7 @@
 namespace hawser::io::results_structure_test {
 namespace {
 
-std::string temporary(const std::string& name) { return std::string(HAWSER_BINARY_DIR) + "/results_" + name; }
+std::string temporary(const std::string& name) { return testing::TempDir() + "results_" + name; }
 
 std::string text_of(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -194,7 +194,7 @@ TEST(ResultsXdmf, PointsAtWhatIsThere) {
       // Of each output: a line has topology, 3 fields, arc length, line number; the drum and its boxed
       // neighbour 3 + 2, the deck 2.
       const int each = 6 * (lines == 3 ? 3 : 1) + 7;
-      const int n = check_references(std::string(HAWSER_BINARY_DIR) + "/", xml);
+      const int n = check_references(testing::TempDir(), xml);
       EXPECT_EQ(n, 6 * each);
     }
   }

@@ -238,7 +238,7 @@ void expect_whole(const std::string& path, const Said& said) {
 }
 
 TEST(ResultsKill, AcceptedOutputsSurvive) {
-  const std::string path = std::string(HAWSER_BINARY_DIR) + "/results_kill.h5";
+  const std::string path = ::testing::TempDir() + "results_kill.h5";
   std::mt19937 random(20240101);
   std::uniform_real_distribution<double> moment(0, 0.1);  // s; an output with its checkpoint takes some ms
   int kills = 0, resumed = 0, files = 0;
