@@ -1,0 +1,46 @@
+"""Two hundred mutants of a case and its files through the program (fuzz.py; 10^4 of them, under sanitizers, are a part of
+scripts/test --full)."""
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+from fuzz import fuzz, make, wrong
+from support import ROOT
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+
+
+MUTANTS = 40 if "ASAN_OPTIONS" in os.environ else 200
+
+
+class Fuzz(unittest.TestCase):
+    def test_mutants(self):
+        complaints, codes = fuzz(HAWSER, mutants=MUTANTS)
+        self.assertEqual(complaints, [])
+        # Neither are all of them refused at once nor is nothing wrong with them.
+        self.assertGreater(codes.get(0, 0), MUTANTS / 20)
+        self.assertGreater(codes.get(2, 0), MUTANTS / 20)
+
+    def test_complains(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            make(0, folder)
+            for script, said in (
+                ("kill -SEGV $$", "exit code -11"),
+                ("echo hawser: odd >&2; exit 2", "not one sentence"),
+                ("echo hawser: case.yaml:1: odd >&2; echo more >&2; exit 2", "not one sentence"),
+                ("echo 'x.cpp:1: runtime error: odd' >&2; exit 0", "runtime error"),
+                ("sleep 5", "takes over 1 s"),
+                ("exit 1", "exit code 1"),
+            ):
+                program = folder / "program"
+                program.write_text(f"#!/bin/bash\n{script}\n")
+                program.chmod(0o755)
+                self.assertIn(said, wrong(str(program), "check", folder, (0, 2), 1)[1])
+            program.write_text("#!/bin/bash\necho hawser: case.yaml:1: odd >&2; exit 2\n")
+            self.assertEqual(wrong(str(program), "check", folder, (0, 2), 1), (2, ""))
+
+
+if __name__ == "__main__":
+    unittest.main()
