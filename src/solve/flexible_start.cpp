@@ -15,6 +15,7 @@ constexpr double kStreams = 0.1;  // drag over weight that a catenary does not d
 constexpr int kDragRounds = 8;
 constexpr double kSettled = 5e-3;  // of the length: the drag's shape is good enough
 constexpr double kFold = 0.2;      // cosine between neighbouring pieces below which a line is folded up
+constexpr double kPressed = 0.05;  // strain that a fold is pressed flat with
 constexpr double kPull = 0.01;     // of the weight: what takes slack out of its heap
 
 // Of elements [first, last) of the mesh, as one, as long as they are without tension.
@@ -93,9 +94,37 @@ CurrentProfile acting_current(const model::Case& c) {
   return factor == 0 ? CurrentProfile() : current_profile(w, factor);
 }
 
+namespace {
+
+bool folded_at(const std::vector<Vec3>& x, size_t i) {
+  return (x[i + 1] - x[i]).normalized().dot((x[i] - x[i - 1]).normalized()) < kFold;
+}
+
+// Between two elements of a beam that is folded there is half a turn, out of which no tangent shows a way. As
+// much of the line around the fold as takes it by a small strain is laid straight; statics lets it go into
+// the rest.
+void unfold(const Mesh& mesh, const LineSpan& span, std::vector<Vec3>& x) {
+  const size_t last = x.size() - 1;
+  std::vector<double> arc;
+  for (int n = 0; n < span.nodes; ++n)
+    arc.push_back(mesh.nodes[static_cast<size_t>(span.first_node + n)].arc);
+  for (size_t i = 1; i < last; ++i) {
+    if (!folded_at(x, i)) continue;
+    size_t a = i, b = i;
+    do {
+      a -= a > 0, b += b < last;
+    } while ((x[b] - x[a]).norm() < (1 - kPressed) * (arc[b] - arc[a]) && (a > 0 || b < last));
+    const Vec3 from = x[a], way = x[b] - x[a];
+    for (size_t k = a + 1; k < b; ++k) x[k] = from + (arc[k] - arc[a]) / (arc[b] - arc[a]) * way;
+    i = b;
+  }
+}
+
+}  // namespace
+
 bool folded(const std::vector<Vec3>& x) {
   for (size_t i = 1; i + 1 < x.size(); ++i)
-    if ((x[i + 1] - x[i]).normalized().dot((x[i] - x[i - 1]).normalized()) < kFold) return true;
+    if (folded_at(x, i)) return true;
   return false;
 }
 
@@ -190,6 +219,8 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
                       : interpolated(s, found, mesh.nodes[static_cast<size_t>(span.first_node + n)].arc));
   out.front() = x.front(), out.back() = f.held_b ? x.back() : out.back();
   if (!f.held_a) out.front() = found.front();
+  if (f.held_a && f.held_b && mesh.nodes[static_cast<size_t>(span.first_node)].rotates)
+    unfold(mesh, span, out);
   return out;
 }
 
