@@ -74,8 +74,7 @@ bool Audit::wrong() const {
 
 std::string Audit::warning(bool fixed, const std::string& where) const {
   if (!std::isfinite(error)) return "the energy is no number. The results are not to be used";
-  const double making = made.value / (kMadeTold * size()),
-               losing = lost.value / (kLostTold * size());
+  const double making = made.value / (kMadeTold * size()), losing = lost.value / (kLostTold * size());
   if (std::max(making, losing) <= 1 && !wrong()) return "";
   std::string text;
   if (making > losing)

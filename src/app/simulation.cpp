@@ -171,8 +171,8 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
       if (n < local.owned) nodes[static_cast<size_t>(n)].radius = 0;
     const NodeContact model =
         c.contact.method == model::ContactMethod::gap ? NodeContact::gap : NodeContact::elastic;
-    auto contact = std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), std::move(nodes),
-                                                   model, comm);
+    auto contact =
+        std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), std::move(nodes), model, comm);
     contact_ = contact.get();
     system_->add(std::move(contact));
   }

@@ -301,9 +301,9 @@ class Reader {
   }
 
   void contact(const Value& v) {
-    c_.contact.method = v["method"].is("line")    ? model::ContactMethod::line
-                        : v["method"].is("gap")   ? model::ContactMethod::gap
-                                                  : model::ContactMethod::nodes;
+    c_.contact.method = v["method"].is("line")  ? model::ContactMethod::line
+                        : v["method"].is("gap") ? model::ContactMethod::gap
+                                                : model::ContactMethod::nodes;
     c_.contact.warned_penetration = v["penetration_warning"].number;
     c_.contact.rolling = v["rolling"].number != 0;
     if (c_.contact.rolling && c_.contact.method != model::ContactMethod::line)

@@ -25,8 +25,7 @@ std::string System::overstretched(const Kinematics& at) const {
   MPI_Bcast(&worst, sizeof worst, MPI_BYTE, most.rank, comm_);
   return fmt::format(
       "{}, is {} by {:.3g} % by {:.3g} N on an EA of {:.3g} N, and {:g} % is more than any line of such an "
-      "EA "
-      "bears",
+      "EA bears",
       mesh_.mesh->place(worst.node), worst.strain > 0 ? "stretched" : "pressed together",
       100 * std::abs(worst.strain), std::abs(worst.tension), worst.EA, 100 * std::abs(worst.most));
 }
@@ -44,9 +43,7 @@ std::string System::lost_in_rounding(const Kinematics& at) const {
     if (share <= kUnsure) continue;
     return fmt::format(
         "the tension of line {} is known to within {:.2g} % only, so large is rounding beside an EA of "
-        "{:.3g} N; an "
-        "EA "
-        "of {:.0e} N is as good as one that does not stretch",
+        "{:.3g} N; an EA of {:.0e} N is as good as one that does not stretch",
         mesh_.mesh->lines[l].name, 100 * share, t.EA, t.EA * kSure / share);
   }
   return {};

@@ -86,8 +86,7 @@ inline constexpr NodeStory kStory[8] = {
     {10 * mm, -5 * mm, 40 * mm, 0.1}, {-3 * mm, 5 * mm, 1 * mm, 0.1}};
 
 inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn on, double axial,
-                                  double lateral,
-                                  NodeContact model = NodeContact::elastic) {
+                                  double lateral, NodeContact model = NodeContact::elastic) {
   const LocalMesh& l = m.system->mesh();
   const Quat start = exp_so3({0.3, -0.2, 0.5});
   const bool moves = on != ContactOn::plane && on != ContactOn::corner;

@@ -61,7 +61,6 @@ TEST(Suite, ContactSituations) {
     expect_situations(on);
 }
 
-
 TEST(Suite, EvaluatingLeavesNoTrace) {
   for (const SuiteCase& c : all_cases()) {
     const auto m = c.build(PETSC_COMM_SELF, {});

@@ -103,14 +103,14 @@ class Dynamics {
   std::vector<double> local_u_, gathered_, reactions_;
   MeanForces mean_;              // of the committed state
   std::vector<double> carried_;  // what they add to the residuals of the step
-  double expected_ = -1;    // s, the step that the system was last told to expect
-  bool copied_ = false;     // trial_ has all that a step leaves alone
-  bool loaded_ = false;     // trial_ belongs to local_u_
-  bool turned_ = false;     // a node turned too far in the last try to tell which way
-  bool polishing_ = false;  // within the tolerance, improved once more with the old factors
-  bool missed_ = false;     // so was the last try
-  double first_ = 0;        // N, size of the first residual of this Newton solution, and of what makes it up
-  int counted_ = -1;        // iterations to a residual far above rounding; < 0: not there yet
+  double expected_ = -1;         // s, the step that the system was last told to expect
+  bool copied_ = false;          // trial_ has all that a step leaves alone
+  bool loaded_ = false;          // trial_ belongs to local_u_
+  bool turned_ = false;          // a node turned too far in the last try to tell which way
+  bool polishing_ = false;       // within the tolerance, improved once more with the old factors
+  bool missed_ = false;          // so was the last try
+  double first_ = 0;  // N, size of the first residual of this Newton solution, and of what makes it up
+  int counted_ = -1;  // iterations to a residual far above rounding; < 0: not there yet
   VecHandle u_, r_, solution_;
   MatHandle J_;
   Handle<TS, TSDestroy> ts_;

@@ -30,7 +30,7 @@ struct StaticsReport {
 struct StaticsSettings {
   double tolerance = 1e-8;  // of the residual, against the size of its contributions
   int max_iterations = 500;
-  bool near = false;    // `state` is near an equilibrium: no start with a soft line
+  bool near = false;  // `state` is near an equilibrium: no start with a soft line
   RelaxationUse relaxation = RelaxationUse::when_newton_fails;  // not with `near`
   int relaxation_steps = 5000;                                  // at most
   // Friction of contact acts on the way: by relaxation alone, which commits the terms step by step.

@@ -86,9 +86,9 @@ class ForceTerm {
   // The state is accepted: history that belongs to it becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
-  // A stiffness that follows what the run meets: from an equilibrium, raises it where that asks for it and says
-  // so (solve again), and takes back what was raised since the last commit, before a step is tried (again).
-  // evaluate() never changes it. stiffen() is collective.
+  // A stiffness that follows what the run meets: from an equilibrium, raises it where that asks for it and
+  // says so (solve again), and takes back what was raised since the last commit, before a step is tried
+  // (again). evaluate() never changes it. stiffen() is collective.
   virtual bool stiffen(const Kinematics& equilibrium) { return (void)equilibrium, false; }
   virtual void forget_stiffening() {}
 

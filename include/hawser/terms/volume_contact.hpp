@@ -17,8 +17,8 @@ struct ContactNode {
   double mass = 0;    // kg, nodal mass: the effective mass of relative_damping
 };
 
-// How a node is kept out: by a spring along the normal of the surface where it is; by one along the normal that
-// was nearest at the start, wherever the node goes. See docs/theory/contact-models.md.
+// How a node is kept out: by a spring along the normal of the surface where it is; by one along the normal
+// that was nearest at the start, wherever the node goes. See docs/theory/contact-models.md.
 enum class NodeContact { elastic, gap };
 
 class VolumeContact final : public Contact {
