@@ -119,7 +119,7 @@ TEST(ResultsStructure, SafeNames) {
 void expect_well_formed(const std::string& xml) {
   std::vector<std::string> open;
   const std::regex tag(
-      "<(/?)([A-Za-z?][A-Za-z0-9]*)((?: [A-Za-z]+=\"[^\"<&]*(?:&(?:amp|lt|gt|quot);[^\"<&]*)*\")*)([/?]?)>");
+      "<(/?)([A-Za-z?][A-Za-z0-9]*)((?: [A-Za-z]+=\"[^\"<&]*(?:&#[0-9]+;[^\"<&]*)*\")*)([/?]?)>");
   size_t at = 0;
   std::smatch m;
   for (auto it = std::sregex_iterator(xml.begin(), xml.end(), tag); it != std::sregex_iterator(); ++it) {

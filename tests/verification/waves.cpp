@@ -141,7 +141,9 @@ TEST(WaveLoads, OneLookANodeAndStep) {
   EXPECT_GT(std::abs(here), 1e3);
   EXPECT_NEAR(force(20), here, 1e-9 * std::abs(here));  // a fifth of a wave on
   for (Vec3& x : s.x) x.x() += 20;
-  sim.system().prepare(s.view(0.1), 0.1);
+  State before = s;
+  before.time -= 0.1;
+  sim.system().prepare(before.view(0.1), 0.1);
   EXPECT_GT(std::abs(force(0) - here), 1e-2 * std::abs(here));
 }
 
