@@ -11,6 +11,7 @@
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/body_pairs.hpp"
+#include "hawser/model/check.hpp"
 #include "hawser/model/longest_step.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/body_contact.hpp"
@@ -230,11 +231,8 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
   std::vector<int> held;  // ends, of the mesh
   for (size_t l = 0; l < case_.lines.size(); ++l) {
     const LineSpan& span = mesh_->lines[l];
-    const auto fixed = [](const model::End& e) {
-      return e.kind != model::EndKind::free && e.kind != model::EndKind::joint;
-    };
-    if (fixed(case_.lines[l].end_a)) held.push_back(span.first_node);
-    if (fixed(case_.lines[l].end_b)) held.push_back(span.first_node + span.nodes - 1);
+    if (model::is_held(case_.lines[l].end_a)) held.push_back(span.first_node);
+    if (model::is_held(case_.lines[l].end_b)) held.push_back(span.first_node + span.nodes - 1);
   }
   seabed_->enable_friction(true);
   std::vector<double> tension;

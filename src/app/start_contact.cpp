@@ -16,8 +16,6 @@ constexpr size_t kMostTold = 5;  // sentences of one kind
 // Of the depth it started at: what is less deep lies on the surface, pressed into it by its own contact.
 constexpr double kLeft = 0.1;
 
-bool held(const model::End& e) { return e.kind == model::EndKind::anchor || e.kind == model::EndKind::body; }
-
 // Half the contact diameter of the elements of this rank; 0: takes no part.
 std::vector<double> radii(const model::Case& c, const LocalMesh& mesh) {
   std::vector<double> out;
@@ -133,7 +131,7 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
     if (s.from <= near && s.to >= length - near) continue;  // never comes out
     for (const bool b : {false, true}) {
       const model::End& e = b ? line.end_b : line.end_a;
-      if (!held(e) || e.no_contact_within || (b ? s.to < length - near : s.from > near)) continue;
+      if (!model::is_held(e) || e.no_contact_within || (b ? s.to < length - near : s.from > near)) continue;
       LeftOut& out = entry(s.line, s.volume);
       const double reach = (b ? length - s.from : s.to) + clearance(c, line, b, b ? s.rise_from : s.rise_to);
       (b ? out.end_b : out.end_a) = reach;

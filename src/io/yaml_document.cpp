@@ -191,10 +191,6 @@ class NoDocument final : public YAML::EventHandler {
   const std::string& file_;
 };
 
-}  // namespace
-
-namespace {
-
 // The parser reads to the end of a bracket before it says that one began, and keeps all that it reads. In
 // quotes and comments brackets count too: nobody leaves so many open there.
 void refuse_deep_brackets(const std::string& text, const std::string& file) {

@@ -401,6 +401,8 @@ double expansion_of(const Case& c, const Line& line) {
   return sum;
 }
 
+bool is_held(const End& end) { return end.kind == EndKind::anchor || end.kind == EndKind::body; }
+
 Vec3 end_position(const Case& c, const End& end) {
   if (end.kind == EndKind::anchor || end.kind == EndKind::joint) return end.at;
   const int i = c.body_index(end.body);

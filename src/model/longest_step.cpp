@@ -89,8 +89,6 @@ double add_body(const Body& b, Shortest& to, Shortest& own) {
   return speed;
 }
 
-bool held(const End& e) { return e.kind == EndKind::anchor || e.kind == EndKind::body; }
-
 // Slowest period of a line, from its weight as a hanging chain (2.405/2 sqrt(g/L)), its bending stiffness
 // (pi²/L² sqrt(EI/m)) and the tension of a start that is shorter than its chord (pi/L sqrt(T/m)).
 void add_line(const Case& c, const Line& line, double speed, bool jolted, Shortest& own, Shortest& drags) {
@@ -110,7 +108,7 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
   }
   if (length == 0 || mass == 0) return;
   double square = 1.45 * c.environment.gravity / length + std::pow(M_PI / length, 4) * bend / mass;
-  if (held(line.end_a) && held(line.end_b)) {
+  if (is_held(line.end_a) && is_held(line.end_b)) {
     const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
     square += std::pow(M_PI / length, 2) * std::max(chord - loose, 0.0) / give / (mass / length);
   }

@@ -225,8 +225,7 @@ struct Line {
 double mean_temperature_change(const Line& line, double from, double to);
 double thermal_strain(const LineType& type, const Line& line, double from, double to);
 
-// rigid and gap are there to be compared with: at the nodes, held on the surface until the reaction pulls; at
-// the nodes, a spring along a direction that is chosen at the start.
+// gap is there to be compared with: at the nodes, a spring along a direction that is chosen at the start.
 enum class ContactMethod { nodes, line, gap };
 
 // How lines touch lines.

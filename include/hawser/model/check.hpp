@@ -23,6 +23,9 @@ double length_of(const Line& line);
 // What its `temperature_change` adds to it [m].
 double expansion_of(const Case& c, const Line& line);
 
+// Whether a line's end is held by an anchor or a body: its place is prescribed, which that of a joint is not.
+bool is_held(const End& end);
+
 // Where a line's end is at t = 0 [m, space]: the body's position and rotation with its motion then.
 // Not for free ends. Throws std::out_of_range for an unknown body.
 Vec3 end_position(const Case& c, const End& end);

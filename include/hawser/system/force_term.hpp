@@ -98,8 +98,9 @@ class ForceTerm {
   // Axial stiffness is at most this, N, until told otherwise (HUGE_VAL: the true one): statics starts soft,
   // where a very stiff line would have to creep along a narrow valley of its energy.
   virtual void soften(double most) { (void)most; }
-  // Of the elements on this rank; by line of the mesh.
+  // The worst overstretched element of this rank, if there is one.
   virtual Overstretch overstretched(const Kinematics& at) const { return (void)at, Overstretch{}; }
+  // Raises what `lines`, one for each line of the mesh, have to what this rank's elements have.
   virtual void tensions(const Kinematics& at, std::span<LineTension> lines) const { (void)at, (void)lines; }
   // Sum of the sizes of the dead loads on this rank, N: what a static residual is judged against.
   virtual double dead_load() const { return 0; }

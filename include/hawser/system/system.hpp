@@ -109,8 +109,9 @@ class System {
   // it. Collective.
   void expect(const Kinematics& committed, double h);
   void commit(const Kinematics& accepted);
-  // Of an equilibrium or an accepted step: why, in words, it can be no result; empty: it can. The second is
-  // of lines that carry what they weigh. Collective.
+  // Why an equilibrium or a converged step cannot be a result, as a sentence for the user; empty where it
+  // can: an element is strained beyond what its law is given for, or rounding is a hundredth or more of a
+  // line's tension. Collective.
   std::string overstretched(const Kinematics& at) const;
   std::string lost_in_rounding(const Kinematics& at) const;
   // Summed over the terms, this rank's share.
