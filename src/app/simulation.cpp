@@ -118,6 +118,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   cut_ = hawser::cut_elements(*mesh_, owner);
   system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
   const LocalMesh& local = system_->mesh();
+  bodies_->in_state(c, local);
 
   auto structure = std::make_unique<StructureTerm>(local, c);
   structure_ = structure.get();
@@ -144,9 +145,6 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     if (std::any_of(c.lines.begin(), c.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
       system_->add(std::make_unique<BuriedTerm>(local, c, start.state.view(0), held));
   }
-  for (const model::Volume& v : c.volumes)
-    if (c.contact.takes_part(v) && !c.lines.empty() && c.floats(c.body_index(v.body)))
-      notes_.push_back(fmt::format("volume {}: body {} floats; lines do not feel it", v.name, v.body));
   std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
   for (ContactVolume& volume : volumes)
     if (volume.settings.basis == model::StiffnessBasis::automatic)

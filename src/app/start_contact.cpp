@@ -209,7 +209,7 @@ std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
   std::vector<ContactVolume> out;
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
     const int body = c.body_index(c.volumes[v].body);
-    if (c.contact.takes_part(c.volumes[v]) && !c.lines.empty() && !c.floats(body))
+    if (c.contact.takes_part(c.volumes[v]) && !c.lines.empty())
       out.push_back({surfaces[v], body, c.volumes[v]});
   }
   return out;

@@ -40,6 +40,17 @@ void join(const model::Case& c, Mesh& m) {
   }
 }
 
+// Ends at bodies that move by their own equations.
+void tie(const model::Case& c, Mesh& m) {
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    for (const bool last : {false, true}) {
+      const model::End& e = last ? c.lines[l].end_b : c.lines[l].end_a;
+      if (e.kind != model::EndKind::body || !c.floats(c.body_index(e.body))) continue;
+      const int n = m.lines[l].first_node + (last ? m.lines[l].nodes - 1 : 0);
+      m.nodes[static_cast<size_t>(n)].tied_to = m.body_node(c.body_index(e.body));
+    }
+}
+
 void mark_two_sided(const model::Case& c, Mesh& m) {
   for (size_t e = 1; e < m.elements.size(); ++e)
     if (m.elements[e].line == m.elements[e - 1].line && m.elements[e].type != m.elements[e - 1].type)
@@ -102,6 +113,7 @@ Mesh build_mesh(const model::Case& c) {
     const int group = static_cast<int>(m.lines.size() + m.nodes.size()) - m.line_nodes();
     m.nodes.push_back({group, 0, 0, true, static_cast<int>(b)});
   }
+  tie(c, m);
   return m;
 }
 

@@ -28,7 +28,8 @@ std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> n
   };
   for (const Element& e : mesh.elements) add(e.first, e.second, kChainEdge);
   for (size_t n = 0; n < mesh.nodes.size(); ++n)
-    if (mesh.nodes[n].pinned_to >= 0) add(static_cast<int>(n), mesh.nodes[n].pinned_to, kChainEdge);
+    for (const int other : {mesh.nodes[n].pinned_to, mesh.nodes[n].tied_to})
+      if (other >= 0) add(static_cast<int>(n), other, kChainEdge);
   for (const auto& [a, b] : near) {
     const Element &p = mesh.elements[static_cast<size_t>(a)], &q = mesh.elements[static_cast<size_t>(b)];
     for (int m : {p.first, p.second})
@@ -71,7 +72,8 @@ std::vector<int> cut_graph(const Mesh& mesh, int ranks, const std::vector<Edge>&
   if (status != METIS_OK) throw std::runtime_error("METIS could not cut the lines into parts");
   std::vector<int> owner(part.begin(), part.end());
   for (size_t n = 0; n < owner.size(); ++n)  // one position has one owner
-    if (const int other = mesh.nodes[n].pinned_to; other >= 0) owner[n] = owner[static_cast<size_t>(other)];
+    for (const int other : {mesh.nodes[n].pinned_to, mesh.nodes[n].tied_to})
+      if (other >= 0) owner[n] = owner[static_cast<size_t>(other)];
   return owner;
 }
 
@@ -151,6 +153,11 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
                b = owner[static_cast<size_t>(e.second)] == rank;
     if (a && !b) ghosts.push_back(e.second);
     if (b && !a) ghosts.push_back(e.first);
+    if (a == b) continue;
+    for (const int n : {e.first, e.second})  // with the frames that carry them
+      if (const int frame = mesh.nodes[static_cast<size_t>(n)].tied_to;
+          frame >= 0 && owner[static_cast<size_t>(frame)] != rank)
+        ghosts.push_back(frame);
   }
   std::sort(ghosts.begin(), ghosts.end());
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());

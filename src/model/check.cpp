@@ -48,9 +48,6 @@ class LineCheck {
   bool held(const End& e) const { return e.kind != EndKind::free; }
 
   void check_end(const End& e, const Section& section, const std::string& key) {
-    if (e.kind == EndKind::body && c_.floats(c_.body_index(e.body)))
-      issue(key + ".body", "body '{}' floats; a line can be tied to a body with prescribed motion only",
-            e.body);
     if (e.kind == EndKind::joint && (e.clamped || e.rotational_stiffness > 0))
       return issue(key + (e.clamped ? ".clamped" : ".rotational_stiffness"),
                    "ends turn freely at a joint; remove it");

@@ -50,8 +50,7 @@ void check_kinetic(const Volume& v, std::vector<Issue>& issues) {
 void check_contact(const Case& c, std::vector<Issue>& issues) {
   const double thickness = thinnest(c, [](const Line&) { return true; });
   for (const Volume& v : c.volumes) {
-    // What floats touches other bodies alone.
-    if (c.contact.takes_part(v) && !c.floats(c.body_index(v.body)))
+    if (c.contact.takes_part(v))
       check_smoothing(v.smoothing, thickness, "volumes." + v.name + ".smoothing", issues);
     check_kinetic(v, issues);
   }

@@ -241,7 +241,7 @@ void Dynamics::accept(double h) {
   alpha_mean_advance(alpha_, mean, mean_);
   const LocalMesh& m = system_.mesh();
   for (const Support& s : system_.supports().list()) {
-    if (s.node >= m.owned) continue;
+    if (s.node >= m.owned || s.frame >= 0) continue;
     const size_t b = 3 * static_cast<size_t>(m.block[static_cast<size_t>(s.node)]);
     const int n = m.rotates(s.node) ? 6 : 3;
     for (int c = 0; c < n; ++c) {
@@ -293,6 +293,7 @@ void Dynamics::start(const State& state) {
   s.a.assign(n, Vec3::Zero()), s.alpha.assign(n, Vec3::Zero());
   s.directors.clear(), s.director_weight = 0;
   system_.supports().rates(s.time, s);
+  system_.supports().follow(s);
   last_step_ = 0;
   const double h = control_.wish();  // that it moves: dampers act from the start
   prepare(h);
@@ -309,6 +310,7 @@ void Dynamics::start(const State& state) {
     s.a[i] -= Eigen::Map<const Vec3>(p);
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
+  system_.supports().follow(s);
   alpha_start(committed_);
   system_.residual(s.view(h), r_.get());
   reactions_ = system_.reactions();

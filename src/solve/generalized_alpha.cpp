@@ -51,8 +51,17 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
     trial.ad[n] = (rate1 - rate0 - k1 * from.ad[n]) / k2;
     s.directors[n] = m1 * trial.ad[n] + m0 * from.ad[n] - d0 * from.s.directors[n];
   }
+  supports.follow(s);
   for (const Support& p : supports.list()) {
     const size_t n = static_cast<size_t>(p.node);
+    if (p.frame >= 0 && p.position_mask == 7) {
+      const size_t f = static_cast<size_t>(p.frame);
+      trial.ax[n] = trial.ax[f] + trial.ad[f] * p.at;
+      if (p.rotation_mask != 7 || !mesh.rotates(p.node)) continue;
+      trial.aw[n] = p.rotation.conjugate() * trial.aw[f];
+      trial.ad[n] = trial.ad[f] * p.rotation.toRotationMatrix();
+      continue;
+    }
     if (p.rotation_mask == 7)
       trial.ad[n] = s.directors[n] = director_acceleration(s.q[n], s.w[n], s.alpha[n]);
     for (int i = 0; i < 3; ++i) {

@@ -92,6 +92,10 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       if (joint) s.position_mask = 0;
       s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
       s.at = e.at;
+      if (const int frame = g.nodes[static_cast<size_t>(node)].tied_to; frame >= 0) {
+        s.at -= c.bodies[static_cast<size_t>(s.body)].mass->centre;
+        s.body = -1, s.frame = mesh.find(frame);
+      }
       if (g.nodes[static_cast<size_t>(node)].rotates) {
         if (e.clamped) {
           s.rotation_mask = 7;

@@ -77,6 +77,7 @@ void StaticTrial::step(double factor) {
   std::vector<double> u(local_);
   for (double& x : u) x *= factor;
   retract(system_.mesh(), state_, u.data(), trial_);
+  system_.supports().follow(trial_);
 }
 
 bool StaticTrial::clear() {

@@ -24,12 +24,26 @@ std::vector<double> of_all_ranks(MPI_Comm comm, const std::vector<double>& mine)
 
 }  // namespace
 
+// Who sees a tied node sees the frame that carries it.
+void System::with_frames(Couplings& c) const {
+  const auto frame = [this](int n) { return mesh_.mesh->nodes[static_cast<size_t>(n)].tied_to; };
+  const std::vector<int> nodes = c.nodes;
+  for (const int n : nodes)
+    if (frame(n) >= 0) c.nodes.push_back(frame(n));
+  const std::vector<std::pair<int, int>> pairs = c.pairs;
+  const auto join = [&c](int a, int b) {
+    if (a >= 0 && b >= 0 && a != b) c.pairs.emplace_back(std::min(a, b), std::max(a, b));
+  };
+  for (const auto& [a, b] : pairs) join(frame(a), b), join(a, frame(b)), join(frame(a), frame(b));
+}
+
 Coupled System::couple(const Kinematics& committed, double h) {
   bool same = true;
   for (auto& t : terms_) same &= !t->recouple(committed, h);
   if (all(comm_, same)) return Coupled::as_before;
   Couplings wanted;
   for (const auto& t : terms_) t->couple(wanted);
+  with_frames(wanted);
   wanted.sort();
   const bool fits = all(comm_, wanted.within(couplings_) && !forgotten_);
   if (!fits) {
@@ -70,7 +84,7 @@ void System::spread(State& s) const {
 
 // Held nodes of other ranks move as their supports say here too, and their columns of the tangent are zero.
 void System::reghost_supports() {
-  constexpr size_t kWidth = 11;
+  constexpr size_t kWidth = 12;
   std::vector<Support> kept;
   std::vector<double> mine;
   for (const Support& s : supports_.list()) {
@@ -78,9 +92,11 @@ void System::reghost_supports() {
     kept.push_back(s);
     if (s.node >= mesh_.owned) continue;
     const double node = mesh_.global[static_cast<size_t>(s.node)];
-    mine.insert(mine.end(), {node, static_cast<double>(s.body), s.at.x(), s.at.y(), s.at.z(), s.rotation.w(),
-                             s.rotation.x(), s.rotation.y(), s.rotation.z(),
-                             static_cast<double>(s.position_mask), static_cast<double>(s.rotation_mask)});
+    const double frame = s.frame < 0 ? -1 : mesh_.global[static_cast<size_t>(s.frame)];
+    mine.insert(mine.end(),
+                {node, static_cast<double>(s.body), s.at.x(), s.at.y(), s.at.z(), s.rotation.w(),
+                 s.rotation.x(), s.rotation.y(), s.rotation.z(), static_cast<double>(s.position_mask),
+                 static_cast<double>(s.rotation_mask), frame});
   }
   const std::vector<double> everyone = of_all_ranks(comm_, mine);
   for (size_t i = 0; i < everyone.size(); i += kWidth) {
@@ -91,9 +107,11 @@ void System::reghost_supports() {
     s.node = local, s.body = static_cast<int>(d[1]);
     s.at = Vec3(d[2], d[3], d[4]), s.rotation = Quat(d[5], d[6], d[7], d[8]);
     s.position_mask = static_cast<unsigned char>(d[9]), s.rotation_mask = static_cast<unsigned char>(d[10]);
+    s.frame = d[11] < 0 ? -1 : mesh_.find(static_cast<int>(d[11]));
     kept.push_back(s);
   }
   supports_ = Supports(mesh_, std::move(kept), BodyMotion(supports_.motion()));
+  index_ties();
 }
 
 VecHandle System::create_vector() const {
@@ -114,7 +132,14 @@ std::vector<std::pair<int, int>> System::pattern() const {
       }
   };
   for (int n = 0; n < mesh_.owned; ++n) couple(n, n);
-  for (const LocalElement& e : mesh_.elements) couple(e.first, e.second), couple(e.second, e.first);
+  const auto join = [&](int a, int b) { couple(a, b), couple(b, a); };
+  for (const LocalElement& e : mesh_.elements) {
+    join(e.first, e.second);
+    const int first = mesh_.frame_of(e.first), second = mesh_.frame_of(e.second);
+    if (first >= 0) join(first, e.second), join(first, e.first);
+    if (second >= 0) join(e.first, second), join(e.second, second);
+    if (first >= 0 && second >= 0 && first != second) join(first, second);
+  }
   for (const auto& [m, n] : couplings_.pairs) {
     const int a = mesh_.find(m), b = mesh_.find(n);
     couple(a, b), couple(b, a);
@@ -138,7 +163,7 @@ MatHandle System::create_matrix() const {
   check(MatSetType(A.get(), MATBAIJ));
   check(MatSetBlockSize(A.get(), 3));
   check(MatXAIJSetPreallocation(A.get(), 3, own.data(), other.data(), nullptr, nullptr));
-  check(MatSetOption(A.get(), MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
+  if (!sends()) check(MatSetOption(A.get(), MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
   // What is not written at the first assembly is lost, and candidates may touch later.
   const double zero[9] = {};
   for (const auto& [row, column] : entries) {

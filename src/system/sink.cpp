@@ -1,5 +1,6 @@
 #include "hawser/system/sink.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cassert>
 #include <cstring>
@@ -56,7 +57,7 @@ void weigh(int n, double w, const double* A, double* J) {
 }  // namespace
 
 void Sink::add_force(int b, double x, double y, double z) {
-  if (b >= owned_blocks_) return;
+  if (b >= owned_blocks_ && !sending_) return;
   double* out = force_->data() + 3 * b;
   out[0] += x, out[1] += y, out[2] += z;
   (*squares_)[static_cast<size_t>(b)] += x * x + y * y + z * z;
@@ -70,6 +71,8 @@ void Sink::add(std::span<const int> blocks, const double* f, const double* K, co
   if (force_ && f)
     for (int i = 0; i < n; ++i) add_force(block[i], f[3 * i], f[3 * i + 1], f[3 * i + 2]);
   if (!matrix_) return;
+  if (std::any_of(blocks.begin(), blocks.end(), [this](int b) { return tied(b); }))
+    return add_tied(blocks, K, C, M);
 
   const int m = 3 * n;
   double J[9 * kMaxBlocks * kMaxBlocks + 1];
@@ -86,6 +89,51 @@ void Sink::add(std::span<const int> blocks, const double* f, const double* K, co
   put(block, n, J);
 }
 
+// Unknowns u = P z of the tied blocks: K' = P'(K P + (C + director_weight M) V), C' = P'C P, M' = P'M P, with
+// the rates V that a turned frame gives. The turning of the forces' arms is the frame's (System::tangent).
+void Sink::add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M) {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  std::vector<int> to;  // blocks of z
+  const auto place = [&to](int block) {
+    const auto at = std::find(to.begin(), to.end(), block);
+    if (at != to.end()) return 3 * (at - to.begin());
+    to.push_back(block);
+    return 3 * static_cast<std::ptrdiff_t>(to.size() - 1);
+  };
+  const Eigen::Index m = 3 * static_cast<Eigen::Index>(blocks.size());
+  Matrix P = Matrix::Zero(m, 2 * m), V = Matrix::Zero(m, 2 * m), W = Matrix::Zero(m, m);
+  for (Eigen::Index i = 0; i < m; i += 3) {
+    const int block = blocks[static_cast<size_t>(i / 3)], tie = (*tie_of_)[static_cast<size_t>(block)];
+    if (tie < 0) {
+      P.block<3, 3>(i, place(block)).setIdentity();
+      continue;
+    }
+    const Tie& t = (*ties_)[static_cast<size_t>(tie)];
+    if (block != t.block) {
+      P.block<3, 3>(i, place(t.frame + 1)) = t.turn;
+      continue;
+    }
+    P.block<3, 3>(i, place(t.frame)).setIdentity();
+    P.block<3, 3>(i, place(t.frame + 1)) = t.place;
+    V.block<3, 3>(i, place(t.frame + 1)) = t.rate;
+    if (M) W.middleCols<3>(i) = t.director_weight * Eigen::Map<const Matrix>(M, m, m).middleCols<3>(i);
+  }
+  const Eigen::Index size = 3 * static_cast<Eigen::Index>(to.size());
+  P.conservativeResize(m, size), V.conservativeResize(m, size);
+  Matrix k = W * V;
+  if (K) k += Eigen::Map<const Matrix>(K, m, m) * P;
+  if (C) k += Eigen::Map<const Matrix>(C, m, m) * V;
+  Matrix J = weights_.K * P.transpose() * k;
+  for (Eigen::Index j = 0; j < size; j += 3)
+    if (const size_t b = static_cast<size_t>(to[static_cast<size_t>(j / 3)]); (*is_rotation_)[b])
+      J.middleCols<3>(j) = (J.middleCols<3>(j) * (*retraction_)[b]).eval();
+  if (C) J += weights_.C * P.transpose() * Eigen::Map<const Matrix>(C, m, m) * P;
+  if (M) J += weights_.M * P.transpose() * Eigen::Map<const Matrix>(M, m, m) * P;
+  std::vector<double> own(J.data(), J.data() + J.size());
+  own.push_back(0);
+  put(to.data(), static_cast<int>(to.size()), own.data());
+}
+
 // J has an entry more than its n x n blocks. Without what belongs to held components.
 void Sink::put(const int* block, int n, double* J) {
   const int m = 3 * n;
@@ -98,7 +146,12 @@ void Sink::put(const int* block, int n, double* J) {
   }
   for (int i = 0; i < n; ++i) {
     const int row = block[i];
-    if (row >= owned_blocks_) continue;  // another rank computes it
+    if (row >= owned_blocks_) {  // another rank computes it, or is sent what this one has
+      const bool none = !sending_ || std::all_of(J + 3 * i * m, J + 3 * (i + 1) * m,
+                                                 [](double entry) { return entry == 0; });
+      for (int j = 0; j < n && !none; ++j) add_elsewhere(row, block[j], J + 3 * i * m + 3 * j, m);
+      continue;
+    }
     double* to = nullptr;
     for (int j = 0; j < n; ++j) {
       const double* from = J + 3 * i * m + 3 * j;
@@ -125,6 +178,13 @@ void Sink::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c
   if (force_) add_force(a, -f[0], -f[1], -f[2]), add_force(b, f[0], f[1], f[2]);
   if (!matrix_) return;
   const int blocks[2] = {a, b};
+  if (tied(a) || tied(b)) {
+    double K[36], C[36];
+    for (const auto& [from, to] : {std::pair(k, K), std::pair(c, C)})
+      for (int i = 0; i < 36; ++i)
+        to[i] = from ? ((i / 18 == i % 6 / 3) ? 1 : -1) * (*from)(i / 6 % 3, i % 3) : 0;
+    return add_tied(blocks, K, C, nullptr);
+  }
   double J[37];
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
@@ -156,13 +216,16 @@ void Sink::add_weighted(int a, int b, const double* f, const double* J) {
 
 void Sink::add_masses(int a, int b, const double* f, double own, double shared) {
   if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
-  if (!matrix_ || weights_.M == 0) return;
   const int blocks[2] = {a, b};
+  const bool frames = tied(a) || tied(b);
+  if (!matrix_ || (weights_.M == 0 && !frames)) return;
+  const double weight = frames ? 1 : weights_.M;
   double J[37] = {};
   for (int i = 0; i < 6; ++i) {
-    J[7 * i] = weights_.M * own;
-    J[6 * i + (i + 3) % 6] = weights_.M * shared;
+    J[7 * i] = weight * own;
+    J[6 * i + (i + 3) % 6] = weight * shared;
   }
+  if (frames) return add_tied(blocks, nullptr, nullptr, J);
   put(blocks, 2, J);
 }
 

@@ -7,7 +7,9 @@ namespace hawser {
 Supports::Supports(const LocalMesh& mesh, std::vector<Support> supports, BodyMotion motion)
     : mesh_(&mesh), supports_(std::move(supports)), motion_(std::move(motion)) {
   held_.assign(static_cast<size_t>(mesh.blocks()), 0);
-  for (const Support& s : supports_) {
+  for (size_t i = 0; i < supports_.size(); ++i) {
+    const Support& s = supports_[i];
+    if (s.frame >= 0) ties_.push_back(static_cast<int>(i));
     const size_t b = static_cast<size_t>(mesh.block[static_cast<size_t>(s.node)]);
     held_[b] |= s.position_mask;
     if (mesh.rotates(s.node)) held_[b + 1] |= s.rotation_mask;
@@ -23,12 +25,14 @@ void Supports::increments(const State& from, double t, double* u) const {
     const size_t n = static_cast<size_t>(s.node);
     double* p = u + 3 * mesh_->block[n];
     const RigidPose b = pose(s, t);
+    const bool tied = s.frame >= 0;  // follow() moves it
     const Vec3 move = b.to_space(s.at) - from.x[n];
     for (int c = 0; c < 3; ++c)
-      if (s.position_mask >> c & 1) p[c] = s.position_mask == 7 ? move[c] : 0;
+      if (s.position_mask >> c & 1) p[c] = s.position_mask == 7 && !tied ? move[c] : 0;
     if (!mesh_->rotates(s.node)) continue;
-    const Vec3 turn =
-        s.rotation_mask == 7 ? log_so3(from.q[n].conjugate() * (b.rotation * s.rotation)) : Vec3(0, 0, 0);
+    const Vec3 turn = s.rotation_mask == 7 && !tied
+                          ? log_so3(from.q[n].conjugate() * (b.rotation * s.rotation))
+                          : Vec3(0, 0, 0);
     for (int c = 0; c < 3; ++c)
       if (s.rotation_mask >> c & 1) p[3 + c] = turn[c];
   }
@@ -38,6 +42,11 @@ void Supports::rates(double t, State& out) const {
   for (const Support& s : supports_) {
     const size_t n = static_cast<size_t>(s.node);
     const RigidPose b = pose(s, t);
+    if (s.frame >= 0) {  // follow() moves it; a single component that is held does not turn
+      for (int c = 0; c < 3; ++c)
+        if (s.rotation_mask != 7 && s.rotation_mask >> c & 1) out.w[n][c] = out.alpha[n][c] = 0;
+      continue;
+    }
     const Vec3 x = b.to_space(s.at), v = b.velocity_at(x), a = b.acceleration_at(x);
     for (int c = 0; c < 3; ++c)
       if (s.position_mask >> c & 1)
@@ -51,6 +60,25 @@ void Supports::rates(double t, State& out) const {
         out.w[n][c] = s.rotation_mask == 7 ? w[c] : 0;
         out.alpha[n][c] = s.rotation_mask == 7 ? al[c] : 0;
       }
+  }
+}
+
+void Supports::follow(State& out) const {
+  for (const int i : ties_) {
+    const Support& s = supports_[static_cast<size_t>(i)];
+    const size_t n = static_cast<size_t>(s.node), f = static_cast<size_t>(s.frame);
+    const Mat3 D =
+        out.directors.empty() ? director_acceleration(out.q[f], out.w[f], out.alpha[f]) : out.directors[f];
+    if (s.position_mask == 7) {
+      out.x[n] = out.x[f] + out.q[f] * s.at;
+      out.v[n] = out.v[f] + out.q[f] * out.w[f].cross(s.at);
+      out.a[n] = out.a[f] + D * s.at;
+    }
+    if (s.rotation_mask != 7 || !mesh_->rotates(s.node)) continue;
+    const Quat back = s.rotation.conjugate();
+    out.q[n] = (out.q[f] * s.rotation).normalized();
+    out.w[n] = back * out.w[f], out.alpha[n] = back * out.alpha[f];
+    if (!out.directors.empty()) out.directors[n] = D * s.rotation.toRotationMatrix();
   }
 }
 

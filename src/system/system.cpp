@@ -59,6 +59,51 @@ void System::add(std::unique_ptr<ForceTerm> term) {
 
 void System::support(std::vector<Support> supports, BodyMotion motion) {
   supports_ = Supports(mesh_, std::move(supports), std::move(motion));
+  index_ties();
+}
+
+void System::index_ties() {
+  tie_of_.assign(supports_.ties().empty() ? 0 : static_cast<size_t>(mesh_.blocks()), -1);
+  ties_.clear();
+  for (const int i : supports_.ties()) {
+    const Support& s = supports_.list()[static_cast<size_t>(i)];
+    Tie t;
+    t.block = mesh_.block[static_cast<size_t>(s.node)], t.frame = mesh_.block[static_cast<size_t>(s.frame)];
+    t.turns = mesh_.rotates(s.node) && s.rotation_mask == 7;
+    t.turn = s.rotation.conjugate().toRotationMatrix();
+    tie_of_[static_cast<size_t>(t.block)] = static_cast<int>(ties_.size());
+    if (t.turns) tie_of_[static_cast<size_t>(t.block) + 1] = static_cast<int>(ties_.size());
+    ties_.push_back(t);
+  }
+}
+
+void System::see_ties(const Kinematics& trial) {
+  for (size_t i = 0; i < ties_.size(); ++i) {
+    const Support& s = supports_.list()[static_cast<size_t>(supports_.ties()[i])];
+    const size_t f = static_cast<size_t>(s.frame);
+    const Mat3 R = trial.q[f].toRotationMatrix();
+    ties_[i].place = -R * hat(s.at);
+    ties_[i].rate = -R * hat(trial.w[f].cross(s.at));
+    ties_[i].director_weight = trial.director_weight;
+  }
+}
+
+// What acts on tied nodes acts on their frames: the force, and its moment and that of the node's rotation in
+// the frame's axes. It stays at the node as what the tie carries.
+void System::add_to_frames(const Kinematics& trial) {
+  for (const int i : supports_.ties()) {
+    const Support& s = supports_.list()[static_cast<size_t>(i)];
+    if (s.node >= mesh_.owned) continue;
+    const int block = mesh_.block[static_cast<size_t>(s.node)],
+              frame = mesh_.block[static_cast<size_t>(s.frame)];
+    const auto at = [this](int b) { return Eigen::Map<Vec3>(force_.data() + 3 * b); };
+    const Vec3 force = at(block);
+    Vec3 moment = s.at.cross(trial.q[static_cast<size_t>(s.frame)].conjugate() * force);
+    if (mesh_.rotates(s.node) && s.rotation_mask == 7) moment += s.rotation * at(block + 1);
+    at(frame) += force, at(frame + 1) += moment;
+    squares_[static_cast<size_t>(frame)] += force.squaredNorm();
+    squares_[static_cast<size_t>(frame) + 1] += moment.squaredNorm();
+  }
 }
 
 void System::gather(Vec u, std::vector<double>& out) const {
@@ -83,7 +128,8 @@ void System::gather(Vec u, std::vector<double>& out) const {
 
 void System::residual(const Kinematics& trial, Vec r, std::span<const double> carried) {
   std::fill(force_.begin(), force_.end(), 0.0);
-  std::copy(carried.begin(), carried.end(), force_.begin());
+  const size_t owned = 3 * static_cast<size_t>(mesh_.owned_blocks);
+  if (!carried.empty()) std::copy_n(carried.begin(), owned, force_.begin());
   Sink sink;
   sink.force_ = &force_;
   sink.mean_weight_ = trial.mean.weight;
@@ -96,12 +142,24 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
     const Logged logged(events_[i].force);
     terms_[i]->evaluate(trial, sink);
   }
+  add_to_frames(trial);
   PetscScalar* p = nullptr;
   check(VecGetArray(r, &p));
-  const size_t n = 3 * static_cast<size_t>(mesh_.owned_blocks);
-  std::copy(force_.begin(), force_.begin() + static_cast<std::ptrdiff_t>(n), p);
+  std::copy_n(force_.begin(), owned, p);
+  check(VecRestoreArray(r, &p));
+  if (sends()) {
+    Vec local = nullptr;
+    check(VecGhostGetLocalForm(r, &local));
+    check(VecGetArray(local, &p));
+    std::copy(force_.begin() + static_cast<std::ptrdiff_t>(owned), force_.end(), p + owned);
+    check(VecRestoreArray(local, &p));
+    check(VecGhostRestoreLocalForm(r, &local));
+    check(VecGhostUpdateBegin(r, ADD_VALUES, SCATTER_REVERSE));
+    check(VecGhostUpdateEnd(r, ADD_VALUES, SCATTER_REVERSE));
+  }
+  check(VecGetArray(r, &p));
   const auto& held = supports_.held();
-  for (size_t b = 0; b < n / 3; ++b)
+  for (size_t b = 0; b < owned / 3; ++b)
     if (held[b])
       for (size_t c = 0; c < 3; ++c)
         if (held[b] >> c & 1) p[3 * b + c] = 0;
@@ -125,9 +183,25 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   sink.retraction_ = &retraction_;
   sink.is_rotation_ = &is_rotation_;
   sink.held_ = &supports_.held();
+  see_ties(trial);
+  if (!ties_.empty()) sink.ties_ = &ties_, sink.tie_of_ = &tie_of_;
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].tangent);
     terms_[i]->evaluate(trial, sink);
+  }
+  // The force f of a tie turns with its frame: d(y x R'f) = hat(y) hat(R'f) theta. Far from a solution, what
+  // of it pulls at the arm and so holds the frame.
+  for (const int i : supports_.ties()) {
+    const Support& s = supports_.list()[static_cast<size_t>(i)];
+    if (s.node >= mesh_.owned) continue;
+    const Vec3 force(force_.data() + 3 * mesh_.block[static_cast<size_t>(s.node)]);
+    const Vec3 f = trial.q[static_cast<size_t>(s.frame)].conjugate() * force;
+    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = hat(s.at) * hat(f);
+    if (convex)
+      K = std::max(-s.at.dot(f), 0.0) *
+          (Mat3::Identity() - s.at * s.at.transpose() / std::max(s.at.squaredNorm(), 1e-300));
+    const int block = mesh_.block[static_cast<size_t>(s.frame)] + 1;
+    sink.add({&block, 1}, nullptr, K.data(), nullptr, nullptr);
   }
   const auto& held = supports_.held();
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;

@@ -22,8 +22,9 @@ NormalLaw normal_law(const model::Volume& v, double share, double smoothing, dou
   return law;
 }
 
-Contact::Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes, MPI_Comm comm)
-    : bodies_(std::move(bodies)), volumes_(std::move(volumes)), comm_(comm) {
+Contact::Contact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+                 std::vector<ContactVolume> volumes, MPI_Comm comm)
+    : bodies_(std::move(bodies)), volumes_(std::move(volumes)), local_(mesh), comm_(comm) {
   if (!bodies_) bodies_ = std::make_shared<const Bodies>();
   for (const ContactVolume& v : volumes_) {
     if (!v.surface) throw std::invalid_argument("volume " + v.settings.name + " has no surface");
@@ -34,7 +35,13 @@ Contact::Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume
     boxes_.push_back(v.surface->bounds());
     committed_stiffness_.push_back(v.settings.normal_stiffness);
   }
-  pose_bodies(0, poses_);
+  for (const ContactVolume& v : volumes_)
+    if (bodies_->floats(v.body)) floating_.push_back(v.body);
+  std::sort(floating_.begin(), floating_.end());
+  floating_.erase(std::unique(floating_.begin(), floating_.end()), floating_.end());
+  for (const int b : floating_) told_.push_back(bodies_->pose(b, 0.0));
+  poses_.resize(static_cast<size_t>(bodies_->size()) + 1);
+  for (int b = 0; b < bodies_->size(); ++b) poses_[static_cast<size_t>(b) + 1] = bodies_->pose(b, 0.0);
   start_poses_ = poses_;
 }
 
@@ -100,16 +107,11 @@ bool Contact::follows(const NormalLaw& law, double mass, double h) {
   return hawser::follows(std::sqrt(mass / law.stiffness), h);
 }
 
-void Contact::pose_bodies(double time, std::vector<RigidPose>& poses) const {
-  const int n = bodies_->size();
-  poses.resize(static_cast<size_t>(n) + 1);
-  for (int b = 0; b < n; ++b) poses[static_cast<size_t>(b) + 1] = bodies_->pose(b, time);
-}
-
-Contact::StepOfBody::StepOfBody(const RigidPose& before, const RigidPose& after)
+Contact::StepOfBody::StepOfBody(const RigidPose& before, const RigidPose& after, bool prescribes)
     : R0(before.rotation.toRotationMatrix()),
       R1(after.rotation.toRotationMatrix()),
-      shift(after.position - before.position) {}
+      shift(after.position - before.position),
+      prescribed(prescribes) {}
 
 void Contact::add_work(Account& sum, const StepOfBody& b, const ContactHistory& p, const Mat3& R,
                        const Vec3& y0, const Vec3& y1, double share) {
@@ -118,7 +120,7 @@ void Contact::add_work(Account& sum, const StepOfBody& b, const ContactHistory& 
   const double w = 0.5 * share;
   sum.friction -= w * (R * p.friction).dot(relative);
   sum.damping -= w * p.damping_force * (R * p.normal).dot(relative);
-  sum.work += w * (R * p.force).dot(carried);
+  if (b.prescribed) sum.work += w * (R * p.force).dot(carried);
 }
 
 void Contact::Questions::add(int volume, size_t who, const SurfaceQuestion& question) {

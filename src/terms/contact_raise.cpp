@@ -113,7 +113,7 @@ std::string Contact::refusal(const Kinematics& trial) const {
 }
 
 bool LineContact::stiffen(const Kinematics& equilibrium) {
-  pose_bodies(equilibrium.time, poses_);
+  pose_bodies(equilibrium, poses_);
   std::vector<double> wanted = stiffnesses();
   for (Pair& pair : pairs_) {
     const bool touches = !pair.found.panels.empty() || pair.walls;
@@ -189,7 +189,7 @@ Contact::TooDeep LineContact::too_deep(const Kinematics& trial) const {
 }
 
 bool VolumeContact::stiffen(const Kinematics& equilibrium) {
-  pose_bodies(equilibrium.time, poses_);
+  pose_bodies(equilibrium, poses_);
   std::vector<double> wanted = stiffnesses();
   for (Pair& pair : pairs_) {
     if (!automatic(pair.volume)) continue;

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "hawser/math/so3.hpp"
+#include "hawser/terms/against_body.hpp"
 
 namespace hawser {
 namespace {
@@ -48,17 +49,18 @@ EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodi
                        std::vector<EndSpring> springs)
     : mesh_(mesh), bodies_(std::move(bodies)), springs_(std::move(springs)), work_(springs_.size(), 0.0) {
   for (size_t i = 0; i < springs_.size(); ++i)
-    if (springs_[i].body >= 0 && bodies_->moves(springs_[i].body)) driven_.push_back(i);
+    if (springs_[i].body >= 0 && bodies_->moves(springs_[i].body) && !bodies_->floats(springs_[i].body))
+      driven_.push_back(i);
 }
 
-Vec3 EndSprings::direction(const EndSpring& s, double time) const {
-  return s.body < 0 ? s.direction : Vec3(bodies_->pose(s.body, time).rotation * s.direction);
+Vec3 EndSprings::direction(const EndSpring& s, const Kinematics& at) const {
+  return s.body < 0 ? s.direction : Vec3(bodies_->pose(s.body, at).rotation * s.direction);
 }
 
 void EndSprings::evaluate(const Kinematics& trial, Sink& sink) {
   for (const EndSpring& s : springs_) {
     // In material axes: t = e1, p = Q'd, dc = theta.(e1 x p), dp = p x theta.
-    const Vec3 p = trial.q[static_cast<size_t>(s.node)].conjugate() * direction(s, trial.time);
+    const Vec3 p = trial.q[static_cast<size_t>(s.node)].conjugate() * direction(s, trial);
     const Vec3 g = Vec3::UnitX().cross(p);
     const Angle a = angle(g.norm(), p.x());
     const Vec3 f = s.stiffness * a.first * g;
@@ -66,6 +68,14 @@ void EndSprings::evaluate(const Kinematics& trial, Sink& sink) {
         s.stiffness * a.second * g * g.transpose() + s.stiffness * a.first * hat(Vec3::UnitX()) * hat(p);
     if (sink.convex()) K = s.stiffness * (Mat3::Identity() - Vec3::UnitX() * Vec3::UnitX().transpose());
     const int block = mesh_.block[static_cast<size_t>(s.node)] + 1;
+    if (bodies_->floats(s.body)) {
+      const size_t n = static_cast<size_t>(s.node), b = static_cast<size_t>(bodies_->local_node(s.body));
+      const LineBlock node{block, true, trial.x[n], trial.v[n], trial.q[n].toRotationMatrix()};
+      add_against_body(sink, {&node, 1},
+                       {mesh_.block[b], trial.x[b], trial.v[b], trial.q[b].toRotationMatrix()}, true,
+                       f.data(), K.data(), nullptr);
+      continue;
+    }
     sink.add({&block, 1}, f.data(), K.data(), nullptr, nullptr);
   }
 }
@@ -75,7 +85,7 @@ void EndSprings::holds(const Kinematics& at, std::vector<Hold>& out) const {
   out.clear();
   for (const size_t i : driven_) {
     const EndSpring& s = springs_[i];
-    const Quat rotation = bodies_->pose(s.body, at.time).rotation;
+    const Quat rotation = bodies_->pose(s.body, at).rotation;
     const Vec3 t = rotation.conjugate() * (at.q[static_cast<size_t>(s.node)] * Vec3::UnitX());
     const Vec3 g = s.direction.cross(t);
     out.push_back({rotation, s.stiffness * angle(g.norm(), s.direction.dot(t)).first * g});
@@ -110,7 +120,7 @@ void EndSprings::restore(const std::vector<HistoryRecord>& records) {
 Energy EndSprings::energy(const Kinematics& at) const {
   Energy e;
   for (const EndSpring& s : springs_) {
-    const Vec3 p = at.q[static_cast<size_t>(s.node)].conjugate() * direction(s, at.time);
+    const Vec3 p = at.q[static_cast<size_t>(s.node)].conjugate() * direction(s, at);
     e.strain += s.stiffness * angle(Vec3::UnitX().cross(p).norm(), p.x()).half_square;
   }
   e.work = std::accumulate(work_.begin(), work_.end(), 0.0);

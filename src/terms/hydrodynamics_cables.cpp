@@ -61,7 +61,8 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Sink& sink)
     submerged_force(q.sections, m, moving(), f);
   for (int i = 0; i < q.count; ++i) {
     const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
-    if (wet >> i & 1)
+    // Of a tied end the derivatives are asked one by one.
+    if (wet >> i & 1 && !(sink.tied(p.blocks[0]) || sink.tied(p.blocks[1])))
       sink.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);
     else
       evaluate(p, trial, sink);

@@ -55,7 +55,7 @@ class LineContact::Gap final : public AxisGapFunction {
 
 // Candidates as in the `nodes` method, from the element's middle. In statics (h = 0) every pair is one.
 void LineContact::prepare(const Kinematics& committed, double h) {
-  pose_bodies(committed.time, start_poses_);
+  pose_bodies(committed, start_poses_);
   start_x_.assign(committed.x.begin(), committed.x.end());
   start_q_.assign(committed.q.begin(), committed.q.end());
   groups_.clear();
@@ -127,37 +127,6 @@ void LineContact::prepare(const Kinematics& committed, double h) {
       first.walls->committed = std::move(histories);
     }
   }
-}
-
-AxisPoints LineContact::points(const AxisShape& shape, const RigidPose& pose) {
-  AxisPoints b = shape.bezier();
-  for (Vec3& p : b) p = pose.to_body(p);
-  return b;
-}
-
-// De Casteljau's: the polar form of the cubic at all choices of the two ends.
-AxisPoints LineContact::points_of_part(const Pair& pair, const AxisShape& shape, const RigidPose& pose) {
-  const AxisPoints b = points(shape, pose);
-  if (pair.part.all()) return b;
-  const double from = pair.part.from, to = pair.part.to;
-  const auto blossom = [&b](double r, double s, double t) {
-    AxisPoints p = b;
-    size_t n = 3;
-    for (const double xi : {r, s, t}) {
-      for (size_t i = 0; i < n; ++i) p[i] = (1 - xi) * p[i] + xi * p[i + 1];
-      --n;
-    }
-    return p[0];
-  };
-  return {blossom(from, from, from), blossom(from, from, to), blossom(from, to, to), blossom(to, to, to)};
-}
-
-bool LineContact::clear(Pair& pair, const AxisShape& shape, const RigidPose& pose) {
-  if (!(pair.room().left(points(shape, pose)) > 0)) return false;
-  pair.found.known = false;
-  pair.found.panels.clear(), pair.found.filled.clear(), pair.found.points.clear();
-  pair.seen = nullptr;
-  return true;
 }
 
 void LineContact::keep_free(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
@@ -462,7 +431,7 @@ void LineContact::panel(Pair& pair, const AxisShape& shape, const RigidPose& pos
 }
 
 void LineContact::evaluate(const Kinematics& trial, Sink& sink) {
-  pose_bodies(trial.time, poses_);
+  pose_bodies(trial, poses_);
   const bool tangent = sink.wants_tangent();
   double f[12], K[144], C[144];
   find_all(trial);
@@ -488,6 +457,18 @@ void LineContact::evaluate(const Kinematics& trial, Sink& sink) {
     const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
     const int a = mesh_.block[static_cast<size_t>(e.first)], b = mesh_.block[static_cast<size_t>(e.second)];
     const int blocks[4] = {a, shape.count() == 4 ? a + 1 : b, b, b + 1};
+    if (floats(pair.volume)) {
+      std::array<LineBlock, 4> line;
+      for (size_t i = 0; i < 4; ++i) {
+        const bool beam = shape.count() == 4;
+        const size_t n = static_cast<size_t>(i < (beam ? 2U : 1U) ? e.first : e.second);
+        line[i] = {blocks[i], beam && i % 2 == 1, trial.x[n], trial.v[n], trial.q[n].toRotationMatrix()};
+      }
+      add_against_body(sink, {line.data(), static_cast<size_t>(shape.count())},
+                       floating_frame(pair.volume, trial), e.counted, f, tangent ? K : nullptr,
+                       tangent && trial.step > 0 ? C : nullptr);
+      continue;
+    }
     sink.add({blocks, static_cast<size_t>(shape.count())}, f, tangent ? K : nullptr,
              tangent && trial.step > 0 ? C : nullptr, nullptr);
   }

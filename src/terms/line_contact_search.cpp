@@ -5,6 +5,37 @@
 
 namespace hawser {
 
+AxisPoints LineContact::points(const AxisShape& shape, const RigidPose& pose) {
+  AxisPoints b = shape.bezier();
+  for (Vec3& p : b) p = pose.to_body(p);
+  return b;
+}
+
+// De Casteljau's: the polar form of the cubic at all choices of the two ends.
+AxisPoints LineContact::points_of_part(const Pair& pair, const AxisShape& shape, const RigidPose& pose) {
+  const AxisPoints b = points(shape, pose);
+  if (pair.part.all()) return b;
+  const double from = pair.part.from, to = pair.part.to;
+  const auto blossom = [&b](double r, double s, double t) {
+    AxisPoints p = b;
+    size_t n = 3;
+    for (const double xi : {r, s, t}) {
+      for (size_t i = 0; i < n; ++i) p[i] = (1 - xi) * p[i] + xi * p[i + 1];
+      --n;
+    }
+    return p[0];
+  };
+  return {blossom(from, from, from), blossom(from, from, to), blossom(from, to, to), blossom(to, to, to)};
+}
+
+bool LineContact::clear(Pair& pair, const AxisShape& shape, const RigidPose& pose) {
+  if (!(pair.room().left(points(shape, pose)) > 0)) return false;
+  pair.found.known = false;
+  pair.found.panels.clear(), pair.found.filled.clear(), pair.found.points.clear();
+  pair.seen = nullptr;
+  return true;
+}
+
 void LineContact::group_pairs() {
   for (size_t i = 0, next = 0; i < pairs_.size(); i = next) {
     for (next = i + 1; next < pairs_.size() && pairs_[next].slot > 0;) ++next;

@@ -12,12 +12,20 @@ namespace hawser {
 LineContact::LineContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                          std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
                          MPI_Comm comm)
-    : Contact(std::move(bodies), std::move(volumes), comm), mesh_(mesh), elements_(std::move(elements)) {
+    : Contact(mesh, std::move(bodies), std::move(volumes), comm),
+      mesh_(mesh),
+      elements_(std::move(elements)) {
   if (elements_.size() != mesh_.elements.size())
     throw std::invalid_argument("contact along lines needs one LineContactElement for each local element");
   for (const LocalElement& e : mesh_.elements)
     lengths_.push_back(mesh_.mesh->elements[static_cast<size_t>(e.global)].length);
   accounts_.resize(elements_.size());
+}
+
+double LineContact::thickest() const {
+  double most = 0;
+  for (const LineContactElement& e : elements_) most = std::max(most, e.radius);
+  return most;
 }
 
 ContactLaw LineContact::element_law(size_t element, const model::Volume& v) const {
@@ -43,7 +51,7 @@ Contact::Share LineContact::part_of(int element, int volume) const {
 
 // Evaluated again at the accepted state, so that what is kept belongs to it and to no other trial.
 void LineContact::commit(const Kinematics& accepted) {
-  pose_bodies(accepted.time, poses_);
+  pose_bodies(accepted, poses_);
   bool open = false;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     Pair& pair = pairs_[i];
@@ -88,7 +96,7 @@ void LineContact::commit(const Kinematics& accepted) {
 // with those at its end where they are. Of a step in which a point met or left only the part in touch counts.
 void LineContact::account(Pair& pair, const AxisShape& shape, const std::vector<Point>& next) {
   const RigidPose &before = start_poses_[body(pair.volume)], &after = poses_[body(pair.volume)];
-  const StepOfBody step(before, after);
+  const StepOfBody step(before, after, !floats(pair.volume));
   const double smoothing = pair.law.normal.smoothing;
   Account& sum = accounts_[static_cast<size_t>(pair.element)];
   // The way of a place, and how far it came off the surface otherwise than by sliding along its own line: a
@@ -147,7 +155,7 @@ Energy LineContact::energy(const Kinematics& at) const {
     if (p.slot > 0) continue;  // as the first has as many walls as it sees
     Pair pair = p;
     const AxisShape shape(ends(at, p.element));
-    const RigidPose pose = bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time);
+    const RigidPose pose = pose_of(p.volume, at);
     const double radius = elements_[static_cast<size_t>(p.element)].radius;
     size_t walls = 1;
     for (; pair.slot < static_cast<int>(walls); ++pair.slot) {
@@ -185,7 +193,7 @@ void LineContact::fields(FieldRegistry& registry) const {
     return [this, shared, value](const Kinematics& at, std::span<double> out) {
       std::fill(out.begin(), out.end(), 0.0);
       std::vector<RigidPose> poses;
-      pose_bodies(at.time, poses);
+      pose_bodies(at, poses);
       shared([&](int node, const Pair& p, const Point& q, double share) {
         const Vec3 f = share * q.weight * (poses[body(p.volume)].rotation * (q.*value));
         for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * node + c)] += f[c];

@@ -27,7 +27,7 @@ bool VolumeContact::covers(const Kinematics& trial) const {
   if (too_deep(trial).node >= 0) return false;
   if (model_ == NodeContact::gap) return true;
   std::vector<RigidPose> poses;
-  pose_bodies(trial.time, poses);
+  pose_bodies(trial, poses);
   return std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
     if (pair.slot > 0) return false;
     const size_t n = static_cast<size_t>(pair.node);
@@ -47,7 +47,7 @@ bool LineContact::covers(const Kinematics& trial) const {
   if (!(trial.step > 0)) return true;
   if (too_deep(trial).node >= 0) return false;
   std::vector<RigidPose> poses;
-  pose_bodies(trial.time, poses);
+  pose_bodies(trial, poses);
   const auto way = [&](const Group& g, int node) {
     const size_t n = static_cast<size_t>(node);
     return (trial.x[n] - start_x_[n]).norm() + g.turn * (trial.q[n].coeffs() - start_q_[n].coeffs()).norm();

@@ -1,5 +1,6 @@
 #include "hawser/terms/rigid_bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -7,7 +8,7 @@ namespace hawser {
 
 RigidBodyData RigidBodies::data(const Floating& f) const {
   RigidBodyData d = f.data;
-  for (int i = 0; i < 3 && hold_; ++i) {
+  for (int i = 0; i < 3 && hold_ && !f.in_lines; ++i) {
     if (!(d.stiffness[i] > 0)) d.stiffness[i] = d.mass, d.weight[i] = 0;
     if (!(d.turning_stiffness[i] > 0)) d.turning_stiffness[i] = d.inertia(i, i);
   }
@@ -40,6 +41,24 @@ RigidBodyState floating_state(const Kinematics& at, int node) {
   return {at.x[n], at.q[n], at.v[n], at.a[n], at.w[n], at.alpha[n]};
 }
 
+namespace {
+
+// rad/s, of the spring that keeps a body at rest from drifting where nothing else resists: its force is zero
+// where Newton's iteration starts from, so that only the way to the equilibrium knows it.
+constexpr double kDrift = 0.1;
+
+bool in_lines(const model::Case& c, int body) {
+  const std::string& name = c.bodies[static_cast<size_t>(body)].name;
+  const auto at = [&](const model::End& e) { return e.kind == model::EndKind::body && e.body == name; };
+  return std::any_of(c.lines.begin(), c.lines.end(),
+                     [&](const model::Line& l) { return at(l.end_a) || at(l.end_b); }) ||
+         (!c.lines.empty() && std::any_of(c.volumes.begin(), c.volumes.end(), [&](const model::Volume& v) {
+           return v.body == name && c.contact.takes_part(v);
+         }));
+}
+
+}  // namespace
+
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
     : bodies_(std::move(bodies)) {
   for (int n = 0; n < mesh.owned; ++n) {
@@ -53,6 +72,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     if (m.weight) f.data.weight = -m.mass * c.environment.gravity * Vec3::UnitZ();
     f.data.stiffness = m.stiffness, f.data.damping = m.damping;
     f.data.turning_stiffness = m.turning_stiffness, f.data.turning_damping = m.turning_damping;
+    f.in_lines = in_lines(c, body);
     f.centre = m.centre, f.body = body, f.node = n, f.global = global;
     f.block = mesh.block[static_cast<size_t>(n)];
     list_.push_back(f);
@@ -87,6 +107,12 @@ void RigidBodies::evaluate(const Kinematics& trial, Sink& sink) {
     const RigidBodyResidual r = rigid_body(data(f), floating_state(trial, f.node), rest(f, trial.time));
     const int blocks[2] = {f.block, f.block + 1};
     sink.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
+    if (hold_ && f.in_lines && sink.wants_tangent()) {
+      Mat6 K = Mat6::Zero();
+      K.topLeftCorner<3, 3>() = kDrift * kDrift * f.data.mass * Mat3::Identity();
+      K.bottomRightCorner<3, 3>() = kDrift * kDrift * f.data.inertia;
+      sink.add(blocks, nullptr, K.data(), nullptr, nullptr);
+    }
     if (!sink.wants_force()) continue;
     sink.add(blocks, r.applied.data(), nullptr, nullptr, nullptr);
     sink.add(blocks, r.held.data(), nullptr, nullptr, nullptr);

@@ -101,13 +101,11 @@ void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const 
   }
   const Vec3 half = 0.5 * residual;
   const double f[6] = {half[0], half[1], half[2], half[0], half[1], half[2]};
-  double J[36] = {};
-  if (K)
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        J[6 * i + j] =
-            0.25 * (sink.weights().K * (*K)(i % 3, j % 3) + (C ? sink.weights().C * (*C)(i % 3, j % 3) : 0));
-  sink.add_weighted(first, mesh_.block[static_cast<size_t>(p.second)], f, J);
+  const int blocks[2] = {first, mesh_.block[static_cast<size_t>(p.second)]};
+  double k[36], c[36];
+  for (const auto& [from, to] : {std::pair(K, k), std::pair(C, c)})
+    for (int i = 0; i < 36 && from; ++i) to[i] = 0.25 * (*from)(i / 6 % 3, i % 3);
+  sink.add(blocks, f, K ? k : nullptr, C ? c : nullptr, nullptr);
 }
 
 void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {

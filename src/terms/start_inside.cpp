@@ -31,8 +31,11 @@ class AxisDistance final : public AxisGapFunction {
   int hint_ = -1;
 };
 
-RigidPose pose_of(const Bodies& bodies, const ContactVolume& v, double time) {
-  return v.body < 0 ? RigidPose{} : bodies.pose(v.body, time);
+// Of a body that floats and is not on this rank nothing is known, and no line of this rank is near it.
+RigidPose pose_of(const Bodies& bodies, const ContactVolume& v, const Kinematics& at) {
+  if (v.body < 0) return {};
+  return bodies.floats(v.body) && bodies.local_node(v.body) < 0 ? bodies.pose(v.body, at.time)
+                                                                : bodies.pose(v.body, at);
 }
 
 }  // namespace
@@ -64,7 +67,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
   for (size_t v = 0; v < volumes.size(); ++v) {
     const Surface& surface = *volumes[v].surface;
     const Box box = surface.bounds();
-    const RigidPose pose = pose_of(bodies, volumes[v], at.time);
+    const RigidPose pose = pose_of(bodies, volumes[v], at);
     for (size_t i = 0; i < mesh.elements.size(); ++i) {
       const LocalElement& e = mesh.elements[i];
       if (!e.counted || !(radius[i] > 0)) continue;
@@ -101,7 +104,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       for (const int end : {0, 1}) {
         if (end ? g.second != span.first_node + span.nodes - 1 : g.first != span.first_node) continue;
         const auto p = surface.query(point(end), 0.5 * radius[i]);
-        if (p && p->distance > 0) add(end, end);
+        if (p && p->distance >= 0) add(end, end);
       }
     }
   }
@@ -115,7 +118,7 @@ std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, cons
   for (size_t v = 0; v < volumes.size(); ++v) {
     const Surface& surface = *volumes[v].surface;
     const Box box = surface.bounds();
-    const RigidPose pose = pose_of(bodies, volumes[v], at.time);
+    const RigidPose pose = pose_of(bodies, volumes[v], at);
     for (int n = 0; n < mesh.owned; ++n) {
       const Node& node = mesh.mesh->nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])];
       if (node.body >= 0 || !chords[static_cast<size_t>(node.line)].known) continue;

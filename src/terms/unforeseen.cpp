@@ -22,7 +22,7 @@ void add(double made, int line, Unforeseen& to) {
 
 void VolumeContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
   if (model_ != NodeContact::elastic && model_ != NodeContact::gap) return;
-  pose_bodies(trial.time, poses_);
+  pose_bodies(trial, poses_);
   for (Pair& pair : pairs_) {
     const size_t n = static_cast<size_t>(pair.node);
     const double mass = nodes_[n].mass, radius = nodes_[n].radius;
@@ -43,7 +43,7 @@ void VolumeContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
 
 // Of a contact that grows shorter, the places that it no longer reaches.
 void LineContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
-  pose_bodies(trial.time, poses_);
+  pose_bodies(trial, poses_);
   for (Pair& pair : pairs_) {
     const LineContactElement& element = elements_[static_cast<size_t>(pair.element)];
     const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];

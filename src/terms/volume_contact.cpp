@@ -17,7 +17,7 @@ constexpr double kRounding = 1e-12;  // of coordinates, far above that of a dist
 // other in the step at their present speed, and at least half an element. In statics (h = 0) a Newton
 // iteration may go anywhere, so every pair is one.
 void VolumeContact::prepare(const Kinematics& committed, double h) {
-  pose_bodies(committed.time, start_poses_);
+  pose_bodies(committed, start_poses_);
   std::vector<Pair> old;
   old.swap(pairs_);
   size_t known = 0;
@@ -201,7 +201,7 @@ PointContact VolumeContact::contact(Pair& pair, const Kinematics& at, bool deriv
 }
 
 VolumeContact::Force VolumeContact::force(const Kinematics& trial, int pair, bool tangent, bool convex) {
-  pose_bodies(trial.time, poses_);
+  pose_bodies(trial, poses_);
   return resolve(pairs_[static_cast<size_t>(pair)], trial, tangent, convex);
 }
 
@@ -225,7 +225,7 @@ VolumeContact::Force VolumeContact::resolve(Pair& p, const Kinematics& trial, bo
 }
 
 void VolumeContact::evaluate(const Kinematics& trial, Sink& sink) {
-  pose_bodies(trial.time, poses_);
+  pose_bodies(trial, poses_);
   look_ahead(trial);
   const bool tangent = sink.wants_tangent(), convex = sink.convex();
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -235,6 +235,13 @@ void VolumeContact::evaluate(const Kinematics& trial, Sink& sink) {
     const int block = block_[static_cast<size_t>(pair.node)];
     const Vec3 residual = -f.total;
     const RowMajor K = f.K, C = f.C;
+    if (floats(pair.volume)) {
+      const size_t n = static_cast<size_t>(pair.node);
+      const LineBlock node{block, false, trial.x[n], trial.v[n], Mat3::Identity()};
+      add_against_body(sink, {&node, 1}, floating_frame(pair.volume, trial), true, residual.data(),
+                       tangent ? K.data() : nullptr, tangent && trial.step > 0 ? C.data() : nullptr);
+      continue;
+    }
     sink.add({&block, 1}, residual.data(), tangent ? K.data() : nullptr, tangent ? C.data() : nullptr,
              nullptr);
   }
@@ -242,7 +249,7 @@ void VolumeContact::evaluate(const Kinematics& trial, Sink& sink) {
 
 // Evaluated again at the accepted state, so that what is kept belongs to it and to no other trial.
 void VolumeContact::commit(const Kinematics& accepted) {
-  pose_bodies(accepted.time, poses_);
+  pose_bodies(accepted, poses_);
   look_ahead(accepted);
   for (Pair& pair : pairs_) {
     ContactTrial at;
@@ -266,7 +273,7 @@ void VolumeContact::commit(const Kinematics& accepted) {
 
 // Trapezoid over the step, of which only the part in touch counts when the pair met or parted in it.
 void VolumeContact::account(const Pair& pair, const History& next, const Vec3& y) {
-  const StepOfBody step(start_poses_[body(pair.volume)], poses_[body(pair.volume)]);
+  const StepOfBody step(start_poses_[body(pair.volume)], poses_[body(pair.volume)], !floats(pair.volume));
   const History& last = pair.history;
   const Vec3& y0 = pair.start.point;
   Account& sum = accounts_[static_cast<size_t>(pair.node)];

@@ -11,7 +11,7 @@ namespace hawser {
 VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                              std::vector<ContactVolume> volumes, std::vector<ContactNode> nodes,
                              NodeContact model, MPI_Comm comm)
-    : Contact(std::move(bodies), std::move(volumes), comm),
+    : Contact(mesh, std::move(bodies), std::move(volumes), comm),
       mesh_(*mesh.mesh),
       model_(model),
       nodes_(std::move(nodes)),
@@ -32,6 +32,12 @@ VolumeContact::VolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies
     if (first < owned) element_[first] = std::max(element_[first], length);
     if (second < owned) element_[second] = std::max(element_[second], length);
   }
+}
+
+double VolumeContact::thickest() const {
+  double most = 0;
+  for (const ContactNode& n : nodes_) most = std::max(most, n.radius);
+  return most;
 }
 
 ContactLaw VolumeContact::node_law(int node, int volume) const {
@@ -61,7 +67,7 @@ Energy VolumeContact::energy(const Kinematics& at) const {
     const size_t n = static_cast<size_t>(p.node);
     Pair pair = p;
     ContactTrial trial;
-    const Vec3 y = bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time).to_body(at.x[n]);
+    const Vec3 y = pose_of(p.volume, at).to_body(at.x[n]);
     if (locate(pair, y, 0.5 * element_[n], trial))
       e.strain += normal_force(applied(p.law).normal, trial.gap, 0).potential;
   }
@@ -84,8 +90,7 @@ void VolumeContact::fields(FieldRegistry& registry) const {
     return [this, value](const Kinematics& at, std::span<double> out) {
       std::fill(out.begin(), out.end(), 0.0);
       for (const Pair& p : pairs_) {
-        const Vec3 f =
-            bodies_->pose(volumes_[static_cast<size_t>(p.volume)].body, at.time).rotation * value(p.history);
+        const Vec3 f = pose_of(p.volume, at).rotation * value(p.history);
         for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * p.node + c)] += f[c];
       }
     };

@@ -71,7 +71,7 @@ class Simulation {
 
   const model::Case case_;  // its own: a caller may make it on the way
   std::unique_ptr<Mesh> mesh_;
-  std::shared_ptr<const Bodies> bodies_;
+  std::shared_ptr<Bodies> bodies_;
   std::unique_ptr<System> system_;
   StructureTerm* structure_ = nullptr;
   Contact* contact_ = nullptr;

@@ -34,6 +34,11 @@ struct LocalMesh {
   bool rotates(int local) const {
     return mesh->nodes[static_cast<size_t>(global[static_cast<size_t>(local)])].rotates;
   }
+  // Local node of the frame that a local node is tied to (Node::tied_to); -1: it is not tied.
+  int frame_of(int local) const {
+    const int frame = mesh->nodes[static_cast<size_t>(global[static_cast<size_t>(local)])].tied_to;
+    return frame < 0 ? -1 : find(frame);
+  }
   // Local node of a node of the mesh, -1 where it is not on this rank. Each of the three ranges is sorted.
   int find(int node) const {
     const auto begin = global.begin();

@@ -19,6 +19,16 @@ struct Weights {
   double shift_position = 0, shift_rotation = 0;
 };
 
+// The tangent of a node that is tied to a frame of the state (Supports): what its unknowns stand for.
+//   dx = dX + place theta + (v, a by theta: rate theta), place = -R hat(y), rate = -R hat(w x y)
+//   of a rotation that is tied as well: turn theta.
+struct Tie {
+  int block = 0, frame = 0;  // local blocks: of the node's position, of the frame's
+  bool turns = false;        // the node's rotation is tied as well
+  Mat3 place = Mat3::Zero(), rate = Mat3::Zero(), turn = Mat3::Identity();
+  double director_weight = 0;  // 1/s, of rate in the acceleration
+};
+
 class Sink {
  public:
   static constexpr int kMaxBlocks = 8;
@@ -40,22 +50,29 @@ class Sink {
   void add_masses(int a, int b, const double* f, double own, double shared);
   // For kernels that weigh their own derivatives by weights(): f[6] and J[36] of two positions.
   const Weights& weights() const { return weights_; }
+  // What follows, until it is off again, is for rows that other ranks own as well: they get it from here.
+  void send(bool on) { sending_ = on; }
+  // Whether the derivatives by a block belong to a frame as well, so that add_weighted() cannot take them.
+  bool tied(int block) const { return tie_of_ && (*tie_of_)[static_cast<size_t>(block)] >= 0; }
   void add_weighted(int a, int b, const double* f, const double* J);
 
  private:
   friend class System;
   void add_force(int block, double x, double y, double z);
   void put(const int* blocks, int n, double* J);
+  void add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M);
   void add_elsewhere(int row, int column, const double* J, int m);
 
-  std::vector<double>* force_ = nullptr;  // 3 * local blocks
-  std::vector<double>* mean_ = nullptr;   // 3 * local blocks, of the means alone, without their weight
+  const std::vector<Tie>* ties_ = nullptr;
+  const std::vector<int>* tie_of_ = nullptr;  // per local block: index into ties_, -1: it is not tied
+  std::vector<double>* force_ = nullptr;      // 3 * local blocks
+  std::vector<double>* mean_ = nullptr;       // 3 * local blocks, of the means alone, without their weight
   double mean_weight_ = 1;
   std::vector<double>* squares_ = nullptr;  // by block, sums of squares of what was added to owned rows
   Mat matrix_ = nullptr;
   const OwnBlocks* own_ = nullptr;  // of the matrix
   Weights weights_;
-  bool convex_ = false;
+  bool convex_ = false, sending_ = false;
   int owned_blocks_ = 0;
   const std::vector<int>* global_block_ = nullptr;
   const std::vector<Mat3>* retraction_ = nullptr;   // per local block

@@ -1,4 +1,7 @@
-// Prescribed motion of line ends: anchored in space or carried by a moving body, with or without rotation.
+// Ends of lines that have no motion of their own: anchored in space, carried by a body with prescribed
+// motion, or tied to a frame of the state (a body with mass, a rigid joint), with or without rotation.
+// A tied node is x = X + R y, v = V + R (w x y), a = A + D y with the frame's position X, rotation R, rates w
+// and accelerations of the directors D (docs/theory/frames.md).
 #pragma once
 
 #include <functional>
@@ -13,8 +16,9 @@ namespace hawser {
 // One support of a local node. Components of its position (and material rotation) increments are prescribed.
 struct Support {
   int node = 0;                      // local
-  int body = -1;                     // -1: fixed in space
-  Vec3 at = Vec3::Zero();            // m, in the body's frame (or space)
+  int body = -1;                     // with prescribed motion; -1: fixed in space
+  int frame = -1;                    // local node of the frame it is tied to; -1: prescribed
+  Vec3 at = Vec3::Zero();            // m, in the body's frame (or space); of a frame from its node
   Quat rotation = Quat::Identity();  // node axes in the body's frame (or space), when clamped
   unsigned char position_mask = 7;   // bits of the held components, space axes
   unsigned char rotation_mask = 0;   // bits of the held components, material axes; 7: follows the body
@@ -31,11 +35,15 @@ class Supports {
   const std::vector<unsigned char>& held() const { return held_; }
   const std::vector<Support>& list() const { return supports_; }
   const BodyMotion& motion() const { return motion_; }
+  // The list's supports that are tied to a frame of the state.
+  const std::vector<int>& ties() const { return ties_; }
 
   // Writes the prescribed entries of the local increment u that take `from` to time t.
   void increments(const State& from, double t, double* u) const;
   // Puts prescribed velocities and accelerations of time t into the state.
   void rates(double t, State& s) const;
+  // Puts tied nodes where their frames take them: positions, rotations and all rates.
+  void follow(State& s) const;
 
  private:
   RigidPose pose(const Support& s, double t) const;
@@ -43,6 +51,7 @@ class Supports {
   std::vector<Support> supports_;
   BodyMotion motion_;
   std::vector<unsigned char> held_;
+  std::vector<int> ties_;
 };
 
 }  // namespace hawser

@@ -62,6 +62,10 @@ class System {
   void forget_couplings() { forgotten_ = true; }
   // Whether any nodes see each other beyond the elements, on any rank.
   bool coupled() const { return coupled_; }
+  // Whether forces on nodes of other ranks may arise here (contact of a line with a body that floats).
+  bool sends() const {
+    return coupled_ && mesh_.mesh->line_nodes() < static_cast<int>(mesh_.mesh->nodes.size());
+  }
   // See ForceTerm::covers; over all ranks. Collective.
   bool covers(const Kinematics& trial) const;
   bool outdated() const;  // likewise
@@ -120,9 +124,13 @@ class System {
 
  private:
   void size_arrays();
+  void index_ties();
+  void see_ties(const Kinematics& trial);
+  void add_to_frames(const Kinematics& trial);
   void sum(std::span<double> values) const;  // over the ranks, in place
   std::vector<double> bearable_energies(const Kinematics& at, const std::vector<Strike>& strikes) const;
   void reghost_supports();
+  void with_frames(Couplings& c) const;
 
   MPI_Comm comm_;
   LocalMesh mesh_;
@@ -139,6 +147,8 @@ class System {
   std::vector<char> is_rotation_;
   std::vector<double> force_, mean_;
   std::vector<Mat3> retraction_;
+  std::vector<Tie> ties_;
+  std::vector<int> tie_of_;           // by local block; -1: not tied
   std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
   std::vector<double> squares_;       // of what made up the last residual(), by block
   size_t sums_ = 0;                   // that they are summed to

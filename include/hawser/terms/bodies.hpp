@@ -1,10 +1,13 @@
-// The bodies of a case and where they are at any time.
+// The bodies of a case and where they are: those with prescribed motion at any time, those with mass in a
+// state, of which each is a node.
 #pragma once
 
 #include <vector>
 
 #include "hawser/kernels/motion.hpp"
+#include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/state/kinematics.hpp"
 
 namespace hawser {
 
@@ -15,15 +18,35 @@ class Bodies {
   // Throws std::invalid_argument for a motion that makes no sense (model::check has refused it before).
   explicit Bodies(const std::vector<model::Body>& bodies);
 
+  // Bodies with mass are part of the states of `mesh` from now on.
+  void in_state(const model::Case& c, const LocalMesh& mesh);
+
   int size() const { return static_cast<int>(motions_.size()); }
-  // body < 0: fixed in space, the identity.
+  // Whether its motion is an unknown.
+  bool floats(int body) const { return body >= 0 && frame(body) >= 0; }
+  // Mesh node of a body that floats; its local node, or -1 where this rank does not see it.
+  int frame(int body) const {
+    return static_cast<std::size_t>(body) < frames_.size() ? frames_[static_cast<std::size_t>(body)].node
+                                                           : -1;
+  }
+  int local_node(int body) const { return floats(body) ? mesh_->find(frame(body)) : -1; }
+  // Its pose in a state. Of one that floats this rank must see the node.
+  RigidPose pose(int body, const Kinematics& at) const;
+  // The prescribed pose, or of a body that floats where its springs pull it to. body < 0: fixed in space, the
+  // identity.
   RigidPose pose(int body, double time) const {
     return body < 0 ? RigidPose{} : motions_[static_cast<size_t>(body)].at(time);
   }
   bool moves(int body) const { return body >= 0 && motions_[static_cast<size_t>(body)].moves(); }
 
  private:
+  struct Frame {
+    int node = -1;               // of the mesh
+    Vec3 centre = Vec3::Zero();  // m, of mass, body frame: where the node is
+  };
   std::vector<RigidMotion> motions_;
+  std::vector<Frame> frames_;
+  const LocalMesh* mesh_ = nullptr;
 };
 
 }  // namespace hawser

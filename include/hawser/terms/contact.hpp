@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <string>
@@ -16,6 +17,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/against_body.hpp"
 #include "hawser/terms/bodies.hpp"
 #include "hawser/terms/touch.hpp"
 
@@ -78,6 +80,9 @@ class Contact : public ForceTerm {
   // Adds what touches in the accepted state, of what this rank counts; volumes are those of volume_name().
   virtual void touches(Touches& out) const = 0;
   int volumes() const { return static_cast<int>(volumes_.size()); }
+  // Lines see the bodies that float and carry volumes near them.
+  bool recouple(const Kinematics& committed, double h) override;
+  void couple(Couplings& to) const override;
   // Before the first step, and the same on all ranks.
   void leave_out(std::vector<LeftOut> ends);
   // In the volume's basis; of an automatic one as far as it has been raised in accepted states, and so far it
@@ -97,7 +102,8 @@ class Contact : public ForceTerm {
 
   // std::invalid_argument when a volume has no surface, no such body or no stiffness. comm: of those who hold
   // the lines.
-  Contact(std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes, MPI_Comm comm);
+  Contact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies, std::vector<ContactVolume> volumes,
+          MPI_Comm comm);
 
   // Automatic stiffness (docs/theory/contact.md, "Stiffness that follows the run"). A place of a line in the
   // trial: how deep, the part of its force that inertia does not take (0 to 1), how fast it moves relative to
@@ -178,7 +184,17 @@ class Contact : public ForceTerm {
   Share takes_part(const Mesh& mesh, int line, int volume, double from, double to) const;
 
   // Space first, then the bodies in their order.
-  void pose_bodies(double time, std::vector<RigidPose>& poses) const;
+  void pose_bodies(const Kinematics& at, std::vector<RigidPose>& poses) const;
+  // Of a body that is met on this rank.
+  RigidPose pose_of(int volume, const Kinematics& at) const {
+    const int body = volumes_[static_cast<size_t>(volume)].body;
+    return body < 0 ? RigidPose{} : bodies_->pose(body, at);
+  }
+  FloatingFrame floating_frame(int volume, const Kinematics& at) const;
+  // Whether the volume rides on a body that floats, so that what acts on the line acts on the body as well.
+  bool floats(int volume) const { return bodies_->floats(volumes_[static_cast<size_t>(volume)].body); }
+  // m, the largest radius of a line on this rank: how near is near.
+  virtual double thickest() const = 0;
   size_t body(int volume) const {
     return static_cast<size_t>(volumes_[static_cast<size_t>(volume)].body + 1);
   }
@@ -224,7 +240,8 @@ class Contact : public ForceTerm {
   struct StepOfBody {
     Mat3 R0, R1;
     Vec3 shift;
-    StepOfBody(const RigidPose& before, const RigidPose& after);
+    bool prescribed;  // else what it gives the line it loses itself: nothing is brought in
+    StepOfBody(const RigidPose& before, const RigidPose& after, bool prescribes);
   };
   static void add_work(Account& sum, const StepOfBody& b, const ContactHistory& p, const Mat3& R,
                        const Vec3& y0, const Vec3& y1, double share);
@@ -237,8 +254,15 @@ class Contact : public ForceTerm {
   std::vector<RigidPose> poses_, start_poses_;  // of space and of the bodies, at the trial and at the start
   bool friction_on_ = true;
 
+  const LocalMesh& local_;
+
  private:
+  void share_poses(const Kinematics& at);
+
   MPI_Comm comm_;
+  std::vector<int> floating_;             // bodies that float and carry volumes
+  std::vector<RigidPose> told_;           // of those, at the last recouple()
+  std::vector<std::array<int, 3>> near_;  // nodes of an element and of a body that may meet, of all ranks
 };
 
 }  // namespace hawser

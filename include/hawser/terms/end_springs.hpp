@@ -43,7 +43,7 @@ class EndSprings final : public ForceTerm {
     Quat rotation;
     Vec3 moment;
   };
-  Vec3 direction(const EndSpring& s, double time) const;
+  Vec3 direction(const EndSpring& s, const Kinematics& at) const;
   void holds(const Kinematics& at, std::vector<Hold>& out) const;
 
   const LocalMesh& mesh_;

@@ -219,6 +219,7 @@ class LineContact final : public Contact {
   ContactLaw element_law(size_t element, const model::Volume& v) const;
   void renew_laws();
   TooDeep too_deep(const Kinematics& trial) const override;
+  double thickest() const override;
   const Mesh& lines() const override { return *mesh_.mesh; }
   void account(Pair& pair, const AxisShape& shape, const std::vector<Point>& next);
   AxisEnds ends(const Kinematics& at, int element) const;

@@ -16,7 +16,9 @@ class RigidBodies final : public ForceTerm {
   // For the bodies with mass of the case that this rank owns. gravity [m/s²] along -z.
   RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies);
 
-  // Statics holds what no spring holds: as if by one that would swing it once in 2 pi s, without weight.
+  // Statics holds a body that nothing holds: as if by a spring that would swing it once in 2 pi s, without
+  // weight. One that carries lines, or that lines can lie against, finds its own rest; only what nothing
+  // resists in it (a load that turns about its sling) is kept from drifting.
   void hold(bool on) { hold_ = on; }
 
   std::string_view name() const override { return "floating bodies"; }
@@ -35,6 +37,7 @@ class RigidBodies final : public ForceTerm {
     Vec3 centre;                               // m, body frame
     int body = 0, node = 0;                    // of the case; local
     int block = 0, global = 0;                 // local block of the position; mesh node
+    bool in_lines = false;                     // carries ends of lines, or lines can touch it
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
   };

@@ -129,6 +129,7 @@ class VolumeContact final : public Contact {
   void account(const Pair& pair, const History& next, const Vec3& y);
 
   TooDeep too_deep(const Kinematics& trial) const override;
+  double thickest() const override;
   const Mesh& lines() const override { return mesh_; }
 
   const Mesh& mesh_;

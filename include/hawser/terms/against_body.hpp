@@ -1,0 +1,37 @@
+// What acts between a line and a body that floats, made of what acts on the line alone.
+//
+// Contact depends on how the line lies and moves as seen from the body: a motion of both together changes
+// nothing but the direction of the forces. With unknowns u of the line, z = (X, theta) of the body's centre
+// of mass (theta in body axes) and the motion G of the line's unknowns that a motion of the body would give
+// them,
+//   G = [I, -hat(r) R] of a position x = X + r,   G = [0, Q'R] of the rotation Q of a node,
+// the forces on the body are -G'f, and the derivatives by its unknowns follow from those by the line's:
+//   f_z = -K G + (C hat(v - V) R + [-hat(f) R of positions]) on theta,   f_zdot = -C G.
+#pragma once
+
+#include <span>
+
+#include "hawser/math/types.hpp"
+#include "hawser/system/sink.hpp"
+
+namespace hawser {
+
+struct LineBlock {
+  int block = 0;  // local
+  bool turns = false;
+  Vec3 x = Vec3::Zero(), v = Vec3::Zero();  // m, m/s, of the node
+  Mat3 R = Mat3::Identity();                // of the node's rotation
+};
+
+struct FloatingFrame {
+  int block = 0;                            // local, of the position of its node
+  Vec3 x = Vec3::Zero(), v = Vec3::Zero();  // m, m/s, of the node
+  Mat3 R = Mat3::Identity();
+};
+
+// Adds f[3n], K and C [3n x 3n, row-major or null] of n <= 4 blocks of a line with what they mean for the
+// body. counted: this rank adds the body's rows, whoever owns them.
+void add_against_body(Sink& sink, std::span<const LineBlock> line, const FloatingFrame& body, bool counted,
+                      const double* f, const double* K, const double* C);
+
+}  // namespace hawser

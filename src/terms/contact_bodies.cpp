@@ -1,0 +1,116 @@
+// Where the bodies of contact are, and which of those that float lines may meet.
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/terms/contact.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr size_t kPose = 13;          // numbers that a pose is told with
+constexpr double kStaticsWay = 0.15;  // of the line: Newton's iteration of statics goes no farther at once
+
+bool any(MPI_Comm comm, bool here) {
+  int yes = here;
+  MPI_Allreduce(MPI_IN_PLACE, &yes, 1, MPI_INT, MPI_MAX, comm);
+  return yes != 0;
+}
+
+}  // namespace
+
+void Contact::pose_bodies(const Kinematics& at, std::vector<RigidPose>& poses) const {
+  const int n = bodies_->size();
+  poses.resize(static_cast<size_t>(n) + 1);
+  for (int b = 0; b < n; ++b) {
+    RigidPose& p = poses[static_cast<size_t>(b) + 1];
+    if (!bodies_->floats(b) || bodies_->local_node(b) >= 0) {
+      p = bodies_->pose(b, at);
+      continue;
+    }
+    const auto told = std::lower_bound(floating_.begin(), floating_.end(), b);
+    if (told != floating_.end() && *told == b) p = told_[static_cast<size_t>(told - floating_.begin())];
+  }
+}
+
+FloatingFrame Contact::floating_frame(int volume, const Kinematics& at) const {
+  const int local = bodies_->local_node(volumes_[static_cast<size_t>(volume)].body);
+  const size_t n = static_cast<size_t>(local);
+  return {local_.block[n], at.x[n], at.v[n], at.q[n].toRotationMatrix()};
+}
+
+// Each owner tells all: a few numbers a body.
+void Contact::share_poses(const Kinematics& at) {
+  std::vector<double> told(kPose * floating_.size(), 0);
+  for (size_t i = 0; i < floating_.size(); ++i) {
+    const int node = bodies_->local_node(floating_[i]);
+    if (node < 0 || node >= local_.owned) continue;
+    const RigidPose p = bodies_->pose(floating_[i], at);
+    double* d = told.data() + kPose * i;
+    for (int c = 0; c < 3; ++c)
+      d[c] = p.position[c], d[3 + c] = p.velocity[c], d[6 + c] = p.angular_velocity[c];
+    for (int c = 0; c < 4; ++c) d[9 + c] = p.rotation.coeffs()[c];
+  }
+  MPI_Allreduce(MPI_IN_PLACE, told.data(), static_cast<int>(told.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  for (size_t i = 0; i < floating_.size(); ++i) {
+    const double* d = told.data() + kPose * i;
+    RigidPose& p = told_[i];
+    p.position = Vec3(d), p.velocity = Vec3(d + 3), p.angular_velocity = Vec3(d + 6);
+    p.rotation.coeffs() = Eigen::Map<const Eigen::Vector4d>(d + 9);
+  }
+}
+
+// Elements are told with room to spare, so that the list holds for many steps; it is made anew where one
+// comes near that is not in it.
+bool Contact::recouple(const Kinematics& committed, double h) {
+  if (floating_.empty()) return false;
+  share_poses(committed);
+  std::vector<std::array<int, 3>> wide;
+  bool missing = false;
+  const Mesh& mesh = *local_.mesh;
+  for (const LocalElement& e : local_.elements) {
+    if (!e.counted) continue;
+    const Element& g = mesh.elements[static_cast<size_t>(e.global)];
+    const size_t a = static_cast<size_t>(e.first), b = static_cast<size_t>(e.second);
+    const Vec3 middle = 0.5 * (committed.x[a] + committed.x[b]);
+    for (size_t k = 0; k < volumes_.size(); ++k) {
+      const ContactVolume& v = volumes_[k];
+      if (!bodies_->floats(v.body)) continue;
+      const RigidPose& pose = told_[static_cast<size_t>(
+          std::lower_bound(floating_.begin(), floating_.end(), v.body) - floating_.begin())];
+      const double speed = std::max((committed.v[a] - pose.velocity_at(committed.x[a])).norm(),
+                                    (committed.v[b] - pose.velocity_at(committed.x[b])).norm());
+      const double way = h > 0 ? std::max(2 * h * speed, 0.5 * g.length)
+                               : kStaticsWay * mesh.lines[static_cast<size_t>(g.line)].length;
+      const double touch = 1.01 * thickest() + std::max(v.settings.smoothing, 0.0);
+      const double away = distance(boxes_[k], pose.to_body(middle)) - touch -
+                          (committed.x[b] - committed.x[a]).norm() - 0.5 * g.length;
+      if (away > 2 * way + 2 * g.length) continue;
+      const std::array<int, 3> met{g.first, g.second, bodies_->frame(v.body)};
+      wide.push_back(met);
+      missing = missing || (away <= way && !std::binary_search(near_.begin(), near_.end(), met));
+    }
+  }
+  if (!any(comm_, missing)) return false;
+  std::vector<double> mine, all;
+  for (const auto& met : wide) mine.insert(mine.end(), met.begin(), met.end());
+  const GatherPlan plan(comm_, static_cast<int>(mine.size()));
+  plan.gather(mine.data(), all);
+  near_.clear();
+  for (size_t i = 0; i + 2 < all.size(); i += 3)
+    near_.push_back({static_cast<int>(all[i]), static_cast<int>(all[i + 1]), static_cast<int>(all[i + 2])});
+  std::sort(near_.begin(), near_.end());
+  near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+  return true;
+}
+
+void Contact::couple(Couplings& to) const {
+  for (const auto& [a, b, body] : near_) {
+    const auto here = [this](int n) {
+      return local_.owner[static_cast<size_t>(n)] == local_.owner[static_cast<size_t>(local_.global[0])];
+    };
+    if (local_.owned > 0 && (here(a) || here(b) || here(body))) to.add({a, b}, {body, body});
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,191 @@
+// What hangs on bodies that move by their own equations, and what lies against them: the tangent of a step.
+#include <gtest/gtest.h>
+
+#include "hawser/app/volumes.hpp"
+#include "hawser/solve/generalized_alpha.hpp"
+#include "support/taylor.hpp"
+#include "verification/dynamics_rig.hpp"
+
+namespace hawser::test {
+namespace {
+
+model::End on(const std::string& body, const Vec3& at) {
+  model::End e;
+  e.kind = model::EndKind::body, e.body = body, e.at = at;
+  return e;
+}
+
+model::Line line(const std::string& name, const std::string& type, double length, int elements,
+                 const model::End& a, const model::End& b) {
+  model::Line l;
+  l.name = name, l.sections.push_back({type, length, elements, 1}), l.end_a = a, l.end_b = b;
+  l.start = model::Start::straight;
+  return l;
+}
+
+// A body that beams are clamped to, turned to by a spring and pinned to, on which cables hang (one from it to
+// itself), against which a beam and a cable lie with friction; in a current, with a second body beyond.
+model::Case carried(model::ContactMethod method) {
+  model::Case c;
+  c.environment.water.present = true;
+  c.environment.water.depth = 60;
+  c.environment.water.current.profile = {{0, 0.8, 0.4}, {60, 0.3, 0.4}};
+  c.line_types = {beam_type(3e3, 50, 30, 5), cable_type(2e3, 4)};
+  c.line_types[0].stiffness_damping = c.line_types[1].stiffness_damping = 0.1;
+  for (const char* name : {"buoy", "load"}) {
+    model::Body& b = c.bodies.emplace_back();
+    b.name = name, b.position = {0, 0, name[0] == 'b' ? -5.0 : -9.0};
+    model::BodyMass& m = b.mass.emplace();
+    m.mass = 40, m.inertia = {12, 15, 9}, m.products = {1, 0.5, -0.7}, m.centre = {0.1, -0.2, 0.15};
+    m.weight = true, m.stiffness = {30, 20, 50}, m.turning_stiffness = {5, 6, 7}, m.damping = {3, 4, 5};
+  }
+  model::End clamped = on("buoy", {1, 0, 0.3}), sprung = on("buoy", {-1, 0.2, 0});
+  clamped.clamped = true, clamped.direction = Vec3(1, 0.1, 0.2).normalized();
+  sprung.rotational_stiffness = 40, sprung.direction = Vec3(-1, 0.3, 0.1).normalized();
+  c.lines = {line("clamped", "beam", 4, 3, clamped, anchor({5, 0.4, -4})),
+             line("sprung", "beam", 4, 3, sprung, anchor({-5, 0, -5})),
+             line("hung", "cable", 5, 3, anchor({0.2, 0.3, 0}), on("buoy", {0, 0.1, 1})),
+             line("between", "cable", 3.5, 2, on("buoy", {0, 0.2, -1}), on("load", {0.1, 0, 0.5})),
+             line("loop", "cable", 1.6, 1, on("load", {0.8, 0, 0}), on("load", {-0.5, 0.6, 0})),
+             line("beam beside", "beam", 4, 2, anchor({-2, 1.045, -5.1}), anchor({2, 1.04, -4.9})),
+             line("cable beside", "cable", 4, 2, anchor({-2, -1.045, -5.1}), anchor({2, -1.04, -4.9}))};
+  model::Volume v;
+  v.name = "hull", v.body = "buoy", v.shape = CylinderShape{{-1.5, 0, 0}, {1.5, 0, 0}, 1};
+  v.basis = model::StiffnessBasis::per_length, v.normal_stiffness = 2e4, v.smoothing = 0.01;
+  v.relative_damping = 0.2;
+  v.friction.axial = 0.3, v.friction.lateral = 0.2, v.friction.mobilisation_length = 0.02;
+  c.volumes = {v};
+  c.contact.method = method;
+  c.contact.rolling = method == model::ContactMethod::line;
+  c.contact.lines = {"beam beside", "cable beside"}, c.contact.all_lines = false;
+  c.statics.enabled = false;
+  c.dynamics.enabled = true, c.dynamics.duration = 1, c.dynamics.step = 0.02;
+  return c;
+}
+
+void expect_step_tangent(model::ContactMethod method) {
+  const model::Case c = carried(method);
+  const auto volumes = app::load_volumes(c);
+  Simulation sim(PETSC_COMM_WORLD, c, app::surfaces(volumes));
+  System& system = sim.system();
+  const double h = 0.02;
+  system.couple(sim.state().view(0), h);
+  system.spread(sim.state());
+  const LocalMesh& mesh = system.mesh();
+  AlphaState from;
+  from.s = sim.state();
+  for (size_t i = 0; i < from.s.x.size(); ++i) {
+    const int g = mesh.global[i];
+    from.s.v[i] = 0.4 * noise3(g, 1);
+    if (mesh.rotates(static_cast<int>(i))) from.s.w[i] = 0.5 * noise3(g, 2);
+  }
+  system.supports().rates(0, from.s);
+  system.supports().follow(from.s);
+  alpha_start(from);
+  system.prepare(from.s.view(h), h);
+  const AlphaCoefficients alpha(0.8);
+  std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0);
+  for (int n = 0; n < mesh.nodes(); ++n)
+    for (int k = 0; k <= mesh.rotates(n); ++k)
+      for (int i = 0; i < 3; ++i)
+        u[static_cast<size_t>(3 * (mesh.block[static_cast<size_t>(n)] + k) + i)] =
+            (k ? 0.05 : 0.01) * noise(mesh.global[static_cast<size_t>(n)], 3 * k + i, 5);
+  system.supports().increments(from.s, h, u.data());
+  AlphaState to = from;
+  const auto at = [&](double step, const std::vector<double>& d) {
+    std::vector<double> moved = u;
+    for (size_t i = 0; i < u.size(); ++i) moved[i] += step * d[i];
+    alpha_trial(mesh, system.supports(), alpha, h, from, moved, to);
+    return residual(system, to.s, h);
+  };
+  const std::vector<double> nothing(u.size(), 0);
+  at(0, nothing);
+  MatHandle J = system.create_matrix();
+  system.tangent(to.s.view(h), alpha_weights(alpha, h), u, false, J.get());
+  // What there is of contact is what is looked at.
+  int touching = 0, all = 0;
+  system.commit(to.s.view(h));
+  touching = sim.contact()->touching();
+  MPI_Allreduce(&touching, &all, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
+  EXPECT_GE(all, 2);
+  sim.contact()->restore({});
+  system.prepare(from.s.view(h), h);
+  Trial t;
+  t.length = 1e-6, t.angle = 1e-5;  // dampers start and stop where touch begins, a kink that is always near
+  double worst = 0;
+  for (int k = 0; k < 4; ++k) {
+    const auto d = direction(system, t, 100 + k), Jd = multiply(system, J.get(), d);
+    constexpr double e = 0.08;
+    const auto a = at(e, d), b = at(-e, d), p = at(2 * e, d), q = at(-2 * e, d);
+    double off = 0, size = 0;
+    for (size_t i = 0; i < Jd.size(); i += 3) {
+      double here = 0, block = 0;
+      for (size_t j = i; j < i + 3; ++j) {
+        here = std::max(here, std::abs((8 * (a[j] - b[j]) - (p[j] - q[j])) / (12 * e) - Jd[j]));
+        block = std::max(block, std::abs(Jd[j]));
+      }
+      size = std::max(size, block);
+      off = std::max(off, here);
+    }
+    double both[2] = {off, size};
+    MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
+    worst = std::max(worst, both[0] / both[1]);
+  }
+  printf("step tangent with bodies: error %.1e, %d places touch\n", worst, all);
+  EXPECT_LT(worst, 1e-6);
+}
+
+TEST(Frames, TangentOfAStepAlongLines) { expect_step_tangent(model::ContactMethod::line); }
+TEST(Frames, TangentOfAStepAtNodes) { expect_step_tangent(model::ContactMethod::nodes); }
+
+// What lines and contact do to the bodies is the opposite of what they do to everything else: forces of all
+// nodes add up to those of weight and supports, before anything moves and afterwards.
+TEST(Frames, MomentumOfTwoBodiesOnALine) {
+  model::Case c;
+  c.environment.gravity = 0;
+  c.line_types = {cable_type(1e5, 2)};
+  for (const double x : {0.0, 10.0}) {
+    model::Body& b = c.bodies.emplace_back();
+    b.name = x > 0 ? "second" : "first", b.position = {x, 0, 0};
+    model::BodyMass& m = b.mass.emplace();
+    m.mass = x > 0 ? 30 : 80, m.inertia = {12, 15, 9}, m.centre = {0.1, -0.2, 0.15};
+    m.velocity = x > 0 ? Vec3(2, 1, 0.3) : Vec3(-1, 0, 0), m.angular_velocity = {0.5, -0.3, 0.2};
+  }
+  c.lines = {line("between", "cable", 9, 9, on("first", {0.5, 0.3, 0}), on("second", {-0.4, 0, 0.2}))};
+  c.statics.enabled = false;
+  c.dynamics.enabled = true, c.dynamics.duration = 4, c.dynamics.step = 0.02, c.dynamics.tolerance = 1e-13;
+  Simulation sim(PETSC_COMM_WORLD, c);
+  Dynamics& d = sim.dynamics();
+  d.start(sim.state());
+  const auto momentum = [&] {
+    const Kinematics k = d.kinematics();
+    const LocalMesh& m = sim.local();
+    Vec3 p = Vec3::Zero();
+    for (int n = 0; n < m.owned; ++n) {
+      const Node& node = sim.mesh().nodes[static_cast<size_t>(m.global[static_cast<size_t>(n)])];
+      if (node.body >= 0)
+        p += c.bodies[static_cast<size_t>(node.body)].mass->mass * k.v[static_cast<size_t>(n)];
+    }
+    for (const LocalElement& e : m.elements)
+      if (e.counted)
+        p += 0.5 * 2 * m.mesh->elements[static_cast<size_t>(e.global)].length *
+             (k.v[static_cast<size_t>(e.first)] + k.v[static_cast<size_t>(e.second)]);
+    MPI_Allreduce(MPI_IN_PLACE, p.data(), 3, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+    return p;
+  };
+  const Vec3 start = momentum();
+  double worst = 0, pull = 0;
+  integrate(d, 4, 4, [&](const StepInfo&) {
+    worst = std::max(worst, (momentum() - start).norm());
+    for (size_t n = 0; n < static_cast<size_t>(sim.local().owned); ++n)
+      pull = std::max(pull, d.kinematics().a[n].norm());
+  });
+  MPI_Allreduce(MPI_IN_PLACE, &pull, 1, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
+  printf("two bodies on a line: momentum kept to %.1e of %.1f kg m/s, accelerations up to %.0f m/s2\n", worst,
+         start.norm(), pull);
+  EXPECT_LT(worst, 1e-11 * start.norm());
+  EXPECT_GT(pull, 5);  // the line did pull
+}
+
+}  // namespace
+}  // namespace hawser::test

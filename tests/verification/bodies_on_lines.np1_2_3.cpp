@@ -1,0 +1,139 @@
+// Bodies that hang on lines, against closed forms: rest, pendulums, and that other ranks find the same.
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "verification/dynamics_rig.hpp"
+
+namespace hawser::test {
+namespace {
+
+constexpr double kG = 9.80665;
+
+model::End on(const std::string& body, const Vec3& at) {
+  model::End e;
+  e.kind = model::EndKind::body, e.body = body, e.at = at;
+  return e;
+}
+
+// A load on slings without weight worth speaking of, 1000 times stiffer than the load is heavy.
+struct Sling {
+  Vec3 from, at;  // m: in space, in the load's frame
+  double length;
+};
+model::Case load(double mass, const Vec3& inertia, const Vec3& position, const std::vector<Sling>& slings,
+                 int elements) {
+  model::Case c;
+  c.environment.gravity = kG;
+  c.line_types = {cable_type(1e5 * mass * kG, 1e-7 * mass)};
+  model::Body& b = c.bodies.emplace_back();
+  b.name = "load", b.position = position;
+  model::BodyMass& m = b.mass.emplace();
+  m.mass = mass, m.inertia = inertia, m.weight = true;
+  for (size_t i = 0; i < slings.size(); ++i) {
+    model::Line l;
+    l.name = "sling " + std::to_string(i);
+    l.sections.push_back({"cable", slings[i].length, elements, 1});
+    l.end_a = anchor(slings[i].from), l.end_b = on("load", slings[i].at);
+    c.lines.push_back(l);
+  }
+  c.dynamics.enabled = true, c.dynamics.rho_infinity = 1;
+  return c;
+}
+
+double from_owner(const Simulation& s, double value) {
+  const int n = s.local().find(s.mesh().body_node(0));
+  double here = n >= 0 && n < s.local().owned ? value : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &here, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  return here;
+}
+size_t body_node(const Simulation& s) {
+  return static_cast<size_t>(std::max(0, s.local().find(s.mesh().body_node(0))));
+}
+
+// Time between the first and the last crossing of zero, over the half periods between them.
+double period(const std::vector<std::pair<double, double>>& signal) {
+  std::vector<double> zeros;
+  for (size_t i = 1; i < signal.size(); ++i) {
+    const auto [t0, y0] = signal[i - 1];
+    const auto [t1, y1] = signal[i];
+    if (y0 * y1 < 0) zeros.push_back(t0 + (t1 - t0) * y0 / (y0 - y1));
+  }
+  return 2 * (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
+}
+
+// A load with its centre off the middle hangs below the point where its slings meet, turned as they say.
+TEST(BodiesOnLines, LoadOnTwoSlingsAtRest) {
+  // Slings of 5 m from one hook to two eyes 6 m apart, 1 m above the centre of mass and 0.5 m to its side:
+  // the centre comes to hang under the hook.
+  model::Case c = load(2000, {3000, 4000, 5000}, {0.4, 0, -5},
+                       {{{0, 0, 0}, {-3, 0, 1}, 5}, {{0, 0, 0}, {3, 0, 1}, 5}}, 4);
+  c.bodies[0].mass->centre = {0.5, 0, 0};
+  Simulation s(PETSC_COMM_WORLD, c);
+  const StaticsReport report = s.solve_statics();
+  const size_t n = body_node(s);
+  // In the load's frame the hook is at (0, 5) (x, z), the centre of mass at (0.5, 0): that line is plumb.
+  const double tilt = std::atan2(0.5, 5.0);
+  const double x = from_owner(s, s.state().x[n].x()), z = from_owner(s, s.state().x[n].z());
+  const Vec3 axis = s.state().q[n] * Vec3::UnitX();
+  const double turned = from_owner(s, std::atan2(axis.z(), axis.x()));
+  printf("two slings: centre at %.2e, %.6f m, tilt %.6f rad (closed form 0, %.6f, -%.6f), %d iterations\n", x,
+         z, turned, -std::hypot(5.0, 0.5), tilt, report.iterations);
+  EXPECT_NEAR(x, 0, 2e-5);
+  EXPECT_NEAR(z, -std::hypot(5.0, 0.5), 1e-4);
+  EXPECT_NEAR(turned, -tilt, 2e-5);
+}
+
+// Bifilar pendulum: T = 2 pi sqrt(J L / (m g b²)), slings of L at b on either side of the centre.
+TEST(BodiesOnLines, BifilarPendulum) {
+  const double L = 4, b = 0.8, J = 60, m = 100;
+  model::Case c =
+      load(m, {30, 30, J}, {0, 0, -L}, {{{-b, 0, 0}, {-b, 0, 0}, L}, {{b, 0, 0}, {b, 0, 0}, L}}, 1);
+  const double T = 2 * M_PI * std::sqrt(J * L / (m * kG * b * b));
+  c.bodies[0].mass->angular_velocity = {0, 0, 0.01 * 2 * M_PI / T};
+  c.dynamics.duration = 5 * T, c.dynamics.step = T / 400;
+  Simulation s(PETSC_COMM_WORLD, c);
+  s.solve_statics();
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  std::vector<std::pair<double, double>> yaw;
+  integrate(d, 5 * T, 5 * T, [&](const StepInfo& i) {
+    const Vec3 axis = d.kinematics().q[body_node(s)] * Vec3::UnitX();
+    yaw.emplace_back(i.time, from_owner(s, std::atan2(axis.y(), axis.x())));
+  });
+  const double found = period(yaw);
+  printf("bifilar pendulum: %.5f s, closed form %.5f s (%.3f %%)\n", found, T, 100 * (found / T - 1));
+  EXPECT_NEAR(found, T, 1e-3 * T);
+}
+
+// A compound pendulum on a line: of line and body the slower mode of M y'' + K y = 0, in the angles of both.
+TEST(BodiesOnLines, CompoundPendulumOnALine) {
+  const double L = 3, d0 = 1.2, m = 50, J = 20;  // line, eye above the centre
+  Eigen::Matrix2d M, K;
+  M << m * L * L, m * L * d0, m * L * d0, m * d0 * d0 + J;
+  K << m * kG * L, 0, 0, m * kG * d0;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> modes(K, M);
+  const double T = 2 * M_PI / std::sqrt(modes.eigenvalues()[0]);
+  const Eigen::Vector2d mode = modes.eigenvectors().col(0) / modes.eigenvectors()(0, 0);
+  model::Case c = load(m, {J, J, J}, {0, 0, -L - d0}, {{{0, 0, 0}, {0, 0, d0}, L}}, 1);
+  // In that mode, with the line turning at 0.01 times its frequency: velocities of the centre and the body.
+  const double rate = 0.01 * 2 * M_PI / T;
+  c.bodies[0].mass->velocity = {rate * (L + d0 * mode[1]), 0, 0};
+  c.bodies[0].mass->angular_velocity = {0, -rate * mode[1], 0};
+  c.dynamics.duration = 5 * T, c.dynamics.step = T / 400;
+  Simulation s(PETSC_COMM_WORLD, c);
+  s.solve_statics();
+  Dynamics& dyn = s.dynamics();
+  dyn.start(s.state());
+  std::vector<std::pair<double, double>> swing;
+  integrate(dyn, 5 * T, 5 * T, [&](const StepInfo& i) {
+    swing.emplace_back(i.time, from_owner(s, dyn.kinematics().x[body_node(s)].x()));
+  });
+  const double found = period(swing);
+  printf("compound pendulum on a line: %.5f s, closed form %.5f s (%.3f %%)\n", found, T,
+         100 * (found / T - 1));
+  EXPECT_NEAR(found, T, 1e-3 * T);
+}
+
+}  // namespace
+}  // namespace hawser::test
