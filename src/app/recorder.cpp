@@ -11,6 +11,7 @@
 
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser::app {
 namespace {
@@ -156,8 +157,8 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
                                   {"rotation_vector", "rad", 3},
                                   {"velocity", "m/s", 3},
                                   {"angular_velocity", "rad/s", 3},
-                                  {"contact_force", "N", 3},
-                                  {"contact_moment", "N m", 3}}});
+                                  {"force", "N", 3},
+                                  {"moment", "N m", 3}}});
       continue;
     }
     const int node = mesh.nearest_node(c.line_index(h.line), h.at);
@@ -264,7 +265,7 @@ std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
   MPI_Comm_rank(comm_, &rank);
   if (!p || (!sim_.model().floats(body) && rank != 0)) return {};
   std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
-  if (sim_.body_contact() && sim_.model().floats(body)) force = sim_.body_contact()->force_on(body, at);
+  if (sim_.floating() && sim_.model().floats(body)) force = sim_.floating()->force_on(body, at);
   std::vector<double> row;
   for (const Vec3& x :
        {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, force[0], force[1]})

@@ -39,7 +39,7 @@ class Reader {
     each("bodies", [&](const std::string& name, const Value& v) { c_.bodies.push_back(body(name, v)); });
     each("volumes", [&](const std::string& name, const Value& v) { c_.volumes.push_back(volume(name, v)); });
     each("joints", [&](const std::string& name, const Value& v) {
-      c_.joints.push_back({name, vec(v, "start")});
+      c_.joints.push_back({name, vec(v, "start"), v["rigid"].number != 0});
     });
     each("lines", [&](const std::string& name, const Value& v) { c_.lines.push_back(line(name, v)); });
     contact(root_["contact"]);

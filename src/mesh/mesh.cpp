@@ -20,7 +20,8 @@ std::vector<double> graded_lengths(double length, int n, double ratio) {
   return l;
 }
 
-// The end that rotates, or else the first, lends its position to the others of a joint.
+// The end that rotates, or else the first, lends its position to the others of a joint; of a rigid one it
+// carries the others that rotate.
 void join(const model::Case& c, Mesh& m) {
   for (const model::Joint& joint : c.joints) {
     std::vector<int> ends;
@@ -36,7 +37,10 @@ void join(const model::Case& c, Mesh& m) {
     for (int n : ends)
       if (first < 0 || m.nodes[static_cast<size_t>(n)].rotates) first = n;
     for (int n : ends)
-      if (n != first) m.nodes[static_cast<size_t>(n)].pinned_to = first;
+      if (n != first) {
+        Node& node = m.nodes[static_cast<size_t>(n)];
+        (joint.rigid && node.rotates ? node.tied_to : node.pinned_to) = first;
+      }
   }
 }
 

@@ -336,11 +336,12 @@ void check_joints(const Case& c, std::vector<Issue>& issues) {
     }
     const std::string key = "joints." + j.name;
     if (ends < 2) issues.push_back({key, fmt::format("joins {} end of a line; it takes two", ends)});
-    if (bending > 1)
+    if (bending > 1 && !j.rigid)
       issues.push_back(
-          {key, fmt::format("joins {} lines that resist bending; at most one may, the others need "
-                            "'bending: false' in the section at the joint",
-                            bending)});
+          {key, fmt::format(
+                    "joins {} lines that resist bending; at most one may, unless the joint is 'rigid: true'; "
+                    "the others need 'bending: false' in the section at the joint",
+                    bending)});
   }
 }
 

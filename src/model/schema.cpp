@@ -246,14 +246,20 @@ Key line_end(std::string name, const std::string& about) {
 }
 
 Key joints() {
-  return names("joints",
-               map("<joint>",
-                   {vec3("start", length, "roughly where it is at rest: statics starts from there")
-                        .is_required()},
-                   ""),
-               "Where ends of lines are pinned to each other, by name: bridles, branches. At most one of the "
-               "lines "
-               "at a joint may resist bending.")
+  return names(
+             "joints",
+             map("<joint>",
+                 {vec3("start", length, "roughly where it is at rest: statics starts from there")
+                      .is_required(),
+                  boolean(
+                      "rigid",
+                      "lines that resist bending are joined rigidly: they keep the angles between them that "
+                      "they start with (their `direction` there, or the tangents of their start shapes)")
+                      .or_else("false")},
+                 ""),
+             "Where ends of lines are joined to each other, by name: bridles, branches, frames. Of lines "
+             "that "
+             "resist bending a joint that is not rigid takes one.")
       .or_else("{}");
 }
 

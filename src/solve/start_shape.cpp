@@ -44,8 +44,11 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
                                                         : line_start(c, line, bodies, g, span);
     mend(shape);
     if (by_itself && line.buried.empty()) lift(c.environment.seabed, shape);
+    const auto rigid = [&](const model::End& e) {
+      return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
+    };
     auto clamp_direction = [&](const model::End& e, size_t node) {
-      if (e.clamped && e.direction)
+      if ((e.clamped || rigid(e)) && e.direction)
         shape.tangent[node] = start_pose(c, bodies, e).rotation * e.direction->normalized();
     };
     clamp_direction(line.end_a, 0);
@@ -67,7 +70,7 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       out.state.x[n] = shape.x[k];
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }
-    bool twist_held = line.end_a.clamped || line.end_b.clamped;
+    bool twist_held = line.end_a.clamped || line.end_b.clamped || rigid(line.end_a) || rigid(line.end_b);
     // Friction of the bed holds a line without held ends that was laid on it; nothing holds its twist.
     if (line.end_a.kind == model::EndKind::free && line.end_b.kind == model::EndKind::free &&
         c.statics.enabled && model::laid_with_friction(c, line) &&
@@ -110,6 +113,15 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
         out.supports.push_back(s);
       }
     }
+  }
+  for (int n = 0; n < mesh.nodes(); ++n) {  // at rigid joints
+    const int global = mesh.global[static_cast<size_t>(n)], frame = mesh.frame_of(n);
+    if (frame < 0 || g.nodes[static_cast<size_t>(g.nodes[static_cast<size_t>(global)].tied_to)].body >= 0)
+      continue;
+    Support s;
+    s.node = n, s.frame = frame, s.rotation_mask = 7;
+    s.rotation = out.state.q[static_cast<size_t>(frame)].conjugate() * out.state.q[static_cast<size_t>(n)];
+    out.supports.push_back(s);
   }
   for (int n = 0; n < mesh.nodes(); ++n) {
     const int body = g.nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])].body;

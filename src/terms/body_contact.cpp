@@ -303,22 +303,6 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-std::array<Vec3, 2> BodyContactTerm::force_on(int body, const Kinematics& at) const {
-  std::array<Vec3, 2> out{Vec3::Zero(), Vec3::Zero()};
-  for (const Pair& p : pairs_) {
-    if (!p.here) continue;
-    Sum s;
-    bool known = false;
-    for (const auto& [side, first] : {std::pair(&sides_[p.a], 0), std::pair(&sides_[p.b], 6)}) {
-      if (side->global < 0 || side->body != body) continue;
-      if (!known) s = touch(p, both(p, at), false), known = true;
-      out[0] -= s.contact.f.segment<3>(first);
-      out[1] -= frame(*side, at).R * s.contact.f.segment<3>(first + 3);
-    }
-  }
-  return out;
-}
-
 // Of a pair of which both lead it is one touch, told by two.
 void BodyContactTerm::touches(Touches& out) const {
   for (const Pair& p : pairs_) {

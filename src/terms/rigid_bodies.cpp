@@ -119,6 +119,16 @@ void RigidBodies::evaluate(const Kinematics& trial, Sink& sink) {
   }
 }
 
+std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& at) const {
+  for (const Floating& f : list_) {
+    if (f.body != body) continue;
+    const RigidBodyState s = floating_state(at, f.node);
+    const Vec6 own = rigid_body(f.data, s, rest(f, at.time)).f();
+    return {own.head<3>(), s.q * own.tail<3>()};
+  }
+  return {Vec3::Zero(), Vec3::Zero()};
+}
+
 void RigidBodies::commit(const Kinematics& accepted) {
   if (!(accepted.step > 0)) return;
   for (Floating& f : list_) {

@@ -49,6 +49,15 @@ model::Case carried(model::ContactMethod method) {
              line("loop", "cable", 1.6, 1, on("load", {0.8, 0, 0}), on("load", {-0.5, 0.6, 0})),
              line("beam beside", "beam", 4, 2, anchor({-2, 1.045, -5.1}), anchor({2, 1.04, -4.9})),
              line("cable beside", "cable", 4, 2, anchor({-2, -1.045, -5.1}), anchor({2, -1.04, -4.9}))};
+  // Two beams and a cable at a rigid joint.
+  c.joints = {{"corner", {8, 0, -2}, true}};
+  model::End corner;
+  corner.kind = model::EndKind::joint, corner.body = "corner", corner.at = {8, 0, -2};
+  model::End arm = corner;
+  arm.direction = Vec3(0.2, 1, 0.1).normalized();
+  c.lines.push_back(line("leg", "beam", 3, 2, anchor({8, 0, -5}), corner));
+  c.lines.push_back(line("arm", "beam", 2, 2, arm, model::End{}));
+  c.lines.push_back(line("stay", "cable", 3, 2, anchor({10.5, 0, -4}), corner));
   model::Volume v;
   v.name = "hull", v.body = "buoy", v.shape = CylinderShape{{-1.5, 0, 0}, {1.5, 0, 0}, 1};
   v.basis = model::StiffnessBasis::per_length, v.normal_stiffness = 2e4, v.smoothing = 0.01;

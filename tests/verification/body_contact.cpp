@@ -5,6 +5,7 @@
 
 #include "hawser/app/volumes.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
 #include "verification/dynamics_rig.hpp"
 
 namespace hawser::test::body_contact_test {
@@ -64,9 +65,9 @@ Bump bump(double zeta) {
   const double p0 = 1e7 * 0.5 - 2.5e7 * 0.1, e0 = total(run.sim.system().energy(d.kinematics()));
   integrate(d, 8, 8, [&](const StepInfo& i) {
     const Kinematics k = d.kinematics();
-    const double F = run.sim.body_contact()->force_on(1, k)[0].x();
+    const double F = run.sim.floating()->force_on(1, k)[0].x();
     out.force = std::max(out.force, F);
-    out.duration += F > 0 ? i.h : 0;
+    out.duration += F > 1 ? i.h : 0;
     out.momentum =
         std::max(out.momentum, std::abs(1e7 * k.v[a].x() + 2.5e7 * k.v[b].x() - p0) / std::abs(p0));
     const Energy e = run.sim.system().energy(k);

@@ -44,6 +44,7 @@ class Simulation {
   StructureTerm& structure() { return *structure_; }
   Contact* contact() { return contact_; }                                // with volumes; null: there are none
   const BodyContactTerm* body_contact() const { return body_contact_; }  // null: no bodies touch
+  const RigidBodies* floating() const { return floating_; }              // null: no body has mass
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
   SeabedTerm* seabed() { return seabed_; }         // null: there is none

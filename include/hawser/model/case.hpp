@@ -157,10 +157,11 @@ struct End {
   std::optional<double> no_contact_within;
 };
 
-// Where ends of lines are pinned to each other, free to move.
+// Where ends of lines are joined to each other, free to move: pinned, or what bends rigidly.
 struct Joint {
   std::string name;
   Vec3 start = Vec3::Zero();  // m, where statics starts from
+  bool rigid = false;         // lines that resist bending keep the angles that they start with
 };
 
 struct PointMass {

@@ -52,9 +52,6 @@ class BodyContactTerm final : public ForceTerm {
 
   // SolveError where two volumes are far deeper in each other than corners and edges have met. Collective.
   void watch(const Kinematics& at);
-  // N and N m about its centre of mass, space axes: what contact exerts on a floating body of the case, for
-  // the rank that owns it.
-  std::array<Vec3, 2> force_on(int body, const Kinematics& at) const;
   // m, over the accepted steps, of the pairs this rank counts.
   double largest_penetration() const;
   // Adds what touches in the accepted state, of those pairs; volumes are those of the case.

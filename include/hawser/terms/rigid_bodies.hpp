@@ -1,6 +1,7 @@
 // Floating bodies: rigid, with mass, held by springs where their motion wants them.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,10 @@ class RigidBodies final : public ForceTerm {
   // weight. One that carries lines, or that lines can lie against, finds its own rest; only what nothing
   // resists in it (a load that turns about its sling) is kept from drifting.
   void hold(bool on) { hold_ = on; }
+
+  // N and N m about its centre of mass, space axes: what lines and contact exert on a body of the case in a
+  // state in balance, from what its own motion, springs and weight need. On the rank that owns it.
+  std::array<Vec3, 2> force_on(int body, const Kinematics& at) const;
 
   std::string_view name() const override { return "floating bodies"; }
   void prepare(const Kinematics& committed, double h) override;
