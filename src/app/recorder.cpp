@@ -263,7 +263,7 @@ std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
   const auto p = sim_.body_pose(body, at);
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
-  if (!p || (!sim_.model().floats(body) && rank != 0)) return {};
+  if (!p || (!sim_.bodies().floats(body) && rank != 0)) return {};
   std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
   if (sim_.floating() && sim_.model().floats(body)) force = sim_.floating()->force_on(body, at);
   std::vector<double> row;
@@ -357,7 +357,7 @@ std::vector<io::BodyPose> Recorder::poses(const Kinematics& at) const {
   const int bodies = sim_.bodies().size();
   std::vector<double> told;
   for (int b = 0; b < bodies; ++b) {
-    if (!sim_.model().floats(b)) continue;
+    if (!sim_.bodies().floats(b)) continue;
     const auto p = sim_.body_pose(b, at);
     const Quat q = p ? p->rotation : Quat(0, 0, 0, 0);
     const Vec3 x = p ? p->position : Vec3(Vec3::Zero());
@@ -368,7 +368,7 @@ std::vector<io::BodyPose> Recorder::poses(const Kinematics& at) const {
   std::vector<io::BodyPose> out;
   const double* t = told.data();
   for (int b = 0; b < bodies; ++b) {
-    if (sim_.model().floats(b)) {
+    if (sim_.bodies().floats(b)) {
       out.push_back({{t[0], t[1], t[2]}, {t[3], t[4], t[5], t[6]}});
       t += 7;
     } else {

@@ -150,6 +150,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     if (volume.settings.basis == model::StiffnessBasis::automatic)
       choose_stiffness(c, *mesh_, volume, notes_);
   volumes_ = volumes;
+  bodies_->tell(comm, start.state.view(0));
   start_contact_ = start_contact(comm, c, local, start.state.view(0), *bodies_, volumes_);
   notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
   if (!volumes.empty() && c.contact.method == model::ContactMethod::line) {
@@ -201,10 +202,9 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 }
 
 std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) const {
-  if (!case_.floats(body)) return bodies_->pose(body, at.time);
-  const int n = local().find(mesh_->body_node(body));
-  if (n < 0 || n >= local().owned) return std::nullopt;
-  return floating_pose(floating_state(at, n), case_.bodies[static_cast<size_t>(body)].mass->centre);
+  if (bodies_->floats(body))
+    if (const int n = bodies_->local_node(body); n < 0 || n >= local().owned) return std::nullopt;
+  return bodies_->pose(body, at);
 }
 
 bool Simulation::lays_lines() const {
@@ -305,6 +305,7 @@ std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
 }
 
 void Simulation::check_inside() const {
+  bodies_->tell(system_->comm(), state_.view(0));
   const std::string wrong =
       still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, volumes_, start_contact_);
   if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);

@@ -125,7 +125,15 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
           (b ? out.end_b : out.end_a) = *e.no_contact_within;
         }
     }
+  for (size_t v = 0; v < volumes.size(); ++v)  // what rides on a line does not touch it
+    if (c.rides(volumes[v].body)) {
+      const int line = c.line_index(c.bodies[static_cast<size_t>(volumes[v].body)].on->line);
+      entry(line, static_cast<int>(v)).end_a = mesh.lines[static_cast<size_t>(line)].length;
+    }
   for (const Inside& s : start.inside) {
+    if (const auto known = of.find({s.line, s.volume});
+        known != of.end() && c.rides(volumes[static_cast<size_t>(s.volume)].body))
+      continue;
     const model::Line& line = c.lines[static_cast<size_t>(s.line)];
     const double length = mesh.lines[static_cast<size_t>(s.line)].length, near = 1e-9 * length;
     if (s.from <= near && s.to >= length - near) continue;  // never comes out

@@ -42,6 +42,10 @@ class Reader {
       c_.joints.push_back({name, vec(v, "start"), v["rigid"].number != 0});
     });
     each("lines", [&](const std::string& name, const Value& v) { c_.lines.push_back(line(name, v)); });
+    for (model::Body& b : c_.bodies)
+      if (b.on)
+        b.on->at = arc((*root_.find("bodies"))[b.name]["on"].find("at"), 0,
+                       model::length_of(c_.lines[static_cast<std::size_t>(c_.line_index(b.on->line))]));
     contact(root_["contact"]);
     statics(root_["statics"]);
     if (const Value* d = root_.find("dynamics")) dynamics(*d);
@@ -95,6 +99,7 @@ class Reader {
       o.stiffness = vec(*f, "stiffness"), o.damping = vec(*f, "damping");
       o.turning_stiffness = vec(*f, "turning_stiffness"), o.turning_damping = vec(*f, "turning_damping");
     }
+    if (const Value* on = v.find("on")) b.on = model::Ride{(*on)["line"].text, 0};
     const Value* m = v.find("motion");
     if (!m) return b;
     const std::string path = "bodies." + name + ".motion";

@@ -118,6 +118,9 @@ Mesh build_mesh(const model::Case& c) {
     m.nodes.push_back({group, 0, 0, true, static_cast<int>(b)});
   }
   tie(c, m);
+  for (size_t b = 0; b < c.bodies.size(); ++b)
+    if (const auto& on = c.bodies[b].on)
+      m.rides.emplace_back(static_cast<int>(b), m.nearest_node(c.line_index(on->line), on->at));
   return m;
 }
 
@@ -125,6 +128,12 @@ int Mesh::body_node(int body) const {
   for (int n = line_nodes(); n < static_cast<int>(nodes.size()); ++n)
     if (nodes[static_cast<size_t>(n)].body == body) return n;
   return -1;
+}
+
+int Mesh::frame_node(int body) const {
+  for (const auto& [rider, node] : rides)
+    if (rider == body) return node;
+  return body_node(body);
 }
 
 int Mesh::nearest_node(int line, double s) const {

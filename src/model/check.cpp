@@ -319,6 +319,13 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
           {"volumes." + v.name + ".active.box", "the first corner must be below the second in x, y and z"});
 }
 
+std::string section_at(const Line& line, double at) {
+  double end = 0;
+  for (const Section& s : line.sections)
+    if (at <= (end += s.length)) return s.type;
+  return line.sections.back().type;
+}
+
 void check_joints(const Case& c, std::vector<Issue>& issues) {
   for (const Joint& j : c.joints) {
     int ends = 0, bending = 0;
@@ -342,6 +349,32 @@ void check_joints(const Case& c, std::vector<Issue>& issues) {
                     "joins {} lines that resist bending; at most one may, unless the joint is 'rigid: true'; "
                     "the others need 'bending: false' in the section at the joint",
                     bending)});
+  }
+}
+
+void check_rides(const Case& c, std::vector<Issue>& issues) {
+  for (const Body& b : c.bodies) {
+    if (!b.on) continue;
+    const std::string key = "bodies." + b.name;
+    const Line& line = c.lines[static_cast<std::size_t>(c.line_index(b.on->line))];
+    if (b.mass || b.motion.index() != 0 || b.drift)
+      issues.push_back({key + ".on",
+                        "a body that rides on a line has no motion or mass of its own; give the line a mass "
+                        "there ('lines.<line>.masses')"});
+    if (!(b.on->at >= 0 && b.on->at <= length_of(line)))
+      issues.push_back({key + ".on.at",
+                        fmt::format("line {} ends at {:.6g} m of arc length", line.name, length_of(line))});
+    else if (c.line_type(section_at(line, b.on->at)).kind == LineKind::cable)
+      issues.push_back(
+          {key + ".on.at", fmt::format("line {} does not resist bending there, so that nothing says how the "
+                                       "body is turned",
+                                       line.name)});
+    for (const Line& l : c.lines)
+      for (const End* e : {&l.end_a, &l.end_b})
+        if (e->kind == EndKind::body && e->body == b.name)
+          issues.push_back(
+              {"lines." + l.name + (e == &l.end_a ? ".end_a" : ".end_b") + ".body",
+               fmt::format("body {} rides on a line; ends of lines are tied to lines at a joint", b.name)});
   }
 }
 
@@ -415,6 +448,7 @@ std::vector<Issue> check(const Case& c) {
     if (v.shape) check_shape(v, issues);
   check_whole(c, issues);
   check_joints(c, issues);
+  check_rides(c, issues);
   check_floating(c, issues);
   check_contact(c, issues);
   return issues;

@@ -208,7 +208,14 @@ Key bodies() {
                map("<body>",
                    {vec3("position", length, "of the body's origin at t = 0").or_else(kZero),
                     vec3("rotation_deg", angle, "rotation vector at t = 0").or_else(kZero), motion(),
-                    floating()},
+                    floating(),
+                    map("on",
+                        {reference("line", "lines", "the line").is_required(),
+                         arc("at", "where on it: the nearest node, between elements that resist bending")
+                             .is_required()},
+                        "it rides on a line and turns with it; `position` and `rotation_deg` are then seen "
+                        "from "
+                        "there, with x along the line")},
                    ""),
                "Rigid bodies that carry volumes and line ends, by name.")
       .or_else("{}");

@@ -1,9 +1,15 @@
 #include "hawser/terms/bodies.hpp"
 
+#include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
+namespace {
+
+constexpr size_t kPose = 13;  // numbers that a pose is told with
+
+}  // namespace
 
 Bodies::Bodies(const std::vector<model::Body>& bodies) {
   for (const model::Body& b : bodies) motions_.push_back(model::rigid_motion(b));
@@ -12,13 +18,49 @@ Bodies::Bodies(const std::vector<model::Body>& bodies) {
 void Bodies::in_state(const model::Case& c, const LocalMesh& mesh) {
   mesh_ = &mesh;
   frames_.assign(c.bodies.size(), {});
-  for (size_t b = 0; b < c.bodies.size(); ++b)
-    if (c.bodies[b].mass) frames_[b] = {mesh.mesh->body_node(static_cast<int>(b)), c.bodies[b].mass->centre};
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    Frame& f = frames_[b];
+    f.node = mesh.mesh->frame_node(static_cast<int>(b));
+    f.told = pose(static_cast<int>(b), 0.0);
+    if (c.bodies[b].mass) f.centre = c.bodies[b].mass->centre;
+    if (!c.bodies[b].on) continue;
+    f.turn = exp_so3(c.bodies[b].rotation);
+    f.centre = -(f.turn.conjugate() * c.bodies[b].position);
+  }
 }
 
 RigidPose Bodies::pose(int body, const Kinematics& at) const {
   if (!floats(body)) return pose(body, at.time);
-  return floating_pose(floating_state(at, local_node(body)), frames_[static_cast<size_t>(body)].centre);
+  const Frame& f = frames_[static_cast<size_t>(body)];
+  const int node = local_node(body);
+  if (node < 0) return f.told;
+  RigidBodyState s = floating_state(at, node);
+  s.q = s.q * f.turn, s.w = f.turn.conjugate() * s.w, s.alpha = f.turn.conjugate() * s.alpha;
+  return floating_pose(s, f.centre);
+}
+
+void Bodies::tell(MPI_Comm comm, const Kinematics& at) const {
+  std::vector<double> told;
+  for (size_t b = 0; b < frames_.size(); ++b) {
+    if (frames_[b].node < 0) continue;
+    const int node = local_node(static_cast<int>(b));
+    told.resize(told.size() + kPose, 0);
+    if (node < 0 || node >= mesh_->owned) continue;
+    const RigidPose p = pose(static_cast<int>(b), at);
+    double* d = told.data() + told.size() - kPose;
+    for (int c = 0; c < 3; ++c)
+      d[c] = p.position[c], d[3 + c] = p.velocity[c], d[6 + c] = p.angular_velocity[c];
+    for (int c = 0; c < 4; ++c) d[9 + c] = p.rotation.coeffs()[c];
+  }
+  if (told.empty()) return;
+  MPI_Allreduce(MPI_IN_PLACE, told.data(), static_cast<int>(told.size()), MPI_DOUBLE, MPI_SUM, comm);
+  const double* d = told.data();
+  for (const Frame& f : frames_) {
+    if (f.node < 0) continue;
+    f.told.position = Vec3(d), f.told.velocity = Vec3(d + 3), f.told.angular_velocity = Vec3(d + 6);
+    f.told.rotation.coeffs() = Eigen::Map<const Eigen::Vector4d>(d + 9);
+    d += kPose;
+  }
 }
 
 }  // namespace hawser

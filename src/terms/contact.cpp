@@ -35,11 +35,6 @@ Contact::Contact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
     boxes_.push_back(v.surface->bounds());
     committed_stiffness_.push_back(v.settings.normal_stiffness);
   }
-  for (const ContactVolume& v : volumes_)
-    if (bodies_->floats(v.body)) floating_.push_back(v.body);
-  std::sort(floating_.begin(), floating_.end());
-  floating_.erase(std::unique(floating_.begin(), floating_.end()), floating_.end());
-  for (const int b : floating_) told_.push_back(bodies_->pose(b, 0.0));
   poses_.resize(static_cast<size_t>(bodies_->size()) + 1);
   for (int b = 0; b < bodies_->size(); ++b) poses_[static_cast<size_t>(b) + 1] = bodies_->pose(b, 0.0);
   start_poses_ = poses_;

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "hawser/base/gather.hpp"
+#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/contact.hpp"
 
 namespace hawser {
 namespace {
 
-constexpr size_t kPose = 13;          // numbers that a pose is told with
 constexpr double kStaticsWay = 0.15;  // of the line: Newton's iteration of statics goes no farther at once
 
 bool any(MPI_Comm comm, bool here) {
@@ -22,15 +22,7 @@ bool any(MPI_Comm comm, bool here) {
 void Contact::pose_bodies(const Kinematics& at, std::vector<RigidPose>& poses) const {
   const int n = bodies_->size();
   poses.resize(static_cast<size_t>(n) + 1);
-  for (int b = 0; b < n; ++b) {
-    RigidPose& p = poses[static_cast<size_t>(b) + 1];
-    if (!bodies_->floats(b) || bodies_->local_node(b) >= 0) {
-      p = bodies_->pose(b, at);
-      continue;
-    }
-    const auto told = std::lower_bound(floating_.begin(), floating_.end(), b);
-    if (told != floating_.end() && *told == b) p = told_[static_cast<size_t>(told - floating_.begin())];
-  }
+  for (int b = 0; b < n; ++b) poses[static_cast<size_t>(b) + 1] = bodies_->pose(b, at);
 }
 
 FloatingFrame Contact::floating_frame(int volume, const Kinematics& at) const {
@@ -39,34 +31,16 @@ FloatingFrame Contact::floating_frame(int volume, const Kinematics& at) const {
   return {local_.block[n], at.x[n], at.v[n], at.q[n].toRotationMatrix()};
 }
 
-// Each owner tells all: a few numbers a body.
-void Contact::share_poses(const Kinematics& at) {
-  std::vector<double> told(kPose * floating_.size(), 0);
-  for (size_t i = 0; i < floating_.size(); ++i) {
-    const int node = bodies_->local_node(floating_[i]);
-    if (node < 0 || node >= local_.owned) continue;
-    const RigidPose p = bodies_->pose(floating_[i], at);
-    double* d = told.data() + kPose * i;
-    for (int c = 0; c < 3; ++c)
-      d[c] = p.position[c], d[3 + c] = p.velocity[c], d[6 + c] = p.angular_velocity[c];
-    for (int c = 0; c < 4; ++c) d[9 + c] = p.rotation.coeffs()[c];
-  }
-  MPI_Allreduce(MPI_IN_PLACE, told.data(), static_cast<int>(told.size()), MPI_DOUBLE, MPI_SUM, comm_);
-  for (size_t i = 0; i < floating_.size(); ++i) {
-    const double* d = told.data() + kPose * i;
-    RigidPose& p = told_[i];
-    p.position = Vec3(d), p.velocity = Vec3(d + 3), p.angular_velocity = Vec3(d + 6);
-    p.rotation.coeffs() = Eigen::Map<const Eigen::Vector4d>(d + 9);
-  }
-}
-
 // Elements are told with room to spare, so that the list holds for many steps; it is made anew where one
 // comes near that is not in it.
 bool Contact::recouple(const Kinematics& committed, double h) {
-  if (floating_.empty()) return false;
-  share_poses(committed);
+  const auto moving = [this](const ContactVolume& v) { return bodies_->floats(v.body); };
+  if (std::none_of(volumes_.begin(), volumes_.end(), moving)) return false;
+  bodies_->tell(comm_, committed);
   std::vector<std::array<int, 3>> wide;
   bool missing = false;
+  std::vector<RigidPose> poses;
+  pose_bodies(committed, poses);
   const Mesh& mesh = *local_.mesh;
   for (const LocalElement& e : local_.elements) {
     if (!e.counted) continue;
@@ -75,9 +49,10 @@ bool Contact::recouple(const Kinematics& committed, double h) {
     const Vec3 middle = 0.5 * (committed.x[a] + committed.x[b]);
     for (size_t k = 0; k < volumes_.size(); ++k) {
       const ContactVolume& v = volumes_[k];
-      if (!bodies_->floats(v.body)) continue;
-      const RigidPose& pose = told_[static_cast<size_t>(
-          std::lower_bound(floating_.begin(), floating_.end(), v.body) - floating_.begin())];
+      if (!moving(v)) continue;
+      if (takes_part(mesh, g.line, static_cast<int>(k), arc_at(mesh, g, 0), arc_at(mesh, g, 1)).none())
+        continue;
+      const RigidPose& pose = poses[static_cast<size_t>(v.body) + 1];
       const double speed = std::max((committed.v[a] - pose.velocity_at(committed.x[a])).norm(),
                                     (committed.v[b] - pose.velocity_at(committed.x[b])).norm());
       const double way = h > 0 ? std::max(2 * h * speed, 0.5 * g.length)
@@ -105,12 +80,12 @@ bool Contact::recouple(const Kinematics& committed, double h) {
 }
 
 void Contact::couple(Couplings& to) const {
-  for (const auto& [a, b, body] : near_) {
-    const auto here = [this](int n) {
-      return local_.owner[static_cast<size_t>(n)] == local_.owner[static_cast<size_t>(local_.global[0])];
-    };
-    if (local_.owned > 0 && (here(a) || here(b) || here(body))) to.add({a, b}, {body, body});
-  }
+  const auto here = [this](int n) {
+    const int local = local_.find(n);
+    return local >= 0 && local < local_.owned;
+  };
+  for (const auto& [a, b, body] : near_)
+    if (here(a) || here(b) || here(body)) to.add({a, b}, {body, body});
 }
 
 }  // namespace hawser

@@ -31,11 +31,8 @@ class AxisDistance final : public AxisGapFunction {
   int hint_ = -1;
 };
 
-// Of a body that floats and is not on this rank nothing is known, and no line of this rank is near it.
 RigidPose pose_of(const Bodies& bodies, const ContactVolume& v, const Kinematics& at) {
-  if (v.body < 0) return {};
-  return bodies.floats(v.body) && bodies.local_node(v.body) < 0 ? bodies.pose(v.body, at.time)
-                                                                : bodies.pose(v.body, at);
+  return v.body < 0 ? RigidPose{} : bodies.pose(v.body, at);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The shipped cases of bodies that hang on lines and of lines that lie against bodies, shortened: the balance of
-// energy, what touches, and that other ranks find the same.
+// The shipped cases of bodies that hang on lines and of lines that lie against bodies, shortened: the balance
+// of energy, what touches, and that other ranks find the same.
 #include <gtest/gtest.h>
 
 #include "hawser/app/volumes.hpp"
@@ -12,8 +12,8 @@ namespace {
 
 struct Outcome {
   double unexplained = 0, turnover = 0;  // J: at the end; what was brought in, damped and lost in all
-  double depth = 0, place = 0;           // m: of bodies in each other; of the body's centre along x at the end
-  int touched = 0;                       // steps in which a line touched a volume
+  double depth = 0, place = 0;  // m: of bodies in each other; of the body's centre along x at the end
+  int touched = 0;              // steps in which a line touched a volume
 };
 
 Outcome outcome(MPI_Comm comm, const char* file, double duration) {
@@ -52,8 +52,10 @@ Outcome outcome(MPI_Comm comm, const char* file, double duration) {
 TEST(BodiesAndLines, ModuleOnSlingsMeetsItsFender) {
   const char* file = "/cases/lifted-load/lifted-load.yaml";
   const Outcome all = outcome(PETSC_COMM_WORLD, file, 14), one = outcome(PETSC_COMM_SELF, file, 14);
-  printf("module on slings: %.0f J of %.0f J not explained, %.3f m into its fender, centre at %.6f m (one rank %.6f)\n",
-         all.unexplained, all.turnover, all.depth, all.place, one.place);
+  printf(
+      "module on slings: %.0f J of %.0f J not explained, %.3f m into its fender, centre at %.6f m (one rank "
+      "%.6f)\n",
+      all.unexplained, all.turnover, all.depth, all.place, one.place);
   EXPECT_LT(std::abs(all.unexplained), 0.005 * all.turnover);
   EXPECT_GT(all.depth, 0.05);
   EXPECT_NEAR(all.place, one.place, 1e-4);
@@ -63,9 +65,11 @@ TEST(BodiesAndLines, ModuleOnSlingsMeetsItsFender) {
 TEST(BodiesAndLines, HawserLiesAlongAPontoon) {
   const char* file = "/cases/barge-hawser/barge-hawser.yaml";
   const Outcome all = outcome(PETSC_COMM_WORLD, file, 16), one = outcome(PETSC_COMM_SELF, file, 16);
-  printf("hawser along a pontoon: %.1f J of %.0f J not explained, %d steps with contact, centre at %.6f m (one rank "
-         "%.6f)\n",
-         all.unexplained, all.turnover, all.touched, all.place, one.place);
+  printf(
+      "hawser along a pontoon: %.1f J of %.0f J not explained, %d steps with contact, centre at %.6f m (one "
+      "rank "
+      "%.6f)\n",
+      all.unexplained, all.turnover, all.touched, all.place, one.place);
   EXPECT_LT(std::abs(all.unexplained), 0.005 * all.turnover);
   EXPECT_GT(all.touched, 100);
   EXPECT_NEAR(all.place, one.place, 1e-3);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/math/types.hpp"
@@ -45,12 +46,19 @@ struct Mesh {
   std::vector<Node> nodes;
   std::vector<Element> elements;
   std::vector<LineSpan> lines;
+  std::vector<std::pair<int, int>>
+      rides;                        // bodies of the case that ride on lines, and the nodes they ride on
   std::vector<std::string> bodies;  // names of the bodies of the case, for messages
 
   // Nodes of lines: [0, line_nodes()); those of bodies follow.
   int line_nodes() const { return lines.empty() ? 0 : lines.back().first_node + lines.back().nodes; }
   // Node of a body of the case; -1: it has no mass.
   int body_node(int body) const;
+  // Node that is the frame of a body of the case: its own, or one of the line it rides on; -1: its motion is
+  // prescribed.
+  int frame_node(int body) const;
+  // Whether any body's motion is part of the state.
+  bool has_frames() const { return line_nodes() < static_cast<int>(nodes.size()) || !rides.empty(); }
   // Node of `line` nearest to arc length s [m from end A].
   int nearest_node(int line, double s) const;
   // "line hose, arc length 12.5 m", "body barge": where a node is, in words.

@@ -97,6 +97,12 @@ struct BodyMass {
   Mat3 tensor() const;  // kg m², of inertia and products
 };
 
+// A body that rides on a line: its frame is that of the line's node there, first axis along the line.
+struct Ride {
+  std::string line;
+  double at = 0;  // m, arc length from end A
+};
+
 struct Body {
   std::string name;
   Vec3 position = Vec3::Zero();  // m, of the body's origin at t = 0
@@ -105,6 +111,7 @@ struct Body {
   double ramp = 0;  // s, smooth start of the motion (quintic), 0: none
   std::optional<Drift> drift;
   std::optional<BodyMass> mass;  // without it the motion is prescribed
+  std::optional<Ride> on;        // or that of a line; position and rotation are then seen from there
 };
 
 struct Box {
@@ -337,6 +344,7 @@ struct Case {
   int body_index(const std::string& name) const;             // -1: none (fixed in space)
   int line_index(const std::string& name) const;             // throws std::out_of_range
   const Joint& joint(const std::string& name) const;         // throws std::out_of_range
+  bool rides(int body) const { return body >= 0 && bodies[static_cast<std::size_t>(body)].on.has_value(); }
   bool floats(int body) const { return body >= 0 && bodies[static_cast<std::size_t>(body)].mass.has_value(); }
 };
 

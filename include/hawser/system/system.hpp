@@ -63,9 +63,7 @@ class System {
   // Whether any nodes see each other beyond the elements, on any rank.
   bool coupled() const { return coupled_; }
   // Whether forces on nodes of other ranks may arise here (contact of a line with a body that floats).
-  bool sends() const {
-    return coupled_ && mesh_.mesh->line_nodes() < static_cast<int>(mesh_.mesh->nodes.size());
-  }
+  bool sends() const { return coupled_ && mesh_.mesh->has_frames(); }
   // See ForceTerm::covers; over all ranks. Collective.
   bool covers(const Kinematics& trial) const;
   bool outdated() const;  // likewise

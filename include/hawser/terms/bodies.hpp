@@ -1,6 +1,8 @@
-// The bodies of a case and where they are: those with prescribed motion at any time, those with mass in a
-// state, of which each is a node.
+// The bodies of a case and where they are: those with prescribed motion at any time, those with mass, and
+// those that ride on lines, in a state, of which each is a node.
 #pragma once
+
+#include <mpi.h>
 
 #include <vector>
 
@@ -18,7 +20,7 @@ class Bodies {
   // Throws std::invalid_argument for a motion that makes no sense (model::check has refused it before).
   explicit Bodies(const std::vector<model::Body>& bodies);
 
-  // Bodies with mass are part of the states of `mesh` from now on.
+  // Bodies with mass and those that ride on lines are part of the states of `mesh` from now on.
   void in_state(const model::Case& c, const LocalMesh& mesh);
 
   int size() const { return static_cast<int>(motions_.size()); }
@@ -30,7 +32,9 @@ class Bodies {
                                                            : -1;
   }
   int local_node(int body) const { return floats(body) ? mesh_->find(frame(body)) : -1; }
-  // Its pose in a state. Of one that floats this rank must see the node.
+  // Tells all ranks where those bodies are: what a rank knows of one whose node it does not see. Collective.
+  void tell(MPI_Comm comm, const Kinematics& at) const;
+  // Its pose in a state. Of a body of the state whose node this rank does not see: as it was told last.
   RigidPose pose(int body, const Kinematics& at) const;
   // The prescribed pose, or of a body that floats where its springs pull it to. body < 0: fixed in space, the
   // identity.
@@ -41,8 +45,10 @@ class Bodies {
 
  private:
   struct Frame {
-    int node = -1;               // of the mesh
-    Vec3 centre = Vec3::Zero();  // m, of mass, body frame: where the node is
+    int node = -1;                 // of the mesh
+    Vec3 centre = Vec3::Zero();    // m, of the node, body frame
+    Quat turn = Quat::Identity();  // body axes to the node's
+    mutable RigidPose told;        // of other ranks
   };
   std::vector<RigidMotion> motions_;
   std::vector<Frame> frames_;

@@ -257,11 +257,7 @@ class Contact : public ForceTerm {
   const LocalMesh& local_;
 
  private:
-  void share_poses(const Kinematics& at);
-
   MPI_Comm comm_;
-  std::vector<int> floating_;             // bodies that float and carry volumes
-  std::vector<RigidPose> told_;           // of those, at the last recouple()
   std::vector<std::array<int, 3>> near_;  // nodes of an element and of a body that may meet, of all ranks
 };
 
