@@ -120,7 +120,7 @@ def arguments(argv, **defaults):
     parser.add_argument("--size", type=int, nargs=2, default=[900, 900], help="of one picture, pixels")
     parser.add_argument("--columns", type=int, help="of the joint picture (default: all in one row)")
     parser.add_argument("--edges", action="store_true", help="draw the edges of the triangles")
-    parser.set_defaults(**defaults)
+    parser.set_defaults(**{"scenery": None, **defaults})
     return parser.parse_args(argv)
 
 
@@ -271,6 +271,8 @@ def render(options):
     label.FontSize = 24
     label.WindowLocation = "Upper Left Corner"
 
+    if options.scenery:
+        options.scenery(view)
     middle = [(a + b) / 2 for a, b in zip(lower, upper)]
     aim(view, options.direction, options.focus or middle, options.height or 1.05 * diagonal, 2 * diagonal)
     name = os.path.splitext(os.path.basename(options.results))[0]
@@ -286,7 +288,8 @@ def render(options):
 
 
 def main(argv=None, **defaults):
-    """Draws what the command line says; `defaults` are a case's own choices, which it may still override."""
+    """Draws what the command line says; `defaults` are a case's own choices, which it may still override. `scenery` is a
+    function of the view that adds what is not in the results, such as the surface of the sea."""
     render(arguments(argv, **defaults))
 
 
