@@ -25,7 +25,8 @@ bodies:
   quay: {position: [0, 60, 0]}
 volumes:
   fender: {shape: {sphere: {centre: [0, 0, 0], radius: 1}}, smoothing: )" +
-                           std::string(contact.empty() ? "0.2, " : "0.05, ") + fender + "}\n" + contact + "dynamics: {duration: 1}\n",
+                           std::string(contact.empty() ? "0.2, " : "0.05, ") + fender + "}\n" + contact +
+                           "dynamics: {duration: 1}\n",
                        "ramps.yaml");
   } catch (const InputError& e) {
     return e.what();
