@@ -35,9 +35,6 @@ class CoarseDistance {
     p.value(self.box_), p.value(self.side_), p.value(self.rounding_), p.value(self.n_);
     p.array(self.cells_), p.array(self.closed_);
   }
-  std::size_t memory() const {
-    return cells_.capacity() * sizeof(cells_[0]) + closed_.capacity() * sizeof(closed_[0]);
-  }
 
  private:
   struct Cell {

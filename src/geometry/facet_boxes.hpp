@@ -41,7 +41,6 @@ class FacetBoxes {
     for (const Vec3& p : axis) box.add(p);
     descend({bounds_of(box.grown(reach)), axis, reach}, levels_ - 1, 0, visit);
   }
-  std::size_t memory() const { return ids_.capacity() * sizeof(int) + boxes_.capacity() * sizeof(Bounds); }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
     p.value(self.levels_), p.value(self.first_);

@@ -24,11 +24,6 @@ PatchPoint Facets::closest(int t, const Vec3& y) const {
   return best;
 }
 
-std::size_t Facets::memory() const {
-  return vertices_.capacity() * sizeof(Vec3) + triangles_.capacity() * sizeof(triangles_[0]) +
-         bends_.capacity() * sizeof(bends_[0]);
-}
-
 FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) : chosen_(chosen) {
   const MeshView mesh = facets.mesh();
   if (!facets.any_curved()) {

@@ -50,7 +50,6 @@ class Facets {
   static void pack(Self& self, P& p) {
     p.array(self.vertices_), p.array(self.triangles_), p.array(self.bends_);
   }
-  std::size_t memory() const;
 
  private:
   LargeVector<Vec3> vertices_;
@@ -80,7 +79,6 @@ class FacetSearch {
     PatchTree::pack(self.tree_, p);
     p.flags(self.chosen_);
   }
-  std::size_t memory() const { return hash_.memory() + tree_.memory(); }
 
  private:
   std::vector<std::uint32_t> order_of(std::span<const SpatialHash::Question> questions) const;

@@ -341,18 +341,6 @@ int MeshSurface::curved() const { return data_->curved; }
 int MeshSurface::sharp_edges() const { return data_->sharp; }
 double MeshSurface::bulge() const { return data_->bulge; }
 int MeshSurface::internal_facets() const { return data_->internal; }
-double MeshSurface::unsure() const {
-  const auto& u = data_->unsure;
-  return u.empty()
-             ? 0
-             : static_cast<double>(std::count(u.begin(), u.end(), true)) / static_cast<double>(u.size());
-}
-
-std::size_t MeshSurface::memory() const {
-  const Data& d = *data_;
-  return sizeof(Data) + d.facets.memory() + d.normals.memory() + d.active.memory() + d.whole.memory() +
-         d.coarse.memory() + d.winding.memory() + d.boxes.memory();
-}
 
 std::vector<bool> active_by_part(const TriangleMesh& mesh, const std::vector<std::string>& names) {
   std::vector<bool> active(mesh.triangles.size(), false);

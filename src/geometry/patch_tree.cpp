@@ -153,11 +153,6 @@ PatchTree::PatchTree(const std::vector<Item>& items) {
   }
 }
 
-std::size_t PatchTree::memory() const {
-  return nodes_.capacity() * sizeof(Node) + ids_.capacity() * sizeof(int) +
-         (corners_.capacity() + bulges_.capacity()) * sizeof(float);
-}
-
 namespace {
 
 using Lanes [[gnu::vector_size(32)]] = float;

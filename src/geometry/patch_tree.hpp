@@ -28,7 +28,6 @@ class PatchTree {
 
   bool empty() const { return ids_.empty(); }
   const Box& box() const { return box_; }
-  std::size_t memory() const;
 
   // Calls visit(triangle, best) for patches that may be within the distance sqrt(best) [m²] of p, the most
   // promising first; visit may lessen best. None within the final best is left out, nor any just at it.

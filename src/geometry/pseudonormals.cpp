@@ -97,8 +97,4 @@ Vec3 Pseudonormals::at(const Facets& facets, int t, const PatchPoint& p) const {
   return n.norm() < 1e-6 ? Vec3(Vec3::Zero()) : n;
 }
 
-std::size_t Pseudonormals::memory() const {
-  return vertex_.capacity() * sizeof(Vec3) + neighbours_.capacity() * sizeof(neighbours_[0]);
-}
-
 }  // namespace hawser::detail

@@ -41,7 +41,6 @@ class Pseudonormals {
     p.array(self.vertex_), p.array(self.neighbours_);
     p.value(self.complete_);
   }
-  std::size_t memory() const;
 
  private:
   // Twice the area, along the normal, of a facet of sound shape; else zero.

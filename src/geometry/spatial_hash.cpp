@@ -184,10 +184,4 @@ std::optional<SpatialHash::Nearest> SpatialHash::nearest(const Vec3& p, double m
   return search({p, max_distance, hint}, counters ? *counters : unused);
 }
 
-std::size_t SpatialHash::memory() const {
-  const auto bytes = [](const auto& v) { return v.capacity() * sizeof(v[0]); };
-  return bytes(corners_) + bytes(vertices_) + bytes(rounded_) + bytes(slot_) + bytes(children_) +
-         bytes(hash_);
-}
-
 }  // namespace hawser

@@ -378,7 +378,6 @@ void SpatialHash::build_cells(const std::vector<std::uint64_t>& keys, const std:
         cell = bundle(&cell, &cell + 1);
       cell.key = key;
       level.push_back(std::move(cell));
-      ++cells_;
     }
     if (l >= start_) add_table(level.data(), level.data() + level.size());
     finer.swap(level);

@@ -137,8 +137,4 @@ int WindingTree::crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, i
   return met;
 }
 
-std::size_t WindingTree::memory() const {
-  return nodes_.capacity() * sizeof(Node) + order_.capacity() * sizeof(int);
-}
-
 }  // namespace hawser

@@ -40,7 +40,6 @@ struct ResultsFile::Impl {
   ResultCount count;
   long long sequence = 0;  // of the newest checkpoint
   long long clashes = 0;   // that had ended at the last output
-  std::vector<double> times;
 
   std::string xdmf_path;
   std::optional<XdmfWriter> xdmf;
@@ -303,9 +302,8 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   auto impl = std::make_unique<Impl>(comm, path, std::move(contents), std::move(owned));
   auto& m = *impl;
   m.count = {n[0], n[1]};
-  m.times = progress.output_times;
   if (m.root())
-    for (const double t : m.times) m.xdmf->add(t);
+    for (const double t : progress.output_times) m.xdmf->add(t);
   m.sequence = n[4];
   m.clashes = n[5];
   const ClashTables clashes{{}, told.open};
@@ -364,7 +362,6 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   m.commit({row + 1, m.count.steps + steps});
   m.clashes += rows.ended;
   m.forget_steps();
-  m.times.push_back(time);
   if (m.root()) m.xdmf->add(time);
   m.xdmf_behind = m.contents.xdmf;
   m.save_xdmf(false);
@@ -410,7 +407,6 @@ void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTabl
 }
 
 long long ResultsFile::outputs() const { return impl_->count.outputs; }
-const std::vector<double>& ResultsFile::times() const { return impl_->times; }
 const ResultContents& ResultsFile::contents() const { return impl_->contents; }
 const std::string& ResultsFile::path() const { return impl_->file.path(); }
 std::string ResultsFile::xdmf_path() const { return impl_->xdmf_path; }

@@ -73,15 +73,15 @@ void put_beam_force(const WaterSection& s, const BeamMotion& o, const Row* F, do
 
 }  // namespace
 
-void cable_in_water_force(const WaterSection& s, const CableInWater& e, double* f) {
+void cable_water_force(const WaterSection& s, const CableInWater& e, double* f) {
   Forces<2> o;
   evaluate<false, false>(s, cable_motion(e), false, o);
   for (int i = 0; i < 2; ++i)
     for (int k = 0; k < 3; ++k) f[3 * i + k] = o.f[i][k];
 }
 
-void cable_in_water_tangent(const WaterSection& s, const CableInWater& e, bool convex, double* f, double* K,
-                            double* C, double* M) {
+void cable_water_tangent(const WaterSection& s, const CableInWater& e, bool convex, double* f, double* K,
+                         double* C, double* M) {
   Forces<2> o;
   evaluate<false, true>(s, cable_motion(e), convex, o);
   for (int i = 0; i < 2; ++i) {
@@ -92,15 +92,6 @@ void cable_in_water_tangent(const WaterSection& s, const CableInWater& e, bool c
       store(o.M[i][j], M + 18 * i + 3 * j, 6);
     }
   }
-}
-
-void cable_water_force(const WaterSection& s, const WaterEnds& e, double* f) {
-  cable_in_water_force(s, in_place(e), f);
-}
-
-void cable_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, double* f, double* K,
-                         double* C, double* M) {
-  cable_in_water_tangent(s, in_place(e), convex, f, K, C, M);
 }
 
 void beam_water_force(const WaterSection& s, const WaterEnds& e, double* f) {

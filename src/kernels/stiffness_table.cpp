@@ -39,7 +39,7 @@ std::vector<StiffnessTable::Row> through_zero(std::span<const StiffnessTable::Ro
 }  // namespace
 
 StiffnessTable::StiffnessTable(std::span<const Row> rows, bool odd)
-    : curve_(through_zero(rows, odd), {}, kLeast), given_(rows.size()) {
+    : curve_(through_zero(rows, odd), {}, kLeast) {
   const MonotoneCubic::Value zero = curve_.at(0);
   initial_ = zero.slope, integral_ = zero.integral;
 }

@@ -165,8 +165,6 @@ double StokesWave::at_phase(double theta) const {
   return sum;
 }
 
-double StokesWave::elevation(double x, double y, double t) const { return at_phase(angle(x, y, t)); }
-
 WaveMotion StokesWave::at(const Vec3& x, double t, double factor, double rate) const {
   const double theta = angle(x.x(), x.y(), t);
   WaveMotion m;

@@ -30,14 +30,6 @@ WaveField::WaveField(std::vector<WaveComponent> components, double depth, double
 WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
     : components_{wave->component()}, depth_(wave->depth()), stokes_(std::move(wave)) {}
 
-double WaveField::elevation(double x, double y, double t) const {
-  if (stokes_) return stokes_->elevation(x, y, t);
-  double sum = 0;
-  for (const WaveComponent& c : components_)
-    sum += c.amplitude * std::cos(c.number * (c.x * x + c.y * y) - c.omega * t + c.phase);
-  return sum;
-}
-
 WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {
   if (stokes_) return stokes_->at(x, t, factor, rate);
   WaveMotion m;
@@ -109,24 +101,6 @@ struct Random {
     return (static_cast<double>(z >> 11) + 0.5) / 9007199254740992.0;
   }
 };
-
-}  // namespace
-
-double Jonswap::density(double omega) const {
-  return omega > 0 ? scale * shape(omega, 2 * M_PI / peak_period, gamma) : 0;
-}
-
-Jonswap jonswap(double height, double peak_period, double gamma) {
-  Jonswap s{height, peak_period, gamma, 0};
-  // The tail beyond 100 times the peak is r^-4/4 of what it is at the peak: added in closed form.
-  const double peak = 2 * M_PI / peak_period;
-  const Grid g(peak, gamma, 0.2, 100, 40000);
-  const double tail = 0.25e-8;
-  s.scale = height * height / 16 / (g.sum.back() + tail);
-  return s;
-}
-
-namespace {
 
 // Uniform angles, kept as often as cos^2s of half the angle says.
 double direction_of(double mean, double spreading, Random& random) {

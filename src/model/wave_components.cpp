@@ -20,7 +20,7 @@ WaveField wave_field(const Environment& e) {
     return WaveField(std::make_shared<const StokesWave>(stokes_input(e)));
   std::vector<WaveComponent> components;
   if (waves.kind == Waves::Kind::spectrum) {
-    components = irregular(jonswap(waves.height, waves.peak_period, waves.gamma), waves.direction,
+    components = irregular(Jonswap{waves.height, waves.peak_period, waves.gamma}, waves.direction,
                            waves.count, waves.seed, waves.spreading);
   } else if (waves.kind == Waves::Kind::table) {
     components = irregular(waves.spectrum, waves.direction, waves.count, waves.seed, waves.spreading);

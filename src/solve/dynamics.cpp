@@ -193,7 +193,6 @@ void Dynamics::solve_once(Attempt& a) {
   check(SNESGetIterationNumber(snes_, &its));
   a.converged = reason > 0;
   a.iterations = std::max(a.iterations, counted_ < 0 ? static_cast<int>(its) : counted_ + 1);
-  total_iterations_ += its;
 }
 
 Dynamics::Attempt Dynamics::attempt(double h) {

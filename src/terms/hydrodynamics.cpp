@@ -98,9 +98,9 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Sink& sink
     const CableInWater e{trial.x[i], trial.x[j], trial.v[i], trial.v[j],
                          trial.a[i], trial.a[j], water_[i],  water_[j]};
     if (tangent)
-      cable_in_water_tangent(p.section, e, convex, f, K, C, M);
+      cable_water_tangent(p.section, e, convex, f, K, C, M);
     else
-      cable_in_water_force(p.section, e, f);
+      cable_water_force(p.section, e, f);
   }
   if (tangent)
     sink.add(blocks, f, K, C, M);
@@ -254,8 +254,7 @@ void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, d
   if (p->beam)
     beam_water_force(p->section, ends(*p, at, first, second), own);
   else
-    cable_in_water_force(p->section, {at.x[i], at.x[j], at.v[i], at.v[j], at.a[i], at.a[j], first, second},
-                         own);
+    cable_water_force(p->section, {at.x[i], at.x[j], at.v[i], at.v[j], at.a[i], at.a[j], first, second}, own);
   add_ends(own, p->beam, f);
 }
 

@@ -146,7 +146,6 @@ void nearest(benchmark::State& state, Way way) {
   state.counters["cells/q"] = per(c.cells);
   state.counters["bounds/q"] = per(c.triangles);
   state.counters["tests/q"] = per(c.exact);
-  state.counters["MB"] = static_cast<double>(q.hash.memory()) / 1e6;
 }
 
 // All points of a row in one call.

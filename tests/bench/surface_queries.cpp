@@ -75,7 +75,7 @@ enum class Way { one, together, unlimited };
 void surface(benchmark::State& state, Way way) {
   const Case& c = get(static_cast<int>(state.range(0)), state.range(1) != 0);
   if (!c.surface) return state.SkipWithError("the hull meshes are not beside the sources");
-  state.counters["MB"] = 1e-6 * static_cast<double>(c.surface->memory());
+  state.counters["MB"] = 1e-6 * static_cast<double>(c.surface->packed_size());
   std::vector<std::optional<SurfacePoint>> answers(c.questions.size());
   std::size_t i = 0;
   if (way == Way::together) {
@@ -94,7 +94,6 @@ void surface(benchmark::State& state, Way way) {
     }
   }
   state.counters["triangles"] = static_cast<double>(c.surface->mesh().triangles.size());
-  state.counters["MB"] = static_cast<double>(c.surface->memory()) / 1e6;
 }
 
 #define EACH \

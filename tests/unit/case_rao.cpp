@@ -41,12 +41,13 @@ dynamics: {duration: 60}
   EXPECT_LT((bodies.pose(0, 0).position - Vec3(40, -20, 3)).norm(), 1e-12);  // the ramp's start
   for (double t = 5.5; t < 60; t += 1.3) {
     const RigidPose p = bodies.pose(0, t);
-    const double h = 1e-3, now = w.elevation(40, -20, t);
+    const double h = 1e-3, now = w.at({40, -20, 0}, t).surface;
     EXPECT_NEAR(p.position.z() - 3, now, 2e-6) << t;
-    EXPECT_NEAR(p.velocity.z(), (w.elevation(40, -20, t + h) - w.elevation(40, -20, t - h)) / (2 * h), 1e-4)
+    EXPECT_NEAR(p.velocity.z(),
+                (w.at({40, -20, 0}, t + h).surface - w.at({40, -20, 0}, t - h).surface) / (2 * h), 1e-4)
         << t;
     const Vec3 turn = log_so3(p.rotation * exp_so3(Vec3(0, 0, M_PI / 6)).conjugate());
-    EXPECT_LT((turn - 2 * M_PI / 180 * w.elevation(40, -20, t + 9. / 4) * side).norm(), 1e-6) << t;
+    EXPECT_LT((turn - 2 * M_PI / 180 * w.at({40, -20, 0}, t + 9. / 4).surface * side).norm(), 1e-6) << t;
   }
 }
 

@@ -48,7 +48,7 @@ TEST(Catenary, SuspendedPartAboveTouchdown) {
 
 // Integrates r' = T/|T| + T/EA by the midpoint rule.
 Vec3 integrate(const CatenaryShape& s, const std::vector<CatenarySection>& sections, double to) {
-  Vec3 r = s.end_a();
+  Vec3 r = s.position(0);
   double begin = 0;
   for (const CatenarySection& section : sections) {
     const double length = std::min(section.length, to - begin);

@@ -47,7 +47,7 @@ TEST(Rao, PhaseIsALagAfterTheCrestAtTheOrigin) {
     for (double t = 0; t < 20; t += 1.7) {
       Vec3 x, r;
       m.at(t, x, r);
-      EXPECT_NEAR(x.z(), w.elevation(30, -12, t - lag / 0.7), 1e-12);
+      EXPECT_NEAR(x.z(), w.at({30, -12, 0}, t - lag / 0.7).surface, 1e-12);
       EXPECT_NEAR(x.head<2>().norm() + r.norm(), 0, 1e-12);
     }
   }

@@ -27,9 +27,9 @@ Residual residual(const StokesWave& w) {
   const double c = w.omega() / w.number();
   for (int i = 0; i <= 200; ++i) {
     const double x = w.length() * i / 200, h = 1e-5 * w.length();
-    const double eta = w.elevation(x, 0, 0);
-    const double slope = (8 * (w.elevation(x + h, 0, 0) - w.elevation(x - h, 0, 0)) -
-                          (w.elevation(x + 2 * h, 0, 0) - w.elevation(x - 2 * h, 0, 0))) /
+    const double eta = w.at({x, 0, 0}, 0).surface;
+    const double slope = (8 * (w.at({x + h, 0, 0}, 0).surface - w.at({x - h, 0, 0}, 0).surface) -
+                          (w.at({x + 2 * h, 0, 0}, 0).surface - w.at({x - 2 * h, 0, 0}, 0).surface)) /
                          (12 * h);
     const WaveMotion m = w.at({x, 0, eta}, 0);
     const double u = m.velocity.x() - c, v = m.velocity.z();
@@ -112,7 +112,7 @@ TEST(StokesWave, ContinuityAndTransport) {
       in.current = current, in.transport = transport;
       const StokesWave w(in);
       const auto flux = [&](double x, double t) {  // Simpson from the bed to the surface
-        const double top = w.elevation(x, 0, t), step = (top + 20) / 400;
+        const double top = w.at({x, 0, 0}, t).surface, step = (top + 20) / 400;
         double sum = 0;
         for (int i = 0; i <= 400; ++i)
           sum += (i == 0 || i == 400 ? 1 : i % 2 ? 4 : 2) * w.at({x, 0, -20 + i * step}, t).velocity.x();
@@ -123,7 +123,7 @@ TEST(StokesWave, ContinuityAndTransport) {
         const double t = in.period * i / 64, h = 1e-4;
         mean += flux(3, t) / 64;
         at_a_place += w.at({3, 0, -15}, t).velocity.x() / 64;
-        const double filled = (w.elevation(3, 0, t + h) - w.elevation(3, 0, t - h)) / (2 * h);
+        const double filled = (w.at({3, 0, 0}, t + h).surface - w.at({3, 0, 0}, t - h).surface) / (2 * h);
         EXPECT_NEAR((flux(3 + h, t) - flux(3 - h, t)) / (2 * h), -filled, 1e-3 * M_PI * 2 / 8);
       }
       printf("  current %g, %s: transport %.6f, at a place %.6f m/s\n", current,
@@ -160,7 +160,7 @@ TEST(StokesWave, FentonsProgram) {
     double eta = 0, u = 0;
     for (int i = 0; i < 32; ++i) {
       const double x = 8.0 * i / 32, c = std::cos(j * k * x) / 16;
-      eta += c * w.elevation(x, 0, 0);
+      eta += c * w.at({x, 0, 0}, 0).surface;
       u += c * w.at({x, 0, -1}, 0).velocity.x();
     }
     EXPECT_NEAR(k * eta, surface[j - 1], 6e-9) << j;
@@ -193,7 +193,7 @@ TEST(StokesWave, Limits) {
     for (const double t : {0.3, 2.0, 5.1}) {
       const Vec3 x(4, 0, -3);
       off = std::max(off, (w.at(x, t).velocity - airy.at(x, t).velocity).norm());
-      off = std::max(off, std::abs(w.elevation(4, 0, t) - airy.elevation(4, 0, t)));
+      off = std::max(off, std::abs(w.at({4, 0, 0}, t).surface - airy.at({4, 0, 0}, t).surface));
     }
     if (last > 0) {
       EXPECT_NEAR(last / off, 100, 5);

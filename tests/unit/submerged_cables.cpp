@@ -63,7 +63,7 @@ TEST(SubmergedCables, AreWhatSingleOnesAre) {
       submerged_tangent(q.sections, q.motion, moving, wK, wC, wM, again, J);
       for (int i = 0; i < 4; ++i) {
         double one[6], K[36], C[36], M[36];
-        cable_in_water_tangent(q.section[i], q.one(i), false, one, K, C, M);
+        cable_water_tangent(q.section[i], q.one(i), false, one, K, C, M);
         double force = 0, most = 0;
         for (int e = 0; e < 6; ++e) force = std::max(force, std::abs(one[e]));
         for (int e = 0; e < 36; ++e) most = std::max(most, std::abs(wK * K[e] + wC * C[e] + wM * M[e]));

@@ -24,6 +24,14 @@ WaterSection section(double length, double d, double Cd = 1.2, double Cax = 0.1,
 
 Vec3 at(const double* f, int i) { return {f[3 * i], f[3 * i + 1], f[3 * i + 2]}; }
 
+void water_residual(bool beam, const WaterSection& s, const WaterEnds& e, double* f) {
+  const MassEnds& m = e.motion;
+  if (beam)
+    beam_water_force(s, e, f);
+  else
+    cable_water_force(s, {e.x1, e.x2, m.v1, m.v2, m.a1, m.a2, e.water1, e.water2}, f);
+}
+
 // Against quadrature of the chord of a circle, and the ball's of its sections.
 TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
   double area = 0, cap = 0, area_sum = 0, cap_sum = 0;
@@ -60,7 +68,7 @@ TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
       const double z = 0.5 * (low + high);
       WaterEnds e;
       e.x1 = {0, 0, z}, e.x2 = {10, 0, z};
-      (beam ? beam_water_force : cable_water_force)(s, e, f);
+      water_residual(beam, s, e, f);
       (-f[2] > weight * 5 ? low : high) = z;
     }
     EXPECT_NEAR((d / 2 - low) / d, 0.5788680969, 1e-9);
@@ -79,7 +87,7 @@ TEST(WaterLoad, SteepElementsGetWetSmoothly) {
         WaterEnds e;
         e.x1 = {0, 0, middle - 5}, e.x2 = {0, 0, middle + 5};
         e.motion.q1 = e.motion.q2 = Quat::FromTwoVectors(Vec3::UnitX(), Vec3::UnitZ());
-        (beam ? beam_water_force : cable_water_force)(s, e, f);
+        water_residual(beam, s, e, f);
         return -(f[2] + f[beam ? 8 : 5]) / (10 * s.buoyancy);
       };
       for (int i = 0; i <= 3000; ++i) {
@@ -140,7 +148,7 @@ TEST(WaterLoad, TangentOfALeaningElement) {
       water[0].surface = 0.02, water[1].surface = -0.03;
       const CableInWater e{x[0], x[1], v[0], v[1], a[0], a[1], water[0], water[1]};
       double f[6], K[36], C[36], M[36];
-      cable_in_water_tangent(s, e, false, f, K, C, M);
+      cable_water_tangent(s, e, false, f, K, C, M);
       double most = 0;
       for (const double k : K) most = std::max(most, std::abs(k));
       for (int c = 0; c < 6; ++c) {
@@ -150,14 +158,14 @@ TEST(WaterLoad, TangentOfALeaningElement) {
         for (int i = 0; i < 4; ++i) {
           const double kept = x[c / 3][c % 3];
           x[c / 3][c % 3] += at[i];
-          cable_in_water_force(s, e, g[i]);
+          cable_water_force(s, e, g[i]);
           x[c / 3][c % 3] = kept;
         }
         for (int r = 0; r < 6; ++r)
           EXPECT_NEAR(K[6 * r + c], (g[0][r] - 8 * g[1][r] + 8 * g[2][r] - g[3][r]) / (12 * h), 1e-6 * most)
               << d << " " << angle << " " << r << c;
       }
-      cable_in_water_tangent(s, e, true, f, K, C, M);
+      cable_water_tangent(s, e, true, f, K, C, M);
       const Eigen::Matrix<double, 6, 6> k = Eigen::Map<const Eigen::Matrix<double, 6, 6>>(K);
       EXPECT_LT((k - k.transpose()).norm(), 1e-12 * k.norm());
       EXPECT_GT(k.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), -1e-9 * most);
@@ -173,7 +181,7 @@ TEST(WaterLoad, ForceIsTheDerivativeOfThePotential) {
   e.motion.q1 = exp_so3({0, -0.3, 0.1}), e.motion.q2 = exp_so3({0.2, -0.1, 0});
   for (const bool beam : {false, true}) {
     double f[12];
-    (beam ? beam_water_force : cable_water_force)(s, e, f);
+    water_residual(beam, s, e, f);
     for (int node = 0; node < 2; ++node)
       for (int c = 0; c < (beam ? 6 : 3); ++c) {
         const auto V = [&](double step) {
@@ -207,7 +215,7 @@ TEST(WaterLoad, MorisonOfASlantingLine) {
                              0.5 * kRho * 0.05 * M_PI * 0.2 * std::abs(u.dot(t)) * u.dot(t) * t -
                              0.9 * kRho * A * an + kRho * kG * A * Vec3::UnitZ());
   double f[12];
-  cable_water_force(s, e, f);
+  water_residual(false, s, e, f);
   EXPECT_LT((at(f, 0) + at(f, 1) + expected).norm(), 1e-12 * expected.norm());
   beam_water_force(s, e, f);
   EXPECT_LT((at(f, 0) + at(f, 2) + expected).norm(), 1e-12 * expected.norm());
@@ -222,7 +230,7 @@ TEST(WaterLoad, FroudeKrylovAndAddedMass) {
   e.water1.acceleration = e.water2.acceleration = Vec3(2, 3, 0);
   double f[12];
   for (const bool beam : {false, true}) {
-    (beam ? beam_water_force : cable_water_force)(s, e, f);
+    water_residual(beam, s, e, f);
     const Vec3 sum = at(f, 0) + at(f, beam ? 2 : 1);
     EXPECT_NEAR(-sum.x(), 5 * s.displaced_mass * 1.1 * 2, 1e-9);
     EXPECT_NEAR(-sum.y(), 5 * s.displaced_mass * 1.9 * 3, 1e-9);

@@ -64,8 +64,6 @@ class MeshSurface final : public Surface {
   int sharp_edges() const;                // 0 without `smooth`
   double bulge() const;                   // m, the farthest the surface lies from the facets, at most
   int internal_facets() const;            // left out, as the body is on both sides of them
-  double unsure() const;                  // share of the facets near which the winding number decides
-  std::size_t memory() const;             // bytes, also where they are in a block
 
   // All it knows in one block of memory, for others to read (packing.hpp): its size in bytes, and writing
   // it to `to`, which is on a cache line.

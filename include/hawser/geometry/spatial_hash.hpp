@@ -69,16 +69,13 @@ class SpatialHash {
 
   const Box& box() const { return box_; }  // of the active triangles
   std::size_t size() const { return corners_.size(); }
-  int levels() const { return top_ + 1; }
-  std::size_t cells() const { return cells_; }
-  std::size_t memory() const;  // bytes
 
   template <class Self, class P>
   static void pack(Self& self, P& p) {
     p.value(self.box_), p.value(self.origin_), p.value(self.centre_);
     p.value(self.side_), p.value(self.half_), p.value(self.away_);
     p.value(self.top_), p.value(self.start_), p.value(self.least_);
-    p.value(self.root_), p.value(self.cells_);
+    p.value(self.root_);
     p.array(self.margin_), p.array(self.corners_), p.array(self.vertices_), p.array(self.rounded_);
     p.array(self.slot_), p.array(self.children_), p.array(self.tables_), p.array(self.hash_);
   }
@@ -167,7 +164,6 @@ class SpatialHash {
   Entry root_;
   LargeVector<Table> tables_;  // of levels start_ and above
   LargeVector<Slot> hash_;
-  std::size_t cells_ = 0;
 };
 
 }  // namespace hawser

@@ -24,7 +24,6 @@ class TestedSurface final : public Surface {
     return mesh_->free_radius(y, distance);
   }
   Box bounds() const override { return mesh_->bounds(); }
-  const MeshSurface& mesh() const { return *mesh_; }
 
  private:
   std::shared_ptr<const MeshSurface> mesh_;

@@ -30,7 +30,6 @@ class WindingTree {
   int crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, int without) const;
 
   bool empty() const { return nodes_.empty(); }
-  std::size_t memory() const;  // bytes
 
   template <class Self, class P>
   static void pack(Self& self, P& p) {

@@ -124,8 +124,7 @@ class ResultsFile {
   // file to what is used. Only the destructor may follow.
   void finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes = {});
 
-  long long outputs() const;                 // accepted so far
-  const std::vector<double>& times() const;  // s, of the accepted outputs
+  long long outputs() const;  // accepted so far
   const ResultContents& contents() const;
   const std::string& path() const;  // of the HDF5 file
   std::string xdmf_path() const;    // same name, ending .xdmf

@@ -25,7 +25,6 @@ class CatenaryShape {
   Vec3 position(double s) const;
   Vec3 tension(double s) const;
   double length() const { return start_.back(); }
-  Vec3 end_a() const { return position_.front(); }
   Vec3 end_b() const { return position_.back(); }
   Vec3 tension_a() const { return tension_.front(); }  // the line pulls anchor A with this force
   Vec3 tension_b() const { return last_tension_; }     // and end B with minus this one

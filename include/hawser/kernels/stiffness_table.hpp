@@ -26,13 +26,11 @@ class StiffnessTable {
 
   double first() const { return curve_.rows().front().first; }  // of the rows, with that at zero
   double last() const { return curve_.rows().back().first; }
-  double initial() const { return initial_; }   // slope at zero
-  std::size_t given() const { return given_; }  // rows
+  double initial() const { return initial_; }  // slope at zero
 
  private:
   MonotoneCubic curve_;
   double initial_ = 0, integral_ = 0;  // at zero
-  std::size_t given_ = 0;
 };
 
 }  // namespace hawser

@@ -36,9 +36,7 @@ class StokesWave {
   double ursell() const;                   // H L²/d³; the theory is for less than about 40
   double head() const { return head_; }    // m²/s², of Bernoulli's law in the moving frame, from the bed
   WaveComponent component() const;         // linear, of half its height
-  double crest() const { return at_phase(0); }  // m above the mean water
 
-  double elevation(double x, double y, double t) const;
   // As of WaveField::at; the acceleration is that of the water, with its convective part. What is above the
   // surface has the motion of the surface.
   WaveMotion at(const Vec3& x, double t, double factor = 1, double rate = 0) const;

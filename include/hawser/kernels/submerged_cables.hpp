@@ -1,5 +1,5 @@
 // What water does to four elements of cables at once that are wholly wet: the forces and derivatives of
-// cable_in_water_force and cable_in_water_tangent (line_water.hpp), where buoyancy is constant and what is
+// cable_water_force and cable_water_tangent (line_water.hpp), where buoyancy is constant and what is
 // linear along the element is integrated in closed form. One vector lane an element.
 #pragma once
 

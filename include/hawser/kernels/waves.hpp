@@ -44,7 +44,6 @@ class WaveField {
 
   bool none() const { return components_.empty(); }
   const std::vector<WaveComponent>& components() const { return components_; }
-  double elevation(double x, double y, double t) const;
   // z from the still water. `factor`, `rate`: of a ramp, and its derivative, 1/s.
   WaveMotion at(const Vec3& x, double t, double factor = 1, double rate = 0) const;
 
@@ -59,10 +58,7 @@ class WaveField {
 // gamma = 1: Pierson-Moskowitz.
 struct Jonswap {
   double height = 0, peak_period = 0, gamma = 3.3;  // Hs m, Tp s
-  double scale = 0;                                 // m² s; see jonswap()
-  double density(double omega) const;               // m² s/rad
 };
-Jonswap jonswap(double height, double peak_period, double gamma);
 
 // A spectrum by rows of growing frequency, straight lines between them, nothing beyond.
 struct SpectrumRow {

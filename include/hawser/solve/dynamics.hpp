@@ -64,7 +64,6 @@ class Dynamics {
   NodeValue roughest() const;
   const MeanForces& mean_forces() const { return mean_; }
   double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
-  long newton_iterations() const { return total_iterations_; }
 
   // Used by the TS type.
   struct Attempt {
@@ -117,7 +116,6 @@ class Dynamics {
   SNES snes_ = nullptr;
   ResidualNorms norms_;
   double support_work_ = 0;
-  long total_iterations_ = 0;
   std::function<double(double)> next_stop_;
   Observer observer_;
   std::exception_ptr error_;  // carried through PETSc's C frames

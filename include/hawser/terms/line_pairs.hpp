@@ -75,7 +75,6 @@ class LinePairs final : public ForceTerm {
     int first = -1, second = -1;
   };
   Deepest deepest() const { return deepest_; }
-  int candidates() const { return static_cast<int>(pairs_.size()); }
   // Pairs that touch, of those this rank counts.
   int touching() const;
   // Sum of the normal forces of those pairs, N, and of the sizes of their friction forces.

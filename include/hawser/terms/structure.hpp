@@ -50,7 +50,6 @@ class StructureTerm final : public ForceTerm {
   void restore(const std::vector<HistoryRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }
-  const std::vector<Beam>& beams() const { return beams_; }
 
  private:
   double beam_dissipation(const Kinematics& at) const;
