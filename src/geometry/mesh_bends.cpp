@@ -32,7 +32,7 @@ class Bends {
     crease_tangents();
     MeshBends out;
     for (int e = 0; e < static_cast<int>(ends_.size()); ++e) bend_edge(e);
-    out.flattened = unfold();
+    unfold();
     collect(out);
     return out;
   }
@@ -193,16 +193,15 @@ class Bends {
     return true;
   }
 
-  // Number of triangles whose bends were lessened. An edge's bend goes to zero in the fourth round.
-  int unfold() {
-    std::vector<char> rounds(ends_.size(), 0), touched(edge_.size(), 0);
+  // Lessens the bends of triangles that would fold. An edge's bend goes to zero in the fourth round.
+  void unfold() {
+    std::vector<char> rounds(ends_.size(), 0);
     std::vector<int> todo(edge_.size());
     std::iota(todo.begin(), todo.end(), 0);
     while (!todo.empty()) {
       std::vector<int> next;
       for (const int t : todo) {
         if (sound(t)) continue;
-        touched[at(t)] = 1;
         for (int i = 0; i < 3; ++i) {
           const int e = edge_[at(t)][at(i)], u = topo_.neighbours[at(t)][at(i)];
           if (bend_[at(e)].isZero(0)) continue;
@@ -215,7 +214,6 @@ class Bends {
       next.erase(std::unique(next.begin(), next.end()), next.end());
       todo.swap(next);
     }
-    return static_cast<int>(std::count(touched.begin(), touched.end(), 1));
   }
 
   void collect(MeshBends& out) const {

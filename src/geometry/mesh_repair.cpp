@@ -54,7 +54,6 @@ RepairResult repair(TriangleMesh& mesh) {
   for (int first = 0; first < static_cast<int>(turn.size()); ++first) {
     if (turn[static_cast<std::size_t>(first)] >= 0) continue;
     const bool two_sided = grow(mesh, topo, first, turn, patch);
-    ++out.patches;
     if (!two_sided) {
       ++out.one_sided;
       for (const int t : patch) turn[static_cast<std::size_t>(t)] = 0;
@@ -72,7 +71,6 @@ RepairResult repair(TriangleMesh& mesh) {
     if (detail::front_sees_outside(mesh, tree, patch) < 0) {
       for (const int t : patch) flip(mesh.triangles[static_cast<std::size_t>(t)]);
       turn_all();
-      ++out.patches_turned;
     }
     for (const int t : patch) out.turned += turn[static_cast<std::size_t>(t)];
   }

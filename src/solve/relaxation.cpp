@@ -69,7 +69,6 @@ class Relaxation : StaticTrial {
       copy_momentum();
       const double now = kinetic_energy();
       if (now < kinetic) {
-        ++report.peaks;
         std::fill(momentum_.begin(), momentum_.end(), 0.0);
         kinetic = 0;
       } else {

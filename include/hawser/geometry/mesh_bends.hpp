@@ -27,10 +27,9 @@ namespace hawser {
 struct MeshBends {
   // m, of each triangle's edges v_i to v_(i+1); the same from both sides to the last bit. Empty: all flat.
   std::vector<std::array<Eigen::Vector3f, 3>> of;
-  int curved = 0;     // triangles with a bend
-  int sharp = 0;      // edges sharper than the crease angle
-  int flattened = 0;  // triangles bent less or not at all, as they would fold
-  double bulge = 0;   // m, the farthest a patch lies from its facet, at most
+  int curved = 0;    // triangles with a bend
+  int sharp = 0;     // edges sharper than the crease angle
+  double bulge = 0;  // m, the farthest a patch lies from its facet, at most
 };
 
 // `crease_angle` [rad] in (0, pi). `straight`: one flag a triangle, whose edges are not to be bent; or empty.

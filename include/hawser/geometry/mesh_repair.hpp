@@ -16,13 +16,11 @@
 namespace hawser {
 
 struct RepairResult {
-  int turned = 0;          // triangles turned over
-  int patches = 0;         // pieces joined two by two along edges
-  int patches_turned = 0;  // of them turned over whole
-  int one_sided = 0;       // of them one-sided like a Möbius band: left as they were
-  bool closed = false;     // now closed, consistent: MeshReport::closed and consistently_oriented
-  double enclosing = 0;    // share of the area that has an inside behind it and an outside before it
-  std::string sentence;    // what was done
+  int turned = 0;        // triangles turned over
+  int one_sided = 0;     // pieces that are one-sided like a Möbius band: left as they were
+  bool closed = false;   // now closed, consistent: MeshReport::closed and consistently_oriented
+  double enclosing = 0;  // share of the area that has an inside behind it and an outside before it
+  std::string sentence;  // what was done
 };
 RepairResult repair(TriangleMesh& mesh);
 

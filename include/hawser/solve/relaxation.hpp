@@ -18,7 +18,6 @@ struct RelaxationReport {
   int steps = 0;       // that were taken
   int rejected = 0;    // that were tried again with more mass
   int iterations = 0;  // of Newton
-  int peaks = 0;       // of kinetic energy: restarts from rest
   ResidualNorms norms;
 };
 
