@@ -108,13 +108,14 @@ int run(MPI_Comm comm, const RunOptions& options) {
   MPI_Comm_size(comm, &size);
   const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
   Progress progress(speak);
-  model::Case c = io::read_case(options.case_path, news(progress));
+  model::Case c = io::read_case(options.case_path, news(progress), comm);
   if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
   const OutputPlace place(comm, c.output.file, options.restart);
   c.output.file = place.path();
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  c.tree.reset();
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
@@ -257,7 +258,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
   MPI_Comm_rank(comm, &rank);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
   Progress progress(rank == 0);
-  const model::Case c = io::read_case(case_path, news(progress));
+  const model::Case c = io::read_case(case_path, news(progress), comm);
   const std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
   if (rank != 0) return 0;
   progress.end();

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <climits>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -13,7 +12,8 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/geometry/primitives.hpp"
 #include "hawser/geometry/tested_surface.hpp"
-#include "hawser/io/mesh_reader.hpp"
+#include "hawser/io/mesh_check.hpp"
+#include "hawser/io/once_a_host.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/check.hpp"
@@ -51,38 +51,81 @@ void set_surface(LoadedVolume& l, const model::Volume& v, std::shared_ptr<const 
   if (const auto by = sign_by(v.sign)) l.surface = std::make_shared<TestedSurface>(surface, *by, partial);
 }
 
-struct LoadedMeshVolume {
-  LoadedVolume volume;  // without a surface
-  std::shared_ptr<const MeshSurface> surface;
-};
-
-LoadedMeshVolume load_mesh(const model::Volume& v) {
-  io::LoadedMesh loaded = io::read_mesh(v.mesh, v.scale, v.closed);
-  LoadedVolume l;
-  l.name = v.name;
-  l.active = io::active_triangles(loaded.mesh, v);
-  l.report = summary(loaded.report);
-  l.notes = loaded.notes;
-  const auto surface = std::make_shared<MeshSurface>(
-      std::move(loaded.mesh), l.active, MeshSurfaceOptions{v.smooth, v.crease_angle, loaded.open});
-  if (surface->internal_facets() > 0)
-    l.notes.push_back(
-        fmt::format("{}: {} triangles have the inside on both sides and are left out of contact", v.mesh,
-                    surface->internal_facets()));
-  if (!v.smooth) {
-    l.report += " Facets are flat.";
-  } else if (surface->curved() == 0) {
-    l.report += " No facet is part of a curved surface.";
-  } else {
-    l.report += fmt::format(" {} facets are curved, by up to {:.3g} m; {} edges are sharp.",
-                            surface->curved(), surface->bulge(), surface->sharp_edges());
-  }
-  if (const auto by = sign_by(v.sign); by && *by != SignBy::winding)
-    l.notes.push_back(
-        fmt::format("inside is told by a test of all {} triangles each time; `sign: automatic` is quicker",
-                    surface->mesh().triangles.size()));
-  return {std::move(l), surface};
+bool same_file(const model::Volume& a, const model::Volume& b) {
+  return !a.shape && !b.shape && a.mesh == b.mesh && a.scale == b.scale && a.closed == b.closed;
 }
+
+// Reads, checks and builds the meshes of a case, each file once.
+class Meshes {
+ public:
+  Meshes(const model::Case& c, const io::ReadingNews& news) : c_(c), news_(news), blunt_(c.volumes.size()) {}
+
+  // Fills in `l` but for its surface.
+  std::shared_ptr<const MeshSurface> make(size_t i, LoadedVolume& l) {
+    const model::Volume& v = c_.volumes[i];
+    io::LoadedMesh loaded = read(i);
+    const io::FitMesh fit = io::check_mesh(c_, v, loaded);
+    blunt_[i] = fit.blunt;
+    l.active = fit.active, l.report = summary(loaded.report), l.notes = std::move(loaded.notes);
+    tell(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()), v);
+    std::shared_ptr<const MeshSurface> surface;
+    try {
+      surface = std::make_shared<const MeshSurface>(
+          std::move(loaded.mesh), l.active, MeshSurfaceOptions{v.smooth, v.crease_angle, loaded.open});
+    } catch (const std::invalid_argument& e) {
+      c_.refuse("volumes." + v.name + ".mesh", e.what());
+    }
+    if (surface->internal_facets() > 0)
+      l.notes.push_back(
+          fmt::format("{}: {} triangles have the inside on both sides and are left out of contact", v.mesh,
+                      surface->internal_facets()));
+    if (!v.smooth) {
+      l.report += " Facets are flat.";
+    } else if (surface->curved() == 0) {
+      l.report += " No facet is part of a curved surface.";
+    } else {
+      l.report += fmt::format(" {} facets are curved, by up to {:.3g} m; {} edges are sharp.",
+                              surface->curved(), surface->bulge(), surface->sharp_edges());
+    }
+    if (const auto by = sign_by(v.sign); by && *by != SignBy::winding)
+      l.notes.push_back(
+          fmt::format("inside is told by a test of all {} triangles each time; `sign: automatic` is quicker",
+                      surface->mesh().triangles.size()));
+    return surface;
+  }
+  // After the last.
+  void check_leaders() const { io::check_leaders(c_, blunt_); }
+
+ private:
+  void tell(const std::string& what, const model::Volume& v) const {
+    if (news_.busy) news_.busy(what, io::reading_time(v.mesh));
+  }
+  // A file that a later volume has as well is kept.
+  io::LoadedMesh read(size_t i) {
+    const model::Volume& v = c_.volumes[i];
+    const auto kept = std::find_if(kept_.begin(), kept_.end(),
+                                   [&](const auto& k) { return same_file(c_.volumes[k.first], v); });
+    if (kept != kept_.end()) return kept->second;
+    tell(io::reading_text(v.mesh), v);
+    io::LoadedMesh loaded;
+    try {
+      loaded = io::read_mesh(v.mesh, v.scale, v.closed);
+    } catch (const InputError& e) {
+      c_.refuse("volumes." + v.name + ".mesh", e.what());
+    }
+    for (size_t k = i + 1; k < c_.volumes.size(); ++k)
+      if (same_file(c_.volumes[k], v)) {
+        kept_.emplace_back(i, loaded);
+        break;
+      }
+    return loaded;
+  }
+
+  const model::Case& c_;
+  const io::ReadingNews& news_;
+  std::vector<bool> blunt_;
+  std::vector<std::pair<size_t, io::LoadedMesh>> kept_;  // by the volume it was read for
+};
 
 // What the leading rank has, on all ranks of the host.
 void tell(MPI_Comm comm, std::string& text) {
@@ -92,7 +135,7 @@ void tell(MPI_Comm comm, std::string& text) {
   MPI_Bcast(text.data(), static_cast<int>(n), MPI_CHAR, 0, comm);
 }
 void tell(MPI_Comm comm, LoadedVolume& l) {
-  tell(comm, l.name), tell(comm, l.report);
+  tell(comm, l.report);
   auto notes = static_cast<std::uint64_t>(l.notes.size());
   MPI_Bcast(&notes, 1, MPI_UINT64_T, 0, comm);
   l.notes.resize(notes);
@@ -100,47 +143,6 @@ void tell(MPI_Comm comm, LoadedVolume& l) {
   std::string active(l.active.begin(), l.active.end());
   tell(comm, active);
   l.active.assign(active.begin(), active.end());
-}
-
-// The wrong of any rank is the wrong of all: the lowest one's is told.
-void agree(MPI_Comm comm, std::string wrong) {
-  int rank = 0, first = INT_MAX;
-  MPI_Comm_rank(comm, &rank);
-  const int mine = wrong.empty() ? INT_MAX : rank;
-  MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, comm);
-  if (first == INT_MAX) return;
-  auto n = static_cast<std::uint64_t>(wrong.size());
-  MPI_Bcast(&n, 1, MPI_UINT64_T, first, comm);
-  wrong.resize(n);
-  MPI_Bcast(wrong.data(), static_cast<int>(n), MPI_CHAR, first, comm);
-  throw InputError(wrong);
-}
-
-LoadedVolume share_mesh(MPI_Comm comm, const Host& host, const model::Case& c, const model::Volume& v) {
-  LoadedMeshVolume made;
-  const auto make = [&](bool here) {
-    std::string wrong;
-    try {
-      if (here) made = load_mesh(v);
-    } catch (const std::invalid_argument& e) {
-      wrong = c.path + ": volumes." + v.name + ".mesh: " + e.what();
-    } catch (const std::exception& e) {
-      wrong = e.what();
-    }
-    agree(comm, wrong);
-  };
-  make(host.leads());
-  bool lacks = false;
-  if (host.size() > 1) {
-    const auto block = host.share(host.leads() ? made.surface->packed_size() : 0,
-                                  [&](std::byte* to) { made.surface->write(to); });
-    tell(host.comm(), made.volume);
-    if (block) made.surface = std::make_shared<MeshSurface>(block);
-    lacks = !block && !host.leads();
-  }
-  make(lacks);
-  set_surface(made.volume, v, std::move(made.surface));
-  return std::move(made.volume);
 }
 
 // What lines may reach, in the frame of a body at t = 0 before it moves: so much of a plane is drawn.
@@ -187,18 +189,27 @@ LoadedVolume load_shape(const model::Case& c, const model::Volume& v) {
 
 std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm, const io::ReadingNews& news) {
   const Host host(comm);
+  Meshes meshes(c, news);
   std::vector<LoadedVolume> out;
-  for (const auto& v : c.volumes) {
-    if (!v.shape && news.busy)
-      news.busy(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()),
-                io::reading_time(v.mesh));
-    try {
-      out.push_back(v.shape ? load_shape(c, v) : share_mesh(comm, host, c, v));
-    } catch (const std::invalid_argument& e) {
-      throw InputError(c.path + ": volumes." + v.name + ".shape: " + e.what());
+  for (size_t i = 0; i < c.volumes.size(); ++i) {
+    const model::Volume& v = c.volumes[i];
+    LoadedVolume& l = out.emplace_back();
+    if (v.shape) {
+      try {
+        l = load_shape(c, v);
+      } catch (const std::invalid_argument& e) {
+        c.refuse("volumes." + v.name + ".shape", e.what());
+      }
+    } else {
+      auto surface = io::once_a_host(comm, host, [&] { return meshes.make(i, l); });
+      tell(host.comm(), l);
+      set_surface(l, v, std::move(surface));
     }
-    out.back().name = v.name;
+    l.name = v.name;
   }
+  io::agreed(comm, [&] {
+    if (host.leads()) meshes.check_leaders();
+  });
   return out;
 }
 

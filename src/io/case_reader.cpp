@@ -418,24 +418,26 @@ class Reader {
 
 }  // namespace
 
-model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news) {
+model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news,
+                           MPI_Comm comm) {
   Case c;
-  c.text = text;
+  c.text = text, c.file = path;
   c.path = fs::absolute(path).lexically_normal().string();
   c.directory = fs::path(c.path).parent_path().string();
-  Value root = parse_yaml(text, path);
-  model::check_structure(root, model::case_schema(), path);
+  const auto tree = std::make_shared<Value>(parse_yaml(text, path));
+  const Value& root = *tree;
+  model::check_structure(*tree, model::case_schema(), path);
   if (const Value* title = root.find("title"); news.title)
     news.title(title && !title->text.empty() ? title->text : c.path);
-  const CaseSource source{path, c.directory};
+  const CaseSource source{path, c.directory, comm};
   Reader(root, source, c).read();
-  for (const model::Issue& i : model::check(c)) model::fail(path, root.line_of(i.key), i.key, i.text);
-  check_bed(root, source, c);
-  check_meshes(root, source, c, news);
+  c.tree = tree;
+  for (const model::Issue& i : model::check(c)) c.refuse(i.key, i.text);
+  check_bed(c);
   return c;
 }
 
-model::Case read_case(const std::string& path, const ReadingNews& news) {
+model::Case read_case(const std::string& path, const ReadingNews& news, MPI_Comm comm) {
   if (const std::string why = unreadable(path, "case", kMostCase); !why.empty())
     model::fail(path, 0, "", why);
   std::error_code error;
@@ -445,7 +447,7 @@ model::Case read_case(const std::string& path, const ReadingNews& news) {
     if (in && fs::file_size(path, error) == 0 && !error) model::fail(path, 1, "", "the file is empty");
     model::fail(path, 0, "", "cannot be read");
   }
-  return read_case_text(text.str(), path, news);
+  return read_case_text(text.str(), path, news, comm);
 }
 
 }  // namespace hawser::io

@@ -12,6 +12,7 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/io/case_reader_parts.hpp"
 #include "hawser/io/mesh_reader.hpp"
+#include "hawser/io/once_a_host.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/schema.hpp"
@@ -92,21 +93,24 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const std::string& k
 std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const std::string& key,
                                                  const CaseSource& source) {
   const std::string path = source.absolute(v["file"].text);
-  try {
-    TriangleMesh sheet = read_sheet(path, v["scale"].number);
-    const size_t top = sheet.triangles.size();
-    TriangleMesh ground = ground_under(std::move(sheet));
-    std::vector<bool> active(ground.triangles.size(), false);
-    std::fill_n(active.begin(), top, true);
-    return std::make_shared<const MeshSurface>(
-        std::move(ground), std::move(active),
-        MeshSurfaceOptions{
-            .smooth = v["smooth"].number != 0, .crease_angle = v["crease_angle_deg"].number, .open = false});
-  } catch (const InputError& e) {
-    source.bad(v["file"], key + ".file", e.what());
-  } catch (const std::invalid_argument& e) {
-    source.bad(v["file"], key + ".file", path + ": " + e.what());
-  }
+  return once_a_host(source.comm, Host(source.comm), [&] {
+    try {
+      TriangleMesh sheet = read_sheet(path, v["scale"].number);
+      const size_t top = sheet.triangles.size();
+      TriangleMesh ground = ground_under(std::move(sheet));
+      std::vector<bool> active(ground.triangles.size(), false);
+      std::fill_n(active.begin(), top, true);
+      return std::make_shared<const MeshSurface>(
+          std::move(ground), std::move(active),
+          MeshSurfaceOptions{.smooth = v["smooth"].number != 0,
+                             .crease_angle = v["crease_angle_deg"].number,
+                             .open = false});
+    } catch (const InputError& e) {
+      source.bad(v["file"], key + ".file", e.what());
+    } catch (const std::invalid_argument& e) {
+      source.bad(v["file"], key + ".file", path + ": " + e.what());
+    }
+  });
 }
 
 }  // namespace
@@ -157,8 +161,7 @@ double deepest_start(const model::Case& c, const model::LineType& t) {
 // Places of a line that the case gives, against the bed.
 class BedCheck {
  public:
-  BedCheck(const Value& root, const CaseSource& source, model::Case& c)
-      : root_(root), source_(source), c_(c), bed_(c.environment.seabed) {}
+  explicit BedCheck(model::Case& c) : c_(c), bed_(c.environment.seabed) {}
 
   void run() {
     if (bed_.surface) {
@@ -182,11 +185,10 @@ class BedCheck {
     const double size =
         grid_ ? std::max(grid_->x().back() - grid_->x().front(), grid_->y().back() - grid_->y().front())
               : std::max(box_.extent().x(), box_.extent().y());
-    const Value& seabed = root_["environment"]["seabed"];
     const char* kind = grid_ ? "grid" : "mesh";
     if (const std::string odd = other_units(size, kSizes, c_); !odd.empty())
-      source_.bad(seabed[kind]["file"], fmt::format("environment.seabed.{}.file", kind),
-                  fmt::format("{}: the bed {}", bed_.file, odd));
+      c_.refuse(fmt::format("environment.seabed.{}.file", kind),
+                fmt::format("{}: the bed {}", bed_.file, odd));
   }
   // Whether a share of the line's length is in the soil or where it comes out of it.
   static bool buried(const model::Line& line, double share) {
@@ -247,23 +249,19 @@ class BedCheck {
     const double length = line.buried[i].to - line.buried[i].from, deep = -model::height_above_bed(bed_, x);
     const std::string key = fmt::format("lines.{}.buried[{}].{}", line.name, i, a ? "to" : "from");
     if (deep >= length)
-      model::fail(source_.file, root_.line_of(key), key,
-                  fmt::format("{:.4g} m of line do not reach the seabed, which is {:.4g} m above its end",
-                              length, deep));
+      c_.refuse(key, fmt::format("{:.4g} m of line do not reach the seabed, which is {:.4g} m above its end",
+                                 length, deep));
   }
   // The bed would throw it out.
   void place(const std::string& key, const Vec3& x, const model::LineType& type) const {
     const double deep = -model::height_above_bed(bed_, x), most = deepest_start(c_, type);
     if (covers(x) && deep > most)
-      model::fail(
-          source_.file, root_.line_of(key), key,
-          fmt::format("is {:.3g} m under the seabed, which would throw the line out; a line of '{}' may "
-                      "start {:.2g} m deep at most where it is not 'buried'",
-                      deep, type.name, most));
+      c_.refuse(
+          key, fmt::format("is {:.3g} m under the seabed, which would throw the line out; a line of '{}' may "
+                           "start {:.2g} m deep at most where it is not 'buried'",
+                           deep, type.name, most));
   }
 
-  const Value& root_;
-  const CaseSource& source_;
   model::Case& c_;
   const model::Seabed& bed_;
   const HeightGrid* grid_ = nullptr;
@@ -272,8 +270,8 @@ class BedCheck {
 
 }  // namespace
 
-void check_bed(const Value& root, const CaseSource& source, model::Case& c) {
-  if (c.environment.seabed.present) BedCheck(root, source, c).run();
+void check_bed(model::Case& c) {
+  if (c.environment.seabed.present) BedCheck(c).run();
 }
 
 }  // namespace hawser::io

@@ -264,14 +264,14 @@ model::Friction read_friction(const Value& f, const std::string& key, const Case
   return o;
 }
 
+namespace {
+// In the order of model::SignTest.
+constexpr std::array kSigns{"automatic", "pseudonormal", "winding", "tetrahedron", "ray", "solid_angle"};
+}  // namespace
+
 model::SignTest read_sign(const std::string& word) {
-  using enum model::SignTest;
-  return word == "pseudonormal"  ? pseudonormal
-         : word == "winding"     ? winding
-         : word == "tetrahedron" ? tetrahedra
-         : word == "ray"         ? ray
-         : word == "solid_angle" ? solid_angle
-                                 : automatic;
+  return static_cast<model::SignTest>(std::find(kSigns.begin(), kSigns.end(), word) - kSigns.begin());
 }
+std::string sign_word(model::SignTest sign) { return kSigns[static_cast<std::size_t>(sign)]; }
 
 }  // namespace hawser::io

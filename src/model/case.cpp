@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "hawser/math/broken_line.hpp"
+#include "hawser/model/schema.hpp"
 
 namespace hawser::model {
 namespace {
@@ -78,6 +79,10 @@ int Case::line_index(const std::string& name) const {
   for (std::size_t i = 0; i < lines.size(); ++i)
     if (lines[i].name == name) return static_cast<int>(i);
   throw std::out_of_range("no line '" + name + "'");
+}
+
+void Case::refuse(const std::string& key, const std::string& why) const {
+  fail(file, tree ? tree->line_of(key) : 0, key, why);
 }
 
 }  // namespace hawser::model

@@ -37,6 +37,18 @@ class BadFiles(unittest.TestCase):
                 self.assertIn(expected, result.stderr.replace(f"{folder / 'bad'}/", ""))
         self.assertEqual(sorted(folder.rglob("*")), before, "something was written")
 
+    def test_meshes_on_several_ranks(self):
+        """One rank reads them, and all know what is wrong."""
+        for name in ("mesh_absent", "mesh_open", "sign_open", "part_unknown", "bed_no_sheet", "bed_huge"):
+            with self.subTest(file=name):
+                file = BAD / f"{name}.yaml"
+                result = run("mpirun", "-q", "-n", 2, HAWSER, "run", file, timeout=60)
+                self.assertEqual(result.returncode, 2, result.stderr)
+                sentences = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
+                self.assertEqual(len(sentences), 1, result.stderr)
+                expected = file.read_text("utf-8").splitlines()[0].removeprefix("# expect: ")
+                self.assertIn(expected, sentences[0].replace(f"{BAD}/", ""))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 
@@ -28,7 +29,7 @@ std::vector<std::string> bad_files() {
 
 std::string message_of(const std::string& path) {
   try {
-    io::read_case(path);
+    app::load_volumes(io::read_case(path));
   } catch (const InputError& e) {
     return e.what();
   }

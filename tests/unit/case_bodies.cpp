@@ -5,6 +5,7 @@
 #include <fstream>
 #include <string>
 
+#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "support/shapes.hpp"
@@ -31,15 +32,15 @@ std::string wrong(const std::string& a, const std::string& b) {
   write("ball.obj", test::sphere_mesh(4));
   write("box.obj", test::box_mesh({-1, -1, -1}, {1, 1, 1}));
   try {
-    io::read_case_text(
-        "hawser: 1\nbodies:\n"
-        "  A: {floating: {mass: 1000, inertia: [500, 600, 400]}}\n"
-        "  B: {position: [3, 0, 0], floating: {mass: 2000, inertia: [500, 600, 400]}}\n"
-        "volumes:\n  a: {" +
-            a + ", body: A}\n  b: {" + b +
-            ", body: B}\n"
-            "statics: false\ndynamics: {duration: 4}\n",
-        folder() + "/text.yaml");
+    app::load_volumes(
+        io::read_case_text("hawser: 1\nbodies:\n"
+                           "  A: {floating: {mass: 1000, inertia: [500, 600, 400]}}\n"
+                           "  B: {position: [3, 0, 0], floating: {mass: 2000, inertia: [500, 600, 400]}}\n"
+                           "volumes:\n  a: {" +
+                               a + ", body: A}\n  b: {" + b +
+                               ", body: B}\n"
+                               "statics: false\ndynamics: {duration: 4}\n",
+                           folder() + "/text.yaml"));
   } catch (const InputError& e) {
     return e.what();
   }

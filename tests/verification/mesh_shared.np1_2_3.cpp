@@ -1,12 +1,16 @@
-// A mesh that the ranks of a host share: answers to the last bit those of a mesh of one's own, one copy a
-// host, and what is wrong with a file is told by all ranks alike.
+// A mesh that the ranks of a host share: answers to the last bit those of a mesh of one's own, each file read
+// once and kept once a host, and what is wrong with a file is told by all ranks alike.
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
+#include <unistd.h>
 
+#include <array>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
 
+#include "hawser/app/driver.hpp"
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/host.hpp"
@@ -109,6 +113,76 @@ TEST(MeshShared, OneCopyAHost) {
     EXPECT_LT(own_memory(), before + size / 10);
   }
   MPI_Barrier(host.comm());
+}
+
+// How often any process opens a file while `work` runs. The system tells like events one after the other as
+// one, so that reading and closing are watched as well.
+int openings(const std::string& path, const std::function<void()>& work) {
+  const int watch = inotify_init1(IN_NONBLOCK);
+  EXPECT_GE(inotify_add_watch(watch, path.c_str(), IN_OPEN | IN_ACCESS | IN_CLOSE), 0) << path;
+  MPI_Barrier(MPI_COMM_WORLD);
+  work();
+  MPI_Barrier(MPI_COMM_WORLD);
+  int found = 0;
+  alignas(inotify_event) std::array<char, 4096> events;
+  for (ssize_t n = 0; (n = read(watch, events.data(), events.size())) > 0;)
+    for (ssize_t at = 0; at < n;) {
+      inotify_event e;
+      std::memcpy(&e, events.data() + at, sizeof e);
+      found += (e.mask & IN_OPEN) != 0;
+      at += static_cast<ssize_t>(sizeof e + e.len);
+    }
+  close(watch);
+  return found;
+}
+
+// A whole run and a check of a case with a mesh that two volumes have and a seabed that is one.
+TEST(MeshShared, EachFileIsReadOnce) {
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  const std::string folder = testing::TempDir() + "read_once", path = folder + "/case.yaml";
+  const auto write_stl = [](const std::string& to, const std::string& corners) {
+    std::ofstream out(to);
+    std::istringstream in(corners);
+    out << "solid s\n";
+    for (std::string x, y, z; in >> x >> y >> z;) {
+      out << "facet normal 0 0 0\nouter loop\nvertex " << x << ' ' << y << ' ' << z << '\n';
+      for (int i = 0; i < 2 && in >> x >> y >> z; ++i) out << "vertex " << x << ' ' << y << ' ' << z << '\n';
+      out << "endloop\nendfacet\n";
+    }
+    out << "endsolid s\n";
+  };
+  if (rank == 0) {
+    std::filesystem::create_directories(folder);
+    write_stl(folder + "/post.stl",
+              "0 0 0 0 4 0 4 0 0  0 0 0 4 0 0 0 0 4  0 0 0 0 0 4 0 4 0  4 0 0 0 4 0 0 0 4");
+    write_stl(folder + "/bed.stl", "-50 -50 -30 50 -50 -30 50 50 -30  -50 -50 -30 50 50 -30 -50 50 -30");
+    std::ofstream(path) << R"(hawser: 1
+environment:
+  seabed: {mesh: {file: bed.stl}}
+line_types:
+  rope: {outer_diameter: 0.2, mass_per_length: 30, EA: 1e7, bending: false}
+bodies:
+  near: {position: [0, 20, 0]}
+volumes:
+  post: {mesh: post.stl, normal_stiffness: {per_length: 1e5}}
+  other: {mesh: post.stl, body: near, normal_stiffness: {per_length: 1e5}}
+lines:
+  rope:
+    sections: [{type: rope, length: 24, elements: 12}]
+    end_a: {anchor: [-10, -6, 0]}
+    end_b: {anchor: [10, -6, 0]}
+)";
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  app::RunOptions options;
+  options.case_path = path, options.output = folder + "/case.h5", options.quiet = true;
+  for (const char* mesh : {"/post.stl", "/bed.stl"}) {
+    const auto run = [&] { EXPECT_EQ(app::run(MPI_COMM_WORLD, options), 0); };
+    const auto check = [&] { EXPECT_EQ(app::check_case(MPI_COMM_WORLD, path, 0), 0); };
+    EXPECT_EQ(openings(folder + mesh, run), 1) << mesh;
+    EXPECT_EQ(openings(folder + mesh, check), 1) << mesh;
+  }
 }
 
 // What load_volumes() says, told to all.

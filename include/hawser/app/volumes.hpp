@@ -22,12 +22,13 @@ struct LoadedVolume {
   std::shared_ptr<const MeshView> facets;  // the mesh itself; of a shape only for pictures
   std::vector<bool> active;                // one a facet
   std::string report;                      // what the mesh is, or that the shape is exact
-  std::vector<std::string> notes;          // besides those of reading the file, which the case has
+  std::vector<std::string> notes;          // what was mended and chosen, a sentence each
 };
 
-// In the order of the case. Throws InputError, on all ranks alike. Collective over comm: where several of its
-// ranks run on a host, one of them reads each mesh and all use what it made of it, in memory they share.
-// Ranks let go of the volumes in the same order, before MPI_Finalize.
+// In the order of the case. Throws InputError, on all ranks alike: what is no closed volume, has the wrong
+// scale or is not fit for what its volume is to do is refused. Collective over comm: of its ranks on a host
+// one reads and checks each mesh, and all use what it made of it, in memory they share. Ranks let go of the
+// volumes in the same order, before MPI_Finalize.
 std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI_COMM_SELF,
                                        const io::ReadingNews& news = {});
 

@@ -1,6 +1,8 @@
 // From a case file to checked data.
 #pragma once
 
+#include <mpi.h>
+
 #include <functional>
 #include <string>
 
@@ -19,12 +21,14 @@ double reading_time(const std::string& path);
 // "reading the mesh hull.stl (41 MB)"
 std::string reading_text(const std::string& path);
 
-// Read and check a case file: form, units, references, sense, and the meshes it names.
-// Deterministic and without MPI: every rank may call it.
+// Read and check a case file: form, units, references, sense, and the other files it names but the meshes of
+// volumes, which app::load_volumes() reads. Collective over comm, of whose ranks one a host reads the mesh of
+// a seabed, for all of them.
 // Throws InputError; what() is one sentence "file:line: dotted.key: what is wrong".
-model::Case read_case(const std::string& path, const ReadingNews& news = {});
+model::Case read_case(const std::string& path, const ReadingNews& news = {}, MPI_Comm comm = MPI_COMM_SELF);
 
 // The same for text already read; `path` names the file and gives the directory of relative paths.
-model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news = {});
+model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news = {},
+                           MPI_Comm comm = MPI_COMM_SELF);
 
 }  // namespace hawser::io

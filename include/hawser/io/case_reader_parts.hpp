@@ -1,4 +1,4 @@
-// Parts of the case reader: shapes, and what looks at other files (motion tables, meshes).
+// Parts of the case reader: shapes, and what looks at other files (motion tables, beds).
 #pragma once
 
 #include <map>
@@ -15,8 +15,9 @@ namespace hawser::io {
 
 // Where a case comes from.
 struct CaseSource {
-  std::string file;       // as the user named it, for messages
-  std::string directory;  // absolute, for relative paths
+  std::string file;               // as the user named it, for messages
+  std::string directory;          // absolute, for relative paths
+  MPI_Comm comm = MPI_COMM_SELF;  // of those who read it
 
   std::string absolute(const std::string& path) const;
   [[noreturn]] void bad(const model::Value& v, const std::string& key, const std::string& text) const;
@@ -89,7 +90,7 @@ void read_temperature_change(const model::Value& v, const std::string& path, con
 // `grid` or `mesh` of the seabed; nothing without.
 void read_bed_surface(const model::Value& seabed, const CaseSource& source, model::Seabed& bed);
 // Refuses line ends and points of start shapes that are deep under the bed; notes of ends beyond its edge.
-void check_bed(const model::Value& root, const CaseSource& source, model::Case& c);
+void check_bed(model::Case& c);
 
 // Lines as other runs left them; each results file is read once.
 class OtherRuns {
@@ -118,10 +119,7 @@ void check_left_shape(const model::Line& line, const model::Value& at, const std
 
 // `sign` of a volume, a word of the schema.
 model::SignTest read_sign(const std::string& word);
-
-// Read every mesh, refuse what is no closed volume or has the wrong scale; repairs go to Case::notes.
-void check_meshes(const model::Value& root, const CaseSource& source, model::Case& c,
-                  const ReadingNews& news);
+std::string sign_word(model::SignTest sign);
 
 // Rows of force over penetration, and friction given as a map.
 std::shared_ptr<const ForceTable> read_force_table(const model::Value& table, const std::string& key,

@@ -19,6 +19,7 @@
 #include "hawser/model/bend_stiffener.hpp"
 #include "hawser/model/environment.hpp"
 #include "hawser/model/stiffness.hpp"
+#include "hawser/model/value.hpp"
 
 namespace hawser::model {
 
@@ -327,6 +328,8 @@ struct Output {
 
 struct Case {
   std::string path, directory, text;  // as read
+  std::string file;                   // as the user named it
+  std::shared_ptr<const Value> tree;  // its keys, for the lines of refuse(); null: none
   std::string title;
   Environment environment;
   std::vector<LineType> line_types;
@@ -345,6 +348,8 @@ struct Case {
   int line_index(const std::string& name) const;             // throws std::out_of_range
   const Joint& joint(const std::string& name) const;         // throws std::out_of_range
   bool rides(int body) const { return body >= 0 && bodies[static_cast<std::size_t>(body)].on.has_value(); }
+  // Throws InputError "file:line: key: why".
+  [[noreturn]] void refuse(const std::string& key, const std::string& why) const;
   bool floats(int body) const { return body >= 0 && bodies[static_cast<std::size_t>(body)].mass.has_value(); }
 };
 

@@ -1,0 +1,40 @@
+#include "hawser/io/once_a_host.hpp"
+
+#include <string>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+
+namespace hawser::io {
+
+void agreed(MPI_Comm comm, const std::function<void()>& work) {
+  std::string wrong;
+  try {
+    work();
+  } catch (const std::exception& e) {
+    wrong = e.what();
+  }
+  wrong = first_text(comm, std::move(wrong));
+  if (!wrong.empty()) throw InputError(wrong);
+}
+
+std::shared_ptr<const MeshSurface> once_a_host(
+    MPI_Comm comm, const Host& host, const std::function<std::shared_ptr<const MeshSurface>()>& make) {
+  std::shared_ptr<const MeshSurface> made;
+  const auto make_on = [&](bool here) {
+    agreed(comm, [&] {
+      if (here) made = make();
+    });
+  };
+  make_on(host.leads());
+  bool lacks = false;
+  if (host.size() > 1) {
+    const auto block = host.share(made ? made->packed_size() : 0, [&](std::byte* to) { made->write(to); });
+    if (block) made = std::make_shared<const MeshSurface>(block);
+    lacks = !made;
+  }
+  make_on(lacks);
+  return made;
+}
+
+}  // namespace hawser::io
