@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Gives the program what nobody should: mutants of a case, its meshes, its seabeds and its tables.
 
-    tests/scripts/fuzz.py [--program FILE] [--from N] [--mutants N] [--jobs N] [--keep FOLDER]
+    tests/scripts/fuzz.py [--program FILE | --checker FILE] [--from N] [--mutants N] [--jobs N] [--keep FOLDER]
 
 Mutant i is always the same one. Each is checked, and run where it is good and only a file beside the case was changed:
 no crash, no sanitizer's report, nothing that takes over 20 s (300 s under sanitizers), no exit code but 0, 2 and of a run
 3 and 4, and of an error one sentence on stderr that names the case or a file of it. Prints what did otherwise, with its
-number; --keep leaves the files of those in a folder."""
+number; --keep leaves the files of those in a folder. With --checker (tests/check_many of a build) mutants are checked
+many in one process, and none is run."""
 import argparse
 import os
+import queue
 import random
 import re
 import shutil
@@ -16,6 +18,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import threading
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -182,17 +185,66 @@ def wrong(program, command, folder, allowed, patience):
     return done.returncode, ""
 
 
-def fuzz(program, first=0, mutants=200, jobs=2, keep=None):
-    """Complaints of the mutants first ... first + mutants - 1, and how many ended with which exit code of a check."""
+class Checker:
+    """One process that checks one mutant after the other; a new one where it has died."""
+
+    def __init__(self, program):
+        self.program, self.process, self.said = program, None, None
+
+    def wrong(self, folder, patience):
+        """As the function of that name."""
+        if not self.process:
+            self.said = tempfile.TemporaryFile()
+            self.process = subprocess.Popen([self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.said)
+        self.process.stdin.write(f"{folder}\n".encode())
+        self.process.stdin.flush()
+        alarm = threading.Timer(patience, self.process.kill)
+        alarm.start()
+        answer = self.process.stdout.readline().decode("utf-8", "backslashreplace")
+        alarm.cancel()
+        code, _, sentence = answer.partition(" ")
+        code = int(code) if answer else self.process.wait()
+        self.said.seek(0)
+        said = self.said.read().decode("utf-8", "backslashreplace")
+        if not answer or said:
+            self.end()
+            return code, f"check: exit code {code}: {said[:1500]}"
+        if code not in (0, 2) or code == 2 and not SENTENCE.match(f"hawser: {sentence}"):
+            return code, f"check: exit code {code}: {sentence[:500]!r}"
+        return code, ""
+
+    def end(self):
+        if self.process:
+            self.process.stdin.close(), self.process.stdout.close(), self.said.close()
+            self.process.wait()
+            self.process = None
+
+
+def fuzz(program, first=0, mutants=200, jobs=2, keep=None, many=False):
+    """Complaints of the mutants first ... first + mutants - 1, and how many ended with which exit code of a check.
+
+    many: `program` is a checker of many mutants in one process, and none is run."""
     program = str(Path(program).resolve())
     patience = 300 if "ASAN_OPTIONS" in os.environ else 20
+    checkers = queue.SimpleQueue()
+    for _ in range(jobs):
+        checkers.put(Checker(program))
+
+    def check(folder):
+        if not many:
+            return wrong(program, "check", folder, (0, 2), patience)
+        checker = checkers.get()
+        try:
+            return checker.wrong(folder, patience)
+        finally:
+            checkers.put(checker)
 
     def one(number):
         with tempfile.TemporaryDirectory(prefix="hawser-fuzz-") as name:
             folder = Path(name)
             run_too = make(number, folder)
-            code, complaint = wrong(program, "check", folder, (0, 2), patience)
-            if code == 0 and run_too and not complaint:
+            code, complaint = check(folder)
+            if code == 0 and run_too and not complaint and not many:
                 complaint = wrong(program, "run", folder, (0, 2, 3, 4), patience)[1]
             if complaint and keep:
                 shutil.copytree(folder, Path(keep) / str(number), dirs_exist_ok=True)
@@ -200,6 +252,8 @@ def fuzz(program, first=0, mutants=200, jobs=2, keep=None):
 
     with ThreadPoolExecutor(jobs) as pool:
         results = list(pool.map(one, range(first, first + mutants)))
+    for _ in range(jobs):
+        checkers.get().end()
     codes = [code for code, _ in results]
     return [c for _, c in results if c], {code: codes.count(code) for code in set(codes)}
 
@@ -207,12 +261,15 @@ def fuzz(program, first=0, mutants=200, jobs=2, keep=None):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=os.environ.get("HAWSER", str(ROOT / "build/hawser")))
+    parser.add_argument("--checker")
     parser.add_argument("--from", dest="first", type=int, default=0)
     parser.add_argument("--mutants", type=int, default=200)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--keep")
     given = parser.parse_args()
-    complaints, codes = fuzz(given.program, given.first, given.mutants, given.jobs, given.keep)
+    complaints, codes = fuzz(
+        given.checker or given.program, given.first, given.mutants, given.jobs, given.keep, many=bool(given.checker)
+    )
     print(*complaints, sep="\n")
     print(f"{given.mutants} mutants, exit codes {codes}, {len(complaints)} complaints")
     return 1 if complaints else 0

@@ -1,0 +1,34 @@
+// For fuzz.py: `hawser check case.yaml` in each folder whose path comes on a line of stdin, in one process, as
+// starting a process under sanitizers takes a hundred times as long as a check. Answers each with a line
+// "exit code, blank, sentence".
+#include <petscsys.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <string>
+
+#include "hawser/app/driver.hpp"
+#include "hawser/base/error.hpp"
+
+int main(int argc, char** argv) {
+  if (PetscInitialize(&argc, &argv, nullptr, nullptr)) return 1;
+  PetscPopSignalHandler();
+  std::FILE* const answers = fdopen(dup(STDOUT_FILENO), "w");
+  if (!answers || !std::freopen("/dev/null", "w", stdout)) return 1;
+  for (std::string folder; std::getline(std::cin, folder);) {
+    int code = 0;
+    std::string text;
+    try {
+      if (chdir(folder.c_str()) != 0) throw std::runtime_error("no folder " + folder);
+      code = hawser::app::check_case(PETSC_COMM_WORLD, "case.yaml", 0);
+    } catch (const hawser::InputError& e) {
+      code = hawser::kExitInput, text = e.what();
+    } catch (const std::exception& e) {
+      code = 1, text = e.what();
+    }
+    std::fprintf(answers, "%d %s\n", code, text.c_str());
+    std::fflush(answers);
+  }
+  return PetscFinalize();
+}
