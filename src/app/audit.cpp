@@ -26,7 +26,7 @@ const char* words(Audit::Step::Touch touch) {
     case Audit::Step::Touch::nothing:
       break;
   }
-  return "its motion changes faster than the steps follow";
+  return "its motion changes faster than the time steps resolve";
 }
 
 // One that is surely short: a quarter of what was too long.
@@ -79,7 +79,7 @@ std::string Audit::warning(bool fixed, const std::string& where) const {
   std::string text;
   if (making > losing)
     text = fmt::format(
-        "the steps made {:.3g} J out of nothing by t = {:.6g} s, {:.3g} % of the work done; the one of "
+        "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of "
         "{:.3g} s that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",
         made.value, made.time, 100 * made.value / size(), worst.length, worst.time, worst.value, where,
         words(worst.touch), remedy(fixed, worst.length));
@@ -95,7 +95,7 @@ std::string Audit::note() const {
   const double size = std::max(std::abs(brought_in), there) + kRounding * held + kNothing;
   if (now.unresolved < kUnresolvedTold * size) return "";
   return fmt::format(
-      "{:.3g} J went into axial vibration too fast for the steps, which take it out ({:.2g} % of the most "
+      "{:.3g} J of axial vibration faster than the time steps resolve were dissipated ({:.2g} % of the most "
       "that moved at a time); what is tightened at a blow may peak higher for less than a step",
       now.unresolved, 100 * now.unresolved / size);
 }

@@ -204,7 +204,7 @@ class Take {
  public:
   explicit Take(const std::vector<double>& v) : v_(v) {}
   double number() {
-    if (at_ >= v_.size()) throw std::invalid_argument("the clash report of the checkpoint is cut short");
+    if (at_ >= v_.size()) throw std::invalid_argument("the clash report of the checkpoint is truncated");
     return v_[at_++];
   }
   bool done() const { return at_ == v_.size(); }

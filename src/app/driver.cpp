@@ -133,7 +133,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
 
   if (restarted) {
     progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
-    if (checkpoint.time >= end * (1 - 1e-12)) progress.say("which is the end: nothing left to compute");
+    if (checkpoint.time >= end * (1 - 1e-12))
+      progress.say("which is the end of the case: nothing left to compute");
   } else if (c.statics.enabled) {
     const Stage stage("statics");
     const size_t told = sim.notes().size();
@@ -246,7 +247,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
           "\nstopped by a signal at t = {:.6g} of {:.6g} s: all this is of that time; --restart {} goes on\n",
           sim.dynamics().committed().s.time, end, recorder.file().path());
     fmt::print("\nresults: {}\n", recorder.file().path());
-    if (c.output.xdmf) fmt::print("look at them: paraview {}\n", recorder.file().xdmf_path());
+    if (c.output.xdmf) fmt::print("view them: paraview {}\n", recorder.file().xdmf_path());
     std::fflush(stdout);
   }
   if (stopped) return kStopped;
@@ -282,8 +283,8 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
   fmt::print("{}\n", cost_sentence(measured_parts(sim)));
   fmt::print("{}\n", memory_sentence(read, peak_memory()));
   fmt::print("{}", starts_well
-                       ? "the case is good\n"
-                       : "the case is good if statics brings its lines out of the volumes they start in; "
+                       ? "the case is valid\n"
+                       : "the case is valid if statics moves its lines out of the volumes they start in; "
                          "the run stops if not\n");
   return 0;
 }

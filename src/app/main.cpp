@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
   RunOptions run;
   CLI::App* run_command =
       cli.add_subcommand("run", "Run a case: statics, then dynamics; results go to an HDF5 file.");
-  run_command->add_option("case", run.case_path, "Case file (YAML; keys in docs/user-guide/case-keys.md)")
+  run_command->add_option("case", run.case_path, "Case file (YAML; `hawser schema` prints its keys)")
       ->required();
   run_command->add_option("-o,--output", run.output, "Results file instead of the one the case names (.h5)");
   run_command->add_option("--restart", run.restart,
@@ -160,7 +160,7 @@ int main(int argc, char** argv) {
     std::string what = e.what();
     if (cli.get_subcommands().empty() && e.get_name() == "RequiredError")
       what = mine.size() > 2 ? fmt::format("there is no command '{}'", mine[1]) : "it needs a command";
-    return fmt::format("hawser: {} (hawser --help tells what there is)\n", what);
+    return fmt::format("hawser: {} (see hawser --help)\n", what);
   });
 
   const Petsc petsc(static_cast<int>(theirs.size()) - 1, theirs.data());

@@ -41,8 +41,9 @@ OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::stri
     check();
     lock_ = std::make_unique<io::RunLock>(path_);
     if (!lock_->held())
-      notes_.push_back(
-          fmt::format("the file system of {} has no locks: see to it that no other run writes it", path_));
+      notes_.push_back(fmt::format(
+          "the file system of {} does not support file locks: make sure that no other run writes this file",
+          path_));
     check_old(restart);
     if (!io::xml_holds(fs::path(path_).filename().string()))
       notes_.push_back(
@@ -52,7 +53,7 @@ OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::stri
 
 // Names and folders.
 void OutputPlace::check() const {
-  if (fs::is_symlink(path_)) throw refusal(path_, "it is a link that leads in a circle");
+  if (fs::is_symlink(path_)) throw refusal(path_, "it is a symbolic link that refers to itself");
   const fs::path file(path_), folder = fs::absolute(file).parent_path();
   std::error_code e;
   if (file.extension() != ".h5") throw refusal(path_, "the name must end in .h5");

@@ -425,7 +425,7 @@ std::string Recorder::finish() {
           fmt::format("line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, "
                       "t = {:.6g} s: {}",
                       r.line, r.value, radius, r.arc_length, r.time,
-                      r.value > radius ? "it is caught inside, forces there mean nothing"
+                      r.value > radius ? "it is trapped inside, and contact forces there are meaningless"
                                        : "the contact stiffness is low"));
   }
   std::string text = fmt::format("{:<24} {:<16} {:>14} {:<6} {:>10} {:>12}\n", "quantity", "line", "value",

@@ -142,7 +142,7 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
     throw InputError(fmt::format("cannot go on from {}: {}", path, wrong));
   if (!c.nodes.count(kMeanQ))
     throw InputError(
-        fmt::format("cannot go on from {}: an earlier version of hawser wrote it, which carried less from "
+        fmt::format("cannot go on from {}: an earlier version of hawser wrote it, which stored less of "
                     "step to step; begin "
                     "with its last shape by 'start: {{from: {}}}', or anew",
                     path, path));

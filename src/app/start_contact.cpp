@@ -257,7 +257,7 @@ std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& m
     return fmt::format(
         "lines.{}: starts inside volume {}, and {} {}; {}", line.name,
         volumes[static_cast<size_t>(s.volume)].settings.name,
-        c.statics.enabled ? "statics leaves it there," : "there are no statics to bring it out:", where(s),
+        c.statics.enabled ? "statics leaves it there," : "there are no statics to move it out:", where(s),
         remedy(line, s, mesh.mesh->lines[static_cast<size_t>(s.line)].length));
   }
   return "";

@@ -89,7 +89,7 @@ class Meshes {
     }
     if (const auto by = sign_by(v.sign); by && *by != SignBy::winding)
       l.notes.push_back(
-          fmt::format("inside is told by a test of all {} triangles each time; `sign: automatic` is quicker",
+          fmt::format("the inside test visits all {} triangles at every query; `sign: automatic` is faster",
                       surface->mesh().triangles.size()));
     return surface;
   }

@@ -168,7 +168,8 @@ class Reader {
                 : k["per"].is("length") ? model::StiffnessBasis::per_length
                                         : model::StiffnessBasis::per_area;
       if (v.has("smoothing"))
-        source_.bad(v["smoothing"], key + ".smoothing", "a table of forces brings its own smooth start");
+        source_.bad(v["smoothing"], key + ".smoothing",
+                    "a force table defines the whole law, so there is nothing to smooth");
     }
     o.smoothing = number(v, "smoothing", -1);
     o.relative_damping = v["relative_damping"].number;

@@ -234,7 +234,7 @@ class BedCheck {
     const Vec3 x = model::end_position(c_, e);
     if (!covers(x))
       return c_.notes.push_back(fmt::format("{}: lies beyond the edge of the bed of {}, {}", key, bed_.file,
-                                            grid_ ? "which goes on straight there" : "where there is none"));
+                                            grid_ ? "which is extrapolated there" : "where there is none"));
     if (buried(line, &e == &line.end_a ? 0 : 1)) return reaches(line, e, x);
     place(key + (e.kind == model::EndKind::anchor  ? ".anchor"
                  : e.kind == model::EndKind::joint ? ".joint"

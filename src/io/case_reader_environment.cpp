@@ -154,7 +154,8 @@ model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& 
     b.normal_stiffness = b.force_table->largest_slope();
     b.basis = (*k)["per"].is("length") ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
     if (v.has("smoothing"))
-      source.bad(v["smoothing"], key + ".smoothing", "a table of forces brings its own smooth start");
+      source.bad(v["smoothing"], key + ".smoothing",
+                 "a force table defines the whole law, so there is nothing to smooth");
   } else if (k) {
     b.basis = k->has("per_length") ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
     b.normal_stiffness = (*k)[k->has("per_length") ? "per_length" : "per_area"].number;

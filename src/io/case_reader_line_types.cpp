@@ -37,7 +37,7 @@ void read_bending(const Value& v, const std::string& path, const CaseSource& sou
     t.moment_table = read_stiffness_table(EI["table"], path + ".EI.table", true, source);
     t.EI2 = t.EI3 = t.moment_table->initial();
     if (t.GA > 0)
-      source.bad(v["GA"], path + ".GA", "has no meaning beside a table of moments; remove one of them");
+      source.bad(v["GA"], path + ".GA", "cannot be combined with a table of moments; remove one of them");
   } else {
     t.EI2 = EI.kind == Value::Kind::list ? EI.items[0].number : EI.number;
     t.EI3 = EI.kind == Value::Kind::list ? EI.items[1].number : EI.number;

@@ -410,7 +410,8 @@ ResultProgress read_progress(const std::string& path) {
     for (size_t i = 0; i < p.output_times.size(); ++i) {
       const double n = counts.values[2 * i];
       if (n < 0 || n > static_cast<double>(rows))
-        throw damaged(path, fmt::format("at output {} it counts {:g} clashes, in {} rows", i + 1, n, rows));
+        throw damaged(path, fmt::format("at output {} the count is {:g} clashes, but there are {} rows",
+                                        i + 1, n, rows));
       p.clashes.push_back(static_cast<long long>(n));
     }
   }

@@ -130,7 +130,7 @@ std::string read_binary(const std::string& file, double scale, TriangleMesh& mes
   if (n == 0) return "the binary STL file says that it has no facets";
   if (kHeader + kFacet * n > file.size())
     return fmt::format(
-        "is cut short, or no STL file: it does not begin with 'solid', and for binary it says "
+        "is truncated or no STL file: it does not begin with 'solid', and for binary it says "
         "that it has {} facets, which are {} bytes, but there are {}",
         n, kHeader + kFacet * n, file.size());
   mesh.parts = {""};

@@ -115,9 +115,10 @@ Key volumes() {
                 number("per_length", line_stiffness, "per length of line in contact").above(0),
                 number("per_area", area_stiffness, "per projected area (length times contact diameter)")
                     .above(0),
-                number("allowed_penetration", length,
-                       "as `auto`, for this penetration: the most in statics, twice that in motion but for "
-                       "blows; else 0.4 % of the line's radius")
+                number(
+                    "allowed_penetration", length,
+                    "as `auto`, for this penetration: the largest in statics, twice that in motion except in "
+                    "impacts; default 0.4 % of the line's radius")
                     .above(0),
                 force_rows(),
                 word(

@@ -278,7 +278,7 @@ void Dynamics::solve_masses() {
   check(VecNorm(u_.get(), NORM_INFINITY, &size));
   if (reason < 0 || !std::isfinite(size))
     throw SolveError(
-        fmt::format("at t = {:.6g} s forces give no accelerations: some part of a line has no mass (is a "
+        fmt::format("at t = {:.6g} s the mass matrix is singular: some part of a line has no mass (is a "
                     "rotary_inertia zero?)",
                     committed_.s.time));
   system_.gather(u_.get(), gathered_);

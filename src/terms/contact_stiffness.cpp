@@ -47,8 +47,8 @@ double most_stiffness(const StiffnessDemand& d) {
 std::string raised_note(const std::string& volume, double from, double to, const std::string& when) {
   return "volume " + volume + ": normal stiffness raised from " + number(from) + " to " + number(to) +
          " N/m per m " + when +
-         ", so that what presses the line on it, its tension times the curvature and "
-         "blows, takes it no deeper than is allowed";
+         ", so that the line pressed on it by its tension times the curvature and by "
+         "impacts penetrates no deeper than is allowed";
 }
 
 std::string too_soft_for_line(const std::string& place, const model::Volume& v, bool automatic, double depth,

@@ -192,7 +192,7 @@ TEST(StartContact, WithoutStaticsItIsRefused) {
   } catch (const InputError& e) {
     what = e.what();
   }
-  EXPECT_HAS(what, "lines.sling: starts inside volume bar, and there are no statics to bring it out: from ");
+  EXPECT_HAS(what, "lines.sling: starts inside volume bar, and there are no statics to move it out: from ");
 }
 
 // What hawser check prints.
@@ -208,12 +208,12 @@ TEST(StartContact, CheckTells) {
   EXPECT_HAS(out, "warning: lines.sling: its start shape passes through volume bar from ");
   EXPECT_HAS(out, " of arc length, deepest at ");
   EXPECT_HAS(out, " m inside at (");
-  EXPECT_HAS(out, "the case is good if statics brings its lines out of the volumes they start in");
+  EXPECT_HAS(out, "the case is valid if statics brings its lines out of the volumes they start in");
   const std::string path = folder("start_contact_check") + "/case.yaml";
   write_case(path, kFairlead, {{"METHOD", "line"}});
   const std::string fairlead = check(path);
   EXPECT_HAS(fairlead, "note: lines.mooring.end_b: starts up to ");
-  EXPECT_HAS(fairlead, "the case is good\n");
+  EXPECT_HAS(fairlead, "the case is valid\n");
   EXPECT_THROW(
       app::check_case(MPI_COMM_WORLD, bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}"), 1),
       InputError);

@@ -1,10 +1,11 @@
 """The JSON Schema of case files against a JSON-Schema library: what editors complete and check YAML by."""
 import copy
 import json
+import os
 import re
 import unittest
 
-from support import ROOT
+from support import ROOT, run
 
 try:
     import yaml
@@ -12,7 +13,8 @@ try:
 except ImportError as missing:
     raise SystemExit(f"{missing}: scripts/install-deps installs python3-yaml and python3-jsonschema for Debian's python3")
 
-SCHEMA = json.loads((ROOT / "docs/case.schema.json").read_text("utf-8"))
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+SCHEMA = json.loads(run(HAWSER, "schema", "--json").stdout)
 
 
 class Loader(yaml.SafeLoader):
@@ -53,7 +55,8 @@ class Schema(unittest.TestCase):
         self.assertEqual([r for r in references if not r.startswith("#/$defs/") or r[8:] not in SCHEMA["$defs"]], [])
 
     def test_every_kind_of_unit_is_in_the_guide(self):
-        guide = (ROOT / "docs/user-guide/case-keys.md").read_text("utf-8")
+        guide = run(HAWSER, "schema").stdout
+        self.assertEqual(run(HAWSER, "schema", "--markdown").stdout, guide)
         rows = {line.split("|")[1].strip() for line in guide[guide.index("## Units"):].splitlines() if line.startswith("| ")}
         kinds = {part["$ref"][8:].replace("_", " ") for part in parts(SCHEMA) if "$ref" in part} - {"name"}
         self.assertIn("pressure", kinds)

@@ -1,5 +1,5 @@
-// For fuzz.py: `hawser check case.yaml` in each folder whose path comes on a line of stdin, in one process, as
-// starting a process under sanitizers takes a hundred times as long as a check. Answers each with a line
+// For fuzz.py: `hawser check case.yaml` in each folder whose path comes on a line of stdin, in one process,
+// as starting a process under sanitizers takes a hundred times as long as a check. Answers each with a line
 // "exit code, blank, sentence".
 #include <petscsys.h>
 #include <unistd.h>

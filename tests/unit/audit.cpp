@@ -35,13 +35,13 @@ TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
   EXPECT_NEAR(a.size(), 100, 1e-5);  // without what was made
   EXPECT_EQ(
       a.warning(true, "line chain, arc length 3 m"),
-      "the steps made 3 J out of nothing by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
+      "the steps created 3 J of energy by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
       "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: it touches a volume there; give "
       "dynamics.step: 0.025 s");
   EXPECT_FALSE(a.wrong());
   a.worst.touch = app::Audit::Step::Touch::nothing;
   const std::string w = a.warning(false, "here");
-  EXPECT_NE(w.find("its motion changes faster than the steps follow; give dynamics.max_step: 0.025 s"),
+  EXPECT_NE(w.find("its motion changes faster than the time steps resolve; give dynamics.max_step: 0.025 s"),
             std::string::npos)
       << w;
 }
@@ -55,11 +55,11 @@ TEST(Audit, RemembersWhatWasAmissOnTheWay) {
   EXPECT_EQ(a.percent(), 0);
   EXPECT_TRUE(a.wrong());
   const std::string w = a.warning(true, "here");
-  EXPECT_NE(w.find("made 30 J out of nothing by t = 1 s"), std::string::npos) << w;
+  EXPECT_NE(w.find("created 30 J of energy by t = 1 s"), std::string::npos) << w;
   EXPECT_NE(w.find("The results are not to be used"), std::string::npos) << w;
 }
 
-// Lost first and made later: what feeds on a loss is as much out of nothing.
+// Lost first and created later: a gain that feeds on an earlier loss is created energy as well.
 TEST(Audit, AGainAfterALossCounts) {
   app::Audit a;
   a.update(moving(100), moving(100), 0, 0);
@@ -132,7 +132,7 @@ TEST(Audit, WhatStepsDoNotResolveIsANote) {
   a.update(moving(100), e, 1, 0.1);
   EXPECT_EQ(a.error, 0);
   EXPECT_EQ(a.warning(false, "here"), "");
-  EXPECT_NE(a.note().find("10 J went into axial vibration too fast for the steps, which take it out (10 %"),
+  EXPECT_NE(a.note().find("10 J of axial vibration faster than the time steps resolve were dissipated (10 %"),
             std::string::npos)
       << a.note();
 }

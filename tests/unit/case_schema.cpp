@@ -12,23 +12,6 @@
 namespace hawser::model::case_schema_test {
 namespace {
 
-std::string file_text(const std::string& path) {
-  std::ifstream in(path);
-  std::ostringstream s;
-  s << in.rdbuf();
-  return s.str();
-}
-
-TEST(CaseSchema, UserGuideIsWhatTheSchemaSays) {
-  EXPECT_EQ(file_text(HAWSER_SOURCE_DIR "/docs/user-guide/case-keys.md"), schema_markdown())
-      << "run: hawser schema --markdown > docs/user-guide/case-keys.md";
-}
-
-TEST(CaseSchema, JsonSchemaIsWhatTheSchemaSays) {
-  EXPECT_EQ(file_text(HAWSER_SOURCE_DIR "/docs/case.schema.json"), schema_json())
-      << "run: hawser schema --json > docs/case.schema.json";
-}
-
 // Of a well-made schema: what the checker and the documents rely on.
 void inspect(const Key& k, const std::string& path) {
   using Type = Key::Type;

@@ -76,7 +76,7 @@ void check_structure(Value& root, const Key& schema, const std::string& file);
 // Throws InputError with the sentence "file:line: key: text".
 [[noreturn]] void fail(const std::string& file, int line, const std::string& key, const std::string& text);
 
-// docs/user-guide/case-keys.md and docs/case.schema.json (draft 2020-12).
+// The key tables (Markdown) and the JSON Schema (draft 2020-12), which the build writes to build/docs.
 std::string schema_markdown();
 std::string schema_json();
 
