@@ -57,7 +57,7 @@ SectionForce EndForces::section(const Kinematics& at, int element, bool second,
   const LocalMesh& local = system_.mesh();
   const LocalElement& e = local.elements[static_cast<size_t>(element)];
   double f[12] = {};
-  for (const auto& term : system_.terms()) term->element_force(at, e, f);
+  system_.element_force(at, e, f);
   const auto part = [&f](int i) { return Vec3(f[3 * i], f[3 * i + 1], f[3 * i + 2]); };
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second), n = second ? j : i;
   SectionForce s;

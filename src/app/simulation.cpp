@@ -287,7 +287,8 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   if (body_contact_) body_contact_->watch(state_.view(0));
   check_inside();
   if (contact_)
-    if (const std::string why = first_text(system_->comm(), contact_->refusal(state_.view(0))); !why.empty())
+    if (const std::string why = first_text(system_->comm(), contact_->deeper_than_allowed(state_.view(0)));
+        !why.empty())
       throw SolveError("statics: " + why);
   for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
   return report;

@@ -191,7 +191,7 @@ void Dynamics::solve_once(Attempt& a) {
   PetscInt its = 0;
   check(SNESGetConvergedReason(snes_, &reason));
   check(SNESGetIterationNumber(snes_, &its));
-  a.converged = reason > 0;
+  a.solved = reason > 0;
   a.iterations = std::max(a.iterations, counted_ < 0 ? static_cast<int>(its) : counted_ + 1);
 }
 
@@ -207,33 +207,19 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   put(local_u_);
   error_ = nullptr;
   system_.forget_stiffening();
-  turned_ = missed_ = false;
   Attempt a;
   for (int round = 0;; ++round) {
     solve_once(a);
-    if (!a.converged) break;
+    if (!a.solved) break;
     load(u_.get());
     if (!system_.stiffen(trial_.s.view(h_))) break;
-    a.converged = round < kMostRaises;
-    if (!a.converged) break;
+    a.solved = round < kMostRaises;
+    if (!a.solved) break;
   }
-  if (!a.converged) return a;
-  double most[2] = {alpha_error(system_.mesh(), alpha_, h, committed_, trial_),
-                    alpha_turn(system_.mesh(), local_u_).value};
-  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system_.comm());
-  a.error = most[0];
-  turned_ = most[1] > M_PI;
-  a.converged = !turned_;
-  if (turned_) return a;
-  a.missed = missed_ = !system_.covers(trial_.s.view(h));
-  a.converged = !a.missed && (!control_.divides(h) || system_.foreseen(trial_.s.view(h)));
   return a;
 }
 
 void Dynamics::accept(double h) {
-  if (const std::string why = system_.overstretched(trial_.s.view(h)); !why.empty())
-    throw SolveError(fmt::format("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?",
-                                 trial_.s.time, why));
   // Work of whatever holds the ends, by the trapezoidal rule; that of mean forces by the mean.
   const std::vector<double>&now = system_.reactions(), &mean = system_.mean_forces();
   const std::vector<double> before = mean_.f;
@@ -337,28 +323,8 @@ void Dynamics::run(double until, const std::function<double(double)>& next_stop,
   check(TSSetMaxSteps(ts_.get(), PETSC_MAX_INT));
   check(TSSetStepNumber(ts_.get(), 0));
   check(TSSetConvergedReason(ts_.get(), TS_CONVERGED_ITERATING));
-  check(TSSetErrorIfStepFails(ts_.get(), PETSC_FALSE));
   check(TSSolve(ts_.get(), nullptr));
   if (error_) std::rethrow_exception(error_);
-  TSConvergedReason reason = TS_CONVERGED_ITERATING;
-  check(TSGetConvergedReason(ts_.get(), &reason));
-  if (reason < 0) throw SolveError(failure(h_));
-}
-
-std::string Dynamics::failure(double h) const {
-  if (turned_) {
-    NodeValue most = alpha_turn(system_.mesh(), local_u_);
-    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
-    return fmt::format(
-        "at t = {:.6g} s {}, turns by {:.3g} rad in the shortest step ({:.3g} s), which follows "
-        "half a turn at most",
-        committed_.s.time, system_.mesh().mesh->place(most.node), most.value, h);
-  }
-  if (missed_)
-    return fmt::format("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}",
-                       committed_.s.time, h, system_.refusal(trial_.s.view(h)));
-  return fmt::format("no convergence at t = {:.6g} s with the shortest step ({:.3g} s): {}",
-                     committed_.s.time, h, imbalance(system_, r_.get(), norms_));
 }
 
 }  // namespace hawser

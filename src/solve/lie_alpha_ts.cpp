@@ -9,7 +9,13 @@ namespace {
 
 PetscErrorCode step(TS ts) {
   PetscFunctionBegin;
-  PetscCall(static_cast<Dynamics*>(ts->data)->ts_step(ts));
+  StepInfo info;
+  auto& dynamics = *static_cast<Dynamics*>(ts->data);
+  const bool go_on = dynamics.ts_step(ts->max_time, info);
+  ts->ptime = dynamics.committed().s.time;
+  ts->time_step = dynamics.control().wish();
+  ts->snes_its += info.iterations;
+  if (!go_on) ts->reason = TS_CONVERGED_USER;
   PetscFunctionReturn(0);
 }
 PetscErrorCode nothing(TS) { return 0; }
@@ -39,48 +45,14 @@ void register_lie_alpha() {
 
 void lie_alpha_attach(TS ts, Dynamics* dynamics) { ts->data = dynamics; }
 
-PetscErrorCode Dynamics::ts_step(TS ts) {
-  PetscFunctionBegin;
-  StepInfo info;
+bool Dynamics::ts_step(double until, StepInfo& info) noexcept {
   try {
-    const double t = committed_.s.time;
-    const double until = ts->max_time;
-    prepare(control_.wish());  // tries can only be shorter
-    StepLimit limit;
-    if (control_.limited()) {
-      limit = system_.longest_step(committed_.s.view(last_step_), control_.wish());
-      control_.struck(t, limit.period);
-    }
-    for (bool again = false;;) {
-      const double h = control_.next(t, std::min(next_stop_(t), until), limit.longest);
-      const Attempt a = attempt(h);
-      if (a.converged && control_.accurate(h, a.error)) {
-        accept(h);
-        control_.accepted(h, a.iterations, a.error);
-        info.time = committed_.s.time, info.h = h, info.iterations = a.iterations, info.error = a.error;
-        break;
-      }
-      // How old a list of candidates is must not show in the steps: a restart makes a new one.
-      if (a.missed && !again && system_.outdated()) {
-        again = true;
-        prepare(h, &trial_.s);
-        continue;
-      }
-      ++info.rejected;
-      if (!control_.rejected(h, !a.converged, a.error)) {
-        ts->reason = TS_DIVERGED_STEP_REJECTED;
-        PetscFunctionReturn(0);
-      }
-    }
-    ts->ptime = info.time;
-    ts->time_step = control_.wish();
-    ts->snes_its += info.iterations;
-    if (!observer_(info)) ts->reason = TS_CONVERGED_USER;
+    info = take_step(until);
+    return observer_(info);
   } catch (...) {
     error_ = std::current_exception();
-    ts->reason = TS_CONVERGED_USER;
+    return false;
   }
-  PetscFunctionReturn(0);
 }
 
 }  // namespace hawser

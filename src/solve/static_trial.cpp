@@ -81,8 +81,8 @@ void StaticTrial::step(double factor) {
 }
 
 bool StaticTrial::clear() {
-  if (system_.covers(trial_.view(0))) return true;
-  if (!system_.outdated()) return false;
+  const Verdict verdict = system_.judge(trial_.view(0));
+  if (verdict.kind != Verdict::Kind::prepare_anew) return verdict.accepted();
   const LocalMesh& m = system_.mesh();
   // So that the way foreseen ends at the trial.
   if (system_.couple(straight_way(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
@@ -99,7 +99,7 @@ bool StaticTrial::clear() {
     system_.gather(u_.get(), local_);
   }
   system_.prepare(state_.view(0), 0);
-  return system_.covers(trial_.view(0));
+  return system_.judge(trial_.view(0)).accepted();
 }
 
 void StaticTrial::leave(int attempt) {

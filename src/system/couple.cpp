@@ -39,10 +39,10 @@ void System::with_frames(Couplings& c) const {
 
 Coupled System::couple(const Kinematics& committed, double h) {
   bool same = true;
-  for (auto& t : terms_) same &= !t->recouple(committed, h);
+  for (CouplesNodes* t : couple_nodes_) same &= !t->recouple(committed, h);
   if (all(comm_, same)) return Coupled::as_before;
   Couplings wanted;
-  for (const auto& t : terms_) t->couple(wanted);
+  for (const CouplesNodes* t : couple_nodes_) t->couple(wanted);
   with_frames(wanted);
   wanted.sort();
   const bool fits = all(comm_, wanted.within(couplings_) && !forgotten_);
@@ -55,25 +55,19 @@ Coupled System::couple(const Kinematics& committed, double h) {
     size_arrays();
     reghost_supports();
   }
-  for (auto& t : terms_) t->reghost();
+  for (CouplesNodes* t : couple_nodes_) t->update_ghosts();
   return fits ? Coupled::otherwise : Coupled::anew;
 }
 
-bool System::covers(const Kinematics& trial) const {
-  return all(comm_,
-             std::all_of(terms_.begin(), terms_.end(), [&](const auto& t) { return t->covers(trial); }));
-}
-
-std::string System::refusal(const Kinematics& trial) const {
-  std::string text;
-  for (const auto& t : terms_)
-    if (text.empty()) text = t->refusal(trial);
-  text = first_text(comm_, std::move(text));
-  return text.empty() ? "in it something would go through a volume or a body" : text;
-}
-
-bool System::outdated() const {
-  return !all(comm_, std::none_of(terms_.begin(), terms_.end(), [](const auto& t) { return t->outdated(); }));
+Verdict System::judge(const Kinematics& trial) const {
+  Verdict worst;
+  for (const LimitsSteps* t : limit_steps_)
+    if (Verdict v = t->judge(trial); v.kind > worst.kind) worst = std::move(v);
+  int kind = static_cast<int>(worst.kind);
+  MPI_Allreduce(MPI_IN_PLACE, &kind, 1, MPI_INT, MPI_MAX, comm_);
+  if (kind == static_cast<int>(Verdict::Kind::accept)) return {};
+  const bool mine = kind == static_cast<int>(worst.kind);
+  return {static_cast<Verdict::Kind>(kind), first_text(comm_, mine ? worst.because : std::string())};
 }
 
 void System::spread(State& s) const {

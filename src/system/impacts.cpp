@@ -15,7 +15,7 @@ void System::sum(std::span<double> values) const {
 std::vector<double> System::bearable_energies(const Kinematics& at,
                                               const std::vector<Strike>& strikes) const {
   std::vector<LineMotion> lines(sums_ / 2);
-  for (const auto& t : terms_) t->motion(at, lines);
+  for (const MovesMasses* t : move_masses_) t->motion(at, lines);
   for (const Strike& s : strikes) {
     lines[static_cast<size_t>(s.line)].striking += s.energy();
     if (s.other >= 0) lines[static_cast<size_t>(s.other)].striking += s.energy();
@@ -28,9 +28,9 @@ std::vector<double> System::bearable_energies(const Kinematics& at,
 StepLimit System::longest_step(const Kinematics& committed, double most) {
   Strikes strikes;
   strikes.most = most;
-  for (size_t i = 0; i < terms_.size(); ++i) {
-    const Logged logged(events_[i].limit);
-    terms_[i]->limit_step(committed, strikes);
+  {
+    const Logged logged(limit_event_);
+    for (const LimitsSteps* t : limit_steps_) t->limit_step(committed, strikes);
   }
   double both[2] = {strikes.longest, strikes.list.empty() ? 1.0 : 0.0};
   MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MIN, comm_);
@@ -39,7 +39,7 @@ StepLimit System::longest_step(const Kinematics& committed, double most) {
   // Also where nothing strikes yet: what comes unforeseen is judged by this step's energies, not by those of
   // whenever something struck.
   bearable_ = bearable_energies(committed, strikes.list);
-  for (const auto& t : terms_) t->bear(bearable_);
+  for (LimitsSteps* t : limit_steps_) t->bear(bearable_);
   if (both[1] > 0) return limit;
   const StepLimit struck = bounded_step(strikes.list, bearable_, std::min(most, limit.longest),
                                         [this](std::span<double> values) { sum(values); });
@@ -50,9 +50,9 @@ StepLimit System::longest_step(const Kinematics& committed, double most) {
 
 bool System::foreseen(const Kinematics& trial) {
   Unforeseen found;
-  for (size_t i = 0; i < terms_.size(); ++i) {
-    const Logged logged(events_[i].limit);
-    terms_[i]->unforeseen(trial, found);
+  {
+    const Logged logged(limit_event_);
+    for (LimitsSteps* t : limit_steps_) t->unforeseen(trial, found);
   }
   int any[2] = {found.too_deep, !found.partings.empty()};
   MPI_Allreduce(MPI_IN_PLACE, any, 2, MPI_INT, MPI_MAX, comm_);

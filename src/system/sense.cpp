@@ -13,7 +13,7 @@ constexpr double kSure = 1e-3;    // what is left of it by the EA that is told a
 
 std::string System::overstretched(const Kinematics& at) const {
   Overstretch worst;
-  for (const auto& t : terms_)
+  for (const CarriesTension* t : carry_tension_)
     if (const Overstretch o = t->overstretched(at); o.beyond > worst.beyond) worst = o;
   struct {
     double value;
@@ -35,7 +35,7 @@ std::string System::lost_in_rounding(const Kinematics& at) const {
   const double load = dead_load();
   if (load == 0) return {};
   std::vector<LineTension> lines(mesh_.mesh->lines.size());
-  for (const auto& t : terms_) t->tensions(at, lines);
+  for (const CarriesTension* t : carry_tension_) t->tensions(at, lines);
   MPI_Allreduce(MPI_IN_PLACE, lines.data(), static_cast<int>(3 * lines.size()), MPI_DOUBLE, MPI_MAX, comm_);
   for (size_t l = 0; l < lines.size(); ++l) {
     const LineTension& t = lines[l];

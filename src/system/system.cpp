@@ -53,7 +53,13 @@ void System::add(std::unique_ptr<ForceTerm> term) {
   check(PetscLogEventRegister(("f " + name).c_str(), id, &e.force));
   check(PetscLogEventRegister(("J " + name).c_str(), id, &e.tangent));
   check(PetscLogEventRegister(("prepare " + name).c_str(), id, &e.prepare));
-  check(PetscLogEventRegister(("limit " + name).c_str(), id, &e.limit));
+  if (limit_event_ < 0) check(PetscLogEventRegister("limit steps", id, &limit_event_));
+  const auto take = [&term](auto& list) {
+    using Role = std::remove_reference_t<decltype(list)>::value_type;
+    if (const auto role = dynamic_cast<Role>(term.get())) list.push_back(role);
+  };
+  take(couple_nodes_), take(limit_steps_), take(raise_stiffness_), take(on_elements_), take(move_masses_);
+  take(carry_tension_), take(scale_residuals_);
   terms_.push_back(std::move(term));
 }
 
@@ -272,31 +278,31 @@ double ResidualNorms::relative() const {
 }
 
 void System::soften(double most) {
-  for (auto& t : terms_) t->soften(most);
+  for (CarriesTension* t : carry_tension_) t->soften(most);
 }
 
 double System::axial_stiffness() const {
   double most = 0;
-  for (const auto& t : terms_) most = std::max(most, t->axial_stiffness());
+  for (const CarriesTension* t : carry_tension_) most = std::max(most, t->axial_stiffness());
   MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, comm_);
   return most;
 }
 
 double System::dead_load() const {
   double sum = 0;
-  for (const auto& t : terms_) sum += t->dead_load();
+  for (const ScalesResiduals* t : scale_residuals_) sum += t->dead_load();
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
   return steady(sum);
 }
 
 bool System::stiffen(const Kinematics& equilibrium) {
   bool again = false;
-  for (auto& t : terms_) again = t->stiffen(equilibrium) || again;
+  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen(equilibrium) || again;
   return again;
 }
 
 void System::forget_stiffening() {
-  for (auto& t : terms_) t->forget_stiffening();
+  for (RaisesStiffness* t : raise_stiffness_) t->forget_stiffening();
 }
 
 void System::prepare(const Kinematics& committed, double h) {
@@ -309,7 +315,7 @@ void System::prepare(const Kinematics& committed, double h) {
 
 void System::expect(const Kinematics& committed, double h) {
   double square = 0;
-  for (const auto& t : terms_) square += t->round_off(committed, h);
+  for (const ScalesResiduals* t : scale_residuals_) square += t->round_off(committed, h);
   MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_SUM, comm_);
   round_off_ = steady(std::sqrt(square));
 }

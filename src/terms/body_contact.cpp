@@ -123,7 +123,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     for (const auto& b : v.skeleton.face_bundles) around.add(Box{b.centre, b.centre}.grown(b.radius));
     faces_.push_back(around);
   }
-  reghost();
+  update_ghosts();
 }
 
 bool BodyContactTerm::recouple(const Kinematics&, double) {
@@ -143,7 +143,7 @@ void BodyContactTerm::couple(Couplings& to) const {
   }
 }
 
-void BodyContactTerm::reghost() {
+void BodyContactTerm::update_ghosts() {
   for (Side& s : sides_) {
     s.node = s.global < 0 ? -1 : mesh_.find(s.global);
     s.block = s.node < 0 ? -1 : mesh_.block[static_cast<size_t>(s.node)];

@@ -105,7 +105,7 @@ double Contact::deepest(int volume, double radius) const {
   return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;
 }
 
-std::string Contact::refusal(const Kinematics& trial) const {
+std::string Contact::deeper_than_allowed(const Kinematics& trial) const {
   const TooDeep at = too_deep(trial);
   if (at.node < 0) return {};
   const ContactVolume& v = volumes_[static_cast<size_t>(at.volume)];

@@ -33,7 +33,7 @@ bool LinePairs::recouple(const Kinematics& committed, double h) {
   return true;
 }
 
-void LinePairs::reghost() {
+void LinePairs::update_ghosts() {
   candidates_.locate();
   for (Pair& p : pairs_)
     if (p.history) kept_[p.key] = std::move(p.history);

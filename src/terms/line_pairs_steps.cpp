@@ -34,13 +34,31 @@ double rounded_up(double v) {
 
 }  // namespace
 
-bool LinePairs::covers(const Kinematics& trial) const {
-  if (!candidates_.covers(trial)) return false;
-  if (start_.size() != candidates_.segments().size()) return true;  // not prepared: nothing to compare with
+Verdict LinePairs::judge(const Kinematics& trial) const {
+  if (!candidates_.covers(trial))
+    return {Verdict::Kind::prepare_anew,
+            "lines move farther in it than was looked ahead for what they may touch"};
+  if (start_.size() != candidates_.segments().size()) return {};  // not prepared: nothing to compare with
   const std::vector<Rod> is = rods(trial);
-  return std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& p) {
-    return met(p, is) && (passes(p, trial) || !resolved(p, trial, is));
-  });
+  const Pair *through = nullptr, *hard = nullptr;
+  double least = HUGE_VAL;
+  for (const Pair& p : pairs_) {
+    if (!met(p, is)) continue;
+    if (passes(p, trial)) {
+      const double gap = nearest(p, start_[static_cast<size_t>(p.a)], start_[static_cast<size_t>(p.b)]).gap;
+      if (!through || gap < least) through = &p, least = gap;
+    } else if (!hard && !resolved(p, trial, is)) {
+      hard = &p;
+    }
+  }
+  if (through) return {Verdict::Kind::shorter, too_soft(*through)};
+  if (hard)
+    return {
+        Verdict::Kind::shorter,
+        fmt::format("{} meet on a contact so stiff ({:.3g} N/m per m, a period of {:.2g} s) that no step is "
+                    "short enough to follow it",
+                    where(*hard), hard->law.normal.stiffness, 2 * M_PI * slowness(*hard))};
+  return {};
 }
 
 // Whether an axis comes through the other, or nearly, on the way from the start of the step.
@@ -190,30 +208,6 @@ std::string LinePairs::too_soft(const Pair& p) const {
       "through each other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for "
       "what presses them ({:.3g} J in the contact). Try contact: {{between_lines: {{{}}}}}",
       where(p), depth, 100 * depth / reach, k, has, advice);
-}
-
-std::string LinePairs::refusal(const Kinematics& trial) const {
-  if (start_.size() != candidates_.segments().size()) return {};
-  const std::vector<Rod> is = rods(trial);
-  const Pair *through = nullptr, *hard = nullptr;
-  double least = HUGE_VAL;
-  for (const Pair& p : pairs_) {
-    if (!p.counted || !met(p, is)) continue;
-    const double gap = nearest(p, start_[static_cast<size_t>(p.a)], start_[static_cast<size_t>(p.b)]).gap;
-    if (gap < least && passes(p, trial))
-      through = &p, least = gap;
-    else if (!hard && !resolved(p, trial, is))
-      hard = &p;
-  }
-  if (through) return too_soft(*through);
-  if (hard)
-    return fmt::format(
-        "{} meet on a contact so stiff ({:.3g} N/m per m, a period of {:.2g} s) that no step is short "
-        "enough to follow it",
-        where(*hard), hard->law.normal.stiffness, 2 * M_PI * slowness(*hard));
-  if (!candidates_.covers(trial))
-    return "lines move farther in it than was looked ahead for what they may touch";
-  return {};
 }
 
 }  // namespace hawser

@@ -22,13 +22,19 @@ DistanceField distance_to(const Surface& surface) {
 
 }  // namespace
 
-bool VolumeContact::covers(const Kinematics& trial) const {
-  if (!(trial.step > 0)) return true;
-  if (too_deep(trial).node >= 0) return false;
-  if (model_ == NodeContact::gap) return true;
+Verdict Contact::judge(const Kinematics& trial) const {
+  if (!(trial.step > 0)) return {};
+  if (std::string why = deeper_than_allowed(trial); !why.empty())
+    return {Verdict::Kind::shorter, std::move(why)};
+  if (tunnels(trial)) return {Verdict::Kind::shorter, "in it a line would go through a volume"};
+  return {};
+}
+
+bool VolumeContact::tunnels(const Kinematics& trial) const {
+  if (model_ == NodeContact::gap) return false;
   std::vector<RigidPose> poses;
   pose_bodies(trial, poses);
-  return std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
     if (pair.slot > 0) return false;
     const size_t n = static_cast<size_t>(pair.node);
     const Vec3 &from = pair.start.point, to = poses[body(pair.volume)].to_body(trial.x[n]);
@@ -43,16 +49,14 @@ bool VolumeContact::covers(const Kinematics& trial) const {
 }
 
 // Most are far away, or move less than they are thick.
-bool LineContact::covers(const Kinematics& trial) const {
-  if (!(trial.step > 0)) return true;
-  if (too_deep(trial).node >= 0) return false;
+bool LineContact::tunnels(const Kinematics& trial) const {
   std::vector<RigidPose> poses;
   pose_bodies(trial, poses);
   const auto way = [&](const Group& g, int node) {
     const size_t n = static_cast<size_t>(node);
     return (trial.x[n] - start_x_[n]).norm() + g.turn * (trial.q[n].coeffs() - start_q_[n].coeffs()).norm();
   };
-  return std::none_of(groups_.begin(), groups_.end(), [&](const Group& g) {
+  return std::any_of(groups_.begin(), groups_.end(), [&](const Group& g) {
     const Pair& pair = pairs_[g.first];
     const double radius = elements_[static_cast<size_t>(pair.element)].radius;
     if (still_[g.body] && std::max(way(g, g.nodes[0]), way(g, g.nodes[1])) < std::max(g.room, radius))
@@ -98,10 +102,11 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
              [&](const SkeletonEdge& e) { return meets(e.from, e.to, e.radius); });
 }
 
-bool BodyContactTerm::covers(const Kinematics& trial) const {
-  return !(trial.step > 0) || std::none_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-    return pair.counted && passes(pair, trial);
-  });
+Verdict BodyContactTerm::judge(const Kinematics& trial) const {
+  const bool through = trial.step > 0 && std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+                         return pair.counted && passes(pair, trial);
+                       });
+  return through ? Verdict{Verdict::Kind::shorter, "in it a body would go through another one"} : Verdict{};
 }
 
 }  // namespace hawser

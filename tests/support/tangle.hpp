@@ -10,7 +10,7 @@
 namespace hawser::test {
 
 // Linear springs that push the middles of elements apart which are nearer than both radii.
-class MiddleSprings final : public ForceTerm {
+class MiddleSprings final : public ForceTerm, public CouplesNodes, public LimitsSteps {
  public:
   MiddleSprings(MPI_Comm comm, const LocalMesh& mesh, double radius, double stiffness,
                 CandidateSettings settings = {})
@@ -26,9 +26,12 @@ class MiddleSprings final : public ForceTerm {
   std::string_view name() const override { return "middle springs"; }
   bool recouple(const Kinematics& committed, double h) override { return list.update(committed, h); }
   void couple(Couplings& to) const override { list.couple(to); }
-  void reghost() override { list.locate(), ++located; }
-  bool covers(const Kinematics& t) const override {
-    return list.covers(t) && !(t.step > refuse && t.time > refuse_from && t.time < refuse_to);
+  void update_ghosts() override { list.locate(), ++located; }
+  void limit_step(const Kinematics&, Strikes&) const override {}
+  Verdict judge(const Kinematics& t) const override {
+    if (!list.covers(t)) return {Verdict::Kind::prepare_anew, "candidates are out of date"};
+    const bool refused = t.step > refuse && t.time > refuse_from && t.time < refuse_to;
+    return refused ? Verdict{Verdict::Kind::shorter, "the test refuses it"} : Verdict{};
   }
   void evaluate(const Kinematics& at, Sink& sink) override {
     for (const CandidatePair& p : list.pairs()) {

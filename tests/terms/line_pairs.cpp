@@ -106,7 +106,12 @@ TEST(LinePairs, AdviceNamesTheLines) {
   for (const bool tuned : {false, true}) {
     PairModel m({.name = "through", .angle = 1.3, .gap = -0.35, .before = -0.08, .tuned = tuned});
     m.mesh.lines[0].name = "hose", m.mesh.lines[1].name = "rope";
-    const std::string said = m.contact->refusal(state_of(m.system->mesh(), m.trial).view(m.trial.h));
+    const double h = m.trial.h;
+    const State& start = m.trial.from;
+    const State end = state_of(m.system->mesh(), m.trial);
+    m.system->couple(straight_way(m.system->mesh(), start, end, h).view(h), h);
+    m.system->prepare(start.view(h), h);
+    const std::string said = m.contact->judge(end.view(h)).because;
     const std::string advice = "Try contact: {between_lines: {";
     EXPECT_NE(said.find(advice + (tuned ? "pairs: [{lines: [hose, rope], normal_stiffness: {per_length: "
                                         : "normal_s")),

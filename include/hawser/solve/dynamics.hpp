@@ -65,23 +65,27 @@ class Dynamics {
   const MeanForces& mean_forces() const { return mean_; }
   double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
 
-  // Used by the TS type.
-  struct Attempt {
-    bool converged = false;
-    bool missed = false;  // it did converge, but not all that acts was foreseen
-    int iterations = 0;
-    double error = 0;
-  };
-  // One try of a step h from the committed state, after the terms were prepared for a step at least as long.
-  Attempt attempt(double h);
-  void accept(double h);
-  PetscErrorCode ts_step(TS ts);
   // Before a step of h: terms say who sees whom, and where that is new vectors, matrix, solver and ghosts of
   // the committed state are made anew; then the terms are prepared. Where a step went another way than the
   // rates foretell, `end` is where it led. Collective.
   void prepare(double h, const State* end = nullptr);
+  // Takes one step towards `until` [s] (step_decision.cpp). SolveError where the shortest one fails, or no
+  // step can help. Used by the TS type.
+  StepInfo take_step(double until);
+  // The same for PETSc: one step of the TS, told to the observer; false: it stops the run. Exceptions are
+  // kept for run().
+  bool ts_step(double until, StepInfo& info) noexcept;
 
  private:
+  // A try of a step h from the committed state, after the terms were prepared for one at least as long.
+  struct Attempt {
+    bool solved = false;  // Newton's iteration converged
+    int iterations = 0;
+    double error = 0;  // m, local
+  };
+  Attempt attempt(double h);
+  Verdict judge(double h, Attempt& a);
+  void accept(double h);
   void build();
   static PetscErrorCode residual(SNES, Vec u, Vec r, void* self);
   static PetscErrorCode jacobian(SNES, Vec u, Mat, Mat P, void* self);
@@ -91,7 +95,6 @@ class Dynamics {
   void solve_once(Attempt& a);
   void put(const std::vector<double>& u);
   void solve_masses();
-  std::string failure(double h) const;
 
   System& system_;
   DynamicsSettings settings_;
@@ -105,9 +108,7 @@ class Dynamics {
   double expected_ = -1;         // s, the step that the system was last told to expect
   bool copied_ = false;          // trial_ has all that a step leaves alone
   bool loaded_ = false;          // trial_ belongs to local_u_
-  bool turned_ = false;          // a node turned too far in the last try to tell which way
   bool polishing_ = false;       // within the tolerance, improved once more with the old factors
-  bool missed_ = false;          // so was the last try
   double first_ = 0;  // N, size of the first residual of this Newton solution, and of what makes it up
   int counted_ = -1;  // iterations to a residual far above rounding; < 0: not there yet
   VecHandle u_, r_, solution_;

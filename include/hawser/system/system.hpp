@@ -46,6 +46,10 @@ class System {
   const LocalMesh& mesh() const { return mesh_; }
   const Supports& supports() const { return supports_; }
   const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
+  // Of an element of a line, all terms that act on it: see ActsOnElements.
+  void element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+    for (const ActsOnElements* t : on_elements_) t->element_force(at, e, f);
+  }
 
   void add(std::unique_ptr<ForceTerm> term);
   void support(std::vector<Support> supports, BodyMotion motion);
@@ -64,11 +68,9 @@ class System {
   bool coupled() const { return coupled_; }
   // Whether forces on nodes of other ranks may arise here (contact of a line with a body that floats).
   bool sends() const { return coupled_ && mesh_.mesh->has_frames(); }
-  // See ForceTerm::covers; over all ranks. Collective.
-  bool covers(const Kinematics& trial) const;
-  bool outdated() const;  // likewise
-  // Of a step that is not covered, why not: the first rank's word, on all ranks. Collective.
-  std::string refusal(const Kinematics& trial) const;
+  // Of a converged step, or a trial of statics: the weightiest verdict of all terms and ranks, the same on
+  // all. Collective.
+  Verdict judge(const Kinematics& trial) const;
 
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;
@@ -95,7 +97,7 @@ class System {
   // last residual() call before held components were zeroed; 3 * local blocks, valid for owned blocks.
   const std::vector<double>& reactions() const { return force_; }
 
-  // Of all terms, over all ranks (collective): see ForceTerm.
+  // Over all ranks (collective): see roles.hpp.
   void soften(double most);
   double axial_stiffness() const;
   double dead_load() const;
@@ -137,11 +139,20 @@ class System {
   GhostExchange exchange_;
   Supports supports_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
-  // -log_view names time by term: forces, tangents, what is done before a step, and how long that may be.
+  // Those of the terms that have a role (roles.hpp).
+  std::vector<CouplesNodes*> couple_nodes_;
+  std::vector<LimitsSteps*> limit_steps_;
+  std::vector<RaisesStiffness*> raise_stiffness_;
+  std::vector<ActsOnElements*> on_elements_;
+  std::vector<MovesMasses*> move_masses_;
+  std::vector<CarriesTension*> carry_tension_;
+  std::vector<ScalesResiduals*> scale_residuals_;
+  // -log_view names time by term: forces, tangents, and what is done before a step.
   struct Events {
-    PetscLogEvent force = 0, tangent = 0, prepare = 0, limit = 0;
+    PetscLogEvent force = 0, tangent = 0, prepare = 0;
   };
   std::vector<Events> events_;
+  PetscLogEvent limit_event_ = -1;
   std::vector<char> is_rotation_;
   std::vector<double> force_, mean_;
   std::vector<Mat3> retraction_;

@@ -28,7 +28,7 @@ struct TouchingVolume {
   BodySkeleton skeleton;
 };
 
-class BodyContactTerm final : public ForceTerm {
+class BodyContactTerm final : public ForceTerm, public CouplesNodes, public LimitsSteps {
  public:
   // volumes: all of the case, in its order. Pairs are those of model::body_pairs. comm: of all ranks.
   BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
@@ -37,12 +37,12 @@ class BodyContactTerm final : public ForceTerm {
   std::string_view name() const override { return "body contact"; }
   void couple(Couplings& to) const override;
   bool recouple(const Kinematics&, double) override;
-  void reghost() override;
+  void update_ghosts() override;
   // Of a step in time it watches.
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, Strikes& to) const override;
   // Nothing that stands out goes through the other body between the ends of a step.
-  bool covers(const Kinematics& trial) const override;
+  Verdict judge(const Kinematics& trial) const override;
   void unforeseen(const Kinematics& trial, Unforeseen& to) override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;

@@ -67,7 +67,7 @@ struct ContactHistory {
 // damping.
 NormalLaw normal_law(const model::Volume& v, double share, double smoothing, double mass);
 
-class Contact : public ForceTerm {
+class Contact : public ForceTerm, public CouplesNodes, public LimitsSteps, public RaisesStiffness {
  public:
   // Off in the first stage of statics. While off no slip is kept.
   void enable_friction(bool on) { friction_on_ = on; }
@@ -89,8 +89,10 @@ class Contact : public ForceTerm {
   // is raised again when a run goes on from a checkpoint.
   double stiffness(int volume) const { return committed_stiffness_[static_cast<size_t>(volume)]; }
   void raise_to(int volume, double stiffness);
+  // Nothing goes through a volume between the ends of a step, nor deeper into one than its law is for.
+  Verdict judge(const Kinematics& trial) const override;
   // Where a line is deeper in a volume than its law is for, in words for the user; empty: nowhere. Local.
-  std::string refusal(const Kinematics& trial) const override;
+  std::string deeper_than_allowed(const Kinematics& trial) const;
   const std::string& volume_name(int volume) const {
     return volumes_[static_cast<size_t>(volume)].settings.name;
   }
@@ -137,6 +139,8 @@ class Contact : public ForceTerm {
     double depth = 0, radius = 0;
   };
   virtual TooDeep too_deep(const Kinematics& trial) const = 0;
+  // Whether something goes through a volume between the ends of the step (tunnelling).
+  virtual bool tunnels(const Kinematics& trial) const = 0;
   virtual const Mesh& lines() const = 0;
 
   // share: what turns the stiffness basis of the volume into the method's own (N/m a node, N/m² a length);

@@ -31,7 +31,7 @@ struct Sea {
 Sea sea_of(const model::Case& c);
 CurrentProfile current_profile(const model::Water& w, double factor = 1);
 
-class Hydrodynamics final : public ForceTerm {
+class Hydrodynamics final : public ForceTerm, public ActsOnElements, public ScalesResiduals {
  public:
   struct Piece {
     LocalElement at;

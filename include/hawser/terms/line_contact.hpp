@@ -36,8 +36,6 @@ class LineContact final : public Contact {
   // As limit_depth and strikes say of the ends and the middle of each element and of what touches.
   void limit_step(const Kinematics& committed, Strikes& to) const override;
   void unforeseen(const Kinematics& trial, Unforeseen& to) override;
-  // Nothing goes through a volume between the ends of a step.
-  bool covers(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
   bool stiffen(const Kinematics& equilibrium) override;
@@ -219,6 +217,7 @@ class LineContact final : public Contact {
   ContactLaw element_law(size_t element, const model::Volume& v) const;
   void renew_laws();
   TooDeep too_deep(const Kinematics& trial) const override;
+  bool tunnels(const Kinematics& trial) const override;
   double thickest() const override;
   const Mesh& lines() const override { return *mesh_.mesh; }
   void account(Pair& pair, const AxisShape& shape, const std::vector<Point>& next);

@@ -14,7 +14,10 @@ namespace model {
 struct Case;
 }
 
-class LineMassTerm final : public ForceTerm {
+class LineMassTerm final : public ForceTerm,
+                           public ActsOnElements,
+                           public MovesMasses,
+                           public ScalesResiduals {
  public:
   struct Load {
     Vec3 per_length = Vec3::Zero();  // N/m of unstretched element length

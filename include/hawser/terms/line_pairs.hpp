@@ -40,7 +40,7 @@ double automatic_stiffness(const LinePairOptions::Automatic& a, const LinePairOp
 // points.
 double deepest_of(const std::vector<LinePairHistory>& points);
 
-class LinePairs final : public ForceTerm {
+class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsSteps {
  public:
   // elements: one for each of Mesh::elements; radius 0 takes no part. std::invalid_argument for settings that
   // make no sense. Collective.
@@ -53,11 +53,9 @@ class LinePairs final : public ForceTerm {
   std::string_view name() const override { return "line-line contact"; }
   bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override { candidates_.couple(to); }
-  void reghost() override;
+  void update_ghosts() override;
   // Nothing was missed, no line went through another, and the step resolves how lines meet and part.
-  bool covers(const Kinematics& trial) const override;
-  std::string refusal(const Kinematics& trial) const override;
-  bool outdated() const override { return candidates_.outdated(); }
+  Verdict judge(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, Strikes& to) const override;
   void bear(std::span<const double> energies) override { bearable_.assign(energies.begin(), energies.end()); }

@@ -20,7 +20,7 @@ struct NodeLoad {
 std::vector<NodeLoad> point_loads(const model::Case& c, const LocalMesh& mesh);
 
 // Residual: -s(t) F on the position, -s(t) R'M on the rotation block; K of the moment is exact.
-class PointLoads final : public ForceTerm {
+class PointLoads final : public ForceTerm, public ScalesResiduals {
  public:
   // Loads on nodes that aren't owned are left out. Throws std::invalid_argument for a moment on a cable node.
   PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads);
@@ -57,7 +57,7 @@ struct NodeMass {
 std::vector<NodeMass> point_masses(const model::Case& c, const LocalMesh& mesh);
 
 // Residual m (a + g z): inertia and weight on the position block.
-class PointMasses final : public ForceTerm {
+class PointMasses final : public ForceTerm, public ScalesResiduals {
  public:
   PointMasses(const LocalMesh& mesh, std::vector<NodeMass> masses, double gravity);
 

@@ -12,7 +12,7 @@
 
 namespace hawser {
 
-class RigidBodies final : public ForceTerm {
+class RigidBodies final : public ForceTerm, public ScalesResiduals {
  public:
   // For the bodies with mass of the case that this rank owns. gravity [m/s²] along -z.
   RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies);

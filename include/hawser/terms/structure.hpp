@@ -14,7 +14,10 @@ namespace model {
 struct Case;
 }
 
-class StructureTerm final : public ForceTerm {
+class StructureTerm final : public ForceTerm,
+                            public ActsOnElements,
+                            public CarriesTension,
+                            public ScalesResiduals {
  public:
   struct Beam {
     LocalElement at;

@@ -33,8 +33,6 @@ class VolumeContact final : public Contact {
   // So that no node gets deeper past a surface in a step than half its radius at its present speed.
   void limit_step(const Kinematics& committed, Strikes& to) const override;
   void unforeseen(const Kinematics& trial, Unforeseen& to) override;
-  // Nothing goes through a volume between the ends of a step.
-  bool covers(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   bool stiffen(const Kinematics& equilibrium) override;
@@ -129,6 +127,7 @@ class VolumeContact final : public Contact {
   void account(const Pair& pair, const History& next, const Vec3& y);
 
   TooDeep too_deep(const Kinematics& trial) const override;
+  bool tunnels(const Kinematics& trial) const override;
   double thickest() const override;
   const Mesh& lines() const override { return mesh_; }
 

@@ -1,0 +1,113 @@
+// What a force term may be beside a force. A term that takes a role on inherits it as well; System keeps a
+// list of those who have it, and the order in which terms were added means nothing.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hawser/kernels/impact.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/state/kinematics.hpp"
+#include "hawser/system/couplings.hpp"
+#include "hawser/system/verdict.hpp"
+
+namespace hawser {
+
+// Lets nodes see each other which no element joins (contact of lines with lines and with bodies).
+class CouplesNodes {
+ public:
+  virtual ~CouplesNodes() = default;
+  // Before a step of length h [s] (0: statics) and before prepare(). Collective; local nodes of the time
+  // before count. True: couple() or what was kept by local node is no longer what it was; update_ghosts()
+  // follows.
+  virtual bool recouple(const Kinematics& committed, double h) = 0;
+  // Adds which nodes see each other, of those groups of which this rank owns a node.
+  virtual void couple(Couplings& to) const = 0;
+  // Those nodes are local ones now; local nodes from LocalMesh::chain on are no longer what they were.
+  virtual void update_ghosts() {}
+};
+
+// Says how long a step may be, and whether a converged one can be trusted.
+class LimitsSteps {
+ public:
+  virtual ~LimitsSteps() = default;
+  // Longest step from here, and what strikes, each once over all ranks; asked after prepare(). Steps that the
+  // user fixed are divided by it where impacts are to be resolved.
+  virtual void limit_step(const Kinematics& committed, Strikes& to) const = 0;
+  // Of a converged step or a trial of statics, on this rank: tunnelling, penetration beyond what a law is
+  // for, candidates that are out of date.
+  virtual Verdict judge(const Kinematics& trial) const = 0;
+  // Adds what limit_step() could not foresee, each once over all ranks; local. Asked of a converged step
+  // before it is accepted.
+  virtual void unforeseen(const Kinematics& trial, Unforeseen& to) { (void)trial, (void)to; }
+  // What impacts may make, lose or leave unresolved in that step, J by line of the mesh.
+  virtual void bear(std::span<const double> energies) { (void)energies; }
+};
+
+// A penalty stiffness that follows what the run meets. evaluate() never changes it.
+class RaisesStiffness {
+ public:
+  virtual ~RaisesStiffness() = default;
+  // From an equilibrium, raises it where that asks for it and says so (solve again). Collective.
+  virtual bool stiffen(const Kinematics& equilibrium) = 0;
+  // Takes back what was raised since the last commit, before a step is tried (again).
+  virtual void forget_stiffening() = 0;
+};
+
+// Acts on the elements of lines, so that forces at their ends can be told.
+class ActsOnElements {
+ public:
+  virtual ~ActsOnElements() = default;
+  // Adds what this term has in the residual of a local element, from the state alone: f[12] = (x1, theta1,
+  // x2, theta2), forces in space axes [N], moments in material axes [N m]; of cables no moments.
+  virtual void element_force(const Kinematics& at, const LocalElement& e, double* f) const = 0;
+};
+
+// Has mass on lines.
+class MovesMasses {
+ public:
+  virtual ~MovesMasses() = default;
+  // Adds what this rank counts of the masses that move, by line of the mesh.
+  virtual void motion(const Kinematics& at, std::span<LineMotion> lines) const = 0;
+};
+
+// The element that is stretched (or pressed) furthest beyond what its law can mean.
+struct Overstretch {
+  double beyond = 0;            // of the strain; 0: none is
+  int node = -1;                // of the mesh, at its first end
+  double strain = 0, most = 0;  // and what is borne, both signed
+  double tension = 0, EA = 0;   // N
+};
+
+// Of a line: the largest tension, round-off in one, and EA, N.
+struct LineTension {
+  double tension = 0, round_off = 0, EA = 0;
+};
+
+// Carries the tension of lines.
+class CarriesTension {
+ public:
+  virtual ~CarriesTension() = default;
+  // Axial stiffness is at most this, N, until told otherwise (HUGE_VAL: the true one): statics starts soft,
+  // where a very stiff line would have to creep along a narrow valley of its energy.
+  virtual void soften(double most) = 0;
+  // Largest EA, N, of this rank; 0: none.
+  virtual double axial_stiffness() const = 0;
+  // The worst overstretched element of this rank, if there is one.
+  virtual Overstretch overstretched(const Kinematics& at) const = 0;
+  // Raises what `lines`, one for each line of the mesh, have to what this rank's elements have.
+  virtual void tensions(const Kinematics& at, std::span<LineTension> lines) const = 0;
+};
+
+// Knows how large forces are: what a residual is judged against.
+class ScalesResiduals {
+ public:
+  virtual ~ScalesResiduals() = default;
+  // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics):
+  // no residual can be smaller.
+  virtual double round_off(const Kinematics& at, double h) const { return (void)at, (void)h, 0.0; }
+  // Sum of the sizes of the dead loads on this rank, N.
+  virtual double dead_load() const { return 0; }
+};
+
+}  // namespace hawser
