@@ -26,7 +26,7 @@ Verdict Contact::judge(const Kinematics& trial) const {
   if (!(trial.step > 0)) return {};
   if (std::string why = deeper_than_allowed(trial); !why.empty())
     return {Verdict::Kind::shorter, std::move(why)};
-  if (tunnels(trial)) return {Verdict::Kind::shorter, "in it a line would go through a volume"};
+  if (tunnels(trial)) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
   return {};
 }
 
@@ -106,7 +106,7 @@ Verdict BodyContactTerm::judge(const Kinematics& trial) const {
   const bool through = trial.step > 0 && std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
                          return pair.counted && passes(pair, trial);
                        });
-  return through ? Verdict{Verdict::Kind::shorter, "in it a body would go through another one"} : Verdict{};
+  return through ? Verdict{Verdict::Kind::shorter, "in it a body would pass through another one"} : Verdict{};
 }
 
 }  // namespace hawser
