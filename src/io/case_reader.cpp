@@ -13,6 +13,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader_parts.hpp"
 #include "hawser/io/input_file.hpp"
+#include "hawser/io/old_results.hpp"
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/nearest.hpp"
@@ -362,11 +363,13 @@ class Reader {
       source_.bad(v["file"], "output.file", "must end in .h5, found " + model::quote(v["file"].text));
     o.every = number(v, "every");
     o.checkpoint_every = number(v, "checkpoint_every");
+    // What is there is kept under another name, in place of what had that.
     for (const model::Line& l : c_.lines)
-      if (std::error_code same; l.left && fs::equivalent(l.left->file, o.file, same))
-        source_.bad(v.has("file") ? v["file"] : v, "output.file",
-                    o.file + " is the run that line '" + l.name +
-                        "' starts from, and would be overwritten; give another 'file'");
+      for (const std::string& replaced : {o.file, kept_name(o.file)})
+        if (std::error_code same; l.left && fs::equivalent(l.left->file, replaced, same))
+          source_.bad(v.has("file") ? v["file"] : v, "output.file",
+                      replaced + " is the run that line '" + l.name +
+                          "' starts from, and would be overwritten; give another 'file'");
     const std::vector<Value>& formats = v["format"].items;
     const auto lists = [&](const char* w) {
       return std::any_of(formats.begin(), formats.end(), [&](const Value& f) { return f.is(w); });

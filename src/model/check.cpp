@@ -18,7 +18,8 @@ namespace {
 constexpr double kLargestStrain = 0.10;     // to reach between held ends; more is a misprint, not a taut line
 constexpr double kLargestExpansion = 0.05;  // by heat; ropes and rubber stay below
 constexpr double kArcTolerance = 1e-9;      // of the line's length
-constexpr double kMostElements = 1e6;       // of a case; each takes 5 to 10 KB in a run
+constexpr double kMostWeight = 100;    // of a line in air, in EA: soft rubber under water has 1 at the most
+constexpr double kMostElements = 1e6;  // of a case; each takes 5 to 10 KB in a run
 
 class LineCheck {
  public:
@@ -26,6 +27,7 @@ class LineCheck {
       : c_(c), line_(line), key_("lines." + line.name), length_(length_of(line)), issues_(issues) {}
 
   void run() {
+    check_weight();
     check_end(line_.end_a, line_.sections.front(), "end_a");
     check_end(line_.end_b, line_.sections.back(), "end_b");
     check_start();
@@ -46,6 +48,18 @@ class LineCheck {
   }
 
   bool held(const End& e) const { return e.kind != EndKind::free; }
+
+  void check_weight() {
+    for (const Section& s : line_.sections) {
+      const LineType& type = c_.line_type(s.type);
+      const double weight = type.mass_per_length * s.length * c_.environment.gravity;
+      if (weight > kMostWeight * type.EA)
+        issue("",
+              "{:g} m of line type '{}' weigh {:.3g} N, which an EA of {:.3g} N cannot carry: check its "
+              "mass_per_length and EA",
+              s.length, s.type, weight, type.EA);
+    }
+  }
 
   void check_end(const End& e, const Section& section, const std::string& key) {
     if (e.kind == EndKind::joint && (e.clamped || e.rotational_stiffness > 0))

@@ -36,8 +36,7 @@ double rounded_up(double v) {
 
 Verdict LinePairs::judge(const Kinematics& trial) const {
   if (!candidates_.covers(trial))
-    return {Verdict::Kind::prepare_anew,
-            "lines move farther in it than the contact search covers"};
+    return {Verdict::Kind::prepare_anew, "lines move farther in it than the contact search covers"};
   if (start_.size() != candidates_.segments().size()) return {};  // not prepared: nothing to compare with
   const std::vector<Rod> is = rods(trial);
   const Pair *through = nullptr, *hard = nullptr;

@@ -87,7 +87,6 @@ class LineCandidates {
   // update() will make the list anew, whether it holds or not.
   void forget() { outdated_ = true; }
   // Whether it did not since the list was made: update() will make it anew.
-  bool outdated() const { return outdated_; }
 
   // The elements of this rank with a radius, in the order of LocalMesh::elements, then those of other ranks
   // that pairs need.
