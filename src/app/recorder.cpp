@@ -437,7 +437,7 @@ std::string Recorder::finish() {
 }
 
 void Recorder::save(io::Checkpoint& to) {
-  if (clashes_) to.records[kClashRecords] = clashes_->save();
+  if (clashes_) to.history[kClashRecords] = {ClashReport::history(), clashes_->save()};
   auto& scalars = to.scalars;
   save_energy(scalars, "audit.start.", start_);
   save_energy(scalars, "audit.now.", audit_.now);
@@ -454,8 +454,8 @@ void Recorder::save(io::Checkpoint& to) {
 
 void Recorder::restore(const io::Checkpoint& from) {
   if (clashes_) {
-    const auto at = from.records.find(kClashRecords);
-    clashes_->restore(at == from.records.end() ? std::vector<HistoryRecord>{} : at->second);
+    const auto at = from.history.find(kClashRecords);
+    clashes_->restore(at == from.history.end() ? std::vector<HistoryRecord>{} : at->second.records);
   }
   const auto& scalars = from.scalars;
   auto get = [&](const std::string& k) {

@@ -95,7 +95,8 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
       }
   };
   rows(kReaction, d.reactions()), rows(kMeanQ, d.mean_forces().q), rows(kMeanF, d.mean_forces().f);
-  for (const auto& term : simulation.system().terms()) c.records[std::string(term->name())] = term->save();
+  for (const auto& term : simulation.system().terms())
+    c.history[std::string(term->name())] = {term->history(), term->save()};
   c.scalars = signature(simulation);
   c.scalars["step.wish"] = d.control().wish();
   c.scalars["step.wait"] = d.control().wait();
@@ -113,7 +114,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   // elimination on that. A run that goes on from here knows what is near now; so that it takes the same steps
   // to the last bit, so does this one from here on.
   if (LinePairs* between = simulation.line_pairs()) {
-    between->restore(c.records.at(std::string(between->name())));
+    between->restore(c.history.at(std::string(between->name())).records);
     simulation.system().forget_couplings();
     d.prepare(d.control().wish());
   }
@@ -140,12 +141,15 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
   if (more != static_cast<long>(here.size())) throw refuse("other volumes");
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError(fmt::format("cannot go on from {}: {}", path, wrong));
-  if (!c.nodes.count(kMeanQ))
-    throw InputError(
-        fmt::format("cannot go on from {}: an earlier version of hawser wrote it, which stored less of "
-                    "step to step; begin "
-                    "with its last shape by 'start: {{from: {}}}', or anew",
-                    path, path));
+  bool same = c.nodes.count(kMeanQ) > 0;
+  for (const auto& term : simulation.system().terms())
+    if (const auto it = c.history.find(std::string(term->name())); it != c.history.end())
+      same &= it->second.kinds == term->history();
+  if (!same)
+    throw InputError(fmt::format(
+        "cannot go on from {}: an earlier version of hawser wrote it, which stored other quantities "
+        "of the steps before; begin with its last shape by 'start: {{from: {}}}', or anew",
+        path, path));
   return c;
 }
 
@@ -180,8 +184,8 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     return out;
   };
   for (const auto& term : simulation.system().terms())
-    if (const auto it = c.records.find(std::string(term->name())); it != c.records.end())
-      term->restore(it->second);
+    if (const auto it = c.history.find(std::string(term->name())); it != c.history.end())
+      term->restore(it->second.records);
   Contact* contact = simulation.contact();
   for (int v = 0; contact && v < contact->volumes(); ++v)
     if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())

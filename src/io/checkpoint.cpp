@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
@@ -27,7 +28,14 @@ std::string describe(const Checkpoint& c, int nodes_total) {
   out << "mesh " << nodes_total << '\n';
   for (const auto& [name, value] : c.scalars) out << "scalar " << name << '\n';
   for (const auto& [name, field] : c.nodes) out << "nodes " << field.components << ' ' << name << '\n';
-  for (const auto& [name, list] : c.records) out << "records " << name << '\n';
+  for (const auto& [term, history] : c.history) {
+    out << "history " << term << '\n';
+    for (const HistoryKind& k : history.kinds) {
+      out << "kind " << k.name << '\n';
+      for (const HistoryQuantity& q : k.quantities)
+        out << "quantity " << q.components << ' ' << q.name << '\t' << q.unit << '\n';
+    }
+  }
   return out.str();
 }
 
@@ -39,6 +47,8 @@ void agree(MPI_Comm comm, bool good, const std::string& names) {
   if (most[0] != ~most[1]) throw std::logic_error("checkpoint: names differ between ranks");
   if (most[2]) throw std::logic_error("checkpoint: values do not belong to the owned nodes");
 }
+
+constexpr double kMostKinds = 100;  // of records of a term
 
 struct Slot {
   std::string index;
@@ -110,15 +120,25 @@ unsigned long long checkpoint_sum(const std::string& index, long long sequence, 
   return sum;
 }
 
-// The array: time, scalars, node fields (node after node), then for each name the number of doubles of
-// its records and the records by node: node, key, length, values.
+// Whether a record has a kind that there is, and the length of whole entries of it.
+bool fits(const CheckpointHistory& history, const HistoryRecord& r) {
+  if (r.kind < 0 || static_cast<size_t>(r.kind) >= history.kinds.size()) return false;
+  size_t size = 0;
+  for (const HistoryQuantity& q : history.kinds[static_cast<size_t>(r.kind)].quantities)
+    size += static_cast<size_t>(q.components);
+  return size > 0 && r.values.size() % size == 0;
+}
+
+// The array: time, scalars, node fields (node after node), then for each term the number of doubles of
+// its records and the records by node: node, kind, key, length, values.
 PackedCheckpoint pack_checkpoint(MPI_Comm comm, const Checkpoint& c, int nodes_total,
                                  const std::vector<int>& owned) {
   bool good = true;
   for (const auto& [name, field] : c.nodes)
     good = good && field.values.size() == owned.size() * static_cast<size_t>(field.components);
-  for (const auto& [name, list] : c.records)
-    for (const auto& r : list) good = good && std::binary_search(owned.begin(), owned.end(), r.node);
+  for (const auto& [name, history] : c.history)
+    for (const auto& r : history.records)
+      good = good && std::binary_search(owned.begin(), owned.end(), r.node) && fits(history, r);
   PackedCheckpoint p;
   p.index = describe(c, nodes_total);
   agree(comm, good, p.index);
@@ -144,25 +164,25 @@ PackedCheckpoint pack_checkpoint(MPI_Comm comm, const Checkpoint& c, int nodes_t
       put(at + owned[i] * static_cast<long long>(nc), &field.values[i * nc], nc);
     at += nodes_total * static_cast<long long>(nc);
   }
-  for (const auto& [name, list] : c.records) {
+  for (const auto& [name, history] : c.history) {
     std::vector<const HistoryRecord*> sorted;
-    for (const auto& r : list) sorted.push_back(&r);
+    for (const auto& r : history.records) sorted.push_back(&r);
     std::stable_sort(sorted.begin(), sorted.end(), [](const HistoryRecord* a, const HistoryRecord* b) {
-      return a->node != b->node ? a->node < b->node : a->key < b->key;
+      return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
     });
     std::vector<long long> start(static_cast<size_t>(nodes_total) + 1, 0);
     for (const auto* r : sorted)
-      start[static_cast<size_t>(r->node) + 1] += 3 + static_cast<long long>(r->values.size());
+      start[static_cast<size_t>(r->node) + 1] += 4 + static_cast<long long>(r->values.size());
     MPI_Allreduce(MPI_IN_PLACE, start.data(), nodes_total + 1, MPI_LONG_LONG, MPI_SUM, comm);
     for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
     put_root(static_cast<double>(start.back()));
     for (const auto* r : sorted) {
       long long& to = start[static_cast<size_t>(r->node)];
-      const double head[3] = {static_cast<double>(r->node), static_cast<double>(r->key),
-                              static_cast<double>(r->values.size())};
-      put(at + to, head, 3);
-      put(at + to + 3, r->values.data(), r->values.size());
-      to += 3 + static_cast<long long>(r->values.size());
+      const double head[4] = {static_cast<double>(r->node), static_cast<double>(r->kind),
+                              static_cast<double>(r->key), static_cast<double>(r->values.size())};
+      put(at + to, head, 4);
+      put(at + to + 4, r->values.data(), r->values.size());
+      to += 4 + static_cast<long long>(r->values.size());
     }
     at += start.back();
   }
@@ -188,6 +208,7 @@ Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>
   };
   Checkpoint c;
   c.time = next();
+  CheckpointHistory* history = nullptr;  // the last one named
   std::istringstream lines(index);
   for (std::string kind, name; lines >> kind;) {
     int components = 0;
@@ -195,7 +216,7 @@ Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>
       if (!(lines >> components) || components != nodes_total) throw wrong();
       continue;
     }
-    if (kind == "nodes") lines >> components;
+    if (kind == "nodes" || kind == "quantity") lines >> components;
     lines.get();
     std::getline(lines, name);
     if (kind == "scalar") {
@@ -210,12 +231,22 @@ Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>
           field.values.push_back(values[at + static_cast<size_t>(node) * nc + k]);
       at += n;
     } else if (kind == "records") {
-      auto& list = c.records[name];
+      throw InputError("an earlier version of hawser wrote it");
+    } else if (kind == "kind" && history) {
+      history->kinds.push_back({name, {}});
+    } else if (kind == "quantity" && history && !history->kinds.empty()) {
+      const size_t tab = std::min(name.find('\t'), name.size());
+      history->kinds.back().quantities.push_back(
+          {name.substr(0, tab), components, name.substr(std::min(tab + 1, name.size()))});
+    } else if (kind == "history") {
+      history = &c.history[name];
+      auto& list = history->records;
       const size_t length = count(static_cast<double>(values.size()));
       const size_t end = at + length;
       while (at < end) {
         HistoryRecord r;
         r.node = static_cast<int>(count(nodes_total - 1));
+        r.kind = static_cast<int>(count(kMostKinds));
         r.key = static_cast<int>(next());
         r.values.resize(count(static_cast<double>(values.size())));
         for (double& v : r.values) v = next();

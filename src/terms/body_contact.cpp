@@ -320,23 +320,25 @@ double BodyContactTerm::largest_penetration() const {
 }
 
 // Kept with the node of the first floating body of a pair.
+std::vector<HistoryKind> BodyContactTerm::history() const { return {history_kind<Pair>("sums of a pair")}; }
+
 std::vector<HistoryRecord> BodyContactTerm::save() const {
   std::vector<HistoryRecord> out;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
     const int node = sides_[p.a].global >= 0 ? sides_[p.a].global : sides_[p.b].global;
-    if (p.counted) out.push_back({node, static_cast<int>(i), {p.damping, p.work, p.depth, p.met}});
+    if (p.counted) out.push_back(record_of(node, static_cast<int>(i), p));
   }
   return out;
 }
 
 void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
-    // Older records have no fourth value: as deep as they ever were has been met.
-    const std::vector<double>& v = r.values;
-    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size() || v.size() < 3 || v.size() > 4) continue;
+    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size()) continue;
     Pair& p = pairs_[static_cast<size_t>(r.key)];
-    if (p.counted) p.damping = v[0], p.work = v[1], p.depth = v[2], p.met = v.back();
+    if (!p.counted) continue;
+    const Pair kept = entry<Pair>(r);
+    p.damping = kept.damping, p.work = kept.work, p.depth = kept.depth, p.met = kept.met;
   }
 }
 

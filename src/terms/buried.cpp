@@ -104,14 +104,12 @@ void BuriedTerm::fields(FieldRegistry& registry) const {
                 }});
 }
 
+std::vector<HistoryKind> BuriedTerm::history() const { return {history_kind<Point>("points")}; }
+
 std::vector<HistoryRecord> BuriedTerm::save() const {
   std::vector<HistoryRecord> records;
-  for (const Point& p : points_) {
-    HistoryRecord r{mesh_.global[static_cast<size_t>(p.node)], 0, {}};
-    for (const Vec3* v : {&p.at, &p.slip, &p.force}) r.values.insert(r.values.end(), v->begin(), v->end());
-    r.values.insert(r.values.end(), {p.stored, p.friction_work});
-    records.push_back(std::move(r));
-  }
+  for (const Point& p : points_)
+    records.push_back(record_of(mesh_.global[static_cast<size_t>(p.node)], 0, p));
   return records;
 }
 
@@ -121,13 +119,10 @@ void BuriedTerm::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     const auto found = at.find(r.node);
     if (found == at.end()) continue;
-    const std::vector<double>& v = r.values;
-    if (v.size() != 11) throw std::invalid_argument("a record of buried line has the wrong size");
     Point& p = points_[found->second];
-    size_t i = 0;
-    for (Vec3* part : {&p.at, &p.slip, &p.force})
-      for (int c = 0; c < 3; ++c) (*part)[c] = v[i++];
-    p.stored = v[9], p.friction_work = v[10];
+    const Point kept = entry<Point>(r);
+    p.at = kept.at, p.slip = kept.slip, p.force = kept.force;
+    p.stored = kept.stored, p.friction_work = kept.friction_work;
   }
 }
 

@@ -104,6 +104,8 @@ void EndSprings::commit(const Kinematics& accepted) {
   }
 }
 
+std::vector<HistoryKind> EndSprings::history() const { return {history_kind<WorkDone>("sums of an end")}; }
+
 std::vector<HistoryRecord> EndSprings::save() const {
   std::vector<HistoryRecord> out;
   for (const size_t i : driven_)
@@ -114,7 +116,7 @@ std::vector<HistoryRecord> EndSprings::save() const {
 void EndSprings::restore(const std::vector<HistoryRecord>& records) {
   for (const size_t i : driven_)
     for (const HistoryRecord& r : records)
-      if (r.node == mesh_.global[static_cast<size_t>(springs_[i].node)]) work_[i] = r.values[0];
+      if (r.node == mesh_.global[static_cast<size_t>(springs_[i].node)]) work_[i] = entry<WorkDone>(r).work;
 }
 
 Energy EndSprings::energy(const Kinematics& at) const {

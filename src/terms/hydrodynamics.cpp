@@ -291,17 +291,30 @@ void Hydrodynamics::fields(FieldRegistry& registry) const {
 }
 
 namespace {
-constexpr int kSums = 0, kOwn = -1;  // keys of records; others are nodes of the mesh, counted from 1
+enum Kind { kSums, kPlaces };
+constexpr int kOwn = -1;  // key of a node's own place; others are nodes of the mesh, counted from 1
+
+struct Place {
+  Vec3 position = Vec3::Zero();  // m
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("position", "m", self.position);
+  }
+};
 }  // namespace
 
 // The sums at this rank's first node: over ranks they are what counts. Where the waves of the committed state
 // were looked at, at each node and for each of its neighbours, which another rank may own.
+std::vector<HistoryKind> Hydrodynamics::history() const {
+  return {history_kind<WorkDone>("sums of a rank"), history_kind<Place>("places of waves")};
+}
+
 std::vector<HistoryRecord> Hydrodynamics::save() const {
   if (mesh_.owned == 0) return {};
-  std::vector<HistoryRecord> out{{mesh_.global[0], kSums, {work_}}};
+  std::vector<HistoryRecord> out{record_of(mesh_.global[0], 0, WorkDone{work_}, kSums)};
   if (place_.empty()) return out;
   const auto put = [&](int node, int key, const Vec3& x) {
-    out.push_back({mesh_.global[static_cast<size_t>(node)], key, {x.x(), x.y(), x.z()}});
+    out.push_back(record_of(mesh_.global[static_cast<size_t>(node)], key, Place{x}, kPlaces));
   };
   for (int n = 0; n < mesh_.owned; ++n) put(n, kOwn, place_[static_cast<size_t>(n)]);
   for (const Piece& p : pieces_)
@@ -317,13 +330,13 @@ void Hydrodynamics::restore(const std::vector<HistoryRecord>& records) {
   flow_.clear(), start_.clear(), place_.clear();
   wave_known_ = false;
   for (const HistoryRecord& r : records) {
-    if (r.key == kSums) {
-      work_ += r.values[0];
+    if (r.kind == kSums) {
+      work_ += entry<WorkDone>(r).work;
       continue;
     }
     place_.resize(static_cast<size_t>(mesh_.nodes()), Vec3::Zero());
     const int n = mesh_.find(r.key == kOwn ? r.node : r.key - 1);
-    if (n >= 0) place_[static_cast<size_t>(n)] = Eigen::Map<const Vec3>(r.values.data());
+    if (n >= 0) place_[static_cast<size_t>(n)] = entry<Place>(r).position;
   }
 }
 

@@ -2,8 +2,8 @@
 //
 // Both ranks of a shared element need its history, and a rank gets the records of its own nodes only: so an
 // element's is kept twice, at either node. Keys: 2 v for the element behind a node, 2 v + 1 for the one
-// before it, v the volume, plus the number of volumes for the second of its walls, and so on; -1 for the sums
-// of the element behind.
+// before it, v the volume, plus the number of volumes for the second of its walls, and so on. The sums of an
+// element are kept at its first node.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -15,32 +15,25 @@
 namespace hawser {
 namespace {
 
-constexpr int kAccount = -1;
-constexpr size_t kSums = 7, kPoint = 20;
-
-void put(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), v.begin(), v.end()); }
+enum Kind { kPoints, kSums };
 
 }  // namespace
+
+std::vector<HistoryKind> LineContact::history() const {
+  return {history_kind<Point>("points that touch"), history_kind<Account>("sums of an element")};
+}
 
 std::vector<HistoryRecord> LineContact::save() const {
   std::vector<HistoryRecord> records;
   for (size_t i = 0; i < accounts_.size(); ++i) {
-    const Account& a = accounts_[i];
     const LocalElement& e = mesh_.elements[i];
-    if (!e.counted || a.empty()) continue;
-    records.push_back({mesh_.global[static_cast<size_t>(e.first)],
-                       kAccount,
-                       {a.friction, a.damping, a.work, a.depth, a.time, static_cast<double>(a.volume),
-                        static_cast<double>(a.end)}});
+    if (e.counted && !accounts_[i].empty())
+      records.push_back(record_of(mesh_.global[static_cast<size_t>(e.first)], 0, accounts_[i], kSums));
   }
   for (const Pair& pair : pairs_) {
     if (pair.history.empty()) continue;
     HistoryRecord r;
-    for (const Point& p : pair.history) {
-      r.values.insert(r.values.end(),
-                      {p.xi, p.from, p.to, p.weight, p.normal_force, p.damping_force, p.potential, p.gap});
-      for (const Vec3* v : {&p.slip, &p.normal, &p.force, &p.friction}) put(r.values, *v);
-    }
+    for (const Point& p : pair.history) put(p, r.values);
     const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
     for (const int node : {e.first, e.second}) {
       if (node >= mesh_.owned) continue;
@@ -62,18 +55,15 @@ void LineContact::restore(const std::vector<HistoryRecord>& records) {
   pairs_.clear();
   accounts_.assign(accounts_.size(), {});
   for (const HistoryRecord& r : records) {
-    const std::vector<double>& v = r.values;
-    const auto& side = r.key >= 0 && r.key % 2 ? before : behind;
+    const bool sums = r.kind == kSums;
+    const auto& side = !sums && r.key % 2 ? before : behind;
     const auto found = side.find(r.node);
     if (found == side.end()) continue;
-    if (r.key == kAccount) {
-      if (v.size() != kSums)
-        throw std::invalid_argument("a contact record of the checkpoint has the wrong size");
-      accounts_[static_cast<size_t>(found->second)] = {
-          v[0], v[1], v[2], v[3], v[4], static_cast<int>(v[5]), static_cast<int>(v[6])};
+    if (sums) {
+      accounts_[static_cast<size_t>(found->second)] = entry<Account>(r);
       continue;
     }
-    if (v.size() % kPoint || r.key < 0 || r.key / 2 >= SurfaceWalls::kMost * volumes())
+    if (r.key < 0 || r.key / 2 >= SurfaceWalls::kMost * volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
     const int element = found->second, volume = r.key / 2 % volumes(), slot = r.key / 2 / volumes();
     if (!known.insert({element, volume, slot}).second) continue;  // from its other node
@@ -81,15 +71,7 @@ void LineContact::restore(const std::vector<HistoryRecord>& records) {
     pair.element = element;
     pair.volume = volume;
     pair.slot = slot;
-    for (size_t at = 0; at < v.size(); at += kPoint) {
-      Point& p = pair.history.emplace_back();
-      p.xi = v[at], p.from = v[at + 1], p.to = v[at + 2], p.weight = v[at + 3];
-      p.normal_force = v[at + 4], p.damping_force = v[at + 5];
-      p.potential = v[at + 6], p.gap = v[at + 7];
-      size_t c = at + 8;
-      for (Vec3* part : {&p.slip, &p.normal, &p.force, &p.friction})
-        for (int k = 0; k < 3; ++k) (*part)[k] = v[c++];
-    }
+    pair.history = entries<Point>(r);
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
     return std::array{a.element, a.volume, a.slot} < std::array{b.element, b.volume, b.slot};

@@ -141,14 +141,16 @@ void LineMassTerm::commit(const Kinematics& accepted) {
     }
 }
 
+std::vector<HistoryKind> LineMassTerm::history() const { return {history_kind<WorkDone>("sums of a rank")}; }
+
 std::vector<HistoryRecord> LineMassTerm::save() const {
   if (ramped_.empty() || mesh_.owned == 0) return {};
-  return {{mesh_.global[0], 0, {work_}}};
+  return {record_of(mesh_.global[0], 0, WorkDone{work_})};
 }
 
 void LineMassTerm::restore(const std::vector<HistoryRecord>& records) {
   work_ = 0;
-  for (const HistoryRecord& r : records) work_ += r.values[0];
+  for (const HistoryRecord& r : records) work_ += entry<WorkDone>(r).work;
 }
 
 double LineMassTerm::round_off(const Kinematics& at, double h) const {

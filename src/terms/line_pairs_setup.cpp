@@ -10,9 +10,18 @@
 namespace hawser {
 namespace {
 
-// Keys of records: sums of a node; histories of pairs, at each of their nodes, numbered from 0.
-constexpr int kAccount = -1, kDeepest = -2;
-constexpr size_t kAccountSize = 2, kDeepestSize = 4, kPointSize = 22;
+enum Kind { kPoints, kSums, kDeepest };
+
+// A point that touches, with the elements of its pair and the side of the pair that it is of.
+struct PairPoint {
+  int first = 0, second = 0, side = 0;
+  LinePairHistory point;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("element", "", self.first), each("other element", "", self.second), each("side", "", self.side);
+    LinePairHistory::quantities(self.point, each);
+  }
+};
 
 std::vector<double> radii(const std::vector<LineContactElement>& elements) {
   std::vector<double> r;
@@ -163,33 +172,28 @@ void LinePairs::fields(FieldRegistry& registry) const {
 // Every rank that owns a node of a pair needs its history, and a rank gets the records of its own nodes only:
 // so it is kept at each node of the pair. Values: the two elements, then the points of each part after their
 // number.
+std::vector<HistoryKind> LinePairs::history() const {
+  return {history_kind<PairPoint>("points that touch"), history_kind<Account>("sums of a node"),
+          history_kind<Deepest>("deepest")};
+}
+
 std::vector<HistoryRecord> LinePairs::save() const {
   std::vector<HistoryRecord> records;
   for (int n = 0; n < mesh_.owned; ++n) {
     const Account& a = accounts_[static_cast<size_t>(n)];
     if (a.friction != 0 || a.damping != 0)
-      records.push_back({mesh_.global[static_cast<size_t>(n)], kAccount, {a.friction, a.damping}});
+      records.push_back(record_of(mesh_.global[static_cast<size_t>(n)], 0, a, kSums));
   }
   if (deepest_.first >= 0)
-    records.push_back({mesh_.mesh->elements[static_cast<size_t>(deepest_.first)].first,
-                       kDeepest,
-                       {deepest_.depth, deepest_.time, static_cast<double>(deepest_.first),
-                        static_cast<double>(deepest_.second)}});
+    records.push_back(
+        record_of(mesh_.mesh->elements[static_cast<size_t>(deepest_.first)].first, 0, deepest_, kDeepest));
   std::map<int, int> number;  // of records at a node
   for (const Pair& p : pairs_) {
     if (!p.history) continue;
     HistoryRecord r;
-    r.values = {static_cast<double>(p.key.first), static_cast<double>(p.key.second)};
-    for (const auto& part : *p.history) {
-      r.values.push_back(static_cast<double>(part.size()));
-      for (const LinePairHistory& h : part) {
-        r.values.insert(r.values.end(), {h.xi, h.from, h.to, static_cast<double>(h.opens),
-                                         static_cast<double>(h.closes), h.weight, h.eta, h.slip[0], h.slip[1],
-                                         h.normal_force, h.damping_force, h.potential, h.gap});
-        for (const Vec3* v : {&h.force, &h.friction, &h.normal})
-          r.values.insert(r.values.end(), v->begin(), v->end());
-      }
-    }
+    for (int side = 0; side < 2; ++side)
+      for (const LinePairHistory& h : (*p.history)[static_cast<size_t>(side)])
+        put(PairPoint{p.key.first, p.key.second, side, h}, r.values);
     for (const int segment : {p.a, p.b}) {
       const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
       for (const int node : {s.first, s.second}) {
@@ -204,45 +208,30 @@ std::vector<HistoryRecord> LinePairs::save() const {
 }
 
 void LinePairs::restore(const std::vector<HistoryRecord>& records) {
-  const auto wrong = [] {
-    throw std::invalid_argument("a record of line-line contact in the checkpoint does not fit");
-  };
   pairs_.clear(), kept_.clear();
   candidates_.forget();
   listed_ = false;
   accounts_.assign(accounts_.size(), {});
   deepest_ = {};
   for (const HistoryRecord& r : records) {
-    const std::vector<double>& v = r.values;
-    if (r.key == kAccount) {
+    if (r.kind == kSums) {
       const int n = mesh_.find(r.node);
-      if (v.size() != kAccountSize || n < 0 || n >= mesh_.owned) wrong();
-      accounts_[static_cast<size_t>(n)] = {v[0], v[1]};
+      if (n >= 0 && n < mesh_.owned) accounts_[static_cast<size_t>(n)] = entry<Account>(r);
       continue;
     }
-    if (r.key == kDeepest) {
-      if (v.size() != kDeepestSize) wrong();
-      if (v[0] > deepest_.depth) deepest_ = {v[0], v[1], static_cast<int>(v[2]), static_cast<int>(v[3])};
+    if (r.kind == kDeepest) {
+      if (const Deepest d = entry<Deepest>(r); d.depth > deepest_.depth) deepest_ = d;
       continue;
     }
-    if (v.size() < 2) wrong();
-    const Key key{static_cast<int>(v[0]), static_cast<int>(v[1])};
+    const std::vector<PairPoint> points = entries<PairPoint>(r);
+    if (points.empty()) continue;
+    const Key key{points.front().first, points.front().second};
     if (kept_.count(key)) continue;  // from another of its nodes
     auto history = std::make_unique<History>();
-    size_t at = 2;
-    for (auto& part : *history) {
-      if (at >= v.size()) wrong();
-      const size_t count = static_cast<size_t>(v[at++]);
-      if (at + count * kPointSize > v.size()) wrong();
-      for (size_t i = 0; i < count; ++i, at += kPointSize) {
-        const double* p = v.data() + at;
-        LinePairHistory& h = part.emplace_back();
-        h.xi = p[0], h.from = p[1], h.to = p[2], h.opens = p[3] != 0, h.closes = p[4] != 0;
-        h.weight = p[5], h.eta = p[6], h.slip[0] = p[7], h.slip[1] = p[8];
-        h.normal_force = p[9], h.damping_force = p[10], h.potential = p[11], h.gap = p[12];
-        h.force = Eigen::Map<const Vec3>(p + 13), h.friction = Eigen::Map<const Vec3>(p + 16);
-        h.normal = Eigen::Map<const Vec3>(p + 19);
-      }
+    for (const PairPoint& p : points) {
+      if (p.side < 0 || p.side > 1)
+        throw std::invalid_argument("a record of line-line contact in the checkpoint does not fit");
+      (*history)[static_cast<size_t>(p.side)].push_back(p.point);
     }
     kept_[key] = std::move(history);
   }

@@ -122,6 +122,8 @@ double PointLoads::dead_load() const {
 }
 
 // Records of a node's loads keep their order, which is that of the case.
+std::vector<HistoryKind> PointLoads::history() const { return {history_kind<WorkDone>("sums of a load")}; }
+
 std::vector<HistoryRecord> PointLoads::save() const {
   std::vector<HistoryRecord> records;
   std::unordered_map<int, int> count;
@@ -135,7 +137,7 @@ void PointLoads::restore(const std::vector<HistoryRecord>& records) {
   for (size_t i = 0; i < work_.size(); ++i) {
     const int key = count[global_[i]]++;
     for (const HistoryRecord& r : records)
-      if (r.node == global_[i] && r.key == key && r.values.size() == 1) work_[i] = r.values[0];
+      if (r.node == global_[i] && r.key == key) work_[i] = entry<WorkDone>(r).work;
   }
 }
 

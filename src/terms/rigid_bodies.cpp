@@ -174,16 +174,21 @@ double RigidBodies::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
+std::vector<HistoryKind> RigidBodies::history() const { return {history_kind<Floating>("sums of a body")}; }
+
 std::vector<HistoryRecord> RigidBodies::save() const {
   std::vector<HistoryRecord> out;
-  for (const Floating& f : list_) out.push_back({f.global, 0, {f.damping, f.work}});
+  for (const Floating& f : list_) out.push_back(record_of(f.global, 0, f));
   return out;
 }
 
 void RigidBodies::restore(const std::vector<HistoryRecord>& records) {
   for (Floating& f : list_)
     for (const HistoryRecord& r : records)
-      if (r.node == f.global && r.values.size() == 2) f.damping = r.values[0], f.work = r.values[1];
+      if (r.node == f.global) {
+        const Floating kept = entry<Floating>(r);
+        f.damping = kept.damping, f.work = kept.work;
+      }
 }
 
 }  // namespace hawser

@@ -28,18 +28,15 @@ void SeabedTerm::fields(FieldRegistry& registry) const {
   registry.add({"seabed_friction", "N", 3, vector([](const History& h) { return h.friction; })});
 }
 
+std::vector<HistoryKind> SeabedTerm::history() const { return {history_kind<History>("points")}; }
+
 std::vector<HistoryRecord> SeabedTerm::save() const {
   std::vector<HistoryRecord> records;
   for (const Point& p : points_) {
     const History& h = p.history;
     if (!h.touches && h.deepest == 0 && h.friction_work == 0 && h.damping_work == 0) continue;
     HistoryRecord r;
-    r.values = {h.touches ? 1.0 : 0};
-    for (const Vec3* v : {&h.slip, &h.normal, &h.force, &h.friction})
-      r.values.insert(r.values.end(), v->begin(), v->end());
-    r.values.insert(r.values.end(),
-                    {h.normal_force, h.damping_force, h.potential, h.friction_work, h.damping_work});
-    if (p.suction.limit > 0) r.values.insert(r.values.end(), {h.deepest, h.held ? 1.0 : 0});
+    put(h, r.values);
     for (const int node : {p.node, p.second}) {
       if (node < 0 || node >= mesh_.owned) continue;
       r.node = mesh_.global[static_cast<size_t>(node)];
@@ -62,17 +59,7 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     const auto found = at.find({r.node, r.key});
     if (found == at.end()) continue;
-    const std::vector<double>& v = r.values;
-    if (v.size() != 18 && v.size() != 20)
-      throw std::invalid_argument("a seabed record of the checkpoint has the wrong size");
-    History& h = points_[found->second].history;
-    h.touches = v[0] != 0;
-    size_t i = 1;
-    for (Vec3* part : {&h.slip, &h.normal, &h.force, &h.friction})
-      for (int c = 0; c < 3; ++c) (*part)[c] = v[i++];
-    h.normal_force = v[13], h.damping_force = v[14], h.potential = v[15];
-    h.friction_work = v[16], h.damping_work = v[17];
-    if (v.size() == 20) h.deepest = v[18], h.held = v[19] != 0;
+    points_[found->second].history = entry<History>(r);
   }
 }
 

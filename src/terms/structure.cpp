@@ -260,18 +260,40 @@ Energy StructureTerm::energy(const Kinematics& at) const {
 }
 
 namespace {
-constexpr int kSums = -1;  // key of the record of sums; others are elements of the mesh
-}
+enum Kind { kSums, kStretched };  // of the latter, keys are elements of the mesh
+
+struct Sums {
+  double power = 0, damping = 0, filtered = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("damping power", "W", self.power), each("damping", "J", self.damping);
+    each("axial vibration taken out", "J", self.filtered);
+  }
+};
+struct Stretched {
+  double stretch = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("stretch", "m", self.stretch);
+  }
+};
+}  // namespace
 
 // The sums at this rank's first node: over ranks they are what counts. How an element stretched, at each of
 // its nodes, for every rank that has it to find.
+std::vector<HistoryKind> StructureTerm::history() const {
+  return {history_kind<Sums>("sums of a rank"), history_kind<Stretched>("axial vibration")};
+}
+
 std::vector<HistoryRecord> StructureTerm::save() const {
   if (mesh_.owned == 0) return {};
-  std::vector<HistoryRecord> out{{mesh_.global[0], kSums, {std::max(power_, 0.0), damping_, filtered_}}};
+  std::vector<HistoryRecord> out{
+      record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums)};
   for (const Cable& c : cables_)
     for (const int n : {c.at.first, c.at.second})
       if (n < mesh_.owned && c.start.stretch != 0)
-        out.push_back({mesh_.global[static_cast<size_t>(n)], c.at.global, {c.start.stretch}});
+        out.push_back(record_of(mesh_.global[static_cast<size_t>(n)], c.at.global, Stretched{c.start.stretch},
+                                kStretched));
   return out;
 }
 
@@ -279,10 +301,12 @@ void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
   power_ = 0, damping_ = 0, filtered_ = 0;
   std::map<int, double> stretch;
   for (const HistoryRecord& r : records) {
-    if (r.key == kSums)
-      power_ += r.values[0], damping_ += r.values[1], filtered_ += r.values[2];
-    else
-      stretch[r.key] = r.values[0];
+    if (r.kind == kSums) {
+      const Sums s = entry<Sums>(r);
+      power_ += s.power, damping_ += s.damping, filtered_ += s.filtered;
+    } else {
+      stretch[r.key] = entry<Stretched>(r).stretch;
+    }
   }
   for (Cable& c : cables_) {
     const auto it = stretch.find(c.at.global);

@@ -103,33 +103,22 @@ void VolumeContact::fields(FieldRegistry& registry) const {
 }
 
 namespace {
-constexpr int kAccount = -1;  // key of a node's sums; volumes count from 0, those of second walls behind them
+enum Kind { kPoints, kSums };  // keys of points: volumes, those of second walls behind them
 
-void put(std::vector<double>& values, const Vec3& v) { values.insert(values.end(), v.begin(), v.end()); }
 }  // namespace
+
+std::vector<HistoryKind> VolumeContact::history() const {
+  return {history_kind<History>("points"), history_kind<Account>("sums of a node")};
+}
 
 std::vector<HistoryRecord> VolumeContact::save() const {
   std::vector<HistoryRecord> records;
-  for (size_t n = 0; n < accounts_.size(); ++n) {
-    const Account& a = accounts_[n];
-    if (!a.empty())
-      records.push_back({global_[n],
-                         kAccount,
-                         {a.friction, a.damping, a.work, a.depth, a.time, static_cast<double>(a.volume)}});
-  }
-  for (const Pair& p : pairs_) {
-    const History& h = p.history;
-    if (!h.touches && !h.paired) continue;
-    HistoryRecord r{global_[static_cast<size_t>(p.node)], p.volume + p.slot * volumes(), {}};
-    for (const Vec3* v : {&h.slip, &h.normal, &h.force, &h.friction}) put(r.values, *v);
-    r.values.insert(r.values.end(),
-                    {h.normal_force, h.damping_force, h.potential, h.depth, static_cast<double>(h.hint)});
-    if (model_ == NodeContact::gap) {
-      r.values.insert(r.values.end(), {h.touches ? 1.0 : 0, h.paired ? 1.0 : 0});
-      put(r.values, h.anchor), put(r.values, h.direction);
-    }
-    records.push_back(std::move(r));
-  }
+  for (size_t n = 0; n < accounts_.size(); ++n)
+    if (!accounts_[n].empty()) records.push_back(record_of(global_[n], 0, accounts_[n], kSums));
+  for (const Pair& p : pairs_)
+    if (p.history.touches || p.history.paired)
+      records.push_back(
+          record_of(global_[static_cast<size_t>(p.node)], p.volume + p.slot * volumes(), p.history, kPoints));
   return records;
 }
 
@@ -141,30 +130,16 @@ void VolumeContact::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     const auto found = local.find(r.node);
     if (found == local.end()) continue;
-    const std::vector<double>& v = r.values;
-    if (r.key == kAccount) {
-      if (v.size() != 6) throw std::invalid_argument("a contact record of the checkpoint has the wrong size");
-      accounts_[static_cast<size_t>(found->second)] = {v[0], v[1], v[2], v[3], v[4], static_cast<int>(v[5])};
+    if (r.kind == kSums) {
+      accounts_[static_cast<size_t>(found->second)] = entry<Account>(r);
       continue;
     }
-    const bool gap = model_ == NodeContact::gap;
-    if (v.size() != (gap ? 25U : 17U) || r.key < 0 || r.key >= SurfaceWalls::kMost * volumes())
+    if (r.key < 0 || r.key >= SurfaceWalls::kMost * volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
     Pair& p = pairs_.emplace_back();
     p.node = found->second;
     p.volume = r.key % volumes(), p.slot = r.key / volumes();
-    History& h = p.history;
-    int at = 0;
-    for (Vec3* part : {&h.slip, &h.normal, &h.force, &h.friction})
-      for (int c = 0; c < 3; ++c) (*part)[c] = v[static_cast<size_t>(at++)];
-    h.normal_force = v[12], h.damping_force = v[13], h.potential = v[14], h.depth = v[15];
-    h.hint = static_cast<int>(v[16]);
-    h.touches = true;
-    if (!gap) continue;
-    h.touches = v[17] != 0, h.paired = v[18] != 0;
-    at = 19;
-    for (Vec3* part : {&h.anchor, &h.direction})
-      for (int c = 0; c < 3; ++c) (*part)[c] = v[static_cast<size_t>(at++)];
+    p.history = entry<History>(r);
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
     return std::array{a.node, a.volume, a.slot} < std::array{b.node, b.volume, b.slot};

@@ -34,15 +34,26 @@ TEST(LineContact, Situations) {
     const State end = state_of(m.system->mesh(), m.trial);
     m.system->commit(end.view(m.trial.h));
     const auto records = m.contact->save();
+    const HistoryKind points = m.contact->history().front();
+    size_t size = 0, gap_at = 0, normal_at = 0, friction_at = 0, from_at = 0, to_at = 0;
+    for (const HistoryQuantity& q : points.quantities) {
+      for (const auto& [name, at] : {std::pair{"gap", &gap_at},
+                                     {"normal force", &normal_at},
+                                     {"friction force", &friction_at},
+                                     {"from", &from_at},
+                                     {"to", &to_at}})
+        if (q.name == name) *at = size;
+      size += static_cast<size_t>(q.components);
+    }
     int ramp = 0, full = 0, sliding = 0, stuck = 0, moving = 0;
     for (const HistoryRecord& r : records) {
-      if (r.key % 2 != 0) continue;  // once an element
-      for (size_t i = 0; i < r.values.size(); i += 20) {
-        const double gap = r.values[i + 7], normal = r.values[i + 4];
-        const Vec3 friction = Eigen::Map<const Vec3>(r.values.data() + i + 17);
+      if (r.kind != 0 || r.key % 2 != 0) continue;  // once an element
+      for (size_t i = 0; i < r.values.size(); i += size) {
+        const double gap = r.values[i + gap_at], normal = r.values[i + normal_at];
+        const Vec3 friction = Eigen::Map<const Vec3>(r.values.data() + i + friction_at);
+        const double from = r.values[i + from_at], to = r.values[i + to_at];
         ++(gap > -1e-3 ? ramp : full);
-        moving += (r.values[i + 1] > 0 && r.values[i + 1] != 0.5) ||
-                  (r.values[i + 2] < 1 && r.values[i + 2] != 0.5);
+        moving += (from > 0 && from != 0.5) || (to < 1 && to != 0.5);
         if (c.axial != c.lateral || c.axial == 0) continue;
         ++(friction.norm() > 0.2999 * normal ? sliding : stuck);
       }

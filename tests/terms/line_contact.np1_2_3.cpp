@@ -17,9 +17,11 @@ TEST(LineContactRanks, SameAsOnOne) {
     const auto mine = all.contact->save(), whole = one.contact->save();
     EXPECT_EQ(over_ranks(static_cast<double>(mine.size())), static_cast<double>(whole.size())) << c.name;
     for (const HistoryRecord& r : mine)
-      EXPECT_TRUE(std::any_of(
-          whole.begin(), whole.end(),
-          [&](const HistoryRecord& o) { return o.node == r.node && o.key == r.key && o.values == r.values; }))
+      EXPECT_TRUE(std::any_of(whole.begin(), whole.end(),
+                              [&](const HistoryRecord& o) {
+                                return o.node == r.node && o.kind == r.kind && o.key == r.key &&
+                                       o.values == r.values;
+                              }))
           << c.name << ", node " << r.node << ", key " << r.key;
 
     // Each rank goes on from the records of its own nodes.

@@ -120,7 +120,7 @@ TEST(SuiteRanks, EnergyAndHistory) {
           << c.name << ", " << name;
       for (const HistoryRecord& r : mine) {
         const auto same = std::find_if(whole.begin(), whole.end(), [&](const HistoryRecord& o) {
-          return o.node == r.node && o.key == r.key;
+          return o.node == r.node && o.kind == r.kind && o.key == r.key;
         });
         EXPECT_TRUE(same != whole.end() && same->values == r.values)
             << c.name << ", " << name << ", node " << r.node;

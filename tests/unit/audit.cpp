@@ -98,7 +98,7 @@ TEST(Audit, MoreThanEverWasThereIsAnAlarmInALongRun) {
   EXPECT_FALSE(a.wrong());
   a.update(moving(0), moving(200, 0), 10001, 0.1);
   EXPECT_TRUE(a.wrong());
-  EXPECT_NE(a.warning(false, "here").find("made 200 J"), std::string::npos);
+  EXPECT_NE(a.warning(false, "here").find("created 200 J"), std::string::npos);
 }
 
 // Rounding of a line that hangs still is nothing, and neither is what nothing brings in yet.

@@ -57,8 +57,10 @@ Checkpoint checkpoint(int output) {
   c.time = output;
   c.nodes["state"].components = kState;
   for (int i = 0; i < kNodes * kState; ++i) c.nodes["state"].values.push_back(value(output, i));
+  CheckpointHistory& friction = c.history["friction"];
+  friction.kinds = {{"points", {{"slip", 1, "m"}, {"force", 1, "N"}}}};
   for (int i = 0; i < kNodes; ++i)
-    if (i % 100 < output % 100) c.records["friction"].push_back({i, 0, {1.0 * i, 1.0 * output}});
+    if (i % 100 < output % 100) friction.records.push_back({i, 0, {1.0 * i, 1.0 * output}});
   return c;
 }
 
@@ -224,12 +226,9 @@ void expect_whole(const std::string& path, const Said& said) {
     EXPECT_LT(k, written[0]);
     const auto right = checkpoint(k);
     EXPECT_EQ(read.nodes.at("state").values, right.nodes.at("state").values);
-    const auto records = right.records.find("friction");
-    if (records != right.records.end()) {
-      ASSERT_EQ(read.records.at("friction").size(), records->second.size());
-      for (size_t i = 0; i < records->second.size(); ++i)
-        EXPECT_EQ(read.records.at("friction")[i].values, records->second[i].values);
-    }
+    const auto &found = read.history.at("friction").records, &records = right.history.at("friction").records;
+    ASSERT_EQ(found.size(), records.size());
+    for (size_t i = 0; i < records.size(); ++i) EXPECT_EQ(found[i].values, records[i].values);
   }
 
   std::ifstream in(path.substr(0, path.size() - 3) + ".xdmf");

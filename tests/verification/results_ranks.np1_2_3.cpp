@@ -102,7 +102,9 @@ Checkpoint checkpoint(const std::vector<int>& owned, double time) {
   auto& x = c.nodes["position"];
   x.components = 3;
   c.nodes["tension"].components = 1;
-  c.records["friction drum"], c.records["none"];
+  c.history["none"];
+  CheckpointHistory& drum = c.history["friction drum"];
+  drum.kinds = {{"points of it", {{"slip of it", 1, "N m"}}}, {"sums", {{"work", 1, ""}}}};
   for (const int n : owned) {
     for (int i = 0; i < 3; ++i) x.values.push_back(std::sqrt(n + i / 3.0) * time);
     c.nodes["tension"].values.push_back(n % 4 == 0 ? std::numeric_limits<double>::denorm_min()
@@ -110,8 +112,7 @@ Checkpoint checkpoint(const std::vector<int>& owned, double time) {
                                             ? std::bit_cast<double>(0x7ff8dead00000001ULL + unsigned(n))
                                             : -1.0 / n);
     for (int key = n % 3; key > 0; --key)
-      c.records["friction drum"].push_back(
-          {n, key, std::vector<double>(static_cast<size_t>(n % 5), n + 0.1 * key)});
+      drum.records.push_back({n, key, std::vector<double>(static_cast<size_t>(n % 5), n + 0.1 * key), n % 2});
   }
   return c;
 }
@@ -131,9 +132,11 @@ void expect_same(const Checkpoint& a, Checkpoint b) {
     EXPECT_EQ(f.components, b.nodes.at(name).components);
     EXPECT_EQ(bits(f.values), bits(b.nodes.at(name).values)) << name;
   }
-  ASSERT_EQ(a.records.size(), b.records.size());
-  for (const auto& [name, list] : a.records) {
-    auto& other = b.records.at(name);
+  ASSERT_EQ(a.history.size(), b.history.size());
+  for (const auto& [name, history] : a.history) {
+    const auto& list = history.records;
+    auto& other = b.history.at(name).records;
+    EXPECT_EQ(history.kinds, b.history.at(name).kinds) << name;
     std::stable_sort(other.begin(), other.end(), [](const HistoryRecord& p, const HistoryRecord& q) {
       return p.node != q.node ? p.node < q.node : p.key < q.key;
     });
@@ -141,6 +144,7 @@ void expect_same(const Checkpoint& a, Checkpoint b) {
     for (size_t i = 0; i < list.size(); ++i) {
       EXPECT_EQ(list[i].node, other[i].node);
       EXPECT_EQ(list[i].key, other[i].key);
+      EXPECT_EQ(list[i].kind, other[i].kind);
       EXPECT_EQ(bits(list[i].values), bits(other[i].values));
     }
   }
@@ -262,10 +266,10 @@ TEST(ResultsRanks, SpoiltCountersOfACheckpointAreTold) {
   const std::vector<int> owned{0, 1, 2};
   const PackedCheckpoint p = pack_checkpoint(MPI_COMM_SELF, checkpoint(owned, 7), 3, owned);
   const size_t records =
-      3 + 3 * 3 + 3;  // after the time, two scalars and two fields: length; node, key, length
+      3 + 3 * 3 + 3;  // after the time, two scalars and two fields: length; node, kind, key, length
   ASSERT_EQ(p.values[records + 1], 1);
-  ASSERT_EQ(p.values[records + 3], 1);
-  for (const size_t at : {records, records + 1, records + 3})
+  ASSERT_EQ(p.values[records + 4], 1);
+  for (const size_t at : {records, records + 1, records + 2, records + 4})
     for (const double wrong : {-1.0, std::nan(""), 1e300}) {
       auto values = p.values;
       values[at] = wrong;

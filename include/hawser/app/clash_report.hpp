@@ -29,6 +29,7 @@ class ClashReport {
 
   // The share of a checkpoint, as records of the first node. Collective both; restore() wants all that is in
   // the checkpoint.
+  static std::vector<HistoryKind> history() { return {{"clash log", {{"number", 1, ""}}}}; }
   std::vector<HistoryRecord> save();
   void restore(const std::vector<HistoryRecord>& records);
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hawser/io/results_rows.hpp"
-#include "hawser/system/history_record.hpp"
+#include "hawser/system/history.hpp"
 
 namespace hawser::io {
 
@@ -17,18 +17,24 @@ struct CheckpointField {
   std::vector<double> values;  // owned nodes x components, ascending node number
 };
 
+// What a term keeps, and how; the kinds are the same on all ranks.
+struct CheckpointHistory {
+  std::vector<HistoryKind> kinds;
+  std::vector<HistoryRecord> records;  // of this rank's owned nodes
+};
+
 // Names (map keys) are the same on all ranks; a rank without records of a term gives an empty list.
 // Keys hold no line breaks.
 struct Checkpoint {
-  double time = 0;                                            // s
-  std::map<std::string, double> scalars;                      // same on all ranks
-  std::map<std::string, CheckpointField> nodes;               // this rank's owned nodes
-  std::map<std::string, std::vector<HistoryRecord>> records;  // by term; of this rank's owned nodes
+  double time = 0;                                   // s
+  std::map<std::string, double> scalars;             // same on all ranks
+  std::map<std::string, CheckpointField> nodes;      // this rank's owned nodes
+  std::map<std::string, CheckpointHistory> history;  // by term
 };
 
 // The newest complete checkpoint in the results file `path`, cut to the nodes this rank owns
 // (`owned`: ascending node numbers in file order; together the ranks own 0 .. nodes_total-1 once).
-// Doubles come back bit for bit; records come sorted by node, then key. Collective.
+// Doubles come back bit for bit; records come sorted by node, kind and key. Collective.
 // Throws InputError (on all ranks) when there is none or it belongs to a mesh of another size.
 Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
                            const std::vector<int>& owned);

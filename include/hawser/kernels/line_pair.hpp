@@ -43,6 +43,17 @@ struct LinePairHistory {
   Vec3 normal = Vec3::UnitZ();
   double normal_force = 0, damping_force = 0;  // N/m, of which damping
   double potential = 0, gap = 0;               // J/m, m
+
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("place", "", self.xi), each("from", "", self.from), each("to", "", self.to);
+    each("opens", "", self.opens), each("closes", "", self.closes);
+    each("weight", "m", self.weight), each("place on the other", "", self.eta), each("slip", "m", self.slip);
+    each("normal force", "N/m", self.normal_force), each("damping force", "N/m", self.damping_force);
+    each("potential", "J/m", self.potential), each("gap", "m", self.gap);
+    each("force", "N/m", self.force), each("friction force", "N/m", self.friction);
+    each("normal", "", self.normal);
+  }
 };
 
 // Forces conjugate to the pair's generalised positions: those of the slave, those of the master

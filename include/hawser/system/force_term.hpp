@@ -10,7 +10,7 @@
 
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/field_registry.hpp"
-#include "hawser/system/history_record.hpp"
+#include "hawser/system/history.hpp"
 #include "hawser/system/roles.hpp"
 #include "hawser/system/sink.hpp"
 
@@ -47,7 +47,9 @@ class ForceTerm {
   virtual Energy energy(const Kinematics& at) const { return (void)at, Energy{}; }
   virtual void fields(FieldRegistry& registry) const { (void)registry; }
 
-  // Committed history of the owned nodes, and back (records may arrive in any order).
+  // Committed history of the owned nodes, and back (records may arrive in any order); the kinds of record
+  // there are, the same on all ranks.
+  virtual std::vector<HistoryKind> history() const { return {}; }
   virtual std::vector<HistoryRecord> save() const { return {}; }
   virtual void restore(const std::vector<HistoryRecord>& records) { (void)records; }
 };

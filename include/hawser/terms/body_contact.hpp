@@ -47,6 +47,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void evaluate(const Kinematics& trial, Sink& sink) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
@@ -94,6 +95,12 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double met = 0;    // m, largest of that since the two were clear of each other
     double depth = 0;  // m, largest, over the accepted steps
     Touch now;         // in the accepted state
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("damping", "J", self.damping), each("work", "J", self.work);
+      each("largest penetration", "m", self.depth), each("since clear", "m", self.met);
+    }
   };
   struct Sum;
   struct Nearest {

@@ -34,6 +34,7 @@ class BuriedTerm final : public ForceTerm {
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
@@ -45,6 +46,12 @@ class BuriedTerm final : public ForceTerm {
     // Committed.
     Vec3 at = Vec3::Zero(), slip = Vec3::Zero(), force = Vec3::Zero();  // m, m, N
     double stored = 0, friction_work = 0;                               // J
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("position", "m", self.at), each("slip", "m", self.slip), each("force", "N", self.force);
+      each("stored", "J", self.stored), each("friction work", "J", self.friction_work);
+    }
   };
   Embedded pull(const Point& p, const Kinematics& at) const {
     return embedded(p.soil, p.slip + (at.x[static_cast<size_t>(p.node)] - p.at), p.tangent);

@@ -51,6 +51,15 @@ struct ContactHistory {
   double normal_force = 0, damping_force = 0;          // N or N/m, of which damping
   double potential = 0;                                // J or J/m
 
+  // force, energy: their units.
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each, const char* force, const char* energy) {
+    each("slip", "m", self.slip), each("normal", "", self.normal);
+    each("force", force, self.force), each("friction force", force, self.friction);
+    each("normal force", force, self.normal_force), each("damping force", force, self.damping_force);
+    each("potential", energy, self.potential);
+  }
+
   ContactHistory() = default;
   ContactHistory(const PointContact& c, const Vec3& n)
       : slip(c.slip),
@@ -231,6 +240,14 @@ class Contact : public ForceTerm, public CouplesNodes, public LimitsSteps, publi
     double friction = 0, damping = 0, work = 0;  // J
     double depth = 0, time = 0;                  // m, s: largest penetration
     int volume = -1, end = 0;                    // of an element: which end is nearer
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("friction", "J", self.friction), each("damping", "J", self.damping);
+      each("work", "J", self.work);
+      each("largest penetration", "m", self.depth), each("time of it", "s", self.time);
+      each("volume", "", self.volume), each("end", "", self.end);
+    }
 
     bool empty() const { return !(depth > 0 || friction != 0 || damping != 0 || work != 0); }
     void reaches(double deep, double at, int into, int near = 0) {

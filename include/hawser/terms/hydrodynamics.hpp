@@ -59,6 +59,7 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   double round_off(const Kinematics& at, double h) const override;
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 

@@ -44,6 +44,7 @@ class LineContact final : public Contact {
   Energy energy(const Kinematics& at) const override;
   // contact_force, contact_normal_force, friction_force as the element's shape functions share them out.
   void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
@@ -60,6 +61,13 @@ class LineContact final : public Contact {
     using ContactHistory::ContactHistory;
     double xi = 0, from = 0, to = 0;  // place; its panel: all of it touches
     double weight = 0, gap = 0;       // m
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("place", "", self.xi), each("from", "", self.from), each("to", "", self.to);
+      each("weight", "m", self.weight), each("gap", "m", self.gap);
+      ContactHistory::quantities(self, each, "N/m", "J/m");
+    }
   };
   // Where an axis touches: its panels, and the surface at their Gauss points (max() away: out of touch).
   // Kept, since residual, tangent and commit ask for the same trial one after the other.

@@ -46,6 +46,7 @@ class LineMassTerm final : public ForceTerm,
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations left out
   double round_off(const Kinematics& at, double h) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 

@@ -64,6 +64,7 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   Energy energy(const Kinematics& at) const override;
   // line_contact_force, line_contact_normal_force, line_friction_force, line_penetration.
   void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
@@ -71,6 +72,12 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   struct Deepest {
     double depth = 0, time = 0;  // m, s
     int first = -1, second = -1;
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("penetration", "m", self.depth), each("time", "s", self.time);
+      each("element", "", self.first), each("other element", "", self.second);
+    }
   };
   Deepest deepest() const { return deepest_; }
   // Pairs that touch, of those this rank counts.
@@ -101,6 +108,11 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   };
   struct Account {
     double friction = 0, damping = 0;  // J
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("friction", "J", self.friction), each("damping", "J", self.damping);
+    }
   };
 
   AxisEnds ends(const Kinematics& at, int segment) const;

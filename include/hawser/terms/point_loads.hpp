@@ -33,6 +33,7 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
   // ramp (trapezoid). In statics a moment has a potential too, good from the prepared state on only.
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 

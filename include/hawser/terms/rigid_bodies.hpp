@@ -33,6 +33,7 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals {
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
@@ -45,6 +46,11 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals {
     bool in_lines = false;                     // carries ends of lines, or lines can touch it
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("damping", "J", self.damping), each("work", "J", self.work);
+    }
   };
   RigidPose rest(const Floating& f, double time) const;
   void powers(const Floating& f, const Kinematics& at, double& damping, double& work) const;

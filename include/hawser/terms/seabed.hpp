@@ -54,6 +54,7 @@ class SeabedTerm final : public ForceTerm {
   // Of the bed on a local node in the accepted state, N, space axes.
   Vec3 node_force(int node) const;
   void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
@@ -82,6 +83,14 @@ class SeabedTerm final : public ForceTerm {
     // How deep it has been since it landed [m], and whether the soil holds it: until it is lifted too far.
     double deepest = 0;
     bool held = false;
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      ContactHistory::quantities(self, each, "N", "J");
+      each("touches", "", self.touches);
+      each("friction work", "J", self.friction_work), each("damping work", "J", self.damping_work);
+      each("deepest", "m", self.deepest), each("held by suction", "", self.held);
+    }
   };
   // Where a point was laid.
   struct Origin {

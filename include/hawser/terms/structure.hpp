@@ -49,6 +49,7 @@ class StructureTerm final : public ForceTerm,
   void soften(double most) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 

@@ -39,6 +39,7 @@ class VolumeContact final : public Contact {
   void forget_stiffening() override;
   Energy energy(const Kinematics& at) const override;
   void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> save() const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
@@ -66,6 +67,14 @@ class VolumeContact final : public Contact {
     // Gap spring: where the surface was nearest at the start, and its normal.
     bool paired = false;
     Vec3 anchor = Vec3::Zero(), direction = Vec3::UnitZ();
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      ContactHistory::quantities(self, each, "N", "J");
+      each("penetration", "m", self.depth), each("nearest triangle", "", self.hint);
+      each("touches", "", self.touches), each("paired", "", self.paired);
+      each("anchor", "m", self.anchor), each("direction", "", self.direction);
+    }
   };
   // Of a node and a volume that may have several walls (surface_walls.hpp), shared by its pairs: those near a
   // point, and which each pair is about. A wall stays with the pair whose normal of before is most like its

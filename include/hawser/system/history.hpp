@@ -1,0 +1,112 @@
+// What a term remembers of the steps before, as a checkpoint stores it: numbers with names and units, so that
+// what another version kept in another way is noticed and not misread.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct HistoryQuantity {
+  std::string name;
+  int components = 1;
+  std::string unit;
+  bool operator==(const HistoryQuantity&) const = default;
+};
+
+// What all records of a kind hold.
+struct HistoryKind {
+  std::string name;
+  std::vector<HistoryQuantity> quantities;
+  bool operator==(const HistoryKind&) const = default;
+};
+
+// A piece of a term's committed history that belongs to a node.
+struct HistoryRecord {
+  int node = 0;                // mesh node (file order)
+  int key = 0;                 // whatever the term tells its records apart by (a volume, say)
+  std::vector<double> values;  // the quantities of its kind, of one entry or of several one after the other
+  int kind = 0;                // index into the term's kinds
+};
+
+// The quantities of a type are said once, by its function
+//   template <class Self, class Each> static void quantities(Self& self, Each&& each) {
+//     each("slip", "m", self.slip), each("touches", "", self.touches);
+//   }
+// of numbers, flags, vectors and arrays of two numbers; from that follow what is below.
+
+template <class T>
+HistoryKind history_kind(std::string name) {
+  HistoryKind kind{std::move(name), {}};
+  T one{};
+  T::quantities(one, [&kind](const char* quantity, const char* unit, const auto& value) {
+    using V = std::remove_cvref_t<decltype(value)>;
+    const int components = std::is_arithmetic_v<V> ? 1 : static_cast<int>(sizeof(V) / sizeof(double));
+    kind.quantities.push_back({quantity, components, unit});
+  });
+  return kind;
+}
+
+// Adds an entry to the values of a record.
+template <class T>
+void put(const T& entry, std::vector<double>& values) {
+  T::quantities(entry, [&values](const char*, const char*, const auto& value) {
+    if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>)
+      values.push_back(static_cast<double>(value));
+    else
+      values.insert(values.end(), std::begin(value), std::end(value));
+  });
+}
+
+template <class T>
+HistoryRecord record_of(int node, int key, const T& entry, int kind = 0) {
+  HistoryRecord r{node, key, {}, kind};
+  put(entry, r.values);
+  return r;
+}
+
+// The entries of a record. Throws std::invalid_argument where its length is not that of whole ones.
+template <class T>
+std::vector<T> entries(const HistoryRecord& record) {
+  std::vector<T> all;
+  std::size_t at = 0;
+  const auto next = [&] {
+    if (at == record.values.size())
+      throw std::invalid_argument("a record of history in the checkpoint is truncated");
+    return record.values[at++];
+  };
+  while (at < record.values.size())
+    T::quantities(all.emplace_back(), [&next](const char*, const char*, auto& value) {
+      using V = std::remove_cvref_t<decltype(value)>;
+      if constexpr (std::is_same_v<V, bool>)
+        value = next() != 0;
+      else if constexpr (std::is_arithmetic_v<V>)
+        value = static_cast<V>(next());
+      else
+        for (double& c : value) c = next();
+    });
+  return all;
+}
+
+// Its only entry. Throws the same.
+template <class T>
+T entry(const HistoryRecord& record) {
+  std::vector<T> all = entries<T>(record);
+  if (all.size() != 1)
+    throw std::invalid_argument("a record of history in the checkpoint has the wrong size");
+  return all.front();
+}
+
+// Quantities that need no type of their own: a sum of work.
+struct WorkDone {
+  double work = 0;  // J
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("work", "J", self.work);
+  }
+};
+
+}  // namespace hawser
