@@ -121,6 +121,24 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   return c;
 }
 
+namespace {
+
+InputError older(const std::string& path, const std::string& what) {
+  return InputError(fmt::format(
+      "cannot go on from {}: another version of hawser wrote it, which kept other quantities of {}; "
+      "begin with its last shape by 'start: {{from: {}}}', or anew",
+      path, what, path));
+}
+
+}  // namespace
+
+void check_history(const io::Checkpoint& c, const System& system, const std::string& path) {
+  for (const auto& term : system.terms())
+    if (const auto it = c.history.find(std::string(term->name()));
+        it != c.history.end() && it->second.kinds != term->history())
+      throw older(path, it->first);
+}
+
 io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
   const LocalMesh& m = simulation.local();
   const MPI_Comm comm = simulation.system().comm();
@@ -141,15 +159,8 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
   if (more != static_cast<long>(here.size())) throw refuse("other volumes");
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError(fmt::format("cannot go on from {}: {}", path, wrong));
-  bool same = c.nodes.count(kMeanQ) > 0;
-  for (const auto& term : simulation.system().terms())
-    if (const auto it = c.history.find(std::string(term->name())); it != c.history.end())
-      same &= it->second.kinds == term->history();
-  if (!same)
-    throw InputError(fmt::format(
-        "cannot go on from {}: an earlier version of hawser wrote it, which stored other quantities "
-        "of the steps before; begin with its last shape by 'start: {{from: {}}}', or anew",
-        path, path));
+  if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
+  check_history(c, simulation.system(), path);
   return c;
 }
 

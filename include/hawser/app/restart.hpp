@@ -13,6 +13,9 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder);
 // or its lines or volumes are not those of the simulation. Collective.
 io::Checkpoint read_restart(const std::string& path, Simulation& simulation);
 
+// Throws InputError, naming the term, where terms keep other quantities than the checkpoint holds.
+void check_history(const io::Checkpoint& checkpoint, const System& system, const std::string& path);
+
 // Puts dynamics and terms where the checkpoint was taken, on whatever ranks there are now. Collective.
 void restore(const io::Checkpoint& checkpoint, Simulation& simulation);
 
