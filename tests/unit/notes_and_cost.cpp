@@ -33,19 +33,20 @@ TEST(Notes, OfVolumesAreGrouped) {
 
 const std::string kCase = R"(
 hawser: 1
-line_types: {rod: {outer_diameter: 0.1, mass_per_length: 20, EA: 2.0e7, EI: 3.0e4, GJ: 3.0e4}}
+line_types: {rod: {outer_diameter: 0.1, mass_per_length: 20, EA: 2.0e7, EI: 3.0e4, GJ: 3.0e4, Cd_normal: 1.2}}
 lines:
   rod:
     sections: [{type: rod, length: 12, elements: ELEMENTS}]
-    end_a: {anchor: [0, 0, 0], direction: [1, 0, 0], clamped: true}
+    end_a: {anchor: [0, 0, -5], direction: [1, 0, 0], clamped: true}
     end_b: free
     start: straight
 contact: {between_lines: BETWEEN}
 dynamics: {duration: 100, step: 0.05}
 )";
 
-model::Case rod(int elements, const std::string& between = "false") {
+model::Case rod(int elements, const std::string& between = "false", const std::string& waves = "") {
   std::string text = kCase;
+  if (!waves.empty()) text += "environment: {water: {depth: 100}, waves: {" + waves + "}}\n";
   text.replace(text.find("ELEMENTS"), 8, std::to_string(elements));
   text.replace(text.find("BETWEEN"), 7, between);
   return io::read_case_text(text, "/nowhere/case.yaml");
@@ -62,6 +63,9 @@ TEST(Cost, ByStepsAndWhatTheyNeed) {
   p.meshes = true;
   EXPECT_NEAR(expected_cost(p), 3 * (2000 * 1.3 * 1.4e-3 + 60 * 7e-4), 1e-12);
   p.meshes = false;
+  p.flow = 1e-3;
+  EXPECT_NEAR(expected_cost(p), 2000 * (1.3 * 1.4e-3 + 1e-3) + 60 * 7e-4, 1e-12);
+  p.flow = 0;
   p.step = 5;
   EXPECT_EQ(cost_sentence(p), "expected cost: less than 1 CPU s, if steps are of about 5 s");
   p.duration = 0;
@@ -80,6 +84,17 @@ TEST(Cost, PartsAreMeasured) {
   EXPECT_EQ(b.step, 0.05);
   EXPECT_EQ(b.duration, 100);
   EXPECT_TRUE(b.statics);
+}
+
+// The flow of a sea is found once a step, and is most of what a step costs.
+TEST(Cost, WavesAreMeasured) {
+  const std::string sea = "jonswap: {hs: 3, tp: 9, direction_deg: 0, components: ";
+  Simulation few(MPI_COMM_SELF, rod(500, "false", sea + "20}")),
+      many(MPI_COMM_SELF, rod(500, "false", sea + "400}"));
+  const double a = measured_parts(few).flow, b = measured_parts(many).flow;
+  EXPECT_GT(a, 0);
+  EXPECT_GT(b, 5 * a);
+  EXPECT_GT(b, measured_parts(many).residual);
 }
 
 // What a run of 10^5 beam elements took, 938 MB, and one of as many of cables, 643 MB, from what was measured

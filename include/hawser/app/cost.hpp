@@ -9,6 +9,7 @@ namespace hawser::app {
 
 struct CostParts {
   double residual = 0;  // CPU s: of one residual
+  double flow = 0;      // of what the first residual of a step takes longer: the flow of waves
   double tangent = 0;   // of one tangent with its factorisation and solution
   bool statics = false;
   bool meshes = false;            // that lines touch
