@@ -208,7 +208,7 @@ TEST(StartContact, CheckTells) {
   EXPECT_HAS(out, "warning: lines.sling: its start shape passes through volume bar from ");
   EXPECT_HAS(out, " of arc length, deepest at ");
   EXPECT_HAS(out, " m inside at (");
-  EXPECT_HAS(out, "the case is valid if statics brings its lines out of the volumes they start in");
+  EXPECT_HAS(out, "the case is valid if statics moves its lines out of the volumes they start in");
   const std::string path = folder("start_contact_check") + "/case.yaml";
   write_case(path, kFairlead, {{"METHOD", "line"}});
   const std::string fairlead = check(path);
