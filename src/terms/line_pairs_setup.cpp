@@ -12,13 +12,13 @@ namespace {
 
 enum Kind { kPoints, kSums, kDeepest };
 
-// A point that touches, with the elements of its pair and the side of the pair that it is of.
+// A point that touches, with the elements of its pair and the part of the pair that it is of.
 struct PairPoint {
-  int first = 0, second = 0, side = 0;
+  int first = 0, second = 0, part = 0;
   LinePairHistory point;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("element", "", self.first), each("other element", "", self.second), each("side", "", self.side);
+    each("element", "", self.first), each("other element", "", self.second), each("part", "", self.part);
     LinePairHistory::quantities(self.point, each);
   }
 };
@@ -170,8 +170,7 @@ void LinePairs::fields(FieldRegistry& registry) const {
 }
 
 // Every rank that owns a node of a pair needs its history, and a rank gets the records of its own nodes only:
-// so it is kept at each node of the pair. Values: the two elements, then the points of each part after their
-// number.
+// so it is kept at each node of the pair.
 std::vector<HistoryKind> LinePairs::history() const {
   return {history_kind<PairPoint>("points that touch"), history_kind<Account>("sums of a node"),
           history_kind<Deepest>("deepest")};
@@ -191,9 +190,11 @@ std::vector<HistoryRecord> LinePairs::save() const {
   for (const Pair& p : pairs_) {
     if (!p.history) continue;
     HistoryRecord r;
-    for (int side = 0; side < 2; ++side)
-      for (const LinePairHistory& h : (*p.history)[static_cast<size_t>(side)])
-        put(PairPoint{p.key.first, p.key.second, side, h}, r.values);
+    int part = 0;
+    for (const auto& points : *p.history) {
+      for (const LinePairHistory& h : points) put(PairPoint{p.key.first, p.key.second, part, h}, r.values);
+      ++part;
+    }
     for (const int segment : {p.a, p.b}) {
       const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
       for (const int node : {s.first, s.second}) {
@@ -229,9 +230,9 @@ void LinePairs::restore(const std::vector<HistoryRecord>& records) {
     if (kept_.count(key)) continue;  // from another of its nodes
     auto history = std::make_unique<History>();
     for (const PairPoint& p : points) {
-      if (p.side < 0 || p.side > 1)
+      if (p.part < 0 || static_cast<size_t>(p.part) >= history->size())
         throw std::invalid_argument("a record of line-line contact in the checkpoint does not fit");
-      (*history)[static_cast<size_t>(p.side)].push_back(p.point);
+      (*history)[static_cast<size_t>(p.part)].push_back(p.point);
     }
     kept_[key] = std::move(history);
   }
