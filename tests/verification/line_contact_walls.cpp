@@ -1,5 +1,5 @@
-// A pipe laid into a groove of two walls: each wall is a volume of its own, for of one volume only the
-// nearest wall is met.
+// A pipe laid into a groove of two walls, each a volume of its own; walls of one mesh are the subject of
+// contact_corner.
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::line_contact_walls_test {

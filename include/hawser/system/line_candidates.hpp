@@ -86,7 +86,6 @@ class LineCandidates {
   bool covers(const Kinematics& trial) const;
   // update() will make the list anew, whether it holds or not.
   void forget() { outdated_ = true; }
-  // Whether it did not since the list was made: update() will make it anew.
 
   // The elements of this rank with a radius, in the order of LocalMesh::elements, then those of other ranks
   // that pairs need.
