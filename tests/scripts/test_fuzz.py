@@ -1,5 +1,5 @@
-"""Two hundred mutants of a case and its files through the program (fuzz.py; 10^4 of them, under sanitizers, are a part of
-scripts/test --full)."""
+"""Mutants of a case and its files through the program, as a user would, and many more checked in one process (fuzz.py; 10^4
+of them, under sanitizers, are a part of scripts/test --full)."""
 import os
 import tempfile
 import unittest
@@ -11,16 +11,33 @@ from support import ROOT
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 
 
-MUTANTS = 40 if "ASAN_OPTIONS" in os.environ else 200
+CHECKER = Path(HAWSER).parent / "tests/check_many"
 
 
 class Fuzz(unittest.TestCase):
-    def test_mutants(self):
-        complaints, codes = fuzz(HAWSER, mutants=MUTANTS)
+    def fuzz(self, program, mutants, **settings):
+        complaints, codes = fuzz(program, mutants=mutants, **settings)
         self.assertEqual(complaints, [])
         # Neither are all of them refused at once nor is nothing wrong with them.
-        self.assertGreater(codes.get(0, 0), MUTANTS / 20)
-        self.assertGreater(codes.get(2, 0), MUTANTS / 20)
+        self.assertGreater(codes.get(0, 0), mutants / 20)
+        self.assertGreater(codes.get(2, 0), mutants / 20)
+
+    def test_mutants(self):
+        self.fuzz(HAWSER, 60)
+
+    def test_mutants_in_one_process(self):
+        self.fuzz(CHECKER, 1500, many=True)
+
+    def test_a_checker_that_dies(self):
+        with tempfile.TemporaryDirectory() as name:
+            program = Path(name) / "program"
+            for script, said in (("read x; kill -SEGV $$", "exit code -11"), ("read x; echo 1 odd; read x", "exit code 1: 'odd"),
+                                 ("read x; echo 2 odd; read x", "exit code 2: 'odd"), ("read x; echo odd >&2; echo 0; read x", "odd")):
+                program.write_text(f"#!/bin/bash\n{script}\n")
+                program.chmod(0o755)
+                complaints, _ = fuzz(program, mutants=2, jobs=1, many=True)
+                self.assertEqual(len(complaints), 2, script)
+                self.assertIn(said, complaints[0])
 
     def test_complains(self):
         with tempfile.TemporaryDirectory() as name:
