@@ -251,7 +251,10 @@ int run(MPI_Comm comm, const RunOptions& options) {
     std::fflush(stdout);
   }
   if (stopped) return kStopped;
-  return c.dynamics.enabled && recorder.audit().wrong() ? kWrongEnergy : 0;
+  if (!c.dynamics.enabled || !recorder.audit().wrong()) return 0;
+  // An exit code other than 0 never comes without its reason.
+  if (rank == 0 && !speak) fmt::print(stderr, "hawser: {}\n", recorder.audit_warning());
+  return kWrongEnergy;
 }
 
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {

@@ -225,7 +225,7 @@ def fuzz(program, first=0, mutants=200, jobs=2, keep=None, many=False):
 
     many: `program` is a checker of many mutants in one process, and none is run."""
     program = str(Path(program).resolve())
-    patience = 300 if "ASAN_OPTIONS" in os.environ else 20
+    patience = 300 if "ASAN_OPTIONS" in os.environ else 120
     checkers = queue.SimpleQueue()
     for _ in range(jobs):
         checkers.put(Checker(program))

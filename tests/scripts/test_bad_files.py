@@ -26,7 +26,7 @@ class BadFiles(unittest.TestCase):
         files = files[:: 1 if os.environ.get("HAWSER_FULL") else 3]
         before = sorted(folder.rglob("*"))
         with ThreadPoolExecutor(2) as pool:
-            results = list(pool.map(lambda file: run(HAWSER, "run", file, cwd=folder, timeout=60), files))
+            results = list(pool.map(lambda file: run(HAWSER, "run", file, cwd=folder, timeout=300), files))
         for file, result in zip(files, results):
             with self.subTest(file=file.name):
                 self.assertEqual(result.returncode, 2, result.stderr)
@@ -42,7 +42,7 @@ class BadFiles(unittest.TestCase):
         for name in ("mesh_absent", "mesh_open", "sign_open", "part_unknown", "bed_no_sheet", "bed_huge"):
             with self.subTest(file=name):
                 file = BAD / f"{name}.yaml"
-                result = run("mpirun", "-q", "-n", 2, HAWSER, "run", file, timeout=60)
+                result = run("mpirun", "-q", "-n", 2, HAWSER, "run", file, timeout=300)
                 self.assertEqual(result.returncode, 2, result.stderr)
                 sentences = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
                 self.assertEqual(len(sentences), 1, result.stderr)

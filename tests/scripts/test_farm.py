@@ -97,7 +97,7 @@ class Farm(unittest.TestCase):
     def test_ranks_and_statics(self):
         for ranks in (1, 2):
             result = run("mpirun", "-n", ranks, HAWSER, "run", FOLDER / "farm.yaml", "-q", "--stop-at", "5",
-                         "-o", self.folder / f"{ranks}.h5", timeout=300)
+                         "-o", self.folder / f"{ranks}.h5", timeout=900)
             self.assertEqual(result.returncode, 0, result.stderr)
         one, two = self.folder / "1.h5", self.folder / "2.h5"
         self.assertEqual(self.read(one, "/series/time"), self.read(two, "/series/time"))
@@ -116,7 +116,7 @@ class Farm(unittest.TestCase):
     def test_statics_of_fine_elements(self):
         fine = CASE.replace("elements: 50", "elements: 200").replace("file: float.rao", f"file: {FOLDER}/float.rao")
         (self.folder / "fine.yaml").write_text(re.sub(r"(?m)^(dynamics|volumes|contact|  float .*mesh).*$", "", fine), "utf-8")
-        result = run(HAWSER, "run", self.folder / "fine.yaml", "-q", timeout=300)
+        result = run(HAWSER, "run", self.folder / "fine.yaml", "-q", timeout=900)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.check_at_rest(self.folder / "fine.h5", 5e-5)
 

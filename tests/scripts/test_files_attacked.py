@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 from xml.etree import ElementTree
 
-from support import run, write
+from support import ROOT, run, write
 from test_run_messages import CASE, HAWSER
 
 LONG = CASE.replace("duration: 0.2, step: 0.05", "duration: 4000, step: 0.002").replace("every: 0.1", "every: 0.5")
@@ -29,7 +29,7 @@ class Attack(unittest.TestCase):
     def hawser(self, *arguments, ranks=0, **options):
         launch = ["mpirun", "-q", "-n", ranks, HAWSER] if ranks else [HAWSER]
         environment = {**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0"}
-        return run(*launch, "run", *arguments, cwd=self.folder, timeout=60, env=environment, **options)
+        return run(*launch, "run", *arguments, cwd=self.folder, timeout=300, env=environment, **options)
 
     def good(self, *arguments, **options):
         result = self.hawser(*arguments, **options)
@@ -52,8 +52,10 @@ class Attack(unittest.TestCase):
     def running(self, *arguments, ranks=0):
         """A run that is on its way."""
         launch = ["mpirun", "-q", "-n", str(ranks), HAWSER] if ranks else [HAWSER]
-        process = subprocess.Popen([*launch, "run", *arguments], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   text=True)
+        return self.launched([*launch, "run", *arguments])
+
+    def launched(self, command, **options):
+        process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         table = self.folder / "long.xdmf"
@@ -190,7 +192,7 @@ class Places(Attack):
         for fill in ("", "head -c 100000 /dev/zero >disk/more 2>&-;"):
             for ranks in ([], ["mpirun", "-q", "-n", "2"]):
                 result = run(*ALONE, mount + fill + '"$@"; code=$?; ls disk; exit $code', "sh", *ranks, HAWSER, "run", "disk/rod.yaml",
-                             "-q", cwd=self.folder, timeout=60)
+                             "-q", cwd=self.folder, timeout=300)
                 self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
                 self.assertRegex(result.stderr, r"\Ahawser: cannot write \S*rod\.h5: no space left on the disk\n\Z")
                 self.assertEqual(result.stdout.split(), (["more"] if fill else []) + ["rod.yaml"])
@@ -199,7 +201,7 @@ class Places(Attack):
         # 5 or 10 MB, as the shell counts: Open MPI has files of its own. The results would have 50 MB.
         write(self.folder, "rod.yaml", CASE.replace("elements: 8", "elements: 400").replace("duration: 0.2", "duration: 50"))
         for ranks in ([], ["mpirun", "-q", "-n", "2"]):
-            result = run("sh", "-c", 'ulimit -f 10000; exec "$@"', "sh", *ranks, HAWSER, "run", "rod.yaml", "-q", cwd=self.folder, timeout=60)
+            result = run("sh", "-c", 'ulimit -f 10000; exec "$@"', "sh", *ranks, HAWSER, "run", "rod.yaml", "-q", cwd=self.folder, timeout=300)
             self.assertEqual(result.returncode, 1, result.stderr)
             self.assertRegex(result.stderr, r"\Ahawser: cannot write \S+: File too large\n\Z")
 
@@ -322,6 +324,15 @@ class Signals(Attack):
                 self.assertNotIn("stopped", result.stdout)
                 for name in ("long.h5", "long.xdmf"):
                     (self.folder / name).unlink()
+
+    @unittest.skipUnless(Path(HAWSER).resolve() == ROOT / "build/hawser", "scripts/run runs another build")
+    def test_the_script_turns_control_c_into_a_stop(self):
+        process = self.launched([ROOT / "scripts/run", "long.yaml", "-n", "2"], start_new_session=True)
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+        out, _ = process.communicate()
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("\nstopped by a signal at t = ", out)
+        self.assertIn("  numbers   long.h5", out)
 
     def test_mpirun_on_its_own_terms(self):
         # What it does with these signals no program can change; what was accepted is there.

@@ -41,7 +41,7 @@ class Limits(unittest.TestCase):
 
     def refused(self, file, said):
         result = subprocess.run(
-            [HAWSER, "check", str(file)], capture_output=True, text=True, check=False, timeout=60, cwd=self.folder, preexec_fn=limited
+            [HAWSER, "check", str(file)], capture_output=True, text=True, check=False, timeout=300, cwd=self.folder, preexec_fn=limited
         )
         self.assertEqual(result.returncode, 2, result.stderr[-500:])
         self.assertRegex(result.stderr, r"\Ahawser: [^\n]+\n\Z")

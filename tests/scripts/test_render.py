@@ -60,7 +60,7 @@ class Render(unittest.TestCase):
         write(folder, "small.xdmf", xdmf([0, 1, 2]))
         result = run("scripts/with-display", "pvpython", ROOT / "scripts" / "render.py",
                      Path(folder) / "small.xdmf", Path(folder) / "out", "--size", "200", "160", "--direction=0,1,0", "--focus", "0.5,0,1",
-                     "--height", "4", "--diameter", "0.4", *options, timeout=100)
+                     "--height", "4", "--diameter", "0.4", *options, timeout=300)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         return sorted(p.name for p in (Path(folder) / "out").iterdir())
 

@@ -42,7 +42,7 @@ class Messages(unittest.TestCase):
 
     def hawser(self, *arguments, ranks=0):
         launch = ["mpirun", "-n", ranks, HAWSER] if ranks else [HAWSER]
-        return run(*launch, *arguments, cwd=self.folder, timeout=60, env={**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0"})
+        return run(*launch, *arguments, cwd=self.folder, timeout=300, env={**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0"})
 
     def refused(self, arguments, *parts, ranks=0, code=2):
         """One sentence on stderr with these parts, the exit code, and no new file."""
@@ -179,7 +179,7 @@ output: {every: 5}
         for size in ["300k", "2000k"]:
             for ranks in ([], ["mpirun", "-q", "-n", "2"]):
                 result = run(*alone, mount + 'shift; "$@"; code=$?; ls disk; exit $code', "sh", size, *ranks, HAWSER, "run",
-                             "disk/rod.yaml", "-q", cwd=self.folder, timeout=60)
+                             "disk/rod.yaml", "-q", cwd=self.folder, timeout=300)
                 with self.subTest(size=size, ranks=ranks):
                     self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
                     said = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]

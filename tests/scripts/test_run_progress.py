@@ -46,7 +46,7 @@ class Progress(unittest.TestCase):
 
     def test_plain_lines(self):
         for launch in ([HAWSER], ["mpirun", "-n", 1, HAWSER]):
-            result = run(*launch, "run", "rod.yaml", cwd=self.folder, timeout=100)
+            result = run(*launch, "run", "rod.yaml", cwd=self.folder, timeout=300)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertNotIn("\r", result.stdout)
             self.assertNotIn("\033", result.stdout)

@@ -49,10 +49,10 @@ class Xdmf(unittest.TestCase):
         write(folder, "reel.yaml", case)
         shutil.copy(ROOT / "cases/reel/drum.stl", folder)
         write(folder, "look.py", LOOK)
-        result = run(HAWSER, "run", "reel.yaml", "-q", "--stop-at", "12", cwd=folder, timeout=100)
+        result = run(HAWSER, "run", "reel.yaml", "-q", "--stop-at", "12", cwd=folder, timeout=300)
         self.assertEqual(result.returncode, 0, result.stderr)
         result = run("scripts/with-display", "pvpython", folder / "look.py", folder / "reel.xdmf", ROOT / "scripts",
-                     timeout=100)
+                     timeout=300)
         lines = [line for line in result.stdout.splitlines() if line.startswith("TOLD ")]
         self.assertEqual((result.returncode, len(lines)), (0, 1), result.stdout + result.stderr)
         told = json.loads(lines[0][5:])
