@@ -106,7 +106,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   double work = d.support_work();
   MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, simulation.system().comm());
   c.scalars["support_work"] = work;
-  const Contact* contact = simulation.contact();
+  const LineVolumeContact* contact = simulation.contact();
   for (int v = 0; contact && v < contact->volumes(); ++v)
     c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
   recorder.save(c);
@@ -197,7 +197,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   for (const auto& term : simulation.system().terms())
     if (const auto it = c.history.find(std::string(term->name())); it != c.history.end())
       term->restore(it->second.records);
-  Contact* contact = simulation.contact();
+  LineVolumeContact* contact = simulation.contact();
   for (int v = 0; contact && v < contact->volumes(); ++v)
     if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
       contact->raise_to(v, it->second);

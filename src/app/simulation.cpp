@@ -19,34 +19,13 @@
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
-#include "hawser/terms/line_contact.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "hawser/terms/seabed.hpp"
-#include "hawser/terms/volume_contact.hpp"
 
 namespace hawser::app {
 namespace {
-
-// Radius and mass of the owned nodes, for contact.
-std::vector<ContactNode> contact_nodes(const model::Case& c, const LocalMesh& mesh) {
-  std::vector<ContactNode> out(static_cast<size_t>(mesh.owned));
-  for (const LocalElement& e : mesh.elements) {
-    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
-    const auto& type = c.line_types[static_cast<size_t>(g.type)];
-    const bool takes_part = c.contact.takes_part(c.lines[static_cast<size_t>(g.line)]);
-    for (int n : {e.first, e.second}) {
-      if (n >= mesh.owned) continue;
-      ContactNode& node = out[static_cast<size_t>(n)];
-      if (takes_part) node.radius = std::max(node.radius, 0.5 * type.contact_diameter);
-      node.mass += 0.5 * g.length * type.mass_per_length;
-    }
-  }
-  for (const NodeMass& m : point_masses(c, mesh))
-    if (m.node < mesh.owned) out[static_cast<size_t>(m.node)].mass += m.mass;
-  return out;
-}
 
 // Radius and mass of the elements, for contact along them.
 std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh) {
@@ -153,26 +132,15 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   bodies_->tell(comm, start.state.view(0));
   start_contact_ = start_contact(comm, c, local, start.state.view(0), *bodies_, volumes_);
   notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
-  if (!volumes.empty() && c.contact.method == model::ContactMethod::line) {
+  if (!volumes.empty()) {
     std::vector<LineContactElement> elements = contact_elements(c, local);
     std::vector<bool> held(static_cast<size_t>(local.nodes()), false);
     for (const int n : held_nodes(start.supports)) held[static_cast<size_t>(n)] = true;
     for (size_t e = 0; e < elements.size(); ++e)
-      elements[e].held = held[static_cast<size_t>(local.elements[e].first)] ||
-                         held[static_cast<size_t>(local.elements[e].second)];
-    auto contact =
-        std::make_unique<LineContact>(local, bodies_, std::move(volumes), std::move(elements), comm);
-    contact_ = contact.get();
-    system_->add(std::move(contact));
-  } else if (!volumes.empty()) {
-    std::vector<ContactNode> nodes = contact_nodes(c, local);
-    // A held end touches nothing: its support carries whatever a surface would.
-    for (const int n : held_nodes(start.supports))
-      if (n < local.owned) nodes[static_cast<size_t>(n)].radius = 0;
-    const NodeContact model =
-        c.contact.method == model::ContactMethod::gap ? NodeContact::gap : NodeContact::elastic;
-    auto contact =
-        std::make_unique<VolumeContact>(local, bodies_, std::move(volumes), std::move(nodes), model, comm);
+      elements[e].held = {held[static_cast<size_t>(local.elements[e].first)],
+                          held[static_cast<size_t>(local.elements[e].second)]};
+    auto contact = std::make_unique<LineVolumeContact>(local, bodies_, std::move(volumes),
+                                                       std::move(elements), comm, c.contact.method);
     contact_ = contact.get();
     system_->add(std::move(contact));
   }

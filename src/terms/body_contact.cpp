@@ -7,7 +7,7 @@
 #include "body_contact_sum.hpp"
 #include "hawser/kernels/line_contact.hpp"
 #include "hawser/model/body_pairs.hpp"
-#include "hawser/terms/contact.hpp"
+#include "hawser/terms/contact_laws.hpp"
 
 namespace hawser {
 namespace {

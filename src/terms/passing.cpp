@@ -1,11 +1,11 @@
 // What goes through a volume in a step and touches it neither at its start nor at its end, or comes to its
 // other side: nothing acted on it, so the step is taken again, shorter.
 #include <algorithm>
+#include <array>
 
 #include "hawser/kernels/axis_sweep.hpp"
 #include "hawser/terms/body_contact.hpp"
-#include "hawser/terms/line_contact.hpp"
-#include "hawser/terms/volume_contact.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
 namespace {
@@ -20,9 +20,29 @@ DistanceField distance_to(const Surface& surface) {
   };
 }
 
+constexpr std::array<double, 2> kEnds{0, 1};  // of an element
+
+// Of the part of the axis that may touch. De Casteljau's: the polar form of the cubic at all choices of the
+// two ends.
+AxisPoints part_of(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) {
+  const AxisPoints b = axis_points(shape, pose);
+  if (pair.part.all()) return b;
+  const double from = pair.part.from, to = pair.part.to;
+  const auto blossom = [&b](double r, double s, double t) {
+    AxisPoints p = b;
+    size_t n = 3;
+    for (const double xi : {r, s, t}) {
+      for (size_t i = 0; i < n; ++i) p[i] = (1 - xi) * p[i] + xi * p[i + 1];
+      --n;
+    }
+    return p[0];
+  };
+  return {blossom(from, from, from), blossom(from, from, to), blossom(from, to, to), blossom(to, to, to)};
+}
+
 }  // namespace
 
-Verdict Contact::judge(const Kinematics& trial) const {
+Verdict LineVolumeContact::judge(const Kinematics& trial) const {
   if (!(trial.step > 0)) return {};
   if (std::string why = deeper_than_allowed(trial); !why.empty())
     return {Verdict::Kind::shorter, std::move(why)};
@@ -30,41 +50,28 @@ Verdict Contact::judge(const Kinematics& trial) const {
   return {};
 }
 
-bool VolumeContact::tunnels(const Kinematics& trial) const {
-  if (model_ == NodeContact::gap) return false;
-  std::vector<RigidPose> poses;
-  pose_bodies(trial, poses);
-  return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-    if (pair.slot > 0) return false;
-    const size_t n = static_cast<size_t>(pair.node);
-    const Vec3 &from = pair.start.point, to = poses[body(pair.volume)].to_body(trial.x[n]);
-    const double way = (to - from).norm();
-    if (way <= nodes_[n].radius || (!pair.walls && still_clear(pair.clear, pair.centre, from, way)))
-      return false;
-    AxisPoints at, will_be;
-    at.fill(from), will_be.fill(to);
-    return goes_through(distance_to(*volumes_[static_cast<size_t>(pair.volume)].surface), at, will_be,
-                        nodes_[n].radius);
-  });
-}
-
-// Most are far away, or move less than they are thick.
-bool LineContact::tunnels(const Kinematics& trial) const {
-  std::vector<RigidPose> poses;
-  pose_bodies(trial, poses);
-  const auto way = [&](const Group& g, int node) {
-    const size_t n = static_cast<size_t>(node);
-    return (trial.x[n] - start_x_[n]).norm() + g.turn * (trial.q[n].coeffs() - start_q_[n].coeffs()).norm();
-  };
+// Most are far away, or move less than they are thick. What is looked for at the nodes only passes between
+// them as it likes, and a gap spring sees no surface.
+bool LineVolumeContact::tunnels(const Kinematics& trial) const {
+  if (finder_.by_gap()) return false;
   return std::any_of(groups_.begin(), groups_.end(), [&](const Group& g) {
     const Pair& pair = pairs_[g.first];
-    const double radius = elements_[static_cast<size_t>(pair.element)].radius;
-    if (still_[g.body] && std::max(way(g, g.nodes[0]), way(g, g.nodes[1])) < std::max(g.room, radius))
-      return false;
-    const AxisPoints from = points_of_part(pair, pair.start, start_poses_[g.body]),
-                     to = points_of_part(pair, AxisShape(ends(trial, pair.element)), poses[g.body]);
-    if (way_of(from, to) <= std::max(room_at_start(pair), radius)) return false;
-    return goes_through(distance_to(*volumes_[static_cast<size_t>(pair.volume)].surface), from, to, radius);
+    const double radius = pair.radius;
+    if (volumes_.still(g.volume) && way(trial, g) < std::max(g.room, radius)) return false;
+    const AxisShape shape(ends(trial, pair.element));
+    const RigidPose pose = volumes_.pose_of(g.volume, trial);
+    const DistanceField field = distance_to(volumes_.surface(g.volume));
+    const auto passes = [&](const AxisPoints& from, const AxisPoints& to, double free) {
+      return way_of(from, to) > std::max(free, radius) && goes_through(field, from, to, radius);
+    };
+    if (!finder_.at_nodes())
+      return passes(part_of(pair, pair.start.shape, pair.start.pose), part_of(pair, shape, pose),
+                    LineVolumeFinder::room_at_start(pair));
+    return std::any_of(kEnds.begin(), kEnds.end(), [&](double xi) {
+      AxisPoints from, to;
+      from.fill(pair.start.pose.to_body(pair.start.shape.point(xi))), to.fill(pose.to_body(shape.point(xi)));
+      return finder_.takes_part(pair, xi) && passes(from, to, 0);
+    });
   });
 }
 

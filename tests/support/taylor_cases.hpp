@@ -230,7 +230,7 @@ inline std::vector<SuiteCase> contact_cases() {
       out.push_back({std::string("contact, gap, ") + name + (friction > 0 ? "" : ", smooth"),
                      [on = on, friction](MPI_Comm comm, const Placement& at) {
                        auto m = std::make_unique<SuiteModel>(comm, at);
-                       add_contact(*m, at, on, friction, friction, NodeContact::gap);
+                       add_contact(*m, at, on, friction, friction, model::ContactMethod::gap);
                        return m;
                      }});
   return out;

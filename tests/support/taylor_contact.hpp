@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hawser/geometry/mesh_surface.hpp"
-#include "hawser/terms/volume_contact.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 #include "support/shapes.hpp"
 #include "support/taylor_model.hpp"
 
@@ -85,8 +85,9 @@ inline constexpr NodeStory kStory[8] = {
     {-5 * mm, -4 * mm, 20 * mm, 0.1}, {-0.3 * mm, 0.2 * mm, 5 * mm, 0.02},    {10 * mm, -4 * mm, 1 * mm, 0.1},
     {10 * mm, -5 * mm, 40 * mm, 0.1}, {-3 * mm, 5 * mm, 1 * mm, 0.1}};
 
-inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn on, double axial,
-                                  double lateral, NodeContact model = NodeContact::elastic) {
+inline LineVolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn on, double axial,
+                                      double lateral,
+                                      model::ContactMethod method = model::ContactMethod::nodes) {
   const LocalMesh& l = m.system->mesh();
   const Quat start = exp_so3({0.3, -0.2, 0.5});
   const bool moves = on != ContactOn::plane && on != ContactOn::corner;
@@ -110,10 +111,10 @@ inline VolumeContact& add_contact(SuiteModel& m, const Placement& at, ContactOn 
     v.surface = std::make_shared<MeshSurface>(floor_and_wall());
   else
     v.surface = std::make_shared<MeshSurface>(test::box_mesh(Vec3(0, 0, -1), Vec3(3, 3, 2)));
-  auto term = std::make_unique<VolumeContact>(
+  auto term = std::make_unique<LineVolumeContact>(
       l, bodies, std::vector<ContactVolume>{v},
-      std::vector<ContactNode>(static_cast<size_t>(l.owned), {kContactRadius, 50}), model);
-  VolumeContact& contact = *term;
+      std::vector<LineContactElement>(l.elements.size(), {kContactRadius, 50}), PETSC_COMM_SELF, method);
+  LineVolumeContact& contact = *term;
   m.system->add(std::move(term));
 
   // One step that ends where the trial's begins lays down history, then the trial's step is prepared.

@@ -2,15 +2,13 @@
 // kept and what limits a step are to the last bit those of a term that begins with what a checkpoint holds.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <random>
 #include <string>
 
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/state/state.hpp"
-#include "hawser/terms/line_contact.hpp"
-#include "hawser/terms/volume_contact.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 #include "support/shapes.hpp"
 
 namespace hawser::test::contact_memory_test {
@@ -128,10 +126,11 @@ struct Outcome {
 };
 
 // Steps down to the surface and up again; in each, trials near and far before the one that is accepted.
-template <class Term>
-void go(
-    const Scene& scene, bool beam,
-    const std::function<Term(const LocalMesh&, std::shared_ptr<const Bodies>, const ContactVolume&)>& make) {
+void go(const Scene& scene, bool beam, model::ContactMethod method) {
+  const auto make = [method](const LocalMesh& l, auto bodies, const ContactVolume& v) {
+    return LineVolumeContact(l, bodies, {v}, std::vector<LineContactElement>(kElements, {0.1, 50}),
+                             PETSC_COMM_SELF, method);
+  };
   Mesh mesh;
   const LocalMesh local = chain(mesh, beam);
   std::shared_ptr<const Bodies> bodies;
@@ -140,7 +139,7 @@ void go(
         std::vector<RigidMotion>{{Vec3(0.02, 0.01, 0), Vec3(0, 0, 0.01),
                                   MotionLaw(SteadyLaw{Vec3(0, 0, 0.05), Vec3(0.02, 0.03, 0), 0.3})}});
   const ContactVolume v = volume(scene.surface, scene.moves ? 0 : -1);
-  Term term = make(local, bodies, v);
+  LineVolumeContact term = make(local, bodies, v);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> noise(-1, 1);
   constexpr int kSteps = 40;
@@ -150,10 +149,10 @@ void go(
   for (int n = 0; n < kSteps; ++n) {
     const State from = line_at(height(n), n * kStep, (height(n) - height(n + 1)) / kStep),
                 to = line_at(height(n + 1), (n + 1) * kStep, (height(n) - height(n + 1)) / kStep);
-    Term fresh = make(local, bodies, v);
+    LineVolumeContact fresh = make(local, bodies, v);
     fresh.restore(term.save());
     term.prepare(from.view(kStep), kStep);
-    const auto limits = [&](Term& t) {
+    const auto limits = [&](LineVolumeContact& t) {
       Strikes strikes;
       strikes.most = kStep;
       t.limit_step(from.view(kStep), strikes);
@@ -166,7 +165,7 @@ void go(
       State trial = to;
       for (Vec3& x : trial.x) x += far * Vec3(noise(random), noise(random), noise(random));
       term.evaluate(trial.view(kStep), nowhere);
-      Term mine = term, other = fresh;
+      LineVolumeContact mine = term, other = fresh;
       other.prepare(from.view(kStep), kStep);
       mine.commit(trial.view(kStep)), other.commit(trial.view(kStep));
       const auto a = mine.save(), b = other.save();
@@ -187,18 +186,16 @@ void go(
 
 TEST(ContactMemory, NeverShowsAlongTheLine) {
   for (const Scene& scene : scenes())
-    for (const bool beam : {false, true})
-      go<LineContact>(scene, beam, [&](const LocalMesh& l, auto bodies, const ContactVolume& v) {
-        LineContactElement e{0.1, 50};
-        return LineContact(l, bodies, {v}, std::vector<LineContactElement>(kElements, e));
-      });
+    for (const bool beam : {false, true}) go(scene, beam, model::ContactMethod::line);
 }
 
 TEST(ContactMemory, NeverShowsAtTheNodes) {
   for (const Scene& scene : scenes())
-    go<VolumeContact>(scene, false, [&](const LocalMesh& l, auto bodies, const ContactVolume& v) {
-      return VolumeContact(l, bodies, {v}, std::vector<ContactNode>(kElements + 1, {0.1, 10}));
-    });
+    for (const bool beam : {false, true}) go(scene, beam, model::ContactMethod::nodes);
+}
+
+TEST(ContactMemory, NeverShowsInGapSprings) {
+  for (const Scene& scene : scenes()) go(scene, false, model::ContactMethod::gap);
 }
 
 // A line that comes down slowly asks where it is new, and then nothing of what it is far from.
@@ -207,8 +204,8 @@ TEST(ContactMemory, AsksLittle) {
       std::make_shared<MeshSurface>(test::sphere_mesh(3, 2), std::vector<bool>(), MeshSurfaceOptions{true}));
   Mesh mesh;
   const LocalMesh local = chain(mesh, true);
-  LineContact term(local, nullptr, {volume(counting, -1)},
-                   std::vector<LineContactElement>(kElements, LineContactElement{0.1, 50}));
+  LineVolumeContact term(local, nullptr, {volume(counting, -1)},
+                         std::vector<LineContactElement>(kElements, LineContactElement{0.1, 50}));
   Sink nowhere;
   int first = 0, later = 0, ahead = 0;
   for (int n = 0; n < 10; ++n) {

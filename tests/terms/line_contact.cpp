@@ -14,8 +14,8 @@ TEST(LineContact, Tangents) {
   }
 }
 
-std::vector<double> node_field(const LineContact& contact, const Kinematics& at, const std::string& name,
-                               int nodes) {
+std::vector<double> node_field(const LineVolumeContact& contact, const Kinematics& at,
+                               const std::string& name, int nodes) {
   FieldRegistry registry;
   contact.fields(registry);
   for (const FieldSource& f : registry.sources()) {
@@ -150,7 +150,8 @@ TEST(LineContact, OneElementOnARisingPlane) {
     v.settings.basis = basis;
     v.settings.normal_stiffness = 1e5;
     v.settings.friction = {0.3, 0.3, 0, 4e4};
-    LineContact term(l, std::make_shared<const Bodies>(std::vector<RigidMotion>{rising}), {v}, {{0.1, 50}});
+    LineVolumeContact term(l, std::make_shared<const Bodies>(std::vector<RigidMotion>{rising}), {v},
+                           {{0.1, 50}});
     State s(2);
     s.x = {Vec3(0, 0, 0.12), Vec3(2, 0, 0.12)};
     const double h = 1e-3;
@@ -192,7 +193,7 @@ TEST(LineContact, StepsFollowImpacts) {
   v.settings.smoothing = 1e-3;
   const double sixth = 2 * M_PI / 6 * std::sqrt(50 / 1e5), infinite = std::numeric_limits<double>::infinity();
   const auto longest = [&](double gap, double down, double tilt = 0, double acceleration = 0) {
-    LineContact term(l, nullptr, {v}, {{0.1, 50}});
+    LineVolumeContact term(l, nullptr, {v}, {{0.1, 50}});
     State s(2);
     s.x = {Vec3(0, 0, 0.101 + gap), Vec3(2, 0, 0.101 + gap + tilt)};
     s.v = {Vec3(3, 0, -down), Vec3(3, 0, -down)};
@@ -234,12 +235,12 @@ TEST(LineContact, RefusesWhatItCannotUse) {
   v.settings.basis = model::StiffnessBasis::per_length;
   v.settings.normal_stiffness = 1e5;
   const std::vector<LineContactElement> elements(l.elements.size());
-  EXPECT_NO_THROW(LineContact(l, nullptr, {v}, elements));
-  EXPECT_THROW(LineContact(l, nullptr, {v}, {}), std::invalid_argument);
+  EXPECT_NO_THROW(LineVolumeContact(l, nullptr, {v}, elements));
+  EXPECT_THROW(LineVolumeContact(l, nullptr, {v}, {}), std::invalid_argument);
   v.body = 0;
-  EXPECT_THROW(LineContact(l, nullptr, {v}, elements), std::invalid_argument);
+  EXPECT_THROW(LineVolumeContact(l, nullptr, {v}, elements), std::invalid_argument);
   v.body = -1, v.settings.basis = model::StiffnessBasis::automatic;
-  EXPECT_THROW(LineContact(l, nullptr, {v}, elements), std::invalid_argument);
+  EXPECT_THROW(LineVolumeContact(l, nullptr, {v}, elements), std::invalid_argument);
 }
 
 }  // namespace

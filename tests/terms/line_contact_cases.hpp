@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hawser/geometry/mesh_surface.hpp"
-#include "hawser/terms/line_contact.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 #include "support/shapes.hpp"
 #include "support/taylor_model.hpp"
 
@@ -131,7 +131,7 @@ inline std::shared_ptr<const Surface> surface_of(Under on) {
 }
 
 struct LineModel : SuiteModel {
-  LineContact* contact = nullptr;
+  LineVolumeContact* contact = nullptr;
   std::shared_ptr<const Bodies> bodies;
 
   explicit LineModel(const LineCase& what, MPI_Comm comm = PETSC_COMM_SELF, const Placement& at = {})
@@ -151,9 +151,10 @@ struct LineModel : SuiteModel {
     v.settings.relative_damping = 0.1;
     v.settings.friction = {what.axial, what.lateral, 0, what.axial == what.lateral ? 4e4 : 0.0};
     if (what.axial != what.lateral) v.settings.friction.mobilisation_length = 2e-3;
-    auto term = std::make_unique<LineContact>(
-        l, bodies, std::vector{v},
-        std::vector<LineContactElement>(l.elements.size(), {kLineRadius, 50, what.rolling}));
+    LineContactElement element{kLineRadius, 50};
+    element.rolling = what.rolling;
+    auto term = std::make_unique<LineVolumeContact>(
+        l, bodies, std::vector{v}, std::vector<LineContactElement>(l.elements.size(), element));
     contact = term.get();
     system->add(std::move(term));
 

@@ -4,7 +4,6 @@
 
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/geometry/primitives.hpp"
-#include "hawser/terms/volume_contact.hpp"
 #include "support/rig.hpp"
 #include "support/shapes.hpp"
 

@@ -17,8 +17,8 @@
 #include "hawser/system/system.hpp"
 #include "hawser/terms/bodies.hpp"
 #include "hawser/terms/body_skeleton.hpp"
-#include "hawser/terms/contact.hpp"
 #include "hawser/terms/line_pairs.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 #include "hawser/terms/structure.hpp"
 
 namespace hawser {
@@ -42,7 +42,7 @@ class Simulation {
   const Bodies& bodies() const { return *bodies_; }
   System& system() { return *system_; }
   StructureTerm& structure() { return *structure_; }
-  Contact* contact() { return contact_; }                                // with volumes; null: there are none
+  LineVolumeContact* contact() { return contact_; }                      // with volumes; null: there are none
   const BodyContactTerm* body_contact() const { return body_contact_; }  // null: no bodies touch
   const RigidBodies* floating() const { return floating_; }              // null: no body has mass
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
@@ -75,7 +75,7 @@ class Simulation {
   std::shared_ptr<Bodies> bodies_;
   std::unique_ptr<System> system_;
   StructureTerm* structure_ = nullptr;
-  Contact* contact_ = nullptr;
+  LineVolumeContact* contact_ = nullptr;
   State state_;
   std::unique_ptr<Dynamics> dynamics_;
   std::vector<std::string> notes_;

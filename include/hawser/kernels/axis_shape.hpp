@@ -43,6 +43,11 @@ class AxisShape {
   Vec3 velocity_slope(double xi) const { return combine(derivatives(xi), V_); }  // dv/dxi, m/s
   // The same axis to the last bit, whatever its velocities.
   bool same_axis(const AxisShape& o) const { return count_ == o.count_ && X_ == o.X_; }
+  // And the same velocities and rotations of its ends.
+  bool same_motion(const AxisShape& o) const {
+    return same_axis(o) && V_ == o.V_ && q_[0].coeffs() == o.q_[0].coeffs() &&
+           q_[1].coeffs() == o.q_[1].coeffs();
+  }
   // A bound of |dx/dxi| over the element, m.
   double reach() const { return reach_; }
   // The largest |d²x/dxi²|, m: it is linear in xi.

@@ -12,7 +12,7 @@
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/line_candidates.hpp"
-#include "hawser/terms/line_contact.hpp"
+#include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/touch.hpp"
 
 namespace hawser {

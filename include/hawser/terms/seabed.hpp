@@ -14,7 +14,7 @@
 #include "hawser/kernels/volume_contact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/terms/contact.hpp"
+#include "hawser/terms/contact_history.hpp"
 #include "hawser/terms/line_neighbours.hpp"
 
 namespace hawser {

@@ -6,7 +6,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/terms/bodies.hpp"
-#include "hawser/terms/contact.hpp"
+#include "hawser/terms/contact_volumes.hpp"
 
 namespace hawser {
 

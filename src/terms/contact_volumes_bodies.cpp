@@ -1,10 +1,10 @@
-// Where the bodies of contact are, and which of those that float lines may meet.
+// Where the bodies of the volumes are, and which of those that float lines may meet.
 #include <algorithm>
 #include <cmath>
 
 #include "hawser/base/gather.hpp"
 #include "hawser/mesh/arc.hpp"
-#include "hawser/terms/contact.hpp"
+#include "hawser/terms/contact_volumes.hpp"
 
 namespace hawser {
 namespace {
@@ -19,30 +19,41 @@ bool any(MPI_Comm comm, bool here) {
 
 }  // namespace
 
-void Contact::pose_bodies(const Kinematics& at, std::vector<RigidPose>& poses) const {
+void ContactVolumes::pose(const Kinematics& at, std::vector<RigidPose>& poses) const {
   const int n = bodies_->size();
   poses.resize(static_cast<size_t>(n) + 1);
   for (int b = 0; b < n; ++b) poses[static_cast<size_t>(b) + 1] = bodies_->pose(b, at);
 }
 
-FloatingFrame Contact::floating_frame(int volume, const Kinematics& at) const {
-  const int local = bodies_->local_node(volumes_[static_cast<size_t>(volume)].body);
+// Of a body that is met on this rank.
+RigidPose ContactVolumes::pose_of(int volume, const Kinematics& at) const {
+  const int body = this->at(volume).body;
+  return body < 0 ? RigidPose{} : bodies_->pose(body, at);
+}
+
+bool ContactVolumes::still(int volume) const {
+  const RigidPose &now = trial_pose(volume), &then = start_pose(volume);
+  return now.position == then.position && now.rotation.coeffs() == then.rotation.coeffs();
+}
+
+FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& at) const {
+  const int local = bodies_->local_node(this->at(volume).body);
   const size_t n = static_cast<size_t>(local);
-  return {local_.block[n], at.x[n], at.v[n], at.q[n].toRotationMatrix()};
+  return {mesh_.block[n], at.x[n], at.v[n], at.q[n].toRotationMatrix()};
 }
 
 // Elements are told with room to spare, so that the list holds for many steps; it is made anew where one
 // comes near that is not in it.
-bool Contact::recouple(const Kinematics& committed, double h) {
+bool ContactVolumes::recouple(const Kinematics& committed, double h, double thickest) {
   const auto moving = [this](const ContactVolume& v) { return bodies_->floats(v.body); };
   if (std::none_of(volumes_.begin(), volumes_.end(), moving)) return false;
   bodies_->tell(comm_, committed);
   std::vector<std::array<int, 3>> wide;
   bool missing = false;
   std::vector<RigidPose> poses;
-  pose_bodies(committed, poses);
-  const Mesh& mesh = *local_.mesh;
-  for (const LocalElement& e : local_.elements) {
+  pose(committed, poses);
+  const Mesh& mesh = *mesh_.mesh;
+  for (const LocalElement& e : mesh_.elements) {
     if (!e.counted) continue;
     const Element& g = mesh.elements[static_cast<size_t>(e.global)];
     const size_t a = static_cast<size_t>(e.first), b = static_cast<size_t>(e.second);
@@ -50,14 +61,13 @@ bool Contact::recouple(const Kinematics& committed, double h) {
     for (size_t k = 0; k < volumes_.size(); ++k) {
       const ContactVolume& v = volumes_[k];
       if (!moving(v)) continue;
-      if (takes_part(mesh, g.line, static_cast<int>(k), arc_at(mesh, g, 0), arc_at(mesh, g, 1)).none())
-        continue;
+      if (takes_part(g.line, static_cast<int>(k), arc_at(mesh, g, 0), arc_at(mesh, g, 1)).none()) continue;
       const RigidPose& pose = poses[static_cast<size_t>(v.body) + 1];
       const double speed = std::max((committed.v[a] - pose.velocity_at(committed.x[a])).norm(),
                                     (committed.v[b] - pose.velocity_at(committed.x[b])).norm());
       const double way = h > 0 ? std::max(2 * h * speed, 0.5 * g.length)
                                : kStaticsWay * mesh.lines[static_cast<size_t>(g.line)].length;
-      const double touch = 1.01 * thickest() + std::max(v.settings.smoothing, 0.0);
+      const double touch = 1.01 * thickest + std::max(v.settings.smoothing, 0.0);
       const double away = distance(boxes_[k], pose.to_body(middle)) - touch -
                           (committed.x[b] - committed.x[a]).norm() - 0.5 * g.length;
       if (away > 2 * way + 2 * g.length) continue;
@@ -79,10 +89,10 @@ bool Contact::recouple(const Kinematics& committed, double h) {
   return true;
 }
 
-void Contact::couple(Couplings& to) const {
+void ContactVolumes::couple(Couplings& to) const {
   const auto here = [this](int n) {
-    const int local = local_.find(n);
-    return local >= 0 && local < local_.owned;
+    const int local = mesh_.find(n);
+    return local >= 0 && local < mesh_.owned;
   };
   for (const auto& [a, b, body] : near_)
     if (here(a) || here(b) || here(body)) to.add({a, b}, {body, body});

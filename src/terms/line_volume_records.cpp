@@ -1,57 +1,62 @@
-// History of contact along lines through a checkpoint.
+// History of contact of lines with volumes through a checkpoint.
 //
 // Both ranks of a shared element need its history, and a rank gets the records of its own nodes only: so an
 // element's is kept twice, at either node. Keys: 2 v for the element behind a node, 2 v + 1 for the one
-// before it, v the volume, plus the number of volumes for the second of its walls, and so on. The sums of an
-// element are kept at its first node.
+// before it, v the volume, plus the number of volumes for the second of its walls, and so on. Gap springs are
+// kept alike, those of both ends in one record. The sums of an element are kept at its first node.
 #include <algorithm>
 #include <array>
-#include <set>
+#include <map>
 #include <stdexcept>
 #include <unordered_map>
 
-#include "hawser/terms/line_contact.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
 namespace {
 
-enum Kind { kPoints, kSums };
+enum Kind { kPoints, kSums, kSprings };
 
 }  // namespace
 
-std::vector<HistoryKind> LineContact::history() const {
-  return {history_kind<Point>("points that touch"), history_kind<Account>("sums of an element")};
+std::vector<HistoryKind> LineVolumeContact::history() const {
+  return {history_kind<ContactPoint>("points that touch"), history_kind<ContactAccount>("sums of an element"),
+          history_kind<GapSpring>("gap springs")};
 }
 
-std::vector<HistoryRecord> LineContact::save() const {
+std::vector<HistoryRecord> LineVolumeContact::save() const {
   std::vector<HistoryRecord> records;
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const LocalElement& e = mesh_.elements[i];
     if (e.counted && !accounts_[i].empty())
       records.push_back(record_of(mesh_.global[static_cast<size_t>(e.first)], 0, accounts_[i], kSums));
   }
-  for (const Pair& pair : pairs_) {
-    if (pair.history.empty()) continue;
+  const auto add = [&](const Pair& pair, Kind kind, const auto& all) {
     HistoryRecord r;
-    for (const Point& p : pair.history) put(p, r.values);
-    const LocalElement& e = mesh_.elements[static_cast<size_t>(pair.element)];
+    r.kind = kind;
+    for (const auto& one : all) put(one, r.values);
+    const LocalElement& e = local(pair);
     for (const int node : {e.first, e.second}) {
       if (node >= mesh_.owned) continue;
       r.node = mesh_.global[static_cast<size_t>(node)];
       r.key = 2 * (pair.volume + pair.slot * volumes()) + (node == e.second);
       records.push_back(r);
     }
+  };
+  for (const Pair& pair : pairs_) {
+    if (!pair.points.empty()) add(pair, kPoints, pair.points);
+    if (finder_.by_gap()) add(pair, kSprings, pair.springs);
   }
   return records;
 }
 
-void LineContact::restore(const std::vector<HistoryRecord>& records) {
+void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
   std::unordered_map<int, int> behind, before;  // mesh node -> local element
   for (size_t i = 0; i < mesh_.elements.size(); ++i) {
     behind[mesh_.global[static_cast<size_t>(mesh_.elements[i].first)]] = static_cast<int>(i);
     before[mesh_.global[static_cast<size_t>(mesh_.elements[i].second)]] = static_cast<int>(i);
   }
-  std::set<std::array<int, 3>> known;
+  std::map<std::array<int, 3>, size_t> known;
   pairs_.clear();
   accounts_.assign(accounts_.size(), {});
   for (const HistoryRecord& r : records) {
@@ -60,18 +65,24 @@ void LineContact::restore(const std::vector<HistoryRecord>& records) {
     const auto found = side.find(r.node);
     if (found == side.end()) continue;
     if (sums) {
-      accounts_[static_cast<size_t>(found->second)] = entry<Account>(r);
+      accounts_[static_cast<size_t>(found->second)] = entry<ContactAccount>(r);
       continue;
     }
     if (r.key < 0 || r.key / 2 >= SurfaceWalls::kMost * volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
     const int element = found->second, volume = r.key / 2 % volumes(), slot = r.key / 2 / volumes();
-    if (!known.insert({element, volume, slot}).second) continue;  // from its other node
-    Pair& pair = pairs_.emplace_back();
-    pair.element = element;
-    pair.volume = volume;
-    pair.slot = slot;
-    pair.history = entries<Point>(r);
+    const auto [at, is_new] = known.insert({{element, volume, slot}, pairs_.size()});
+    if (is_new) pairs_.emplace_back();
+    Pair& pair = pairs_[at->second];
+    pair.element = element, pair.volume = volume, pair.slot = slot;
+    if (r.kind == kPoints) {
+      pair.points = entries<ContactPoint>(r);
+      continue;
+    }
+    const std::vector<GapSpring> springs = entries<GapSpring>(r);
+    if (springs.size() != pair.springs.size())
+      throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
+    std::copy(springs.begin(), springs.end(), pair.springs.begin());
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
     return std::array{a.element, a.volume, a.slot} < std::array{b.element, b.volume, b.slot};

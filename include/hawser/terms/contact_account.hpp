@@ -1,0 +1,49 @@
+// Work and energies of contact with volumes, by the trapezoidal rule over the accepted steps.
+#pragma once
+
+#include "hawser/kernels/motion.hpp"
+#include "hawser/terms/contact_history.hpp"
+
+namespace hawser {
+
+struct Penetration {
+  double depth = 0;  // m
+  int node = -1;     // mesh node, -1: none yet
+  int volume = -1;
+  double time = 0;  // s
+};
+
+// One end of a step of the trapezoid: forces of the history p, which act with the body turned by R, on the
+// way y0 -> y1 (body frame). The motion splits exactly into that of the body's material and that relative to
+// it: x1 - x0 = [p1 - p0 + (R1 - R0)(y0 + y1)/2] + (R0 + R1)/2 (y1 - y0).
+struct StepOfBody {
+  Mat3 R0, R1;
+  Vec3 shift;
+  bool prescribed;  // else what it gives the line it loses itself: nothing is brought in
+  StepOfBody(const RigidPose& before, const RigidPose& after, bool prescribes);
+};
+
+// Sums of an element over the accepted steps.
+struct ContactAccount {
+  double friction = 0, damping = 0, work = 0;  // J
+  double depth = 0, time = 0;                  // m, s: largest penetration
+  int volume = -1, end = 0;                    // of that; which end of the element is nearer
+
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("friction", "J", self.friction), each("damping", "J", self.damping);
+    each("work", "J", self.work);
+    each("largest penetration", "m", self.depth), each("time of it", "s", self.time);
+    each("volume", "", self.volume), each("end", "", self.end);
+  }
+
+  bool empty() const { return !(depth > 0 || friction != 0 || damping != 0 || work != 0); }
+  void reaches(double deep, double at, int into, int near) {
+    if (deep > depth) depth = deep, time = at, volume = into, end = near;
+  }
+  // share: of the way and of the place.
+  void add(const StepOfBody& b, const ContactHistory& p, const Mat3& R, const Vec3& y0, const Vec3& y1,
+           double share);
+};
+
+}  // namespace hawser

@@ -1,0 +1,127 @@
+// The volumes that lines touch: their surfaces and settings, where the bodies they ride on are, how stiff
+// they are by now, and the ends of lines that have no contact with them.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/geometry/surface.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/system/couplings.hpp"
+#include "hawser/terms/against_body.hpp"
+#include "hawser/terms/bodies.hpp"
+#include "hawser/terms/contact_laws.hpp"
+
+namespace hawser {
+
+struct ContactVolume {
+  std::shared_ptr<const Surface> surface;  // in the body's frame
+  int body = -1;                           // index into Bodies; -1: fixed in space
+  model::Volume settings;  // basis, stiffness, smoothing, damping, friction; basis not automatic
+  bool automatic = false;  // the stiffness is the program's own, per length: raised as far as lines need it
+  double most = std::numeric_limits<double>::infinity();  // N/m², but no further
+};
+
+// The ends of a line that have no contact with a volume: material, whatever moves.
+struct LeftOut {
+  int line = 0, volume = 0;     // volume: index into those of the contact
+  double end_a = 0, end_b = 0;  // m of line from end A and from end B on
+};
+
+// Of a stretch of a line what touches a volume if it is near enough, as a share of the stretch; none:
+// nothing.
+struct ContactShare {
+  double from = 0, to = 1;
+  bool all() const { return from <= 0 && to >= 1; }
+  bool none() const { return !(from < to); }
+  bool has(double xi) const { return xi >= from && xi <= to; }
+};
+
+// A place of a line in the trial, as an automatic stiffness sees it (docs/theory/contact.md, "Stiffness that
+// follows the run"): how deep, the part of its force that inertia does not take (0 to 1), how fast it moves
+// relative to the volume.
+struct PressedPlace {
+  double depth = 0, radius = 0;  // m
+  double still = 1;
+  double speed = 0, mass = 0;  // m/s; kg in the sense of the law
+  bool held = false;           // by an end of the line: no stiffness moves it
+};
+
+class ContactVolumes {
+ public:
+  // std::invalid_argument when a volume has no surface, no such body or no stiffness. comm: of those who hold
+  // the lines.
+  ContactVolumes(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+                 std::vector<ContactVolume> volumes, MPI_Comm comm);
+
+  int size() const { return static_cast<int>(volumes_.size()); }
+  // With the stiffness of the trial.
+  const model::Volume& settings(int volume) const { return at(volume).settings; }
+  const Surface& surface(int volume) const { return *at(volume).surface; }
+  const Box& box(int volume) const { return boxes_[static_cast<size_t>(volume)]; }
+
+  // Where the volumes are, at the start of the step and in the trial that was posed last.
+  void pose_start(const Kinematics& at) { pose(at, start_poses_); }
+  void pose_trial(const Kinematics& at) { pose(at, poses_); }
+  const RigidPose& start_pose(int volume) const { return start_poses_[body(volume)]; }
+  const RigidPose& trial_pose(int volume) const { return poses_[body(volume)]; }
+  RigidPose pose_of(int volume, const Kinematics& at) const;
+  // Whether a volume has not moved since the start of the step.
+  bool still(int volume) const;
+  // Whether it rides on a body that floats, so that what acts on the line acts on the body as well.
+  bool floats(int volume) const { return bodies_->floats(at(volume).body); }
+  FloatingFrame floating_frame(int volume, const Kinematics& at) const;
+  // Lines see the bodies that float and carry volumes near them; thickest: m, radius of a line on this rank.
+  bool recouple(const Kinematics& committed, double h, double thickest);
+  void couple(Couplings& to) const;
+
+  // Before the first step, and the same on all ranks.
+  void leave_out(std::vector<LeftOut> ends);
+  // Of the stretch [from, to] of a line's arc [m].
+  ContactShare takes_part(int line, int volume, double from, double to) const;
+
+  // Stiffness in the volume's basis, of the last accepted state; so far an automatic one is raised again when
+  // a run goes on from a checkpoint.
+  double stiffness(int volume) const { return committed_[static_cast<size_t>(volume)]; }
+  void raise_to(int volume, double stiffness);
+  bool automatic(int volume) const { return at(volume).automatic; }
+  // Of each volume what it has in the trial, to be asked for more.
+  std::vector<double> stiffnesses() const;
+  void ask(int volume, const NormalLaw& law, const PressedPlace& p, double step,
+           std::vector<double>& wanted) const;
+  // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
+  // where a volume is automatic.
+  bool raise(std::vector<double>& wanted);
+  // Trial stiffness is that of the last accepted state, or becomes it; whether that changed anything.
+  bool forget_raise();
+  void keep_raise() { committed_ = stiffnesses(); }
+  bool raised(int volume) const { return settings(volume).normal_stiffness != stiffness(volume); }
+  // m, how deep a volume's law is for: the radius, or what its table tells.
+  double deepest(int volume, double radius) const;
+  // That a place of a line is deeper than that, in words for the user.
+  std::string too_soft(int volume, const std::string& place, double depth, double radius, double time) const;
+
+ private:
+  const ContactVolume& at(int volume) const { return volumes_[static_cast<size_t>(volume)]; }
+  // Into the poses: space first, then the bodies in their order.
+  size_t body(int volume) const { return static_cast<size_t>(at(volume).body + 1); }
+  void pose(const Kinematics& at, std::vector<RigidPose>& poses) const;
+
+  const LocalMesh& mesh_;
+  std::shared_ptr<const Bodies> bodies_;
+  std::vector<ContactVolume> volumes_;  // with the stiffness of the trial
+  std::vector<double> committed_;       // stiffness
+  std::vector<Box> boxes_;
+  std::vector<LeftOut> left_out_;  // sorted by line and volume
+  std::vector<RigidPose> poses_, start_poses_;
+  MPI_Comm comm_;
+  std::vector<std::array<int, 3>> near_;  // nodes of an element and of a body that may meet, of all ranks
+};
+
+}  // namespace hawser

@@ -1,0 +1,167 @@
+// Contact of lines with volumes: laws per length of line, summed over the places on the axis of each element
+// that LineVolumeFinder finds. See docs/theory/contact.md.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/kernels/contact_along.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/contact_account.hpp"
+#include "hawser/terms/line_contact_element.hpp"
+#include "hawser/terms/line_volume_finder.hpp"
+#include "hawser/terms/touch.hpp"
+
+namespace hawser {
+
+class LineVolumeContact final : public ForceTerm,
+                                public CouplesNodes,
+                                public LimitsSteps,
+                                public RaisesStiffness {
+ public:
+  // elements: one for each of mesh.elements. Indices are checked, std::invalid_argument otherwise. A
+  // stiffness per point counts once an element, at the nodes once a node. comm: of those who hold the lines.
+  LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+                    std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
+                    MPI_Comm comm = MPI_COMM_SELF, model::ContactMethod method = model::ContactMethod::line);
+
+  std::string_view name() const override { return "line contact"; }
+  bool recouple(const Kinematics& committed, double h) override;
+  void couple(Couplings& to) const override { volumes_.couple(to); }
+  void prepare(const Kinematics& committed, double h) override;
+  // As limit_depth and strikes say of the ends and the middle of each element and of what touches.
+  void limit_step(const Kinematics& committed, Strikes& to) const override;
+  void unforeseen(const Kinematics& trial, Unforeseen& to) override;
+  // Nothing goes through a volume between the ends of a step, nor deeper into one than its law is for.
+  Verdict judge(const Kinematics& trial) const override;
+  void evaluate(const Kinematics& trial, Sink& sink) override;
+  // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
+  bool stiffen(const Kinematics& equilibrium) override;
+  void forget_stiffening() override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  // contact_force, contact_normal_force, friction_force as the element's shape functions share them out.
+  void fields(FieldRegistry& registry) const override;
+  std::vector<HistoryKind> history() const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
+
+  // Off in the first stage of statics. While off no slip is kept.
+  void enable_friction(bool on);
+  // Before the first step, and the same on all ranks.
+  void leave_out(std::vector<LeftOut> ends) { volumes_.leave_out(std::move(ends)); }
+  int volumes() const { return volumes_.size(); }
+  const std::string& volume_name(int volume) const { return volumes_.settings(volume).name; }
+  // In the volume's basis; of an automatic one as far as it has been raised in accepted states, and so far it
+  // is raised again when a run goes on from a checkpoint.
+  double stiffness(int volume) const { return volumes_.stiffness(volume); }
+  void raise_to(int volume, double stiffness) { volumes_.raise_to(volume, stiffness); }
+  // Where a line is deeper in a volume than its law is for, in words for the user; empty: nowhere. Local, of
+  // the trial that was evaluated last.
+  std::string deeper_than_allowed(const Kinematics& trial) const;
+  // Of what this rank counts: the largest penetration over the run (its node: the nearer end of the element);
+  // pairs of an element and a volume that touch; how many may in the step that is tried.
+  Penetration largest_penetration() const;
+  int touching() const;
+  int candidates() const;
+  // Adds what touches in the accepted state, of what this rank counts; volumes are those of volume_name().
+  void touches(Touches& out) const;
+
+ private:
+  using Pair = LineVolumePair;
+  // What friction at the surface needs of an element, and what it gives.
+  struct Rolled {
+    bool on = false;
+    std::array<AxisRoll, 2> ends;  // since the start of the step, relative to the body
+    AxisShape::Rolling forces;
+    double angle(double xi) const { return (1 - xi) * ends[0].angle + xi * ends[1].angle; }
+  };
+  // Ends of a panel that move with the unknowns.
+  struct Moving;
+  // What is asked of a trial, and its forces on the axis of an element.
+  struct Forces {
+    bool moves = false, tangent = false, convex = false;
+    AxisShape::Generalised axis;
+    Rolled rolled;
+  };
+  // The pairs of an element and a volume, few bytes of what is asked of each in every trial: whether it is
+  // clear for certain by how little its nodes have moved.
+  struct Group {
+    size_t first = 0, end = 0;
+    int volume = 0;
+    int nodes[2] = {};
+    double turn = 0;   // m: how far a point of the axis gets where |q - q0| = 1
+    double room = -1;  // m, of the tube about the axis at the start of the step
+  };
+  // A pair that is not clear for certain in the trial.
+  struct Near {
+    size_t pair = 0;
+    AxisShape shape;
+  };
+
+  const LocalElement& local(const Pair& p) const { return mesh_.elements[static_cast<size_t>(p.element)]; }
+  const Element& element(const Pair& p) const {
+    return mesh_.mesh->elements[static_cast<size_t>(local(p).global)];
+  }
+  const LineContactElement& settings(const Pair& p) const {
+    return elements_[static_cast<size_t>(p.element)];
+  }
+  AxisEnds ends(const Kinematics& at, int element) const;
+  std::array<ContactLaw, 2> laws(const Pair& pair) const;
+  void renew_laws();
+  // With friction or not.
+  ContactLaw applied(const ContactLaw& l) const {
+    return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
+  }
+  ContactSpring spring(const Pair& p, double xi) const {
+    return {p.law(xi).normal, settings(p).mass_per_length, p.radius};
+  }
+
+  // Pairs of an element and a volume at the start of a step, with what is known of them.
+  bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
+  void add_pairs(Pair first, std::span<Pair> old, double motion);
+  void group_pairs();
+  double way(const Kinematics& trial, const Group& g) const;
+  void look(const Kinematics& trial);
+  // Pairs for walls that are seen, which have none until then. lacks_pairs: of the pair number i.
+  bool lacks_pairs(size_t i) const;
+  void open_pairs();
+
+  Rolled rolled(const Pair& pair, const AxisShape& shape) const;
+  void press(Pair& pair, const AxisShape& shape, Forces& forces) const;
+  void press_panel(Pair& pair, const AxisShape& shape, size_t panel, Forces& forces) const;
+  std::array<Moving, 2> moving_ends(const Pair& pair, const AxisShape& shape, const ContactStretch& s) const;
+  void add_forces(const Pair& pair, const AxisShape& shape, Forces& forces, const Kinematics& trial,
+                  Sink& sink) const;
+  void account(const Pair& pair, const AxisShape& shape, const std::vector<ContactPoint>& next);
+
+  // What strikes at xi, `share` m of the line with it; what it may come to, which touches elsewhere already.
+  void strike_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
+                 const Vec3& normal, bool last, Strikes& to) const;
+  void look_ahead(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
+                  Strikes& to) const;
+  // The same at each of the walls it may come to in the step, if there are several.
+  bool look_ahead_at_walls(const Pair& pair, const Kinematics& committed, Strikes& to) const;
+  void limit_by_touch(const Pair& pair, const Kinematics& committed, Strikes& to) const;
+  void limit_ahead(const Pair& pair, const Kinematics& committed, Strikes& to) const;
+  bool tunnels(const Kinematics& trial) const;
+  // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
+  bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
+  double still_part(const Pair& pair, const Kinematics& at, double force, double depth,
+                    const Vec3& normal) const;
+
+  const LocalMesh& mesh_;
+  ContactVolumes volumes_;
+  LineVolumeFinder finder_;
+  std::vector<LineContactElement> elements_;
+  std::vector<Pair> pairs_;               // sorted by element, volume and slot
+  std::vector<ContactAccount> accounts_;  // of the elements
+  bool friction_on_ = true;
+  std::vector<Vec3> start_x_;  // m, of the nodes at the start of the step
+  std::vector<Quat> start_q_;
+  std::vector<Group> groups_;  // of pairs_; none: to be made anew
+  std::vector<Near> near_;     // in the trial that was looked at last
+};
+
+}  // namespace hawser

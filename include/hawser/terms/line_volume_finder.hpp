@@ -1,0 +1,77 @@
+// Finds where the axis of an element touches a volume: panels of the axis, and the places on them that stand
+// for them. Of the method `line` those are the Gauss points of the stretches that touch, of `nodes` and `gap`
+// the ends of the element, each for its half of it. See docs/theory/line-contact.md.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "hawser/kernels/contact_along.hpp"
+#include "hawser/terms/line_volume_pair.hpp"
+
+namespace hawser {
+
+AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose);
+
+class LineVolumeFinder {
+ public:
+  // surfaces: of the volumes that pairs name.
+  LineVolumeFinder(std::vector<std::shared_ptr<const Surface>> surfaces, model::ContactMethod method)
+      : surfaces_(std::move(surfaces)), method_(method) {}
+
+  bool at_nodes() const { return method_ != model::ContactMethod::line; }
+  bool by_gap() const { return method_ == model::ContactMethod::gap; }
+
+  // Where the pair touches in a trial. Kept, since residual, tangent and commit ask for the same one after
+  // the other.
+  const ContactPlaces& find(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  // Whether the axis is out of touch for sure; then nothing is found.
+  bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  // m: of the tube about the axis at the start of the step in which nothing is met.
+  static double room_at_start(const LineVolumePair& pair);
+  // What a pair sees of its volume from the place xi, which is at y.
+  std::optional<SurfacePoint> see(const LineVolumePair& pair, double xi, const Vec3& y, double within,
+                                  bool either_side = false) const;
+  // Whether there may be contact at this place of a pair.
+  bool takes_part(const LineVolumePair& pair, double xi) const;
+  GapSpring spring_at(int volume, const Vec3& y, double touch) const;
+
+  // Of a point that touches in the trial, at the start of the step: from what touched then, or where it came
+  // from. rates: of that along the axis, on request.
+  ContactStart start(const LineVolumePair& pair, double xi, ContactRates* rates = nullptr) const;
+
+  // What may be met of a volume while the element moves by `motion` [m]: whether it is one wall.
+  bool one_wall(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose, double motion) const;
+  // Whether the pairs of an element and a volume, of which this is the first, are fewer than its walls.
+  static size_t walls_seen(const LineVolumePair& first) {
+    return first.seen && first.seen->walls.several() ? first.seen->walls.of.size() : 1;
+  }
+  // The walls within `ahead` [m] of the distance of contact at the start of the step.
+  void walls_ahead(const LineVolumePair& pair, double ahead, SurfaceWalls& out) const;
+
+ private:
+  class Gap;
+
+  void find_along(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  void find_at_nodes(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  // Where it touched at the start of the step; of one of several walls, which may be another each trial,
+  // nothing.
+  const std::vector<ContactStretch>& touched_before(LineVolumePair& pair) const;
+  std::vector<ContactStretch> locate(LineVolumePair& pair, const AxisShape& shape,
+                                     const RigidPose& pose) const;
+  // What is known free of the volume at places of the axis goes for the tube about it.
+  void keep_free(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
+                 std::vector<FreePlace>& places) const;
+  void see_walls(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  void assign_past(const LineVolumePair& pair, SeenWalls& seen) const;
+  const Surface& surface(const LineVolumePair& pair) const {
+    return *surfaces_[static_cast<size_t>(pair.volume)];
+  }
+
+  std::vector<std::shared_ptr<const Surface>> surfaces_;
+  model::ContactMethod method_;
+  mutable std::vector<FreePlace> places_;  // while a trial is looked at
+};
+
+}  // namespace hawser

@@ -1,0 +1,21 @@
+#include "hawser/terms/contact_account.hpp"
+
+namespace hawser {
+
+StepOfBody::StepOfBody(const RigidPose& before, const RigidPose& after, bool prescribes)
+    : R0(before.rotation.toRotationMatrix()),
+      R1(after.rotation.toRotationMatrix()),
+      shift(after.position - before.position),
+      prescribed(prescribes) {}
+
+void ContactAccount::add(const StepOfBody& b, const ContactHistory& p, const Mat3& R, const Vec3& y0,
+                         const Vec3& y1, double share) {
+  const Vec3 relative = 0.5 * (b.R0 + b.R1) * (y1 - y0);
+  const Vec3 carried = b.shift + 0.5 * (b.R1 - b.R0) * (y0 + y1);
+  const double w = 0.5 * share;
+  friction -= w * (R * p.friction).dot(relative);
+  damping -= w * p.damping_force * (R * p.normal).dot(relative);
+  if (b.prescribed) work += w * (R * p.force).dot(carried);
+}
+
+}  // namespace hawser

@@ -1,0 +1,45 @@
+#include "hawser/terms/contact_volumes.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace hawser {
+
+ContactVolumes::ContactVolumes(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+                               std::vector<ContactVolume> volumes, MPI_Comm comm)
+    : mesh_(mesh), bodies_(std::move(bodies)), volumes_(std::move(volumes)), comm_(comm) {
+  if (!bodies_) bodies_ = std::make_shared<const Bodies>();
+  for (const ContactVolume& v : volumes_) {
+    if (!v.surface) throw std::invalid_argument("volume " + v.settings.name + " has no surface");
+    if (v.body >= bodies_->size())
+      throw std::invalid_argument("volume " + v.settings.name + " has no such body");
+    if (v.settings.basis == model::StiffnessBasis::automatic || !(v.settings.normal_stiffness > 0))
+      throw std::invalid_argument("volume " + v.settings.name + " has no contact stiffness");
+    boxes_.push_back(v.surface->bounds());
+    committed_.push_back(v.settings.normal_stiffness);
+  }
+  poses_.resize(static_cast<size_t>(bodies_->size()) + 1);
+  for (int b = 0; b < bodies_->size(); ++b) poses_[static_cast<size_t>(b) + 1] = bodies_->pose(b, 0.0);
+  start_poses_ = poses_;
+}
+
+void ContactVolumes::leave_out(std::vector<LeftOut> ends) {
+  left_out_ = std::move(ends);
+  std::sort(left_out_.begin(), left_out_.end(), [](const LeftOut& a, const LeftOut& b) {
+    return std::pair(a.line, a.volume) < std::pair(b.line, b.volume);
+  });
+}
+
+ContactShare ContactVolumes::takes_part(int line, int volume, double from, double to) const {
+  const std::pair key(line, volume);
+  const auto found = std::lower_bound(left_out_.begin(), left_out_.end(), key, [](const LeftOut& l, auto k) {
+    return std::pair(l.line, l.volume) < k;
+  });
+  if (found == left_out_.end() || std::pair(found->line, found->volume) != key) return {};
+  const double end = mesh_.mesh->lines[static_cast<size_t>(line)].length - found->end_b, span = to - from;
+  // A single place, or a stretch.
+  if (!(span > 0)) return from >= found->end_a && from <= end ? ContactShare{} : ContactShare{1, 0};
+  return {std::max(0.0, (found->end_a - from) / span), std::min(1.0, (end - from) / span)};
+}
+
+}  // namespace hawser

@@ -1,0 +1,96 @@
+// The stiffness of volumes against what the run meets: an automatic one is raised until lines
+// are no deeper than they may be.
+// docs/theory/contact.md, "Stiffness that follows the run".
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/terms/contact_stiffness.hpp"
+#include "hawser/terms/contact_volumes.hpp"
+
+namespace hawser {
+namespace {
+
+// Of the radius, deeper than which an automatic stiffness is raised; how often that in motion; to what of it.
+constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
+// Of the radius: what a blow may take it in by, with all of its mass at all of its speed.
+constexpr double kBlow = 0.5;
+// Of the period of the mass on its spring: shorter steps follow a blow, and what is deep in them is the
+// blow's.
+constexpr double kFollowing = 2;
+// Most that what presses raises a stiffness in a step: what grows faster is a blow.
+constexpr double kMostInAStep = 4;
+
+// A raise is solved again with, and what it is for moves with it: less than this is left.
+constexpr double kWorthIt = 1.05;
+
+}  // namespace
+
+std::vector<double> ContactVolumes::stiffnesses() const {
+  std::vector<double> all;
+  for (const ContactVolume& v : volumes_) all.push_back(v.settings.normal_stiffness);
+  return all;
+}
+
+void ContactVolumes::raise_to(int volume, double stiffness) {
+  const size_t k = static_cast<size_t>(volume);
+  if (!automatic(volume)) return;
+  volumes_[k].settings.normal_stiffness = committed_[k] = std::max(stiffness, committed_[k]);
+}
+
+void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPlace& p, double step,
+                         std::vector<double>& wanted) const {
+  const size_t k = static_cast<size_t>(volume);
+  const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
+  const double allowed = given > 0 ? given : kAllowed * p.radius, blow = kBlow * p.radius;
+  double& want = wanted[k];
+  if (p.held) return;
+  const bool follows_a_blow =
+      step > 0 && p.mass > 0 && step < kFollowing * contact_period(law.stiffness, p.mass);
+  if (!follows_a_blow && p.still * p.depth > (step > 0 ? kMoving : 1) * allowed) {
+    const double pressed = now * p.still * p.depth / (kRaisedTo * allowed);
+    want = std::max(want, step > 0 ? std::min(pressed, kMostInAStep * committed_[k]) : pressed);
+  }
+  // u sqrt(m/k) is how deep a blow goes.
+  if (step > 0) want = std::max(want, now * p.mass * std::pow(p.speed / blow, 2) / law.stiffness);
+  if (p.depth > (follows_a_blow ? blow : p.radius))
+    want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
+}
+
+bool ContactVolumes::raise(std::vector<double>& wanted) {
+  if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
+    return false;
+  MPI_Allreduce(MPI_IN_PLACE, wanted.data(), static_cast<int>(wanted.size()), MPI_DOUBLE, MPI_MAX, comm_);
+  bool more = false;
+  for (size_t k = 0; k < wanted.size(); ++k) {
+    ContactVolume& v = volumes_[k];
+    const double to = std::min(wanted[k], v.most);
+    if (!v.automatic || !(to > kWorthIt * v.settings.normal_stiffness)) continue;
+    v.settings.normal_stiffness = to;
+    more = true;
+  }
+  return more;
+}
+
+bool ContactVolumes::forget_raise() {
+  bool changed = false;
+  for (size_t k = 0; k < volumes_.size(); ++k) {
+    changed = changed || raised(static_cast<int>(k));
+    volumes_[k].settings.normal_stiffness = committed_[k];
+  }
+  return changed;
+}
+
+double ContactVolumes::deepest(int volume, double radius) const {
+  const ContactVolume& c = volumes_[static_cast<size_t>(volume)];
+  const model::Volume& v = c.settings;
+  // A plane has no other side that a line could come to: a soft floor is a floor.
+  if (!c.automatic && dynamic_cast<const PlaneSurface*>(c.surface.get())) return HUGE_VAL;
+  return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;
+}
+
+std::string ContactVolumes::too_soft(int volume, const std::string& place, double depth, double radius,
+                                     double time) const {
+  return too_soft_for_line(place, settings(volume), automatic(volume), depth, radius, time);
+}
+
+}  // namespace hawser

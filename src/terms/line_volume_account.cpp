@@ -1,0 +1,129 @@
+// What an accepted step of contact leaves: what touches, energies and the work of the step.
+#include <algorithm>
+
+#include "hawser/terms/line_volume_contact.hpp"
+
+namespace hawser {
+
+void LineVolumeContact::commit(const Kinematics& accepted) {
+  volumes_.pose_trial(accepted);
+  look(accepted);
+  auto near = near_.begin();
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    Pair& pair = pairs_[i];
+    std::vector<ContactPoint> next;
+    if (near != near_.end() && near->pair == i) {
+      const bool moves = accepted.step > 0;
+      if (!pair.pressed_at.same_motion(near->shape, volumes_.trial_pose(pair.volume)) ||
+          pair.pressed_moves != moves) {
+        Forces forces;
+        forces.moves = moves;
+        press(pair, near->shape, forces);
+      }
+      next = std::move(pair.pressed);
+      ++near;
+    }
+    pair.pressed_at.known = false, pair.pressed.clear();
+    for (const ContactPoint& p : next)
+      accounts_[static_cast<size_t>(pair.element)].reaches(-p.gap, accepted.time, pair.volume,
+                                                           p.xi < 0.5 ? 0 : 1);
+    if (accepted.step > 0 && !(next.empty() && pair.points.empty()))
+      account(pair, AxisShape(ends(accepted, pair.element)), next);
+    pair.points = std::move(next);
+  }
+  volumes_.keep_raise();
+}
+
+// Trapezoid over the step: half with the forces at its start where they were, half with those at its end
+// where they are. Of a step in which a point met or left only the part in touch counts.
+void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
+                                const std::vector<ContactPoint>& next) {
+  const AxisShape& start = pair.start.shape;
+  const RigidPose &before = pair.start.pose, &after = volumes_.trial_pose(pair.volume);
+  const StepOfBody step(before, after, !volumes_.floats(pair.volume));
+  const double smoothing = pair.smoothing();
+  ContactAccount& sum = accounts_[static_cast<size_t>(pair.element)];
+  // The way of a place, and how far it came off the surface otherwise than by sliding along its own line: a
+  // pipe that is drawn over a roller comes and goes all the time, yet as much of it touches as before. Of a
+  // node there is but one: what it slides into or out of, it meets or leaves.
+  struct Way {
+    Vec3 y0, y1, lifted, along;
+  };
+  const Rolled roll = rolled(pair, shape);
+  const auto way = [&](double xi) {
+    Way w;
+    w.y0 = before.to_body(start.point(xi)), w.y1 = after.to_body(shape.point(xi));
+    w.along = ((before.rotation.conjugate() * start.slope(xi)).normalized() +
+               (after.rotation.conjugate() * shape.slope(xi)).normalized())
+                  .normalized();
+    const Vec3 moved = w.y1 - w.y0;
+    w.lifted = finder_.at_nodes() ? moved : Vec3(moved - w.along * w.along.dot(moved));
+    return w;
+  };
+  // Where the stiffness was raised, what the spring gave and has is not its own: it was brought in.
+  const double raise = volumes_.raised(pair.volume) ? 1 : 0;
+  const auto add = [&](const ContactPoint& p, const Mat3& R, const Way& w, double share) {
+    sum.add(step, p, R, w.y0, w.y1, share);
+    sum.work += raise * 0.5 * share * p.elastic_force() * p.normal.dot(w.y1 - w.y0);
+    if (!roll.on) return;
+    // What the line's surface moves by because the line rolls; friction's work on it goes with that on the
+    // axis.
+    const Vec3 surface = -pair.radius * roll.angle(p.xi) * w.along.cross(p.normal);
+    sum.friction -= 0.25 * share * (R * p.friction).dot((step.R0 + step.R1) * surface);
+  };
+  for (const ContactPoint& p : pair.points) {
+    const Way w = way(p.xi);
+    const double away = p.normal.dot(w.lifted), deep = std::max(smoothing - p.gap, 0.0);
+    add(p, step.R0, w, p.weight * (away > deep ? deep / away : 1));
+    sum.work -= raise * p.weight * p.potential;
+  }
+  for (const ContactPoint& p : next) {
+    const Way w = way(p.xi);
+    const double came = -p.normal.dot(w.lifted), deep = smoothing - p.gap;
+    add(p, step.R1, w, p.weight * (came > deep ? deep / came : 1));
+    sum.work += raise * p.weight * p.potential;
+  }
+}
+
+// In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
+Energy LineVolumeContact::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Pair& p : pairs_) {
+    if (!local(p).counted) continue;
+    if (at.step > 0) {
+      for (const ContactPoint& q : p.points) e.strain += q.weight * q.potential;
+      continue;
+    }
+    if (p.slot > 0) continue;  // as the first has as many walls as it sees
+    Pair pair = p;
+    const AxisShape shape(ends(at, p.element));
+    const RigidPose pose = volumes_.pose_of(p.volume, at);
+    size_t walls = 1;
+    for (; pair.slot < static_cast<int>(walls); ++pair.slot) {
+      if (pair.slot > 0) pair.found.clear();
+      for (const ContactPlace& there : finder_.find(pair, shape, pose).places)
+        if (p.sees(there.at))
+          e.strain +=
+              there.weight * normal_force(p.law(there.xi).normal, there.at.distance - p.radius, 0).potential;
+      walls = std::max(walls, LineVolumeFinder::walls_seen(pair));
+    }
+  }
+  for (size_t i = 0; i < accounts_.size(); ++i) {
+    if (!mesh_.elements[i].counted) continue;
+    e.friction += accounts_[i].friction, e.damping += accounts_[i].damping, e.work += accounts_[i].work;
+  }
+  return e;
+}
+
+Penetration LineVolumeContact::largest_penetration() const {
+  Penetration p;
+  for (size_t i = 0; i < accounts_.size(); ++i) {
+    const LocalElement& e = mesh_.elements[i];
+    const ContactAccount& a = accounts_[i];
+    if (e.counted && a.depth > p.depth)
+      p = {a.depth, mesh_.global[static_cast<size_t>(a.end ? e.second : e.first)], a.volume, a.time};
+  }
+  return p;
+}
+
+}  // namespace hawser

@@ -1,0 +1,167 @@
+#include "hawser/terms/line_volume_contact.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "hawser/mesh/arc.hpp"
+#include "hawser/terms/element_axis.hpp"
+
+namespace hawser {
+namespace {
+
+std::vector<std::shared_ptr<const Surface>> surfaces_of(const std::vector<ContactVolume>& volumes) {
+  std::vector<std::shared_ptr<const Surface>> out;
+  for (const ContactVolume& v : volumes) out.push_back(v.surface);
+  return out;
+}
+
+}  // namespace
+
+LineVolumeContact::LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+                                     std::vector<ContactVolume> volumes,
+                                     std::vector<LineContactElement> elements, MPI_Comm comm,
+                                     model::ContactMethod method)
+    : mesh_(mesh),
+      volumes_(mesh, std::move(bodies), volumes, comm),
+      finder_(surfaces_of(volumes), method),
+      elements_(std::move(elements)) {
+  if (elements_.size() != mesh_.elements.size())
+    throw std::invalid_argument("contact of lines needs one LineContactElement for each local element");
+  accounts_.resize(elements_.size());
+}
+
+bool LineVolumeContact::recouple(const Kinematics& committed, double h) {
+  double thickest = 0;
+  for (const LineContactElement& e : elements_) thickest = std::max(thickest, e.radius);
+  return volumes_.recouple(committed, h, thickest);
+}
+
+AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
+  const LocalElement& e = mesh_.elements[static_cast<size_t>(element)];
+  return element_axis(at, mesh_.mesh->elements[static_cast<size_t>(e.global)], e.first, e.second,
+                      elements_[static_cast<size_t>(element)].tangent);
+}
+
+std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
+  const model::Volume& v = volumes_.settings(pair.volume);
+  const Element& e = element(pair);
+  const double diameter = 2 * settings(pair).radius;
+  std::array<ContactLaw, 2> laws;
+  for (size_t i = 0; i < 2; ++i) {
+    const Node& node = mesh_.mesh->nodes[static_cast<size_t>(i ? e.second : e.first)];
+    double share = 1;  // of a metre: what turns the basis into N/m²
+    if (v.basis == model::StiffnessBasis::per_point)
+      share = 1 / (finder_.at_nodes() ? node.tributary : e.length);
+    if (v.basis == model::StiffnessBasis::per_area) share = diameter;
+    laws[i] = contact_law(v, share, diameter, settings(pair).mass_per_length);
+  }
+  return laws;
+}
+
+void LineVolumeContact::renew_laws() {
+  for (Pair& pair : pairs_) pair.laws = laws(pair), pair.pressed_at.known = false;
+}
+
+void LineVolumeContact::enable_friction(bool on) {
+  friction_on_ = on;
+  for (Pair& pair : pairs_) pair.pressed_at.known = false;
+}
+
+void LineVolumeContact::prepare(const Kinematics& committed, double h) {
+  volumes_.pose_start(committed);
+  start_x_.assign(committed.x.begin(), committed.x.end());
+  start_q_.assign(committed.q.begin(), committed.q.end());
+  groups_.clear(), near_.clear();
+  std::vector<Pair> old;
+  old.swap(pairs_);
+  pairs_.reserve(old.size());
+  size_t known = 0;
+  for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
+    if (!(elements_[static_cast<size_t>(e)].radius > 0)) continue;
+    const AxisEnds at = ends(committed, e);
+    const AxisShape shape(at);
+    for (int k = 0; k < volumes(); ++k) {
+      const auto key = [&](size_t i) { return std::pair(old[i].element, old[i].volume); };
+      while (known < old.size() && key(known) < std::pair(e, k)) ++known;
+      size_t end = known;
+      while (end < old.size() && key(end) == std::pair(e, k)) ++end;
+      Pair first;
+      first.element = e, first.volume = k;
+      double motion = 0;
+      if (start_pair(first, at, shape, h, motion))
+        add_pairs(std::move(first), std::span(old).subspan(known, end - known), motion);
+    }
+  }
+}
+
+// Candidates are the pairs whose box comes within the margin of the element's middle: twice what line and
+// body move towards each other in the step at their present speed, and at least half an element. In statics
+// (h = 0) a Newton iteration may go anywhere, so every pair is one; and so is every pair of gap springs.
+bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h,
+                                   double& motion) const {
+  const Element& e = element(pair);
+  const RigidPose& pose = volumes_.start_pose(pair.volume);
+  pair.length = e.length, pair.radius = settings(pair).radius, pair.held = settings(pair).held;
+  pair.laws = laws(pair);
+  pair.touch = pair.radius + pair.smoothing();
+  const double speed =
+      std::max((at.v1 - pose.velocity_at(at.x1)).norm(), (at.v2 - pose.velocity_at(at.x2)).norm());
+  const double margin = std::max(2 * h * speed, 0.5 * pair.length);
+  const double away = distance(volumes_.box(pair.volume), pose.to_body(shape.point(0.5)));
+  if (h > 0 && away > pair.touch + margin + 0.5 * shape.reach() && !finder_.by_gap()) return false;
+  pair.part = volumes_.takes_part(e.line, pair.volume, arc_at(*mesh_.mesh, e, 0), arc_at(*mesh_.mesh, e, 1));
+  if (pair.part.none()) return false;
+  pair.levels = contact_levels(pair.length, pair.radius);
+  pair.start = {true, shape, pose};
+  motion = h > 0 ? 2 * h * speed : std::numeric_limits<double>::max();
+  return true;
+}
+
+// One, or as many as there are walls that touched. old: those of the step before.
+void LineVolumeContact::add_pairs(Pair first, std::span<Pair> old, double motion) {
+  const AxisShape& shape = first.start.shape;
+  const RigidPose& pose = first.start.pose;
+  std::vector<std::vector<ContactPoint>> touched;
+  for (Pair& was : old) {
+    touched.resize(static_cast<size_t>(was.slot) + 1);
+    touched.back() = std::move(was.points);
+    if (was.slot > 0) continue;
+    first.springs = was.springs;
+    first.hint = was.hint, first.ahead = was.ahead, first.free = was.room();
+    first.one_chord = was.one_chord, first.one_reach = was.one_reach, first.one = was.one;
+    // What was found on all of the surface is found again; of a wall it may be another.
+    // So are panels of what touched: they part as at the start of this step.
+    if (!was.walls && touched.back().empty()) first.found = std::move(was.found);
+  }
+  // Pairs that did not touch are in no checkpoint.
+  while (!touched.empty() && touched.back().empty()) touched.pop_back();
+  if (finder_.by_gap())
+    for (size_t i = 0; i < 2; ++i)
+      if (!first.springs[i].paired)
+        first.springs[i] =
+            finder_.spring_at(first.volume, pose.to_body(shape.point(static_cast<double>(i))), first.touch);
+  if (finder_.by_gap() || (touched.size() < 2 && finder_.one_wall(first, shape, pose, motion))) {
+    if (!touched.empty()) first.points = std::move(touched[0]);
+    pairs_.push_back(std::move(first));
+    return;
+  }
+  const size_t slots = std::max(touched.size(), size_t{1});
+  touched.resize(SurfaceWalls::kMost);
+  first.found = {};
+  first.walls = std::make_shared<ElementWalls>();
+  first.walls->free = first.free;
+  for (size_t slot = 0; slot < slots; ++slot) {
+    Pair& pair = pairs_.emplace_back(first);
+    pair.slot = static_cast<int>(slot);
+    pair.points = touched[slot];
+  }
+  first.walls->committed = std::move(touched);
+}
+
+int LineVolumeContact::candidates() const {
+  return static_cast<int>(
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.slot == 0; }));
+}
+
+}  // namespace hawser

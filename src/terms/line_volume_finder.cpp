@@ -1,0 +1,204 @@
+#include "hawser/terms/line_volume_finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hawser {
+namespace {
+
+// What is found free is looked at in up to so many places more to keep that much of it.
+constexpr int kPlaces = 4;
+constexpr double kRoom = 0.5;
+// Times the bound of the slope: how far the middle is asked about first.
+constexpr double kFirst = 2;
+
+// Out of touch, wherever that is.
+SurfacePoint nothing() {
+  SurfacePoint p;
+  p.distance = std::numeric_limits<double>::max();
+  return p;
+}
+
+// The end of the part is one of the material: it does not move with the gap.
+void keep_part(const ContactShare& part, std::vector<ContactStretch>& panels) {
+  for (ContactStretch& s : panels) {
+    if (s.from < part.from) s.from = part.from, s.from_moves = false;
+    if (s.to > part.to) s.to = part.to, s.to_moves = false;
+  }
+  std::erase_if(panels, [](const ContactStretch& s) { return !(s.from < s.to); });
+}
+
+}  // namespace
+
+AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose) {
+  AxisPoints b = shape.bezier();
+  for (Vec3& p : b) p = pose.to_body(p);
+  return b;
+}
+
+// The gap along the axis less the smoothing, as the search for stretches sees it, and how far the volume is.
+class LineVolumeFinder::Gap final : public AxisGapFunction {
+ public:
+  Gap(const LineVolumeFinder& finder, LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
+      std::vector<FreePlace>& places)
+      : finder_(finder), pair_(pair), shape_(shape), pose_(pose), places_(places) {
+    places_.clear();
+  }
+
+  std::optional<SurfacePoint> see(double xi, double within) {
+    const Vec3 y = pose_.to_body(shape_.point(xi));
+    const auto p = finder_.see(pair_, xi, y, pair_.touch + within);
+    const double distance = (p ? p->distance - pair_.touch : within) + pair_.touch;
+    places_.push_back({xi, finder_.surface(pair_).free_radius(y, distance)});
+    if (p) pair_.hint = p->triangle;
+    return p;
+  }
+  // Less than half the bound of the slope: it may touch somewhere.
+  bool may_touch() {
+    const double within = kFirst * shape_.reach();
+    const auto p = see(0.5, within);
+    middle_ = {p ? p->distance - pair_.touch : within, p ? slope(0.5, *p) : 0};
+    return middle_->gap < 0.5 * shape_.reach();
+  }
+  AxisGap at(double xi, double within) override {
+    if (xi == 0.5 && middle_) return *middle_;
+    const auto p = see(xi, within);
+    return p ? AxisGap{p->distance - pair_.touch, slope(xi, *p)} : AxisGap{within, 0};
+  }
+
+ private:
+  double slope(double xi, const SurfacePoint& p) const {
+    return (pose_.rotation * p.normal).dot(shape_.slope(xi));
+  }
+  const LineVolumeFinder& finder_;
+  LineVolumePair& pair_;
+  const AxisShape& shape_;
+  const RigidPose& pose_;
+  std::vector<FreePlace>& places_;
+  std::optional<AxisGap> middle_;
+};
+
+bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
+  if (!(pair.room().left(axis_points(shape, pose)) > 0)) return false;
+  pair.found.clear();
+  pair.seen = nullptr;
+  return true;
+}
+
+double LineVolumeFinder::room_at_start(const LineVolumePair& pair) {
+  return pair.room().left(axis_points(pair.start.shape, pair.start.pose));
+}
+
+void LineVolumeFinder::keep_free(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
+                                 std::vector<FreePlace>& places) const {
+  const auto by_xi = [](const FreePlace& a, const FreePlace& b) { return a.xi < b.xi; };
+  std::sort(places.begin(), places.end(), by_xi);
+  double least = std::numeric_limits<double>::infinity(), worst = 0;
+  for (const FreePlace& p : places) least = std::min(least, p.distance - pair.touch);
+  if (!(least > 0)) return;
+  double free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.touch;
+  for (int i = 0; i < kPlaces && free < kRoom * least; ++i) {
+    const Vec3 y = pose.to_body(shape.point(worst));
+    const double within = pair.touch + 2 * least;
+    const auto p = surface(pair).query(y, within, pair.hint);
+    const FreePlace more{worst, surface(pair).free_radius(y, p ? p->distance : within)};
+    places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
+    least = std::min(least, more.distance - pair.touch);
+    free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.touch;
+  }
+  pair.room().offer(axis_points(shape, pose), free);
+}
+
+const std::vector<ContactStretch>& LineVolumeFinder::touched_before(LineVolumePair& pair) const {
+  static const std::vector<ContactStretch> kNone;
+  if (pair.wall()) return kNone;
+  if (pair.before) return *pair.before;
+  pair.before.emplace();
+  const auto touched = [](const std::vector<ContactPoint>& points) { return !points.empty(); };
+  if (!touched(pair.points) &&
+      !(pair.walls && std::any_of(pair.walls->committed.begin(), pair.walls->committed.end(), touched)))
+    return kNone;
+  constexpr int kCloser = 2;  // halvings more than in a trial: what is not seen here is filled there
+  const AxisShape& start = pair.start.shape;
+  std::vector<FreePlace> places;
+  Gap gap(*this, pair, start, pair.start.pose, places);
+  *pair.before =
+      contact_stretches(gap, {start.reach(), pair.touch, start.bend_bound()}, pair.levels + kCloser);
+  return *pair.before;
+}
+
+std::vector<ContactStretch> LineVolumeFinder::locate(LineVolumePair& pair, const AxisShape& shape,
+                                                     const RigidPose& pose) const {
+  Gap gap(*this, pair, shape, pose, places_);
+  const bool near = gap.may_touch();
+  const std::vector<ContactStretch>& before = touched_before(pair);
+  std::vector<ContactStretch> stretches;
+  if (near)
+    stretches = contact_stretches(gap, {shape.reach(), pair.touch, shape.bend_bound()}, pair.levels,
+                                  middles(hollows(before)));
+  // Of one wall alone it says nothing of the others.
+  if (stretches.empty() && !pair.wall()) keep_free(pair, shape, pose, places_);
+  std::vector<ContactStretch> panels =
+      cut_stretches(as_parted_before(stretches, before, pair.found.filled), pair.levels);
+  if (!pair.part.all()) keep_part(pair.part, panels);
+  return panels;
+}
+
+void LineVolumeFinder::find_along(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
+  ContactPlaces& f = pair.found;
+  f.panels = locate(pair, shape, pose);
+  for (size_t i = 0; i < f.panels.size(); ++i)
+    for (size_t q = 0; q < ContactRule::kPoints; ++q) {
+      const ContactStretch& s = f.panels[i];
+      const double place = ContactRule::place()[q], part = ContactRule::weight()[q];
+      const double xi = s.from + (s.to - s.from) * place;
+      const auto p = see(pair, xi, pose.to_body(shape.point(xi)), pair.touch);
+      if (p) pair.hint = p->triangle;
+      f.places.push_back({xi, pair.length * (s.to - s.from) * part, place, part, i, p ? *p : nothing()});
+    }
+}
+
+// The trapezoidal rule: each end stands for its half of the element.
+void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, const AxisShape& shape,
+                                     const RigidPose& pose) const {
+  ContactPlaces& f = pair.found;
+  Gap gap(*this, pair, shape, pose, places_);
+  // Behind one of several walls the middle sees nothing.
+  const bool near = by_gap() || pair.wall() || gap.may_touch();
+  for (const double xi : {0.0, 1.0}) {
+    if (!near || !takes_part(pair, xi)) continue;
+    const auto p = gap.see(xi, 0.5 * shape.reach());
+    if (!p || !pair.sees(*p)) continue;
+    f.places.push_back({xi, 0.5 * pair.length, xi, 1, f.panels.size(), *p});
+    f.panels.push_back({0.5 * xi, 0.5 + 0.5 * xi});
+  }
+  if (f.panels.empty() && !pair.wall() && !by_gap()) keep_free(pair, shape, pose, places_);
+}
+
+bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
+  if (!pair.part.has(xi)) return false;
+  // At a held end the support carries whatever a surface would.
+  return !at_nodes() || (xi == 0 && !pair.held[0]) || (xi == 1 && !pair.held[1]);
+}
+
+const ContactPlaces& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
+                                            const RigidPose& pose) const {
+  if (clear(pair, shape, pose) || pair.found.of.same_places(shape, pose)) return pair.found;
+  pair.found.clear();
+  pair.found.of = {true, shape, pose};
+  if (pair.walls) see_walls(pair, shape, pose);
+  if (pair.idle()) return pair.found;
+  at_nodes() ? find_at_nodes(pair, shape, pose) : find_along(pair, shape, pose);
+  return pair.found;
+}
+
+// Anywhere on the surface; a plane's box is of no size to speak of.
+GapSpring LineVolumeFinder::spring_at(int volume, const Vec3& y, double touch) const {
+  const Surface& surface = *surfaces_[static_cast<size_t>(volume)];
+  const Box box = surface.bounds();
+  const auto p = surface.query(y, distance(box, y) + std::min(box.extent().norm(), 1e6) + touch);
+  return p ? GapSpring{true, y - p->distance * p->normal, p->normal} : GapSpring{};
+}
+
+}  // namespace hawser

@@ -1,0 +1,92 @@
+// The stiffness of contact against what lines meet: an automatic one is raised until lines are no deeper than
+// they may be, and one that is too soft for that, and not the program's, is refused. docs/theory/contact.md,
+// "Stiffness that follows the run".
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/terms/line_volume_contact.hpp"
+
+namespace hawser {
+namespace {
+
+// The part of a force that is left when inertia has taken `mass` times the acceleration [m/s²] away from the
+// surface.
+double left_by_inertia(double force, double mass, double acceleration) {
+  return force > 0 ? std::clamp(1 - mass * acceleration / force, 0.0, 1.0) : 1;
+}
+
+// Whether what is pressed in moves so slowly that its speed is worth no more than a sixteenth of the spring's
+// energy: it is pressed, and does not strike or leap.
+bool resting(double stiffness, double depth, double mass, double speed) {
+  return stiffness * std::pow(0.25 * depth, 2) >= mass * speed * speed;
+}
+
+}  // namespace
+
+// Of what presses with that force [N] on the whole element.
+double LineVolumeContact::still_part(const Pair& pair, const Kinematics& at, double force, double depth,
+                                     const Vec3& normal) const {
+  if (!(at.step > 0)) return 1;
+  const size_t a = static_cast<size_t>(local(pair).first), b = static_cast<size_t>(local(pair).second);
+  const Vec3 place = 0.5 * (at.x[a] + at.x[b]),
+             velocity = 0.5 * (at.v[a] + at.v[b]) - volumes_.trial_pose(pair.volume).velocity_at(place);
+  const double mass = settings(pair).mass_per_length;
+  return resting(pair.laws[0].normal.stiffness, depth, mass, normal.dot(velocity))
+             ? left_by_inertia(force, mass * pair.length, 0.5 * normal.dot(at.a[a] + at.a[b]))
+             : 0;
+}
+
+bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
+  volumes_.pose_trial(equilibrium);
+  std::vector<double> wanted = volumes_.stiffnesses();
+  for (Pair& pair : pairs_) {
+    const bool touches = !pair.found.panels.empty() || pair.walls;
+    if (!volumes_.automatic(pair.volume) || (!touches && !(equilibrium.step > 0))) continue;
+    const AxisShape shape(ends(equilibrium, pair.element));
+    const RigidPose& pose = volumes_.trial_pose(pair.volume);
+    PressedPlace at;
+    at.radius = pair.radius, at.mass = settings(pair).mass_per_length, at.held = is_held(pair);
+    for (const double xi : {0.0, 1.0})
+      at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
+    if (touches) {
+      double force = 0;  // N, of all of it
+      Vec3 normal = Vec3::Zero();
+      for (const ContactPlace& there : finder_.find(pair, shape, pose).places) {
+        if (!pair.sees(there.at)) continue;
+        const double gap = there.at.distance - pair.radius;
+        force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
+        if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * there.at.normal;
+      }
+      at.still = still_part(pair, equilibrium, force, at.depth, normal);
+    }
+    volumes_.ask(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
+  }
+  if (!volumes_.raise(wanted)) return false;
+  renew_laws();
+  return true;
+}
+
+void LineVolumeContact::forget_stiffening() {
+  if (volumes_.forget_raise()) renew_laws();
+}
+
+std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) const {
+  if (finder_.by_gap()) return {};  // a spring through the air may be as long as it likes
+  const Pair* in = nullptr;
+  double deepest = 0, xi = 0;
+  for (const Pair& pair : pairs_) {
+    if (is_held(pair) || pair.found.places.empty()) continue;
+    // What did not move since it was clear is not looked at in a trial, and keeps what it was before.
+    if (!pair.found.of.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
+    const double most = volumes_.deepest(pair.volume, pair.radius);
+    for (const ContactPlace& there : pair.found.places)
+      if (const double depth = pair.radius - there.at.distance; depth > std::max(most, deepest))
+        in = &pair, deepest = depth, xi = there.xi;
+  }
+  if (!in) return {};
+  const LocalElement& e = local(*in);
+  const int node = mesh_.global[static_cast<size_t>(xi < 0.5 ? e.first : e.second)];
+  return volumes_.too_soft(in->volume, mesh_.mesh->place(node), deepest, in->radius, trial.time);
+}
+
+}  // namespace hawser

@@ -1,0 +1,54 @@
+// Where the points that touch in a trial were at the start of the step, and with what slip.
+#include <algorithm>
+
+#include "hawser/terms/line_volume_finder.hpp"
+
+namespace hawser {
+namespace {
+
+// Slip is interpolated between the points of one stretch.
+void take_slip(const std::vector<ContactPoint>& past, double xi, ContactStart& s, ContactRates* rates) {
+  const auto after = std::find_if(past.begin(), past.end(), [&](const ContactPoint& p) { return p.xi > xi; });
+  const ContactPoint* b = after != past.end() ? &*after : nullptr;
+  const ContactPoint* a = after != past.begin() ? &*(after - 1) : nullptr;
+  if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
+  if (!a || !b) {
+    const ContactPoint& p = a ? *a : *b;
+    s.slip = p.slip, s.normal = p.normal;
+    return;
+  }
+  const double gap = b->xi - a->xi, t = (xi - a->xi) / gap;
+  const SlipBetween between = slip_between(a->slip, a->normal, b->slip, b->normal, t, rates != nullptr);
+  s.slip = between.slip, s.normal = between.normal;
+  if (rates) rates->start_slip = between.slip_by_t / gap, rates->start_normal = between.normal_by_t / gap;
+}
+
+}  // namespace
+
+// Material that did not touch has no slip, and a gap.
+ContactStart LineVolumeFinder::start(const LineVolumePair& pair, double xi, ContactRates* rates) const {
+  const AxisShape& shape = pair.start.shape;
+  const RigidPose& pose = pair.start.pose;
+  const Quat back = pose.rotation.conjugate();
+  ContactStart s;
+  s.point = pose.to_body(shape.point(xi));
+  const Vec3 slope = back * shape.slope(xi);
+  s.tangent = slope.normalized();
+  if (rates) {
+    rates->start_point = slope;
+    const Vec3 bend = back * shape.bend(xi);
+    rates->start_tangent = (bend - s.tangent * s.tangent.dot(bend)) / slope.norm();
+  }
+  const std::vector<ContactPoint>& past = pair.past();
+  if (std::any_of(past.begin(), past.end(), [&](const auto& p) { return p.from <= xi && xi <= p.to; })) {
+    take_slip(past, xi, s, rates);
+    return s;
+  }
+  const double within = 2 * shape.reach() + pair.length;
+  const auto p = see(pair, xi, s.point, pair.touch + within, true);
+  s.gap = p ? p->distance - pair.radius : within + pair.smoothing();
+  if (p && rates) rates->start_gap = p->normal.dot(slope);
+  return s;
+}
+
+}  // namespace hawser

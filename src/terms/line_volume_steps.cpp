@@ -1,0 +1,145 @@
+// How long a step may be, by what touches and by what elements may come to; and what only the end of a step
+// shows: what leaves in a step that was too long to follow it, for what pushed lay still at its start and a
+// wave along the line came and took it away; and what a wave drove deeper than its speed at the start would
+// have.
+#include <algorithm>
+#include <array>
+
+#include "hawser/terms/line_volume_contact.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr std::array<double, 3> kPlaces{0, 0.5, 1};  // of an element
+
+Vec3 along(std::span<const Vec3> nodes, const LocalElement& e, double xi) {
+  return (1 - xi) * nodes[static_cast<size_t>(e.first)] + xi * nodes[static_cast<size_t>(e.second)];
+}
+
+// m/s, seen from the body.
+Vec3 velocity_at_start(const LineVolumePair& p, double xi) {
+  return p.start.shape.velocity(xi) - p.start.pose.velocity_at(p.start.shape.point(xi));
+}
+
+// Twice what limit_depth() trusts a step with: what comes as foreseen stays clear of it.
+bool sinks_too_far(double radius, double before, double after) {
+  return after > std::max(before, 0.0) + radius;
+}
+
+}  // namespace
+
+void LineVolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
+  for (const Pair& pair : pairs_) {
+    limit_by_touch(pair, committed, to);
+    if (pair.slot == 0) limit_ahead(pair, committed, to);
+  }
+}
+
+void LineVolumeContact::strike_at(const Pair& pair, const Kinematics& committed, double xi, double share,
+                                  double gap, const Vec3& normal, bool last, Strikes& to) const {
+  const Quat back = pair.start.pose.rotation.conjugate();
+  const Vec3 velocity = back * velocity_at_start(pair, xi),
+             acceleration = back * along(committed.a, local(pair), xi);
+  const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
+  limit_depth(pair.radius, at, to);
+  if (local(pair).counted && share > 0) to.add(spring(pair, xi).strikes(share, at), element(pair).line);
+}
+
+void LineVolumeContact::limit_by_touch(const Pair& pair, const Kinematics& committed, Strikes& to) const {
+  const auto deepest = std::min_element(pair.points.begin(), pair.points.end(),
+                                        [](const auto& a, const auto& b) { return a.gap < b.gap; });
+  // All of the contact ends with the deepest place; nodes are each by themselves.
+  const bool apart = finder_.at_nodes();
+  double all = 0;
+  for (const ContactPoint& p : pair.points) all += p.weight;
+  for (auto p = pair.points.begin(); p != pair.points.end(); ++p)
+    strike_at(pair, committed, p->xi, p == deepest && !apart ? all : p->weight, p->gap - pair.smoothing(),
+              p->normal, p == deepest || apart, to);
+}
+
+void LineVolumeContact::look_ahead(const Pair& pair, const Kinematics& committed, double xi,
+                                   const SurfacePoint& p, Strikes& to) const {
+  const bool apart = finder_.at_nodes();
+  const bool touching = std::any_of(pair.points.begin(), pair.points.end(),
+                                    [&](const ContactPoint& h) { return !apart || h.xi == xi; });
+  // Simpson's rule, or that of the nodes; what touches has been looked at.
+  const double gap = p.distance - pair.touch, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
+  strike_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to);
+}
+
+bool LineVolumeContact::look_ahead_at_walls(const Pair& pair, const Kinematics& committed,
+                                            Strikes& to) const {
+  const auto speed = [&](double xi) { return velocity_at_start(pair, xi).norm(); };
+  SurfaceWalls walls;
+  finder_.walls_ahead(pair, std::min(0.5, 2 * to.most) * std::max({speed(0), speed(0.5), speed(1)}), walls);
+  for (const SurfaceWall& w : walls.of)
+    for (const double xi : kPlaces) {
+      if (!finder_.takes_part(pair, xi)) continue;
+      const auto p = volumes_.surface(pair.volume)
+                         .query_wall(w, pair.start.pose.to_body(pair.start.shape.point(xi)),
+                                     pair.touch + 0.5 * (pair.start.shape.reach() + speed(xi)));
+      if (p) look_ahead(pair, committed, xi, *p, to);
+    }
+  return walls.several();
+}
+
+// Nothing is asked of a place that is known to have nothing ahead, nor where nothing it may come to could
+// limit the step or strike.
+void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, Strikes& to) const {
+  const AxisShape& start = pair.start.shape;
+  const Surface& surface = volumes_.surface(pair.volume);
+  const double room = LineVolumeFinder::room_at_start(pair);
+  const bool walls = pair.walls && look_ahead_at_walls(pair, committed, to);
+  std::vector<FreePlace> free;
+  for (size_t i = 0; i < kPlaces.size(); ++i) {
+    const double xi = kPlaces[i], speed = velocity_at_start(pair, xi).norm();
+    // Look ahead as far as it gets in half a second.
+    const double far = 0.5 * (start.reach() + speed), within = pair.touch + far;
+    const bool matters = may_limit_depth(pair.radius, room, speed, to) ||
+                         spring(pair, xi).may_strike(speed, along(committed.a, local(pair), xi).norm());
+    if (room > far || !matters || !finder_.takes_part(pair, xi)) continue;
+    const Vec3 y = pair.start.pose.to_body(start.point(xi));
+    const bool by_gap = finder_.by_gap();
+    const auto p = by_gap ? finder_.see(pair, xi, y, within) : surface.query(y, within, pair.ahead[i]);
+    if (const double f = surface.free_radius(y, p ? p->distance : within); f > 0 && !by_gap)
+      free.push_back({xi, f});
+    if (!p) continue;
+    pair.ahead[i] = p->triangle;
+    if (!walls) look_ahead(pair, committed, xi, *p, to);
+  }
+  if (free.size() < kPlaces.size()) return;
+  double worst = 0;
+  pair.room().offer(axis_points(start, pair.start.pose),
+                    least_distance(free, start.reach(), start.bend_bound(), worst) - pair.touch);
+}
+
+// Of a contact that grows shorter, the places that it no longer reaches.
+void LineVolumeContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
+  volumes_.pose_trial(trial);
+  for (Pair& pair : pairs_) {
+    // What touched may be that of another of its walls; what touches was found when it was evaluated.
+    if (!local(pair).counted || (pair.points.empty() && !pair.walls && pair.found.panels.empty())) continue;
+    const AxisShape shape(ends(trial, pair.element));
+    const RigidPose& pose = volumes_.trial_pose(pair.volume);
+    const ContactPlaces& found = finder_.find(pair, shape, pose);
+    double deepest = 0, was = 0;
+    for (const ContactPlace& p : found.places) deepest = std::max(deepest, pair.radius - p.at.distance);
+    for (const ContactPoint& p : pair.past()) was = std::max(was, -p.gap);
+    to.too_deep = to.too_deep || sinks_too_far(pair.radius, was, deepest);
+    for (const ContactPoint& p : pair.past()) {
+      if (spring(pair, p.xi).follows(trial.step)) continue;
+      const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
+      if (std::any_of(found.panels.begin(), found.panels.end(), holds) &&
+          std::none_of(found.filled.begin(), found.filled.end(), holds))
+        continue;
+      const Vec3 x = shape.point(p.xi), from = pair.start.pose.to_body(pair.start.shape.point(p.xi));
+      const double made =
+          spring(pair, p.xi)
+              .made(p.weight, p, p.normal.dot(pose.to_body(x) - from),
+                    (pose.rotation * p.normal).dot(shape.velocity(p.xi) - pose.velocity_at(x)));
+      if (made > 0) to.partings.push_back({element(pair).line, -1, made});
+    }
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,160 @@
+// The law of contact of a point with a surface.
+#include "hawser/kernels/volume_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser::volume_contact_test {
+namespace {
+
+// Distance field of a sphere of radius 2 about the origin less a line radius of 0.1, or of the plane z = 0.
+ContactTrial on_sphere(const Vec3& y, const Vec3& u) {
+  ContactTrial t;
+  const double r = y.norm();
+  t.point = y;
+  t.velocity = u;
+  t.gap = r - 2.1;
+  t.normal = y / r;
+  t.curvature = (Mat3::Identity() - t.normal * t.normal.transpose()) / r;
+  return t;
+}
+ContactTrial on_plane(const Vec3& y, const Vec3& u) { return {y, u, y.z(), Vec3::UnitZ(), Mat3::Zero()}; }
+
+using Field = std::function<ContactTrial(const Vec3&, const Vec3&)>;
+
+struct Situation {
+  const char* name;
+  Field field;
+  ContactStart start;
+  Vec3 point;
+  bool slides;
+};
+
+std::vector<Situation> situations() {
+  const Vec3 n = Vec3(0.3, -0.4, 1).normalized();
+  const Vec3 s = 2e-3 * n.cross(Vec3(1, 0.2, 0)).normalized();
+  ContactStart touching{2.095 * n, -0.005, Vec3(1, 0.5, 0.2).normalized(), s, n};
+  ContactStart away{2.12 * n, 0.02, Vec3(1, 0.5, 0.2).normalized(), Vec3::Zero(), Vec3::UnitZ()};
+  ContactStart facet{
+      {0, 0, -0.01}, -0.01, Vec3(1, 0.5, 0.2).normalized(), s, n};  // last step's facet was tilted
+  return {{"stick", on_sphere, touching, 2.095 * n + Vec3(1e-3, 5e-4, -3e-4), false},
+          {"slip", on_sphere, touching, 2.095 * n + Vec3(0.02, 0.03, -0.005), true},
+          {"in the ramp", on_sphere, touching, 2.1005 * n + Vec3(1e-4, 2e-4, 0), false},
+          {"first touch", on_sphere, away, 2.095 * n + Vec3(3e-3, -2e-3, 1e-4), false},
+          {"first touch, slip", on_sphere, away, 2.095 * n + Vec3(-0.06, 0.08, 0.04), true},
+          {"facet change", on_plane, facet, {5e-4, 1e-3, -0.008}, false},
+          {"facet change, slip", on_plane, facet, {0.05, 0.03, -0.008}, true}};
+}
+
+std::vector<ContactLaw> laws() {
+  static const std::vector<ForceTable::Row> rows{{0.003, 1000}, {0.006, 3500}, {0.02, 30000}};
+  static const ForceTable table(rows);
+  const NormalLaw normal{1e6, 1e-3, 2e3}, by_table{table.largest_slope(), 0, 2e3, &table};
+  std::vector<ContactLaw> out;
+  for (const NormalLaw& n : {normal, by_table}) {
+    out.push_back({n, {}});
+    for (const FrictionReturn back : {FrictionReturn::radial, FrictionReturn::associated})
+      for (const double speed : {0.0, 0.3}) {
+        std::vector<FrictionLaw> f{{0.4, 0.4, 3e5, 0, 0},
+                                   {0.3, 0.8, 3e5, 0, 0},
+                                   {0.4, 0.4, 0, 0.006, 0.006},
+                                   {0.3, 0.8, 0, 0.005, 0.009},
+                                   {0.3, 0.8, 0, 0.005, 0.009}};
+        f.back().spring = FrictionSpring::michalopoulos;
+        for (FrictionLaw& law : f) {
+          law.back = back;
+          law.blend_speed = speed;
+          law.axial_kinetic = 0.6 * law.axial, law.lateral_kinetic = 0.6 * law.lateral;
+          out.push_back({n, law});
+        }
+      }
+  }
+  return out;
+}
+
+// Taylor test: |F(y + h d) - F(y) - h K d| falls as h², and the fourth-order difference agrees with K d.
+void expect_tangent(const std::function<Vec3(const Vec3&)>& F, const Mat3& K, double size,
+                    const std::string& what) {
+  for (const Vec3& d : {Vec3(0.5, 0.7, -0.4), Vec3(-0.8, 0.1, 0.5), Vec3(0.1, -0.9, -0.3)}) {
+    const double h = 2e-4 * size;
+    const Vec3 difference = (8 * (F(h * d) - F(-h * d)) - (F(2 * h * d) - F(-2 * h * d))) / (12 * h);
+    EXPECT_LT((difference - K * d).norm(), 1e-7 * (K.norm() + 1)) << what;
+    const double e1 = (F(4 * h * d) - F(Vec3::Zero()) - 4 * h * K * d).norm();
+    const double e2 = (F(2 * h * d) - F(Vec3::Zero()) - 2 * h * K * d).norm();
+    if (e2 > 1e-9 * K.norm() * h) {
+      EXPECT_GT(e1 / e2, 3.5) << what;
+    }
+  }
+}
+
+TEST(VolumeContactKernel, TangentIsExact) {
+  const Vec3 u(0.3, -0.2, -0.15);
+  for (const ContactLaw& law : laws())
+    for (const Situation& s : situations()) {
+      const PointContact c = volume_contact(law, s.start, s.field(s.point, u), true);
+      if (law.normal.table && s.field(s.point, u).gap >= 0) continue;  // no ramp before a table
+      ASSERT_GT(c.normal.force, 0) << s.name;
+      // The mobilisation laws cut at a length, the spring laws at a force; the situations suit both.
+      if (law.friction.active() && std::string(s.name).find("slip") != std::string::npos) {
+        EXPECT_TRUE(c.slides) << s.name;
+      }
+      expect_tangent(
+          [&](const Vec3& d) { return volume_contact(law, s.start, s.field(s.point + d, u), false).force; },
+          c.by_point, 0.02, std::string(s.name) + " by point");
+      expect_tangent(
+          [&](const Vec3& d) { return volume_contact(law, s.start, s.field(s.point, u + d), false).force; },
+          c.by_velocity, 1, std::string(s.name) + " by velocity");
+      EXPECT_LT((c.force - volume_contact(law, s.start, s.field(s.point, u), false).force).norm(),
+                1e-14 * c.force.norm());
+    }
+}
+
+TEST(VolumeContactKernel, TurnsWithTheBody) {
+  const Quat Q = exp_so3({0.7, -1.1, 0.4});
+  const Mat3 R = Q.toRotationMatrix();
+  for (const ContactLaw& law : laws())
+    for (const Situation& s : situations()) {
+      const ContactTrial t = s.field(s.point, {0.3, -0.2, -0.15});
+      const ContactStart a = s.start;
+      const PointContact plain = volume_contact(law, a, t, true);
+      const ContactStart turned_start{R * a.point, a.gap, R * a.tangent, R * a.slip, R * a.normal};
+      const PointContact turned = volume_contact(
+          law, turned_start,
+          {R * t.point, R * t.velocity, t.gap, R * t.normal, R * t.curvature * R.transpose()}, true);
+      EXPECT_LE((turned.force - R * plain.force).norm(), 1e-12 * plain.force.norm()) << s.name;
+      EXPECT_LT((turned.slip - R * plain.slip).norm(), 1e-15) << s.name;
+      EXPECT_LE((turned.by_point - R * plain.by_point * R.transpose()).norm(), 1e-11 * plain.by_point.norm())
+          << s.name;
+    }
+}
+
+TEST(VolumeContactKernel, FacetChangeKeepsTheSlip) {
+  const ContactLaw law{{1e6, 0, 0}, {0.9, 0.9, 1e5, 0, 0}};
+  const Vec3 n(0, std::sin(0.2), std::cos(0.2));
+  const Vec3 s(3e-3, 0, 0);  // along the edge between the facets: keeps its direction
+  const ContactStart start{{0, 0, -0.01}, -0.01, Vec3::UnitX(), s, n};
+  const PointContact c = volume_contact(law, start, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
+  EXPECT_LT((c.slip - s).norm(), 1e-16);
+  const ContactStart across{{0, 0, -0.01}, -0.01, Vec3::UnitX(), n.cross(Vec3(3e-3, 0, 0)), n};
+  const PointContact d = volume_contact(law, across, on_plane({0, 0, -0.01}, Vec3::Zero()), false);
+  EXPECT_LT((d.slip - Vec3(0, 3e-3, 0)).norm(), 1e-16);  // turned, not shortened
+}
+
+// Only the part of the motion after the touch counts: half of it, when the surface was met half way.
+TEST(VolumeContactKernel, FirstTouch) {
+  const ContactLaw law{{1e6, 0, 0}, {0.9, 0.9, 1e5, 0, 0}};
+  const ContactStart start{{0, 0, 0.01}, 0.01, Vec3::UnitX(), Vec3::Zero(), Vec3::UnitZ()};
+  const PointContact c = volume_contact(law, start, on_plane({4e-3, 0, -0.01}, Vec3::Zero()), false);
+  EXPECT_LT((c.slip - Vec3(2e-3, 0, 0)).norm(), 1e-17);
+  EXPECT_LT((c.force - Vec3(-200, 0, 1e4)).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace hawser::volume_contact_test
