@@ -1,5 +1,7 @@
 #include "hawser/app/share_nodes.hpp"
 
+#include <algorithm>
+
 #include "hawser/app/line_pairs.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/solve/start_shape.hpp"
@@ -23,9 +25,19 @@ std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh&
   return candidates.elements();
 }
 
+std::vector<int> whole_lines(const model::Case& c) {
+  const std::vector<std::pair<int, int>> excluded = excluded_pairs(c);
+  std::vector<int> whole;
+  for (int l = 0; l < static_cast<int>(c.lines.size()) && c.contact.between_lines.enabled; ++l)
+    if (c.contact.takes_part(c.lines[static_cast<size_t>(l)]) &&
+        !std::binary_search(excluded.begin(), excluded.end(), std::pair(l, l)))
+      whole.push_back(l);
+  return whole;
+}
+
 std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
-  return partition(mesh, ranks, near_elements(c, mesh, bodies));
+  return partition(mesh, ranks, near_elements(c, mesh, bodies), whole_lines(c));
 }
 
 }  // namespace hawser::app

@@ -3,8 +3,8 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <ranges>
 #include <stdexcept>
-#include <unordered_map>
 
 namespace hawser {
 namespace {
@@ -20,7 +20,21 @@ struct Edge {
   idx_t weight;
 };
 
-// Both ways, sorted, edges between the same nodes as one.
+// Sorted, edges between the same two as one.
+std::vector<Edge> merged(std::vector<Edge> all) {
+  std::sort(all.begin(), all.end(),
+            [](const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
+  size_t kept = 0;
+  for (const Edge& e : all)
+    if (kept > 0 && all[kept - 1].from == e.from && all[kept - 1].to == e.to)
+      all[kept - 1].weight += e.weight;
+    else
+      all[kept++] = e;
+  all.resize(kept);
+  return all;
+}
+
+// Between nodes, both ways.
 std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> near) {
   std::vector<Edge> all;
   const auto add = [&](int a, int b, idx_t w) {
@@ -35,42 +49,81 @@ std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> n
     for (int m : {p.first, p.second})
       for (int n : {q.first, q.second}) add(m, n, kNearEdge);
   }
-  std::sort(all.begin(), all.end(),
-            [](const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
-  size_t kept = 0;
-  for (const Edge& e : all)
-    if (kept > 0 && all[kept - 1].from == e.from && all[kept - 1].to == e.to)
-      all[kept - 1].weight += e.weight;
-    else
-      all[kept++] = e;
-  all.resize(kept);
   return all;
 }
 
-}  // namespace
-
-namespace {
-
-std::vector<int> cut_graph(const Mesh& mesh, int ranks, const std::vector<Edge>& all) {
-  std::vector<idx_t> start, next, edge, weight;
-  for (const Node& n : mesh.nodes) weight.push_back(n.rotates ? kBeamWork : kCableWork);
-  start.assign(weight.size(), 0);
-  start.push_back(0);
+// The part of each vertex, by METIS. `all`: sorted by vertex, both ways.
+std::vector<idx_t> bisect(std::vector<idx_t> weight, const std::vector<Edge>& all, idx_t parts) {
+  std::vector<idx_t> start(weight.size() + 1, 0), next, edge, part(weight.size(), 0);
+  if (weight.empty() || parts == 1) return part;
   for (const Edge& e : all) {
     ++start[static_cast<size_t>(e.from) + 1];
     next.push_back(e.to), edge.push_back(e.weight);
   }
   for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  idx_t vertices = static_cast<idx_t>(weight.size()), constraints = 1, parts = ranks, cut = 0;
+  idx_t vertices = static_cast<idx_t>(weight.size()), constraints = 1, cut = 0;
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 1;  // every rank computes the same cut
-  std::vector<idx_t> part = weight;
   const int status =
       METIS_PartGraphRecursive(&vertices, &constraints, start.data(), next.data(), weight.data(), nullptr,
                                edge.data(), &parts, nullptr, nullptr, options, &cut, part.data());
   if (status != METIS_OK) throw std::runtime_error("METIS could not cut the lines into parts");
-  std::vector<int> owner(part.begin(), part.end());
+  return part;
+}
+
+// What METIS is to share out: nodes, and whole lines as one vertex each.
+struct Shares {
+  std::vector<int> owner;     // of each node; -1: METIS chooses
+  std::vector<int> vertex;    // of each node; -1: it has an owner
+  std::vector<idx_t> weight;  // of each vertex
+  int first = 0;              // rank of the first part
+};
+
+// A whole line of more work than a rank's fair share of what is left gets a rank of its own.
+Shares share_lines(const Mesh& mesh, int ranks, std::span<const int> whole) {
+  Shares s;
+  s.owner.assign(mesh.nodes.size(), -1), s.vertex = s.owner;
+  const auto work = [&](size_t n) { return mesh.nodes[n].rotates ? kBeamWork : kCableWork; };
+  const auto nodes = [&](int line) {
+    const LineSpan& l = mesh.lines[static_cast<size_t>(line)];
+    return std::views::iota(static_cast<size_t>(l.first_node), static_cast<size_t>(l.first_node + l.nodes));
+  };
+  idx_t left = 0;
+  for (size_t n = 0; n < mesh.nodes.size(); ++n) left += work(n);
+  std::vector<std::pair<idx_t, int>> lines;
+  for (const int l : whole) {
+    lines.emplace_back(0, l);
+    for (const size_t n : nodes(l)) lines.back().first += work(n);
+  }
+  std::sort(lines.rbegin(), lines.rend());
+  for (const auto& [weight, line] : lines) {
+    const bool alone = s.first + 1 < ranks && weight * (ranks - s.first) >= left;
+    for (const size_t n : nodes(line))
+      (alone ? s.owner : s.vertex)[n] = alone ? s.first : static_cast<int>(s.weight.size());
+    if (alone)
+      left -= weight, ++s.first;
+    else
+      s.weight.push_back(weight);
+  }
+  for (size_t n = 0; n < mesh.nodes.size(); ++n)
+    if (s.owner[n] < 0 && s.vertex[n] < 0)
+      s.vertex[n] = static_cast<int>(s.weight.size()), s.weight.push_back(work(n));
+  return s;
+}
+
+std::vector<int> cut_graph(const Mesh& mesh, int ranks, std::span<const int> whole,
+                           const std::vector<Edge>& all) {
+  const Shares s = share_lines(mesh, ranks, whole);
+  std::vector<Edge> between;
+  for (const Edge& e : all) {
+    const int a = s.vertex[static_cast<size_t>(e.from)], b = s.vertex[static_cast<size_t>(e.to)];
+    if (a >= 0 && b >= 0 && a != b) between.push_back({a, b, e.weight});
+  }
+  const std::vector<idx_t> part = bisect(s.weight, merged(std::move(between)), ranks - s.first);
+  std::vector<int> owner = s.owner;
+  for (size_t n = 0; n < owner.size(); ++n)
+    if (owner[n] < 0) owner[n] = s.first + static_cast<int>(part[static_cast<size_t>(s.vertex[n])]);
   for (size_t n = 0; n < owner.size(); ++n)  // one position has one owner
     for (const int other : {mesh.nodes[n].pinned_to, mesh.nodes[n].tied_to})
       if (other >= 0) owner[n] = owner[static_cast<size_t>(other)];
@@ -89,115 +142,15 @@ size_t shared_nodes(const std::vector<Edge>& all, const std::vector<int>& owner)
 
 }  // namespace
 
-std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> near) {
+std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> near,
+                           std::span<const int> whole) {
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
-  std::vector<int> plain = cut_graph(mesh, ranks, edges(mesh, {}));
+  std::vector<int> plain = cut_graph(mesh, ranks, whole, edges(mesh, {}));
   if (near.empty()) return plain;
-  // METIS looks for few cut edges; what costs is the nodes at them. A coil is better cut across its line.
+  // METIS looks for few cut edges; what costs is the nodes at them.
   const std::vector<Edge> all = edges(mesh, near);
-  std::vector<int> weighed = cut_graph(mesh, ranks, all);
+  std::vector<int> weighed = cut_graph(mesh, ranks, whole, all);
   return shared_nodes(all, weighed) < shared_nodes(all, plain) ? weighed : plain;
-}
-
-namespace {
-
-// Local blocks of a node whose first one of the parallel numbering is `first`.
-int add_blocks(LocalMesh& l, int first, int width) {
-  const int at = l.blocks();
-  for (int k = 0; k < width; ++k) l.global_block.push_back(first + k);
-  return at;
-}
-
-// The block of a node that has another's position is that one's, or where that is no local node the one that
-// has come for the same joint already.
-void pin(LocalMesh& l, int local) {
-  const int g = l.global[static_cast<size_t>(local)], other = l.mesh->nodes[static_cast<size_t>(g)].pinned_to;
-  if (other < 0) return;
-  int& block = l.block[static_cast<size_t>(local)];
-  const int first = l.first_block[static_cast<size_t>(g)];
-  if (const int here = l.find(other); here >= 0) {
-    block = l.block[static_cast<size_t>(here)];
-    return;
-  }
-  const auto known = std::find(l.global_block.begin(), l.global_block.end(), first);
-  block = known != l.global_block.end() ? static_cast<int>(known - l.global_block.begin())
-                                        : add_blocks(l, first, 1);
-}
-
-}  // namespace
-
-LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks) {
-  LocalMesh l;
-  l.mesh = &mesh;
-  // Parallel numbering: rank by rank, in file order within a rank.
-  std::vector<int> count(static_cast<size_t>(ranks) + 1, 0);
-  auto width = [&](size_t n) { return mesh.nodes[n].pinned_to >= 0 ? 0 : mesh.nodes[n].rotates ? 2 : 1; };
-  for (size_t n = 0; n < owner.size(); ++n) count[static_cast<size_t>(owner[n]) + 1] += width(n);
-  for (size_t r = 0; r < static_cast<size_t>(ranks); ++r) count[r + 1] += count[r];
-  std::vector<int> first_block(owner.size());
-  for (size_t n = 0; n < owner.size(); ++n) {
-    int& next = count[static_cast<size_t>(owner[n])];
-    first_block[n] = next;
-    next += width(n);
-  }
-  for (size_t n = 0; n < owner.size(); ++n)
-    if (const int other = mesh.nodes[n].pinned_to; other >= 0)
-      first_block[n] = first_block[static_cast<size_t>(other)];
-
-  std::vector<int> ghosts;
-  for (size_t n = 0; n < owner.size(); ++n)
-    if (owner[n] == rank) l.global.push_back(static_cast<int>(n));
-  l.owned = static_cast<int>(l.global.size());
-  for (const Element& e : mesh.elements) {
-    const bool a = owner[static_cast<size_t>(e.first)] == rank,
-               b = owner[static_cast<size_t>(e.second)] == rank;
-    if (a && !b) ghosts.push_back(e.second);
-    if (b && !a) ghosts.push_back(e.first);
-    if (a == b) continue;
-    for (const int n : {e.first, e.second})  // with the frames that carry them
-      if (const int frame = mesh.nodes[static_cast<size_t>(n)].tied_to;
-          frame >= 0 && owner[static_cast<size_t>(frame)] != rank)
-        ghosts.push_back(frame);
-  }
-  std::sort(ghosts.begin(), ghosts.end());
-  ghosts.erase(std::unique(ghosts.begin(), ghosts.end()), ghosts.end());
-  l.global.insert(l.global.end(), ghosts.begin(), ghosts.end());
-
-  std::unordered_map<int, int> local;
-  for (int i = 0; i < l.nodes(); ++i) {
-    const size_t n = static_cast<size_t>(l.global[static_cast<size_t>(i)]);
-    local[static_cast<int>(n)] = i;
-    l.block.push_back(add_blocks(l, first_block[n], width(n)));
-    if (i + 1 == l.owned) l.owned_blocks = l.blocks();
-  }
-  l.chain = l.nodes();
-  l.owner = owner;
-  l.first_block = std::move(first_block);
-  for (int n = 0; n < l.nodes(); ++n) pin(l, n);
-  l.chain_blocks = l.blocks();
-  for (size_t i = 0; i < mesh.elements.size(); ++i) {
-    const Element& e = mesh.elements[i];
-    const bool a = owner[static_cast<size_t>(e.first)] == rank,
-               b = owner[static_cast<size_t>(e.second)] == rank;
-    if (a || b) l.elements.push_back({local.at(e.first), local.at(e.second), static_cast<int>(i), a});
-  }
-  return l;
-}
-
-void set_coupling_ghosts(LocalMesh& l, std::span<const int> nodes) {
-  const size_t chain = static_cast<size_t>(l.chain);
-  if (l.chain_blocks > 0) l.global_block.resize(static_cast<size_t>(l.chain_blocks));
-  l.global.resize(chain), l.block.resize(chain);
-  std::vector<int> more;
-  for (int n : nodes)
-    if (l.find(n) < 0) more.push_back(n);
-  for (int n : more) {
-    const Node& node = l.mesh->nodes[static_cast<size_t>(n)];
-    l.global.push_back(n);
-    const int width = node.pinned_to >= 0 ? 0 : node.rotates ? 2 : 1;
-    l.block.push_back(add_blocks(l, l.first_block[static_cast<size_t>(n)], width));
-  }
-  for (int n = l.chain; n < l.nodes(); ++n) pin(l, n);
 }
 
 int cut_elements(const Mesh& mesh, const std::vector<int>& owner) {

@@ -1,4 +1,5 @@
-// Beams and cables without contact, at rest and in motion, on one rank and on all: the same to 1e-9.
+// Beams and cables without contact, cut between the ranks, at rest and in motion, on one rank and on all: the
+// same to 1e-9.
 #include "regression/runs.hpp"
 
 namespace hawser::runs {
@@ -40,6 +41,7 @@ lines:
     end_a: {body: ship, at: [2, 0, 3], direction: [1, 0, 0], clamped: true}
     end_b: free
     start: straight
+contact: {between_lines: false}
 dynamics: {duration: 12, step: STEP, rho_infinity: 0.8}
 output:
   every: 1
@@ -58,6 +60,7 @@ lines:
     end_a: {anchor: [0, 0, 0]}
     end_b: {anchor: [10, 0, 0]}
     loads: [{per_length: [0, 200, 0], ramp: 1}]
+contact: {between_lines: false}
 dynamics: {duration: 2, step: 0.02}
 output: {every: 0.1, histories: [{line: chain, at: end_a, name: pile}]}
 )";

@@ -12,6 +12,7 @@ inline model::Case moored_chain(const Vec3& from, int elements, double bed_stiff
   model::LineType t = cable_type(7.536e8, 113.35);
   t.outer_diameter = t.contact_diameter = 0.0766;
   model::Case c = one_line(t, 835, elements, anchor(from), {});
+  c.contact.between_lines.enabled = false;  // so that ranks cut it
   c.environment.gravity = 9.80665;
   c.environment.water.present = true, c.environment.water.depth = 200;
   model::Seabed& bed = c.environment.seabed;

@@ -14,7 +14,13 @@ namespace hawser::app {
 // makes the whole shape, the same on each.
 std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh& mesh, const Bodies& bodies);
 
-// Owner of every node, as partition() says; elements that may touch at the start rather land on one rank.
+// Lines that may touch themselves, in order. Cut in two, such a line, once it is wound on itself, would share
+// about every node that lies on another turn, and the tangent would cost several times what it costs on one
+// rank.
+std::vector<int> whole_lines(const model::Case& c);
+
+// Owner of every node, as partition() says: elements that may touch at the start rather land on one rank,
+// whole_lines() are not cut.
 std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
 
 }  // namespace hawser::app

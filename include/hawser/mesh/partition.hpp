@@ -11,9 +11,10 @@ namespace hawser {
 
 // Owner of every node: METIS recursive bisection of the graph of elements, vertices weighed by the work of a
 // node, edges along a chain heavy so that lines are cut as seldom as balance allows. `near`: pairs of
-// elements that may touch, lighter edges, so that both land on one rank where that is cheap. Same answer on
-// every rank.
-std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> near = {});
+// elements that may touch, lighter edges, so that both land on one rank where that is cheap. `whole`: lines
+// that are not cut. Same answer on every rank.
+std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> near = {},
+                           std::span<const int> whole = {});
 
 // This rank's part. `owner` has one rank a node.
 LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, int ranks);
