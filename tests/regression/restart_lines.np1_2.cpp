@@ -1,9 +1,9 @@
 // Lines in the soil, lines that are warmer than when they were cut to length, and lines in irregular waves: a
-// run that was stopped and goes on from its checkpoint is the run that was not, to the last bit, on the same
-// number of ranks and on another.
+// run that was stopped and goes on from its checkpoint is the run that was not, to the last bit on the same
+// number of ranks, to 1e-8 of the range of each field on another.
 #include <set>
 
-#include "regression/runs.hpp"
+#include "regression/same_fields.hpp"
 
 namespace hawser::runs::restart_lines_test {
 namespace {
@@ -30,6 +30,7 @@ lines:
     end_a: {anchor: [-20, 0, -215]}
     end_b: {body: ship, at: [0, 0, 0]}
     buried: [{to: 25, resistance: {axial: 10 kN/m, normal: 50 kN/m}}]
+contact: {between_lines: false}
 dynamics: {duration: 8, step: 0.1}
 output: {every: 0.5, histories: [{line: chain, at: end_b, name: fairlead}]}
 )",
@@ -46,6 +47,7 @@ lines:
     end_b: {body: hand, at: [0, 0, 0]}
     start: {points: [[0, 0, -49.95], [300, 0, -49.95]]}
     temperature_change: [[0, 20], [300, 60]]
+contact: {between_lines: false}
 dynamics: {duration: 8, step: 0.1}
 output: {every: 0.5, histories: [{line: pipe, at: end_b, name: fairlead}]}
 )",
@@ -64,23 +66,25 @@ lines:
     end_a: {anchor: [0, 0, -100]}
     end_b: {body: ship, at: [0, 0, 0]}
     masses: [{at: 300, mass: 1000, volume: 4}]
+contact: {between_lines: false}
 dynamics: {duration: 8, step: 0.1}
 output: {every: 0.5, histories: [{line: chain, at: end_b, name: fairlead}]}
 )",
                         "wall_tension", "hs: 4", "hs: 4.1"}};
 
-// Fields and histories are the same to the last bit. Energies are sums over ranks, and add up over time.
-void expect_same(const Results& whole, const Results& rest, double sums) {
+// Fields and histories are the same to this share of their range; 0: to the last bit. Energies are sums over
+// ranks, and add up over time.
+void expect_same(const Results& whole, const Results& rest, double share, double sums) {
   ASSERT_EQ(rest.output_times.size(), 9u);
   EXPECT_EQ(rest.output_times.front(), kHalf);
   EXPECT_EQ(tail(whole.step_times, rest.step_times), rest.step_times);
   for (const auto& [name, values] : whole.fields) {
     const auto& there = rest.fields.at(name);
-    EXPECT_EQ(largest_difference(tail(values, there), there), 0) << name;
+    EXPECT_LE(largest_difference(tail(values, there), there), share * range(values)) << name;
   }
   for (const auto& [name, values] : whole.series) {
     const auto& there = rest.series.at(name);
-    const double tolerance = name == "energy" ? sums * largest(values) : 0;
+    const double tolerance = name == "energy" ? sums * largest(values) : share * range(values);
     EXPECT_LE(largest_difference(tail(values, there), there), tolerance) << name;
   }
 }
@@ -111,7 +115,7 @@ TEST_P(RestartLines, SameRanks) {
   const auto taken = whole.column("energy", 3);
   EXPECT_GT(taken.back(), 1.01 * taken[taken.size() / 2]);
   EXPECT_GT(taken[taken.size() / 2], 1);
-  expect_same(whole, rest, 1e-14);
+  expect_same(whole, rest, 0, 1e-14);
 }
 
 TEST_P(RestartLines, OtherRanks) {
@@ -119,8 +123,8 @@ TEST_P(RestartLines, OtherRanks) {
   run_on_all({input, path + "/more.h5", path + "/half_one.h5", kEnd});
   if (!first()) return;
   const Results whole = read(path + "/whole.h5");
-  expect_same(whole, read(path + "/fewer.h5"), 1e-13);
-  expect_same(whole, read(path + "/more.h5"), 1e-13);
+  expect_same(whole, read(path + "/fewer.h5"), 1e-8, 1e-8);
+  expect_same(whole, read(path + "/more.h5"), 1e-8, 1e-8);
 }
 
 // Soil that resists more from half way on, a pipe that is warmer: another run.

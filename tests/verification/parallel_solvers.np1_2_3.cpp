@@ -1,5 +1,6 @@
-// Which direct solver several ranks use, and that its answers are those of one rank.
-#include "hawser/solve/gathered_solver.hpp"
+// Which lines several ranks cut, which direct solver they use, and that its
+// answers are those of one rank.
+#include "hawser/app/share_nodes.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/substructure.hpp"
 #include "verification/line_pairs_rig.hpp"
@@ -29,6 +30,22 @@ model::Case coil() {
   return c;
 }
 
+// Lines side by side, so many that none is near itself but the cut through all
+// of them is long.
+model::Case mat() {
+  model::Case c;
+  model::LineType type = beam_type(1e6, 1e3, 1e3, 5);
+  c.line_types = {type};
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 from(0, 0.105 * i, 0);
+    c.lines.push_back(straight_line("line" + std::to_string(i), type.name, 40, 40, anchor(from),
+                                    anchor(from + Vec3(40, 0, 0))));
+  }
+  touch(c, 1e7, 1e-3);
+  c.dynamics.duration = 1;
+  return c;
+}
+
 // Long lines side by side, of which two cross.
 model::Case farm(int lines) {
   model::Case c;
@@ -41,12 +58,13 @@ model::Case farm(int lines) {
     c.lines.push_back(straight_line("line" + std::to_string(i), type.name, 40, 40, anchor(from), anchor(to)));
   }
   touch(c, 1e7, 1e-3);
+  c.contact.between_lines.self = false;
   c.dynamics.duration = 1;
   return c;
 }
 
-// The tangent of a step at the start and its solution for a right-hand side that looks the same on any number
-// of ranks, by node of the mesh.
+// The tangent of a step at the start and its solution for a right-hand side
+// that looks the same on any number of ranks, by node of the mesh.
 struct Solved {
   std::string solver;
   std::vector<Vec3> x;
@@ -86,10 +104,12 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   PCType type = nullptr;
   check(PCGetType(pc, &type));
   out.solver = type;
+  const char* name = nullptr;
   if (out.solver == PCSHELL) {
-    const char* name = nullptr;
     check(PCShellGetName(pc, &name));
     out.solver = name;
+  } else if (check(PCFactorGetMatSolverType(pc, &name)); name && std::string(name) == MATSOLVERMUMPS) {
+    out.solver += " of mumps";
   }
   std::vector<double> all(3 * m.mesh->nodes.size(), 0), local;
   system.gather(x.get(), local);
@@ -110,17 +130,11 @@ double difference(const Solved& a, const Solved& b) {
 }
 
 void configured(KSP ksp, const System& system) { configure_linear_solver(ksp, system, "verification_"); }
-void gathered(KSP ksp, const System& system) {
-  PC pc = nullptr;
-  check(KSPSetType(ksp, KSPPREONLY));
-  check(KSPGetPC(ksp, &pc));
-  use_gathered(pc, system.mesh(), cheapest_order(gather_graph(system)));
-}
 void substructured(KSP ksp, const System&) {
   PC pc = nullptr;
   check(KSPSetType(ksp, KSPPREONLY));
   check(KSPGetPC(ksp, &pc));
-  use_substructuring(pc, cheapest_ordering());
+  use_substructuring(pc, MATORDERINGAMD);
 }
 
 class ParallelSolvers : public ::testing::Test {
@@ -130,45 +144,64 @@ class ParallelSolvers : public ::testing::Test {
   int ranks_ = 1;
 };
 
-TEST_F(ParallelSolvers, ACoilIsGathered) {
-  const Solved one = solve(PETSC_COMM_SELF, coil(), configured);
-  const Solved all = solve(PETSC_COMM_WORLD, coil(), configured);
-  EXPECT_EQ(all.solver, expected("gathered on every rank"));
-  EXPECT_LT(difference(all, one), 1e-10);
-  if (ranks_ > 1) {
-    EXPECT_LT(difference(solve(PETSC_COMM_WORLD, coil(), substructured), one), 1e-8);
+// A long line and two short ones. One that may touch itself is not cut and, being more than its share, has a
+// rank of its own.
+TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
+  model::Case c = one_line(cable_type(1e6, 1), 100, 100, anchor({0, 0, 0}), anchor({100, 0, 0}));
+  for (const double y : {50.0, 100.0}) {
+    model::Line l = c.lines[0];
+    l.name = y < 60 ? "short" : "other";
+    l.sections[0].length = l.sections[0].elements = 20;
+    l.end_a = anchor({0, y, 0}), l.end_b = anchor({20, y, 0});
+    c.lines.push_back(l);
   }
+  const auto shared_out = [&c](int ranks) {
+    const Simulation one(PETSC_COMM_SELF, c);
+    return app::share_nodes(c, one.mesh(), one.bodies(), ranks);
+  };
+  const auto whole = [](const std::vector<int>& owner) {
+    return std::count(owner.begin(), owner.begin() + 101, owner[0]) == 101;
+  };
+  for (const int ranks : {2, 3, 8}) {
+    const std::vector<int> owner = shared_out(ranks);
+    EXPECT_TRUE(whole(owner)) << ranks;
+    EXPECT_EQ(std::count(owner.begin(), owner.end(), owner[0]), 101) << ranks;
+  }
+  c.contact.between_lines.self = false;
+  EXPECT_FALSE(whole(shared_out(2)));
+  // Less than its share: with others on its rank.
+  c.contact.between_lines.self = true;
+  c.lines.resize(2, c.lines[0]);
+  c.lines.resize(6, c.lines[1]);
+  EXPECT_TRUE(whole(shared_out(2)));
 }
 
-// To the last bit the answer of one rank.
-TEST_F(ParallelSolvers, SmallModelsAreGathered) {
-  const Solved one = solve(PETSC_COMM_SELF, farm(12), configured);
-  const Solved all = solve(PETSC_COMM_WORLD, farm(12), configured);
-  EXPECT_EQ(all.solver, expected("gathered on every rank"));
+// On one rank, so to the last bit.
+TEST_F(ParallelSolvers, ACoilIsNotCut) {
+  const Solved one = solve(PETSC_COMM_SELF, coil(), configured);
+  const Solved all = solve(PETSC_COMM_WORLD, coil(), configured);
+  EXPECT_EQ(all.solver, expected("chains cut between ranks"));
   EXPECT_EQ(difference(all, one), 0);
 }
 
 TEST_F(ParallelSolvers, LinesThatHardlyTouchAreCut) {
-  const Solved one = solve(PETSC_COMM_SELF, farm(30), configured);
-  const Solved all = solve(PETSC_COMM_WORLD, farm(30), configured);
+  const Solved one = solve(PETSC_COMM_SELF, farm(5), configured);
+  const Solved all = solve(PETSC_COMM_WORLD, farm(5), configured);
   EXPECT_EQ(all.solver, expected("chains cut between ranks"));
   EXPECT_LT(difference(all, one), 1e-10);
-  if (ranks_ > 1) {
-    EXPECT_LT(difference(solve(PETSC_COMM_WORLD, farm(30), gathered), one), 1e-10);
-  }
+  EXPECT_EQ(difference(all, one) > 0, ranks_ > 1);
 }
 
-// Numbered as on one rank, whatever the ranks.
-TEST_F(ParallelSolvers, TheGatheredGraphIsThatOfOneRank) {
-  const auto graph = [](MPI_Comm comm) {
-    Simulation s(comm, coil());
-    s.system().couple(s.state().view(0), 0);
-    return gather_graph(s.system());
-  };
-  const BlockGraph one = graph(PETSC_COMM_SELF), all = graph(PETSC_COMM_WORLD);
-  EXPECT_EQ(one.start, all.start);
-  EXPECT_EQ(one.next, all.next);
-  EXPECT_GT(one.next.size(), 8U * 182);  // turns see each other
+TEST_F(ParallelSolvers, WhereManyTouchAcrossTheCutMumpsSolves) {
+  const Solved one = solve(PETSC_COMM_SELF, mat(), configured);
+  const Solved all = solve(PETSC_COMM_WORLD, mat(), configured);
+  if (ranks_ > 1) {
+    EXPECT_EQ(all.solver, "lu of mumps");
+  }
+  EXPECT_LT(difference(all, one), 1e-10);
+  if (ranks_ > 1) {
+    EXPECT_LT(difference(solve(PETSC_COMM_WORLD, mat(), substructured), one), 1e-8);
+  }
 }
 
 }  // namespace

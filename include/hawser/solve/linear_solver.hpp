@@ -1,7 +1,6 @@
-// The linear solver of a Newton step: direct on one rank; on several, chains by LU a rank and the cuts by an
-// exact small system (substructure.hpp), or, where the cuts are long, the whole on every rank
-// (gathered_solver.hpp) or MUMPS, whichever is estimated cheapest. Small models that are cut are gathered.
-// PETSc options under the prefix override.
+// The linear solver of a Newton step, always direct. On one rank: LU. On several: a rank's own rows by LU and
+// the unknowns at the cuts by an exact dense system (substructure.hpp), or MUMPS where these are so many
+// (kMaxShared) that it is the faster of the two. PETSc options under the prefix override.
 #pragma once
 
 #include <petscksp.h>

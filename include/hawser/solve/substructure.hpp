@@ -17,6 +17,6 @@ namespace hawser {
 void use_substructuring(PC pc, MatOrderingType order);
 
 // Largest number of shared unknowns for which the dense small system is a good idea.
-inline constexpr int kMaxShared = 1200;
+inline constexpr int kMaxShared = 400;
 
 }  // namespace hawser

@@ -1,0 +1,29 @@
+// Whether two runs have the same fields, to a share of each field's range.
+#pragma once
+
+#include "regression/runs.hpp"
+
+namespace hawser::runs {
+
+// Largest less least value.
+inline double range(const std::vector<double>& a) {
+  const auto [least, most] = std::minmax_element(a.begin(), a.end());
+  return a.empty() ? 0 : *most - *least;
+}
+
+// The same times of output, and every field the same to this share of its range. Returns the largest share
+// found.
+inline double expect_same_fields(const Results& a, const Results& b, double share) {
+  EXPECT_EQ(a.output_times, b.output_times);
+  EXPECT_EQ(a.fields.size(), b.fields.size());
+  double most = 0;
+  for (const auto& [name, values] : a.fields) {
+    const auto there = b.fields.find(name);
+    const double apart = there == b.fields.end() ? HUGE_VAL : largest_difference(values, there->second);
+    EXPECT_LE(apart, share * range(values)) << name;
+    if (apart > 0) most = std::max(most, apart / std::max(range(values), 1e-300));
+  }
+  return most;
+}
+
+}  // namespace hawser::runs
