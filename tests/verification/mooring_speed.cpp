@@ -11,8 +11,8 @@ namespace {
 
 // At the default tolerance. The least cost of some runs over the least factorisation of them: other work on
 // the machine only adds to either. It stops at the first that holds. The goals themselves are for a machine
-// that has nothing else to do (HAWSER_FULL); beside other tests, with which it shares caches and memory, three
-// times as much is let pass, which still sees a step that has become slow.
+// that has nothing else to do (HAWSER_FULL); beside other tests, with which it shares caches and memory,
+// three times as much is let pass, which still sees a step that has become slow.
 TEST(MooringSpeed, Goals) {
 #if defined(__OPTIMIZE__) && defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
   constexpr bool kFast = true;
