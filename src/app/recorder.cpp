@@ -223,7 +223,7 @@ void Recorder::correct_ends(const Kinematics& at) {
   if (!carriers_.empty()) sim_.system().spread(carried);
   // At the start of a run in time there is no step yet, but what acts is that of motion: waves.
   Kinematics now = at;
-  if (sim_.model().dynamics.enabled && now.step == 0) now.step = sim_.dynamics().control().wish();
+  if (sim_.model().dynamics.enabled && now.step == 0) now.step = sim_.dynamics().control().proposal();
   end_forces_.evaluate(now, carried);
 
   for (auto& e : ends_) e.clear();

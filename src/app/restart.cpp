@@ -98,7 +98,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   for (const auto& term : simulation.system().terms())
     c.history[std::string(term->name())] = {term->history(), term->save()};
   c.scalars = signature(simulation);
-  c.scalars["step.wish"] = d.control().wish();
+  c.scalars["step.proposal"] = d.control().proposal();
   c.scalars["step.wait"] = d.control().wait();
   c.scalars["step.ringing"] = d.control().ringing();
   c.scalars["step.calm"] = d.control().calm();
@@ -116,7 +116,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   if (LinePairs* between = simulation.line_pairs()) {
     between->restore(c.history.at(std::string(between->name())).records);
     simulation.system().forget_couplings();
-    d.prepare(d.control().wish());
+    d.prepare(d.control().proposal());
   }
   return c;
 }
@@ -208,7 +208,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   Dynamics::Carried carried;
   // The case may ask for shorter steps than it did then.
   const StepSettings step = simulation.dynamics_settings().step;
-  carried.step_wish = std::min(c.scalars.at("step.wish"), step.fixed > 0 ? step.fixed : step.longest);
+  carried.step_proposal = std::min(c.scalars.at("step.proposal"), step.fixed > 0 ? step.fixed : step.longest);
   carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));
   // Older files lack them.
   if (c.scalars.count("step.calm")) {

@@ -12,7 +12,7 @@ constexpr int kStages = 4;
 constexpr double kSoft = 30, kStage = 10;  // EA over load in the first
 constexpr double kRound = 0.1;             // pull of an element without strain, of the load, in the first
 constexpr double kFirstSink = 0.02;        // share of its length that it sinks in at first
-constexpr double kSink = 0.01;             // share of a piece that the line may sink into the bed
+constexpr double kSink = 0.01;             // share of a piece that the line may assembler into the bed
 constexpr double kTolerance = 1e-3;        // of the loads
 constexpr int kMostIterations = 200;
 constexpr size_t kCoarsest = 12;  // pieces

@@ -45,19 +45,19 @@ double largest(double most, const Sum& sum, const What& what) {
 
 }  // namespace
 
-bool may_strike(double slowness, double seen, double speed, double acceleration) {
+bool may_impact(double slowness, double seen, double speed, double acceleration) {
   const double rounding = 1 + 1e-9;
   return std::hypot(slowness * speed, slowness * slowness * acceleration) * rounding > seen;
 }
 
 bool follows(double slowness, double h) { return h <= kAbove * 2 * M_PI / kSteps * slowness; }
 
-std::optional<Strike> strike(double slowness, double seen, double mass, const Approach& at) {
+std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass, const Approach& at) {
   const double by_speed = slowness * std::abs(at.closing),
                by_acceleration = slowness * slowness * std::abs(at.acceleration);
   if (!(std::hypot(by_speed, by_acceleration) > seen)) return {};
   const double step = 2 * M_PI / kSteps * slowness;
-  Strike s;
+  ImpactEvent s;
   s.at_ = at, s.slowness_ = slowness;
   s.half_ = 0.5 * mass / (slowness * slowness);
   s.energy_ = s.half_ * (by_speed * by_speed + by_acceleration * by_acceleration);
@@ -77,7 +77,7 @@ std::optional<Strike> strike(double slowness, double seen, double mass, const Ap
   return s;
 }
 
-double Strike::crossed(double h) const {
+double ImpactEvent::crossed(double h) const {
   if (!(h > crossing_)) return 0;
   const double speed = std::abs(at_.closing);
   h = std::min(h, resolved_ + 2 * M_PI / kSteps * slowness_);  // longer ones: unresolved()
@@ -93,7 +93,7 @@ double Strike::crossed(double h) const {
   return std::min(half_ * at_.gap * std::max(in, 0.0) / (1 + z * z), energy_);
 }
 
-double Strike::period() const { return at_.gap < 0 ? 2 * M_PI * slowness_ : kNever; }
+double ImpactEvent::period() const { return at_.gap < 0 ? 2 * M_PI * slowness_ : kNever; }
 
 double made_by_parting(double slowness, double seen, double force, double potential, double away,
                        double speed) {
@@ -120,30 +120,30 @@ bool bearable_partings(std::span<const Parting> partings, std::span<const double
   return made <= 1;
 }
 
-StepLimit bounded_step(std::span<const Strike> strikes, std::span<const double> bearable, double most,
+StepLimit bounded_step(std::span<const ImpactEvent> strikes, std::span<const double> bearable, double most,
                        const Sum& sum) {
   std::vector<double> weights;
-  for (const Strike& s : strikes) weights.push_back(weight(s.line, s.other, bearable));
+  for (const ImpactEvent& s : strikes) weights.push_back(weight(s.line, s.other, bearable));
   const auto total = [&](const auto& error) {
     double t = 0;
     for (size_t i = 0; i < strikes.size(); ++i) t += weights[i] * error(strikes[i]);
     return t;
   };
   StepLimit limit;
-  double all = total([](const Strike& s) { return s.energy(); });
+  double all = total([](const ImpactEvent& s) { return s.energy(); });
   sum({&all, 1});
   if (!(all > 1)) return limit;
   // Those longer than that make no step shorter.
   const double longest = kSteps * most;
   limit.period = largest(longest, sum, [&](double period) {
-    return total([&](const Strike& s) { return s.period() < period ? s.energy() : 0; });
+    return total([&](const ImpactEvent& s) { return s.period() < period ? s.energy() : 0; });
   });
   if (limit.period >= longest) limit.period = kNever;
-  const double step =
-      largest(most, sum, [&](double h) { return total([&](const Strike& s) { return s.unresolved(h); }); });
+  const double step = largest(
+      most, sum, [&](double h) { return total([&](const ImpactEvent& s) { return s.unresolved(h); }); });
   // Where one step does not get there but two do, each goes half the way.
-  const double until =
-      largest(2 * step, sum, [&](double h) { return total([&](const Strike& s) { return s.crossed(h); }); });
+  const double until = largest(
+      2 * step, sum, [&](double h) { return total([&](const ImpactEvent& s) { return s.crossed(h); }); });
   limit.longest = until <= step ? until : 0.5 * until;
   if (limit.longest >= most) limit.longest = kNever;
   return limit;

@@ -45,7 +45,7 @@ class LinePairSide::Gap final : public AxisGapFunction {
  public:
   explicit Gap(const LinePairSide& side) : side_(side) {}
   AxisGap at(double xi, double) override {
-    const AxisFoot f = foot(side_.master_.now, side_.part_, side_.slave_.now.point(xi));
+    const AxisProjection f = projection(side_.master_.now, side_.part_, side_.slave_.now.point(xi));
     return {f.distance - side_.touch(), f.normal.dot(side_.slave_.now.slope(xi))};
   }
 
@@ -53,10 +53,10 @@ class LinePairSide::Gap final : public AxisGapFunction {
   const LinePairSide& side_;
 };
 
-LinePairSide::LinePairSide(const PairAxis& slave, const PairAxis& master, FootOf part,
+LinePairSide::LinePairSide(const PairAxis& slave, const PairAxis& master, ProjectOn part,
                            const Settings& settings, const std::vector<LinePairHistory>& history)
     : slave_(slave), master_(master), part_(part), set_(settings), history_(history) {
-  if (part_ != FootOf::element) set_.share *= -0.5;
+  if (part_ != ProjectOn::element) set_.share *= -0.5;
   wa_ = set_.slave_radius / set_.law.reach;
   wb_ = 1 - wa_;
 }
@@ -84,7 +84,7 @@ std::optional<double> LinePairSide::passes(double eta, double lo, double hi) con
 // steeply, and to a scan that does not know of it a contact about there may seem to be none.
 std::vector<double> LinePairSide::kinks(int levels) const {
   std::vector<double> out;
-  if (part_ != FootOf::element) return out;
+  if (part_ != ProjectOn::element) return out;
   const double size = std::ldexp(1.0, -levels);
   for (const double eta : {0.0, 1.0})
     for (double a = 0; a < 1; a += size)
@@ -100,7 +100,7 @@ std::vector<LinePairSide::Panel> LinePairSide::panels() const {
   for (const ContactStretch& s :
        cut_stretches(contact_stretches(gap, {slave_.now.reach()}, levels, kinks(levels)), levels)) {
     const Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
-    if (part_ == FootOf::element)
+    if (part_ == ProjectOn::element)
       split(p, out);
     else
       out.push_back(p);
@@ -131,7 +131,7 @@ void LinePairSide::split(const Panel& panel, std::vector<Panel>& out) const {
 
 struct LinePairSide::Point {
   double xi = 0;
-  AxisFoot foot;
+  AxisProjection foot;
   AxisShape::Weights H, G;  // slave's at xi, master's at eta
   Vec3 slope, along;        // x', y', m
   Vec3 velocity;            // m/s, of x relative to y
@@ -200,7 +200,7 @@ LinePairSide::Start LinePairSide::start(const Point& p, bool derivatives) const 
 LinePairSide::Point LinePairSide::point(double xi) const {
   Point p;
   p.xi = xi;
-  p.foot = foot(master_.now, part_, slave_.now.point(xi));
+  p.foot = projection(master_.now, part_, slave_.now.point(xi));
   p.H = slave_.now.functions(xi), p.G = master_.now.functions(p.foot.eta);
   p.slope = slave_.now.slope(xi), p.along = master_.now.slope(p.foot.eta);
   p.velocity = set_.moves ? Vec3(slave_.now.velocity(xi) - master_.now.velocity(p.foot.eta)) : Vec3::Zero();
@@ -250,7 +250,7 @@ double LinePairSide::potential(const std::vector<Panel>& panels) const {
   for (const Panel& s : panels)
     for (size_t q = 0; q < ContactRule::kPoints; ++q) {
       const double xi = s.from + (s.to - s.from) * ContactRule::place()[q];
-      const double d = foot(master_.now, part_, slave_.now.point(xi)).distance;
+      const double d = projection(master_.now, part_, slave_.now.point(xi)).distance;
       sum += set_.share * slave_.ends.length * (s.to - s.from) * ContactRule::weight()[q] *
              normal_force(set_.law.normal, d - set_.law.reach, 0).potential;
     }
@@ -291,7 +291,7 @@ void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, LineP
       const AxisShape::Weights H = slave_.now.functions(xi);
       m.force.fill(Vec3::Zero());
       if (end == End::gap) {
-        const AxisFoot f = foot(master_.now, part_, x);
+        const AxisProjection f = projection(master_.now, part_, x);
         const double slope = f.normal.dot(x1);
         if (std::abs(slope) < 1e-9 * slave_.now.reach()) continue;
         const AxisShape::Weights G = master_.now.functions(f.eta);

@@ -280,7 +280,7 @@ void Dynamics::start(const State& state) {
   system_.supports().rates(s.time, s);
   system_.supports().follow(s);
   last_step_ = 0;
-  const double h = control_.wish();  // that it moves: dampers act from the start
+  const double h = control_.proposal();  // that it moves: dampers act from the start
   prepare(h);
   if (const std::string why = system_.lost_in_rounding(s.view(0)); !why.empty())
     throw SolveError("at t = 0 " + why);
@@ -305,11 +305,11 @@ void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, co
   committed_ = state;
   copied_ = false;
   reactions_ = std::move(reactions);
-  control_.restore(carried.step_wish, carried.step_wait, carried.step_ringing, carried.step_calm);
+  control_.restore(carried.step_proposal, carried.step_wait, carried.step_ringing, carried.step_calm);
   last_step_ = carried.last_step;
   support_work_ = carried.support_work;
   mean_ = carried.mean;
-  prepare(control_.wish());
+  prepare(control_.proposal());
 }
 
 void Dynamics::run(double until, const std::function<double(double)>& next_stop, const Observer& observer) {
@@ -318,7 +318,7 @@ void Dynamics::run(double until, const std::function<double(double)>& next_stop,
   observer_ = observer;
   error_ = nullptr;
   check(TSSetTime(ts_.get(), committed_.s.time));
-  check(TSSetTimeStep(ts_.get(), control_.wish()));
+  check(TSSetTimeStep(ts_.get(), control_.proposal()));
   check(TSSetMaxTime(ts_.get(), until));
   check(TSSetMaxSteps(ts_.get(), PETSC_MAX_INT));
   check(TSSetStepNumber(ts_.get(), 0));

@@ -13,7 +13,7 @@ PetscErrorCode step(TS ts) {
   auto& dynamics = *static_cast<Dynamics*>(ts->data);
   const bool go_on = dynamics.ts_step(ts->max_time, info);
   ts->ptime = dynamics.committed().s.time;
-  ts->time_step = dynamics.control().wish();
+  ts->time_step = dynamics.control().proposal();
   ts->snes_its += info.iterations;
   if (!go_on) ts->reason = TS_CONVERGED_USER;
   PetscFunctionReturn(0);

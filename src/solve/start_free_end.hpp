@@ -25,8 +25,8 @@ Vec3 way_of_free_end(const model::Case& c, const model::Line& line, const HeldEn
 
 // Places at the arc lengths `arc` [m] from the held end of a line of `sections`, counted from there too:
 // straight down (or up) to the level with the stretch of what hangs, round a bend of the radius that a beam's
-// stiffness gives it, and along the bed or the surface. Nothing where sections that sink follow ones that
-// float, or where the line does not reach the level.
+// stiffness gives it, and along the bed or the surface. Nothing where sections that assembler follow ones
+// that float, or where the line does not reach the level.
 std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model::Line& line,
                                                const HeldEnd& end, std::vector<CatenarySection> sections,
                                                const std::vector<double>& arc);

@@ -15,16 +15,16 @@ constexpr double kRinging = 1.0 / 3, kFollowed = 20;
 StepControl::StepControl(const StepSettings& settings) : s_(settings) {
   const double limit = s_.fixed > 0 ? s_.fixed : s_.longest;
   s_.shortest = std::min(s_.shortest, limit);
-  wish_ = s_.fixed > 0 ? s_.fixed : std::clamp(s_.first, s_.shortest, s_.longest);
+  proposal_ = s_.fixed > 0 ? s_.fixed : std::clamp(s_.first, s_.shortest, s_.longest);
 }
 
 double StepControl::next(double t, double stop, double allowed) const {
-  double wish = wish_;
+  double proposal = proposal_;
   if (limited()) {
     if (ringing_ > 0) allowed = std::min(allowed, followed(t));
-    wish = std::max(std::min(wish_, allowed), s_.shortest);
+    proposal = std::max(std::min(proposal_, allowed), s_.shortest);
   }
-  const double n = std::ceil((stop - t) / wish - 1e-6);
+  const double n = std::ceil((stop - t) / proposal - 1e-6);
   return (stop - t) / std::max(n, 1.0);
 }
 
@@ -33,7 +33,7 @@ double StepControl::next(double t, double stop, double allowed) const {
 double StepControl::followed(double t) const { return kRinging * ringing_ + std::max(t - calm_, 0.0); }
 
 // What is softer makes no step longer before those are over.
-void StepControl::struck(double t, double period) {
+void StepControl::follow_impact(double t, double period) {
   if (!std::isfinite(period) || (ringing_ > 0 && kRinging * period > followed(t) * (1 + 1e-9))) return;
   ringing_ = period, calm_ = t + kFollowed * period;
 }
@@ -58,9 +58,9 @@ void StepControl::accepted(double h, int iterations, double error) {
     if (s_.error_tolerance > 0 && error > 0)
       factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, factor);
   }
-  // A clipped step before an output must not shorten the wish.
-  const double from = factor >= 1 ? std::max(h, wish_) : h;
-  wish_ = std::clamp(from * factor, s_.shortest, limit);
+  // A clipped step before an output must not shorten the proposal.
+  const double from = factor >= 1 ? std::max(h, proposal_) : h;
+  proposal_ = std::clamp(from * factor, s_.shortest, limit);
 }
 
 bool StepControl::rejected(double h, bool diverged, double error) {
@@ -68,7 +68,7 @@ bool StepControl::rejected(double h, bool diverged, double error) {
   double factor = 0.5;
   if (!diverged && s_.error_tolerance > 0)
     factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, 0.8);
-  wish_ = std::max(h * factor, s_.shortest);
+  proposal_ = std::max(h * factor, s_.shortest);
   wait_ = diverged ? kPatience : 1;
   return true;
 }

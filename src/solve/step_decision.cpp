@@ -48,11 +48,11 @@ Verdict Dynamics::judge(double h, Attempt& a) {
 
 StepInfo Dynamics::take_step(double until) {
   const double t = committed_.s.time;
-  prepare(control_.wish());  // tries can only be shorter
+  prepare(control_.proposal());  // tries can only be shorter
   StepLimit limit;
   if (control_.limited()) {
-    limit = system_.longest_step(committed_.s.view(last_step_), control_.wish());
-    control_.struck(t, limit.period);
+    limit = system_.longest_step(committed_.s.view(last_step_), control_.proposal());
+    control_.follow_impact(t, limit.period);
   }
   StepInfo info;
   for (bool prepared_anew = false;;) {

@@ -136,17 +136,17 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
   std::fill(force_.begin(), force_.end(), 0.0);
   const size_t owned = 3 * static_cast<size_t>(mesh_.owned_blocks);
   if (!carried.empty()) std::copy_n(carried.begin(), owned, force_.begin());
-  Sink sink;
-  sink.force_ = &force_;
-  sink.mean_weight_ = trial.mean.weight;
+  Assembler assembler;
+  assembler.force_ = &force_;
+  assembler.mean_weight_ = trial.mean.weight;
   std::fill(mean_.begin(), mean_.end(), 0.0);
-  sink.mean_ = &mean_;
+  assembler.mean_ = &mean_;
   std::fill(squares_.begin(), squares_.end(), 0.0);
-  sink.squares_ = &squares_;
-  sink.owned_blocks_ = mesh_.owned_blocks;
+  assembler.squares_ = &squares_;
+  assembler.owned_blocks_ = mesh_.owned_blocks;
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].force);
-    terms_[i]->evaluate(trial, sink);
+    terms_[i]->evaluate(trial, assembler);
   }
   add_to_frames(trial);
   PetscScalar* p = nullptr;
@@ -178,22 +178,22 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
     if (is_rotation_[b]) retraction_[b] = right_jacobian(Eigen::Map<const Vec3>(u.data() + 3 * b));
   check(MatZeroEntries(J));
   const OwnBlocks own(J);
-  Sink sink;
-  sink.matrix_ = J;
-  sink.own_ = &own;
-  sink.weights_ = weights;
-  sink.mean_weight_ = trial.mean.weight;
-  sink.convex_ = convex;
-  sink.owned_blocks_ = mesh_.owned_blocks;
-  sink.global_block_ = &mesh_.global_block;
-  sink.retraction_ = &retraction_;
-  sink.is_rotation_ = &is_rotation_;
-  sink.held_ = &supports_.held();
+  Assembler assembler;
+  assembler.matrix_ = J;
+  assembler.own_ = &own;
+  assembler.weights_ = weights;
+  assembler.mean_weight_ = trial.mean.weight;
+  assembler.convex_ = convex;
+  assembler.owned_blocks_ = mesh_.owned_blocks;
+  assembler.global_block_ = &mesh_.global_block;
+  assembler.retraction_ = &retraction_;
+  assembler.is_rotation_ = &is_rotation_;
+  assembler.held_ = &supports_.held();
   see_ties(trial);
-  if (!ties_.empty()) sink.ties_ = &ties_, sink.tie_of_ = &tie_of_;
+  if (!ties_.empty()) assembler.ties_ = &ties_, assembler.tie_of_ = &tie_of_;
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].tangent);
-    terms_[i]->evaluate(trial, sink);
+    terms_[i]->evaluate(trial, assembler);
   }
   // The force f of a tie turns with its frame: d(y x R'f) = hat(y) hat(R'f) theta. Far from a solution, what
   // of it pulls at the arm and so holds the frame.
@@ -207,7 +207,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
       K = std::max(-s.at.dot(f), 0.0) *
           (Mat3::Identity() - s.at * s.at.transpose() / std::max(s.at.squaredNorm(), 1e-300));
     const int block = mesh_.block[static_cast<size_t>(s.frame)] + 1;
-    sink.add({&block, 1}, nullptr, K.data(), nullptr, nullptr);
+    assembler.add({&block, 1}, nullptr, K.data(), nullptr, nullptr);
   }
   const auto& held = supports_.held();
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;

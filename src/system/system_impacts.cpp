@@ -13,10 +13,10 @@ void System::sum(std::span<double> values) const {
 
 // J by line. strikes: of this rank.
 std::vector<double> System::bearable_energies(const Kinematics& at,
-                                              const std::vector<Strike>& strikes) const {
+                                              const std::vector<ImpactEvent>& strikes) const {
   std::vector<LineMotion> lines(sums_ / 2);
   for (const MovesMasses* t : move_masses_) t->motion(at, lines);
-  for (const Strike& s : strikes) {
+  for (const ImpactEvent& s : strikes) {
     lines[static_cast<size_t>(s.line)].striking += s.energy();
     if (s.other >= 0) lines[static_cast<size_t>(s.other)].striking += s.energy();
   }
@@ -26,7 +26,7 @@ std::vector<double> System::bearable_energies(const Kinematics& at,
 }
 
 StepLimit System::longest_step(const Kinematics& committed, double most) {
-  Strikes strikes;
+  ImpactEvents strikes;
   strikes.most = most;
   {
     const Logged logged(limit_event_);

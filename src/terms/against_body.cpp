@@ -6,12 +6,12 @@
 
 namespace hawser {
 
-void add_against_body(Sink& sink, std::span<const LineBlock> line, const FloatingFrame& body, bool counted,
-                      const double* f, const double* K, const double* C) {
+void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
+                      bool counted, const double* f, const double* K, const double* C) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Index n = 3 * static_cast<Eigen::Index>(line.size()), m = n + 6;
   const Eigen::Map<const Eigen::VectorXd> on_line(f, n);
-  std::array<int, Sink::kMaxBlocks> blocks{};
+  std::array<int, Assembler::kMaxBlocks> blocks{};
   Matrix G = Matrix::Zero(n, 6);
   for (size_t i = 0; i < line.size(); ++i) {
     const LineBlock& l = line[i];
@@ -35,7 +35,7 @@ void add_against_body(Sink& sink, std::span<const LineBlock> line, const Floatin
     Matrix by_body = -KL * G;
     // The turning of the forces, and of the arms they have about the body: left out far from a solution.
     Matrix turned = Matrix::Zero(6, n + 6);
-    if (!sink.convex()) {
+    if (!assembler.convex()) {
       Vec3 sum = Vec3::Zero();  // moment about the body, its axes
       for (size_t i = 0; i < line.size(); ++i) {
         const LineBlock& l = line[i];
@@ -80,9 +80,9 @@ void add_against_body(Sink& sink, std::span<const LineBlock> line, const Floatin
       return out;
     };
     const Matrix kp = K ? part(k) : Matrix(), cp = C ? part(c) : Matrix();
-    sink.send(send);
-    sink.add(all, fp.data(), K ? kp.data() : nullptr, C ? cp.data() : nullptr, nullptr);
-    sink.send(false);
+    assembler.send(send);
+    assembler.add(all, fp.data(), K ? kp.data() : nullptr, C ? cp.data() : nullptr, nullptr);
+    assembler.send(false);
   };
   only(0, n, false);
   if (counted) only(n, 6, true);

@@ -223,11 +223,11 @@ BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Both& at, bo
   return sum;
 }
 
-void BodyContactTerm::evaluate(const Kinematics& trial, Sink& sink) {
+void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const Side &a = sides_[p.a], &b = sides_[p.b];
-    const Sum s = touch(p, both(p, trial), sink.wants_tangent());
+    const Sum s = touch(p, both(p, trial), assembler.wants_tangent());
     if (!s.touches) continue;
     std::array<int, 4> blocks{};
     std::array<int, 12> row{};  // of the twelve
@@ -249,7 +249,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Sink& sink) {
         C[m * i + j] = s.contact.C(row[i], row[j]);
       }
     }
-    sink.add({blocks.data(), static_cast<size_t>(n)}, f.data(), K.data(), C.data(), nullptr);
+    assembler.add({blocks.data(), static_cast<size_t>(n)}, f.data(), K.data(), C.data(), nullptr);
   }
 }
 

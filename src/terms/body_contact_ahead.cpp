@@ -134,7 +134,7 @@ double BodyContactTerm::followed(const Pair& pair, const Both& at, double most) 
   return good;
 }
 
-void BodyContactTerm::limit_by(const Pair& p, const Kinematics& committed, Strikes& to) const {
+void BodyContactTerm::limit_by(const Pair& p, const Kinematics& committed, ImpactEvents& to) const {
   const Surface& surface = *volumes_[p.b].surface;
   const double speed = fastest(p, p.at), reach = std::isfinite(to.most) ? speed * to.most : HUGE_VAL;
   const Vec3 middle = p.at.Bs.to_body(p.at.A.to_space(p.middle));
@@ -188,10 +188,10 @@ void BodyContactTerm::limit_by(const Pair& p, const Kinematics& committed, Strik
                : mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[static_cast<size_t>(s.node)])].line;
   };
   const int a = group(sides_[p.a]), b = group(sides_[p.b]);
-  to.add(strike(slowness, p.law.smoothing, 1 / slowness_of_mass, at), std::max(a, b), std::min(a, b));
+  to.add(impact_event(slowness, p.law.smoothing, 1 / slowness_of_mass, at), std::max(a, b), std::min(a, b));
 }
 
-void BodyContactTerm::limit_step(const Kinematics& committed, Strikes& to) const {
+void BodyContactTerm::limit_step(const Kinematics& committed, ImpactEvents& to) const {
   for (const Pair& p : pairs_)
     if (p.here) limit_by(p, committed, to);
 }

@@ -67,12 +67,13 @@ void BuriedTerm::prepare(const Kinematics& committed, double) {
   for (Point& p : points_) p.tangent = line_.tangent(committed, p.node);
 }
 
-void BuriedTerm::evaluate(const Kinematics& trial, Sink& sink) {
+void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Point& p : points_) {
     const Embedded s = pull(p, trial);
     const Vec3 residual = -s.force;
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s.stiffness;
-    sink.add({&p.block, 1}, residual.data(), sink.wants_tangent() ? K.data() : nullptr, nullptr, nullptr);
+    assembler.add({&p.block, 1}, residual.data(), assembler.wants_tangent() ? K.data() : nullptr, nullptr,
+                  nullptr);
   }
 }
 

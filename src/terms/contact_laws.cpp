@@ -41,12 +41,12 @@ ContactLaw contact_law(const model::Volume& v, double share, double diameter, do
   return law;
 }
 
-std::optional<Strike> ContactSpring::strikes(double share, const Approach& at) const {
-  return strike(slowness(*this), width(*this), mass * share, at);
+std::optional<ImpactEvent> ContactSpring::impact(double share, const Approach& at) const {
+  return impact_event(slowness(*this), width(*this), mass * share, at);
 }
 
-bool ContactSpring::may_strike(double speed, double acceleration) const {
-  return hawser::may_strike(slowness(*this), width(*this), speed, acceleration);
+bool ContactSpring::may_impact(double speed, double acceleration) const {
+  return hawser::may_impact(slowness(*this), width(*this), speed, acceleration);
 }
 
 bool ContactSpring::follows(double h) const { return hawser::follows(slowness(*this), h); }
@@ -56,7 +56,7 @@ double ContactSpring::made(double share, const ContactHistory& was, double away,
          made_by_parting(slowness(*this), width(*this), was.elastic_force(), was.potential, away, speed);
 }
 
-void limit_depth(double radius, const Approach& at, Strikes& to) {
+void limit_depth(double radius, const Approach& at, ImpactEvents& to) {
   if (at.closing > 0) to.limit((std::max(at.gap, 0.0) + 0.5 * radius) / at.closing);
 }
 

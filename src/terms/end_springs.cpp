@@ -57,7 +57,7 @@ Vec3 EndSprings::direction(const EndSpring& s, const Kinematics& at) const {
   return s.body < 0 ? s.direction : Vec3(bodies_->pose(s.body, at).rotation * s.direction);
 }
 
-void EndSprings::evaluate(const Kinematics& trial, Sink& sink) {
+void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const EndSpring& s : springs_) {
     // In material axes: t = e1, p = Q'd, dc = theta.(e1 x p), dp = p x theta.
     const Vec3 p = trial.q[static_cast<size_t>(s.node)].conjugate() * direction(s, trial);
@@ -66,17 +66,17 @@ void EndSprings::evaluate(const Kinematics& trial, Sink& sink) {
     const Vec3 f = s.stiffness * a.first * g;
     Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K =
         s.stiffness * a.second * g * g.transpose() + s.stiffness * a.first * hat(Vec3::UnitX()) * hat(p);
-    if (sink.convex()) K = s.stiffness * (Mat3::Identity() - Vec3::UnitX() * Vec3::UnitX().transpose());
+    if (assembler.convex()) K = s.stiffness * (Mat3::Identity() - Vec3::UnitX() * Vec3::UnitX().transpose());
     const int block = mesh_.block[static_cast<size_t>(s.node)] + 1;
     if (bodies_->floats(s.body)) {
       const size_t n = static_cast<size_t>(s.node), b = static_cast<size_t>(bodies_->local_node(s.body));
       const LineBlock node{block, true, trial.x[n], trial.v[n], trial.q[n].toRotationMatrix()};
-      add_against_body(sink, {&node, 1},
+      add_against_body(assembler, {&node, 1},
                        {mesh_.block[b], trial.x[b], trial.v[b], trial.q[b].toRotationMatrix()}, true,
                        f.data(), K.data(), nullptr);
       continue;
     }
-    sink.add({&block, 1}, f.data(), K.data(), nullptr, nullptr);
+    assembler.add({&block, 1}, f.data(), K.data(), nullptr, nullptr);
   }
 }
 

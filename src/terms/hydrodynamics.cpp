@@ -83,9 +83,9 @@ WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& 
   return e;
 }
 
-void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Sink& sink) const {
+void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const {
   double f[12], K[144], C[144], M[144];
-  const bool tangent = sink.wants_tangent(), convex = sink.convex();
+  const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
   const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
   if (p.beam) {
@@ -103,16 +103,16 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Sink& sink
       cable_water_force(p.section, e, f);
   }
   if (tangent)
-    sink.add(blocks, f, K, C, M);
+    assembler.add(blocks, f, K, C, M);
   else
-    sink.add(blocks, f, nullptr, nullptr, nullptr);
+    assembler.add(blocks, f, nullptr, nullptr, nullptr);
 }
 
-void Hydrodynamics::evaluate(const Kinematics& trial, Sink& sink) {
+void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
   look(trial, water_);
-  const bool tangent = sink.wants_tangent();
-  for (const Four& q : fours_) evaluate(q, trial, sink);
-  for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, sink);
+  const bool tangent = assembler.wants_tangent();
+  for (const Four& q : fours_) evaluate(q, trial, assembler);
+  for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, assembler);
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
@@ -121,11 +121,11 @@ void Hydrodynamics::evaluate(const Kinematics& trial, Sink& sink) {
     ball_water(b.ball, trial.x[n], trial.v[n], trial.a[n], water_[n], r, tangent ? &k : nullptr, &c, &m);
     const int block = mesh_.block[n];
     if (!tangent) {
-      sink.add({&block, 1}, r.data(), nullptr, nullptr, nullptr);
+      assembler.add({&block, 1}, r.data(), nullptr, nullptr, nullptr);
       continue;
     }
     const RowMajor rk = k, rc = c, rm = m;
-    sink.add({&block, 1}, r.data(), rk.data(), rc.data(), rm.data());
+    assembler.add({&block, 1}, r.data(), rk.data(), rc.data(), rm.data());
   }
 }
 

@@ -50,22 +50,22 @@ CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k,
 
 // What is not wholly wet goes one by one, and all of it while statics is far from its solution: how an
 // element is computed must not depend on its company, which is another on another rank.
-void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Sink& sink) const {
+void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const {
   const CablesInWater4 m = motion(q, trial, water_);
-  const unsigned wet = sink.convex() ? 0 : submerged(q.sections, m);
+  const unsigned wet = assembler.convex() ? 0 : submerged(q.sections, m);
   double f[4][6], J[4][36];
-  const Weights& w = sink.weights();
-  if (wet && sink.wants_tangent())
+  const Weights& w = assembler.weights();
+  if (wet && assembler.wants_tangent())
     submerged_tangent(q.sections, m, moving(), w.K, w.C, w.M, f, J);
   else if (wet)
     submerged_force(q.sections, m, moving(), f);
   for (int i = 0; i < q.count; ++i) {
     const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
     // Of a tied end the derivatives are asked one by one.
-    if (wet >> i & 1 && !(sink.tied(p.blocks[0]) || sink.tied(p.blocks[1])))
-      sink.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);
+    if (wet >> i & 1 && !(assembler.tied(p.blocks[0]) || assembler.tied(p.blocks[1])))
+      assembler.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);
     else
-      evaluate(p, trial, sink);
+      evaluate(p, trial, assembler);
   }
 }
 

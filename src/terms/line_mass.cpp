@@ -91,7 +91,7 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
   return sum;
 }
 
-void LineMassTerm::evaluate(const Kinematics& trial, Sink& sink) {
+void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   double f[12], K[144], C[144], M[144];
   for (const Piece& p : pieces_) {
     const Vec3 w = load(p, trial.time);
@@ -100,13 +100,13 @@ void LineMassTerm::evaluate(const Kinematics& trial, Sink& sink) {
       const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
-      sink.add_masses(p.blocks[0], p.blocks[1], f, m.own, m.shared);
-    } else if (sink.wants_tangent()) {
+      assembler.add_masses(p.blocks[0], p.blocks[1], f, m.own, m.shared);
+    } else if (assembler.wants_tangent()) {
       beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
-      sink.add(blocks, f, K, C, M);
+      assembler.add(blocks, f, K, C, M);
     } else {
       beam_mass_force(p.section, ends(p, trial), w, f);
-      sink.add(blocks, f, nullptr, nullptr, nullptr);
+      assembler.add(blocks, f, nullptr, nullptr, nullptr);
     }
   }
 }

@@ -94,9 +94,9 @@ void LinePairs::sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bo
   s.moves = moves, s.convex = convex;
   for (size_t k = 0; k < kParts; ++k) {
     const bool swapped = k >= 3;
-    const FootOf part = static_cast<FootOf>(k % 3);
+    const ProjectOn part = static_cast<ProjectOn>(k % 3);
     const int master = swapped ? pair.key.first : pair.key.second;
-    if (part != FootOf::element && !joint(master, part == FootOf::second_end)) continue;
+    if (part != ProjectOn::element && !joint(master, part == ProjectOn::second_end)) continue;
     const int slave = swapped ? pair.key.second : pair.key.first;
     s.slave_radius = elements_[static_cast<size_t>(slave)].radius;
     s.share = slave_share(s.slave_radius, elements_[static_cast<size_t>(master)].radius);
@@ -106,8 +106,8 @@ void LinePairs::sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bo
   }
 }
 
-void LinePairs::evaluate(const Kinematics& trial, Sink& sink) {
-  const bool tangent = sink.wants_tangent();
+void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
+  const bool tangent = assembler.wants_tangent();
   double f[24], K[576], C[576];
   const std::vector<Rod> is = rods(trial);
   for (Pair& pair : pairs_) {
@@ -118,7 +118,7 @@ void LinePairs::evaluate(const Kinematics& trial, Sink& sink) {
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
       LinePairForces g(slave.now.count(), master.now.count());
       bool any = false;
-      sides(pair, A, B, trial.step > 0, sink.convex(), [&](size_t part, const LinePairSide& side) {
+      sides(pair, A, B, trial.step > 0, assembler.convex(), [&](size_t part, const LinePairSide& side) {
         if ((part >= 3) != swapped) return;
         const auto panels = side.panels();
         if (panels.empty()) return;
@@ -131,7 +131,7 @@ void LinePairs::evaluate(const Kinematics& trial, Sink& sink) {
       if (tangent) {
         std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
         // The moment arms' turning is negative stiffness as well.
-        if (sink.convex()) g.F.fill(Vec3::Zero());
+        if (assembler.convex()) g.F.fill(Vec3::Zero());
         double same[24] = {};
         to_nodes(g, slave, master, same, K, C);
       }
@@ -145,8 +145,8 @@ void LinePairs::evaluate(const Kinematics& trial, Sink& sink) {
           if ((second ? master : slave).beam()) blocks[n++] = b + 1;
         }
       }
-      sink.add({blocks, static_cast<size_t>(n)}, f, tangent ? K : nullptr,
-               tangent && trial.step > 0 ? C : nullptr, nullptr);
+      assembler.add({blocks, static_cast<size_t>(n)}, f, tangent ? K : nullptr,
+                    tangent && trial.step > 0 ? C : nullptr, nullptr);
     }
   }
 }

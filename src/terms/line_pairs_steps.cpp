@@ -141,7 +141,7 @@ double LinePairs::deepest(const Pair& p) const {
 }
 
 // An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
-void LinePairs::limit_step(const Kinematics& at, Strikes& to) const {
+void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
   for (const Pair& p : pairs_) {
     const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
     const Nearest c = nearest(p, start_[i], start_[j]);
@@ -152,7 +152,7 @@ void LinePairs::limit_step(const Kinematics& at, Strikes& to) const {
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
     if (p.history) a.gap = -ramp - deepest(p);
     const auto& e = mesh_.mesh->elements;
-    to.add(strike(slowness(p), 2 * ramp, mass(p), a), e[static_cast<size_t>(p.key.first)].line,
+    to.add(impact_event(slowness(p), 2 * ramp, mass(p), a), e[static_cast<size_t>(p.key.first)].line,
            e[static_cast<size_t>(p.key.second)].line);
   }
 }

@@ -159,21 +159,22 @@ void LineVolumeContact::press_panel(Pair& pair, const AxisShape& shape, size_t p
   }
 }
 
-void LineVolumeContact::evaluate(const Kinematics& trial, Sink& sink) {
+void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   volumes_.pose_trial(trial);
   look(trial);
   for (const Near& near : near_) {
     Pair& pair = pairs_[near.pair];
     if (pair.found.panels.empty()) continue;
     Forces forces;
-    forces.moves = trial.step > 0, forces.tangent = sink.wants_tangent(), forces.convex = sink.convex();
+    forces.moves = trial.step > 0, forces.tangent = assembler.wants_tangent(),
+    forces.convex = assembler.convex();
     press(pair, near.shape, forces);
-    add_forces(pair, near.shape, forces, trial, sink);
+    add_forces(pair, near.shape, forces, trial, assembler);
   }
 }
 
 void LineVolumeContact::add_forces(const Pair& pair, const AxisShape& shape, Forces& forces,
-                                   const Kinematics& trial, Sink& sink) const {
+                                   const Kinematics& trial, Assembler& assembler) const {
   const bool tangent = forces.tangent, beam = shape.count() == 4;
   double f[12] = {}, K[144] = {}, C[144] = {};
   shape.to_nodes(forces.axis, f, nullptr, nullptr);
@@ -191,7 +192,7 @@ void LineVolumeContact::add_forces(const Pair& pair, const AxisShape& shape, For
   const int blocks[4] = {a, beam ? a + 1 : b, b, b + 1};
   const size_t count = static_cast<size_t>(shape.count());
   if (!volumes_.floats(pair.volume)) {
-    sink.add({blocks, count}, f, by_x, by_v, nullptr);
+    assembler.add({blocks, count}, f, by_x, by_v, nullptr);
     return;
   }
   std::array<LineBlock, 4> line;
@@ -199,7 +200,7 @@ void LineVolumeContact::add_forces(const Pair& pair, const AxisShape& shape, For
     const size_t n = static_cast<size_t>(i < (beam ? 2U : 1U) ? e.first : e.second);
     line[i] = {blocks[i], beam && i % 2 == 1, trial.x[n], trial.v[n], trial.q[n].toRotationMatrix()};
   }
-  add_against_body(sink, {line.data(), count}, volumes_.floating_frame(pair.volume, trial), e.counted, f,
+  add_against_body(assembler, {line.data(), count}, volumes_.floating_frame(pair.volume, trial), e.counted, f,
                    by_x, by_v);
 }
 

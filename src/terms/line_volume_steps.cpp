@@ -28,7 +28,7 @@ bool sinks_too_far(double radius, double before, double after) {
 
 }  // namespace
 
-void LineVolumeContact::limit_step(const Kinematics& committed, Strikes& to) const {
+void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to) const {
   for (const Pair& pair : pairs_) {
     limit_by_touch(pair, committed, to);
     if (pair.slot == 0) limit_ahead(pair, committed, to);
@@ -36,16 +36,17 @@ void LineVolumeContact::limit_step(const Kinematics& committed, Strikes& to) con
 }
 
 void LineVolumeContact::strike_at(const Pair& pair, const Kinematics& committed, double xi, double share,
-                                  double gap, const Vec3& normal, bool last, Strikes& to) const {
+                                  double gap, const Vec3& normal, bool last, ImpactEvents& to) const {
   const Quat back = pair.start.pose.rotation.conjugate();
   const Vec3 velocity = back * velocity_at_start(pair, xi),
              acceleration = back * along(committed.a, local(pair), xi);
   const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
   limit_depth(pair.radius, at, to);
-  if (local(pair).counted && share > 0) to.add(spring(pair, xi).strikes(share, at), element(pair).line);
+  if (local(pair).counted && share > 0) to.add(spring(pair, xi).impact(share, at), element(pair).line);
 }
 
-void LineVolumeContact::limit_by_touch(const Pair& pair, const Kinematics& committed, Strikes& to) const {
+void LineVolumeContact::limit_by_touch(const Pair& pair, const Kinematics& committed,
+                                       ImpactEvents& to) const {
   const auto deepest = std::min_element(pair.points.begin(), pair.points.end(),
                                         [](const auto& a, const auto& b) { return a.gap < b.gap; });
   // All of the contact ends with the deepest place; nodes are each by themselves.
@@ -58,7 +59,7 @@ void LineVolumeContact::limit_by_touch(const Pair& pair, const Kinematics& commi
 }
 
 void LineVolumeContact::look_ahead(const Pair& pair, const Kinematics& committed, double xi,
-                                   const SurfacePoint& p, Strikes& to) const {
+                                   const SurfacePoint& p, ImpactEvents& to) const {
   const bool apart = finder_.at_nodes();
   const bool touching = std::any_of(pair.points.begin(), pair.points.end(),
                                     [&](const ContactPoint& h) { return !apart || h.xi == xi; });
@@ -68,7 +69,7 @@ void LineVolumeContact::look_ahead(const Pair& pair, const Kinematics& committed
 }
 
 bool LineVolumeContact::look_ahead_at_walls(const Pair& pair, const Kinematics& committed,
-                                            Strikes& to) const {
+                                            ImpactEvents& to) const {
   const auto speed = [&](double xi) { return velocity_at_start(pair, xi).norm(); };
   SurfaceWalls walls;
   finder_.walls_ahead(pair, std::min(0.5, 2 * to.most) * std::max({speed(0), speed(0.5), speed(1)}), walls);
@@ -85,7 +86,7 @@ bool LineVolumeContact::look_ahead_at_walls(const Pair& pair, const Kinematics& 
 
 // Nothing is asked of a place that is known to have nothing ahead, nor where nothing it may come to could
 // limit the step or strike.
-void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, Strikes& to) const {
+void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const {
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);
   const double room = LineVolumeFinder::room_at_start(pair);
@@ -96,7 +97,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
     // Look ahead as far as it gets in half a second.
     const double far = 0.5 * (start.reach() + speed), within = pair.touch + far;
     const bool matters = may_limit_depth(pair.radius, room, speed, to) ||
-                         spring(pair, xi).may_strike(speed, along(committed.a, local(pair), xi).norm());
+                         spring(pair, xi).may_impact(speed, along(committed.a, local(pair), xi).norm());
     if (room > far || !matters || !finder_.takes_part(pair, xi)) continue;
     const Vec3 y = pair.start.pose.to_body(start.point(xi));
     const bool by_gap = finder_.by_gap();

@@ -72,18 +72,18 @@ void PointLoads::prepare(const Kinematics& committed, double) {
   }
 }
 
-void PointLoads::evaluate(const Kinematics& trial, Sink& sink) {
+void PointLoads::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (size_t i = 0; i < loads_.size(); ++i) {
     const NodeLoad& load = loads_[i];
     const double s = factor(load, trial.time);
     const Vec3 force = -s * load.force;
-    sink.add({&block_[i], 1}, force.data(), nullptr, nullptr, nullptr);
+    assembler.add({&block_[i], 1}, force.data(), nullptr, nullptr, nullptr);
     if (load.moment.isZero(0)) continue;
     const Quat& q = trial.q[static_cast<size_t>(load.node)];
     const int block = block_[i] + 1;
     const Vec3 moment = -s * (q.conjugate() * load.moment);
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s * moment_stiffness(q, load.moment);
-    sink.add({&block, 1}, moment.data(), sink.convex() ? nullptr : K.data(), nullptr, nullptr);
+    assembler.add({&block, 1}, moment.data(), assembler.convex() ? nullptr : K.data(), nullptr, nullptr);
   }
 }
 
@@ -150,12 +150,12 @@ PointMasses::PointMasses(const LocalMesh& mesh, std::vector<NodeMass> masses, do
   }
 }
 
-void PointMasses::evaluate(const Kinematics& trial, Sink& sink) {
+void PointMasses::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (size_t i = 0; i < masses_.size(); ++i) {
     const double m = masses_[i].mass;
     const Vec3 force = m * (trial.a[static_cast<size_t>(masses_[i].node)] + gravity_ * Vec3::UnitZ());
     const double M[9] = {m, 0, 0, 0, m, 0, 0, 0, m};
-    sink.add({&block_[i], 1}, force.data(), nullptr, nullptr, M);
+    assembler.add({&block_[i], 1}, force.data(), nullptr, nullptr, M);
   }
 }
 

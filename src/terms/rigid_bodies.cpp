@@ -102,20 +102,20 @@ void RigidBodies::prepare(const Kinematics& committed, double) {
   for (Floating& f : list_) powers(f, committed, f.damping_power, f.work_power);
 }
 
-void RigidBodies::evaluate(const Kinematics& trial, Sink& sink) {
+void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Floating& f : list_) {
     const RigidBodyResidual r = rigid_body(data(f), floating_state(trial, f.node), rest(f, trial.time));
     const int blocks[2] = {f.block, f.block + 1};
-    sink.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
-    if (hold_ && f.in_lines && sink.wants_tangent()) {
+    assembler.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
+    if (hold_ && f.in_lines && assembler.wants_tangent()) {
       Mat6 K = Mat6::Zero();
       K.topLeftCorner<3, 3>() = kDrift * kDrift * f.data.mass * Mat3::Identity();
       K.bottomRightCorner<3, 3>() = kDrift * kDrift * f.data.inertia;
-      sink.add(blocks, nullptr, K.data(), nullptr, nullptr);
+      assembler.add(blocks, nullptr, K.data(), nullptr, nullptr);
     }
-    if (!sink.wants_force()) continue;
-    sink.add(blocks, r.applied.data(), nullptr, nullptr, nullptr);
-    sink.add(blocks, r.held.data(), nullptr, nullptr, nullptr);
+    if (!assembler.wants_force()) continue;
+    assembler.add(blocks, r.applied.data(), nullptr, nullptr, nullptr);
+    assembler.add(blocks, r.held.data(), nullptr, nullptr, nullptr);
   }
 }
 

@@ -89,14 +89,15 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
 }
 
 // Half of what is half way along an element goes to either node.
-void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Sink& sink) const {
+void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C,
+                     Assembler& assembler) const {
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   const int first = mesh_.block[static_cast<size_t>(p.node)];
   if (p.second < 0) {
     RowMajor k, c;
     if (K) k = *K;
     if (C) c = *C;
-    sink.add({&first, 1}, residual.data(), K ? k.data() : nullptr, C ? c.data() : nullptr, nullptr);
+    assembler.add({&first, 1}, residual.data(), K ? k.data() : nullptr, C ? c.data() : nullptr, nullptr);
     return;
   }
   const Vec3 half = 0.5 * residual;
@@ -105,11 +106,11 @@ void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const 
   double k[36], c[36];
   for (const auto& [from, to] : {std::pair(K, k), std::pair(C, c)})
     for (int i = 0; i < 36 && from; ++i) to[i] = 0.25 * (*from)(i / 6 % 3, i % 3);
-  sink.add(blocks, f, K ? k : nullptr, C ? c : nullptr, nullptr);
+  assembler.add(blocks, f, K ? k : nullptr, C ? c : nullptr, nullptr);
 }
 
-void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
-  const bool tangent = sink.wants_tangent(), convex = sink.convex();
+void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+  const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
     const Vec3 x = of_nodes(p, trial.x);
@@ -117,7 +118,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
       const double k = p.law.normal.stiffness;
       const Vec3& normal = p.origin->normal;
       const Mat3 K = k * (Mat3::Identity() - normal * normal.transpose());
-      add(p, k * strayed(p, x), tangent ? &K : nullptr, nullptr, sink);
+      add(p, k * strayed(p, x), tangent ? &K : nullptr, nullptr, assembler);
     }
     const bool touches = locate(p, x, reach(p, trial.step), at);
     const Pull pulled = pull(p, at, trial.step);
@@ -129,13 +130,13 @@ void SeabedTerm::evaluate(const Kinematics& trial, Sink& sink) {
     if (c.normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
     if (!tangent) {
-      add(p, residual, nullptr, nullptr, sink);
+      add(p, residual, nullptr, nullptr, assembler);
       continue;
     }
     const Mat3 K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
                    c.by_point,
                C = -c.by_velocity;
-    add(p, residual, &K, trial.step > 0 ? &C : nullptr, sink);
+    add(p, residual, &K, trial.step > 0 ? &C : nullptr, assembler);
   }
 }
 

@@ -86,38 +86,38 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
 StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {}
 
-void StructureTerm::evaluate(const Kinematics& trial, Sink& sink) {
+void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   const CableStep step{trial.step, trial.mean.filter};
   const bool in_step = trial.mean.weight != 1;
-  if (sink.wants_tangent()) {
+  if (assembler.wants_tangent()) {
     double f[12], K[144], C[144];
     for (const Beam& b : beams_) {
-      beam_tangent(b.section, b.reference, ends(b, trial), sink.convex(), f, K, C);
-      sink.add(b.blocks, f, K, b.section.beta > 0 ? C : nullptr, nullptr);
+      beam_tangent(b.section, b.reference, ends(b, trial), assembler.convex(), f, K, C);
+      assembler.add(b.blocks, f, K, b.section.beta > 0 ? C : nullptr, nullptr);
     }
     for (const Cable& c : cables_) {
       CablePull o;
       const CableEnds e = ends(c, trial);
       if (in_step) {
         cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
-        sink.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
+        assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
       }
-      cable_pull(c.section, e, sink.convex(), o);
-      sink.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
+      cable_pull(c.section, e, assembler.convex(), o);
+      assembler.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
   }
   double f[12];
   for (const Beam& b : beams_) {
     beam_force(b.section, b.reference, ends(b, trial), f);
-    sink.add(b.blocks, f, nullptr, nullptr, nullptr);
+    assembler.add(b.blocks, f, nullptr, nullptr, nullptr);
   }
   for (const Cable& c : cables_) {
     const CableEnds e = ends(c, trial);
     const Vec3 pull = in_step ? cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
                               : cable_pull(c.section, e);
-    sink.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
+    assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
   }
 }
 

@@ -27,13 +27,13 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
   bool recouple(const Kinematics& committed, double h) override { return list.update(committed, h); }
   void couple(Couplings& to) const override { list.couple(to); }
   void update_ghosts() override { list.locate(), ++located; }
-  void limit_step(const Kinematics&, Strikes&) const override {}
+  void limit_step(const Kinematics&, ImpactEvents&) const override {}
   Verdict judge(const Kinematics& t) const override {
     if (!list.covers(t)) return {Verdict::Kind::prepare_anew, "candidates are out of date"};
     const bool refused = t.step > refuse && t.time > refuse_from && t.time < refuse_to;
     return refused ? Verdict{Verdict::Kind::shorter, "the test refuses it"} : Verdict{};
   }
-  void evaluate(const Kinematics& at, Sink& sink) override {
+  void evaluate(const Kinematics& at, Assembler& assembler) override {
     for (const CandidatePair& p : list.pairs()) {
       const Spring s = spring(at, p);
       if (!(s.shorter > 0)) continue;
@@ -48,7 +48,7 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
             for (int c = 0; c < 3; ++c) K[(3 * i + r) * 12 + 3 * j + c] = sign * (j < 2 ? 1 : -1) * k(r, c);
         }
       }
-      sink.add(s.blocks, f, K, nullptr, nullptr);
+      assembler.add(s.blocks, f, K, nullptr, nullptr);
     }
   }
   Energy energy(const Kinematics& at) const override {

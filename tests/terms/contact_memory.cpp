@@ -144,7 +144,7 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
   std::uniform_real_distribution<double> noise(-1, 1);
   constexpr int kSteps = 40;
   const auto height = [&](int n) { return scene.lowest + 0.75 * (1 + std::cos(2 * M_PI * n / kSteps)); };
-  Sink nowhere;
+  Assembler nowhere;
   int touched = 0;
   for (int n = 0; n < kSteps; ++n) {
     const State from = line_at(height(n), n * kStep, (height(n) - height(n + 1)) / kStep),
@@ -153,12 +153,12 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
     fresh.restore(term.save());
     term.prepare(from.view(kStep), kStep);
     const auto limits = [&](LineVolumeContact& t) {
-      Strikes strikes;
+      ImpactEvents strikes;
       strikes.most = kStep;
       t.limit_step(from.view(kStep), strikes);
       Outcome out;
       out.longest = std::min(strikes.longest, kStep);
-      for (const Strike& s : strikes.list) out.energies.push_back(s.energy());
+      for (const ImpactEvent& s : strikes.list) out.energies.push_back(s.energy());
       return out;
     };
     for (const double far : {1e-4, 0.01, 0.3, 1e5, 0.01, 0.0}) {
@@ -206,7 +206,7 @@ TEST(ContactMemory, AsksLittle) {
   const LocalMesh local = chain(mesh, true);
   LineVolumeContact term(local, nullptr, {volume(counting, -1)},
                          std::vector<LineContactElement>(kElements, LineContactElement{0.1, 50}));
-  Sink nowhere;
+  Assembler nowhere;
   int first = 0, later = 0, ahead = 0;
   for (int n = 0; n < 10; ++n) {
     State from = line_at(2.4 - 0.002 * n, 0, 0), to = line_at(2.4 - 0.002 * (n + 1), 0, 0);
@@ -214,7 +214,7 @@ TEST(ContactMemory, AsksLittle) {
       for (Vec3& v : s->v) v = Vec3(0, 0, -0.02);
     term.prepare(from.view(kStep), kStep);
     counting->questions = 0;
-    Strikes strikes;
+    ImpactEvents strikes;
     strikes.most = kStep;
     term.limit_step(from.view(kStep), strikes);
     (n == 0 ? first : ahead) += counting->questions;

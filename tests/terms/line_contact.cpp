@@ -200,10 +200,10 @@ TEST(LineContact, StepsFollowImpacts) {
     s.a = {Vec3(0, 0, acceleration), Vec3(0, 0, acceleration)};
     term.prepare(s.view(0.1), 0.1);
     if (gap < 0) term.commit(s.view(0.1)), term.prepare(s.view(0.1), 0.1);
-    Strikes to;
+    ImpactEvents to;
     term.limit_step(s.view(0.1), to);
     LineMotion line;
-    for (const Strike& strike : to.list) line.striking += strike.energy();
+    for (const ImpactEvent& strike : to.list) line.striking += strike.energy();
     const auto alone = [](std::span<double>) {};
     return std::min(to.longest, bounded_step(to.list, bearable({&line, 1}), 10, alone).longest);
   };

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "hawser/kernels/axis_foot.hpp"
+#include "hawser/kernels/axis_projection.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser::axis_approach_test {
@@ -36,7 +36,7 @@ double distance(const AxisShape& a, const AxisShape& b) {
     const double width = std::pow(0.02, level), middle = at;
     for (int i = -50; i <= 50; ++i) {
       const double xi = std::clamp((level ? middle : 0.5) + 0.01 * i * width, 0.0, 1.0);
-      const double d = foot_on(b, a.point(xi)).distance;
+      const double d = closest_point_on(b, a.point(xi)).distance;
       if (d < least) least = d, at = xi;
     }
   }

@@ -20,14 +20,14 @@ constexpr double kStep = 2 * M_PI / 6 * kSlow;  // s, six in a period
 const Sum kAlone = [](std::span<double>) {};
 constexpr double kMass = 2, kMost = 0.3;  // kg, s
 
-StepLimit limit_of(const Strike& s) {
+StepLimit limit_of(const ImpactEvent& s) {
   const double bears = kErrorOfStep * s.energy();
   return bounded_step({&s, 1}, {&bears, 1}, kMost, kAlone);
 }
 
 // All of the line that moves strikes.
 double longest(double gap, double closing, double acceleration = 0, bool last = true) {
-  const auto s = strike(kSlow, kSeen, kMass, {gap, closing, acceleration, last});
+  const auto s = impact_event(kSlow, kSeen, kMass, {gap, closing, acceleration, last});
   return s ? limit_of(*s).longest : kNever;
 }
 
@@ -87,8 +87,8 @@ TEST(Impact, StepsEndAtItsEnd) {
 }
 
 TEST(Impact, TellsThePeriodWhileItTouches) {
-  expect_step(limit_of(*strike(kSlow, kSeen, kMass, {-0.01, 1, 0})).period, 2 * M_PI * kSlow);
-  EXPECT_EQ(limit_of(*strike(kSlow, kSeen, kMass, {0.01, 1, 0})).period, kNever);
+  expect_step(limit_of(*impact_event(kSlow, kSeen, kMass, {-0.01, 1, 0})).period, 2 * M_PI * kSlow);
+  EXPECT_EQ(limit_of(*impact_event(kSlow, kSeen, kMass, {0.01, 1, 0})).period, kNever);
 }
 
 // What crosses the touch or the end by the trapezoidal rule: lost, made.
@@ -99,11 +99,12 @@ TEST(Impact, KnowsWhatACrossingMakes) {
       const double z = 0.5 * h / kSlow, in = (2 * h - gap) / (1 + z * z), a = k / kMass * in,
                    v = 2 - 0.5 * h * a;
       const double lost = 0.5 * kMass * (4 - v * v) - 0.5 * k * in * in;
-      EXPECT_NEAR(strike(kSlow, kSeen, kMass, {gap, 2, 0})->crossed(h), in > 0 ? lost : 0, 1e-12) << h;
+      EXPECT_NEAR(impact_event(kSlow, kSeen, kMass, {gap, 2, 0})->crossed(h), in > 0 ? lost : 0, 1e-12) << h;
       // Leaves, pushed by the spring alone.
       const double p = gap, push = k / kMass * p, out = 2 * h + 0.25 * push * h * h - p;
       const double w = 2 + 0.5 * h * push, made = 0.5 * kMass * (w * w - 4) - 0.5 * k * p * p;
-      EXPECT_NEAR(strike(kSlow, kSeen, kMass, {-p, -2, push})->crossed(h), out > 0 ? made : 0, 1e-12) << h;
+      EXPECT_NEAR(impact_event(kSlow, kSeen, kMass, {-p, -2, push})->crossed(h), out > 0 ? made : 0, 1e-12)
+          << h;
     }
 }
 
@@ -112,7 +113,7 @@ TEST(Impact, OnlyWhatMattersCutsAStep) {
   const auto of = [&](double mass, double drift) {
     std::vector<LineMotion> lines(1);
     lines[0].add(5, {3, drift, 0}), lines[0].add(5, {-3, drift, 0});
-    const auto s = strike(kSlow, kSeen, mass, {-0.01, 2, 0});
+    const auto s = impact_event(kSlow, kSeen, mass, {-0.01, 2, 0});
     lines[0].striking = s->energy();
     const auto bears = bearable(lines);
     EXPECT_NEAR(bears[0], kErrorOfStep * (45 + 2 * mass), 1e-9);  // what moves along does not count
@@ -129,15 +130,15 @@ TEST(Impact, OnlyWhatMattersCutsAStep) {
 
 TEST(Impact, ManySmallOnesTogetherDo) {
   const auto strikes = [](int n, double slowness) {
-    std::vector<Strike> out(static_cast<size_t>(n), *strike(slowness, 1e-9, 1e-3, {-0.01, 2, 0}));
-    for (Strike& s : out) s.line = 0;
+    std::vector<ImpactEvent> out(static_cast<size_t>(n), *impact_event(slowness, 1e-9, 1e-3, {-0.01, 2, 0}));
+    for (ImpactEvent& s : out) s.line = 0;
     return out;
   };
   const double bears = 0.0200001;  // ten of them
-  EXPECT_EQ(bounded_step(strikes(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
-  expect_step(bounded_step(strikes(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
+  EXPECT_EQ(bounded_step(impact(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
+  expect_step(bounded_step(impact(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
   // Few short ones among many longer: those that are left out are the short ones.
-  std::vector<Strike> both = strikes(11, kSlow), fast = strikes(9, kSlow / 10);
+  std::vector<ImpactEvent> both = impact(11, kSlow), fast = impact(9, kSlow / 10);
   both.insert(both.end(), fast.begin(), fast.end());
   expect_step(bounded_step(both, {&bears, 1}, kMost, kAlone).longest, kStep);
   expect_step(bounded_step(both, {&bears, 1}, kMost, kAlone).period, 2 * M_PI * kSlow);
@@ -146,11 +147,11 @@ TEST(Impact, ManySmallOnesTogetherDo) {
 TEST(Impact, AThousandLinesAreAsOne) {
   // Each bears the part of its own energy; those that nothing strikes change nothing.
   std::vector<LineMotion> lines(1001);
-  std::vector<Strike> strikes;
+  std::vector<ImpactEvent> strikes;
   for (int l = 0; l < 1000; ++l) {
     LineMotion& line = lines[static_cast<size_t>(l)];
     line.add(1, {1.0 + l, 0, 0}), line.add(1, {-1.0 - l, 0, 0});
-    strikes.push_back(*strike(kSlow, kSeen, 0.5 * (1 + l) * (1 + l), {0.02 * (1 + l % 7), 2, 0}));
+    strikes.push_back(*impact_event(kSlow, kSeen, 0.5 * (1 + l) * (1 + l), {0.02 * (1 + l % 7), 2, 0}));
     strikes.back().line = l;
     line.striking = strikes.back().energy();
   }
@@ -229,13 +230,13 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
     }
     Outcome out;
     for (double t = 0; t < end; ++out.steps) {
-      std::vector<Strike> strikes;
+      std::vector<ImpactEvent> strikes;
       LineMotion line;
       for (size_t i = 0; i < x.size(); ++i) {
         line.add(1, {v[i], 0, 0});
-        Strikes to;
-        to.add(strike(kSlow, kSeen, 1, {x[i], -v[i], a[i]}), 0);
-        for (const Strike& s : to.list) strikes.push_back(s), line.striking += s.energy();
+        ImpactEvents to;
+        to.add(impact_event(kSlow, kSeen, 1, {x[i], -v[i], a[i]}), 0);
+        for (const ImpactEvent& s : to.list) strikes.push_back(s), line.striking += s.energy();
       }
       double h = std::min(0.02, end - t);
       h = std::min(h, bounded_step(strikes, bearable({&line, 1}), 0.02, kAlone).longest);
@@ -266,7 +267,7 @@ TEST(StepControl, AnImpactIsFollowed) {
   s.first = s.longest = 0.1;
   StepControl c(s);
   EXPECT_DOUBLE_EQ(c.next(0, 1, kNever), 0.1);
-  c.struck(1, 0.03);
+  c.follow_impact(1, 0.03);
   EXPECT_DOUBLE_EQ(c.next(1, 2, kNever), 0.01);
   EXPECT_DOUBLE_EQ(c.next(1, 2, 0.002), 0.002);
   EXPECT_NEAR(c.next(1.59, 1.69, kNever), 0.01, 1e-12);
@@ -277,15 +278,15 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_NEAR(c.next(1.67, 1.83, kNever), 0.08, 1e-12);
   EXPECT_NEAR(c.next(1.75, 1.85, kNever), 0.1, 1e-12);
   // A softer one does not make steps longer meanwhile, nor while they grow; afterwards it counts.
-  c.struck(1.2, 0.3), c.struck(1.2, kNever);
+  c.follow_impact(1.2, 0.3), c.follow_impact(1.2, kNever);
   EXPECT_DOUBLE_EQ(c.next(1.3, 2.3, kNever), 0.01);
-  c.struck(1.61, 0.15);
+  c.follow_impact(1.61, 0.15);
   EXPECT_NEAR(c.next(1.61, 1.71, kNever), 0.02, 1e-12);
-  c.struck(1.7, 0.15);
+  c.follow_impact(1.7, 0.15);
   EXPECT_DOUBLE_EQ(c.next(1.8, 2.8, kNever), 0.05);
   // As after a restart.
   StepControl d(s);
-  d.restore(c.wish(), c.wait(), c.ringing(), c.calm());
+  d.restore(c.proposal(), c.wait(), c.ringing(), c.calm());
   EXPECT_DOUBLE_EQ(d.next(1.8, 2.8, kNever), 0.05);
 }
 
@@ -300,7 +301,7 @@ double energy_after(double rho, double w, double jump) {
   double worst = 0;
   for (int phase = 0; phase < 24; ++phase) {
     StepControl control(s);
-    control.restore(control.wish(), 0, 3 * third, 0);  // the twenty periods are over
+    control.restore(control.proposal(), 0, 3 * third, 0);  // the twenty periods are over
     double x = std::cos(phase * M_PI / 24) / w, v = std::sin(phase * M_PI / 24), a = -w * w * x, A = a, t = 0;
     const double m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
     for (int i = 0; i < 60; ++i) {
@@ -342,7 +343,7 @@ TEST(StepControl, FixedStepsAreDividedAtImpactsUnlessToldOtherwise) {
   s.resolve_impacts = false;
   StepControl strict(s);
   EXPECT_FALSE(strict.limited());
-  strict.struck(0, 0.03);
+  strict.follow_impact(0, 0.03);
   EXPECT_DOUBLE_EQ(strict.next(0, 1, 0.04), 0.1);
 }
 

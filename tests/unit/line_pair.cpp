@@ -167,7 +167,7 @@ struct Rig {
             const std::function<void(size_t, const LinePairSide&)>& what) const {
     const PairAxis A(a1, sa), B(b1, sb);
     for (size_t k = 0; k < 6; ++k)
-      what(k, LinePairSide(k < 3 ? A : B, k < 3 ? B : A, static_cast<FootOf>(k % 3), settings, past[k]));
+      what(k, LinePairSide(k < 3 ? A : B, k < 3 ? B : A, static_cast<ProjectOn>(k % 3), settings, past[k]));
   }
 
   int unknowns() const { return (a.beam ? 12 : 6) + (b.beam ? 12 : 6); }
@@ -406,11 +406,11 @@ TEST(LinePair, JointsDoNotShow) {
             set.slave_radius = kRadius, set.moves = false;
             const std::vector<LinePairHistory> none;
             for (int k = 0; k < 6; ++k) {
-              const FootOf part = static_cast<FootOf>(k % 3);
+              const ProjectOn part = static_cast<ProjectOn>(k % 3);
               // Joints of the chain of pieces; the other line is one element.
-              if (part != FootOf::element && k >= 3) continue;
-              if (part == FootOf::first_end && i == 0) continue;
-              if (part == FootOf::second_end && i + 1 == pieces) continue;
+              if (part != ProjectOn::element && k >= 3) continue;
+              if (part == ProjectOn::first_end && i == 0) continue;
+              if (part == ProjectOn::second_end && i + 1 == pieces) continue;
               const LinePairSide side(k < 3 ? A : B, k < 3 ? B : A, part, set, none);
               LinePairForces g(A.now.count(), A.now.count());
               side.add(side.panels(), false, g);
@@ -447,10 +447,10 @@ TEST(LinePair, ContactAtAJointIsNotMissed) {
     set.law.reach = 2 * kRadius, set.law.normal = {kStiffness, 1e-6, 0};
     set.slave_radius = kRadius, set.moves = false;
     const std::vector<LinePairHistory> none;
-    const auto panels = LinePairSide(A, B, FootOf::element, set, none).panels();
+    const auto panels = LinePairSide(A, B, ProjectOn::element, set, none).panels();
     double least = 1e300, place = 0;
     for (int i = 0; i <= 2000; ++i) {
-      const double xi = i / 2000.0, d = foot_on(B.now, A.now.point(xi)).distance;
+      const double xi = i / 2000.0, d = closest_point_on(B.now, A.now.point(xi)).distance;
       if (d < least) least = d, place = xi;
     }
     if (!(least < 2 * kRadius - 1e-7)) continue;
@@ -478,13 +478,13 @@ TEST(LinePair, SharesAddUp) {
   EXPECT_EQ(slave_share(0.16, 0.1), 0);
 }
 
-TEST(AxisFoot, NearestOfAll) {
+TEST(AxisProjection, NearestOfAll) {
   for (int seed = 0; seed < 200; ++seed) {
     const AxisEnds e =
         element(seed % 3 != 0, noise3(seed, 20), noise3(seed, 20) + Vec3(1, 0.2, 0.1), seed, 0.3);
     const AxisShape axis(e);
     const Vec3 x = axis.point(0.5 + 0.7 * noise(seed, 21)) + 0.2 * noise3(seed, 22);
-    const AxisFoot f = foot_on(axis, x);
+    const AxisProjection f = closest_point_on(axis, x);
     double least = 1e300;
     for (int i = 0; i <= 4000; ++i) least = std::min(least, (x - axis.point(i / 4000.0)).norm());
     EXPECT_LE(f.distance, least + 1e-12) << seed;

@@ -50,7 +50,7 @@ struct Outcome {
   std::vector<double> poses;
 };
 
-Outcome strike(MPI_Comm comm, const model::Case& c) {
+Outcome impact_event(MPI_Comm comm, const model::Case& c) {
   const auto volumes = app::load_volumes(c);
   app::Simulation s(comm, c, app::surfaces(volumes), app::skeletons(c, volumes));
   Dynamics& d = s.dynamics();
@@ -112,7 +112,8 @@ TEST(BodyImpact, EnergyComesBackAtDefaultSteps) {
     int rank = 0, ranks = 1;
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
     MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
-    const Outcome one = strike(PETSC_COMM_SELF, c), all = ranks > 1 ? strike(PETSC_COMM_WORLD, c) : one;
+    const Outcome one = impact_event(PETSC_COMM_SELF, c),
+                  all = ranks > 1 ? impact_event(PETSC_COMM_WORLD, c) : one;
     if (rank == 0)
       printf(
           "%s: %d steps, %d in touch, %d taken again; %.0f %% of the energy in the contact, %.2f %% off; "
@@ -137,7 +138,7 @@ TEST(BodyImpact, WhatNothingSeesEndsTheRun) {
       if (swapped) std::swap(c.volumes[0], c.volumes[1]);
       std::string what;
       try {
-        strike(PETSC_COMM_WORLD, c);
+        impact_event(PETSC_COMM_WORLD, c);
       } catch (const SolveError& e) {
         what = e.what();
       }
@@ -182,7 +183,7 @@ TEST(BodyImpact, WhatWasMetIsNotForgotten) {
   c.bodies[1].mass->mass = 1000, c.bodies[1].mass->velocity = Vec3(-2, -1.94, 1.11);
   c.bodies[1].rotation = Vec3(-0.22, 0.23, 0.62) * M_PI / 180;
   c.dynamics.duration = 0.4;
-  const Outcome out = strike(PETSC_COMM_WORLD, c);
+  const Outcome out = impact_event(PETSC_COMM_WORLD, c);
   EXPECT_GT(out.touching, 10);
   EXPECT_LT(out.energy, 0.01);
   EXPECT_LT(out.poses[0], 1.4);  // they parted on the sides they came from

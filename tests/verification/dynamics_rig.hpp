@@ -26,7 +26,7 @@ class TimedLoad final : public ForceTerm {
         factor_(std::move(factor)) {}
 
   std::string_view name() const override { return "timed load"; }
-  void evaluate(const Kinematics& trial, Sink& sink) override {
+  void evaluate(const Kinematics& trial, Assembler& assembler) override {
     const double s = factor_(trial.time);
     const Vec3 m = trial.q[node_].conjugate() * moment_;
     Eigen::Matrix<double, 6, 1> f;
@@ -34,7 +34,7 @@ class TimedLoad final : public ForceTerm {
     Eigen::Matrix<double, 6, 6, Eigen::RowMajor> K;
     K.setZero();
     K.bottomRightCorner<3, 3>() = -s * hat(m);
-    sink.add(block_, f.data(), K.data(), nullptr, nullptr);
+    assembler.add(block_, f.data(), K.data(), nullptr, nullptr);
   }
 
  private:

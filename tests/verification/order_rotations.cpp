@@ -25,7 +25,7 @@ struct Top {
 class TopTerm final : public ForceTerm {
  public:
   std::string_view name() const override { return "top"; }
-  void evaluate(const Kinematics& k, Sink& sink) override {
+  void evaluate(const Kinematics& k, Assembler& assembler) override {
     const Vec3 w = k.w[0], weight = top_.weight(k.q[0]), Jw = top_.inertia.cwiseProduct(w);
     // In three pieces: the size of what is added is what the residual is judged against.
     const Vec3 inertia = top_.inertia.cwiseProduct(k.alpha[0]), turn = w.cross(Jw),
@@ -34,9 +34,9 @@ class TopTerm final : public ForceTerm {
     const Mat3 J = top_.inertia.asDiagonal();
     const Row K = -hat(top_.arm) * hat(weight), C = hat(w) * J - hat(Jw), M = J;
     const int block = 1;
-    sink.add({&block, 1}, inertia.data(), nullptr, nullptr, M.data());
-    sink.add({&block, 1}, turn.data(), nullptr, C.data(), nullptr);
-    sink.add({&block, 1}, load.data(), K.data(), nullptr, nullptr);
+    assembler.add({&block, 1}, inertia.data(), nullptr, nullptr, M.data());
+    assembler.add({&block, 1}, turn.data(), nullptr, C.data(), nullptr);
+    assembler.add({&block, 1}, load.data(), K.data(), nullptr, nullptr);
   }
 
  private:

@@ -28,7 +28,7 @@ struct Approach {
 };
 
 // A mass on the spring of a contact that strikes, or may before the step ends.
-class Strike {
+class ImpactEvent {
  public:
   int line = 0, other = -1;  // that strikes; that is struck, if it is one
 
@@ -43,7 +43,8 @@ class Strike {
   double period() const;
 
  private:
-  friend std::optional<Strike> strike(double slowness, double seen, double mass, const Approach& at);
+  friend std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass,
+                                                 const Approach& at);
   double slowness_ = 0, energy_ = 0;  // s, J
   double resolved_ = 0;               // s
   double crossing_ = 0;               // s, until the touch or the end; infinite: none
@@ -53,9 +54,9 @@ class Strike {
 
 // slowness: s, sqrt(m/k) of the contact, its period over 2 pi. seen: m; what inertia takes deeper than that,
 // by speed or by acceleration, strikes. mass: kg.
-std::optional<Strike> strike(double slowness, double seen, double mass, const Approach& at);
+std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass, const Approach& at);
 // Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
-bool may_strike(double slowness, double seen, double speed, double acceleration);
+bool may_impact(double slowness, double seen, double speed, double acceleration);
 
 // Whether a step of h [s] is one of those that an impact on a contact of that slowness [s] is followed with.
 bool follows(double slowness, double h);
@@ -78,15 +79,15 @@ double made_by_parting(double slowness, double seen, double force, double potent
                        double speed);
 
 // What terms find: strikes of what this rank counts, and a length [s] that steps keep to in any case.
-struct Strikes {
+struct ImpactEvents {
   double longest = std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();  // s, no step is longer: need not be told of
-  std::vector<Strike> list;
+  std::vector<ImpactEvent> list;
 
   void limit(double h) {
     if (h < longest) longest = h;
   }
-  void add(const std::optional<Strike>& s, int line, int other = -1) {
+  void add(const std::optional<ImpactEvent>& s, int line, int other = -1) {
     if (!s) return;
     list.push_back(*s);
     list.back().line = line, list.back().other = other;
@@ -119,7 +120,7 @@ bool bearable_partings(std::span<const Parting> partings, std::span<const double
 
 // The longest step of at most `most` [s] in which strikes, of all ranks, together stay within what is
 // bearable, and the period of those that matter. Collective.
-StepLimit bounded_step(std::span<const Strike> strikes, std::span<const double> bearable, double most,
+StepLimit bounded_step(std::span<const ImpactEvent> strikes, std::span<const double> bearable, double most,
                        const Sum& sum);
 
 }  // namespace hawser

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "hawser/kernels/axis_foot.hpp"
+#include "hawser/kernels/axis_projection.hpp"
 #include "hawser/kernels/line_contact.hpp"
 #include "hawser/kernels/line_pair_law.hpp"
 
@@ -78,7 +78,7 @@ class LinePairSide {
     bool convex = false;      // leave out negative stiffness
   };
 
-  LinePairSide(const PairAxis& slave, const PairAxis& master, FootOf part, const Settings& settings,
+  LinePairSide(const PairAxis& slave, const PairAxis& master, ProjectOn part, const Settings& settings,
                const std::vector<LinePairHistory>& history);
 
   // One rule's stretch of the slave. An end that moves does so with the gap or with the place where the
@@ -111,7 +111,7 @@ class LinePairSide {
   LinePairPoint local(const Point& p, const Start& s) const;
 
   const PairAxis &slave_, &master_;
-  FootOf part_;
+  ProjectOn part_;
   Settings set_;
   const std::vector<LinePairHistory>& history_;
   double wa_, wb_;  // shares of the radii

@@ -41,7 +41,7 @@ class Dynamics {
   void start(const State& state);
   // What a checkpoint carries beside the state.
   struct Carried {
-    double step_wish = 0;
+    double step_proposal = 0;
     int step_wait = 0;
     double step_ringing = 0, step_calm = 0;
     double last_step = 0;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hawser/state/state.hpp"
-#include "hawser/system/sink.hpp"
+#include "hawser/system/assembler.hpp"
 #include "hawser/system/supports.hpp"
 
 namespace hawser {

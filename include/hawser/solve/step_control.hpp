@@ -20,7 +20,7 @@ class StepControl {
   explicit StepControl(const StepSettings& settings);
 
   // Step from t towards `stop` (an output time or the end), which is hit exactly: the way there is divided
-  // into equal steps not longer than the wish nor, where terms limit steps, than what they allow.
+  // into equal steps not longer than the proposal nor, where terms limit steps, than what they allow.
   double next(double t, double stop, double allowed) const;
   // Whether the terms limit steps.
   bool limited() const { return s_.fixed <= 0 || s_.resolve_impacts; }
@@ -28,7 +28,7 @@ class StepControl {
   bool divides(double h) const { return limited() && !shortest(h); }
   // At t something struck on a contact of this period [s]: for twenty of them steps stay below a third of it,
   // since what rings then decides the next blow, and double at most from then on.
-  void struck(double t, double period);
+  void follow_impact(double t, double period);
   // Whether a converged step is accurate enough; a step at the shortest length always is.
   bool accurate(double h, double error) const;
 
@@ -36,12 +36,12 @@ class StepControl {
   // A failed (or inaccurate) step. False when it was the shortest already.
   bool rejected(double h, bool diverged, double error);
 
-  double wish() const { return wish_; }
+  double proposal() const { return proposal_; }
   int wait() const { return wait_; }
   double ringing() const { return ringing_; }
   double calm() const { return calm_; }
-  void restore(double wish, int wait, double ringing, double calm) {
-    wish_ = wish, wait_ = wait, ringing_ = ringing, calm_ = calm;
+  void restore(double proposal, int wait, double ringing, double calm) {
+    proposal_ = proposal, wait_ = wait, ringing_ = ringing, calm_ = calm;
   }
 
  private:
@@ -49,7 +49,7 @@ class StepControl {
   double followed(double t) const;
 
   StepSettings s_;
-  double wish_ = 0;
+  double proposal_ = 0;
   int wait_ = 0;                   // accepted steps before the step may grow again after a failure
   double ringing_ = 0, calm_ = 0;  // s: period of the contact that struck, and until when it is followed
 };

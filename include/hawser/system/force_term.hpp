@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "hawser/state/kinematics.hpp"
+#include "hawser/system/assembler.hpp"
 #include "hawser/system/field_registry.hpp"
 #include "hawser/system/history.hpp"
 #include "hawser/system/roles.hpp"
-#include "hawser/system/sink.hpp"
 
 namespace hawser {
 
@@ -39,7 +39,7 @@ class ForceTerm {
   virtual void prepare(const Kinematics& committed, double h) { (void)committed, (void)h; }
 
   // Adds force and tangent at the trial state. Local, repeatable: reads committed history only.
-  virtual void evaluate(const Kinematics& trial, Sink& sink) = 0;
+  virtual void evaluate(const Kinematics& trial, Assembler& assembler) = 0;
 
   // The state is accepted: history that belongs to it becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }

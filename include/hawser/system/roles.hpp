@@ -33,7 +33,7 @@ class LimitsSteps {
   virtual ~LimitsSteps() = default;
   // Longest step from here, and what strikes, each once over all ranks; asked after prepare(). Steps that the
   // user fixed are divided by it where impacts are to be resolved.
-  virtual void limit_step(const Kinematics& committed, Strikes& to) const = 0;
+  virtual void limit_step(const Kinematics& committed, ImpactEvents& to) const = 0;
   // Of a converged step or a trial of statics, on this rank: tunnelling, penetration beyond what a law is
   // for, candidates that are out of date.
   virtual Verdict judge(const Kinematics& trial) const = 0;

@@ -128,7 +128,7 @@ class System {
   void see_ties(const Kinematics& trial);
   void add_to_frames(const Kinematics& trial);
   void sum(std::span<double> values) const;  // over the ranks, in place
-  std::vector<double> bearable_energies(const Kinematics& at, const std::vector<Strike>& strikes) const;
+  std::vector<double> bearable_energies(const Kinematics& at, const std::vector<ImpactEvent>& strikes) const;
   void reghost_supports();
   void with_frames(Couplings& c) const;
 

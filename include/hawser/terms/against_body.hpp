@@ -12,7 +12,7 @@
 #include <span>
 
 #include "hawser/math/types.hpp"
-#include "hawser/system/sink.hpp"
+#include "hawser/system/assembler.hpp"
 
 namespace hawser {
 
@@ -31,7 +31,7 @@ struct FloatingFrame {
 
 // Adds f[3n], K and C [3n x 3n, row-major or null] of n <= 4 blocks of a line with what they mean for the
 // body. counted: this rank adds the body's rows, whoever owns them.
-void add_against_body(Sink& sink, std::span<const LineBlock> line, const FloatingFrame& body, bool counted,
-                      const double* f, const double* K, const double* C);
+void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
+                      bool counted, const double* f, const double* K, const double* C);
 
 }  // namespace hawser

@@ -40,11 +40,11 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void update_ghosts() override;
   // Of a step in time it watches.
   void prepare(const Kinematics& committed, double h) override;
-  void limit_step(const Kinematics& committed, Strikes& to) const override;
+  void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
   // Nothing that stands out goes through the other body between the ends of a step.
   Verdict judge(const Kinematics& trial) const override;
   void unforeseen(const Kinematics& trial, Unforeseen& to) override;
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   std::vector<HistoryKind> history() const override;
@@ -125,7 +125,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
                   Nearest& best) const;
   // s, at most `most`: a step from there that what it meets in it is followed with.
   double followed(const Pair& pair, const Both& at, double most) const;
-  void limit_by(const Pair& pair, const Kinematics& committed, Strikes& to) const;
+  void limit_by(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   // body_contact_watch.cpp. m, of the deepest place of the faces of one volume in the other.
   double deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const;
   void look(double time);

@@ -30,7 +30,7 @@ class BuriedTerm final : public ForceTerm {
 
   std::string_view name() const override { return "buried"; }
   void prepare(const Kinematics& committed, double h) override;
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   void fields(FieldRegistry& registry) const override;

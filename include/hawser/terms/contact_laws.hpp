@@ -24,9 +24,9 @@ struct ContactSpring {
 
   // Whether it strikes: what inertia takes deeper than the ramp of the law and 0.2 % of the radius. share:
   // what turns mass into kg.
-  std::optional<Strike> strikes(double share, const Approach& at) const;
+  std::optional<ImpactEvent> impact(double share, const Approach& at) const;
   // Whether it can, at that speed [m/s] and acceleration [m/s²].
-  bool may_strike(double speed, double acceleration) const;
+  bool may_impact(double speed, double acceleration) const;
   // Whether a step of h [s] follows it, so that it need not be asked.
   bool follows(double h) const;
   // J, made where it parts in the step: `was` is of when that began, since when it has moved along the normal
@@ -35,9 +35,9 @@ struct ContactSpring {
 };
 
 // A step is not to get a place of a line deeper into a surface than half its radius [m].
-void limit_depth(double radius, const Approach& at, Strikes& to);
+void limit_depth(double radius, const Approach& at, ImpactEvents& to);
 // Whether it could tell of what is `gap` [m] away or more, at that speed [m/s].
-inline bool may_limit_depth(double radius, double gap, double speed, const Strikes& to) {
+inline bool may_limit_depth(double radius, double gap, double speed, const ImpactEvents& to) {
   return speed * to.most > (1 - 1e-9) * (std::max(gap, 0.0) + 0.5 * radius);
 }
 

@@ -31,7 +31,7 @@ class EndSprings final : public ForceTerm {
 
   std::string_view name() const override { return "end springs"; }
   void prepare(const Kinematics& committed, double h) override;
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   std::vector<HistoryKind> history() const override;

@@ -52,7 +52,7 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
 
   std::string_view name() const override { return "hydrodynamics"; }
   void prepare(const Kinematics& committed, double h) override;
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
@@ -78,8 +78,8 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   };
   void group();
   CablesInWater4 motion(const Four& q, const Kinematics& k, const std::vector<Water>& water) const;
-  void evaluate(const Four& q, const Kinematics& trial, Sink& sink) const;
-  void evaluate(const Piece& p, const Kinematics& trial, Sink& sink) const;
+  void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;
+  void evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const;
   unsigned flow(const Four& q, const Kinematics& at, const std::vector<Water>& water, WaterForce* out) const;
   bool moving() const { return !sea_.current.none() || !sea_.waves.none(); }
   Water water(const Kinematics& at, size_t node) const;

@@ -38,7 +38,7 @@ class LineMassTerm final : public ForceTerm,
   LineMassTerm(const LocalMesh& mesh, const model::Case& c);
 
   std::string_view name() const override { return "mass"; }
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void prepare(const Kinematics& committed, double h) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;

@@ -57,9 +57,9 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   // Nothing was missed, no line went through another, and the step resolves how lines meet and part.
   Verdict judge(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;
-  void limit_step(const Kinematics& committed, Strikes& to) const override;
+  void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
   void bear(std::span<const double> energies) override { bearable_.assign(energies.begin(), energies.end()); }
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   // line_contact_force, line_contact_normal_force, line_friction_force, line_penetration.

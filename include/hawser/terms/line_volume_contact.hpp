@@ -31,11 +31,11 @@ class LineVolumeContact final : public ForceTerm,
   void couple(Couplings& to) const override { volumes_.couple(to); }
   void prepare(const Kinematics& committed, double h) override;
   // As limit_depth and strikes say of the ends and the middle of each element and of what touches.
-  void limit_step(const Kinematics& committed, Strikes& to) const override;
+  void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
   void unforeseen(const Kinematics& trial, Unforeseen& to) override;
   // Nothing goes through a volume between the ends of a step, nor deeper into one than its law is for.
   Verdict judge(const Kinematics& trial) const override;
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
   bool stiffen(const Kinematics& equilibrium) override;
   void forget_stiffening() override;
@@ -133,18 +133,18 @@ class LineVolumeContact final : public ForceTerm,
   void press_panel(Pair& pair, const AxisShape& shape, size_t panel, Forces& forces) const;
   std::array<Moving, 2> moving_ends(const Pair& pair, const AxisShape& shape, const ContactStretch& s) const;
   void add_forces(const Pair& pair, const AxisShape& shape, Forces& forces, const Kinematics& trial,
-                  Sink& sink) const;
+                  Assembler& assembler) const;
   void account(const Pair& pair, const AxisShape& shape, const std::vector<ContactPoint>& next);
 
   // What strikes at xi, `share` m of the line with it; what it may come to, which touches elsewhere already.
   void strike_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
-                 const Vec3& normal, bool last, Strikes& to) const;
+                 const Vec3& normal, bool last, ImpactEvents& to) const;
   void look_ahead(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
-                  Strikes& to) const;
+                  ImpactEvents& to) const;
   // The same at each of the walls it may come to in the step, if there are several.
-  bool look_ahead_at_walls(const Pair& pair, const Kinematics& committed, Strikes& to) const;
-  void limit_by_touch(const Pair& pair, const Kinematics& committed, Strikes& to) const;
-  void limit_ahead(const Pair& pair, const Kinematics& committed, Strikes& to) const;
+  bool look_ahead_at_walls(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
+  void limit_by_touch(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
+  void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   bool tunnels(const Kinematics& trial) const;
   // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }

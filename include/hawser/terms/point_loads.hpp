@@ -27,7 +27,7 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
 
   std::string_view name() const override { return "point loads"; }
   void prepare(const Kinematics& committed, double h) override;
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   // Forces that last have a potential. work: done over the accepted steps by moments and by forces with a
   // ramp (trapezoid). In statics a moment has a potential too, good from the prepared state on only.
@@ -63,7 +63,7 @@ class PointMasses final : public ForceTerm, public ScalesResiduals {
   PointMasses(const LocalMesh& mesh, std::vector<NodeMass> masses, double gravity);
 
   std::string_view name() const override { return "point masses"; }
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
 

@@ -28,7 +28,7 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals {
 
   std::string_view name() const override { return "floating bodies"; }
   void prepare(const Kinematics& committed, double h) override;
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;

@@ -48,7 +48,7 @@ class SeabedTerm final : public ForceTerm {
 
   std::string_view name() const override { return "seabed"; }
   void prepare(const Kinematics& committed, double h) override;
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   // Of the bed on a local node in the accepted state, N, space axes.
@@ -123,7 +123,7 @@ class SeabedTerm final : public ForceTerm {
     return p.node == node || p.second == node ? 0.5 : 0;
   }
   Vec3 tangent(const Point& p, const Kinematics& at) const;
-  void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Sink& sink) const;
+  void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
   // Of all nodes of the mesh, on every rank.
   struct Lying {
     std::vector<double> x, reach;  // m; < 0 of what the bed leaves alone

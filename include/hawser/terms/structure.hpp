@@ -39,7 +39,7 @@ class StructureTerm final : public ForceTerm,
 
   std::string_view name() const override { return "structure"; }
   void prepare(const Kinematics& committed, double h) override;
-  void evaluate(const Kinematics& trial, Sink& sink) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;

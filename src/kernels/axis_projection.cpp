@@ -1,4 +1,4 @@
-#include "hawser/kernels/axis_foot.hpp"
+#include "hawser/kernels/axis_projection.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,8 @@ constexpr double kRoot = 1e-15;
 
 }  // namespace
 
-AxisFoot foot_at(const AxisShape& axis, double eta, const Vec3& x) {
-  AxisFoot f;
+AxisProjection point_at(const AxisShape& axis, double eta, const Vec3& x) {
+  AxisProjection f;
   f.eta = eta;
   f.away = x - axis.point(eta);
   f.distance = f.away.norm();
@@ -23,11 +23,11 @@ AxisFoot foot_at(const AxisShape& axis, double eta, const Vec3& x) {
   return f;
 }
 
-AxisFoot foot_on(const AxisShape& axis, const Vec3& x) {
+AxisProjection closest_point_on(const AxisShape& axis, const Vec3& x) {
   if (axis.count() == 2) {
     const Vec3 a = axis.point(0), u = axis.slope(0);
     const double uu = u.squaredNorm(), t = uu > 0 ? (x - a).dot(u) / uu : 0.0;
-    AxisFoot f = foot_at(axis, std::clamp(t, 0.0, 1.0), x);
+    AxisProjection f = point_at(axis, std::clamp(t, 0.0, 1.0), x);
     f.inside = t > 0 && t < 1;
     return f;
   }
@@ -41,8 +41,8 @@ AxisFoot foot_on(const AxisShape& axis, const Vec3& x) {
   double eta = best / (kPlaces - 1.0);
   // h = half the derivative of the squared distance.
   const auto h = [&](double e) { return (axis.point(e) - x).dot(axis.slope(e)); };
-  if (lo == 0 && h(0) >= 0) return foot_at(axis, 0, x);
-  if (hi == 1 && h(1) <= 0) return foot_at(axis, 1, x);
+  if (lo == 0 && h(0) >= 0) return point_at(axis, 0, x);
+  if (hi == 1 && h(1) <= 0) return point_at(axis, 1, x);
   for (int i = 0; i < kMost; ++i) {
     const Vec3 away = axis.point(eta) - x, y1 = axis.slope(eta);
     const double v = away.dot(y1), slope = y1.squaredNorm() + away.dot(axis.bend(eta));
@@ -53,7 +53,7 @@ AxisFoot foot_on(const AxisShape& axis, const Vec3& x) {
     eta = next;
     if (moved <= kRoot || hi - lo <= kRoot) break;
   }
-  AxisFoot f = foot_at(axis, eta, x);
+  AxisProjection f = point_at(axis, eta, x);
   f.inside = true;
   return f;
 }

@@ -29,7 +29,7 @@ struct Tie {
   double director_weight = 0;  // 1/s, of rate in the acceleration
 };
 
-class Sink {
+class Assembler {
  public:
   static constexpr int kMaxBlocks = 8;
 

@@ -1,4 +1,4 @@
-#include "hawser/system/sink.hpp"
+#include "hawser/system/assembler.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -56,15 +56,15 @@ void weigh(int n, double w, const double* A, double* J) {
 
 }  // namespace
 
-void Sink::add_force(int b, double x, double y, double z) {
+void Assembler::add_force(int b, double x, double y, double z) {
   if (b >= owned_blocks_ && !sending_) return;
   double* out = force_->data() + 3 * b;
   out[0] += x, out[1] += y, out[2] += z;
   (*squares_)[static_cast<size_t>(b)] += x * x + y * y + z * z;
 }
 
-void Sink::add(std::span<const int> blocks, const double* f, const double* K, const double* C,
-               const double* M) {
+void Assembler::add(std::span<const int> blocks, const double* f, const double* K, const double* C,
+                    const double* M) {
   const int n = static_cast<int>(blocks.size());
   assert(n <= kMaxBlocks);
   const int* block = blocks.data();
@@ -91,7 +91,7 @@ void Sink::add(std::span<const int> blocks, const double* f, const double* K, co
 
 // Unknowns u = P z of the tied blocks: K' = P'(K P + (C + director_weight M) V), C' = P'C P, M' = P'M P, with
 // the rates V that a turned frame gives. The turning of the forces' arms is the frame's (System::tangent).
-void Sink::add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M) {
+void Assembler::add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   std::vector<int> to;  // blocks of z
   const auto place = [&to](int block) {
@@ -135,7 +135,7 @@ void Sink::add_tied(std::span<const int> blocks, const double* K, const double* 
 }
 
 // J has an entry more than its n x n blocks. Without what belongs to held components.
-void Sink::put(const int* block, int n, double* J) {
+void Assembler::put(const int* block, int n, double* J) {
   const int m = 3 * n;
   for (int i = 0; i < n; ++i) {
     const unsigned char held = (*held_)[static_cast<size_t>(block[i])];
@@ -165,7 +165,7 @@ void Sink::put(const int* block, int n, double* J) {
 }
 
 // In a column of another rank.
-void Sink::add_elsewhere(int row, int column, const double* J, int m) {
+void Assembler::add_elsewhere(int row, int column, const double* J, int m) {
   double block[9];
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) block[3 * r + c] = J[r * m + c];
@@ -174,7 +174,7 @@ void Sink::add_elsewhere(int row, int column, const double* J, int m) {
   check(MatSetValuesBlocked(matrix_, 1, &r, 1, &c, block, ADD_VALUES));
 }
 
-void Sink::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c) {
+void Assembler::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c) {
   if (force_) add_force(a, -f[0], -f[1], -f[2]), add_force(b, f[0], f[1], f[2]);
   if (!matrix_) return;
   const int blocks[2] = {a, b};
@@ -195,7 +195,7 @@ void Sink::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c
   put(blocks, 2, J);
 }
 
-void Sink::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
+void Assembler::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
   const Vec3 counted = mean_weight_ * f;
   if (mean_)
     for (const int end : {a, b})
@@ -205,7 +205,7 @@ void Sink::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
   add_between(a, b, counted, &stiffness, nullptr);
 }
 
-void Sink::add_weighted(int a, int b, const double* f, const double* J) {
+void Assembler::add_weighted(int a, int b, const double* f, const double* J) {
   if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
   if (!matrix_) return;
   const int blocks[2] = {a, b};
@@ -214,7 +214,7 @@ void Sink::add_weighted(int a, int b, const double* f, const double* J) {
   put(blocks, 2, own);
 }
 
-void Sink::add_masses(int a, int b, const double* f, double own, double shared) {
+void Assembler::add_masses(int a, int b, const double* f, double own, double shared) {
   if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
   const int blocks[2] = {a, b};
   const bool frames = tied(a) || tied(b);
