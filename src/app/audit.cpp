@@ -1,3 +1,5 @@
+// How the energy balance of a run is updated at each step, the limits for energy that the time integration
+// has created or lost, and the sentences that report it at the end of a run.
 #include "hawser/app/audit.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The class ClashLog: how the touches of successive steps are merged into clashes, followed with impulse and
+// peak force, ended, ranked by force and kept in a checkpoint.
 #include "hawser/app/clash_log.hpp"
 
 #include <algorithm>

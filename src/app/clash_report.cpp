@@ -1,3 +1,5 @@
+// The class ClashReport: gathering the touches of the three contact terms from all ranks onto rank 0, its
+// records in a checkpoint, and the table printed at the end of a run.
 #include "hawser/app/clash_report.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The class Clearances: smallest distance of two lines by trees of bounding boxes, and of a line from a
+// surface, nearest elements first; then the smallest of all ranks.
 #include "hawser/app/clearances.hpp"
 
 #include <algorithm>

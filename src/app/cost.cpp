@@ -1,3 +1,5 @@
+// How the CPU time of one residual and one tangent is measured, and how `hawser check` estimates the time and
+// memory of a whole run from it.
 #include "hawser/app/cost.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The order of a whole run: reading, static equilibrium, time integration with outputs and checkpoints, stop
+// by a signal, final messages and exit code. Likewise for `hawser check`.
 #include "hawser/app/driver.hpp"
 
 #include <fmt/chrono.h>

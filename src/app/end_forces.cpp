@@ -1,3 +1,5 @@
+// The class EndForces: at which nodes the forces on either side are wanted, and the force and moment of a
+// section from the nodal forces of the element beside it.
 #include "hawser/app/end_forces.hpp"
 
 #include <algorithm>

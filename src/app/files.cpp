@@ -1,3 +1,5 @@
+// Whether the lines of a results file are those of the case, node by node, before a restart from it; and how
+// an input error on rank 0 reaches all ranks.
 #include "hawser/app/files.hpp"
 
 #include <fmt/format.h>

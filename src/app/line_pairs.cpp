@@ -1,3 +1,5 @@
+// From the case to the force term LinePairs: which pairs of lines are excluded, which ends meet at one point,
+// radius and automatic stiffness of each element.
 #include "hawser/app/line_pairs.hpp"
 
 #include <fmt/format.h>

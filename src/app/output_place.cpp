@@ -1,3 +1,5 @@
+// The class OutputPlace: symbolic links, folder and name of the results file, and what of earlier files there
+// is kept, refused or continued.
 #include "hawser/app/output_place.hpp"
 
 #include <fmt/format.h>

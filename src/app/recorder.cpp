@@ -1,3 +1,5 @@
+// The class Recorder: what is evaluated at every accepted step and at every output (fields, section forces at
+// ends of lines, histories, energies, extremes) and put into the results file.
 #include "hawser/app/recorder.hpp"
 
 #include <fmt/format.h>

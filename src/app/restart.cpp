@@ -1,3 +1,5 @@
+// Which vectors, step control numbers and histories of force terms make up a checkpoint, how one that is read
+// is checked, and how they return into the time integration.
 #include "hawser/app/restart.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// What the partition of the mesh needs to know of the case: which elements are near each other in the start
+// shape, and which lines may touch themselves and so stay on one rank.
 #include "hawser/app/share_nodes.hpp"
 
 #include <algorithm>

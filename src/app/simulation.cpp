@@ -1,3 +1,5 @@
+// The class Simulation: mesh, partition and force terms made from the case in their order, the stages of
+// statics without and with friction, and the settings of the time integration.
 #include "hawser/app/simulation.hpp"
 
 #include <fmt/format.h>

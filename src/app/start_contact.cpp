@@ -1,3 +1,5 @@
+// Which stretches of lines lie inside a volume at the start, which of them are left out of contact near held
+// ends, and the warnings with what the user can do about the rest.
 #include "hawser/app/start_contact.hpp"
 
 #include <fmt/format.h>

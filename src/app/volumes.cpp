@@ -1,3 +1,5 @@
+// How each volume of a case gets its surface: an exact shape, or a mesh that one rank of a host reads and
+// checks for all; and what contact of bodies and the pictures need of it.
 #include "hawser/app/volumes.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// What several parts of the case reader share: file paths, tables of numbers, shapes, tables of motion and of
+// force, friction, and contact between lines.
 #include "hawser/io/case_reader_parts.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// How a checkpoint is packed into one array of numbers with an index, unpacked on any number of ranks,
+// secured by a checksum, and read from the newer valid one of its two slots.
 #include "hawser/io/checkpoint.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The columns of the clash tables in a results file as an HDF5 type, and how these tables are created,
+// copied, completed and read.
 #include "hawser/io/clash_rows.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The calls of the HDF5 library for files, groups, datasets, texts and attributes, with a failure reported as
+// an exception in the library's own words.
 #include "hawser/io/hdf5.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The test that an input file exists, is regular and no larger than allowed, or the reason why not.
 #include "hawser/io/input_file.hpp"
 
 #include <fmt/format.h>

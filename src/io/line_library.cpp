@@ -1,3 +1,5 @@
+// How a line type is taken from the library: name and grade, polynomials in the nominal diameter, refusals;
+// and the page of the user guide that lists these formulas.
 #include "hawser/io/line_library.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Tests of a volume's mesh against its tasks: size in metres, the inside test asked for, its active part, and
+// sharp edges where edges or corners are to touch other bodies.
 #include "hawser/io/mesh_check.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The steps from a mesh file to a closed outward surface: import by format, welding, closing of cracks,
+// removal of duplicates, orientation and repair, each with a note for the user.
 #include "hawser/io/mesh_reader.hpp"
 
 #include <assimp/postprocess.h>

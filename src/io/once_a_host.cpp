@@ -1,3 +1,5 @@
+// How the mesh surface that one rank of a host has made gets into memory shared with the other ranks, and how
+// an error on any rank is thrown on all.
 #include "hawser/io/once_a_host.hpp"
 
 #include <string>

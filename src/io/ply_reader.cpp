@@ -1,3 +1,5 @@
+// The parser of PLY files: the header with its elements and properties, then vertices and faces from text or
+// from binary numbers of either byte order, all checked for range.
 #include "ply_reader.hpp"
 
 #include <fmt/format.h>

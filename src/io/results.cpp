@@ -1,3 +1,5 @@
+// The class ResultsFile: creating or resuming a results file, making room in it, and writing series, outputs,
+// clashes and checkpoints so that each counts only when it is complete.
 #include "hawser/io/results.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Which datasets a results file has, how it is made anew with more room and the rows of the earlier file, how
+// it takes that one's place, and how the extent of a file is read.
 #include "hawser/io/results_build.hpp"
 
 #include <fcntl.h>

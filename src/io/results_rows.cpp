@@ -1,3 +1,5 @@
+// The class SharedFile: parallel writing of rows to open datasets by all ranks or by one, flushing to the
+// disk, and how the ranks agree on the first error.
 #include "hawser/io/results_rows.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The class RunLock: how the lock file beside the results is created, locked for this process and removed,
+// and the message when another run holds it.
 #include "hawser/io/run_lock.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,5 @@
+// How the cause of a failed write is found: no space left on the disk, or else the operating system's words
+// within those of the HDF5 library.
 #include "hawser/io/write_error.hpp"
 
 #include <sys/statvfs.h>

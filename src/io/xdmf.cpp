@@ -1,3 +1,5 @@
+// The class XdmfWriter: the XML grids of lines and volumes at each output, which refer to rows of the HDF5
+// file, and the names that both files share.
 #include "hawser/io/xdmf.hpp"
 
 #include <cctype>

@@ -1,3 +1,4 @@
+// Decoding of UTF-8 and the characters that XML 1.0 allows, for the user's names in the XDMF file.
 #include "hawser/io/xml_text.hpp"
 
 #include <cstddef>

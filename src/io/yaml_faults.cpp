@@ -1,3 +1,5 @@
+// How the lines of a file that is no valid YAML are split into indentation, text and comment, and searched
+// for the likely mistake near the place where the parser stopped.
 #include "yaml_faults.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Bisection of two moving element axes, with continuous collision detection of the chords of their pieces, by
+// which a step of contact between lines is judged.
 #include "hawser/kernels/axis_approach.hpp"
 
 #include <algorithm>

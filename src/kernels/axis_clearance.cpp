@@ -1,3 +1,5 @@
+// Element axes as cubic Bézier curves: evaluation, bounds and halving; nearest points of two of them by
+// branch and bound with Newton's method; smallest distance of one to a surface.
 #include "hawser/kernels/axis_clearance.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The projection of a point onto an element axis by a bracketed Newton iteration, which gives contact of
+// lines with lines its nearest point.
 #include "hawser/kernels/axis_projection.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The twist angle between two attitudes of a node by swing-twist decomposition, with its first and second
+// derivatives for the tangent of friction with volumes.
 #include "hawser/kernels/axis_roll.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Shape functions of an element axis, cubic for beams and linear for cables, and the chain rule that takes
+// forces along the axis and their tangents to nodal positions and rotations.
 #include "hawser/kernels/axis_shape.hpp"
 
 #include "hawser/math/so3.hpp"

@@ -1,3 +1,5 @@
+// The bisection in space and time of the region that an element axis sweeps over in a step, which tells
+// whether the axis has passed through a thin body.
 #include "hawser/kernels/axis_sweep.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The beam element: kinematics of the co-rotational frame, internal force and exact tangent,
+// stiffness-proportional damping, bending by a table, section moments, stress-free reference.
 #include "hawser/kernels/beam.hpp"
 
 #include <algorithm>

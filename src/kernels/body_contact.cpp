@@ -1,3 +1,5 @@
+// Normal force of one contact point between two rigid bodies: gap, its gradient by both bodies' unknowns,
+// stiffness and damping matrices, and the change along an edge.
 #include "hawser/kernels/body_contact.hpp"
 
 #include "hawser/math/so3.hpp"

@@ -1,3 +1,5 @@
+// The cable element: pointwise tension with its tangent, and the energy-conserving mean tension over a step
+// with damping, numerical filter and changes between taut and slack.
 #include "hawser/kernels/cable.hpp"
 
 #include <algorithm>

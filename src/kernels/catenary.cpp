@@ -1,3 +1,5 @@
+// The chord and the compliance of one elastic catenary section in closed form, and Newton's method for the
+// end tension of a line of several sections.
 #include "hawser/kernels/catenary.hpp"
 
 #include <algorithm>

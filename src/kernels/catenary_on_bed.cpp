@@ -1,3 +1,5 @@
+// Newton's method for the horizontal and vertical end tension of a catenary that lies in part on the seabed,
+// and position and tension along its grounded part.
 #include "hawser/kernels/catenary_on_bed.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Current velocity by depth, from a table or a power law, with its derivative; its factor by time.
 #include "hawser/kernels/current.hpp"
 
 #include <algorithm>

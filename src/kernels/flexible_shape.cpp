@@ -1,3 +1,5 @@
+// Minimisation of the potential energy of a line without bending stiffness: Newton's method with block
+// elimination along the line, from coarse to fine and from soft to stiff.
 #include "hawser/kernels/flexible_shape.hpp"
 
 #include <Eigen/Cholesky>

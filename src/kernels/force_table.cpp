@@ -1,3 +1,5 @@
+// Contact force given as a table over penetration: its rows begin at zero, and the cubic through them gives
+// force, stiffness and potential.
 #include "hawser/kernels/force_table.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Lower bounds of the distance between an element axis and a volume from distances already known, which spare
+// most searches for contact.
 #include "hawser/kernels/free_tube.hpp"
 
 #include <algorithm>

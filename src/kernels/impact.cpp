@@ -1,3 +1,5 @@
+// When a contact strikes within a step, what energy a time step may then create or lose, and the longest step
+// that every line can bear.
 #include "hawser/kernels/impact.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The search along an element axis for stretches with a negative gap, where they are split and cut, and the
+// Gauss points of the integral over them.
 #include "hawser/kernels/line_contact.hpp"
 
 #include <algorithm>

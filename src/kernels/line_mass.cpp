@@ -1,3 +1,5 @@
+// Consistent mass matrices of beam and cable elements, gyroscopic terms and rotary inertia, weight and dead
+// loads, with exact tangents, kinetic energy and work.
 #include "hawser/kernels/line_mass.hpp"
 
 #include "hawser/math/wide3.hpp"

@@ -1,3 +1,5 @@
+// The class LinePairSide: where an element touches another, elastic slip from the start of the step, forces
+// and couples at the Gauss points, their exact tangent, and the history kept.
 #include "hawser/kernels/line_pair.hpp"
 
 #include <algorithm>

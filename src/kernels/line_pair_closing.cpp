@@ -1,3 +1,5 @@
+// The relative motion of two touching points split into sliding along either line and closing, with its
+// derivatives by automatic differentiation.
 #include "hawser/kernels/line_pair_closing.hpp"
 
 #include <unsupported/Eigen/AutoDiff>

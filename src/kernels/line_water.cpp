@@ -1,3 +1,5 @@
+// Forces of the water at the Gauss points of an element taken to the nodes of a cable or a beam, with
+// tangents and the potential of buoyancy; and the same for balls (buoys, weights).
 #include "hawser/kernels/line_water.hpp"
 
 #include "water_points.hpp"

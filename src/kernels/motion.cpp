@@ -1,3 +1,5 @@
+// Prescribed motion as functions of time: smooth ramp, curves through the rows of a table, harmonics and
+// drift; angular velocity and acceleration from a rotation vector; the pose of a body.
 #include "hawser/kernels/motion.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Interpolation of response amplitude operators in frequency and direction, symmetry of the vessel, and its
+// motion as a sum of responses to the wave components.
 #include "hawser/kernels/rao.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Inertia, gyroscopic moment, springs and dampers of a rigid body: residual, exact matrices by position,
+// velocity and acceleration, kinetic and spring energy.
 #include "hawser/kernels/rigid_body.hpp"
 
 #include "hawser/math/so3.hpp"

@@ -1,3 +1,5 @@
+// The cubic through the rows of a stiffness table and the origin: force, tangent stiffness and strain energy
+// for the cable and beam elements.
 #include "hawser/kernels/stiffness_table.hpp"
 
 #include <cmath>

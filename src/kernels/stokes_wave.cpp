@@ -1,3 +1,5 @@
+// Coefficients of Fenton's fifth-order theory, solution of its dispersion relation with a current, limits of
+// its validity, and surface elevation and motion of the water.
 #include "hawser/kernels/stokes_wave.hpp"
 
 #include <algorithm>

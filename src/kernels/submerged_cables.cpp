@@ -1,3 +1,5 @@
+// Buoyancy, drag, added mass and Froude-Krylov force of four submerged cable elements at once in vector
+// arithmetic, with their weighted tangent.
 #include "hawser/kernels/submerged_cables.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Normal force and friction with elastic slip at one point of a line against a volume or the seabed, and
+// their derivatives by position, velocity and roll by automatic differentiation.
 #include "hawser/kernels/volume_contact.hpp"
 
 #include <unsupported/Eigen/AutoDiff>

@@ -1,3 +1,5 @@
+// Airy waves: dispersion relation, velocity and acceleration at a point with stretching, and the random
+// components of a JONSWAP or tabulated spectrum with directional spreading.
 #include "hawser/kernels/waves.hpp"
 
 #include <algorithm>

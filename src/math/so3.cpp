@@ -1,3 +1,4 @@
+// The smallest rotation between two directions, the one function on rotations that is not inline.
 #include "hawser/math/so3.hpp"
 
 namespace hawser {

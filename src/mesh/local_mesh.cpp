@@ -1,3 +1,5 @@
+// How a rank's part of the mesh is made: numbering of blocks over all ranks, ghost nodes of its elements,
+// shared positions at joints, and further ghosts for contact.
 #include "hawser/mesh/local_mesh.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// From the case to nodes and elements: graded element lengths, joints, ends tied to floating bodies, nodes
+// where tension may jump, and bodies that ride on lines.
 #include "hawser/mesh/mesh.hpp"
 
 #include <fmt/format.h>

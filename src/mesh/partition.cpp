@@ -1,3 +1,5 @@
+// The graph of nodes, elements and near elements with its weights, lines that stay whole, and the cut of that
+// graph into one part for each rank.
 #include "hawser/mesh/partition.hpp"
 
 #include <metis.h>

@@ -1,3 +1,5 @@
+// Height and normal of a plane or measured seabed, and the rules by which a start shape counts as laid on it
+// or a line as held by friction; for start shapes, checks and statics.
 #include "hawser/model/bed.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Bending stiffness along a bend stiffener by linear interpolation, and the harmonic mean of line and
+// stiffeners over the length of one beam element.
 #include "hawser/model/bend_stiffener.hpp"
 
 #include <cstddef>

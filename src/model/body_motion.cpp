@@ -1,3 +1,5 @@
+// From the motion and drift that a case gives a body to the time functions of kernels/motion.hpp, and the
+// times at which a motion table jumps in velocity.
 #include "hawser/model/body_motion.hpp"
 
 #include <algorithm>

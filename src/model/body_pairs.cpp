@@ -1,3 +1,5 @@
+// The rules for contact of bodies: which volume of a pair leads with its points, edges or faces, and which
+// stiffness and share of the force each pair gets.
 #include "hawser/model/body_pairs.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// What the case can say beyond its plain data: thermal strain of a line, inertia tensor of a body, who takes
+// part in contact, and finding line types, joints, bodies and lines by name.
 #include "hawser/model/case.hpp"
 
 #include <algorithm>

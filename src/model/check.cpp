@@ -1,3 +1,5 @@
+// Checks of lines (ends, span, start shape, soil, temperature, loads), of time steps, tables and outputs, of
+// joints, bodies and shapes; those of contact are in check_contact.cpp.
 #include "hawser/model/check.hpp"
 
 #include <fmt/format.h>

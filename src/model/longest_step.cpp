@@ -1,3 +1,5 @@
+// The time scales of a case (waves, prescribed motions, ramps, natural periods of lines and floating bodies,
+// drag) and the longest automatic step that follows from them.
 #include "hawser/model/longest_step.hpp"
 
 #include <algorithm>

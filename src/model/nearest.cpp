@@ -1,3 +1,5 @@
+// Edit distance between words, and the phrases of error messages made from it: suggested spellings, quoted
+// text, lists of words.
 #include "hawser/model/nearest.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,4 @@
+// How notes are split into volume and text, and equal texts joined under one list of volumes.
 #include "hawser/model/notes.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The phrases of the summary that `hawser check` prints: lines with ends, start and loads, motions, volumes
+// with stiffness and friction, the sea, and the time steps.
 #include "hawser/model/summary.hpp"
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// The table of units of every dimension with their factors to SI, the spellings of a unit that are
+// understood, and the parser of a number with its unit.
 #include "hawser/model/units.hpp"
 
 #include <array>

@@ -1,3 +1,5 @@
+// How a value of the case file's tree is found by its key, and the line of the file that a dotted key stands
+// in, for error messages.
 #include "hawser/model/value.hpp"
 
 #include <charconv>

@@ -1,3 +1,5 @@
+// From the wave settings of a case (rows, spectrum, tabulated spectrum or Stokes' wave) to the wave field
+// that hydrodynamics and vessel motions evaluate.
 #include "hawser/model/wave_components.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// The class Dynamics: Newton's iteration of one time step and when it keeps its tangent, accelerations at the
+// start, and what an accepted step commits; the decision is in step_decision.cpp.
 #include "hawser/solve/dynamics.hpp"
 
 #include <fmt/format.h>

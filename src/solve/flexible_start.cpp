@@ -1,3 +1,5 @@
+// From the case to the energy minimisation that gives a line's start shape: its pieces, loads, bed and water,
+// drag of a current in turns with the shape, and folds straightened out.
 #include "flexible_start.hpp"
 
 #include <algorithm>

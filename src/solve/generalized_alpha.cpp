@@ -1,3 +1,5 @@
+// The formulas of the generalized-alpha scheme: trial velocities and accelerations from an increment,
+// predictor, mean forces of cables, weights of the tangent, local error.
 #include "hawser/solve/generalized_alpha.hpp"
 
 #include <algorithm>

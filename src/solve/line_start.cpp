@@ -1,3 +1,5 @@
+// Which start shape each line gets: given points, another run's shape, a straight line, a catenary with or
+// without seabed, an arc of slack, or the shape of least energy.
 #include "line_start.hpp"
 
 #include <algorithm>

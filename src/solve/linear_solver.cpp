@@ -1,3 +1,5 @@
+// Choice of the direct solver and of the elimination order for a Newton step, and the number of negative
+// eigenvalues of a tangent, which shows whether an equilibrium is stable.
 #include "hawser/solve/linear_solver.hpp"
 
 #include "hawser/solve/substructure.hpp"

@@ -1,3 +1,5 @@
+// The loop of dynamic relaxation: fictitious mass and its changes, implicit pseudo-time steps, kinetic
+// damping at peaks of the kinetic energy, and the test for motion that only creeps.
 #include "hawser/solve/relaxation.hpp"
 
 #include <fmt/format.h>

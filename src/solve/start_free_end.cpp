@@ -1,3 +1,5 @@
+// Start shape of a line with one free end that lies on the bed or floats: its direction, the hanging part,
+// the bend at the touchdown point and the part along the ground.
 #include "start_free_end.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Start positions from line_start.hpp for every line, rotations of least twist along it, supports of held and
+// tied ends, and the start of floating bodies.
 #include "hawser/solve/start_shape.hpp"
 
 #include <algorithm>

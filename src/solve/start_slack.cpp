@@ -1,3 +1,4 @@
+// The circular arc on the bed or the water's surface that takes up the slack between two ends.
 #include "hawser/solve/start_slack.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The class StaticTrial: linear system of a static step, limits of its length, the test that no line passes
+// through another, and the push off an unstable equilibrium.
 #include "hawser/solve/static_trial.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The search for static equilibrium: soft lines first, Newton's descent with line search, leaving unstable
+// equilibria, dynamic relaxation where Newton fails, raising of contact stiffness.
 #include "hawser/solve/statics.hpp"
 
 #include <fmt/format.h>

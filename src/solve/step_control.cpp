@@ -1,3 +1,5 @@
+// The class StepControl: how Newton iterations, local error, failures and impacts change the length of the
+// next step, and how the way to an output time is divided.
 #include "hawser/solve/step_control.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The substructuring solver as a preconditioner: finding the unknowns shared between ranks, factorising a
+// rank's own block and the dense system of the shared ones, and solving with both.
 #include "hawser/solve/substructure.hpp"
 
 #include <Eigen/LU>

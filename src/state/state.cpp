@@ -1,3 +1,5 @@
+// How an increment of the unknowns moves positions and rotations, and the constant velocities that lead from
+// one state to another.
 #include "hawser/state/state.hpp"
 
 #include "hawser/math/so3.hpp"

@@ -1,3 +1,5 @@
+// The class Assembler: how forces and weighted derivatives of a term are added to residual and tangent, with
+// rotation increments, held components, ties to frames and rows of other ranks.
 #include "hawser/system/assembler.hpp"
 
 #include <Eigen/Core>

@@ -1,3 +1,5 @@
+// The class GhostExchange: which nodes each rank sends to which other, and the messages that carry numbers,
+// vectors, quaternions or matrices to the ghosts.
 #include "hawser/system/ghost_exchange.hpp"
 
 #include <algorithm>

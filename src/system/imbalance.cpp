@@ -1,3 +1,5 @@
+// The node with the largest residual force or moment over all ranks, and the sentence on it in the error
+// messages of statics and time integration.
 #include "hawser/system/imbalance.hpp"
 
 #include <fmt/format.h>

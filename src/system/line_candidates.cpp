@@ -1,3 +1,5 @@
+// The class LineCandidates: when the list of near element pairs still holds, how paths are predicted, the
+// narrow test of a pair, exclusions along a line, and couplings of nodes.
 #include "hawser/system/line_candidates.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The class OwnBlocks: access to the stored blocks of a rank's diagonal part of the tangent, and its return
+// when assembly is done.
 #include "hawser/system/own_blocks.hpp"
 
 #include "hawser/base/handle.hpp"

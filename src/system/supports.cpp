@@ -1,3 +1,5 @@
+// The class Supports: increments and rates of nodes held in space or by a moving body, and positions,
+// rotations and rates of nodes tied to a rigid frame.
 #include "hawser/system/supports.hpp"
 
 #include "hawser/math/so3.hpp"

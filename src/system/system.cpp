@@ -1,3 +1,5 @@
+// The part of System that assembles: residual and tangent from all force terms, forces of tied nodes on their
+// frames, the norms that judge convergence, and calls handed on to the terms.
 #include "hawser/system/system.hpp"
 
 #include <petscvec.h>

@@ -1,3 +1,5 @@
+// The part of BodyContactTerm that acts: pairs of volumes, forces and tangent summed over corners and edges,
+// energies, history; steps are in body_contact_ahead.cpp.
 #include "hawser/terms/body_contact.hpp"
 
 #include <algorithm>

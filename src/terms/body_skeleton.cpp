@@ -1,3 +1,5 @@
+// How corners, sharp edges, pieces of faces and rings are taken from a volume and bundled for contact of
+// bodies, and which places on its faces are watched.
 #include "hawser/terms/body_skeleton.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The class BuriedTerm: resistance of the soil at each buried node of a line, force and tangent, stored
+// energy and friction work, output field and history.
 #include "hawser/terms/buried.hpp"
 
 #include <algorithm>

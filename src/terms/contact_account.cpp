@@ -1,3 +1,5 @@
+// Work of friction, damping and prescribed bodies at one contact point over a step, from the motion relative
+// to the body and the motion of the body itself.
 #include "hawser/terms/contact_account.hpp"
 
 namespace hawser {

@@ -1,3 +1,5 @@
+// From the settings of a volume to the normal and friction laws of contact with it, and the limits that a
+// contact spring sets to the time step.
 #include "hawser/terms/contact_laws.hpp"
 
 #include <cmath>

@@ -1,3 +1,5 @@
+// Formulas for automatic contact stiffness, of a line on a volume and of lines that cross, and the sentences
+// that tell the user which stiffness was chosen, raised or too low.
 #include "hawser/terms/contact_stiffness.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The class ContactVolumes: its checks at construction and the stretches at ends of lines that have no
+// contact; poses and stiffness are in contact_volumes_bodies.cpp and _stiffness.cpp.
 #include "hawser/terms/contact_volumes.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The class EndSprings: moment and exact tangent of a rotational spring at the end of a line, its reaction on
+// a floating body, and the work of bodies with prescribed motion.
 #include "hawser/terms/end_springs.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The part of Hydrodynamics that acts: motion of the water at the nodes, forces on beams and balls, energy
+// and work, wall tension, history; cables in fours are in hydrodynamics_cables.cpp.
 #include "hawser/terms/hydrodynamics.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The class LineMassTerm: masses and distributed loads of the case by element, their assembly by
+// kernels/line_mass.hpp, work of ramped loads, momentum of lines.
 #include "hawser/terms/line_mass.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The part of LinePairs that acts: pairs from the candidate list, forces and tangent, and history, energy and
+// work of an accepted step; the rest is in line_pairs_*.cpp.
 #include "hawser/terms/line_pairs.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The part of LineVolumeContact that prepares a step: contact laws of each element, and which pairs of
+// element and volume, or of its walls, may touch; the rest is in line_volume_*.cpp.
 #include "hawser/terms/line_volume_contact.hpp"
 
 #include <algorithm>

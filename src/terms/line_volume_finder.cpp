@@ -1,3 +1,5 @@
+// The part of LineVolumeFinder that finds contact in a trial: stretches and Gauss points along an element or
+// at its ends, and the free space that makes the search needless.
 #include "hawser/terms/line_volume_finder.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Point forces, moments and masses of a case on the nearest nodes: residual and tangent, work and potential
+// of PointLoads, inertia and weight of PointMasses.
 #include "hawser/terms/point_loads.hpp"
 
 #include <stdexcept>

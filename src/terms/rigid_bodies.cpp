@@ -1,3 +1,5 @@
+// The class RigidBodies: floating bodies with inertia, weight, springs and dampers as a force term, their
+// energy and work, and conversion between centre of mass and body frame.
 #include "hawser/terms/rigid_bodies.hpp"
 
 #include <algorithm>

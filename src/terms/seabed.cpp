@@ -1,3 +1,5 @@
+// The part of SeabedTerm that acts: gap, normal force, friction and suction at each point, force and tangent,
+// energy, and history of an accepted step; the rest is in seabed_*.cpp.
 #include "hawser/terms/seabed.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The search in the start shape for stretches of lines inside volumes, and for nodes that a volume separates
+// from the straight way between the ends of their line.
 #include "hawser/terms/start_inside.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The class StructureTerm: beam and cable elements from the line types, assembly of their forces, softening
+// for statics, strain limits, and output of tension, moments and curvature.
 #include "hawser/terms/structure.hpp"
 
 #include <algorithm>
