@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hawser::detail {
 
@@ -16,20 +17,22 @@ CoarseDistance::CoarseDistance(const Box& box, std::size_t triangles,
   rounding_ = 1e-6 * box.extent().maxCoeff();
   if (!(side_ > 0)) side_ = 1;
   for (int a = 0; a < 3; ++a) n_[a] = std::max(1, static_cast<int>(std::ceil(e[a] / side_)));
-  cells_.reserve(static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) *
-                 static_cast<std::size_t>(n_[2]));
+  std::vector<Cell> cells;
+  cells.reserve(static_cast<std::size_t>(n_[0]) * static_cast<std::size_t>(n_[1]) *
+                static_cast<std::size_t>(n_[2]));
   int hint = -1;
-  LargeVector<float> closed;
+  std::vector<float> closed;
   bool open = false;
   for (int k = 0; k < n_[2]; ++k)
     for (int j = 0; j < n_[1]; ++j)
       for (int i = 0; i < n_[0]; ++i) {
         const Sample s = sample(box.lo + side_ * Vec3(i + 0.5, j + 0.5, k + 0.5), hint);
         hint = s.triangle;
-        cells_.push_back({static_cast<float>(s.active), static_cast<float>(s.whole)});
+        cells.push_back({static_cast<float>(s.active), static_cast<float>(s.whole)});
         closed.push_back(static_cast<float>(s.closed));
         open = open || std::isfinite(s.closed);
       }
+  cells_ = std::move(cells);
   if (open) closed_ = std::move(closed);
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hawser/geometry/box.hpp"
-#include "hawser/geometry/large_vector.hpp"
+#include "hawser/geometry/const_array.hpp"
 
 namespace hawser::detail {
 
@@ -45,8 +45,8 @@ class CoarseDistance {
   int n_[3] = {1, 1, 1};
   // The cell nearest to y, and how far y is from its centre, m.
   std::size_t cell(const Vec3& y, double& way) const;
-  LargeVector<Cell> cells_;
-  LargeVector<float> closed_;  // m, of the cells; empty: infinite
+  ConstArray<Cell> cells_;
+  ConstArray<float> closed_;  // m, of the cells; empty: infinite
 };
 
 }  // namespace hawser::detail

@@ -2,17 +2,62 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
-#include "spatial_hash_keys.hpp"
-
 namespace hawser::detail {
+namespace {
 
-Facets::Facets(const TriangleMesh& mesh, const std::vector<std::array<Eigen::Vector3f, 3>>& bends)
-    : vertices_(large_copy(mesh.vertices)),
-      triangles_(large_copy(mesh.triangles)),
-      bends_(large_copy(bends)) {}
+// A search farther than so many sides of a cube looks at too many of them.
+constexpr double kNearBy = 3;
+
+// Too flat for the short formula of the squared distance.
+bool thin(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double l2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return !((b - a).cross(c - a).norm() > 1e-4 * l2);
+}
+
+// Squared distance to a triangle of sound shape (Ericson 2005, 5.1.5), corners seen from the point.
+double squared_distance_to(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a;
+  const double d1 = -ab.dot(a), d2 = -ac.dot(a);
+  if (d1 <= 0 && d2 <= 0) return a.squaredNorm();
+  const double d3 = -ab.dot(b), d4 = -ac.dot(b);
+  if (d3 >= 0 && d4 <= d3) return b.squaredNorm();
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (a + d1 / (d1 - d3) * ab).squaredNorm();
+  const double d5 = -ab.dot(c), d6 = -ac.dot(c);
+  if (d6 >= 0 && d5 <= d6) return c.squaredNorm();
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (a + d2 / (d2 - d6) * ac).squaredNorm();
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    return (b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).squaredNorm();
+  const double f = 1 / (va + vb + vc);
+  return (a + vb * f * ab + vc * f * ac).squaredNorm();
+}
+
+}  // namespace
+
+Facets::Facets(const TriangleMesh& mesh, std::vector<std::array<Eigen::Vector3f, 3>> bends)
+    : vertices_(mesh.vertices), triangles_(mesh.triangles), bends_(std::move(bends)) {
+  std::vector<float> bulges;
+  for (int t = 0; t < static_cast<int>(triangles_.size()); ++t) {
+    thin_.push_back(thin(corner(t, 0), corner(t, 1), corner(t, 2)));
+    if (any_curved()) bulges.push_back(static_cast<float>(patch(t).bulge() * (1 + 1e-6)));
+  }
+  bulges_ = std::move(bulges);
+}
+
+// A quadratic patch lies in the hull of its corners and of the middles of its edges bent by c / 2.
+Box Facets::box(int t) const {
+  Box b;
+  const SmoothPatch q = patch(t);
+  for (std::size_t i = 0; i < 3; ++i) {
+    b.add(q.p[i]);
+    if (any_curved()) b.add(Vec3(0.5 * (q.p[i] + q.p[(i + 1) % 3] + q.c[i])));
+  }
+  return b;
+}
 
 PatchPoint Facets::closest(int t, const Vec3& y) const {
   if (!bends_.empty()) {
@@ -24,93 +69,50 @@ PatchPoint Facets::closest(int t, const Vec3& y) const {
   return best;
 }
 
+double Facets::squared_distance(int t, const Vec3& y) const {
+  const Vec3 &a = corner(t, 0), &b = corner(t, 1), &c = corner(t, 2);
+  return thin_[static_cast<std::size_t>(t)] ? closest_point_on_triangle(y, a, b, c).squared_distance
+                                            : squared_distance_to(a - y, b - y, c - y);
+}
+
 FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) : chosen_(chosen) {
-  const MeshView mesh = facets.mesh();
-  if (!facets.any_curved()) {
-    hash_ = SpatialHash(mesh.vertices, mesh.triangles, chosen);
-    return;
-  }
-  std::vector<PatchTree::Item> items;
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
-    if (chosen.empty() || chosen[static_cast<std::size_t>(t)]) items.push_back({t, facets.patch(t)});
-  tree_ = PatchTree(items);
+  std::vector<Box> boxes;
+  for (int t = 0; facets.has(t); ++t) boxes.push_back(facets.box(t));
+  tree_ = BoxTree(boxes, chosen);
+  if (!facets.any_curved()) hash_ = SpatialHash(boxes, chosen);
 }
 
 std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, const Vec3& y,
                                                       double max_distance, int hint) const {
-  std::optional<Foot> best;
-  if (tree_.empty()) {
-    if (const auto found = hash_.nearest(y, max_distance, hint))
-      best = Foot{facets.closest(found->triangle, y), found->triangle};
-    return best;
-  }
-  if (!y.allFinite() || !(max_distance >= 0)) return best;
+  if (!y.allFinite() || !(max_distance >= 0)) return std::nullopt;
+  int nearest = -1;
+  std::optional<PatchPoint> on_patch;  // of a curved facet
   double limit = max_distance * max_distance;
-  const auto visit = [&](int t, double& squared) {
-    if (best && t == best->triangle) return;
-    const PatchPoint p = facets.closest(t, y);
-    if (!(p.squared_distance <= squared)) return;
-    if (p.squared_distance == squared && best && t > best->triangle) return;
-    best = Foot{p, t};
-    squared = p.squared_distance;
-  };
-  if (facets.has(hint) && (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)])) visit(hint, limit);
-  tree_.nearest(y, limit, visit);
-  return best;
-}
-
-// Of many questions: by cells of the box along a curve, so that what one reads is there for the next.
-std::vector<std::uint32_t> FacetSearch::order_of(std::span<const SpatialHash::Question> questions) const {
-  constexpr std::size_t kMany = 1024;
-  constexpr int kBits = 5;
-  std::vector<std::uint32_t> order;
-  if (questions.size() < kMany) return order;
-  const double cell = tree_.box().extent().maxCoeff() / (1 << kBits), last = (1 << kBits) - 1;
-  if (!(cell > 0)) return order;
-  const auto key = [&](const SpatialHash::Question& q) {
-    std::uint64_t c[3];
-    for (int a = 0; a < 3; ++a) {
-      const double x = (q.point[a] - tree_.box().lo[a]) / cell;
-      c[a] = static_cast<std::uint64_t>(x > 0 ? std::min(x, last) : 0.0);
+  const auto visit = [&](int t) {
+    if (t == nearest) return;
+    PatchPoint p;
+    p.squared_distance = facets.squared_distance(t, y);
+    bool curved = false;
+    if (const double bulge = facets.bulge(t); bulge > 0) {
+      // No point of the patch is farther from the flat facet than that.
+      const double far = std::sqrt(limit) + bulge;
+      if (p.squared_distance > far * far * (1 + 1e-9)) return;
+      p = closest_point_on_patch(y, facets.patch(t));
+      curved = true;
     }
-    return morton(c[0], c[1], c[2]);
+    if (!(p.squared_distance <= limit) || (p.squared_distance == limit && nearest >= 0 && t > nearest))
+      return;
+    limit = p.squared_distance, nearest = t;
+    on_patch.reset();
+    if (curved) on_patch = p;
   };
-  std::vector<std::uint32_t> first((1u << 3 * kBits) + 1, 0u);
-  for (const auto& q : questions) ++first[key(q) + 1];
-  for (std::size_t k = 1; k < first.size(); ++k) first[k] += first[k - 1];
-  order.resize(questions.size());
-  for (std::size_t i = 0; i < questions.size(); ++i)
-    order[first[key(questions[i])]++] = static_cast<std::uint32_t>(i);
-  return order;
-}
-
-void FacetSearch::nearest(const Facets& facets, std::span<const SpatialHash::Question> questions,
-                          std::span<std::optional<Foot>> feet) const {
-  const std::size_t n = questions.size();
-  constexpr std::size_t kAhead = 8;
-  const auto fetch = [&](auto&& triangle, std::size_t i) {
-    if (i + 2 * kAhead < n)
-      if (const int t = triangle(i + 2 * kAhead); facets.has(t)) facets.fetch(t);
-    if (i + kAhead < n)
-      if (const int t = triangle(i + kAhead); facets.has(t)) facets.fetch_corners(t);
-  };
-  if (!tree_.empty()) {
-    const std::vector<std::uint32_t> order = order_of(questions);
-    const auto at = [&](std::size_t i) { return order.empty() ? i : order[i]; };
-    for (std::size_t i = 0; i < n; ++i) {
-      fetch([&](std::size_t k) { return questions[at(k)].hint; }, i);
-      const SpatialHash::Question& q = questions[at(i)];
-      feet[at(i)] = nearest(facets, q.point, q.max_distance, q.hint);
-    }
-    return;
-  }
-  std::vector<std::optional<SpatialHash::Nearest>> found(n);
-  hash_.nearest(questions, found);
-  for (std::size_t i = 0; i < n; ++i) {
-    fetch([&](std::size_t k) { return found[k] ? found[k]->triangle : -1; }, i);
-    feet[i].reset();
-    if (found[i]) feet[i] = Foot{facets.closest(found[i]->triangle, questions[i].point), found[i]->triangle};
-  }
+  if (facets.has(hint) && (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)])) visit(hint);
+  if (!hash_.empty() && limit <= std::pow(kNearBy * hash_.side(), 2))
+    hash_.nearest(y, limit, visit);
+  else
+    tree_.nearest(y, limit, visit);
+  if (nearest < 0) return std::nullopt;
+  return Foot{on_patch ? *on_patch : facets.closest(nearest, y), nearest};
 }
 
 }  // namespace hawser::detail

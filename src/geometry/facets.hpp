@@ -2,24 +2,27 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
+#include "hawser/geometry/box_tree.hpp"
 #include "hawser/geometry/mesh_bends.hpp"
 #include "hawser/geometry/smooth_patch.hpp"
 #include "hawser/geometry/spatial_hash.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
-#include "patch_tree.hpp"
 
 namespace hawser::detail {
 
 class Facets {
  public:
   Facets() = default;
-  Facets(const TriangleMesh& mesh, const std::vector<std::array<Eigen::Vector3f, 3>>& bends);
+  Facets(const TriangleMesh& mesh, std::vector<std::array<Eigen::Vector3f, 3>> bends);
 
   MeshView mesh() const { return {vertices_, triangles_}; }
-  bool curved(int t) const { return !bends_.empty() && !patch(t).flat(); }
+  bool curved(int t) const { return bulge(t) > 0; }
+  // m, no point of the facet is farther from the flat triangle.
+  double bulge(int t) const {
+    return bulges_.empty() ? 0 : static_cast<double>(bulges_[static_cast<std::size_t>(t)]);
+  }
   bool any_curved() const { return !bends_.empty(); }
   const Vec3& corner(int t, int i) const {
     return vertices_[static_cast<std::size_t>(
@@ -34,31 +37,29 @@ class Facets {
     }
     return q;
   }
+  // Holds the facet, bulge and all.
+  Box box(int t) const;
   PatchPoint closest(int t, const Vec3& y) const;
-  // While others are looked at: what a distance to the facet reads, first its indices.
-  [[gnu::always_inline]] void fetch(int t) const {
-    asm volatile("");  // or gcc leaves the calls out, as they have no effect
-    __builtin_prefetch(&triangles_[static_cast<std::size_t>(t)]);
-    if (!bends_.empty()) __builtin_prefetch(&bends_[static_cast<std::size_t>(t)]);
-  }
-  [[gnu::always_inline]] void fetch_corners(int t) const {
-    asm volatile("");
-    for (int i = 0; i < 3; ++i) __builtin_prefetch(&corner(t, i));
-  }
+  // m², from y to the flat facet; what closest() says of it but for rounding, and quicker.
+  double squared_distance(int t, const Vec3& y) const;
   bool has(int t) const { return t >= 0 && static_cast<std::size_t>(t) < triangles_.size(); }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
     p.array(self.vertices_), p.array(self.triangles_), p.array(self.bends_);
+    p.array(self.bulges_);
+    p.flags(self.thin_);
   }
 
  private:
-  LargeVector<Vec3> vertices_;
-  LargeVector<std::array<int, 3>> triangles_;
-  LargeVector<std::array<Eigen::Vector3f, 3>> bends_;  // empty: all flat
+  ConstArray<Vec3> vertices_;
+  ConstArray<std::array<int, 3>> triangles_;
+  ConstArray<std::array<Eigen::Vector3f, 3>> bends_;  // empty: all flat
+  ConstArray<float> bulges_;                          // m
+  std::vector<bool> thin_;                            // so much that their distances need care
 };
 
-// Search among the facets with their flag set (empty: all). Flat facets are found by the spatial hash, curved
-// ones by a tree of boxes, which know how far each bulges.
+// Search among the facets with their flag set (empty: all): those near by are found by the spatial hash where
+// all are flat, others by the tree of their boxes.
 class FacetSearch {
  public:
   struct Foot : PatchPoint {
@@ -67,24 +68,20 @@ class FacetSearch {
   FacetSearch() = default;
   FacetSearch(const Facets& facets, const std::vector<bool>& chosen);
 
-  // Nothing when none is within max_distance [m]. Of facets at equal distance always the same.
+  // Nothing when none is within max_distance [m]. `hint`: a facet that is likely to be near. Of facets at
+  // equal distance always the same, whatever the hint and the limit.
   std::optional<Foot> nearest(const Facets& facets, const Vec3& y, double max_distance, int hint) const;
-  // The same for many: questions[i] to feet[i].
-  void nearest(const Facets& facets, std::span<const SpatialHash::Question> questions,
-               std::span<std::optional<Foot>> feet) const;
-  const Box& box() const { return tree_.empty() ? hash_.box() : tree_.box(); }
+  const BoxTree& tree() const { return tree_; }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
     SpatialHash::pack(self.hash_, p);
-    PatchTree::pack(self.tree_, p);
+    BoxTree::pack(self.tree_, p);
     p.flags(self.chosen_);
   }
 
  private:
-  std::vector<std::uint32_t> order_of(std::span<const SpatialHash::Question> questions) const;
-
-  SpatialHash hash_;
-  PatchTree tree_;
+  SpatialHash hash_;  // empty where facets are curved
+  BoxTree tree_;
   std::vector<bool> chosen_;
 };
 

@@ -32,7 +32,7 @@ struct MeshSurface::Data {
   std::vector<bool> unsure;  // facets near which the winding number decides; empty: none
   int curved = 0, sharp = 0, internal = 0;
   double bulge = 0;
-  detail::FacetBoxes boxes;  // of the active facets; none where the mesh is convex
+  bool convex = false;  // one wall everywhere
 
   template <class Self, class P>
   static void pack(Self& self, P& p) {
@@ -47,9 +47,9 @@ struct MeshSurface::Data {
     WindingTree::pack(self.winding, p);
     p.flags(self.unsure);
     p.value(self.curved), p.value(self.sharp), p.value(self.internal), p.value(self.bulge);
-    detail::FacetBoxes::pack(self.boxes, p);
+    p.value(self.convex);
   }
-  detail::MeshWalls walls() const { return {facets, normals, boxes}; }
+  detail::MeshWalls walls() const { return {facets, normals, active.tree()}; }
   MeshView mesh() const { return facets.mesh(); }
   std::optional<FacetSearch::Foot> nearest(const FacetSearch& among, const Vec3& y, double max_distance,
                                            int hint) const {
@@ -142,9 +142,8 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   MeshBends bends;
   if (options.smooth) bends = mesh_bends(mesh, topo, options.crease_angle, defects.straight);
   d.curved = bends.curved, d.sharp = bends.sharp, d.bulge = bends.bulge;
-  d.facets = Facets(mesh, bends.of);
+  d.facets = Facets(mesh, std::move(bends.of));
   mesh = {};
-  bends.of = {};
   d.normals = detail::Pseudonormals(d.facets, topo);
   if (d.winding.empty() && !d.normals.complete()) d.winding = WindingTree(d.mesh());
   d.unsure = std::move(defects.unsure);
@@ -160,8 +159,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   }
   d.active = FacetSearch(d.facets, met);
   d.partial = !active.empty();
-  if (!detail::MeshWalls::convex(d.facets, d.normals, topo.components))
-    d.boxes = detail::FacetBoxes(d.facets, met);
+  d.convex = detail::MeshWalls::convex(d.facets, d.normals, topo.components);
   if (d.partial) {
     d.whole = FacetSearch(d.facets, outer);
     d.border_vertex.assign(d.mesh().vertices.size(), false);
@@ -171,7 +169,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
     for (std::size_t v = 0; v < touched.size(); ++v) d.border_vertex[v] = touched[v] == 3;
   }
   d.is_active = std::move(active);
-  d.bounds = d.partial ? d.whole.box() : d.active.box();
+  d.bounds = (d.partial ? d.whole : d.active).tree().box();
   d.small = 1e-6 * d.bounds.extent().maxCoeff();
   d.coarse = detail::CoarseDistance(d.bounds, d.mesh().triangles.size(), [&](const Vec3& y, int hint) {
     const auto near = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
@@ -224,31 +222,6 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   if (reach < 0) return std::nullopt;
   const auto foot = data_->nearest(data_->active, y, reach, hint);
   return foot ? data_->seen(y, max_distance, *foot) : std::nullopt;
-}
-
-void MeshSurface::query(std::span<const SurfaceQuestion> questions,
-                        std::span<std::optional<SurfacePoint>> answers) const {
-  if (answers.size() != questions.size())
-    throw std::invalid_argument("a surface was asked " + std::to_string(questions.size()) +
-                                " questions with room for " + std::to_string(answers.size()) + " answers");
-  const Data& d = *data_;
-  // Only those that may be near are searched for.
-  std::vector<SpatialHash::Question> near;
-  std::vector<std::size_t> which;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const SurfaceQuestion& q = questions[i];
-    answers[i].reset();
-    const double reach = d.reach(q.point, q.max_distance);
-    if (reach < 0) continue;
-    near.push_back({q.point, reach, q.hint});
-    which.push_back(i);
-  }
-  std::vector<std::optional<FacetSearch::Foot>> feet(near.size());
-  d.active.nearest(d.facets, near, feet);
-  for (std::size_t k = 0; k < near.size(); ++k)
-    if (feet[k])
-      answers[which[k]] =
-          d.seen(near[k].point, questions[which[k]].max_distance, d.on_face_or_edge(*feet[k], near[k].point));
 }
 
 // What is seen from y of its nearest point.
@@ -312,11 +285,11 @@ double MeshSurface::free_radius(const Vec3& y, double distance) const {
 
 void MeshSurface::walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const {
   out.of.clear();
-  if (!data_->boxes.empty()) data_->walls().find(axis, reach, out);
+  if (!data_->convex) data_->walls().find(axis, reach, out);
 }
 
 bool MeshSurface::one_wall(std::span<const Vec3> axis, double reach) const {
-  if (data_->boxes.empty()) return true;
+  if (data_->convex) return true;
   return reach < data_->bounds.diagonal() && data_->walls().one(axis, reach);
 }
 

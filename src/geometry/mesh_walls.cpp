@@ -15,6 +15,20 @@ constexpr double kCone = 0.974;      // of half that angle
 constexpr double kConcave = 0.2;     // rad, in all: less makes no second wall
 constexpr double kFlatEdge = 1e-10;  // 1 - cosine of an edge that counts as flat
 
+double squared_distance_to_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 e = b - a, r = p - a;
+  const double length2 = e.squaredNorm();
+  return length2 > 0 ? (r - std::clamp(r.dot(e) / length2, 0.0, 1.0) * e).squaredNorm() : r.squaredNorm();
+}
+
+// Whether it is so for any chord of a polyline; of a single place there is one, of no length.
+template <class Is>
+bool any_chord(std::span<const Vec3> axis, Is&& is) {
+  for (std::size_t i = 0; i + 1 < axis.size() || i == 0; ++i)
+    if (is(axis[i], axis[std::min(i + 1, axis.size() - 1)])) return true;
+  return false;
+}
+
 // The corner of u that is on no edge with t.
 const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
   const auto& triangles = facets.mesh().triangles;
@@ -82,7 +96,19 @@ SurfaceWall::Facet MeshWalls::ball(int t) const {
 bool MeshWalls::alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const {
   out.clear();
   Vec3 mean = Vec3::Zero();
-  boxes_.near(axis, reach, [&](int t) {
+  Box around;
+  for (const Vec3& p : axis) around.add(p);
+  around = around.grown(reach);
+  const auto in = [&](std::size_t node) {
+    const Box& box = tree_.nodes()[node].box;
+    if (!box.overlaps(around)) return false;
+    const Vec3 centre = box.centre();
+    const double far = 0.5 * box.diagonal() + reach;
+    return any_chord(axis, [&](const Vec3& p, const Vec3& q) {
+      return squared_distance_to_chord(centre, p, q) <= far * far;
+    });
+  };
+  tree_.walk(in, [&](int t) {
     const SurfaceWall::Facet f = ball(t);
     const double far = f.radius + reach, off = bulge(t) + reach;
     any_chord(axis, [&](const Vec3& p, const Vec3& q) {

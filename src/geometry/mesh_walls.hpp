@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "facet_boxes.hpp"
 #include "facets.hpp"
 #include "hawser/geometry/surface_walls.hpp"
 #include "pseudonormals.hpp"
@@ -14,8 +13,9 @@ namespace hawser::detail {
 
 class MeshWalls {
  public:
-  MeshWalls(const Facets& facets, const Pseudonormals& normals, const FacetBoxes& boxes)
-      : facets_(facets), normals_(normals), boxes_(boxes) {}
+  // `tree`: of the boxes of those facets that can be met.
+  MeshWalls(const Facets& facets, const Pseudonormals& normals, const BoxTree& tree)
+      : facets_(facets), normals_(normals), tree_(tree) {}
 
   // Whether the facets form a convex body, which has no two walls anywhere.
   static bool convex(const Facets& facets, const Pseudonormals& normals, int components);
@@ -53,7 +53,7 @@ class MeshWalls {
     return facets_.mesh().triangles[static_cast<std::size_t>(t)];
   }
   SurfaceWall::Facet ball(int t) const;
-  double bulge(int t) const { return facets_.curved(t) ? facets_.patch(t).bulge() : 0; }
+  double bulge(int t) const { return facets_.bulge(t); }
   bool cut(int t, int edge, int other) const;
   Approach approach(int t, const Vec3& a, const Vec3& b) const;
   Vec3 pseudonormal(const SurfaceWall& wall, const FacetSearch::Foot& foot) const;
@@ -64,7 +64,7 @@ class MeshWalls {
 
   const Facets& facets_;
   const Pseudonormals& normals_;
-  const FacetBoxes& boxes_;
+  const BoxTree& tree_;
 };
 
 }  // namespace hawser::detail

@@ -7,15 +7,6 @@
 
 namespace hawser {
 
-void Surface::query(std::span<const SurfaceQuestion> questions,
-                    std::span<std::optional<SurfacePoint>> answers) const {
-  if (answers.size() != questions.size())
-    throw std::invalid_argument("a surface was asked " + std::to_string(questions.size()) +
-                                " questions with room for " + std::to_string(answers.size()) + " answers");
-  for (std::size_t i = 0; i < questions.size(); ++i)
-    answers[i] = query(questions[i].point, questions[i].max_distance, questions[i].hint);
-}
-
 PlaneSurface::PlaneSurface(const Vec3& point, const Vec3& normal)
     : point_(point), normal_(normal.normalized()) {
   if (!(normal.norm() > 0)) throw std::invalid_argument("a plane needs a normal that is not zero");

@@ -1,6 +1,7 @@
 #include "pseudonormals.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "groups.hpp"
 
@@ -36,9 +37,9 @@ std::vector<bool> pinched(const MeshView& mesh, const Topology& topo) {
 
 }  // namespace
 
-Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo)
-    : vertex_(facets.mesh().vertices.size(), Vec3::Zero()), neighbours_(large_copy(topo.neighbours)) {
+Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo) : neighbours_(topo.neighbours) {
   const MeshView mesh = facets.mesh();
+  std::vector<Vec3> vertex(mesh.vertices.size(), Vec3::Zero());
   std::vector<bool> undefined = pinched(mesh, topo);
   std::vector<Vec3> faces(mesh.triangles.size());
   for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
@@ -52,11 +53,12 @@ Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo)
       }
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
       const Vec3 e = q.p[j] - q.p[i] + q.c[i], f = q.p[k] - q.p[i] + q.c[k], m = e.cross(f);
-      vertex_[w] += std::atan2(m.norm(), e.dot(f)) * (q.flat() ? n : Vec3(m.normalized()));
+      vertex[w] += std::atan2(m.norm(), e.dot(f)) * (q.flat() ? n : Vec3(m.normalized()));
     }
   }
-  for (std::size_t v = 0; v < vertex_.size(); ++v)
-    if (undefined[v] || vertex_[v].norm() < 1e-6) vertex_[v].setZero(), complete_ = false;
+  for (std::size_t v = 0; v < vertex.size(); ++v)
+    if (undefined[v] || vertex[v].norm() < 1e-6) vertex[v].setZero(), complete_ = false;
+  vertex_ = std::move(vertex);
   for (std::size_t t = 0; t < neighbours_.size() && complete_; ++t)
     for (const int u : neighbours_[t])
       complete_ = complete_ && u >= 0 && (faces[t] + faces[static_cast<std::size_t>(u)]).norm() > 1e-3;

@@ -51,8 +51,8 @@ class Pseudonormals {
     return n.squaredNorm() > 1e-8 * longest2 * longest2 ? n : Vec3(Vec3::Zero());
   }
 
-  LargeVector<Vec3> vertex_;
-  LargeVector<std::array<int, 3>> neighbours_;
+  ConstArray<Vec3> vertex_;
+  ConstArray<std::array<int, 3>> neighbours_;
   bool complete_ = true;
 };
 

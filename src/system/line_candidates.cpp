@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/geometry/box_pairs.hpp"
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/math/so3.hpp"
@@ -201,32 +202,15 @@ void LineCandidates::foresee(const Kinematics& committed, double h) {
 std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptAxis>& others) {
   for (const SweptAxis& s : others) boxes_.push_back(swept_box(s));
   const size_t own = built_.size();
-  const auto first = [](std::uint64_t pair) { return static_cast<size_t>(pair >> 32); };
-  const auto second = [](std::uint64_t pair) { return static_cast<size_t>(pair & 0xffffffffu); };
-  const std::span<const std::uint64_t> overlapping = box_pairs_.find(boxes_);
-  if (near_.size() < overlapping.size()) near_.resize(overlapping.size());
-  size_t count = 0;
-  for (const std::uint64_t pair : overlapping) {
-    const size_t i = first(pair);
-    if (i >= own) continue;  // and so is the second
-    near_[count] = pair;
-    count += second(pair) - i > unseen_[i];
-  }
   const auto axis_of = [&](size_t i) { return i < own ? &built_[i] : &others[i - own]; };
-  const auto fetch = [&](const SweptAxis* s) {
-    for (size_t at = 0; at < sizeof(SweptAxis); at += 64)
-      __builtin_prefetch(reinterpret_cast<const char*>(s) + at);
-  };
-  constexpr size_t kAhead = 6;  // pairs; their axes are anywhere in memory
   std::vector<std::pair<int, int>> out;
-  for (size_t k = 0; k < count; ++k) {
-    if (k + kAhead < count)
-      fetch(axis_of(first(near_[k + kAhead]))), fetch(axis_of(second(near_[k + kAhead])));
-    const size_t i = first(near_[k]), j = second(near_[k]);
+  for (const auto& [first, second] : overlapping_pairs(boxes_)) {
+    const size_t i = static_cast<size_t>(first), j = static_cast<size_t>(second);
+    if (i >= own) continue;  // and so is the second
+    if (j - i <= unseen_[i]) continue;
     const SweptAxis *p = axis_of(i), *q = axis_of(j);
     if (p->element > q->element) std::swap(p, q);  // on every rank the same answer to the last bit
-    if (!excluded(*p, *q) && near(middle(*p), middle(*q)) && boxes_[i].overlaps(boxes_[j]))
-      out.emplace_back(p->element, q->element);
+    if (!excluded(*p, *q) && near(middle(*p), middle(*q))) out.emplace_back(p->element, q->element);
   }
   std::sort(out.begin(), out.end());
   return out;

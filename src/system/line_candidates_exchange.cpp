@@ -15,7 +15,7 @@ namespace {
 constexpr size_t kChunk = 64, kBox = 7, kAxis = 26;  // elements; doubles of a box and of an axis
 constexpr int kTag = 73;
 
-std::vector<double> pack(const LargeVector<SweptAxis>& own, const std::set<size_t>& chunks) {
+std::vector<double> pack(const std::vector<SweptAxis>& own, const std::set<size_t>& chunks) {
   std::vector<double> out;
   for (size_t c : chunks)
     for (size_t i = kChunk * c; i < std::min(kChunk * (c + 1), own.size()); ++i) {
@@ -34,7 +34,7 @@ std::vector<SweptAxis> LineCandidates::from_others() const {
   MPI_Comm_size(comm_, &size);
   MPI_Comm_rank(comm_, &rank);
   if (size == 1) return {};
-  const LargeVector<SweptAxis>& own = built_;
+  const std::vector<SweptAxis>& own = built_;
   std::vector<double> mine;
   for (size_t first = 0; first < own.size(); first += kChunk) {
     const size_t last = std::min(first + kChunk, own.size());

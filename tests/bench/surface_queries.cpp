@@ -1,7 +1,6 @@
 // Time of a signed distance as contact asks for it: nodes of lines 0.5 m apart that follow a surface, 0 to
 // 0.3 m off it, moved by 2 cm since the last answer, within 0.5 m.
 //   surface/one        one point a call, the last answer as a hint
-//   surface/together   all in one call, as contact does
 //   surface/unlimited  one point a call, however far it is
 // The second argument: 0 flat facets, 1 curved. The first: triangles of an even tube, or
 // 0: the hull of a tanker of 130 000 triangles, open and graded, where its mesh is beside the sources.
@@ -21,9 +20,13 @@ namespace {
 
 using namespace hawser;
 
+struct Question {
+  Vec3 point;
+  int hint;
+};
 struct Case {
   std::unique_ptr<MeshSurface> surface;
-  std::vector<SurfaceQuestion> questions;
+  std::vector<Question> questions;
 };
 
 TriangleMesh tube(int count) {
@@ -62,7 +65,7 @@ const Case& get(int kind, bool smooth) {
       x -= near->distance * near->normal;
       const Vec3 before = x + 0.3 * uniform(gen) * direction();
       const auto seen = c.surface->query(before, 0.5);
-      c.questions.push_back({before + 0.02 * direction(), 0.5, seen ? seen->triangle : -1});
+      c.questions.push_back({before + 0.02 * direction(), seen ? seen->triangle : -1});
       way = (way - near->normal * near->normal.dot(way)).stableNormalized();
       x += 0.5 * way;
     }
@@ -70,28 +73,20 @@ const Case& get(int kind, bool smooth) {
   return c;
 }
 
-enum class Way { one, together, unlimited };
+enum class Way { one, unlimited };
 
 void surface(benchmark::State& state, Way way) {
   const Case& c = get(static_cast<int>(state.range(0)), state.range(1) != 0);
   if (!c.surface) return state.SkipWithError("the hull meshes are not beside the sources");
   state.counters["MB"] = 1e-6 * static_cast<double>(c.surface->packed_size());
-  std::vector<std::optional<SurfacePoint>> answers(c.questions.size());
   std::size_t i = 0;
-  if (way == Way::together) {
-    while (state.KeepRunningBatch(static_cast<benchmark::IterationCount>(answers.size()))) {
-      c.surface->query(c.questions, answers);
-      benchmark::DoNotOptimize(answers.data());
-    }
-  } else {
-    for (auto _ : state) {
-      const SurfaceQuestion& q = c.questions[i];
-      if (way == Way::one)
-        benchmark::DoNotOptimize(c.surface->query(q.point, q.max_distance, q.hint));
-      else
-        benchmark::DoNotOptimize(c.surface->query(q.point, 1e9));
-      if (++i == c.questions.size()) i = 0;
-    }
+  for (auto _ : state) {
+    const Question& q = c.questions[i];
+    if (way == Way::one)
+      benchmark::DoNotOptimize(c.surface->query(q.point, 0.5, q.hint));
+    else
+      benchmark::DoNotOptimize(c.surface->query(q.point, 1e9));
+    if (++i == c.questions.size()) i = 0;
   }
   state.counters["triangles"] = static_cast<double>(c.surface->mesh().triangles.size());
 }
@@ -99,7 +94,6 @@ void surface(benchmark::State& state, Way way) {
 #define EACH \
   ->Args({10000, 0})->Args({1000000, 0})->Args({10000, 1})->Args({1000000, 1})->Args({0, 0})->Args({0, 1})
 BENCHMARK_CAPTURE(surface, one, Way::one) EACH;
-BENCHMARK_CAPTURE(surface, together, Way::together) EACH;
 BENCHMARK_CAPTURE(surface, unlimited, Way::unlimited) EACH;
 
 }  // namespace

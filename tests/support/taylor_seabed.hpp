@@ -18,7 +18,6 @@ class PlacedSurface final : public Surface {
  public:
   PlacedSurface(std::shared_ptr<const Surface> bed, const Vec3& origin, const Quat& turn)
       : bed_(std::move(bed)), origin_(origin), turn_(turn) {}
-  using Surface::query;
   std::optional<SurfacePoint> query(const Vec3& y, double most, int hint) const override {
     auto s = bed_->query(turn_.conjugate() * (y - origin_), most, hint);
     if (!s) return s;

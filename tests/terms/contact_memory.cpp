@@ -24,11 +24,6 @@ class Counting final : public Surface {
     ++questions;
     return of_->query(y, max_distance, hint);
   }
-  void query(std::span<const SurfaceQuestion> all,
-             std::span<std::optional<SurfacePoint>> answers) const override {
-    questions += static_cast<int>(all.size());
-    of_->query(all, answers);
-  }
   double free_radius(const Vec3& y, double distance) const override { return of_->free_radius(y, distance); }
   Box bounds() const override { return of_->bounds(); }
   void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const override {

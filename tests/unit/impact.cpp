@@ -129,16 +129,16 @@ TEST(Impact, OnlyWhatMattersCutsAStep) {
 }
 
 TEST(Impact, ManySmallOnesTogetherDo) {
-  const auto strikes = [](int n, double slowness) {
+  const auto impacts = [](int n, double slowness) {
     std::vector<ImpactEvent> out(static_cast<size_t>(n), *impact_event(slowness, 1e-9, 1e-3, {-0.01, 2, 0}));
     for (ImpactEvent& s : out) s.line = 0;
     return out;
   };
   const double bears = 0.0200001;  // ten of them
-  EXPECT_EQ(bounded_step(impact(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
-  expect_step(bounded_step(impact(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
+  EXPECT_EQ(bounded_step(impacts(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
+  expect_step(bounded_step(impacts(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
   // Few short ones among many longer: those that are left out are the short ones.
-  std::vector<ImpactEvent> both = impact(11, kSlow), fast = impact(9, kSlow / 10);
+  std::vector<ImpactEvent> both = impacts(11, kSlow), fast = impacts(9, kSlow / 10);
   both.insert(both.end(), fast.begin(), fast.end());
   expect_step(bounded_step(both, {&bears, 1}, kMost, kAlone).longest, kStep);
   expect_step(bounded_step(both, {&bears, 1}, kMost, kAlone).period, 2 * M_PI * kSlow);

@@ -30,7 +30,7 @@ bool same(const std::optional<SurfacePoint>& a, const std::optional<SurfacePoint
          bits(a->point, b->point) && a->triangle == b->triangle && a->feature == b->feature;
 }
 
-// Points about a surface, on each rank others, one by one and together.
+// Points about a surface, on each rank others.
 void expect_same(const Surface& own, const Surface& shared, int points) {
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
@@ -38,21 +38,16 @@ void expect_same(const Surface& own, const Surface& shared, int points) {
   std::uniform_real_distribution<double> unit(-1, 1);
   const Box box = own.bounds();
   ASSERT_TRUE(box.lo == shared.bounds().lo && box.hi == shared.bounds().hi);
-  std::vector<SurfaceQuestion> questions;
   int hint = -1, inside = 0;
   for (int i = 0; i < points; ++i) {
     const Vec3 y = box.centre() + 0.6 * box.extent().cwiseProduct(Vec3(unit(gen), unit(gen), unit(gen)));
-    questions.push_back({y, 0.3 * box.diagonal(), hint});
-    const auto a = own.query(y, questions.back().max_distance, hint);
-    ASSERT_TRUE(same(a, shared.query(y, questions.back().max_distance, hint))) << y.transpose();
+    const double within = 0.3 * box.diagonal();
+    const auto a = own.query(y, within, hint);
+    ASSERT_TRUE(same(a, shared.query(y, within, hint))) << y.transpose();
     hint = a ? a->triangle : -1;
     inside += a && a->distance < 0;
   }
   EXPECT_GT(inside, points / 50);
-  std::vector<std::optional<SurfacePoint>> a(questions.size()), b(questions.size());
-  own.query(questions, a);
-  shared.query(questions, b);
-  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_TRUE(same(a[i], b[i])) << i;
 }
 
 std::shared_ptr<const MeshSurface> share(const Host& host, const MeshSurface& own) {

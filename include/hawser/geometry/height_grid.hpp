@@ -19,7 +19,6 @@ class HeightGrid final : public Surface {
   // std::invalid_argument otherwise.
   HeightGrid(std::vector<double> x, std::vector<double> y, const std::vector<double>& height);
 
-  using Surface::query;
   // The ground is inside.
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   double free_radius(const Vec3& y, double distance) const override;

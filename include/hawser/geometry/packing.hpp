@@ -3,7 +3,7 @@
 //
 // What is to be packed says what it consists of, once and in a fixed order, in a function
 //   template <class Self, class P> static void pack(Self& self, P& p)
-// that calls p.value() for members without pointers, p.array() for each LargeVector and p.flags() for each
+// that calls p.value() for members without pointers, p.array() for each ConstArray and p.flags() for each
 // std::vector<bool>. Measure counts the bytes, Writer copies them, Reader takes arrays where they lie,
 // without a copy, and copies the rest.
 #pragma once
@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "hawser/geometry/large_vector.hpp"
+#include "hawser/geometry/const_array.hpp"
 
 namespace hawser::packing {
 
@@ -46,7 +46,7 @@ class Measure : public Packing<Measure> {
  public:
   void bytes(const void*, std::size_t n) { room(n); }
   template <class T>
-  void array(const LargeVector<T>& v) {
+  void array(const ConstArray<T>& v) {
     room(sizeof(std::size_t));
     room(v.size() * sizeof(T));
   }
@@ -65,7 +65,7 @@ class Writer : public Packing<Writer> {
     if (n > 0) std::memcpy(at, from, n);
   }
   template <class T>
-  void array(const LargeVector<T>& v) {
+  void array(const ConstArray<T>& v) {
     const std::size_t n = v.size();
     bytes(&n, sizeof n);
     bytes(v.data(), n * sizeof(T));
@@ -90,10 +90,10 @@ class Reader : public Packing<Reader> {
     if (n > 0) std::memcpy(to, at, n);
   }
   template <class T>
-  void array(LargeVector<T>& v) {
+  void array(ConstArray<T>& v) {
     std::size_t n = 0;
     bytes(&n, sizeof n);
-    v = lent_vector(reinterpret_cast<const T*>(from_ + room(n * sizeof(T))), n);
+    v = ConstArray<T>::lent({reinterpret_cast<const T*>(from_ + room(n * sizeof(T))), n});
   }
   void flags(std::vector<bool>& v) {
     std::size_t n = 0;

@@ -30,7 +30,6 @@ TriangleMesh facets(const Primitive& shape, const Box& seen);
 class BoxSurface final : public Surface {
  public:
   explicit BoxSurface(const BoxShape& shape);
-  using Surface::query;
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   Box bounds() const override;
 
@@ -43,7 +42,6 @@ class BoxSurface final : public Surface {
 class SphereSurface final : public Surface {
  public:
   explicit SphereSurface(const SphereShape& shape);
-  using Surface::query;
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   Box bounds() const override;
 
@@ -56,7 +54,6 @@ class SphereSurface final : public Surface {
 class CapsuleSurface final : public Surface {
  public:
   explicit CapsuleSurface(const CapsuleShape& shape);
-  using Surface::query;
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   Box bounds() const override;
 
@@ -69,7 +66,6 @@ class CapsuleSurface final : public Surface {
 class TorusSurface final : public Surface {
  public:
   explicit TorusSurface(const TorusShape& shape);
-  using Surface::query;
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   Box bounds() const override;
 

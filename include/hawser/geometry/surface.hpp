@@ -46,11 +46,6 @@ class Surface {
   // earlier answer near y, or -1: it changes the time, never the answer.
   virtual std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const = 0;
 
-  // The same for many points, to the last bit; best in the order of a walk. A mesh answers them faster
-  // together than one by one. std::invalid_argument unless there is room for as many answers.
-  virtual void query(std::span<const SurfaceQuestion> questions,
-                     std::span<std::optional<SurfacePoint>> answers) const;
-
   // m: no point of the body is nearer to y than that, where query() says it is `distance` away or farther.
   // Less than `distance` where query() may take a near place for the nearest, and where the body begins
   // without a surface: at the holes of an open mesh, at an inactive part.
@@ -79,7 +74,6 @@ std::vector<SurfacePoint> nearest_on_walls(const Surface& surface, const Vec3& y
 class PlaneSurface final : public Surface {
  public:
   PlaneSurface(const Vec3& point, const Vec3& normal);
-  using Surface::query;
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   Box bounds() const override;
 
@@ -92,7 +86,6 @@ class PlaneSurface final : public Surface {
 class CylinderSurface final : public Surface {
  public:
   CylinderSurface(const Vec3& a, const Vec3& b, double radius);
-  using Surface::query;
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   Box bounds() const override;
 

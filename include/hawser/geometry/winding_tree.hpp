@@ -4,11 +4,10 @@
 // segmentation using generalized winding numbers", ACM Trans. Graph. 32(4)); where it is above 1/2 is inside.
 // Far clusters of triangles count as a dipole with its first moment (Barill, Dickson, Schmidt, Levin &
 // Jacobson 2018, "Fast winding numbers for soups and clouds", ACM Trans. Graph. 37(4)), near ones exactly.
+// The clusters are the nodes of a BoxTree.
 #pragma once
 
-#include <vector>
-
-#include "hawser/geometry/large_vector.hpp"
+#include "hawser/geometry/box_tree.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
 
 namespace hawser {
@@ -29,27 +28,26 @@ class WindingTree {
   // How many triangles the ray from p along u meets, `without` left out.
   int crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, int without) const;
 
-  bool empty() const { return nodes_.empty(); }
+  bool empty() const { return tree_.empty(); }
 
   template <class Self, class P>
   static void pack(Self& self, P& p) {
-    p.array(self.nodes_);
-    p.array(self.order_);
+    BoxTree::pack(self.tree_, p);
+    p.array(self.clusters_);
   }
 
  private:
-  struct Node {
+  // What a node of the tree holds.
+  struct Cluster {
     Vec3 centre = Vec3::Zero();  // m, of area
     double radius = 0;           // m, of the ball about it that holds the triangles
     Vec3 area = Vec3::Zero();    // m², sum of area normals
     Mat3 moment = Mat3::Zero();  // m³, sum of area normal times (centroid - centre)'
-    int first = 0, count = 0;    // of order_
-    int child[2] = {-1, -1};
   };
-  int build(const MeshView& mesh, const std::vector<Vec3>& centroids, int first, int count);
+  static Cluster cluster(const MeshView& mesh, std::span<const int> triangles);
 
-  LargeVector<Node> nodes_;
-  LargeVector<int> order_;  // triangles, leaf by leaf
+  BoxTree tree_;
+  ConstArray<Cluster> clusters_;
 };
 
 }  // namespace hawser

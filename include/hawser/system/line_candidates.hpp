@@ -21,8 +21,6 @@
 #include <vector>
 
 #include "hawser/geometry/box.hpp"
-#include "hawser/geometry/box_pairs.hpp"
-#include "hawser/geometry/large_vector.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/couplings.hpp"
@@ -115,13 +113,11 @@ class LineCandidates {
   CandidateSettings settings_;
   std::vector<LocalElement> local_;   // elements of this rank with a radius
   std::vector<std::uint8_t> unseen_;  // of local_: how many that follow it are excluded, at the least
-  LargeVector<SweptAxis> built_;      // of local_, when the list was made
+  std::vector<SweptAxis> built_;      // of local_, when the list was made
   // Of local_: what half way in time is off the middle of the straight way.
-  LargeVector<std::array<Vec3, 4>> bend_;
-  double made_ = 0, span_ = 0;  // s, when that was and the time to the end of the paths
-  LargeVector<Box> boxes_;      // theirs, then those of other ranks' axes
-  BoxPairs box_pairs_;
-  std::vector<std::uint64_t> near_;        // pairs of boxes
+  std::vector<std::array<Vec3, 4>> bend_;
+  double made_ = 0, span_ = 0;             // s, when that was and the time to the end of the paths
+  std::vector<Box> boxes_;                 // theirs, then those of other ranks' axes
   std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
   std::vector<ContactSegment> segments_;
   std::vector<CandidatePair> pairs_;

@@ -1,0 +1,40 @@
+// An array that is only read: its own, or one that lies in memory lent by somebody else (packing.hpp).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace hawser {
+
+template <class T>
+class ConstArray {
+ public:
+  ConstArray() = default;
+  // Copies share what was put in.
+  ConstArray(std::vector<T> values)
+      : own_(std::make_shared<const std::vector<T>>(std::move(values))), view_(*own_) {}
+  // What lies there must outlive the array.
+  static ConstArray lent(std::span<const T> values) {
+    static_assert(std::is_trivially_destructible_v<T>);
+    ConstArray a;
+    a.view_ = values;
+    return a;
+  }
+  const T& operator[](std::size_t i) const { return view_[i]; }
+  const T* data() const { return view_.data(); }
+  std::size_t size() const { return view_.size(); }
+  bool empty() const { return view_.empty(); }
+  auto begin() const { return view_.begin(); }
+  auto end() const { return view_.end(); }
+  operator std::span<const T>() const { return view_; }
+
+ private:
+  std::shared_ptr<const std::vector<T>> own_;
+  std::span<const T> view_;
+};
+
+}  // namespace hawser
