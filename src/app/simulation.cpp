@@ -183,7 +183,9 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) c
 }
 
 bool Simulation::lays_lines() const {
-  return seabed_ && seabed_->has_friction() && case_.environment.seabed.as_laid;
+  // By the case: a rank without nodes has no friction of its own, and what follows is collective.
+  const model::Seabed& bed = case_.environment.seabed;
+  return seabed_ && (bed.friction.axial > 0 || bed.friction.lateral > 0) && bed.as_laid;
 }
 
 // A line whose start shape the case gives, on the bed from end to end, was laid there.
