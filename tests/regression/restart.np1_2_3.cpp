@@ -29,7 +29,8 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
       const auto there = rest.column(name, c), here = tail(whole.column(name, c), there);
       // What the free end carries is known no better than what the line does.
       const double scale = largest(c < kTension || name == "solver" ? here : whole.column("fairlead", c));
-      EXPECT_LE(largest_difference(here, there), tolerance * scale) << name << ' ' << c;
+      // What is zero by symmetry carries the round-off of lengths of 250 m.
+      EXPECT_LE(largest_difference(here, there), tolerance * std::max(scale, 1e-4)) << name << ' ' << c;
     }
   }
   // The audit goes on from where it was: friction, damping and the work of the drum since the very start.
@@ -41,7 +42,9 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   }
   expect_same_clashes(whole, rest, tolerance);
   ASSERT_EQ(whole.summary.size(), rest.summary.size());
-  EXPECT_LE(largest_difference(whole.summary, rest.summary), tolerance * largest(whole.summary));
+  // Where and when is the same to the last bit only: two places may share an extreme within round-off.
+  for (size_t i = 0; i<whole.summary.size(); i += tolerance> 0 ? 3 : 1)
+    EXPECT_LE(std::abs(whole.summary[i] - rest.summary[i]), tolerance * largest(whole.summary)) << i;
 }
 
 // For each method of contact: nodes, line.
