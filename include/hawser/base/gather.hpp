@@ -26,19 +26,16 @@ inline std::string first_text(MPI_Comm comm, std::string mine) {
 
 class GatherPlan {
  public:
-  GatherPlan() = default;
   // mine: how many values this rank brings. Collective.
   GatherPlan(MPI_Comm comm, int mine) : comm_(comm), mine_(mine) {
     int size = 1;
     MPI_Comm_size(comm, &size);
-    MPI_Comm_rank(comm, &rank_);
     count_.resize(static_cast<std::size_t>(size)), start_.resize(static_cast<std::size_t>(size) + 1, 0);
     MPI_Allgather(&mine, 1, MPI_INT, count_.data(), 1, MPI_INT, comm);
     std::inclusive_scan(count_.begin(), count_.end(), start_.begin() + 1);
   }
 
   std::size_t all() const { return static_cast<std::size_t>(start_.back()); }
-  int first() const { return start_[static_cast<std::size_t>(rank_)]; }
   // Where each rank's values begin among all of them; the last entry is all().
   const std::vector<int>& starts() const { return start_; }
 
@@ -54,7 +51,7 @@ class GatherPlan {
   }
 
   MPI_Comm comm_ = MPI_COMM_NULL;
-  int mine_ = 0, rank_ = 0;
+  int mine_ = 0;
   std::vector<int> count_, start_;
 };
 

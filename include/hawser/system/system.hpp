@@ -75,9 +75,6 @@ class System {
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;
   MatHandle create_matrix() const;
-  // The blocks of that pattern in this rank's rows, sorted: row and column as local blocks (a node with
-  // itself, its chain neighbours, and what it is coupled with).
-  std::vector<std::pair<int, int>> pattern() const;
   // Local values of a ghosted vector after refreshing its ghosts, copied to `out` (3 * local blocks).
   void gather(Vec u, std::vector<double>& out) const;
 
@@ -131,6 +128,9 @@ class System {
   std::vector<double> bearable_energies(const Kinematics& at, const std::vector<ImpactEvent>& strikes) const;
   void reghost_supports();
   void with_frames(Couplings& c) const;
+  // The blocks of the tangent in this rank's rows, sorted: row and column as local blocks (a node with
+  // itself, its chain neighbours, and what it is coupled with).
+  std::vector<std::pair<int, int>> pattern() const;
 
   MPI_Comm comm_;
   LocalMesh mesh_;
