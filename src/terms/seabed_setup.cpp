@@ -32,7 +32,6 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
     if (law.radius < 0 || !(law.law.normal.stiffness > 0)) return nullptr;
     Point& p = points_.emplace_back();
     p.radius = law.radius, p.law = law.law, p.suction = law.suction;
-    has_friction_ |= p.law.friction.active();
     return &p;
   };
   for (size_t n = 0; n < owned; ++n)

@@ -60,7 +60,6 @@ class SeabedTerm final : public ForceTerm {
 
   // Off in the first stage of statics. While off no slip is kept.
   void enable_friction(bool on) { friction_on_ = on; }
-  bool has_friction() const { return has_friction_; }
   // Before statics: lines whose nodes are all nearer to the bed than `near` [m, one a line; < 0: never] were
   // laid there. Until lay(), while friction is off, springs keep them about there. Collective.
   void lay_at_start(MPI_Comm comm, const Kinematics& start, const std::vector<double>& near);
@@ -164,7 +163,7 @@ class SeabedTerm final : public ForceTerm {
   std::vector<bool> buried_;     // by node of the mesh: the soil holds it (terms/buried.hpp), not the bed
   LineNeighbours line_;
   std::vector<bool> laid_at_start_;  // by line of the mesh
-  bool friction_on_ = true, has_friction_ = false, laid_ = false;
+  bool friction_on_ = true, laid_ = false;
 };
 
 }  // namespace hawser
