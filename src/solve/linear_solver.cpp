@@ -25,7 +25,7 @@ void configure_linear_solver(KSP ksp, const System& system, const char* prefix) 
   check(KSPGetPC(ksp, &pc));
   // Chains in their own order have no fill; turn by turn on a drum that order costs tens of times what
   // minimum degree does.
-  const MatOrderingType order = system.coupled() ? MATORDERINGAMD : MATORDERINGNATURAL;
+  const MatOrderingType order = system.coupled() ? MATORDERINGQMD : MATORDERINGNATURAL;
   if (size > 1 && shared_unknowns(system) <= kMaxShared) {
     use_substructuring(pc, order);
   } else {

@@ -35,12 +35,10 @@ inline void add4(double* p, Row a) {
 
 // Three rows of a row-major matrix of m columns to a column-major block; reads one entry beyond.
 inline void add_transposed(const double* J, int m, double* to) {
-  using Index = long long __attribute__((vector_size(32)));
   const Row r0 = load4(J), r1 = load4(J + m), r2 = load4(J + 2 * m);
-  const Row a = __builtin_shuffle(r0, r1, Index{0, 4, 0, 1}),
-            b = __builtin_shuffle(r1, r2, Index{1, 5, 1, 2});
-  add4(to, __builtin_shuffle(a, r2, Index{0, 1, 4, 3}));
-  add4(to + 4, __builtin_shuffle(b, r0, Index{0, 1, 6, 3}));
+  const Row a = __builtin_shufflevector(r0, r1, 0, 4, 0, 1), b = __builtin_shufflevector(r1, r2, 1, 5, 1, 2);
+  add4(to, __builtin_shufflevector(a, r2, 0, 1, 4, 3));
+  add4(to + 4, __builtin_shufflevector(b, r0, 0, 1, 6, 3));
   to[8] += r2[2];
 }
 

@@ -50,12 +50,13 @@ LineVolumeContact::Rolled LineVolumeContact::rolled(const Pair& pair, const Axis
   return r;
 }
 
-// The law at all places of the trial, once: what it says stays for commit.
+// The law at all places of the trial, once: what it says stays for commit. With derivatives friction rounds
+// otherwise, so that commit would depend on what was asked last: those answers do not stay.
 void LineVolumeContact::press(Pair& pair, const AxisShape& shape, Forces& forces) const {
   pair.pressed.clear();
   forces.rolled = rolled(pair, shape);
   for (size_t i = 0; i < pair.found.panels.size(); ++i) press_panel(pair, shape, i, forces);
-  pair.pressed_at = {true, shape, volumes_.trial_pose(pair.volume)};
+  pair.pressed_at = {!forces.tangent, shape, volumes_.trial_pose(pair.volume)};
   pair.pressed_moves = forces.moves;
 }
 

@@ -265,7 +265,7 @@ class Spoilt(Attack):
         names = [line.split(" ", 1) for line in whole[text:text + length].decode().splitlines()[1:]]
         scalars = [name for kind, name in names if kind == "scalar"]
         for name, place in [("the time", 0), ("step.wait", 1 + scalars.index("step.wait")),
-                            ("step.wish", 1 + scalars.index("step.wish")), ("acceleration", 1 + len(scalars))]:
+                            ("step.proposal", 1 + scalars.index("step.proposal")), ("acceleration", 1 + len(scalars))]:
             for wrong in (math.nan, *([-5.0, 1e300] if place and name != "acceleration" else [])):
                 spoilt = bytearray(whole)
                 struct.pack_into("<d", spoilt, values + 8 * place, wrong)
@@ -327,7 +327,12 @@ class Signals(Attack):
 
     @unittest.skipUnless(Path(HAWSER).resolve() == ROOT / "build/hawser", "scripts/run runs another build")
     def test_the_script_turns_control_c_into_a_stop(self):
-        process = self.launched([ROOT / "scripts/run", "long.yaml", "-n", "2"], start_new_session=True)
+        (self.folder / "bin").mkdir()
+        cmake = self.folder / "bin/cmake"  # the program is there
+        cmake.write_text("#!/bin/sh\n")
+        cmake.chmod(0o755)
+        process = self.launched([ROOT / "scripts/run", "long.yaml", "-n", "2"], start_new_session=True,
+                                env={**os.environ, "PATH": f"{cmake.parent}:{os.environ['PATH']}"})
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does
         out, _ = process.communicate()
         self.assertEqual(process.returncode, 130)

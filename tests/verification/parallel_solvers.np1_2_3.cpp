@@ -134,7 +134,7 @@ void substructured(KSP ksp, const System&) {
   PC pc = nullptr;
   check(KSPSetType(ksp, KSPPREONLY));
   check(KSPGetPC(ksp, &pc));
-  use_substructuring(pc, MATORDERINGAMD);
+  use_substructuring(pc, MATORDERINGQMD);
 }
 
 class ParallelSolvers : public ::testing::Test {

@@ -17,10 +17,8 @@ inline double dot(Row a, Row b) {
   return p[0] + p[1] + p[2];
 }
 inline Row cross(Row a, Row b) {
-  using Index = long long __attribute__((vector_size(32)));
-  const Index next{1, 2, 0, 3};
-  const Row an = __builtin_shuffle(a, next), bn = __builtin_shuffle(b, next);
-  return __builtin_shuffle(a * bn - an * b, next);
+  const auto next = [](Row r) -> Row { return __builtin_shufflevector(r, r, 1, 2, 0, 3); };
+  return next(a * next(b) - next(a) * b);
 }
 inline Row unit(int i) { return Row{i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0., 0}; }
 
