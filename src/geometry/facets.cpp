@@ -85,34 +85,26 @@ FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) 
 std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, const Vec3& y,
                                                       double max_distance, int hint) const {
   if (!y.allFinite() || !(max_distance >= 0)) return std::nullopt;
-  int nearest = -1;
-  std::optional<PatchPoint> on_patch;  // of a curved facet
+  std::optional<Foot> best;
   double limit = max_distance * max_distance;
+  const double rounding = 1e-12 * (y.cwiseAbs().maxCoeff() + tree_.box().diagonal());
   const auto visit = [&](int t) {
-    if (t == nearest) return;
-    PatchPoint p;
-    p.squared_distance = facets.squared_distance(t, y);
-    bool curved = false;
-    if (const double bulge = facets.bulge(t); bulge > 0) {
-      // No point of the patch is farther from the flat facet than that.
-      const double far = std::sqrt(limit) + bulge;
-      if (p.squared_distance > far * far * (1 + 1e-9)) return;
-      p = closest_point_on_patch(y, facets.patch(t));
-      curved = true;
-    }
-    if (!(p.squared_distance <= limit) || (p.squared_distance == limit && nearest >= 0 && t > nearest))
-      return;
-    limit = p.squared_distance, nearest = t;
-    on_patch.reset();
-    if (curved) on_patch = p;
+    if (best && t == best->triangle) return;
+    // No point of the facet is farther from the flat one than it bulges.
+    const double far = (1 + 1e-9) * std::sqrt(limit) + facets.bulge(t) + rounding;
+    if (facets.squared_distance(t, y) > far * far) return;
+    const PatchPoint p = facets.closest(t, y);
+    if (!(p.squared_distance <= limit)) return;
+    if (p.squared_distance == limit && best && t > best->triangle) return;
+    best = Foot{p, t};
+    limit = p.squared_distance;
   };
   if (facets.has(hint) && (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)])) visit(hint);
   if (!hash_.empty() && limit <= std::pow(kNearBy * hash_.side(), 2))
     hash_.nearest(y, limit, visit);
   else
     tree_.nearest(y, limit, visit);
-  if (nearest < 0) return std::nullopt;
-  return Foot{on_patch ? *on_patch : facets.closest(nearest, y), nearest};
+  return best;
 }
 
 }  // namespace hawser::detail

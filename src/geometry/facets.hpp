@@ -18,7 +18,7 @@ class Facets {
   Facets(const TriangleMesh& mesh, std::vector<std::array<Eigen::Vector3f, 3>> bends);
 
   MeshView mesh() const { return {vertices_, triangles_}; }
-  bool curved(int t) const { return bulge(t) > 0; }
+  bool curved(int t) const { return !bends_.empty() && !patch(t).flat(); }
   // m, no point of the facet is farther from the flat triangle.
   double bulge(int t) const {
     return bulges_.empty() ? 0 : static_cast<double>(bulges_[static_cast<std::size_t>(t)]);
