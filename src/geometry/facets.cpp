@@ -88,16 +88,18 @@ std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, cons
   std::optional<Foot> best;
   double limit = max_distance * max_distance;
   const double rounding = 1e-12 * (y.cwiseAbs().maxCoeff() + tree_.box().diagonal());
+  const auto padded = [&] { return (1 + 1e-9) * std::sqrt(limit) + rounding; };
+  double reach = padded();
   const auto visit = [&](int t) {
     if (best && t == best->triangle) return;
     // No point of the facet is farther from the flat one than it bulges.
-    const double far = (1 + 1e-9) * std::sqrt(limit) + facets.bulge(t) + rounding;
+    const double far = reach + facets.bulge(t);
     if (facets.squared_distance(t, y) > far * far) return;
     const PatchPoint p = facets.closest(t, y);
     if (!(p.squared_distance <= limit)) return;
     if (p.squared_distance == limit && best && t > best->triangle) return;
     best = Foot{p, t};
-    limit = p.squared_distance;
+    limit = p.squared_distance, reach = padded();
   };
   if (facets.has(hint) && (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)])) visit(hint);
   if (!hash_.empty() && limit <= std::pow(kNearBy * hash_.side(), 2))

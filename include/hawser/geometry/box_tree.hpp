@@ -36,7 +36,7 @@ class BoxTree {
   }
 
   // Calls visit(item) for all items that may be within the distance sqrt(squared) [m²] of p, and for some
-  // that are not, nearest boxes first; visit may lessen `squared`. None just at it is left out.
+  // that are not, nearer halves first; visit may lessen `squared`. None just at it is left out.
   template <class Visit>
   void nearest(const Vec3& p, double& squared, Visit&& visit) const {
     if (empty()) return;
@@ -44,23 +44,24 @@ class BoxTree {
       double squared;
       int node;
     } stack[kDeepest];
-    int depth = 0;
-    stack[depth++] = {squared_distance(nodes_[0].box, p), 0};
     const double rounding = 1e-14 * (p.cwiseAbs().maxCoeff() + size_);
+    int depth = 0, at = 0;
     double limit = padded(squared, rounding);
-    while (depth > 0) {
-      const Waiting w = stack[--depth];
-      if (w.squared > limit) continue;
-      const Node& n = node(w.node);
-      if (n.next == w.node + 1) {
+    for (;;) {
+      const Node& n = node(at);
+      if (n.next == at + 1) {
         for (const int i : below(n)) visit(i);
         limit = padded(squared, rounding);
-        continue;
+      } else {
+        const int a = at + 1, b = node(a).next;
+        const double to_a = squared_distance(node(a).box, p), to_b = squared_distance(node(b).box, p);
+        if (std::max(to_a, to_b) <= limit) stack[depth++] = {std::max(to_a, to_b), to_a > to_b ? a : b};
+        at = to_a > to_b ? b : a;
+        if (std::min(to_a, to_b) <= limit) continue;
       }
-      const int a = w.node + 1, b = node(a).next;
-      const double to_a = squared_distance(node(a).box, p), to_b = squared_distance(node(b).box, p);
-      stack[depth++] = {std::max(to_a, to_b), to_a > to_b ? a : b};
-      stack[depth++] = {std::min(to_a, to_b), to_a > to_b ? b : a};
+      while (depth > 0 && stack[depth - 1].squared > limit) --depth;
+      if (depth == 0) return;
+      at = stack[--depth].node;
     }
   }
 
