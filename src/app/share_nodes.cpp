@@ -28,9 +28,10 @@ std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh&
 }
 
 std::vector<int> whole_lines(const model::Case& c) {
+  if (!c.contact.between_lines.enabled) return {};
   const std::vector<std::pair<int, int>> excluded = excluded_pairs(c);
   std::vector<int> whole;
-  for (int l = 0; l < static_cast<int>(c.lines.size()) && c.contact.between_lines.enabled; ++l)
+  for (int l = 0; l < static_cast<int>(c.lines.size()); ++l)
     if (c.contact.takes_part(c.lines[static_cast<size_t>(l)]) &&
         !std::binary_search(excluded.begin(), excluded.end(), std::pair(l, l)))
       whole.push_back(l);

@@ -100,8 +100,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
     notes_.push_back(
         "one rank has all nodes, since lines that may touch themselves are not cut: the others do not make "
-        "the "
-        "run faster; 'contact: {between_lines: {self: false}}' lets lines be cut");
+        "the run faster; 'contact: {between_lines: {self: false}}' lets lines be cut");
   system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
   const LocalMesh& local = system_->mesh();
   bodies_->in_state(c, local);

@@ -1,5 +1,4 @@
-// The stiffness of volumes against what the run meets: an automatic one is raised until lines
-// are no deeper than they may be.
+// The stiffness of volumes: an automatic one is raised until lines are no deeper than they may be. See
 // docs/theory/contact.md, "Stiffness that follows the run".
 #include <algorithm>
 #include <cmath>

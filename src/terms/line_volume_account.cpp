@@ -14,16 +14,16 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
     std::vector<ContactPoint> next;
     if (near != near_.end() && near->pair == i) {
       const bool moves = accepted.step > 0;
-      if (!pair.pressed_at.same_motion(near->shape, volumes_.trial_pose(pair.volume)) ||
-          pair.pressed_moves != moves) {
+      if (!pair.evaluated_at.same_motion(near->shape, volumes_.trial_pose(pair.volume)) ||
+          pair.evaluated_in_motion != moves) {
         Forces forces;
         forces.moves = moves;
-        press(pair, near->shape, forces);
+        add_panels(pair, near->shape, forces);
       }
-      next = std::move(pair.pressed);
+      next = std::move(pair.evaluated);
       ++near;
     }
-    pair.pressed_at.known = false, pair.pressed.clear();
+    pair.evaluated_at.known = false, pair.evaluated.clear();
     for (const ContactPoint& p : next)
       accounts_[static_cast<size_t>(pair.element)].reaches(-p.gap, accepted.time, pair.volume,
                                                            p.xi < 0.5 ? 0 : 1);

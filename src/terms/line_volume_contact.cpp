@@ -10,23 +10,13 @@
 #include "hawser/terms/element_axis.hpp"
 
 namespace hawser {
-namespace {
-
-std::vector<std::shared_ptr<const Surface>> surfaces_of(const std::vector<ContactVolume>& volumes) {
-  std::vector<std::shared_ptr<const Surface>> out;
-  for (const ContactVolume& v : volumes) out.push_back(v.surface);
-  return out;
-}
-
-}  // namespace
-
 LineVolumeContact::LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                                      std::vector<ContactVolume> volumes,
                                      std::vector<LineContactElement> elements, MPI_Comm comm,
                                      model::ContactMethod method)
     : mesh_(mesh),
-      volumes_(mesh, std::move(bodies), volumes, comm),
-      finder_(surfaces_of(volumes), method),
+      volumes_(mesh, std::move(bodies), std::move(volumes), comm),
+      finder_(volumes_, method),
       elements_(std::move(elements)) {
   if (elements_.size() != mesh_.elements.size())
     throw std::invalid_argument("contact of lines needs one LineContactElement for each local element");
@@ -62,12 +52,12 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
 }
 
 void LineVolumeContact::renew_laws() {
-  for (Pair& pair : pairs_) pair.laws = laws(pair), pair.pressed_at.known = false;
+  for (Pair& pair : pairs_) pair.laws = laws(pair), pair.evaluated_at.known = false;
 }
 
 void LineVolumeContact::enable_friction(bool on) {
   friction_on_ = on;
-  for (Pair& pair : pairs_) pair.pressed_at.known = false;
+  for (Pair& pair : pairs_) pair.evaluated_at.known = false;
 }
 
 void LineVolumeContact::prepare(const Kinematics& committed, double h) {

@@ -197,7 +197,7 @@ const ContactPlaces& LineVolumeFinder::find(LineVolumePair& pair, const AxisShap
 
 // Anywhere on the surface; a plane's box is of no size to speak of.
 GapSpring LineVolumeFinder::spring_at(int volume, const Vec3& y, double touch) const {
-  const Surface& surface = *surfaces_[static_cast<size_t>(volume)];
+  const Surface& surface = volumes_.surface(volume);
   const Box box = surface.bounds();
   const auto p = surface.query(y, distance(box, y) + std::min(box.extent().norm(), 1e6) + touch);
   return p ? GapSpring{true, y - p->distance * p->normal, p->normal} : GapSpring{};

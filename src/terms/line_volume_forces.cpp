@@ -50,18 +50,18 @@ LineVolumeContact::Rolled LineVolumeContact::rolled(const Pair& pair, const Axis
   return r;
 }
 
-// The law at all places of the trial, once: what it says stays for commit. With derivatives friction rounds
-// otherwise, so that commit would depend on what was asked last: those answers do not stay.
-void LineVolumeContact::press(Pair& pair, const AxisShape& shape, Forces& forces) const {
-  pair.pressed.clear();
+// Adds the forces at all places of the trial. The contact points stay for commit where no derivatives were
+// asked for: with derivatives friction rounds differently, and commit would depend on what was asked last.
+void LineVolumeContact::add_panels(Pair& pair, const AxisShape& shape, Forces& forces) const {
+  pair.evaluated.clear();
   forces.rolled = rolled(pair, shape);
-  for (size_t i = 0; i < pair.found.panels.size(); ++i) press_panel(pair, shape, i, forces);
-  pair.pressed_at = {!forces.tangent, shape, volumes_.trial_pose(pair.volume)};
-  pair.pressed_moves = forces.moves;
+  for (size_t i = 0; i < pair.found.panels.size(); ++i) add_panel(pair, shape, i, forces);
+  pair.evaluated_at = {!forces.tangent, shape, volumes_.trial_pose(pair.volume)};
+  pair.evaluated_in_motion = forces.moves;
 }
 
 // The tangent is exact, moving ends included.
-void LineVolumeContact::press_panel(Pair& pair, const AxisShape& shape, size_t panel, Forces& forces) const {
+void LineVolumeContact::add_panel(Pair& pair, const AxisShape& shape, size_t panel, Forces& forces) const {
   const ContactStretch& s = pair.found.panels[panel];
   const RigidPose& pose = volumes_.trial_pose(pair.volume);
   const bool moves = forces.moves, tangent = forces.tangent;
@@ -92,8 +92,8 @@ void LineVolumeContact::press_panel(Pair& pair, const AxisShape& shape, size_t p
     if (law.friction.active()) begin = finder_.start(pair, xi, ends[0].on || ends[1].on ? &rates : nullptr);
     if (rolled.on) trial.roll = rolled.angle(xi), trial.lever = pair.radius;
     const PointContact c = volume_contact(law, begin, trial, tangent);
-    if (c.normal.elastic > 0) {
-      ContactPoint& p = pair.pressed.emplace_back(c, trial.normal);
+    if (c.normal.elastic > 0 && !tangent) {
+      ContactPoint& p = pair.evaluated.emplace_back(c, trial.normal);
       p.xi = xi, p.from = s.from, p.to = s.to, p.weight = w, p.gap = trial.gap;
     }
     if (!(c.normal.force > 0)) continue;
@@ -169,7 +169,7 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
     Forces forces;
     forces.moves = trial.step > 0, forces.tangent = assembler.wants_tangent(),
     forces.convex = assembler.convex();
-    press(pair, near.shape, forces);
+    add_panels(pair, near.shape, forces);
     add_forces(pair, near.shape, forces, trial, assembler);
   }
 }

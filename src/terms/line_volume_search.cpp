@@ -73,7 +73,7 @@ void LineVolumeContact::open_pairs() {
       Pair& pair = all.emplace_back(model);
       pair.slot = static_cast<int>(slot);
       pair.points = pair.walls->committed[slot];
-      pair.found = {}, pair.seen = nullptr, pair.pressed_at.known = false;
+      pair.found = {}, pair.seen = nullptr, pair.evaluated_at.known = false;
     }
     i = end;
   }

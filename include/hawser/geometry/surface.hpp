@@ -30,13 +30,6 @@ struct SurfacePoint {
   Feature feature = Feature::face;  // of that triangle
 };
 
-// As of Surface::query().
-struct SurfaceQuestion {
-  Vec3 point = Vec3::Zero();
-  double max_distance = 0;  // m
-  int hint = -1;
-};
-
 class Surface {
  public:
   virtual ~Surface() = default;

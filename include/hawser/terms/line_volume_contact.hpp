@@ -30,7 +30,7 @@ class LineVolumeContact final : public ForceTerm,
   bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override { volumes_.couple(to); }
   void prepare(const Kinematics& committed, double h) override;
-  // As limit_depth and strikes say of the ends and the middle of each element and of what touches.
+  // Looks ahead from the ends and the middle of each element, and at what touches (contact_laws.hpp).
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
   void unforeseen(const Kinematics& trial, Unforeseen& to) override;
   // Nothing goes through a volume between the ends of a step, nor deeper into one than its law is for.
@@ -129,8 +129,8 @@ class LineVolumeContact final : public ForceTerm,
   void open_pairs();
 
   Rolled rolled(const Pair& pair, const AxisShape& shape) const;
-  void press(Pair& pair, const AxisShape& shape, Forces& forces) const;
-  void press_panel(Pair& pair, const AxisShape& shape, size_t panel, Forces& forces) const;
+  void add_panels(Pair& pair, const AxisShape& shape, Forces& forces) const;
+  void add_panel(Pair& pair, const AxisShape& shape, size_t panel, Forces& forces) const;
   std::array<Moving, 2> moving_ends(const Pair& pair, const AxisShape& shape, const ContactStretch& s) const;
   void add_forces(const Pair& pair, const AxisShape& shape, Forces& forces, const Kinematics& trial,
                   Assembler& assembler) const;

@@ -16,9 +16,9 @@ AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose);
 
 class LineVolumeFinder {
  public:
-  // surfaces: of the volumes that pairs name.
-  LineVolumeFinder(std::vector<std::shared_ptr<const Surface>> surfaces, model::ContactMethod method)
-      : surfaces_(std::move(surfaces)), method_(method) {}
+  // volumes: those that pairs name; they outlive the finder.
+  LineVolumeFinder(const ContactVolumes& volumes, model::ContactMethod method)
+      : volumes_(volumes), method_(method) {}
 
   bool at_nodes() const { return method_ != model::ContactMethod::line; }
   bool by_gap() const { return method_ == model::ContactMethod::gap; }
@@ -43,7 +43,7 @@ class LineVolumeFinder {
 
   // What may be met of a volume while the element moves by `motion` [m]: whether it is one wall.
   bool one_wall(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose, double motion) const;
-  // Whether the pairs of an element and a volume, of which this is the first, are fewer than its walls.
+  // Number of walls that the trial found of the volume; `first`: the first of the pairs with that element.
   static size_t walls_seen(const LineVolumePair& first) {
     return first.seen && first.seen->walls.several() ? first.seen->walls.of.size() : 1;
   }
@@ -65,11 +65,9 @@ class LineVolumeFinder {
                  std::vector<FreePlace>& places) const;
   void see_walls(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   void assign_past(const LineVolumePair& pair, SeenWalls& seen) const;
-  const Surface& surface(const LineVolumePair& pair) const {
-    return *surfaces_[static_cast<size_t>(pair.volume)];
-  }
+  const Surface& surface(const LineVolumePair& pair) const { return volumes_.surface(pair.volume); }
 
-  std::vector<std::shared_ptr<const Surface>> surfaces_;
+  const ContactVolumes& volumes_;
   model::ContactMethod method_;
   mutable std::vector<FreePlace> places_;  // while a trial is looked at
 };

@@ -129,10 +129,11 @@ struct LineVolumePair {
   // Of the trial.
   ContactPlaces found;
   std::shared_ptr<const SeenWalls> seen;  // of the axis of `found`
-  // What the law said, and of what: one evaluation serves force and commit.
-  std::vector<ContactPoint> pressed;
-  AxisBeside pressed_at;
-  bool pressed_moves = false;  // velocities counted
+  // Contact points by the last evaluation of the law without derivatives, and the state it was of: commit of
+  // that state takes them.
+  std::vector<ContactPoint> evaluated;
+  AxisBeside evaluated_at;
+  bool evaluated_in_motion = false;  // velocities counted
 
   const ContactLaw& law(double xi) const { return laws[xi > 0.5]; }
   double smoothing() const { return laws[0].normal.smoothing; }
