@@ -10,7 +10,7 @@ namespace hawser {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSteps = 6;         // in a period
+constexpr double kSteps = 22;        // in a period: with fewer what bounces fast makes energy
 constexpr double kAbove = 1 + 1e-6;  // rounding of a step
 constexpr double kShort = 0.02;      // of such a step: nearer than that is there
 
@@ -52,7 +52,7 @@ bool may_impact(double slowness, double seen, double speed, double acceleration)
   return std::hypot(slowness * speed, slowness * slowness * acceleration) * rounding > seen;
 }
 
-bool follows(double slowness, double h) { return h <= kAbove * 2 * M_PI / kSteps * slowness; }
+bool follows(double slowness, double h) { return h <= kAbove * M_PI / kSteps * slowness; }
 
 std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass, const Approach& at) {
   const double by_speed = slowness * std::abs(at.closing),
@@ -97,9 +97,9 @@ double ImpactEvent::crossed(double h) const {
 
 double ImpactEvent::period() const { return at_.gap < 0 ? 2 * M_PI * slowness_ : kNever; }
 
-double made_by_parting(double slowness, double seen, double force, double potential, double away,
-                       double speed) {
-  return slowness * speed > seen ? 0.5 * force * away - potential : 0;
+double crossing_error(double slowness, double seen, double force, double potential, double path,
+                      double speed) {
+  return slowness * speed > seen ? std::max(0.5 * force * path - potential, 0.0) : 0;
 }
 
 double LineMotion::energy() const {
@@ -115,11 +115,21 @@ std::vector<double> bearable(std::span<const LineMotion> lines) {
   return out;
 }
 
-bool bearable_partings(std::span<const Parting> partings, std::span<const double> bearable, const Sum& sum) {
-  double made = 0;
-  for (const Parting& p : partings) made += weight(p.line, p.other, bearable) * p.made;
-  sum({&made, 1});
-  return made <= 1;
+double growing_step(std::span<const LineMotion> stored, std::span<const double> bearable, double share,
+                    double last) {
+  double rate = 0;  // 1/s², of what is bearable
+  for (size_t l = 0; l < stored.size(); ++l)
+    if (const double held = share * stored[l].energy(); held > 0)
+      rate += held / std::max(bearable[l], std::numeric_limits<double>::min());
+  return last > 0 && rate > 0 ? std::max(2 * last, std::hypot(last, 1 / std::sqrt(rate))) : kNever;
+}
+
+bool bearable_impacts(std::span<const UnresolvedImpact> impacts, std::span<const double> bearable,
+                      const Sum& sum) {
+  double error = 0;
+  for (const UnresolvedImpact& i : impacts) error += weight(i.line, i.other, bearable) * i.energy;
+  sum({&error, 1});
+  return error <= 1;
 }
 
 StepLimit bounded_step(std::span<const ImpactEvent> strikes, std::span<const double> bearable, double most,

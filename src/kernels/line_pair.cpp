@@ -183,6 +183,7 @@ LinePairSide::Start LinePairSide::start(const Point& p, bool derivatives) const 
       std::find_if(history_.begin(), history_.end(), [xi](const LinePairHistory& h) { return h.xi > xi; });
   const LinePairHistory* b = after != history_.end() ? &*after : nullptr;
   const LinePairHistory* a = after != history_.begin() ? &*(after - 1) : nullptr;
+  if (!a && !b) return s;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
   // Outside the outermost point: down to nothing where contact ends, for beyond there is none.
   const double x0 = a ? a->xi : b->from, x1 = b ? b->xi : a->to;

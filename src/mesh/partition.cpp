@@ -5,7 +5,6 @@
 #include <metis.h>
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 
 namespace hawser {
@@ -87,22 +86,23 @@ Shares share_lines(const Mesh& mesh, int ranks, std::span<const int> whole) {
   Shares s;
   s.owner.assign(mesh.nodes.size(), -1), s.vertex = s.owner;
   const auto work = [&](size_t n) { return mesh.nodes[n].rotates ? kBeamWork : kCableWork; };
-  const auto nodes = [&](int line) {
+  const auto each_node = [&](int line, const auto& what) {
     const LineSpan& l = mesh.lines[static_cast<size_t>(line)];
-    return std::views::iota(static_cast<size_t>(l.first_node), static_cast<size_t>(l.first_node + l.nodes));
+    for (int i = 0; i < l.nodes; ++i) what(static_cast<size_t>(l.first_node + i));
   };
   idx_t left = 0;
   for (size_t n = 0; n < mesh.nodes.size(); ++n) left += work(n);
   std::vector<std::pair<idx_t, int>> lines;
   for (const int l : whole) {
     lines.emplace_back(0, l);
-    for (const size_t n : nodes(l)) lines.back().first += work(n);
+    each_node(l, [&](size_t n) { lines.back().first += work(n); });
   }
   std::sort(lines.rbegin(), lines.rend());
   for (const auto& [weight, line] : lines) {
     const bool alone = s.first + 1 < ranks && weight * (ranks - s.first) >= left;
-    for (const size_t n : nodes(line))
-      (alone ? s.owner : s.vertex)[n] = alone ? s.first : static_cast<int>(s.weight.size());
+    std::vector<int>& share = alone ? s.owner : s.vertex;
+    const int number = alone ? s.first : static_cast<int>(s.weight.size());
+    each_node(line, [&](size_t n) { share[n] = number; });
     if (alone)
       left -= weight, ++s.first;
     else

@@ -470,10 +470,9 @@ const Key& case_schema() {
             number("min_step", time, "smallest step, below which the run stops")
                 .above(0)
                 .or_else_note("chosen by the program"),
-            boolean(
-                "resolve_impacts",
-                "where something strikes, a step that is fixed is divided as an automatic one would be: six "
-                "in a period of the contact, ending at the touch; `false`: it stays as it is")
+            boolean("resolve_impacts",
+                    "where something strikes, a step that is fixed is divided as an automatic one would be: "
+                    "22 in a period of the contact, ending at the touch; `false`: it stays as it is")
                 .or_else("true"),
             number("rho_infinity", none,
                    "spectral radius at high frequency of the generalized-alpha method; 1: no "

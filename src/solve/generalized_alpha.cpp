@@ -13,6 +13,8 @@ AlphaCoefficients::AlphaCoefficients(double rho)
       gamma(0.5 + af - am),
       beta(0.25 * (gamma + 0.5) * (gamma + 0.5)) {}
 
+double alpha_stored(const AlphaCoefficients& c) { return (0.5 - c.af) * (0.5 - c.af); }
+
 void alpha_start(AlphaState& state) {
   State& s = state.s;
   state.ax = s.a, state.aw = s.alpha;

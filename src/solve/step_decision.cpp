@@ -10,7 +10,7 @@
 namespace hawser {
 
 // In this order: did Newton's iteration converge, does a rotation tell which way it went, is all that acts in
-// the step known (candidates, tunnelling, penetration), do impacts come as foreseen, is the local error
+// the step known (candidates, tunnelling, penetration), are impacts resolved, is the local error
 // small, is the result one that the lines can bear.
 Verdict Dynamics::judge(double h, Attempt& a) {
   using Kind = Verdict::Kind;
@@ -33,9 +33,9 @@ Verdict Dynamics::judge(double h, Attempt& a) {
     a.solved = false;
     return v;
   }
-  if (control_.divides(h) && !system_.foreseen(trial)) {
+  if (control_.divides(h) && !system_.resolves_impacts(trial)) {
     a.solved = false;
-    return {Kind::shorter, "something strikes or parts in it that its start did not show"};
+    return {Kind::shorter, "it does not resolve an impact that its start did not show"};
   }
   if (!control_.accurate(h, a.error))
     return {Kind::shorter, fmt::format("its local error of {:.3g} m is too large", a.error)};
@@ -51,7 +51,8 @@ StepInfo Dynamics::take_step(double until) {
   prepare(control_.proposal());  // tries can only be shorter
   StepLimit limit;
   if (control_.limited()) {
-    limit = system_.longest_step(committed_.s.view(last_step_), control_.proposal());
+    limit = system_.longest_step(committed_.s.view(last_step_), {committed_.ax, alpha_stored(alpha_)},
+                                 control_.proposal());
     control_.follow_impact(t, limit.period);
   }
   StepInfo info;

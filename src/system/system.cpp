@@ -57,7 +57,7 @@ void System::add(std::unique_ptr<ForceTerm> term) {
   check(PetscLogEventRegister(("prepare " + name).c_str(), id, &e.prepare));
   if (limit_event_ < 0) check(PetscLogEventRegister("limit steps", id, &limit_event_));
   const auto take = [&term](auto& list) {
-    using Role = std::remove_reference_t<decltype(list)>::value_type;
+    using Role = typename std::remove_reference_t<decltype(list)>::value_type;
     if (const auto role = dynamic_cast<Role>(term.get())) list.push_back(role);
   };
   take(couple_nodes_), take(limit_steps_), take(raise_stiffness_), take(on_elements_), take(move_masses_);

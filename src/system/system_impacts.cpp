@@ -1,5 +1,5 @@
 // The part of System that follows impacts: how long a step may be by what strikes, and whether one that was
-// taken shows what nobody foresaw.
+// taken resolved what struck.
 #include <algorithm>
 
 #include "hawser/system/system.hpp"
@@ -11,21 +11,28 @@ void System::sum(std::span<double> values) const {
   MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
 }
 
-// J by line. strikes: of this rank.
-std::vector<double> System::bearable_energies(const Kinematics& at,
-                                              const std::vector<ImpactEvent>& strikes) const {
-  std::vector<LineMotion> lines(sums_ / 2);
-  for (const MovesMasses* t : move_masses_) t->motion(at, lines);
+// Of the masses of each line in the state, with what strikes of it, and behind all of these what the line
+// carries in its algorithmic accelerations. strikes: of this rank.
+std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion& stored,
+                                        const std::vector<ImpactEvent>& strikes) const {
+  const size_t n = sums_ / 2;
+  std::vector<LineMotion> lines(2 * n);
+  Kinematics accelerations = at;
+  accelerations.v = stored.accelerations;
+  for (const MovesMasses* t : move_masses_) {
+    t->motion(at, std::span(lines).first(n));
+    t->motion(accelerations, std::span(lines).last(n));
+  }
   for (const ImpactEvent& s : strikes) {
     lines[static_cast<size_t>(s.line)].striking += s.energy();
     if (s.other >= 0) lines[static_cast<size_t>(s.other)].striking += s.energy();
   }
   static_assert(sizeof(LineMotion) == 6 * sizeof(double));
   sum({reinterpret_cast<double*>(lines.data()), 6 * lines.size()});
-  return bearable(lines);
+  return lines;
 }
 
-StepLimit System::longest_step(const Kinematics& committed, double most) {
+StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& stored, double most) {
   ImpactEvents strikes;
   strikes.most = most;
   {
@@ -36,10 +43,12 @@ StepLimit System::longest_step(const Kinematics& committed, double most) {
   MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MIN, comm_);
   StepLimit limit;
   limit.longest = both[0];
-  // Also where nothing strikes yet: what comes unforeseen is judged by this step's energies, not by those of
-  // whenever something struck.
-  bearable_ = bearable_energies(committed, strikes.list);
-  for (LimitsSteps* t : limit_steps_) t->bear(bearable_);
+  // Also where nothing strikes yet: impacts that only the end of the step shows are judged by it.
+  const std::vector<LineMotion> lines = motions(committed, stored, strikes.list);
+  const size_t n = lines.size() / 2;
+  bearable_ = bearable(std::span(lines).first(n));
+  limit.longest = std::min(limit.longest,
+                           growing_step(std::span(lines).last(n), bearable_, stored.share, committed.step));
   if (both[1] > 0) return limit;
   const StepLimit struck = bounded_step(strikes.list, bearable_, std::min(most, limit.longest),
                                         [this](std::span<double> values) { sum(values); });
@@ -48,17 +57,17 @@ StepLimit System::longest_step(const Kinematics& committed, double most) {
   return limit;
 }
 
-bool System::foreseen(const Kinematics& trial) {
-  Unforeseen found;
+bool System::resolves_impacts(const Kinematics& trial) {
+  UnresolvedImpacts found;
   {
     const Logged logged(limit_event_);
-    for (LimitsSteps* t : limit_steps_) t->unforeseen(trial, found);
+    for (LimitsSteps* t : limit_steps_) t->unresolved(trial, found);
   }
-  int any[2] = {found.too_deep, !found.partings.empty()};
+  int any[2] = {found.too_deep, !found.list.empty()};
   MPI_Allreduce(MPI_IN_PLACE, any, 2, MPI_INT, MPI_MAX, comm_);
   if (any[0]) return false;
   return !any[1] ||
-         bearable_partings(found.partings, bearable_, [this](std::span<double> values) { sum(values); });
+         bearable_impacts(found.list, bearable_, [this](std::span<double> values) { sum(values); });
 }
 
 }  // namespace hawser

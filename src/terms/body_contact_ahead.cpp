@@ -198,7 +198,7 @@ void BodyContactTerm::limit_step(const Kinematics& committed, ImpactEvents& to) 
 
 // What the trapezoidal rule takes for the work of the springs, against what they hold. A step that makes or
 // loses too much is one that went too deep: it is taken again.
-void BodyContactTerm::unforeseen(const Kinematics& trial, Unforeseen& to) {
+void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const Both now = both(p, trial);

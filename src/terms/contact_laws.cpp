@@ -53,9 +53,9 @@ bool ContactSpring::may_impact(double speed, double acceleration) const {
 
 bool ContactSpring::follows(double h) const { return hawser::follows(slowness(*this), h); }
 
-double ContactSpring::made(double share, const ContactHistory& was, double away, double speed) const {
-  return share *
-         made_by_parting(slowness(*this), width(*this), was.elastic_force(), was.potential, away, speed);
+double ContactSpring::crossing_error(double share, double force, double potential, double path,
+                                     double speed) const {
+  return share * hawser::crossing_error(slowness(*this), width(*this), force, potential, path, speed);
 }
 
 void limit_depth(double radius, const Approach& at, ImpactEvents& to) {

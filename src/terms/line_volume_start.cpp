@@ -12,6 +12,7 @@ void take_slip(const std::vector<ContactPoint>& past, double xi, ContactStart& s
   const ContactPoint* b = after != past.end() ? &*after : nullptr;
   const ContactPoint* a = after != past.begin() ? &*(after - 1) : nullptr;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
+  if (!a && !b) return;
   if (!a || !b) {
     const ContactPoint& p = a ? *a : *b;
     s.slip = p.slip, s.normal = p.normal;

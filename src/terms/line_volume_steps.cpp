@@ -115,7 +115,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
 }
 
 // Of a contact that grows shorter, the places that it no longer reaches.
-void LineVolumeContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
+void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   volumes_.pose_trial(trial);
   for (Pair& pair : pairs_) {
     // What touched may be that of another of its walls; what touches was found when it was evaluated.
@@ -127,18 +127,34 @@ void LineVolumeContact::unforeseen(const Kinematics& trial, Unforeseen& to) {
     for (const ContactPlace& p : found.places) deepest = std::max(deepest, pair.radius - p.at.distance);
     for (const ContactPoint& p : pair.past()) was = std::max(was, -p.gap);
     to.too_deep = to.too_deep || sinks_too_far(pair.radius, was, deepest);
+    if (spring(pair, 0).follows(trial.step) && spring(pair, 1).follows(trial.step)) continue;
+
+    const auto add = [&](double error) {
+      if (error > 0) to.list.push_back({element(pair).line, -1, error});
+    };
+    const auto moved = [&](double xi) -> Vec3 {
+      return pose.to_body(shape.point(xi)) - pair.start.pose.to_body(pair.start.shape.point(xi));
+    };
     for (const ContactPoint& p : pair.past()) {
-      if (spring(pair, p.xi).follows(trial.step)) continue;
       const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
       if (std::any_of(found.panels.begin(), found.panels.end(), holds) &&
           std::none_of(found.filled.begin(), found.filled.end(), holds))
         continue;
-      const Vec3 x = shape.point(p.xi), from = pair.start.pose.to_body(pair.start.shape.point(p.xi));
-      const double made =
-          spring(pair, p.xi)
-              .made(p.weight, p, p.normal.dot(pose.to_body(x) - from),
-                    (pose.rotation * p.normal).dot(shape.velocity(p.xi) - pose.velocity_at(x)));
-      if (made > 0) to.partings.push_back({element(pair).line, -1, made});
+      const Vec3 x = shape.point(p.xi), leaves = shape.velocity(p.xi) - pose.velocity_at(x);
+      add(spring(pair, p.xi)
+              .crossing_error(p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
+                              (pose.rotation * p.normal).dot(leaves)));
+    }
+    for (const ContactPlace& p : found.places) {
+      if (!pair.sees(p.at)) continue;
+      // What slides along its own line comes and goes, and as much of it touches as before.
+      const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
+                 way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
+      const double came = -p.at.normal.dot(way);
+      if (!(came > pair.touch - p.at.distance)) continue;  // it touched before
+      const ContactSpring s = spring(pair, p.xi);
+      const NormalForce f = normal_force(s.law, p.at.distance - pair.radius, 0);
+      add(s.crossing_error(p.weight, f.elastic, f.potential, came, came / trial.step));
     }
   }
 }

@@ -48,6 +48,27 @@ dynamics: {duration: 2.5STEP}
 output: {every: 0.5}
 )";
 
+// The same chain, nearly upright, falls into a pile: it touches itself and the deck, with friction.
+const char* const kPile = R"(
+hawser: 1
+line_types:
+  chain: {outer_diameter: 0.252, mass_per_length: 390, EA: 1.674 GN, bending: false}
+volumes:
+  deck: {shape: {box: {centre: [0, 0, -1], size: [60, 60, 2]}}, friction: 0.4}
+lines:
+  chain:
+    sections: [{type: chain, length: 20, elements: ELEMENTS}]
+    end_a: free
+    end_b: free
+    start:
+      points: [[0, 0, 0.5], [-0.58, 0.56, 3], [0.42, -0.39, 5.5], [0, 0.5, 8], [0.3, -0.08, 10.5], [0.24, 0, 13],
+               [0, 1, 15.5], [0.5, 0.2, 18]]
+contact: {between_lines: {friction: 0.4}}
+statics: false
+dynamics: {duration: 2.5STEP}
+output: {every: 0.5}
+)";
+
 // L5-pk of CableDyn 0.1.1 (VALIDATION.md): a chain of 1.02 times its chord, its fairlead heaving 4 m in 4 s.
 // Peaks of the codes: MoorDyn-C 4.86 MN, OrcaFlex 6.32 MN at steps of 0.25 ms, CableDyn 10.2 MN.
 const char* const kSnap = R"(
@@ -84,19 +105,33 @@ struct Snapping : ::testing::Test {
     for (const double e : error) least = std::min(least, e), rise = std::max(rise, e - least);
     return rise / largest(r.column("energy", 5));
   }
-  void expect_none_made(const char* what, const char* text, int elements) {
+  void expect_none_made(const char* what, const char* text, int elements, double most = 0.005) {
     for (const char* step : {"", ", step: 0.1", ", step: 0.05", ", step: 0.02", ", step: 0.01"}) {
       const Results r = ran(text, elements, step);
       if (!first()) continue;
       printf("  %s%s: %.3f %% made\n", what, *step ? step : ", default", 100 * made(r));
-      EXPECT_LT(made(r), 0.005) << what << step;
+      EXPECT_LT(made(r), most) << what << step;
     }
   }
   std::string path;
 };
 
 TEST_F(Snapping, AMooringLineMakesNoEnergy) { expect_none_made("heave of 8 m", kMooring, 76); }
-TEST_F(Snapping, AChainOnADeckMakesNoEnergy) { expect_none_made("dropped on a deck", kDeck, 40); }
+TEST_F(Snapping, AChainOnADeckMakesNoEnergy) {
+  expect_none_made("dropped on a deck, 20 elements", kDeck, 20, 0.001);
+  expect_none_made("dropped on a deck, 40 elements", kDeck, 40, 0.001);
+}
+// Lost: 0.45 to 0.95 % over starts a little apart. What it does is chaotic, so that rounding decides within
+// that.
+TEST_F(Snapping, APileOfChainLosesAndMakesLittle) {
+  const Results r = ran(kPile, 40, "");
+  if (!first()) return;
+  const auto error = r.column("energy", 6);
+  const double lost = -error.back() / largest(r.column("energy", 5));
+  printf("  pile: %.3f %% made, %.3f %% lost\n", 100 * made(r), 100 * lost);
+  EXPECT_LT(made(r), 0.003);
+  EXPECT_LT(lost, 0.015);
+}
 TEST_F(Snapping, AChainThatSnapsMakesNoEnergy) { expect_none_made("L5-pk", kSnap, 20); }
 
 // The same line on a plain bed, held by its fairlead in statics and then cut.

@@ -14,8 +14,8 @@ namespace hawser::impact_test {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSlow = 0.01, kSeen = 1e-3;    // s, m
-constexpr double kStep = 2 * M_PI / 6 * kSlow;  // s, six in a period
+constexpr double kSlow = 0.01, kSeen = 1e-3;     // s, m
+constexpr double kStep = 2 * M_PI / 22 * kSlow;  // s, 22 in a period
 
 const Sum kAlone = [](std::span<double>) {};
 constexpr double kMass = 2, kMost = 0.3;  // kg, s
@@ -32,7 +32,7 @@ double longest(double gap, double closing, double acceleration = 0, bool last = 
 }
 
 // It is found by halving.
-void expect_step(double found, double length) { EXPECT_NEAR(found, length, 1e-4 * length); }
+void expect_step(double found, double length) { EXPECT_NEAR(found, length, 2e-4 * length); }
 // Beyond the touch or the end as far as what is lost or made is nothing to speak of.
 void expect_until(double found, double length) {
   EXPECT_GE(found, (1 - 1e-5) * length);
@@ -75,9 +75,9 @@ TEST(Impact, StepsEndAtItsEnd) {
   EXPECT_NEAR(-p + t * u + t * t / 4 * a, 0, 2e-5);
   EXPECT_LT(t, kStep);
   // One step does not get there, two do; three do.
-  const double far = 2 * 0.03 / (u + std::sqrt(u * u + a * 0.03));
+  const double far = 2 * 0.008 / (u + std::sqrt(u * u + a * 0.008));
   ASSERT_TRUE(far > kStep && far < 2 * kStep);
-  expect_until(longest(-0.03, -u, a), far / 2);
+  expect_until(longest(-0.008, -u, a), far / 2);
   expect_step(longest(-0.3, -u, a), kStep);
   expect_until(longest(-p, -u), p / u);
   expect_step(longest(-p, -u, -2000), kStep);  // pulled in again
@@ -94,7 +94,7 @@ TEST(Impact, TellsThePeriodWhileItTouches) {
 // What crosses the touch or the end by the trapezoidal rule: lost, made.
 TEST(Impact, KnowsWhatACrossingMakes) {
   const double k = kMass / (kSlow * kSlow);
-  for (const double h : {0.004, 0.008, 0.0104})
+  for (const double h : {0.0015, 0.003, 0.0045})
     for (const double gap : {0.002, 0.006}) {
       const double z = 0.5 * h / kSlow, in = (2 * h - gap) / (1 + z * z), a = k / kMass * in,
                    v = 2 - 0.5 * h * a;
@@ -119,13 +119,13 @@ TEST(Impact, OnlyWhatMattersCutsAStep) {
     EXPECT_NEAR(bears[0], kErrorOfStep * (45 + 2 * mass), 1e-9);  // what moves along does not count
     return bounded_step({&*s, 1}, bears, kMost, kAlone);
   };
-  // 2 J a kilogram against 1e-4 of 45 J.
-  EXPECT_EQ(of(0.00224, 0).longest, kNever);
-  EXPECT_EQ(of(0.00224, 0).period, kNever);
-  expect_step(of(0.00226, 0).longest, kStep);
-  expect_step(of(0.00226, 0).period, 2 * M_PI * kSlow);
-  expect_step(of(0.00226, 1000).longest, kStep);
-  EXPECT_EQ(of(0.00224, 1000).longest, kNever);
+  // 2 J a kilogram against 2e-5 of 45 J.
+  EXPECT_EQ(of(0.000449, 0).longest, kNever);
+  EXPECT_EQ(of(0.000449, 0).period, kNever);
+  expect_step(of(0.000451, 0).longest, kStep);
+  expect_step(of(0.000451, 0).period, 2 * M_PI * kSlow);
+  expect_step(of(0.000451, 1000).longest, kStep);
+  EXPECT_EQ(of(0.000449, 1000).longest, kNever);
 }
 
 TEST(Impact, ManySmallOnesTogetherDo) {
@@ -165,33 +165,33 @@ TEST(Impact, AThousandLinesAreAsOne) {
   expect_until(alone, 0.07);
 }
 
-// What nobody foresaw: it lay still, pressed in by 10 mm, and is 50 mm away when the step ends.
-TEST(Impact, WhatPartsUnseen) {
+// Pressed in by 10 mm at one end of the step, 50 mm away at the other.
+TEST(Impact, WhatCrossesUnseen) {
   const double k = kMass / (kSlow * kSlow), depth = 0.01, gap = 0.05;
-  const auto made = [&](double speed) {
-    return made_by_parting(kSlow, kSeen, k * depth, 0.5 * k * depth * depth, depth + gap, speed);
+  const auto error = [&](double path, double speed) {
+    return crossing_error(kSlow, kSeen, k * depth, 0.5 * k * depth * depth, path, speed);
   };
   const double e = 0.5 * k * depth * gap;
-  EXPECT_NEAR(made(5), e, 1e-12 * e);
-  EXPECT_EQ(made(-5), 0);                    // it is on its way back
-  EXPECT_EQ(made(0.99 * kSeen / kSlow), 0);  // lifted, not thrown off
-  EXPECT_GT(made(1.01 * kSeen / kSlow), 0);
-  const std::vector<Parting> two{{0, -1, e}, {1, 0, e}};  // the second off the first line
+  EXPECT_NEAR(error(depth + gap, 5), e, 1e-12 * e);
+  EXPECT_EQ(error(depth + gap, -5), 0);                    // it is on its way back
+  EXPECT_EQ(error(depth + gap, 0.99 * kSeen / kSlow), 0);  // lifted or laid down
+  EXPECT_GT(error(depth + gap, 1.01 * kSeen / kSlow), 0);
+  EXPECT_EQ(error(0.9 * depth, 5), 0);                             // it was in touch all the time
+  const std::vector<UnresolvedImpact> two{{0, -1, e}, {1, 0, e}};  // the second with the first line
   for (const auto& [bears, good] : {std::pair(1.99, false), {2.01, true}})
-    EXPECT_EQ(bearable_partings(two, std::vector<double>{bears * e, 10 * e}, kAlone), good);
-  EXPECT_TRUE(follows(kSlow, kStep));
-  EXPECT_FALSE(follows(kSlow, 1.01 * kStep));
+    EXPECT_EQ(bearable_impacts(two, std::vector<double>{bears * e, 10 * e}, kAlone), good);
+  EXPECT_TRUE(follows(kSlow, 0.5 * kStep));
+  EXPECT_FALSE(follows(kSlow, 0.51 * kStep));
 }
 
 // A linear spring, no damping, the trapezoidal rule (rho = 1): with the steps cut so an impact gives back
-// what it took, wherever the steps began; steps of the same length that are not cut do not.
+// what it took, wherever the steps began; steps of a sixth of the period that are not cut do not.
 TEST(Impact, MakesNoEnergy) {
   const double w = 1 / kSlow;
   const auto bounce = [&](double start, bool cut) {
     double x = start, v = -2, a = 0, made = 0;
     for (int n = 0; n < 200 && x < 0.2; ++n) {
-      double h = kStep;
-      if (cut) h = std::min(h, longest(x, -v, a));
+      const double h = cut ? std::min(kStep, longest(x, -v, a)) : 2 * M_PI / 6 * kSlow;
       // x1 = x + h (v + v1)/2, v1 = v + h (a + a1)/2, a1 = -w² x1 in touch.
       const double free = x + h * v + h * h / 4 * a;
       const double x1 = free < 0 ? free / (1 + w * w * h * h / 4) : free;
@@ -260,6 +260,42 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
   EXPECT_LT(std::abs(more.made), 1e-2);
   EXPECT_LT(many.steps, 200);
   EXPECT_LT(more.steps, 1.05 * many.steps);
+}
+
+// A mass on a spring far too stiff for the steps that follow a single short one, in which it was caught: the
+// energy that the scheme holds in A, with the square of the step, comes out as motion.
+TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
+  const AlphaCoefficients c(0.8);
+  const double w = 1e3, m1 = (1 - c.am) / (1 - c.af), m0 = c.am / (1 - c.af), d0 = c.af / (1 - c.af);
+  const auto most = [&](bool bounded) {
+    double x = 0, v = 1, a = 0, A = 0, h = 1 / w, worst = 0;
+    for (int i = 0; i < 40; ++i) {
+      const double end = (-w * w * (x + h * v + h * h * (0.5 - c.beta) * A) - m0 * A + d0 * a) /
+                         (m1 + w * w * h * h * c.beta);
+      x += h * v + h * h * ((0.5 - c.beta) * A + c.beta * end);
+      v += h * ((1 - c.gamma) * A + c.gamma * end);
+      A = end, a = -w * w * x;
+      worst = std::max(worst, v * v + w * w * x * x - 1);
+      // The line it is a part of has another kilogram, which rests.
+      std::vector<LineMotion> line(1), held(1);
+      line[0].add(1, {v, 0, 0}), line[0].add(1, {0, 0, 0});
+      held[0].add(1, {A, 0, 0}), held[0].add(1, {0, 0, 0});
+      h = bounded ? std::min(0.1, growing_step(held, bearable(line), alpha_stored(c), h)) : 0.1;
+    }
+    return worst;
+  };
+  std::printf("energy made after a short step: %.1e with steps that grow by what they hold, %.1e at once\n",
+              most(true), most(false));
+  EXPECT_LT(most(true), 0.05);
+  EXPECT_GT(most(false), 1);
+  // No more than that: what turns as one, or is as slow as it is long, does not hold steps back.
+  std::vector<LineMotion> line(1), held(1);
+  line[0].add(1, {2, 0, 0}), line[0].add(1, {-2, 0, 0});
+  held[0].add(2, {0, 0, -9.81});
+  EXPECT_EQ(growing_step(held, bearable(line), alpha_stored(c), 0.01), kNever);
+  held[0] = {}, held[0].add(1, {0.1, 0, 0}), held[0].add(1, {-0.1, 0, 0});
+  EXPECT_GT(growing_step(held, bearable(line), alpha_stored(c), 0.01), 1);
+  EXPECT_EQ(growing_step(held, bearable(line), alpha_stored(c), 0), kNever);  // no step yet
 }
 
 TEST(StepControl, AnImpactIsFollowed) {

@@ -171,7 +171,10 @@ class Bar : public ::testing::TestWithParam<double> {};
 TEST_P(Bar, AgainstWall) {
   const double kp = GetParam();
   const int n = kPieces;
-  const model::Case c = bar_and_wall(kp, 0.5 * kLength / n / kWave);
+  // Half of what a wave takes through an element, whatever the contact asks for: shorter ones show how a mesh
+  // rings behind the wave front, 15 % above the plateau.
+  model::Case c = bar_and_wall(kp, 0.5 * kLength / n / kWave);
+  c.dynamics.resolve_impacts = false;
   Simulation s(PETSC_COMM_WORLD, c, {std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitX())});
   for (Vec3& v : s.state().v) v = Vec3(-1, 0, 0);
   Dynamics& d = s.dynamics();

@@ -35,7 +35,8 @@ class ImpactEvent {
   // J: of the mass along the normal, and of the spring out of its balance. No step makes or loses more by it
   // where the impact is followed.
   double energy() const { return energy_; }
-  // J, at stake in a step of h [s] that has more than a sixth of a period in it: energy() or none.
+  // J, at stake in a step of h [s] that has more than a part of a period in it that a step follows: energy()
+  // or none.
   double unresolved(double h) const { return h > resolved_ ? energy_ : 0; }
   // J, that the trapezoidal rule loses in a step of h across the touch or makes in one across the end.
   double crossed(double h) const;
@@ -58,25 +59,27 @@ std::optional<ImpactEvent> impact_event(double slowness, double seen, double mas
 // Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
 bool may_impact(double slowness, double seen, double speed, double acceleration);
 
-// Whether a step of h [s] is one of those that an impact on a contact of that slowness [s] is followed with.
+// Whether a step of h [s] is so short for a contact of that slowness [s] that none of its crossings matter:
+// half of the steps that an impact is followed with.
 bool follows(double slowness, double h);
 
-// What touched when a step began and is away at its end, in a step that does not follow it: a wave along the
-// line came and took it off, which nothing foretold when the step began.
-struct Parting {
-  int line = 0, other = -1;  // that leaves; that is left, if it is one
-  double made = 0;           // J
+// A contact that began or ended in a step that does not follow it, so that the energy of the step is wrong: a
+// wave along the line brought it there or took it off, which the start of the step does not show.
+struct UnresolvedImpact {
+  int line = 0, other = -1;  // that strikes or leaves; what is struck or left, if it is a line
+  double energy = 0;         // J, made or lost
 };
-// What a converged step shows that nothing foretold when it began.
-struct Unforeseen {
-  std::vector<Parting> partings;
+// What a converged step shows of impacts that its start did not.
+struct UnresolvedImpacts {
+  std::vector<UnresolvedImpact> list;
   bool too_deep = false;  // something went deeper in it than a step is trusted with
 };
-// J, that the trapezoidal rule, for which the push falls all along the step, makes of what has moved `away`
-// [m] along the normal and leaves at that speed [m/s]. force: N, and potential: J, of the spring when the
-// step began. 0: it is lifted, which takes it no farther than what is seen.
-double made_by_parting(double slowness, double seen, double force, double potential, double away,
-                       double speed);
+// J, by which the trapezoidal rule, for which the push rises or falls all along the step, misses the work of
+// a contact that began or ended in it, when what touches moved by `path` [m] along the normal at that speed
+// [m/s]. force: N, and potential: J, of the spring at that end of the step where it touches. 0: slower than
+// what is seen.
+double crossing_error(double slowness, double seen, double force, double potential, double path,
+                      double speed);
 
 // What terms find: strikes of what this rank counts, and a length [s] that steps keep to in any case.
 struct ImpactEvents {
@@ -110,13 +113,27 @@ struct LineMotion {
 // Adds the numbers of all ranks, in place.
 using Sum = std::function<void(std::span<double>)>;
 
+// What generalized-alpha carries from step to step beside the motion: algorithmic accelerations A, m/s², in
+// which it holds the energy share/2 h² A.M A (docs/theory/time-integration.md, "Cables").
+struct StoredMotion {
+  std::span<const Vec3> accelerations;  // of the nodes
+  double share = 0;
+};
+
 // J by line: what impacts may make, lose or leave unresolved of it in a step: kErrorOfStep of its energy, as
 // many times as there are lines whose impacts come to more. `lines` are those of all ranks.
-constexpr double kErrorOfStep = 1e-4;
+constexpr double kErrorOfStep = 2e-5;
 std::vector<double> bearable(std::span<const LineMotion> lines);
 
-// Whether what partings of all ranks make together is within that. Collective.
-bool bearable_partings(std::span<const Parting> partings, std::span<const double> bearable, const Sum& sum);
+// The longest step [s] after one of `last` [s] that lets the energy held in A, which grows with the square of
+// the step, grow by no more than is bearable: it would come out as motion. Twice the last one in any case, as
+// each step damps what the next would make. stored: as LineMotion, of accelerations; by line, of all ranks.
+double growing_step(std::span<const LineMotion> stored, std::span<const double> bearable, double share,
+                    double last);
+
+// Whether the errors of all ranks together are within that. Collective.
+bool bearable_impacts(std::span<const UnresolvedImpact> impacts, std::span<const double> bearable,
+                      const Sum& sum);
 
 // The longest step of at most `most` [s] in which strikes, of all ranks, together stay within what is
 // bearable, and the period of those that matter. Collective.

@@ -24,6 +24,9 @@ struct AlphaState {
   std::vector<Mat3> ad;      // and of the directors, 1/s²
 };
 
+// delta²: the scheme holds the energy delta²/2 h² A.M A in its algorithmic accelerations.
+double alpha_stored(const AlphaCoefficients& c);
+
 // Gives a state whose accelerations are right those that the scheme carries.
 void alpha_start(AlphaState& state);
 

@@ -44,7 +44,8 @@ HistoryKind history_kind(std::string name) {
   T one{};
   T::quantities(one, [&kind](const char* quantity, const char* unit, const auto& value) {
     using V = std::remove_cvref_t<decltype(value)>;
-    const int components = std::is_arithmetic_v<V> ? 1 : static_cast<int>(sizeof(V) / sizeof(double));
+    int components = 1;
+    if constexpr (!std::is_arithmetic_v<V>) components = static_cast<int>(std::size(value));
     kind.quantities.push_back({quantity, components, unit});
   });
   return kind;

@@ -37,11 +37,9 @@ class LimitsSteps {
   // Of a converged step or a trial of statics, on this rank: tunnelling, penetration beyond what a law is
   // for, candidates that are out of date.
   virtual Verdict judge(const Kinematics& trial) const = 0;
-  // Adds what limit_step() could not foresee, each once over all ranks; local. Asked of a converged step
-  // before it is accepted.
-  virtual void unforeseen(const Kinematics& trial, Unforeseen& to) { (void)trial, (void)to; }
-  // What impacts may make, lose or leave unresolved in that step, J by line of the mesh.
-  virtual void bear(std::span<const double> energies) { (void)energies; }
+  // Adds the impacts that a converged step did not resolve, each once over all ranks; local. Asked before it
+  // is accepted.
+  virtual void unresolved(const Kinematics& trial, UnresolvedImpacts& to) { (void)trial, (void)to; }
 };
 
 // A penalty stiffness that follows what the run meets. evaluate() never changes it.

@@ -99,9 +99,10 @@ class System {
   double axial_stiffness() const;
   double dead_load() const;
   // Of a step of at most `most` [s]: what impacts allow is bounded by the energy they are about.
-  StepLimit longest_step(const Kinematics& committed, double most);
-  // Whether all that matters in a converged step was foreseen by longest_step(), which is asked first.
-  bool foreseen(const Kinematics& trial);
+  StepLimit longest_step(const Kinematics& committed, const StoredMotion& stored, double most);
+  // Whether a converged step resolved the impacts in it, also those that its start, when longest_step() was
+  // asked, did not show.
+  bool resolves_impacts(const Kinematics& trial);
   bool stiffen(const Kinematics& equilibrium);  // true on all ranks: solve again
   void forget_stiffening();
 
@@ -125,7 +126,8 @@ class System {
   void see_ties(const Kinematics& trial);
   void add_to_frames(const Kinematics& trial);
   void sum(std::span<double> values) const;  // over the ranks, in place
-  std::vector<double> bearable_energies(const Kinematics& at, const std::vector<ImpactEvent>& strikes) const;
+  std::vector<LineMotion> motions(const Kinematics& at, const StoredMotion& stored,
+                                  const std::vector<ImpactEvent>& strikes) const;
   void reghost_supports();
   void with_frames(Couplings& c) const;
   // The blocks of the tangent in this rank's rows, sorted: row and column as local blocks (a node with

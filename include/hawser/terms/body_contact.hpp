@@ -43,7 +43,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
   // Nothing that stands out goes through the other body between the ends of a step.
   Verdict judge(const Kinematics& trial) const override;
-  void unforeseen(const Kinematics& trial, Unforeseen& to) override;
+  void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;

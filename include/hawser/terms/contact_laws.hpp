@@ -29,9 +29,9 @@ struct ContactSpring {
   bool may_impact(double speed, double acceleration) const;
   // Whether a step of h [s] follows it, so that it need not be asked.
   bool follows(double h) const;
-  // J, made where it parts in the step: `was` is of when that began, since when it has moved along the normal
-  // by `away` [m], at that speed [m/s] now.
-  double made(double share, const ContactHistory& was, double away, double speed) const;
+  // J, made or lost where it begins or ends in a step in which it moved along the normal by `path` [m], at
+  // that speed [m/s]; force and potential in the sense of the law, where it touches.
+  double crossing_error(double share, double force, double potential, double path, double speed) const;
 };
 
 // A step is not to get a place of a line deeper into a surface than half its radius [m].

@@ -54,11 +54,11 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override { candidates_.couple(to); }
   void update_ghosts() override;
-  // Nothing was missed, no line went through another, and the step resolves how lines meet and part.
+  // Nothing was missed, and no line went through another.
   Verdict judge(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
-  void bear(std::span<const double> energies) override { bearable_.assign(energies.begin(), energies.end()); }
+  void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
@@ -133,8 +133,6 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   double acceleration(const Pair& pair, const Kinematics& at) const;
   double slowness(const Pair& pair) const;
   double mass(const Pair& pair) const;
-  double bears(const Pair& pair) const;
-  bool resolved(const Pair& pair, const Kinematics& trial, const std::vector<Rod>& is) const;
   bool passes(const Pair& pair, const Kinematics& trial) const;
   std::string where(const Pair& pair) const;
   double deepest(const Pair& pair) const;
@@ -155,7 +153,6 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   std::vector<Rod> rods_;          // likewise
   std::vector<Account> accounts_;  // by owned node
   Deepest deepest_;
-  std::vector<double> bearable_;  // J by line; empty: none of it
   bool friction_on_ = true;
 };
 

@@ -32,7 +32,7 @@ class LineVolumeContact final : public ForceTerm,
   void prepare(const Kinematics& committed, double h) override;
   // Looks ahead from the ends and the middle of each element, and at what touches (contact_laws.hpp).
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
-  void unforeseen(const Kinematics& trial, Unforeseen& to) override;
+  void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   // Nothing goes through a volume between the ends of a step, nor deeper into one than its law is for.
   Verdict judge(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
