@@ -13,6 +13,7 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSteps = 22;        // in a period: with fewer what bounces fast makes energy
 constexpr double kAbove = 1 + 1e-6;  // rounding of a step
 constexpr double kShort = 0.02;      // of such a step: nearer than that is there
+constexpr double kRounding = 1e-12;  // of the energy of what moves as a whole
 
 // Time until something `away` [m], which comes at `speed` [m/s, > 0] and is pushed back by `acceleration`
 // [m/s²], is there; infinite: it turns before.
@@ -103,8 +104,8 @@ double crossing_error(double slowness, double seen, double force, double potenti
 }
 
 double LineMotion::energy() const {
-  const double whole = mass > 0 ? 0.5 * momentum.squaredNorm() / mass : 0;
-  return std::max(kinetic - whole, 0.0) + striking;
+  const double whole = mass > 0 ? 0.5 * momentum.squaredNorm() / mass : 0, inner = kinetic - whole;
+  return (inner > kRounding * kinetic ? inner : 0) + striking;
 }
 
 std::vector<double> bearable(std::span<const LineMotion> lines) {
@@ -117,10 +118,10 @@ std::vector<double> bearable(std::span<const LineMotion> lines) {
 
 double growing_step(std::span<const LineMotion> stored, std::span<const double> bearable, double share,
                     double last) {
-  double rate = 0;  // 1/s², of what is bearable
+  double rate = 0;  // 1/s², of what is bearable for its line
   for (size_t l = 0; l < stored.size(); ++l)
     if (const double held = share * stored[l].energy(); held > 0)
-      rate += held / std::max(bearable[l], std::numeric_limits<double>::min());
+      rate = std::max(rate, held / std::max(bearable[l], std::numeric_limits<double>::min()));
   return last > 0 && rate > 0 ? std::max(2 * last, std::hypot(last, 1 / std::sqrt(rate))) : kNever;
 }
 

@@ -40,22 +40,23 @@ void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPlace& p
                          std::vector<double>& wanted) const {
   const size_t k = static_cast<size_t>(volume);
   const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
-  const double allowed = given > 0 ? given : kAllowed * p.radius, blow = kBlow * p.radius;
+  const double allowed = given > 0 ? given : kAllowed * p.radius;
   if (p.held) return;
   double want = 0;
-  const double period = contact_period(law.stiffness, p.mass);
+  // Of the stiffness that the step began with.
+  const double period = contact_period(law.stiffness * committed_[k] / now, p.mass);
   const bool follows_a_blow = step > 0 && p.mass > 0 && step < kFollowing * period;
   if (!follows_a_blow && p.still * p.depth > (step > 0 ? kMoving : 1) * allowed) {
     const double pressed = now * p.still * p.depth / (kRaisedTo * allowed);
     want = step > 0 ? std::min(pressed, kMostInAStep * committed_[k]) : pressed;
   }
-  // u sqrt(m/k) is how deep a blow goes.
-  if (step > 0) want = std::max(want, now * p.mass * std::pow(p.speed / blow, 2) / law.stiffness);
-  if (p.depth > (follows_a_blow ? blow : p.radius))
-    want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
-  // What is deep in the spring already comes out of it no faster than in a part of the period: to raise the
-  // stiffness at once would only load the spring.
-  if (follows_a_blow && p.depth > 0) want = std::min(want, (1 + step / period) * committed_[k]);
+  // u sqrt(m/k) is how deep a blow goes. What is in the spring already comes out of it no faster than in a
+  // part of the period: to raise the stiffness then would only load the spring.
+  const bool loaded = follows_a_blow && p.depth > 0;
+  if (step > 0 && !loaded)
+    want = std::max(want, now * p.mass * std::pow(p.speed / (kBlow * p.radius), 2) / law.stiffness);
+  // The run would end.
+  if (p.depth > p.radius) want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
   wanted[k] = std::max(wanted[k], want);
 }
 

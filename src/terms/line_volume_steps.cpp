@@ -114,7 +114,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
                     least_distance(free, start.reach(), start.bend_bound(), worst) - pair.touch);
 }
 
-// Of a contact that grows shorter, the places that it no longer reaches.
+// The places that a contact no longer reaches, where it ended or grew shorter, and those that it newly does.
 void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   volumes_.pose_trial(trial);
   for (Pair& pair : pairs_) {
@@ -146,12 +146,13 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
                               (pose.rotation * p.normal).dot(leaves)));
     }
     for (const ContactPlace& p : found.places) {
-      if (!pair.sees(p.at)) continue;
+      const auto holds = [&](const ContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
+      if (!pair.sees(p.at) || std::any_of(pair.past().begin(), pair.past().end(), holds)) continue;
       // What slides along its own line comes and goes, and as much of it touches as before.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
       const double came = -p.at.normal.dot(way);
-      if (!(came > pair.touch - p.at.distance)) continue;  // it touched before
+      if (!(came > pair.touch - p.at.distance)) continue;
       const ContactSpring s = spring(pair, p.xi);
       const NormalForce f = normal_force(s.law, p.at.distance - pair.radius, 0);
       add(s.crossing_error(p.weight, f.elastic, f.potential, came, came / trial.step));

@@ -59,8 +59,8 @@ std::optional<ImpactEvent> impact_event(double slowness, double seen, double mas
 // Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
 bool may_impact(double slowness, double seen, double speed, double acceleration);
 
-// Whether a step of h [s] is so short for a contact of that slowness [s] that none of its crossings matter:
-// half of the steps that an impact is followed with.
+// Whether a step of h [s] is so short for a contact of that slowness [s] that it is not asked for its
+// crossings: half as long as those that an impact is followed with.
 bool follows(double slowness, double h);
 
 // A contact that began or ended in a step that does not follow it, so that the energy of the step is wrong: a

@@ -27,7 +27,7 @@ struct ContactSpring {
   std::optional<ImpactEvent> impact(double share, const Approach& at) const;
   // Whether it can, at that speed [m/s] and acceleration [m/s²].
   bool may_impact(double speed, double acceleration) const;
-  // Whether a step of h [s] follows it, so that it need not be asked.
+  // Whether a step of h [s] is too short to be asked for its crossings.
   bool follows(double h) const;
   // J, made or lost where it begins or ends in a step in which it moved along the normal by `path` [m], at
   // that speed [m/s]; force and potential in the sense of the law, where it touches.
