@@ -92,8 +92,7 @@ double LinePairs::slowness(const Pair& p) const {
   return std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);
 }
 
-// kg, of the two on their contact. The stretch that touches is at most one of
-// the elements.
+// kg, of the two on their contact. The stretch that touches is at most one of the elements.
 double LinePairs::mass(const Pair& p) const {
   const auto [i, j] = p.key;
   const double ma = elements_[static_cast<size_t>(i)].mass_per_length,
@@ -113,10 +112,13 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
                   after = nearest(p, ends(trial, p.a), ends(trial, p.b));
     const double speed = std::max(std::abs(before.speed), std::abs(after.speed));
     if (!(speed * slow > 2 * ramp)) continue;
-    const double m = mass(p), far = (before.gap - ramp) * (after.gap - ramp);
-    const double error = trial.step > kUnresolved * 2 * M_PI * slow
-                             ? 0.5 * m * speed * speed
-                             : 0.5 * m / (slow * slow) * std::max(-far, 0.0);
+    const double m = mass(p), k = m / (slow * slow),
+                 depth = std::max(ramp - std::min(before.gap, after.gap), 0.0),
+                 path = std::abs(after.gap - before.gap);
+    const double error =
+        trial.step > kUnresolved * 2 * M_PI * slow
+            ? 0.5 * m * speed * speed
+            : crossing_error(slow, 2 * ramp, k * depth, 0.5 * k * depth * depth, path, speed);
     const auto& e = mesh_.mesh->elements;
     if (error > 0)
       to.list.push_back(

@@ -35,8 +35,7 @@ class ImpactEvent {
   // J: of the mass along the normal, and of the spring out of its balance. No step makes or loses more by it
   // where the impact is followed.
   double energy() const { return energy_; }
-  // J, at stake in a step of h [s] that has more than a part of a period in it that a step follows: energy()
-  // or none.
+  // J, at stake in a step of h [s]: energy() where the step is too long to follow the impact, else 0.
   double unresolved(double h) const { return h > resolved_ ? energy_ : 0; }
   // J, that the trapezoidal rule loses in a step of h across the touch or makes in one across the end.
   double crossed(double h) const;
@@ -59,12 +58,12 @@ std::optional<ImpactEvent> impact_event(double slowness, double seen, double mas
 // Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
 bool may_impact(double slowness, double seen, double speed, double acceleration);
 
-// Whether a step of h [s] is so short for a contact of that slowness [s] that it is not asked for its
-// crossings: half as long as those that an impact is followed with.
+// Whether a step of h [s] is so short, for a contact of that slowness [s], that what it gains or loses where
+// a contact begins or ends in it is accepted unseen: at most half of the steps that follow an impact.
 bool follows(double slowness, double h);
 
-// A contact that began or ended in a step that does not follow it, so that the energy of the step is wrong: a
-// wave along the line brought it there or took it off, which the start of the step does not show.
+// A contact that began or ended within a step that is too long for it, so that the step gained or lost
+// energy. The start of the step did not show it: a wave along the line brought it there or took it off.
 struct UnresolvedImpact {
   int line = 0, other = -1;  // that strikes or leaves; what is struck or left, if it is a line
   double energy = 0;         // J, made or lost
@@ -74,10 +73,10 @@ struct UnresolvedImpacts {
   std::vector<UnresolvedImpact> list;
   bool too_deep = false;  // something went deeper in it than a step is trusted with
 };
-// J, by which the trapezoidal rule, for which the push rises or falls all along the step, misses the work of
-// a contact that began or ended in it, when what touches moved by `path` [m] along the normal at that speed
-// [m/s]. force: N, and potential: J, of the spring at that end of the step where it touches. 0: slower than
-// what is seen.
+// J, the error of the trapezoidal rule in the work of a contact that began or ended within a step: the rule
+// takes the force for one that rises or falls over the whole path. path: m, along the normal; force: N, and
+// potential: J, of the spring at the end of the step where it touches. 0 where speed [m/s] times slowness
+// presses in by less than `seen` [m].
 double crossing_error(double slowness, double seen, double force, double potential, double path,
                       double speed);
 
