@@ -1,5 +1,5 @@
-// How the CPU time of one residual and one tangent is measured, and how `hawser check` estimates the time and
-// memory of a whole run from it.
+// The trial run with which `hawser check` ends, and how the CPU time and memory of a whole run follow from
+// it.
 #include "hawser/app/cost.hpp"
 
 #include <fmt/format.h>
@@ -7,22 +7,18 @@
 
 #include <algorithm>
 #include <ctime>
+#include <utility>
 #include <vector>
 
+#include "hawser/app/output_times.hpp"
 #include "hawser/base/error.hpp"
-#include "hawser/solve/linear_solver.hpp"
 
 namespace hawser::app {
 namespace {
 
-// Of the cases in cases/: residuals and tangents a step of dynamics and in statics, the share of a step that
-// goes elsewhere (preparing contact, bounds of the step, what is recorded), automatic steps over the longest
-// ones.
-constexpr double kResiduals = 4, kTangents = 2, kElsewhere = 0.3, kAutomatic = 0.5;
-constexpr double kContact = 3;  // lines come to lie on meshes that are far from them in the start shape
-constexpr double kStaticsIterations = 60, kStaticsResiduals = 2;
-constexpr double kEnough = 0.02;  // CPU s that a part is measured for
-constexpr int kMostRepeats = 50;
+// Where statics is not over in the trial: iterations of statics, and in dynamics of a step, of the cases in
+// cases/; steps over the longest ones.
+constexpr double kStatics = 60, kDynamics = 4, kAutomatic = 0.5;
 
 double cpu_time() {
   timespec t{};
@@ -30,79 +26,71 @@ double cpu_time() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-// Mean CPU time of a call. What the first one makes for all others is not counted, unless it takes long
-// alone.
-template <typename Call>
-double cost_of(const Call& call) {
-  const double first = cpu_time();
-  call();
-  const double begun = cpu_time();
-  if (begun - first > 10 * kEnough) return begun - first;
-  int n = 0;
-  while (n < kMostRepeats && (n == 0 || cpu_time() - begun < kEnough)) call(), ++n;
-  return (cpu_time() - begun) / n;
-}
+struct Spent {};  // statics has spent what it may
 
 }  // namespace
 
-double expected_cost(const CostParts& p) {
-  double cost = p.statics ? kStaticsIterations * (kStaticsResiduals * p.residual + p.tangent) : 0;
-  if (p.duration > 0)
-    cost +=
-        p.duration / p.step * (p.flow + (1 + kElsewhere) * (kResiduals * p.residual + kTangents * p.tangent));
-  return p.meshes ? kContact * cost : cost;
-}
-
-CostParts measured_parts(Simulation& sim) {
-  const model::Case& c = sim.model();
-  CostParts parts;
-  parts.statics = c.statics.enabled;
-  double h = 0.1;
+TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
+  TrialRun trial;
+  const double begun = cpu_time();
+  const auto over = [&] { return cpu_time() - begun > budget; };
   if (c.dynamics.enabled) {
     const StepSettings step = sim.dynamics_settings().step;
-    parts.duration = c.dynamics.duration;
-    h = parts.step = step.fixed > 0 ? step.fixed : kAutomatic * step.longest;
+    trial.duration = c.dynamics.duration;
+    trial.longest = step.fixed > 0 ? step.fixed / kAutomatic : step.longest;
   }
-  parts.meshes = sim.contact() &&
-                 std::any_of(c.volumes.begin(), c.volumes.end(),
-                             [&](const model::Volume& v) { return !v.shape && c.contact.takes_part(v); });
-  System& system = sim.system();
-  State state = sim.state();
-  const size_t n = state.x.size();
-  for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->resize(n, Vec3::Zero());
-  if (system.couple(state.view(h), h) == Coupled::anew) system.spread(state);
-  system.prepare(state.view(h), h);
-  VecHandle r = system.create_vector(), u;
-  check(VecDuplicate(r.get(), u.out()));
-  const MatHandle J = system.create_matrix();
-  KspHandle ksp;
-  check(KSPCreate(system.comm(), ksp.out()));
-  configure_linear_solver(ksp.get(), system, "dynamics_");
-  const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
-  const Weights weights{1, 2 / h, 4 / (h * h)};  // of the trapezoidal rule
-  const auto residual = [&] { system.residual(state.view(h), r.get()); };
-  parts.residual = cost_of(residual);
-  if (c.dynamics.enabled) {
-    // The first one at another time finds the flow of waves, those after it keep it.
-    const double begun = cpu_time();
-    state.time += h;
-    residual();
-    state.time -= h;
-    parts.flow = std::max(0.0, cpu_time() - begun - parts.residual);
+  try {
+    double first =
+        0;  // CPU s, when its first iteration was over: what that makes for all others does not count
+    if (c.statics.enabled)
+      sim.solve_statics([&](const StaticsReport& now) {
+        if (now.iterations <= 1) first = cpu_time();
+        if (now.iterations <= 1 || !over()) return;
+        trial.iteration = (cpu_time() - first) / (now.iterations - 1);
+        throw Spent();
+      });
+    else
+      sim.check_inside();
+    if (c.dynamics.enabled) {
+      std::vector<std::pair<double, double>> way;  // CPU s, simulated s
+      const OutputTimes times(c);
+      Dynamics& d = sim.dynamics();
+      d.start(sim.state());
+      const double at_rest = cpu_time();
+      d.run(
+          trial.duration, [&](double t) { return times.next(t); },
+          [&](const StepInfo& info) {
+            way.push_back({cpu_time() - at_rest, info.time});
+            return !over();
+          });
+      trial.reached = way.back().second;
+      const auto half = std::find_if(way.begin(), way.end(),
+                                     [&](const auto& w) { return w.first >= 0.5 * way.back().first; });
+      const auto from = half == way.end() - 1 ? std::pair(0.0, 0.0) : *half;
+      trial.rate = (way.back().first - from.first) / (way.back().second - from.second);
+    }
+  } catch (const Spent&) {
+  } catch (const std::exception& e) {
+    trial.failure = e.what();
   }
-  parts.tangent = cost_of([&] {
-    system.tangent(state.view(h), weights, zero, false, J.get());
-    check(KSPSetOperators(ksp.get(), J.get(), J.get()));
-    check(KSPSolve(ksp.get(), r.get(), u.get()));
-  });
-  return parts;
+  trial.spent = cpu_time() - begun;
+  return trial;
 }
 
-std::string cost_sentence(const CostParts& parts) {
-  const double cost = expected_cost(parts);
+double expected_cost(const TrialRun& t) {
+  if (t.iteration > 0) return t.iteration * (kStatics + kDynamics * t.duration / (kAutomatic * t.longest));
+  return t.spent + t.rate * (t.duration - t.reached);
+}
+
+std::string cost_sentence(const TrialRun& t) {
+  if (!t.failure.empty()) return "a trial run stops: " + t.failure;
+  const double cost = expected_cost(t);
+  const std::string by = t.iteration > 0 ? ", by the first iterations of statics"
+                         : t.reached < t.duration
+                             ? fmt::format(", by its first {:.2g} of {:.4g} s", t.reached, t.duration)
+                             : "";
   return fmt::format("expected cost: {} CPU s{}",
-                     cost < 1 ? std::string("less than 1") : fmt::format("about {:.2g}", cost),
-                     parts.duration > 0 ? fmt::format(", if steps are of about {:.2g} s", parts.step) : "");
+                     cost < 1 ? std::string("less than 1") : fmt::format("about {:.2g}", cost), by);
 }
 
 double peak_memory() {
@@ -112,7 +100,7 @@ double peak_memory() {
 }
 
 std::string memory_sentence(double read, double measured) {
-  constexpr double kRun = 2.2;  // what a run takes beside the files over what its parts take
+  constexpr double kRun = 1.3;  // what a run takes beside the files over what its beginning takes
   const double gb = 1e-9 * (read + kRun * (measured - read));
   return fmt::format("expected memory: about {:.2g} GB", gb);
 }

@@ -14,6 +14,7 @@
 
 #include "hawser/app/cost.hpp"
 #include "hawser/app/output_place.hpp"
+#include "hawser/app/output_times.hpp"
 #include "hawser/app/progress.hpp"
 #include "hawser/app/recorder.hpp"
 #include "hawser/app/restart.hpp"
@@ -24,7 +25,6 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
-#include "hawser/model/body_motion.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/model/summary.hpp"
 #include "hawser/solve/start_shape.hpp"
@@ -34,6 +34,7 @@ namespace {
 
 constexpr int kStopped = 130;    // exit code: by a signal
 constexpr int kWrongEnergy = 4;  // exit code: the run has ended, but its energy does not add up
+constexpr double kTrial = 4;     // CPU s, of the trial run of `hawser check`
 
 // Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
 // with everything on disk. Who cannot wait sends the signal again.
@@ -42,9 +43,6 @@ void request_stop(int signal) {
   stop_requested = 1;
   std::signal(signal, SIG_DFL);
 }
-
-// Multiples of `every`, as numbers that do not drift.
-double next_multiple(double t, double every) { return every * (std::floor(t / every + 1e-9) + 1); }
 
 io::RunInfo run_info(const model::Case& c, const RunOptions& o, int ranks) {
   io::RunInfo info;
@@ -184,15 +182,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
     for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
     Dynamics& d = sim.dynamics();
     progress.begin(d.committed().s.time, end);
-    const double every = c.output.every > 0 ? c.output.every : c.dynamics.duration / 100;
-    const double keep = c.output.checkpoint_every;
-    const std::vector<double> jumps = model::velocity_jumps(c.bodies);
-    auto next_stop = [&](double t) {
-      const double stop =
-          keep > 0 ? std::min(next_multiple(t, every), next_multiple(t, keep)) : next_multiple(t, every);
-      const auto jump = std::upper_bound(jumps.begin(), jumps.end(), t + 1e-9 * std::max(1.0, t));
-      return jump != jumps.end() ? std::min(stop, *jump) : stop;
-    };
+    const OutputTimes times(c);
+    const double every = times.every, keep = times.keep;
     double output_at = next_multiple(d.committed().s.time, every);
     double checkpoint_at = keep > 0 ? next_multiple(d.committed().s.time, keep) : output_at;
     auto observer = [&](const StepInfo& info) {
@@ -218,7 +209,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
       return stop == 0;
     };
     try {
-      d.run(end, next_stop, observer);
+      d.run(
+          end, [&](double t) { return times.next(t); }, observer);
     } catch (const SolveError&) {
       recorder.finish();
       throw;
@@ -259,7 +251,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   return kWrongEnergy;
 }
 
-int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
+int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
@@ -284,13 +276,15 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks) {
   fmt::print("partition: {} rank{}, {} nodes{}, {} cut elements\n", ranks, ranks > 1 ? "s" : "",
              ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
              ranks > 8 ? " each" : "", cut_elements(mesh, owner));
-  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
-  fmt::print("{}\n", cost_sentence(measured_parts(sim)));
-  fmt::print("{}\n", memory_sentence(read, peak_memory()));
   fmt::print("{}", starts_well
                        ? "the case is valid\n"
                        : "the case is valid if statics moves its lines out of the volumes they start in; "
                          "the run stops if not\n");
+  std::fflush(stdout);
+  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
+  if (!trial) return 0;
+  fmt::print("{}\n", cost_sentence(trial_run(sim, c, kTrial)));
+  fmt::print("{}\n", memory_sentence(read, peak_memory()));
   return 0;
 }
 

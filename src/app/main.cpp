@@ -142,11 +142,13 @@ int main(int argc, char** argv) {
   std::string check_path;
   int ranks = 0;
   CLI::App* check_command =
-      cli.add_subcommand("check", "Read and check a case, print what is in it, run nothing.");
+      cli.add_subcommand("check", "Read and check a case, print what is in it, try how its run begins.");
   check_command->add_option("case", check_path, "Case file")->required();
   check_command
       ->add_option("-n,--ranks", ranks, "Show the partition for this many ranks; else for those it runs on")
       ->check(CLI::Range(1, 1 << 20));
+  bool quick = false;
+  check_command->add_flag("--quick", quick, "Without the trial run that tells the cost");
 
   bool json = false, markdown = false;
   CLI::App* schema_command = cli.add_subcommand("schema", "Print the schema of case files.");
@@ -183,7 +185,7 @@ int main(int argc, char** argv) {
   }
   run.options_text = options;
   return guarded(petsc, [&] {
-    if (!*run_command) return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks);
+    if (!*run_command) return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks, !quick);
     const int code = hawser::app::run(PETSC_COMM_WORLD, run);
     const auto left = unused(theirs);
     if (petsc.rank == 0 && !run.quiet && !left.empty())

@@ -19,6 +19,8 @@ namespace {
 constexpr double kArmijo = 1e-4;
 constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at the start, and a stage on
 constexpr int kMostRaises = 100;
+constexpr const char* kUnsettled =
+    "statics: the automatic stiffness of contact does not settle; give the volumes a normal_stiffness";
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
     1e-7;  // shift that eigenvalues of what lies slack, nothing but round-off, stay below
@@ -231,15 +233,26 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
   }
 }
 
-// Friction's forces belong to the way taken: Newton's iteration of statics has none.
+// Friction's forces belong to the way taken: Newton's iteration of statics has none. Where contact was too
+// soft on that way, lines were drawn into it and friction would hold them as they are pressed out again: it
+// is taken once more from its start with the stiffness that its end asks for.
 StaticsReport against_friction(System& system, const StaticsSettings& settings, State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps, r.tolerance = settings.tolerance, r.friction = true;
   tell_of(settings, r);
-  const RelaxationReport rest = relax(system, r, state);
+  const State from = state;
+  std::vector<std::vector<HistoryRecord>> history;
+  for (const auto& term : system.terms()) history.push_back(term->save());
   StaticsReport report;
-  report.iterations = rest.iterations, report.relaxation_steps = rest.steps, report.norms = rest.norms;
-  return report;
+  for (int round = 0;; ++round) {
+    const RelaxationReport rest = relax(system, r, state);
+    report.iterations += rest.iterations, report.relaxation_steps += rest.steps, report.norms = rest.norms;
+    if (!system.stiffen(state.view(0))) return report;
+    if (round == kMostRaises) throw SolveError(kUnsettled);
+    state = from;
+    for (size_t i = 0; i < history.size(); ++i) system.terms()[i]->restore(history[i]);
+    system.spread(state);
+  }
 }
 
 StaticsReport first_equilibrium(System& system, const StaticsSettings& settings, State& state) {
@@ -270,11 +283,8 @@ StaticsReport solve_statics(System& system, const StaticsSettings& settings, Sta
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
   StaticsReport report = first_equilibrium(system, settings, state);
   for (int round = 0; system.stiffen(state.view(0)); ++round) {
-    if (round == kMostRaises)
-      throw SolveError(
-          "statics: the automatic stiffness of contact does not settle; give the volumes a normal_stiffness");
-    const StaticsReport more = settings.friction ? against_friction(system, settings, state)
-                                                 : Search(system, settings, state).run(true);
+    if (round == kMostRaises) throw SolveError(kUnsettled);
+    const StaticsReport more = Search(system, settings, state).run(true);
     report.iterations += more.iterations, report.escapes += more.escapes;
     report.negative_eigenvalues = more.negative_eigenvalues, report.norms = more.norms;
   }

@@ -200,7 +200,7 @@ TEST(StartContact, CheckTells) {
   if (size_of(MPI_COMM_WORLD) > 1) GTEST_SKIP() << "check runs on one rank";
   const auto check = [](const std::string& path) {
     testing::internal::CaptureStdout();
-    EXPECT_EQ(app::check_case(MPI_COMM_WORLD, path, 1), 0);
+    EXPECT_EQ(app::check_case(MPI_COMM_WORLD, path, 1, false), 0);
     std::fflush(stdout);
     return testing::internal::GetCapturedStdout();
   };
@@ -214,9 +214,9 @@ TEST(StartContact, CheckTells) {
   const std::string fairlead = check(path);
   EXPECT_HAS(fairlead, "note: lines.mooring.end_b: starts up to ");
   EXPECT_HAS(fairlead, "the case is valid\n");
-  EXPECT_THROW(
-      app::check_case(MPI_COMM_WORLD, bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}"), 1),
-      InputError);
+  EXPECT_THROW(app::check_case(MPI_COMM_WORLD,
+                               bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}"), 1, false),
+               InputError);
 }
 
 // A slack line that starts by itself hangs under the roller it was to lie on.

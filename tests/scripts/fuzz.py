@@ -171,7 +171,7 @@ def wrong(program, command, folder, allowed, patience):
     """(exit code, complaint) of one start of the program; an empty complaint is none."""
     try:
         done = subprocess.run(
-            [program, command, "case.yaml"], cwd=folder, capture_output=True, timeout=patience, check=False, stdin=subprocess.DEVNULL
+            [program, *command.split(), "case.yaml"], cwd=folder, capture_output=True, timeout=patience, check=False, stdin=subprocess.DEVNULL
         )
     except subprocess.TimeoutExpired:
         return None, f"{command} takes over {patience} s"
@@ -232,7 +232,7 @@ def fuzz(program, first=0, mutants=200, jobs=2, keep=None, many=False):
 
     def check(folder):
         if not many:
-            return wrong(program, "check", folder, (0, 2), patience)
+            return wrong(program, "check --quick", folder, (0, 2), patience)
         checker = checkers.get()
         try:
             return checker.wrong(folder, patience)

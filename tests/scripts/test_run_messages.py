@@ -233,6 +233,11 @@ output: {every: 5}
         for part in ["a cantilever", "rod: 12 m, 8 elements, 9 nodes, 54 unknowns", "partition: 3 ranks, 3 + 3 + 3 nodes",
                      "2 cut elements", "expected cost", "expected memory: about 0.0", "the case is valid"]:
             self.assertIn(part, result.stdout)
+        self.assertNotIn("expected cost", self.hawser("check", "--quick", "cut.yaml").stdout)
+        write(self.folder, "cut.yaml", CASE + "statics: {max_iterations: 1, dynamic_relaxation: never}\n")
+        result = self.hawser("check", "cut.yaml")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("the case is valid\na trial run stops: statics: ", result.stdout)
         self.assertEqual(sorted(self.folder.rglob("*")), before)
 
 

@@ -52,57 +52,62 @@ model::Case rod(int elements, const std::string& between = "false", const std::s
   return io::read_case_text(text, "/nowhere/case.yaml");
 }
 
-// 2000 steps of 4 residuals and 2 tangents, a third more for the rest; 60 iterations of statics.
-TEST(Cost, ByStepsAndWhatTheyNeed) {
-  CostParts p;
-  p.residual = 1e-4, p.tangent = 5e-4, p.duration = 100, p.step = 0.05;
-  EXPECT_NEAR(expected_cost(p), 2000 * 1.3 * 1.4e-3, 1e-12);
-  p.statics = true;
-  EXPECT_NEAR(expected_cost(p), 2000 * 1.3 * 1.4e-3 + 60 * 7e-4, 1e-12);
-  EXPECT_EQ(cost_sentence(p), "expected cost: about 3.7 CPU s, if steps are of about 0.05 s");
-  p.meshes = true;
-  EXPECT_NEAR(expected_cost(p), 3 * (2000 * 1.3 * 1.4e-3 + 60 * 7e-4), 1e-12);
-  p.meshes = false;
-  p.flow = 1e-3;
-  EXPECT_NEAR(expected_cost(p), 2000 * (1.3 * 1.4e-3 + 1e-3) + 60 * 7e-4, 1e-12);
-  p.flow = 0;
-  p.step = 5;
-  EXPECT_EQ(cost_sentence(p), "expected cost: less than 1 CPU s, if steps are of about 5 s");
-  p.duration = 0;
-  EXPECT_EQ(cost_sentence(p), "expected cost: less than 1 CPU s");
+// The whole of a short run; of a longer one what is left at the rate of its second half; where statics is not
+// over 60 iterations of it, and 4 a step of half the longest.
+TEST(Cost, ByATrial) {
+  TrialRun t;
+  t.duration = t.reached = 100, t.longest = 0.1, t.spent = 3.7, t.rate = 7;
+  EXPECT_NEAR(expected_cost(t), 3.7, 1e-12);
+  EXPECT_EQ(cost_sentence(t), "expected cost: about 3.7 CPU s");
+  t.reached = 40, t.rate = 0.05;
+  EXPECT_NEAR(expected_cost(t), 3.7 + 60 * 0.05, 1e-12);
+  EXPECT_EQ(cost_sentence(t), "expected cost: about 6.7 CPU s, by its first 40 of 100 s");
+  t.reached = 0, t.iteration = 0.01;
+  EXPECT_NEAR(expected_cost(t), 0.01 * (60 + 4 * 2000), 1e-12);
+  EXPECT_EQ(cost_sentence(t), "expected cost: about 81 CPU s, by the first iterations of statics");
+  t.duration = 0;
+  EXPECT_EQ(cost_sentence(t), "expected cost: less than 1 CPU s, by the first iterations of statics");
+  t.failure = "statics: no way";
+  EXPECT_EQ(cost_sentence(t), "a trial run stops: statics: no way");
 }
 
-// What is measured grows with the elements, and leaves the simulation as it was.
-TEST(Cost, PartsAreMeasured) {
-  Simulation small(MPI_COMM_SELF, rod(50)), large(MPI_COMM_SELF, rod(2000));
-  const std::vector<Vec3> before = large.state().x;
-  const CostParts a = measured_parts(small), b = measured_parts(large);
-  EXPECT_EQ(large.state().x, before);
-  EXPECT_GT(a.residual, 0);
-  EXPECT_GT(b.residual, 5 * a.residual);
-  EXPECT_GT(b.tangent, 5 * a.tangent);
-  EXPECT_EQ(b.step, 0.05);
-  EXPECT_EQ(b.duration, 100);
-  EXPECT_TRUE(b.statics);
+TEST(Cost, ATrialEndsWithItsBudget) {
+  const model::Case few = rod(8);
+  model::Case many = rod(200);
+  many.dynamics.duration = 1e4;
+  Simulation small(MPI_COMM_SELF, few), large(MPI_COMM_SELF, many), again(MPI_COMM_SELF, many);
+  const TrialRun whole = trial_run(small, few, 100), part = trial_run(large, many, 1),
+                 nothing = trial_run(again, many, 0);
+  EXPECT_EQ(whole.failure + part.failure + nothing.failure, "");
+  EXPECT_EQ(whole.reached, 100);
+  EXPECT_EQ(whole.longest, 0.1);
+  EXPECT_EQ(expected_cost(whole), whole.spent);
+  EXPECT_GT(part.reached, 0);
+  EXPECT_LT(part.reached, 1e4);
+  EXPECT_GT(part.rate, 0);
+  EXPECT_EQ(part.iteration, 0);
+  EXPECT_GT(expected_cost(part), 3 * expected_cost(whole));
+  EXPECT_GT(nothing.iteration, 0);
+  EXPECT_EQ(nothing.reached, 0);
+  EXPECT_GT(expected_cost(nothing), expected_cost(part) / 10);
+  EXPECT_LT(expected_cost(nothing), expected_cost(part) * 10);
 }
 
-// The flow of a sea is found once a step, and is most of what a step costs.
-TEST(Cost, WavesAreMeasured) {
-  const std::string sea = "jonswap: {hs: 3, tp: 9, direction_deg: 0, components: ";
-  Simulation few(MPI_COMM_SELF, rod(500, "false", sea + "20}")),
-      many(MPI_COMM_SELF, rod(500, "false", sea + "400}"));
-  const double a = measured_parts(few).flow, b = measured_parts(many).flow;
-  EXPECT_GT(a, 0);
-  EXPECT_GT(b, 5 * a);
-  EXPECT_GT(b, measured_parts(many).residual);
+// Too long for an equilibrium within one iteration: the sentence of the run.
+TEST(Cost, ATrialTellsWhyTheRunStops) {
+  model::Case c = rod(8);
+  c.statics.max_iterations = 1, c.statics.relaxation = model::Relaxation::never;
+  Simulation sim(MPI_COMM_SELF, c);
+  const TrialRun trial = trial_run(sim, c, 100);
+  EXPECT_EQ(trial.failure.find("statics: "), 0U) << trial.failure;
+  EXPECT_EQ(trial.reached, 0);
 }
 
-// What a run of 10^5 beam elements took, 938 MB, and one of as many of cables, 643 MB, from what was measured
-// before them: within a tenth.
+// Runs of 10^5 elements took 0.57 GB (beams) and 0.45 GB (cables), and 0.573 and 0.316 in the trial.
 TEST(Cost, MemoryOfARun) {
   EXPECT_EQ(memory_sentence(43e6, 43e6), "expected memory: about 0.043 GB");
-  EXPECT_EQ(memory_sentence(43e6, 492e6), "expected memory: about 1 GB");
-  EXPECT_EQ(memory_sentence(43e6, 316e6), "expected memory: about 0.64 GB");
+  EXPECT_EQ(memory_sentence(43e6, 573e6), "expected memory: about 0.73 GB");
+  EXPECT_EQ(memory_sentence(43e6, 316e6), "expected memory: about 0.4 GB");
   const double before = peak_memory();
   EXPECT_GT(before, 1e7);
   const std::vector<char> block(static_cast<size_t>(before) + 100'000'000, 1);

@@ -99,7 +99,8 @@ statics: {{contact_friction: true, relaxation_steps: 600}}
       std::exception);
 }
 
-// Half a turn of rope, pulled at one end: exp(mu theta) on a drum and on a thick line.
+// Half a turn of rope, pulled at one end: exp(mu theta) on a drum, with a stiffness given and with the
+// automatic one, which the pull raises a hundred times, and on a thick line.
 TEST(StaticsFriction, RopeOnADrumAndOnALine) {
   const double reach = 1.01, pull = 1000, mu = 0.3;
   std::string points = fmt::format("[{}, 0, -1.5]", reach);
@@ -110,7 +111,8 @@ TEST(StaticsFriction, RopeOnADrumAndOnALine) {
   }
   points += fmt::format(", [{}, 0, -1.5]", -reach);
   const double length = 3 + 2 * arcs * reach * std::sin(M_PI / 2 / arcs);
-  for (const bool line : {false, true}) {
+  for (const std::string on : {"drum", "automatic", "post"}) {
+    const bool line = on == "post";
     std::string text = fmt::format(R"(hawser: 1
 environment: {{gravity: 0}}
 line_types:
@@ -132,16 +134,16 @@ lines:
 contact:
   between_lines: {normal_stiffness: {per_length: 1e7}, friction: 0.3, mobilisation_length: 1e-5}
 )"
-                 : R"(volumes:
-  drum: {shape: {cylinder: {from: [0, -2, 0], to: [0, 2, 0], radius: 1}}, normal_stiffness: {per_length: 1e7},
-         friction: {axial: 0.3, lateral: 0.3, mobilisation_length: 1e-5}}
-)";
-    const Shown s = run(line ? "post" : "drum", text + "statics: {contact_friction: true}\n");
+                 : fmt::format(R"(volumes:
+  drum: {{shape: {{cylinder: {{from: [0, -2, 0], to: [0, 2, 0], radius: 1}}}}, normal_stiffness: {},
+         friction: {{axial: 0.3, lateral: 0.3, mobilisation_length: 1e-5}}}}
+)",
+                               on == "drum" ? "{per_length: 1e7}" : "auto");
+    const Shown s = run(on, text + "statics: {contact_friction: true}\n");
     ASSERT_EQ(s.nodes(), line ? 164U : 161U);
     EXPECT_NEAR(s.tension[0], pull, 1e-3 * pull);
     if (runs::rank_of(MPI_COMM_WORLD) == 0)
-      printf("  %s: %.4f of exp(mu theta)\n", line ? "line" : "drum",
-             pull / s.tension[160] / std::exp(mu * M_PI));
+      printf("  %s: %.4f of exp(mu theta)\n", on.c_str(), pull / s.tension[160] / std::exp(mu * M_PI));
     EXPECT_NEAR(pull / s.tension[160], std::exp(mu * M_PI), 0.01 * std::exp(mu * M_PI));
   }
 }

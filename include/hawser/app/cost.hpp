@@ -1,4 +1,4 @@
-// What a run will about cost, from what its parts cost on this machine.
+// What a run will about cost, from a trial run on this machine.
 #pragma once
 
 #include <string>
@@ -7,29 +7,26 @@
 
 namespace hawser::app {
 
-struct CostParts {
-  double residual = 0;  // CPU s: of one residual
-  double flow = 0;      // of what the first residual of a step takes longer: the flow of waves
-  double tangent = 0;   // of one tangent with its factorisation and solution
-  bool statics = false;
-  bool meshes = false;            // that lines touch
-  double duration = 0, step = 0;  // s, simulated; duration 0: no dynamics
+// The beginning of a run, without results.
+struct TrialRun {
+  double iteration = 0;              // CPU s, of one iteration of statics where that did not end; 0: it did
+  double spent = 0, reached = 0;     // CPU s; s, simulated
+  double rate = 0;                   // CPU s a simulated second, of the second half of what dynamics spent
+  double duration = 0, longest = 0;  // s, of the run and its longest step; duration 0: no dynamics
+  std::string failure;               // why the run stops there, if it does
 };
-// CPU s. Steps, and what each needs, by the mean of the cases that come with the program.
-double expected_cost(const CostParts& parts);
+// Runs statics and dynamics until they have spent that many CPU s, a step of each at least. Collective.
+TrialRun trial_run(Simulation& sim, const model::Case& c, double budget);
 
-// Measures residual and tangent at the start shape; a fraction of a second, or a few evaluations. The state
-// stays as it is. Collective.
-CostParts measured_parts(Simulation& sim);
-
-// "expected cost: about 12 CPU s, if steps are of about 0.06 s"
-std::string cost_sentence(const CostParts& parts);
+// CPU s
+double expected_cost(const TrialRun& trial);
+// "expected cost: about 12 CPU s, by its first 3.2 of 400 s"
+std::string cost_sentence(const TrialRun& trial);
 
 // Bytes: the most that this process has had in memory so far.
 double peak_memory();
-// "expected memory: about 0.9 GB", from peak_memory() when the files were read and after measured_parts(). A
-// run keeps beside what was measured its accepted states, the matrix of the other stage and rows of results,
-// as much again.
+// "expected memory: about 0.9 GB", from peak_memory() when the files were read and after trial_run(). A run
+// keeps rows of results beside what was measured.
 std::string memory_sentence(double read, double measured);
 
 }  // namespace hawser::app

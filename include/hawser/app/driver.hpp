@@ -19,8 +19,8 @@ struct RunOptions {
 // Exit code. Throws InputError and SolveError. Collective.
 int run(MPI_Comm comm, const RunOptions& options);
 
-// Reads and checks, prints the summary with the partition for `ranks` (0: those of comm) and the expected
-// cost; runs nothing.
-int check_case(MPI_Comm comm, const std::string& case_path, int ranks);
+// Reads and checks, prints the summary with the partition for `ranks` (0: those of comm). trial: and runs the
+// beginning of the case for some seconds, writing nothing, for the expected cost or the reason why it stops.
+int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial = true);
 
 }  // namespace hawser::app

@@ -1,0 +1,25 @@
+// The times at which a run ends a step whatever its length.
+#pragma once
+
+#include <vector>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser::app {
+
+// Multiples of `every` after t, as numbers that do not drift.
+double next_multiple(double t, double every);
+
+// Outputs, checkpoints, and jumps in the velocity of prescribed bodies.
+class OutputTimes {
+ public:
+  explicit OutputTimes(const model::Case& c);
+  double next(double t) const;  // s, after t
+
+  double every = 0, keep = 0;  // s, between outputs, between checkpoints; keep 0: with the outputs
+
+ private:
+  std::vector<double> jumps_;
+};
+
+}  // namespace hawser::app

@@ -1,0 +1,25 @@
+// Multiples of the intervals of a case, and the next of several times.
+#include "hawser/app/output_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/body_motion.hpp"
+
+namespace hawser::app {
+
+double next_multiple(double t, double every) { return every * (std::floor(t / every + 1e-9) + 1); }
+
+OutputTimes::OutputTimes(const model::Case& c)
+    : every(c.output.every > 0 ? c.output.every : c.dynamics.duration / 100),
+      keep(c.output.checkpoint_every),
+      jumps_(model::velocity_jumps(c.bodies)) {}
+
+double OutputTimes::next(double t) const {
+  const double stop =
+      keep > 0 ? std::min(next_multiple(t, every), next_multiple(t, keep)) : next_multiple(t, every);
+  const auto jump = std::upper_bound(jumps_.begin(), jumps_.end(), t + 1e-9 * std::max(1.0, t));
+  return jump != jumps_.end() ? std::min(stop, *jump) : stop;
+}
+
+}  // namespace hawser::app
