@@ -1,4 +1,4 @@
-// Airy waves: dispersion relation, velocity and acceleration at a point with stretching, and the random
+// Airy waves: dispersion relation, stretching, and the random
 // components of a JONSWAP or tabulated spectrum with directional spreading.
 #include "hawser/kernels/waves.hpp"
 
@@ -27,6 +27,7 @@ WaveField::WaveField(std::vector<WaveComponent> components, double depth, double
                      Stretching stretching)
     : components_(std::move(components)), depth_(depth), stretching_(stretching) {
   for (WaveComponent& c : components_) c.number = wave_number(c.omega, depth, gravity);
+  sums_ = WaveSums(components_, depth);
 }
 
 WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
@@ -34,13 +35,9 @@ WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
 
 WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {
   if (stokes_) return stokes_->at(x, t, factor, rate);
+  const WaveSums::Phases phases = sums_.phases(x.x(), x.y(), t);
   WaveMotion m;
-  double surface = 0;
-  for (const WaveComponent& c : components_) {
-    const double angle = c.number * (c.x * x.x() + c.y * x.y()) - c.omega * t + c.phase;
-    surface += c.amplitude * std::cos(angle);
-  }
-  m.surface = factor * surface;
+  m.surface = factor * phases.surface;
   double z = x.z();
   if (z > m.surface) z = m.surface;  // only what is partly wet is asked for above it
   if (stretching_ == Stretching::none && z > 0) return m;
@@ -48,21 +45,7 @@ WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) co
   if (stretching_ == Stretching::wheeler)
     z = depth_ > 0 ? depth_ * (z - m.surface) / (depth_ + m.surface) : z - m.surface;
   Vec3 u = Vec3::Zero(), a = Vec3::Zero();
-  for (const WaveComponent& c : components_) {
-    const double k = c.number, angle = k * (c.x * x.x() + c.y * x.y()) - c.omega * t + c.phase;
-    const double cosine = std::cos(angle), sine = std::sin(angle);
-    // cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow.
-    const double e = std::exp(k * z);
-    double across = e, up = e;
-    if (depth_ > 0) {
-      const double back = std::exp(-2 * k * (z + depth_)), all = 1 - std::exp(-2 * k * depth_);
-      across = e * (1 + back) / all, up = e * (1 - back) / all;
-    }
-    const double s = c.amplitude * c.omega;
-    const double horizontal = s * across * cosine, vertical = s * up * sine;
-    u += Vec3(c.x * horizontal, c.y * horizontal, vertical);
-    a += c.omega * Vec3(c.x * s * across * sine, c.y * s * across * sine, -s * up * cosine);
-  }
+  sums_.add_motion(phases, z, u, a);
   m.velocity = factor * u;
   m.acceleration = factor * a + rate * u;
   return m;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "hawser/kernels/wave_sums.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -15,14 +16,6 @@ class StokesWave;
 
 // k of omega² = g k tanh(k h), 1/m; depth <= 0: infinite. To round-off.
 double wave_number(double omega, double depth, double gravity);
-
-struct WaveComponent {
-  double amplitude = 0;  // m
-  double omega = 0;      // rad/s
-  double number = 0;     // 1/m
-  double x = 1, y = 0;   // direction it goes to, unit
-  double phase = 0;      // rad: elevation = a cos(k·x - omega t + phase)
-};
 
 // none: nothing above the still water, as it is below; vertical: above it what is at it; wheeler: the profile
 // from bed to still water is stretched to the surface (Wheeler 1970).
@@ -49,6 +42,7 @@ class WaveField {
 
  private:
   std::vector<WaveComponent> components_;
+  WaveSums sums_;
   double depth_ = 0;
   Stretching stretching_ = Stretching::wheeler;
   std::shared_ptr<const StokesWave> stokes_;

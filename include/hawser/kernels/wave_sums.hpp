@@ -1,0 +1,43 @@
+// The sums over the components of a sea (linear waves, docs/theory/waves.md), in arrays that the compiler
+// turns into vector instructions: a sea has hundreds of components, and every node asks in every step.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct WaveComponent {
+  double amplitude = 0;  // m
+  double omega = 0;      // rad/s
+  double number = 0;     // 1/m
+  double x = 1, y = 0;   // direction it goes to, unit
+  double phase = 0;      // rad: elevation = a cos(k·x - omega t + phase)
+};
+
+class WaveSums {
+ public:
+  WaveSums() = default;
+  // With their wave numbers. depth <= 0: infinite, m.
+  WaveSums(std::vector<WaveComponent> components, double depth);
+
+  // Of all components at a place and a time.
+  struct Phases {
+    std::vector<double> angle, cosine;  // rad
+    double surface = 0;                 // m above the still water
+  };
+  Phases phases(double x, double y, double t) const;
+  // Adds velocity [m/s] and its derivative in time [m/s²] at the height z [m] from the still water.
+  void add_motion(const Phases& at, double z, Vec3& velocity, Vec3& acceleration) const;
+
+ private:
+  // By growing wave number, to whole vectors: what is added has no amplitude.
+  std::vector<double> number_, along_x_, along_y_, omega_, phase_, amplitude_;
+  std::vector<double> x_, y_;   // direction
+  std::vector<double> speed_;   // m/s: a omega/(1 - exp(-2 k h))
+  std::vector<double> bottom_;  // exp(-2 k h)
+};
+
+}  // namespace hawser
