@@ -16,6 +16,7 @@
 
 #include "hawser/app/driver.hpp"
 #include "hawser/app/version.hpp"
+#include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/line_library.hpp"
 #include "hawser/io/write_error.hpp"
@@ -29,6 +30,7 @@ using hawser::app::RunOptions;
 struct Petsc {
   int rank = 0;
   Petsc(int argc, char** argv) {
+    hawser::start_alone();
     PetscInitialize(&argc, &argv, nullptr, nullptr);
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
     PetscPopSignalHandler();

@@ -9,9 +9,11 @@
 #include <string>
 
 #include "hawser/app/driver.hpp"
+#include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
 
 int main(int argc, char** argv) {
+  hawser::start_alone();
   if (PetscInitialize(&argc, &argv, nullptr, nullptr)) return 1;
   PetscPopSignalHandler();
   std::FILE* const answers = fdopen(dup(STDOUT_FILENO), "w");

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "hawser/base/alone.hpp"
+
 int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     if (std::string(argv[i]) == "--gtest_list_tests") {
@@ -16,6 +18,7 @@ int main(int argc, char** argv) {
       return RUN_ALL_TESTS();
     }
   ::testing::InitGoogleTest(&argc, argv);
+  hawser::start_alone();
   if (PetscInitialize(&argc, &argv, nullptr, nullptr)) return 1;
   int rank = 0;
   MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
