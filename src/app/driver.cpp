@@ -23,6 +23,7 @@
 #include "hawser/app/version.hpp"
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/notes.hpp"
@@ -32,9 +33,10 @@
 namespace hawser::app {
 namespace {
 
-constexpr int kStopped = 130;    // exit code: by a signal
-constexpr int kWrongEnergy = 4;  // exit code: the run has ended, but its energy does not add up
-constexpr double kTrial = 4;     // CPU s, of the trial run of `hawser check`
+constexpr int kStopped = 130;          // exit code: by a signal
+constexpr int kWrongEnergy = 4;        // exit code: the run has ended, but its energy does not add up
+constexpr double kCheckpoints = 0.02;  // of the time, unless the case says when
+constexpr double kTrial = 4;           // CPU s, of the trial run of `hawser check`
 
 // Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
 // with everything on disk. Who cannot wait sends the signal again.
@@ -185,33 +187,40 @@ int run(MPI_Comm comm, const RunOptions& options) {
     const OutputTimes times(c);
     const double every = times.every, keep = times.keep;
     double output_at = next_multiple(d.committed().s.time, every);
-    double checkpoint_at = keep > 0 ? next_multiple(d.committed().s.time, keep) : output_at;
+    double checkpoint_at = next_multiple(d.committed().s.time, keep > 0 ? keep : every);
+    ShareOfTime checkpoints(kCheckpoints);
+    const auto save_state = [&] {
+      checkpoints.spend([&] { recorder.checkpoint(make_checkpoint(sim, recorder)); });
+    };
     auto observer = [&](const StepInfo& info) {
       recorder.step(info, d.kinematics(), d.support_work());
       progress.step(info.time, info.h, info.iterations);
       const double slack = 1e-9 * std::max(1.0, info.time);
-      int stop = stop_requested;
       const bool last = info.time >= end - slack;
       const bool output = info.time >= output_at - slack || last;
       const bool save = info.time >= checkpoint_at - slack || last;
-      // Whether somebody asked to stop is agreed on where everybody meets anyhow.
-      if (output || save)
-        MPI_Allreduce(MPI_IN_PLACE, &stop, 1, MPI_INT, MPI_MAX, comm);
-      else
-        stop = 0;
+      // Whether somebody asked to stop, and whether a checkpoint is due by the clock, is agreed on where
+      // everybody meets anyhow.
+      int agreed[2] = {0, 0};
+      if (output || save) {
+        agreed[0] = stop_requested, agreed[1] = rank == 0 && checkpoints.due();
+        MPI_Allreduce(MPI_IN_PLACE, agreed, 2, MPI_INT, MPI_MAX, comm);
+      }
+      const bool stop = agreed[0] != 0;
       if (output || stop)
         recorder.output(info.time, d.kinematics()), output_at = next_multiple(info.time, every);
       if (save || stop) {
-        recorder.checkpoint(make_checkpoint(sim, recorder));
+        if (last || stop || keep > 0 || agreed[1]) save_state();
         checkpoint_at = keep > 0 ? next_multiple(info.time, keep) : output_at;
       }
       stopped = stop && !last;
-      return stop == 0;
+      return !stop;
     };
     try {
       d.run(
           end, [&](double t) { return times.next(t); }, observer);
     } catch (const SolveError&) {
+      save_state();
       recorder.finish();
       throw;
     }

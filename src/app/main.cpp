@@ -118,7 +118,9 @@ int main(int argc, char** argv) {
   cli.require_subcommand(1);
   cli.footer(
       "Run on several ranks with: mpirun -n 4 hawser run case.yaml\n"
-      "Exit codes: 0 done, 2 the input is wrong, 3 the solver gave up, 1 anything else.");
+      "Exit codes: 0 done, 2 the input is wrong, 3 the solver gave up, 4 the run has ended but its energy "
+      "does not "
+      "add up, 130 stopped by a signal, 1 anything else.");
 
   RunOptions run;
   CLI::App* run_command =

@@ -102,6 +102,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       sim_(simulation),
       registry_(simulation.system().fields()),
       end_forces_(simulation.system()),
+      turns_(simulation.local()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)) {
   const model::Case& c = sim_.model();
   const LocalMesh& local = sim_.local();
@@ -116,6 +117,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       if (fields_[i].name == name) return static_cast<int>(i);
     return -1;
   };
+  pressed_ = find("contact_normal_force");
   tension_ = find("effective_tension"), before_ = find(kBefore), after_ = find(kAfter);
   wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
   moment_ = find("bending_moment"), moment_2_ = find("bending_moment_2"),
@@ -383,6 +385,8 @@ std::vector<io::BodyPose> Recorder::poses(const Kinematics& at) const {
 
 void Recorder::output(double time, const Kinematics& at) {
   fill(at, true);
+  if (pressed_ >= 0)
+    turns_.look(at, values_[static_cast<size_t>(tension_)], values_[static_cast<size_t>(pressed_)]);
   file_->write_output(time, values_, poses(at), clashes_ ? clashes_->take() : io::ClashTables{}, ends_);
 }
 
@@ -417,18 +421,25 @@ std::string Recorder::finish() {
   file_->finish(rows, clashes_ ? clashes_->take() : io::ClashTables{});
   warnings_.clear();
   for (const auto& r : rows) {
+    if (r.quantity == "max effective tension" && pressed_ >= 0)
+      if (const std::string w = turns_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
+          !w.empty())
+        warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;
     double radius = 0;
     const model::Case& c = sim_.model();
     for (const auto& s : c.lines[static_cast<size_t>(c.line_index(r.line))].sections)
       radius = std::max(radius, 0.5 * c.line_type(s.type).contact_diameter);
     if (r.value > c.contact.warned_penetration * radius)
-      warnings_.push_back(
-          fmt::format("line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, "
-                      "t = {:.6g} s: {}",
-                      r.line, r.value, radius, r.arc_length, r.time,
-                      r.value > radius ? "it is trapped inside, and contact forces there are meaningless"
-                                       : "the contact stiffness is low"));
+      warnings_.push_back(fmt::format(
+          "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, "
+          "t = {:.6g} s: {}",
+          r.line, r.value, radius, r.arc_length, r.time,
+          r.value > radius
+              ? "it is trapped inside, and contact forces there are meaningless"
+              : "contact is too soft for what presses; a normal_stiffness that is given can be raised, an "
+                "automatic one is as high as the line's EA asks: is its tension more than it "
+                "bears?"));
   }
   std::string text = fmt::format("{:<24} {:<16} {:>14} {:<6} {:>10} {:>12}\n", "quantity", "line", "value",
                                  "unit", "time [s]", "arc [m]");

@@ -112,14 +112,6 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   for (int v = 0; contact && v < contact->volumes(); ++v)
     c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
   recorder.save(c);
-  // Which nodes the matrix couples depends on what was near in all the run so far, and the order of
-  // elimination on that. A run that goes on from here knows what is near now; so that it takes the same steps
-  // to the last bit, so does this one from here on.
-  if (LinePairs* between = simulation.line_pairs()) {
-    between->restore(c.history.at(std::string(between->name())).records);
-    simulation.system().forget_couplings();
-    d.prepare(d.control().proposal());
-  }
   return c;
 }
 

@@ -6,11 +6,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/share_of_time.hpp"
 #include "hawser/io/old_results.hpp"
 #include "hawser/io/results_build.hpp"
 #include "hawser/io/results_rows.hpp"
@@ -24,10 +26,45 @@ using Clock = std::chrono::steady_clock;
 
 // What the disk has not yet been told to keep through a power cut is at most this old.
 constexpr double kFlushEvery = 10;  // s
-// Writing the XDMF text anew takes at most this share of the time.
-constexpr double kXdmfShare = 0.02;
+// Writing the XDMF text anew, and outputs, take at most these shares of the time.
+constexpr double kXdmfShare = 0.02, kOutputShare = 0.05;
+// More than that, of a rank, does not wait to be written.
+constexpr size_t kMostWaiting = 4'000'000;  // numbers
 
 double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+// Outputs that are not in the file yet, each after the other.
+struct WaitingOutputs {
+  std::vector<double> times;
+  std::vector<std::vector<double>> fields, ends;  // by field: outputs x nodes x components
+  std::vector<double> position, rotation;         // of bodies
+  std::vector<std::vector<float>> moved;          // by volume
+  std::vector<ClashTables> clashes;
+
+  size_t size() const {
+    size_t n = 0;
+    for (const auto& f : fields) n += f.size();
+    return n;
+  }
+  // The first n outputs, which go.
+  WaitingOutputs take(size_t n) {
+    WaitingOutputs out;
+    const size_t of = times.size();
+    const auto part = [&](auto& from, auto& to) {
+      const auto end = from.begin() + static_cast<std::ptrdiff_t>(from.size() / of * n);
+      to.assign(std::make_move_iterator(from.begin()), std::make_move_iterator(end));
+      from.erase(from.begin(), end);
+    };
+    const auto parts = [&](auto& from, auto& to) {
+      to.resize(from.size());
+      for (size_t i = 0; i < from.size(); ++i) part(from[i], to[i]);
+    };
+    parts(fields, out.fields), parts(ends, out.ends), parts(moved, out.moved);
+    part(position, out.position), part(rotation, out.rotation), part(clashes, out.clashes);
+    part(times, out.times);
+    return out;
+  }
+};
 
 }  // namespace
 
@@ -45,9 +82,11 @@ struct ResultsFile::Impl {
 
   std::string xdmf_path;
   std::optional<XdmfWriter> xdmf;
-  Clock::time_point last_xdmf, last_flush;
-  double xdmf_cost = 0;  // s
+  Clock::time_point last_flush;
+  ShareOfTime xdmf_time{kXdmfShare}, output_time{kOutputShare};
   bool xdmf_behind = false;
+
+  WaitingOutputs waiting;
 
   std::vector<double> step_times;          // of the rows of the series that wait for the next output
   std::vector<std::vector<double>> steps;  // by series, this rank's
@@ -148,55 +187,94 @@ struct ResultsFile::Impl {
     for (auto& s : steps) s.clear();
   }
 
-  // How many rows of the clash tables come with an output, the same on all ranks.
-  ClashRoom rows_of(const ClashTables& tables) const {
-    long long n[2] = {static_cast<long long>(tables.ended.size()),
-                      static_cast<long long>(tables.open.size())};
+  // Rows of the clash tables, the same on all ranks.
+  ClashRoom rows_of(size_t ended, size_t open) const {
+    long long n[2] = {static_cast<long long>(ended), static_cast<long long>(open)};
     MPI_Bcast(n, 2, MPI_LONG_LONG, 0, file.comm());
     return {n[0], n[1]};
   }
-  void write_clashes(long long row, const ClashTables& tables, const ClashRoom& rows) {
+  // Of the outputs from `row` on; what is open only after the last one.
+  ClashRoom write_clashes(long long row, const std::vector<ClashTables>& tables, const ClashRoom& rows) {
     const h5::Id type = clash_type();
+    std::vector<ClashRow> all;
+    std::vector<long long> counts;
+    for (const ClashTables& t : tables) {
+      all.insert(all.end(), t.ended.begin(), t.ended.end());
+      counts.push_back(clashes + static_cast<long long>(all.size()));
+      counts.push_back(static_cast<long long>(t.open.size()));
+    }
+    const long long n = static_cast<long long>(tables.size());
     std::vector<RowRun> ended, open;
     if (root() && rows.ended) ended.push_back({clashes, rows.ended});
     if (root() && rows.open) open.push_back({0, rows.open});
-    if (rows.ended) file.write_runs(kClashesEnded, type, -1, ended, tables.ended.data());
-    if (rows.open) file.write_runs(kClashesOpen, type, row % 2, open, tables.open.data());
-    const long long counts[2] = {clashes + rows.ended, rows.open};
-    file.write_rows(kClashCounts, H5T_NATIVE_LLONG, row, 1, root(), counts);
+    if (rows.ended) file.write_runs(kClashesEnded, type, -1, ended, all.data());
+    if (rows.open) file.write_runs(kClashesOpen, type, (row + n - 1) % 2, open, tables.back().open.data());
+    file.write_rows(kClashCounts, H5T_NATIVE_LLONG, row, n, root(), counts.data());
+    return rows;
   }
 
-  void write_bodies(long long row, std::span<const BodyPose> poses) {
-    std::vector<double> position, rotation;
+  void wait(std::span<const BodyPose> poses) {
     for (const auto& p : poses) {
-      position.insert(position.end(), {p.position.x(), p.position.y(), p.position.z()});
-      rotation.insert(rotation.end(), {p.rotation.w(), p.rotation.x(), p.rotation.y(), p.rotation.z()});
+      waiting.position.insert(waiting.position.end(), {p.position.x(), p.position.y(), p.position.z()});
+      waiting.rotation.insert(waiting.rotation.end(),
+                              {p.rotation.w(), p.rotation.x(), p.rotation.y(), p.rotation.z()});
     }
-    file.write_rows("bodies/position", H5T_NATIVE_DOUBLE, row, 1, root(), position.data());
-    file.write_rows("bodies/rotation", H5T_NATIVE_DOUBLE, row, 1, root(), rotation.data());
-    const auto places = volume_places(contents);
-    for (size_t i = 0; i < places.size(); ++i) {
-      if (!drawn[i].moves) continue;
-      std::vector<float> moved;
-      if (root()) {
-        const BodyPose& pose = poses[static_cast<size_t>(contents.volumes[i].body)];
-        const Mat3 turn = pose.rotation.toRotationMatrix();
-        for (const auto& v : drawn[i].vertices) {
-          const Eigen::Vector3f x = (pose.position + turn * v).cast<float>();
-          moved.insert(moved.end(), {x.x(), x.y(), x.z()});
-        }
+    waiting.moved.resize(drawn.size());
+    for (size_t i = 0; i < drawn.size(); ++i) {
+      if (!drawn[i].moves || !root()) continue;
+      const BodyPose& pose = poses[static_cast<size_t>(contents.volumes[i].body)];
+      const Mat3 turn = pose.rotation.toRotationMatrix();
+      for (const auto& v : drawn[i].vertices) {
+        const Eigen::Vector3f x = (pose.position + turn * v).cast<float>();
+        waiting.moved[i].insert(waiting.moved[i].end(), {x.x(), x.y(), x.z()});
       }
-      file.write_rows(places[i] + "/moved", H5T_NATIVE_FLOAT, row, 1, root(), moved.data());
     }
+  }
+
+  // Outputs that wait, and the series so far, to the file.
+  void write_waiting() {
+    while (!waiting.times.empty()) {
+      // Open clashes of one row in two take turns: those of the last row must not meet those that count.
+      const size_t all = waiting.times.size();
+      write(waiting.take(contents.clashes && all % 2 == 0 ? all - 1 : all));
+    }
+  }
+  void write(const WaitingOutputs& w) {
+    const long long n = static_cast<long long>(w.times.size()), row = count.outputs;
+    ClashRoom rows{0, 0};
+    if (contents.clashes) {
+      size_t ended = 0;
+      for (const ClashTables& t : w.clashes) ended += t.ended.size();
+      rows = rows_of(ended, w.clashes.back().open.size());
+    }
+    ensure_room(row + n, 0, 0, 0, {clashes + rows.ended, rows.open});
+    const long long rows_of_steps = write_steps();
+    file.write_rows("outputs/time", H5T_NATIVE_DOUBLE, row, n, root(), w.times.data());
+    for (size_t i = 0; i < w.fields.size(); ++i)
+      file.write_runs("fields/" + safe_name(contents.fields[i].name), H5T_NATIVE_DOUBLE, row, runs,
+                      w.fields[i].data(), n);
+    for (size_t i = 0; i < w.ends.size(); ++i)
+      file.write_runs("ends/" + contents.end_fields[i].name, H5T_NATIVE_DOUBLE, row, end_runs,
+                      w.ends[i].data(), n);
+    file.write_rows("bodies/position", H5T_NATIVE_DOUBLE, row, n, root(), w.position.data());
+    file.write_rows("bodies/rotation", H5T_NATIVE_DOUBLE, row, n, root(), w.rotation.data());
+    const auto places = volume_places(contents);
+    for (size_t i = 0; i < places.size(); ++i)
+      if (drawn[i].moves)
+        file.write_rows(places[i] + "/moved", H5T_NATIVE_FLOAT, row, n, root(), w.moved[i].data());
+    if (contents.clashes) write_clashes(row, w.clashes, rows);
+    commit({row + n, count.steps + rows_of_steps});
+    clashes += rows.ended;
+    forget_steps();
+    if (root())
+      for (const double t : w.times) xdmf->add(t);
+    xdmf_behind = contents.xdmf;
   }
 
   void save_xdmf(bool always) {
-    if (root() && contents.xdmf && (always || seconds_since(last_xdmf) * kXdmfShare > xdmf_cost)) {
-      const auto start = Clock::now();
-      file.attempt([&] { xdmf->save(xdmf_path); });
+    if (root() && contents.xdmf && (always || xdmf_time.due())) {
+      xdmf_time.spend([&] { file.attempt([&] { xdmf->save(xdmf_path); }); });
       xdmf_behind = false;
-      xdmf_cost = seconds_since(start);
-      last_xdmf = Clock::now();
     }
     file.agree();
   }
@@ -349,28 +427,24 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
         throw std::logic_error("results: field " + c.end_fields[i].name + " of ends has the wrong size");
   });
   m.file.agree();
-  ClashRoom rows{0, 0};
-  if (c.clashes) rows = m.rows_of(clashes);
-  m.ensure_room(m.count.outputs + 1, 0, 0, 0, {m.clashes + rows.ended, rows.open});
-  const long long steps = m.write_steps(), row = m.count.outputs;
-  m.file.write_rows("outputs/time", H5T_NATIVE_DOUBLE, row, 1, m.root(), &time);
+  WaitingOutputs& w = m.waiting;
+  w.times.push_back(time);
+  w.fields.resize(fields.size()), w.ends.resize(ends.size());
   for (size_t i = 0; i < fields.size(); ++i)
-    m.file.write_runs("fields/" + safe_name(c.fields[i].name), H5T_NATIVE_DOUBLE, row, m.runs,
-                      fields[i].data());
-  for (size_t i = 0; i < ends.size(); ++i)
-    m.file.write_runs("ends/" + c.end_fields[i].name, H5T_NATIVE_DOUBLE, row, m.end_runs, ends[i].data());
-  m.write_bodies(row, poses);
-  if (c.clashes) m.write_clashes(row, clashes, rows);
-  m.commit({row + 1, m.count.steps + steps});
-  m.clashes += rows.ended;
-  m.forget_steps();
-  if (m.root()) m.xdmf->add(time);
-  m.xdmf_behind = m.contents.xdmf;
+    w.fields[i].insert(w.fields[i].end(), fields[i].begin(), fields[i].end());
+  for (size_t i = 0; i < ends.size(); ++i) w.ends[i].insert(w.ends[i].end(), ends[i].begin(), ends[i].end());
+  w.clashes.push_back(clashes);
+  m.wait(poses);
+  int due = (m.root() && m.output_time.due()) || w.size() > kMostWaiting;
+  MPI_Allreduce(MPI_IN_PLACE, &due, 1, MPI_INT, MPI_MAX, m.file.comm());
+  if (!due) return;
+  m.output_time.spend([&] { m.write_waiting(); });
   m.save_xdmf(false);
 }
 
 void ResultsFile::write_checkpoint(const Checkpoint& checkpoint) {
   auto& m = *impl_;
+  m.write_waiting();  // a run that goes on from it keeps what came before
   const PackedCheckpoint p =
       pack_checkpoint(m.file.comm(), checkpoint, m.contents.nodes_total() + m.contents.free_bodies, m.owned);
   const auto text = static_cast<long long>(p.index.size());
@@ -393,11 +467,12 @@ void ResultsFile::write_checkpoint(const Checkpoint& checkpoint) {
 
 void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes) {
   auto& m = *impl_;
+  m.write_waiting();
   const long long steps = m.write_steps();
   m.commit({m.count.outputs, m.count.steps + steps});
   m.forget_steps();
   ClashRoom rows{0, 0};
-  if (m.contents.clashes) rows = m.rows_of(clashes);
+  if (m.contents.clashes) rows = m.rows_of(clashes.ended.size(), clashes.open.size());
   const ResultLast end{clashes, &summary};
   m.build({std::max<long long>(m.count.outputs, 1),
            std::max<long long>(m.count.steps, 1),
@@ -408,7 +483,10 @@ void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTabl
   m.save_xdmf(true);
 }
 
-long long ResultsFile::outputs() const { return impl_->count.outputs; }
+long long ResultsFile::outputs() const {
+  return impl_->count.outputs + static_cast<long long>(impl_->waiting.times.size());
+}
+long long ResultsFile::written() const { return impl_->count.outputs; }
 const ResultContents& ResultsFile::contents() const { return impl_->contents; }
 const std::string& ResultsFile::path() const { return impl_->file.path(); }
 std::string ResultsFile::xdmf_path() const { return impl_->xdmf_path; }

@@ -34,10 +34,18 @@ void SharedFile::open(const std::vector<std::string>& datasets) {
     h5::quiet();
     const h5::Id access = h5::own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "HDF5 property list");
     h5::check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "HDF5 property list");
-    h5::check(H5Pset_fapl_mpio(access, comm_, MPI_INFO_NULL), "HDF5 with MPI");
+    transfer_ = h5::own(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "HDF5 property list");
+    int size = 0;
+    MPI_Comm_size(comm_, &size);
+    if (size > 1) {
+      h5::check(H5Pset_fapl_mpio(access, comm_, MPI_INFO_NULL), "HDF5 with MPI");
+      h5::check(H5Pset_dxpl_mpio(transfer_, H5FD_MPIO_COLLECTIVE), "HDF5 with MPI");
+    } else {
+      // What is written is with the system at once, as it is with MPI: a kill must not take it away.
+      h5::check(H5Pset_sieve_buf_size(access, 0), "HDF5 property list");
+      h5::check(H5Pset_file_locking(access, false, true), "HDF5 property list");
+    }
     file_ = h5::own(H5Fopen(path_.c_str(), H5F_ACC_RDWR, access), H5Fclose, "cannot open " + path_);
-    collective_ = h5::own(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "HDF5 property list");
-    h5::check(H5Pset_dxpl_mpio(collective_, H5FD_MPIO_COLLECTIVE), "HDF5 with MPI");
     for (const auto& name : datasets) open_[name] = h5::open_dataset(file_, name);
   });
   agree();
@@ -78,16 +86,16 @@ bool empty(const h5::Shape& shape) {
 }  // namespace
 
 void SharedFile::write_runs(const std::string& name, hid_t type, long long row,
-                            const std::vector<RowRun>& runs, const void* data) {
+                            const std::vector<RowRun>& runs, const void* data, long long rows) {
   attempt([&] {
     const hid_t set = open_.at(name);
     const h5::Shape shape = h5::shape_of(set);
     if (empty(shape)) return;
     const size_t axis = row >= 0 ? 1 : 0;
     h5::Shape start(shape.size(), 0), block(shape);
-    hsize_t total = 0, inner = 1;
+    hsize_t total = 0, inner = row >= 0 ? static_cast<hsize_t>(rows) : 1;
     for (size_t i = axis + 1; i < shape.size(); ++i) inner *= shape[i];
-    if (row >= 0) start[0] = static_cast<hsize_t>(row), block[0] = 1;
+    if (row >= 0) start[0] = static_cast<hsize_t>(row), block[0] = static_cast<hsize_t>(rows);
     const h5::Id space = h5::own(H5Dget_space(set), H5Sclose, name);
     h5::check(H5Sselect_none(space), name);
     for (const auto& run : runs) {
@@ -122,7 +130,7 @@ void SharedFile::transfer(hid_t set, hid_t type, hid_t space, hsize_t n, const v
   const h5::Id memory = h5::own(H5Screate_simple(1, &length, nullptr), H5Sclose, "rows");
   if (n == 0) h5::check(H5Sselect_none(memory), "rows");
   const double nothing = 0;
-  h5::check(H5Dwrite(set, type, memory, space, collective_, n ? data : &nothing), "cannot write " + path_);
+  h5::check(H5Dwrite(set, type, memory, space, transfer_, n ? data : &nothing), "cannot write " + path_);
 }
 
 void SharedFile::write_alone(const std::string& name, hid_t type, const void* data) {

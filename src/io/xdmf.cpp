@@ -98,39 +98,39 @@ XdmfWriter::XdmfWriter(const ResultContents& contents, const std::string& h5_nam
   }
 }
 
-void XdmfWriter::add(double time) {
-  const long long row = outputs_++;
+std::string XdmfWriter::output(long long row) const {
   char number[32];
-  std::snprintf(number, sizeof number, "%.17g", time);
-  body_ += "<Grid Name=\"output\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time Value=\"";
-  body_ += number;
-  body_ += "\"/>\n";
-  add_lines(row);
-  add_volumes(row);
-  body_ += "</Grid>\n";
+  std::snprintf(number, sizeof number, "%.17g", times_[static_cast<size_t>(row)]);
+  std::string text =
+      "<Grid Name=\"output\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time Value=\"";
+  text += number;
+  text += "\"/>\n";
+  add_lines(row, text);
+  add_volumes(row, text);
+  return text + "</Grid>\n";
 }
 
-void XdmfWriter::add_lines(long long row) {
+void XdmfWriter::add_lines(long long row, std::string& text) const {
   const auto& c = *contents_;
   const long long total = c.nodes_total(), lines = static_cast<long long>(c.lines.size());
   const auto grid = [&](const std::string& name, long long first, long long nodes,
                         const std::string& topology) {
-    body_ += "<Grid Name=\"" + xml_text(name) + "\" GridType=\"Uniform\">\n" + topology;
+    text += "<Grid Name=\"" + xml_text(name) + "\" GridType=\"Uniform\">\n" + topology;
     for (const auto& f : c.fields) {
       Slab s{"fields/" + safe_name(f.name), kDouble, {first}, {nodes}, {total}, row};
       if (f.components > 1)
         s.start.push_back(0), s.count.push_back(f.components), s.shape.push_back(f.components);
       const char* kind = f.components == 1 ? "Scalar" : f.components == 3 ? "Vector" : "Matrix";
       if (f.name == "position")
-        body_ += "<Geometry GeometryType=\"XYZ\">" + item(h5_name_, s) + "</Geometry>\n";
+        text += "<Geometry GeometryType=\"XYZ\">" + item(h5_name_, s) + "</Geometry>\n";
       else
-        body_ += attribute(f.name, kind, "Node", item(h5_name_, s));
+        text += attribute(f.name, kind, "Node", item(h5_name_, s));
     }
-    body_ += attribute("arc_length", "Scalar", "Node",
-                       item(h5_name_, {"nodes/arc_length", kDouble, {first}, {nodes}, {total}}));
-    body_ +=
+    text += attribute("arc_length", "Scalar", "Node",
+                      item(h5_name_, {"nodes/arc_length", kDouble, {first}, {nodes}, {total}}));
+    text +=
         attribute("line", "Scalar", "Node", item(h5_name_, {"nodes/line", kInt, {first}, {nodes}, {total}}));
-    body_ += "</Grid>\n";
+    text += "</Grid>\n";
   };
   if (c.lines.size() > kSeparateLines) {
     const long long cells = total + 2 * lines;
@@ -146,7 +146,7 @@ void XdmfWriter::add_lines(long long row) {
              item(h5_name_, {"nodes/number", kInt, {0}, {line.nodes}, {total}}) + "</Topology>\n");
 }
 
-void XdmfWriter::add_volumes(long long row) {
+void XdmfWriter::add_volumes(long long row, std::string& text) const {
   for (size_t i = 0; i < drawn_.size(); ++i) {
     const auto& v = contents_->volumes[i];
     const Drawn& d = drawn_[i];
@@ -155,14 +155,14 @@ void XdmfWriter::add_volumes(long long row) {
         places_[i] + (d.boxed ? "/box_triangles" : "/triangles"), kInt, {0, 0}, {nt, 3}, {nt, 3}};
     const Slab points = d.moves ? Slab{places_[i] + "/moved", kFloat, {0, 0}, {nv, 3}, {nv, 3}, row}
                                 : Slab{places_[i] + "/vertices", kDouble, {0, 0}, {nv, 3}, {nv, 3}};
-    body_ += "<Grid Name=\"" + xml_text(v.name) + "\" GridType=\"Uniform\">\n" +
-             "<Topology TopologyType=\"Triangle\" NumberOfElements=\"" + std::to_string(nt) + "\">" +
-             item(h5_name_, triangles) + "</Topology>\n<Geometry GeometryType=\"XYZ\">" +
-             item(h5_name_, points) + "</Geometry>\n";
+    text += "<Grid Name=\"" + xml_text(v.name) + "\" GridType=\"Uniform\">\n" +
+            "<Topology TopologyType=\"Triangle\" NumberOfElements=\"" + std::to_string(nt) + "\">" +
+            item(h5_name_, triangles) + "</Topology>\n<Geometry GeometryType=\"XYZ\">" +
+            item(h5_name_, points) + "</Geometry>\n";
     if (!d.boxed && v.active.size() == v.triangles.size())
-      body_ += attribute("active", "Scalar", "Cell",
-                         item(h5_name_, {places_[i] + "/active", kChar, {0}, {nt}, {nt}}));
-    body_ += "</Grid>\n";
+      text += attribute("active", "Scalar", "Cell",
+                        item(h5_name_, {places_[i] + "/active", kChar, {0}, {nt}, {nt}}));
+    text += "</Grid>\n";
   }
 }
 
@@ -171,8 +171,9 @@ void XdmfWriter::save(const std::string& path) const {
   {
     std::ofstream out(made, std::ios::binary);
     out << kXdmfBegin << xml_text(contents_->run.case_path.empty() ? "hawser" : contents_->run.case_path)
-        << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n"
-        << body_ << "</Grid>\n</Domain>\n</Xdmf>\n";
+        << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+    for (size_t row = 0; row < times_.size(); ++row) out << output(static_cast<long long>(row));
+    out << "</Grid>\n</Domain>\n</Xdmf>\n";
     out.flush();
     if (!out) {
       const std::string text = cannot_write(path, std::strerror(errno));

@@ -297,9 +297,9 @@ double System::dead_load() const {
   return steady(sum);
 }
 
-bool System::stiffen(const Kinematics& equilibrium) {
+bool System::stiffen(const Kinematics& at, double most) {
   bool again = false;
-  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen(equilibrium) || again;
+  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen(at, most) || again;
   return again;
 }
 

@@ -45,9 +45,8 @@ Coupled System::couple(const Kinematics& committed, double h) {
   for (const CouplesNodes* t : couple_nodes_) t->couple(wanted);
   with_frames(wanted);
   wanted.sort();
-  const bool fits = all(comm_, wanted.within(couplings_) && !forgotten_);
+  const bool fits = all(comm_, wanted.within(couplings_));
   if (!fits) {
-    forgotten_ = false;
     couplings_ = std::move(wanted);
     coupled_ = !all(comm_, couplings_.pairs.empty());
     set_coupling_ghosts(mesh_, couplings_.nodes);

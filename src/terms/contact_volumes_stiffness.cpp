@@ -21,6 +21,8 @@ constexpr double kMostInAStep = 4;
 
 // A raise is solved again with, and what it is for moves with it: less than this is left.
 constexpr double kWorthIt = 1.05;
+// What was raised on the way to an equilibrium by more than that too much is lowered again.
+constexpr double kMuch = 8;
 
 }  // namespace
 
@@ -73,6 +75,27 @@ bool ContactVolumes::raise(std::vector<double>& wanted) {
     more = true;
   }
   return more;
+}
+
+bool ContactVolumes::lower(std::vector<double>& asked) {
+  if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
+    return false;
+  MPI_Allreduce(MPI_IN_PLACE, asked.data(), static_cast<int>(asked.size()), MPI_DOUBLE, MPI_MAX, comm_);
+  bool less = false;
+  for (size_t k = 0; k < asked.size(); ++k) {
+    double& now = volumes_[k].settings.normal_stiffness;
+    const double to = std::max(asked[k], committed_[k]);
+    if (!volumes_[k].automatic || !(to < now / kMuch)) continue;
+    now = to;
+    less = true;
+  }
+  return less;
+}
+
+double ContactVolumes::pressing(int volume, double depth, double radius) const {
+  const model::Volume& v = settings(volume);
+  const double allowed = v.allowed_penetration > 0 ? v.allowed_penetration : kAllowed * radius;
+  return v.normal_stiffness * depth / (kRaisedTo * allowed);
 }
 
 bool ContactVolumes::forget_raise() {

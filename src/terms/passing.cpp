@@ -43,8 +43,8 @@ AxisPoints part_of(const LineVolumePair& pair, const AxisShape& shape, const Rig
 }  // namespace
 
 Verdict LineVolumeContact::judge(const Kinematics& trial) const {
-  if (!(trial.step > 0)) return {};
-  if (std::string why = deeper_than_allowed(trial); !why.empty())
+  // In statics what is deep may have started there, and is on its way out.
+  if (std::string why = trial.step > 0 ? deeper_than_allowed(trial) : gets_too_deep(trial); !why.empty())
     return {Verdict::Kind::shorter, std::move(why)};
   if (tunnels(trial)) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
   return {};

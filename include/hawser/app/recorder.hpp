@@ -11,6 +11,7 @@
 #include "hawser/app/clash_report.hpp"
 #include "hawser/app/clearances.hpp"
 #include "hawser/app/end_forces.hpp"
+#include "hawser/app/sharp_turns.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/io/results.hpp"
 
@@ -71,7 +72,7 @@ class Recorder {
   std::vector<io::ResultField> fields_;
   // Among values_.
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
-      moment_2_ = -1, moment_3_ = -1;
+      moment_2_ = -1, moment_3_ = -1, pressed_ = -1;
   std::vector<int> carriers_;  // likewise
   struct Point {
     int owned = -1;  // local node when this rank has it
@@ -80,6 +81,7 @@ class Recorder {
   };
   std::vector<Point> points_;
   std::vector<std::map<std::string, Extreme>> extremes_;  // by line, of this rank's nodes
+  SharpTurns turns_;
   Clearances clearances_;
   std::unique_ptr<ClashReport> clashes_;  // null: nothing can touch
   std::unique_ptr<io::ResultsFile> file_;

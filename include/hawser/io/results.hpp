@@ -111,8 +111,9 @@ class ResultsFile {
   // Node fields at `time` [s], owned nodes x components (those of bodies are left out), in the order of
   // contents.fields (position
   // first), with one pose a body (same on all ranks). ends: likewise, contents.end_fields of the ends whose
-  // nodes this rank owns, ascending. When it returns, the output and the series rows so far survive the death
-  // of the program.
+  // nodes this rank owns, ascending. The output and the series rows so far go to the file, from where they
+  // survive the death of the program, at once or with later ones, so that writing takes a twentieth of the
+  // time at most; those before a checkpoint with it.
   void write_output(double time, const std::vector<std::vector<double>>& fields,
                     std::span<const BodyPose> poses, const ClashTables& clashes = {},
                     const std::vector<std::vector<double>>& ends = {});
@@ -124,7 +125,8 @@ class ResultsFile {
   // file to what is used. Only the destructor may follow.
   void finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes = {});
 
-  long long outputs() const;  // accepted so far
+  long long outputs() const;  // so far
+  long long written() const;  // of these, those that are in the file
   const ResultContents& contents() const;
   const std::string& path() const;  // of the HDF5 file
   std::string xdmf_path() const;    // same name, ending .xdmf

@@ -48,9 +48,10 @@ class SharedFile {
   // or the disk is at fault, else std::runtime_error.
   void agree();
 
-  // The next four attempt. Collective: stretches of the first dimension (row < 0) or of the second, at a row.
+  // The next four attempt. Collective: stretches of the first dimension (row < 0) or of the second, in `rows`
+  // rows from `row` on.
   void write_runs(const std::string& name, hid_t type, long long row, const std::vector<RowRun>& runs,
-                  const void* data);
+                  const void* data, long long rows = 1);
   // Collective: whole rows [first, first + rows), of which only the rank with `here` has the data.
   void write_rows(const std::string& name, hid_t type, long long first, long long rows, bool here,
                   const void* data);
@@ -66,7 +67,7 @@ class SharedFile {
   MPI_Comm comm_;
   int rank_ = 0;
   std::string path_;
-  h5::Id file_, collective_;
+  h5::Id file_, transfer_;
   std::map<std::string, h5::Id> open_;  // closed before the file
   std::string trouble_;                 // first error on this rank since the ranks last agreed
   bool ours_ = false;                   // not the file's fault

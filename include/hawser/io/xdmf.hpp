@@ -17,30 +17,31 @@ inline constexpr std::string_view kXdmfBegin =
 std::string safe_name(const std::string& name);
 std::vector<std::string> safe_names(const std::vector<std::string>& names);  // and all different
 
-// Collects the text of one temporal collection; each save() puts a whole valid file in place at once.
+// One temporal collection; each save() puts a whole valid file in place at once.
 class XdmfWriter {
  public:
   // The contents must outlive the writer. `h5_name`: file name without folder; both files lie side by side.
   XdmfWriter(const ResultContents& contents, const std::string& h5_name);
 
-  void add(double time);
+  void add(double time) { times_.push_back(time); }  // of the next output, s
 
   // Throws std::runtime_error when the file cannot be written.
   void save(const std::string& path) const;
 
  private:
-  void add_lines(long long row);
-  void add_volumes(long long row);
+  std::string output(long long row) const;
+  void add_lines(long long row, std::string& text) const;
+  void add_volumes(long long row, std::string& text) const;
 
   struct Drawn {
     long long vertices, triangles;
     bool moves, boxed;
   };
   const ResultContents* contents_;
-  std::string h5_name_, body_;
+  std::string h5_name_;
+  std::vector<double> times_;        // of the outputs, s
   std::vector<std::string> places_;  // of the volumes in the HDF5 file
   std::vector<Drawn> drawn_;
-  long long outputs_ = 0;
 };
 
 }  // namespace hawser::io

@@ -3,6 +3,7 @@
 
 #include <petscmat.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -62,8 +63,6 @@ class System {
   void spread(State& state) const;
   void spread(std::vector<Vec3>& values) const { exchange_.spread(values); }
   void spread(std::vector<Mat3>& values) const { exchange_.spread(values); }
-  // The next couple() makes the layout anew, as that of a run that begins there.
-  void forget_couplings() { forgotten_ = true; }
   // Whether any nodes see each other beyond the elements, on any rank.
   bool coupled() const { return coupled_; }
   // Whether forces on nodes of other ranks may arise here (contact of a line with a body that floats).
@@ -103,7 +102,8 @@ class System {
   // Whether a converged step resolved the impacts in it, also those that its start, when longest_step() was
   // asked, did not show.
   bool resolves_impacts(const Kinematics& trial);
-  bool stiffen(const Kinematics& equilibrium);  // true on all ranks: solve again
+  // See RaisesStiffness; true on all ranks: solve again.
+  bool stiffen(const Kinematics& at, double most = std::numeric_limits<double>::infinity());
   void forget_stiffening();
 
   void prepare(const Kinematics& committed, double h);
@@ -137,7 +137,7 @@ class System {
   MPI_Comm comm_;
   LocalMesh mesh_;
   Couplings couplings_;  // what the matrix holds beyond the chains
-  bool coupled_ = false, forgotten_ = false;
+  bool coupled_ = false;
   GhostExchange exchange_;
   Supports supports_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;

@@ -1,0 +1,29 @@
+// What is done now and then, as often as it costs no more than a share of the time.
+#pragma once
+
+#include <chrono>
+
+namespace hawser {
+
+class ShareOfTime {
+ public:
+  explicit ShareOfTime(double share) : share_(share) {}
+  // Whether enough has passed since it was done last for what that cost.
+  bool due() const { return share_ * seconds_since(end_) >= cost_; }
+  template <class What>
+  void spend(const What& what) {
+    const Clock::time_point start = Clock::now();
+    what();
+    cost_ = seconds_since(start), end_ = Clock::now();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double seconds_since(Clock::time_point t) {
+    return std::chrono::duration<double>(Clock::now() - t).count();
+  }
+  double share_, cost_ = 0;  // cost: s
+  Clock::time_point end_ = Clock::now();
+};
+
+}  // namespace hawser
