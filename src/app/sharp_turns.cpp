@@ -8,8 +8,8 @@
 namespace hawser::app {
 namespace {
 
-constexpr double kWarned = 0.05;  // of the largest tension
-constexpr double kGood = 0.3;     // rad, from one element to the next: 1 - cos of it is about that share
+constexpr double kWarned = 0.1;  // of the largest tension
+constexpr double kGood = 0.45;   // rad, from one element to the next: 1 - cos of it is about that share
 
 }  // namespace
 
@@ -49,7 +49,8 @@ std::string SharpTurns::warning(MPI_Comm comm, int line, const std::string& name
   MPI_Bcast(values, 4, MPI_DOUBLE, most.rank, comm);
   return fmt::format(
       "line {} turns by {:.0f} degrees from one element to the next where it lies on a volume (arc length "
-      "{:.4g} m, t = {:.4g} s), so that its tension there may be wrong by {:.2g} N, {:.0f} % of the largest: "
+      "{:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to {:.2g} N, {:.0f} % of the "
+      "largest: "
       "give it elements so short that it turns by no more than {:.0f} degrees; over a sharp edge that is "
       "about its "
       "radius",

@@ -164,9 +164,10 @@ struct ResultsFile::Impl {
     last_flush = Clock::now();
   }
 
-  // Rows of the series in memory to the file, not yet counted. Returns how many.
-  long long write_steps() {
-    const auto n = static_cast<long long>(step_times.size());
+  // Rows of the series in memory up to that time [s] to the file, not yet counted. Returns how many.
+  long long write_steps(double until = HUGE_VAL) {
+    const double last = until + 1e-9 * std::max(std::abs(until), 1.0);
+    const auto n = std::upper_bound(step_times.begin(), step_times.end(), last) - step_times.begin();
     std::vector<int> owners(mine.begin(), mine.end());
     MPI_Allreduce(MPI_IN_PLACE, owners.data(), static_cast<int>(owners.size()), MPI_INT, MPI_SUM,
                   file.comm());
@@ -182,9 +183,11 @@ struct ResultsFile::Impl {
     return n;
   }
 
-  void forget_steps() {
-    step_times.clear();
-    for (auto& s : steps) s.clear();
+  void forget_steps(long long n) {
+    step_times.erase(step_times.begin(), step_times.begin() + n);
+    for (size_t s = 0; s < steps.size(); ++s)
+      if (!steps[s].empty())
+        steps[s].erase(steps[s].begin(), steps[s].begin() + n * static_cast<long long>(columns[s]));
   }
 
   // Rows of the clash tables, the same on all ranks.
@@ -248,7 +251,7 @@ struct ResultsFile::Impl {
       rows = rows_of(ended, w.clashes.back().open.size());
     }
     ensure_room(row + n, 0, 0, 0, {clashes + rows.ended, rows.open});
-    const long long rows_of_steps = write_steps();
+    const long long rows_of_steps = write_steps(w.times.back());
     file.write_rows("outputs/time", H5T_NATIVE_DOUBLE, row, n, root(), w.times.data());
     for (size_t i = 0; i < w.fields.size(); ++i)
       file.write_runs("fields/" + safe_name(contents.fields[i].name), H5T_NATIVE_DOUBLE, row, runs,
@@ -265,7 +268,7 @@ struct ResultsFile::Impl {
     if (contents.clashes) write_clashes(row, w.clashes, rows);
     commit({row + n, count.steps + rows_of_steps});
     clashes += rows.ended;
-    forget_steps();
+    forget_steps(rows_of_steps);
     if (root())
       for (const double t : w.times) xdmf->add(t);
     xdmf_behind = contents.xdmf;
@@ -470,7 +473,7 @@ void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTabl
   m.write_waiting();
   const long long steps = m.write_steps();
   m.commit({m.count.outputs, m.count.steps + steps});
-  m.forget_steps();
+  m.forget_steps(steps);
   ClashRoom rows{0, 0};
   if (m.contents.clashes) rows = m.rows_of(clashes.ended.size(), clashes.open.size());
   const ResultLast end{clashes, &summary};

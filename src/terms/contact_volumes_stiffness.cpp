@@ -2,6 +2,7 @@
 // docs/theory/contact.md, "Stiffness that follows the run".
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/contact_volumes.hpp"
@@ -62,7 +63,7 @@ void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPlace& p
   wanted[k] = std::max(wanted[k], want);
 }
 
-bool ContactVolumes::raise(std::vector<double>& wanted) {
+bool ContactVolumes::raise(std::vector<double>& wanted, bool early) {
   if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
     return false;
   MPI_Allreduce(MPI_IN_PLACE, wanted.data(), static_cast<int>(wanted.size()), MPI_DOUBLE, MPI_MAX, comm_);
@@ -72,6 +73,7 @@ bool ContactVolumes::raise(std::vector<double>& wanted) {
     const double to = std::min(wanted[k], v.most);
     if (!v.automatic || !(to > kWorthIt * v.settings.normal_stiffness)) continue;
     v.settings.normal_stiffness = to;
+    early_[k] = early;
     more = true;
   }
   return more;
@@ -85,7 +87,7 @@ bool ContactVolumes::lower(std::vector<double>& asked) {
   for (size_t k = 0; k < asked.size(); ++k) {
     double& now = volumes_[k].settings.normal_stiffness;
     const double to = std::max(asked[k], committed_[k]);
-    if (!volumes_[k].automatic || !(to < now / kMuch)) continue;
+    if (!std::exchange(early_[k], false) || !(to < now / kMuch)) continue;
     now = to;
     less = true;
   }

@@ -20,8 +20,8 @@ class SharpTurns {
   explicit SharpTurns(const LocalMesh& mesh);
   // By owned node: effective tension and normal force of volumes, N.
   void look(const Kinematics& at, std::span<const double> tension, std::span<const double> normal_force);
-  // That the worst turn of a line is more than a twentieth of its largest tension [N], in words; empty: it is
-  // not. Collective, with the same line on all ranks.
+  // That the worst turn of a line may cost more than a tenth of its largest tension [N], in words; empty: it
+  // is not. Collective, with the same line on all ranks.
   std::string warning(MPI_Comm comm, int line, const std::string& name, double largest_tension) const;
 
  private:

@@ -96,10 +96,10 @@ class ContactVolumes {
   void ask(int volume, const NormalLaw& law, const PressedPlace& p, double step,
            std::vector<double>& wanted) const;
   // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
-  // where a volume is automatic.
-  bool raise(std::vector<double>& wanted);
-  // The stiffness that a force which presses in by that depth [m] asks for; lowers what has far more than the
-  // most of these, to what is committed at least. As raise().
+  // where a volume is automatic. early: on the way to an equilibrium.
+  bool raise(std::vector<double>& wanted, bool early);
+  // The stiffness that a force which presses in by that depth [m] asks for; lowers what was raised early to
+  // far more than the most of these, to what is committed at least. As raise().
   double pressing(int volume, double depth, double radius) const;
   bool lower(std::vector<double>& asked);
   // Trial stiffness is that of the last accepted state, or becomes it; whether that changed anything.
@@ -121,6 +121,7 @@ class ContactVolumes {
   std::shared_ptr<const Bodies> bodies_;
   std::vector<ContactVolume> volumes_;  // with the stiffness of the trial
   std::vector<double> committed_;       // stiffness
+  std::vector<char> early_;             // raised on the way to an equilibrium
   std::vector<Box> boxes_;
   std::vector<LeftOut> left_out_;  // sorted by line and volume
   std::vector<RigidPose> poses_, start_poses_;
