@@ -22,8 +22,6 @@ constexpr double kMostInAStep = 4;
 
 // A raise is solved again with, and what it is for moves with it: less than this is left.
 constexpr double kWorthIt = 1.05;
-// What was raised on the way to an equilibrium by more than that too much is lowered again.
-constexpr double kMuch = 8;
 
 }  // namespace
 
@@ -79,19 +77,21 @@ bool ContactVolumes::raise(std::vector<double>& wanted, bool early) {
   return more;
 }
 
-bool ContactVolumes::lower(std::vector<double>& asked) {
+bool ContactVolumes::settle(std::vector<double>& asked) {
   if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
     return false;
   MPI_Allreduce(MPI_IN_PLACE, asked.data(), static_cast<int>(asked.size()), MPI_DOUBLE, MPI_MAX, comm_);
-  bool less = false;
+  bool other = false;
   for (size_t k = 0; k < asked.size(); ++k) {
     double& now = volumes_[k].settings.normal_stiffness;
-    const double to = std::max(asked[k], committed_[k]);
-    if (!std::exchange(early_[k], false) || !(to < now / kMuch)) continue;
+    // As a raise from the equilibrium on the committed stiffness would have it.
+    const double to =
+        std::min(asked[k] > committed_[k] / kRaisedTo ? asked[k] : committed_[k], volumes_[k].most);
+    if (!std::exchange(early_[k], false) || (to < kWorthIt * now && now < kWorthIt * to)) continue;
     now = to;
-    less = true;
+    other = true;
   }
-  return less;
+  return other;
 }
 
 double ContactVolumes::pressing(int volume, double depth, double radius) const {

@@ -68,7 +68,7 @@ bool LineVolumeContact::stiffen(const Kinematics& state, double most) {
   const std::vector<double> now = volumes_.stiffnesses();
   for (size_t k = 0; k < wanted.size(); ++k) wanted[k] = std::min(wanted[k], most * now[k]);
   const bool rests = !(state.step > 0) && !std::isfinite(most);
-  if (!volumes_.raise(wanted, std::isfinite(most)) && !(rests && volumes_.lower(asked))) return false;
+  if (!volumes_.raise(wanted, std::isfinite(most)) && !(rests && volumes_.settle(asked))) return false;
   renew_laws();
   return true;
 }

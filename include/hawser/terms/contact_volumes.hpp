@@ -98,10 +98,10 @@ class ContactVolumes {
   // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
   // where a volume is automatic. early: on the way to an equilibrium.
   bool raise(std::vector<double>& wanted, bool early);
-  // The stiffness that a force which presses in by that depth [m] asks for; lowers what was raised early to
-  // far more than the most of these, to what is committed at least. As raise().
+  // The stiffness that a force which presses in by that depth [m] asks for; takes what was raised early to
+  // what a raise from the committed one would have come to. As raise().
   double pressing(int volume, double depth, double radius) const;
-  bool lower(std::vector<double>& asked);
+  bool settle(std::vector<double>& asked);
   // Trial stiffness is that of the last accepted state, or becomes it; whether that changed anything.
   bool forget_raise();
   void keep_raise() { committed_ = stiffnesses(); }
