@@ -58,8 +58,6 @@ class Relaxation : StaticTrial {
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {
         ++report.rejected;
-        if (!blocked_.empty() && stiffen()) kinetic = 0;
-        blocked_.clear();
         weigh(kHeavier);
         continue;
       }

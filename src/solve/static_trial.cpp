@@ -13,7 +13,6 @@ namespace hawser {
 namespace {
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
 constexpr int kHalvings = 30;
-constexpr double kStiffer = 4;  // factor, of contact that is too soft on the way to equilibrium
 }  // namespace
 
 StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
@@ -85,7 +84,7 @@ void StaticTrial::step(double factor) {
 
 bool StaticTrial::clear() {
   const Verdict verdict = system_.judge(trial_.view(0));
-  if (verdict.kind != Verdict::Kind::prepare_anew) return passes(verdict);
+  if (verdict.kind != Verdict::Kind::prepare_anew) return verdict.accepted();
   const LocalMesh& m = system_.mesh();
   // So that the way foreseen ends at the trial.
   if (system_.couple(straight_way(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
@@ -102,15 +101,8 @@ bool StaticTrial::clear() {
     system_.gather(u_.get(), local_);
   }
   system_.prepare(state_.view(0), 0);
-  return passes(system_.judge(trial_.view(0)));
+  return system_.judge(trial_.view(0)).accepted();
 }
-
-bool StaticTrial::passes(const Verdict& verdict) {
-  if (!verdict.accepted()) blocked_ = verdict.because;
-  return verdict.accepted();
-}
-
-bool StaticTrial::stiffen() { return system_.stiffen(state_.view(0), kStiffer); }
 
 void StaticTrial::leave(int attempt) {
   double share = 1;

@@ -27,7 +27,6 @@ constexpr double kNegative =
 // Iterations after which energies that differ by round-off alone no longer pass for going down: a slack chain
 // whose elements tighten and loosen in turn would go round for ever.
 constexpr int kRound = 20;
-constexpr int kCut = 3;        // halvings of a step by what is in the way, from which contact gets stiffer
 constexpr int kMostCut = 100;  // steps of a descent that lines in their way may cut short
 
 class Search : StaticTrial {
@@ -120,15 +119,10 @@ class Search : StaticTrial {
       // Cut short again and again by lines that would pass through each other: they come ever nearer, and
       // there is no way on.
       cut += blocked;
-      if (blocked && halvings >= kCut && stiffen()) {
-        system_.residual(state_.view(0), r_.get());
-        norms = system_.norms(r_.get());
-        cut = 0;
-      }
       if ((!taken && shift > 1e6) || cut > kMostCut) {
         system_.residual(state_.view(0), r_.get());
         if (norms.small(100 * tolerance)) return;  // round-off of very stiff lines
-        throw SolveError(failure(norms, blocked ? blocked_ : "no descent"));
+        throw SolveError(failure(norms, blocked ? "lines would pass through each other" : "no descent"));
       }
       shift = std::clamp(taken && halvings <= 1 && (full || close) ? 0.2 * shift
                          : taken && halvings <= 1                  ? shift
@@ -191,7 +185,7 @@ class Search : StaticTrial {
     prepare();
   }
 
-  std::string failure(const ResidualNorms& n, const std::string& why) const {
+  std::string failure(const ResidualNorms& n, const char* why) const {
     return fmt::format("statics: {}: {}", why, imbalance(system_, r_.get(), n));
   }
 

@@ -297,9 +297,9 @@ double System::dead_load() const {
   return steady(sum);
 }
 
-bool System::stiffen(const Kinematics& at, double most) {
+bool System::stiffen(const Kinematics& equilibrium) {
   bool again = false;
-  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen(at, most) || again;
+  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen(equilibrium) || again;
   return again;
 }
 

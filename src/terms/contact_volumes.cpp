@@ -19,7 +19,6 @@ ContactVolumes::ContactVolumes(const LocalMesh& mesh, std::shared_ptr<const Bodi
       throw std::invalid_argument("volume " + v.settings.name + " has no contact stiffness");
     boxes_.push_back(v.surface->bounds());
     committed_.push_back(v.settings.normal_stiffness);
-    early_.push_back(false);
   }
   poses_.resize(static_cast<size_t>(bodies_->size()) + 1);
   for (int b = 0; b < bodies_->size(); ++b) poses_[static_cast<size_t>(b) + 1] = bodies_->pose(b, 0.0);

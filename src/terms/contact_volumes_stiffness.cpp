@@ -2,7 +2,6 @@
 // docs/theory/contact.md, "Stiffness that follows the run".
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/contact_volumes.hpp"
@@ -61,7 +60,7 @@ void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPlace& p
   wanted[k] = std::max(wanted[k], want);
 }
 
-bool ContactVolumes::raise(std::vector<double>& wanted, bool early) {
+bool ContactVolumes::raise(std::vector<double>& wanted) {
   if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
     return false;
   MPI_Allreduce(MPI_IN_PLACE, wanted.data(), static_cast<int>(wanted.size()), MPI_DOUBLE, MPI_MAX, comm_);
@@ -71,33 +70,9 @@ bool ContactVolumes::raise(std::vector<double>& wanted, bool early) {
     const double to = std::min(wanted[k], v.most);
     if (!v.automatic || !(to > kWorthIt * v.settings.normal_stiffness)) continue;
     v.settings.normal_stiffness = to;
-    early_[k] = early;
     more = true;
   }
   return more;
-}
-
-bool ContactVolumes::settle(std::vector<double>& asked) {
-  if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
-    return false;
-  MPI_Allreduce(MPI_IN_PLACE, asked.data(), static_cast<int>(asked.size()), MPI_DOUBLE, MPI_MAX, comm_);
-  bool other = false;
-  for (size_t k = 0; k < asked.size(); ++k) {
-    double& now = volumes_[k].settings.normal_stiffness;
-    // As a raise from the equilibrium on the committed stiffness would have it.
-    const double to =
-        std::min(asked[k] > committed_[k] / kRaisedTo ? asked[k] : committed_[k], volumes_[k].most);
-    if (!std::exchange(early_[k], false) || (to < kWorthIt * now && now < kWorthIt * to)) continue;
-    now = to;
-    other = true;
-  }
-  return other;
-}
-
-double ContactVolumes::pressing(int volume, double depth, double radius) const {
-  const model::Volume& v = settings(volume);
-  const double allowed = v.allowed_penetration > 0 ? v.allowed_penetration : kAllowed * radius;
-  return v.normal_stiffness * depth / (kRaisedTo * allowed);
 }
 
 bool ContactVolumes::forget_raise() {

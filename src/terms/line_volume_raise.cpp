@@ -36,13 +36,13 @@ double LineVolumeContact::still_part(const Pair& pair, const Kinematics& at, dou
              : 0;
 }
 
-bool LineVolumeContact::stiffen(const Kinematics& state, double most) {
-  volumes_.pose_trial(state);
-  std::vector<double> wanted = volumes_.stiffnesses(), asked(wanted.size(), 0);
+bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
+  volumes_.pose_trial(equilibrium);
+  std::vector<double> wanted = volumes_.stiffnesses();
   for (Pair& pair : pairs_) {
     const bool touches = !pair.found.panels.empty() || pair.walls;
-    if (!volumes_.automatic(pair.volume) || (!touches && !(state.step > 0))) continue;
-    const AxisShape shape(ends(state, pair.element));
+    if (!volumes_.automatic(pair.volume) || (!touches && !(equilibrium.step > 0))) continue;
+    const AxisShape shape(ends(equilibrium, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
     PressedPlace at;
     at.radius = pair.radius, at.mass = settings(pair).mass_per_length, at.held = is_held(pair);
@@ -54,48 +54,20 @@ bool LineVolumeContact::stiffen(const Kinematics& state, double most) {
       for (const ContactPlace& there : finder_.find(pair, shape, pose).places) {
         if (!pair.sees(there.at)) continue;
         const double gap = there.at.distance - pair.radius;
-        const NormalLaw& law = pair.law(there.xi).normal;
-        const double elastic = normal_force(law, gap, 0).elastic;
-        force += there.weight * elastic;
-        double& by = asked[static_cast<size_t>(pair.volume)];
-        if (!at.held) by = std::max(by, volumes_.pressing(pair.volume, elastic / law.stiffness, pair.radius));
+        force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
         if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * there.at.normal;
       }
-      at.still = still_part(pair, state, force, at.depth, normal);
+      at.still = still_part(pair, equilibrium, force, at.depth, normal);
     }
-    volumes_.ask(pair.volume, pair.laws[0].normal, at, state.step, wanted);
+    volumes_.ask(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
   }
-  const std::vector<double> now = volumes_.stiffnesses();
-  for (size_t k = 0; k < wanted.size(); ++k) wanted[k] = std::min(wanted[k], most * now[k]);
-  const bool rests = !(state.step > 0) && !std::isfinite(most);
-  if (!volumes_.raise(wanted, std::isfinite(most)) && !(rests && volumes_.settle(asked))) return false;
+  if (!volumes_.raise(wanted)) return false;
   renew_laws();
   return true;
 }
 
 void LineVolumeContact::forget_stiffening() {
   if (volumes_.forget_raise()) renew_laws();
-}
-
-// What was no deeper before: a line that starts inside is on its way out.
-std::string LineVolumeContact::gets_too_deep(const Kinematics& trial) const {
-  if (finder_.by_gap()) return {};
-  const auto deepest = [this](Pair pair, const AxisShape& shape, const RigidPose& pose) {
-    double depth = 0;
-    for (const ContactPlace& there : finder_.find(pair, shape, pose).places)
-      if (pair.sees(there.at)) depth = std::max(depth, pair.radius - there.at.distance);
-    return depth;
-  };
-  for (const Pair& pair : pairs_) {
-    const double most = volumes_.deepest(pair.volume, pair.radius);
-    if (pair.slot > 0 || is_held(pair) || !std::isfinite(most)) continue;
-    const double depth =
-        deepest(pair, AxisShape(ends(trial, pair.element)), volumes_.pose_of(pair.volume, trial));
-    if (!(depth > most) || deepest(pair, pair.start.shape, pair.start.pose) > most) continue;
-    const int node = mesh_.global[static_cast<size_t>(local(pair).first)];
-    return volumes_.too_soft(pair.volume, mesh_.mesh->place(node), depth, pair.radius, trial.time);
-  }
-  return {};
 }
 
 std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) const {

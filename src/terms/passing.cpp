@@ -43,8 +43,8 @@ AxisPoints part_of(const LineVolumePair& pair, const AxisShape& shape, const Rig
 }  // namespace
 
 Verdict LineVolumeContact::judge(const Kinematics& trial) const {
-  // In statics what is deep may have started there, and is on its way out.
-  if (std::string why = trial.step > 0 ? deeper_than_allowed(trial) : gets_too_deep(trial); !why.empty())
+  if (!(trial.step > 0)) return {};
+  if (std::string why = deeper_than_allowed(trial); !why.empty())
     return {Verdict::Kind::shorter, std::move(why)};
   if (tunnels(trial)) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
   return {};
@@ -57,25 +57,12 @@ bool LineVolumeContact::tunnels(const Kinematics& trial) const {
   return std::any_of(groups_.begin(), groups_.end(), [&](const Group& g) {
     const Pair& pair = pairs_[g.first];
     const double radius = pair.radius;
-    // A plane has no other side.
-    if (dynamic_cast<const PlaneSurface*>(&volumes_.surface(g.volume))) return false;
     if (volumes_.still(g.volume) && way(trial, g) < std::max(g.room, radius)) return false;
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose pose = volumes_.pose_of(g.volume, trial);
     const DistanceField field = distance_to(volumes_.surface(g.volume));
-    // In statics, where steps are long, what touches may come out on another side too; what starts inside may
-    // come out where it likes.
-    const bool rests = !(trial.step > 0);
-    const auto inside = [&](const AxisPoints& from) {
-      Vec3 normal;
-      return std::any_of(from.begin(), from.end(), [&](const Vec3& x) {
-        const auto distance = field(x, radius, normal);
-        return distance && *distance < 0;
-      });
-    };
     const auto passes = [&](const AxisPoints& from, const AxisPoints& to, double free) {
-      return way_of(from, to) > std::max(free, radius) && !(rests && inside(from)) &&
-             goes_through(field, from, to, radius, rests);
+      return way_of(from, to) > std::max(free, radius) && goes_through(field, from, to, radius);
     };
     if (!finder_.at_nodes())
       return passes(part_of(pair, pair.start.shape, pair.start.pose), part_of(pair, shape, pose),

@@ -34,10 +34,10 @@ std::string points(double radius) {
   return text;
 }
 
-// Over a bar or a torus, strained by 1 % or so: both ends held, and the sling so short; or one end loaded.
+// Over a bar or a torus, strained by about 1 %: both ends held, and the sling so short; or one end loaded.
 std::string sling(const std::string& shape, double tension, bool loaded, const std::string& stiffness,
-                  bool beam = false, double strain = 0.01) {
-  const double EA = 1 / strain * (loaded ? std::max(tension, 10 * kWeight) : tension),
+                  bool beam = false) {
+  const double EA = 100 * (loaded ? std::max(tension, 10 * kWeight) : tension),
                length = M_PI * kRho + 2 * kLeg;
   const std::string end =
       loaded ? fmt::format("free\n    loads: [{{at: end_b, force: [0, 0, -{:.9g}]}}]", tension)
@@ -144,25 +144,6 @@ INSTANTIATE_TEST_SUITE_P(Shapes, Sling,
 INSTANTIATE_TEST_SUITE_P(Stretched, Sling,
                          ::testing::Combine(::testing::Values(kCylinder, kTorus), ::testing::Values(false),
                                             ::testing::Values(1e3, 1e4, 1e5, 1e6)));
-
-// Loads that stretch a line by much would draw it through a bar on which its stiffness by weight is far too
-// soft: no step of statics passes through, and contact gets stiffer on the way.
-TEST(Slings, StayOnTheBarHoweverTheyStretch) {
-  for (const bool beam : {false, true})
-    for (const char* method : {"", "contact: {method: nodes}\n", "statics: {contact_friction: true}\n"})
-      for (const double strain : {0.03, 0.06, 0.1}) {
-        const auto s = simulation("stretched", sling(kCylinder, 1e5, true, "", beam, strain) + method);
-        s->solve_statics();
-        Held out;
-        look(*s, s->state().view(0), out);
-        double top = -HUGE_VAL;
-        for (int n = 0; n < s->local().owned; ++n)
-          top = std::max(top, s->state().x[static_cast<size_t>(n)].z());
-        EXPECT_NEAR(most(top), kRho, 0.15 * kLine) << beam << method << strain;
-        EXPECT_NEAR(out.tension, 1e5, 1e3) << beam << method << strain;
-        EXPECT_LT(out.ratio, 1.01) << beam << method << strain;
-      }
-}
 
 // Of beams as of cables; contact at the nodes does the same.
 TEST(Slings, OfBeamsAndAtNodes) {

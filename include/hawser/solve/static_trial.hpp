@@ -3,7 +3,6 @@
 // step, so rotations of any size are met by small increments.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "hawser/solve/linear_solver.hpp"
@@ -27,13 +26,9 @@ class StaticTrial {
   double limit() const;
   // trial = state moved by `factor` times local_.
   void step(double factor);
-  // Whether no line goes through another or through a volume on the straight way from the state to the trial,
-  // nor deeper into one than its law is for; else blocked_ says what does. Where the candidates were not
-  // chosen for that way they are chosen anew.
+  // Whether no line goes through another on the straight way from the state to the trial. Where the
+  // candidates were not chosen for that way they are chosen anew.
   bool clear();
-  // Where automatic contact was too soft to keep the state from such a way: true if it is stiffer now, and
-  // forces are to be asked for again.
-  bool stiffen();
   // Push off a saddle: a fixed, rank-independent displacement field without symmetry, larger with `attempt`
   // (1, 2, ...); less of it where lines would pass through each other.
   void leave(int attempt);
@@ -46,7 +41,6 @@ class StaticTrial {
   bool near(const ResidualNorms& n) const;
 
   void push(int attempt, double share, State& s) const;
-  bool passes(const Verdict& verdict);
 
   System& system_;
   State& state_;
@@ -56,7 +50,6 @@ class StaticTrial {
   KspHandle ksp_;
   std::vector<double> local_, zero_;  // 3 * local blocks: an increment; nothing
   double length_ = 0;                 // m, of the longest element
-  std::string blocked_;               // what was in the way of the last trial that was not clear, in words
 };
 
 }  // namespace hawser

@@ -46,9 +46,8 @@ class LimitsSteps {
 class RaisesStiffness {
  public:
   virtual ~RaisesStiffness() = default;
-  // Raises it where a state asks for it and says so (solve again): an equilibrium, or one on the way to it
-  // from which forces cannot be told, with `most`, the factor that it may be raised by. Collective.
-  virtual bool stiffen(const Kinematics& at, double most) = 0;
+  // From an equilibrium, raises it where that asks for it and says so (solve again). Collective.
+  virtual bool stiffen(const Kinematics& equilibrium) = 0;
   // Takes back what was raised since the last commit, before a step is tried (again).
   virtual void forget_stiffening() = 0;
 };

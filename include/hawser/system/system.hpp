@@ -3,7 +3,6 @@
 
 #include <petscmat.h>
 
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -102,8 +101,7 @@ class System {
   // Whether a converged step resolved the impacts in it, also those that its start, when longest_step() was
   // asked, did not show.
   bool resolves_impacts(const Kinematics& trial);
-  // See RaisesStiffness; true on all ranks: solve again.
-  bool stiffen(const Kinematics& at, double most = std::numeric_limits<double>::infinity());
+  bool stiffen(const Kinematics& equilibrium);  // true on all ranks: solve again
   void forget_stiffening();
 
   void prepare(const Kinematics& committed, double h);

@@ -96,12 +96,8 @@ class ContactVolumes {
   void ask(int volume, const NormalLaw& law, const PressedPlace& p, double step,
            std::vector<double>& wanted) const;
   // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
-  // where a volume is automatic. early: on the way to an equilibrium.
-  bool raise(std::vector<double>& wanted, bool early);
-  // The stiffness that a force which presses in by that depth [m] asks for; takes what was raised early to
-  // what a raise from the committed one would have come to. As raise().
-  double pressing(int volume, double depth, double radius) const;
-  bool settle(std::vector<double>& asked);
+  // where a volume is automatic.
+  bool raise(std::vector<double>& wanted);
   // Trial stiffness is that of the last accepted state, or becomes it; whether that changed anything.
   bool forget_raise();
   void keep_raise() { committed_ = stiffnesses(); }
@@ -121,7 +117,6 @@ class ContactVolumes {
   std::shared_ptr<const Bodies> bodies_;
   std::vector<ContactVolume> volumes_;  // with the stiffness of the trial
   std::vector<double> committed_;       // stiffness
-  std::vector<char> early_;             // raised on the way to an equilibrium
   std::vector<Box> boxes_;
   std::vector<LeftOut> left_out_;  // sorted by line and volume
   std::vector<RigidPose> poses_, start_poses_;

@@ -37,7 +37,7 @@ class LineVolumeContact final : public ForceTerm,
   Verdict judge(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
-  bool stiffen(const Kinematics& state, double most) override;
+  bool stiffen(const Kinematics& equilibrium) override;
   void forget_stiffening() override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
@@ -79,9 +79,6 @@ class LineVolumeContact final : public ForceTerm,
   };
   // Ends of a panel that move with the unknowns.
   struct Moving;
-  // That a place of a line gets deeper into a volume in a trial of statics than its law is for, in words;
-  // empty: none.
-  std::string gets_too_deep(const Kinematics& trial) const;
   // What is asked of a trial, and its forces on the axis of an element.
   struct Forces {
     bool moves = false, tangent = false, convex = false;
