@@ -214,7 +214,8 @@ class Spoilt(Attack):
         whole = file.read_bytes()
         counter, row = struct.pack("<qq", 7, 13), struct.pack("<d", 0.1)
         self.assertEqual(whole.count(counter), 1)
-        outputs = [m.start() for m in re.finditer(re.escape(row), whole) if whole[m.start() - 8:m.start()] == bytes(8)]
+        first = struct.pack("<ddd", 0, 0.1, 0.2)  # times of the outputs
+        outputs = [m.start() + 8 for m in re.finditer(re.escape(first), whole)]
         self.assertEqual(len(outputs), 1)
 
         def spoil(at, piece, *parts):
