@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "hawser/app/output_times.hpp"
-#include "hawser/base/error.hpp"
 
 namespace hawser::app {
 namespace {
@@ -40,8 +39,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
     trial.longest = step.fixed > 0 ? step.fixed / kAutomatic : step.longest;
   }
   try {
-    double first =
-        0;  // CPU s, when its first iteration was over: what that makes for all others does not count
+    double first = 0;  // CPU s, at the end of the first iteration, which also sets up what all others use
     if (c.statics.enabled)
       sim.solve_statics([&](const StaticsReport& now) {
         if (now.iterations <= 1) first = cpu_time();

@@ -285,12 +285,12 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   fmt::print("partition: {} rank{}, {} nodes{}, {} cut elements\n", ranks, ranks > 1 ? "s" : "",
              ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
              ranks > 8 ? " each" : "", cut_elements(mesh, owner));
+  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
   fmt::print("{}", starts_well
                        ? "the case is valid\n"
                        : "the case is valid if statics moves its lines out of the volumes they start in; "
                          "the run stops if not\n");
   std::fflush(stdout);
-  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
   if (!trial) return 0;
   fmt::print("{}\n", cost_sentence(trial_run(sim, c, kTrial)));
   fmt::print("{}\n", memory_sentence(read, peak_memory()));

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
@@ -392,26 +393,16 @@ void Recorder::output(double time, const Kinematics& at) {
 
 std::vector<io::SummaryRow> Recorder::summary() const {
   std::vector<io::SummaryRow> rows;
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
   for (size_t l = 0; l < extremes_.size(); ++l)
     for (const Wanted& w : kExtremes) {
       const auto it = extremes_[l].find(w.quantity);
-      const bool have = it != extremes_[l].end() && it->second.set;
-      // The rank with the extreme tells the others; equal values go to the lowest rank.
-      struct {
-        double value;
-        int rank;
-      } best{have ? (w.largest ? it->second.value : -it->second.value) : -HUGE_VAL, rank};
-      MPI_Allreduce(MPI_IN_PLACE, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
-      if (best.value == -HUGE_VAL) continue;
-      double x[3] = {0, 0, 0};
-      if (rank == best.rank) x[0] = it->second.value, x[1] = it->second.time, x[2] = it->second.arc;
-      MPI_Bcast(x, 3, MPI_DOUBLE, best.rank, comm_);
+      Extreme x = it != extremes_[l].end() ? it->second : Extreme{};
+      const double largest_by = !x.set ? -HUGE_VAL : w.largest ? x.value : -x.value;
+      if (!tell_of_largest(comm_, largest_by, -HUGE_VAL, x)) continue;
       std::string unit;
       for (const auto& f : fields_)
         if (f.name == w.fields[0]) unit = f.unit;
-      rows.push_back({w.quantity, sim_.model().lines[l].name, x[0], unit, x[1], x[2]});
+      rows.push_back({w.quantity, sim_.model().lines[l].name, x.value, unit, x.time, x.arc});
     }
   return rows;
 }

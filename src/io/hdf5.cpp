@@ -51,15 +51,6 @@ Id creation_list() {
   return list;
 }
 
-Id serial_access() {
-  Id list = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "HDF5 property list");
-  check(H5Pset_file_locking(list, false, true), "HDF5 property list");
-  // Superblocks of 1.10 carry an "open for writing" mark that a killed run would leave behind.
-  check(H5Pset_libver_bounds(list, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "HDF5 property list");
-  check(H5Pset_alignment(list, 16, 64), "HDF5 property list");
-  return list;
-}
-
 }  // namespace
 
 void check(herr_t status, const std::string& what) {
@@ -72,6 +63,15 @@ Id own(hid_t id, herr_t (*close)(hid_t), const std::string& what) {
 }
 
 void quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+Id serial_access() {
+  Id list = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "HDF5 property list");
+  check(H5Pset_file_locking(list, false, true), "HDF5 property list");
+  // Superblocks of 1.10 carry an "open for writing" mark that a killed run would leave behind.
+  check(H5Pset_libver_bounds(list, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "HDF5 property list");
+  check(H5Pset_alignment(list, 16, 64), "HDF5 property list");
+  return list;
+}
 
 Id open_read(const std::string& path) {
   quiet();

@@ -197,7 +197,7 @@ struct ResultsFile::Impl {
     return {n[0], n[1]};
   }
   // Of the outputs from `row` on; what is open only after the last one.
-  ClashRoom write_clashes(long long row, const std::vector<ClashTables>& tables, const ClashRoom& rows) {
+  void write_clashes(long long row, const std::vector<ClashTables>& tables, const ClashRoom& rows) {
     const h5::Id type = clash_type();
     std::vector<ClashRow> all;
     std::vector<long long> counts;
@@ -213,7 +213,6 @@ struct ResultsFile::Impl {
     if (rows.ended) file.write_runs(kClashesEnded, type, -1, ended, all.data());
     if (rows.open) file.write_runs(kClashesOpen, type, (row + n - 1) % 2, open, tables.back().open.data());
     file.write_rows(kClashCounts, H5T_NATIVE_LLONG, row, n, root(), counts.data());
-    return rows;
   }
 
   void wait(std::span<const BodyPose> poses) {
@@ -237,7 +236,9 @@ struct ResultsFile::Impl {
   // Outputs that wait, and the series so far, to the file.
   void write_waiting() {
     while (!waiting.times.empty()) {
-      // Open clashes of one row in two take turns: those of the last row must not meet those that count.
+      // The table of open clashes exists twice, for outputs of even and of odd number. What is written goes
+      // to the one that the last output in the file does not use, so that a kill leaves that output whole:
+      // outputs are written in odd numbers.
       const size_t all = waiting.times.size();
       write(waiting.take(contents.clashes && all % 2 == 0 ? all - 1 : all));
     }

@@ -32,8 +32,7 @@ SharedFile::SharedFile(MPI_Comm comm, std::string path) : comm_(comm), path_(std
 void SharedFile::open(const std::vector<std::string>& datasets) {
   attempt([&] {
     h5::quiet();
-    const h5::Id access = h5::own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "HDF5 property list");
-    h5::check(H5Pset_libver_bounds(access, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "HDF5 property list");
+    const h5::Id access = h5::serial_access();
     transfer_ = h5::own(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "HDF5 property list");
     int size = 0;
     MPI_Comm_size(comm_, &size);
@@ -43,7 +42,6 @@ void SharedFile::open(const std::vector<std::string>& datasets) {
     } else {
       // What is written is with the system at once, as it is with MPI: a kill must not take it away.
       h5::check(H5Pset_sieve_buf_size(access, 0), "HDF5 property list");
-      h5::check(H5Pset_file_locking(access, false, true), "HDF5 property list");
     }
     file_ = h5::own(H5Fopen(path_.c_str(), H5F_ACC_RDWR, access), H5Fclose, "cannot open " + path_);
     for (const auto& name : datasets) open_[name] = h5::open_dataset(file_, name);

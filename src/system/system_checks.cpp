@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/system/system.hpp"
 
 namespace hawser {
@@ -15,14 +16,7 @@ std::string System::overstretched(const Kinematics& at) const {
   Overstretch worst;
   for (const CarriesTension* t : carry_tension_)
     if (const Overstretch o = t->overstretched(at); o.beyond > worst.beyond) worst = o;
-  struct {
-    double value;
-    int rank;
-  } most{worst.beyond, 0};
-  MPI_Comm_rank(comm_, &most.rank);
-  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
-  if (!(most.value > 0)) return {};
-  MPI_Bcast(&worst, sizeof worst, MPI_BYTE, most.rank, comm_);
+  if (!tell_of_largest(comm_, worst.beyond, 0, worst)) return {};
   return fmt::format(
       "{}, is {} by {:.3g} % by {:.3g} N on an EA of {:.3g} N, and {:g} % is more than any line of such an "
       "EA bears",

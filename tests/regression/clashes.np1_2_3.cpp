@@ -221,7 +221,8 @@ TEST_F(Heap, ThroughARestart) {
   if (!first()) return;
   const io::ClashTables whole = io::read_clashes(path + "/whole.h5"),
                         half = io::read_clashes(path + "/half.h5");
-  // The second part has another order of elimination, and a heap makes much of rounding.
+  // The second part begins with a new list of candidate pairs, and some steps are chosen by which pairs are
+  // on it.
   const double tolerance = 1e-2;
   expect_same(whole.ended, half.ended, tolerance);
   expect_same(whole.open, half.open, tolerance);

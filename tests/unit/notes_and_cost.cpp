@@ -44,9 +44,8 @@ contact: {between_lines: BETWEEN}
 dynamics: {duration: 100, step: 0.05}
 )";
 
-model::Case rod(int elements, const std::string& between = "false", const std::string& waves = "") {
+model::Case rod(int elements, const std::string& between = "false") {
   std::string text = kCase;
-  if (!waves.empty()) text += "environment: {water: {depth: 100}, waves: {" + waves + "}}\n";
   text.replace(text.find("ELEMENTS"), 8, std::to_string(elements));
   text.replace(text.find("BETWEEN"), 7, between);
   return io::read_case_text(text, "/nowhere/case.yaml");

@@ -15,7 +15,8 @@ struct TrialRun {
   double duration = 0, longest = 0;  // s, of the run and its longest step; duration 0: no dynamics
   std::string failure;               // why the run stops there, if it does
 };
-// Runs statics and dynamics until they have spent that many CPU s, a step of each at least. Collective.
+// Runs statics and dynamics until they have spent that many CPU s, a step of each at least. On one rank: each
+// looks at its own clock.
 TrialRun trial_run(Simulation& sim, const model::Case& c, double budget);
 
 // CPU s

@@ -9,15 +9,16 @@
 
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
+#include "hawser/terms/line_neighbours.hpp"
 
 namespace hawser::app {
 
-// At a node where the line turns by alpha between two elements, what presses on one of them across it
-// balances T (1 - cos alpha) of the tension along the other: by as much tension may be wrong without
-// friction.
+// A straight element that lies across an edge is pressed perpendicular to itself. At its node, where the line
+// turns by alpha, the tensions T of the two elements are then in equilibrium although they differ by up to
+// T (1 - cos alpha); without friction they should be equal.
 class SharpTurns {
  public:
-  explicit SharpTurns(const LocalMesh& mesh);
+  explicit SharpTurns(const LocalMesh& mesh) : mesh_(mesh), line_(mesh), worst_(mesh.mesh->lines.size()) {}
   // By owned node: effective tension and normal force of volumes, N.
   void look(const Kinematics& at, std::span<const double> tension, std::span<const double> normal_force);
   // That the worst turn of a line may cost more than a tenth of its largest tension [N], in words; empty: it
@@ -29,8 +30,8 @@ class SharpTurns {
     double error = 0, turn = 0, arc = 0, time = 0;  // N, rad, m, s
   };
   const LocalMesh& mesh_;
-  std::vector<int> before_, after_;  // local nodes, by owned node; -1: none
-  std::vector<Worst> worst_;         // by line
+  LineNeighbours line_;
+  std::vector<Worst> worst_;  // by line
 };
 
 }  // namespace hawser::app

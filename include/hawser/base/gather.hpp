@@ -24,6 +24,21 @@ inline std::string first_text(MPI_Comm comm, std::string mine) {
   return mine;
 }
 
+// Of the rank with the largest value (the first of equal ones), told to all if that is above `least`; whether
+// it is. T: plain data. Collective.
+template <class T>
+bool tell_of_largest(MPI_Comm comm, double value, double least, T& of) {
+  struct {
+    double value;
+    int rank;
+  } largest{value, 0};
+  MPI_Comm_rank(comm, &largest.rank);
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
+  if (!(largest.value > least)) return false;
+  MPI_Bcast(&of, sizeof of, MPI_BYTE, largest.rank, comm);
+  return true;
+}
+
 class GatherPlan {
  public:
   // mine: how many values this rank brings. Collective.

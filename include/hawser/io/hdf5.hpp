@@ -39,6 +39,7 @@ Id own(hid_t id, herr_t (*close)(hid_t), const std::string& what);
 void quiet();
 
 // Serial access. Readers never lock, so a file can be looked at while a run writes it.
+Id serial_access();
 Id open_read(const std::string& path);
 Id create(const std::string& path);
 Id group(hid_t file, const std::string& name);

@@ -1,6 +1,7 @@
 // Which way a line runs at its nodes.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "hawser/mesh/local_mesh.hpp"
@@ -26,6 +27,15 @@ class LineNeighbours {
     const Vec3 chord = at.x[static_cast<size_t>(after_[n])] - at.x[static_cast<size_t>(before_[n])];
     const double length = chord.norm();
     return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
+  }
+
+  // Angle by which the line turns from the element before an owned node to the one after it, rad; 0 at an
+  // end.
+  double turn(const Kinematics& at, int node) const {
+    const size_t n = static_cast<size_t>(node);
+    const Vec3 in = at.x[n] - at.x[static_cast<size_t>(before_[n])],
+               out = at.x[static_cast<size_t>(after_[n])] - at.x[n];
+    return std::atan2(in.cross(out).norm(), in.dot(out));
   }
 
  private:
