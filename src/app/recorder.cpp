@@ -192,7 +192,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   const double every = c.output.every > 0 ? c.output.every : std::max(c.dynamics.duration / 100, 1e-9);
   contents.expected_outputs = c.dynamics.enabled ? static_cast<int>(c.dynamics.duration / every) + 3 : 2;
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
-  extremes_.resize(mesh.lines.size());
+  extremes_.assign(std::size(kExtremes), std::vector<Extreme>(mesh.lines.size()));
   if (from) restore(*from);
   if (clashes_ && !append) clashes_->begin_file();
   file_ = std::make_unique<io::ResultsFile>(
@@ -317,14 +317,15 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   if (clashes_) clashes_->step(info.time);
 
   const LocalMesh& local = sim_.local();
-  for (const Wanted& w : kExtremes) {
+  for (size_t q = 0; q < std::size(kExtremes); ++q) {
+    const Wanted& w = kExtremes[q];
     for (size_t f = 2; f < fields_.size(); ++f) {
       if (std::find(w.fields.begin(), w.fields.end(), fields_[f].name) == w.fields.end()) continue;
       const auto& v = values_[f];
       for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
         const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
         if (node.body >= 0) break;
-        Extreme& x = extremes_[static_cast<size_t>(node.line)][w.quantity];
+        Extreme& x = extremes_[q][static_cast<size_t>(node.line)];
         if (!x.set || (w.largest ? v[n] > x.value : v[n] < x.value)) x = {v[n], info.time, node.arc, true};
       }
     }
@@ -393,10 +394,10 @@ void Recorder::output(double time, const Kinematics& at) {
 
 std::vector<io::SummaryRow> Recorder::summary() const {
   std::vector<io::SummaryRow> rows;
-  for (size_t l = 0; l < extremes_.size(); ++l)
-    for (const Wanted& w : kExtremes) {
-      const auto it = extremes_[l].find(w.quantity);
-      Extreme x = it != extremes_[l].end() ? it->second : Extreme{};
+  for (size_t l = 0; l < sim_.model().lines.size(); ++l)
+    for (size_t q = 0; q < std::size(kExtremes); ++q) {
+      const Wanted& w = kExtremes[q];
+      Extreme x = extremes_[q][l];
       const double largest_by = !x.set ? -HUGE_VAL : w.largest ? x.value : -x.value;
       if (!tell_of_largest(comm_, largest_by, -HUGE_VAL, x)) continue;
       std::string unit;
@@ -473,11 +474,11 @@ void Recorder::restore(const io::Checkpoint& from) {
     s->node = static_cast<int>(get(std::string(name) + "node"));
     s->touch = static_cast<Audit::Step::Touch>(static_cast<int>(get(std::string(name) + "touch")));
   }
-  for (size_t l = 0; l < extremes_.size(); ++l)
-    for (const Wanted& w : kExtremes) {
+  for (size_t l = 0; l < sim_.model().lines.size(); ++l)
+    for (size_t q = 0; q < std::size(kExtremes); ++q) {
+      const Wanted& w = kExtremes[q];
       const std::string key = "extreme." + sim_.model().lines[l].name + "." + w.quantity;
-      if (scalars.count(key))
-        extremes_[l][w.quantity] = {get(key), get(key + ".time"), get(key + ".arc"), true};
+      if (scalars.count(key)) extremes_[q][l] = {get(key), get(key + ".time"), get(key + ".arc"), true};
     }
 }
 

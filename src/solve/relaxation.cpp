@@ -52,8 +52,8 @@ class Relaxation : StaticTrial {
       if (mass_ == 0) mass_ = least = first_mass(report.norms);
       if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least ||
           !std::isfinite(report.norms.relative()) || creeps(report))
-        throw SolveError(fmt::format("statics: no rest after {} steps of dynamic relaxation: {}",
-                                     report.steps, imbalance(system_, r_.get(), report.norms)));
+        give_up(fmt::format("statics: no rest after {} steps of dynamic relaxation: {}", report.steps,
+                            imbalance(system_, r_.get(), report.norms)));
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {

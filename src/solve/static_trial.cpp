@@ -76,6 +76,7 @@ double StaticTrial::limit() const {
 }
 
 void StaticTrial::step(double factor) {
+  in_the_way_.clear();
   std::vector<double> u(local_);
   for (double& x : u) x *= factor;
   retract(system_.mesh(), state_, u.data(), trial_);
@@ -84,6 +85,7 @@ void StaticTrial::step(double factor) {
 
 bool StaticTrial::clear() {
   const Verdict verdict = system_.judge(trial_.view(0));
+  in_the_way_ = verdict.because;
   if (verdict.kind != Verdict::Kind::prepare_anew) return verdict.accepted();
   const LocalMesh& m = system_.mesh();
   // So that the way foreseen ends at the trial.
@@ -101,7 +103,15 @@ bool StaticTrial::clear() {
     system_.gather(u_.get(), local_);
   }
   system_.prepare(state_.view(0), 0);
-  return system_.judge(trial_.view(0)).accepted();
+  const Verdict again = system_.judge(trial_.view(0));
+  in_the_way_ = again.because;
+  return again.accepted();
+}
+
+void StaticTrial::give_up(const std::string& why) {
+  if (in_the_way_.empty()) throw SolveError(why);
+  if (system_.stiffen_in_the_way(trial_.view(0))) throw StiffenedOnTheWay();
+  throw InTheWay("statics: " + in_the_way_);
 }
 
 void StaticTrial::leave(int attempt) {

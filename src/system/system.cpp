@@ -303,6 +303,12 @@ bool System::stiffen(const Kinematics& equilibrium) {
   return again;
 }
 
+bool System::stiffen_in_the_way(const Kinematics& trial) {
+  bool again = false;
+  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen_in_the_way(trial) || again;
+  return again;
+}
+
 void System::forget_stiffening() {
   for (RaisesStiffness* t : raise_stiffness_) t->forget_stiffening();
 }

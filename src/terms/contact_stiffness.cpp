@@ -22,6 +22,14 @@ std::string number(double v) {
   return text;
 }
 
+// The key with its value, made so many times as large.
+std::string stiffness_for(const model::Volume& v, double factor) {
+  const char* key = v.basis == model::StiffnessBasis::per_point    ? "per_point"
+                    : v.basis == model::StiffnessBasis::per_length ? "per_length"
+                                                                   : "per_area";
+  return std::string("{") + key + ": " + number(factor * v.normal_stiffness) + "}";
+}
+
 }  // namespace
 
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
@@ -67,12 +75,19 @@ std::string too_soft_for_line(const std::string& place, const model::Volume& v, 
            "contact";
   if (table)
     return text + ": give the table rows up to the forces that are met, or leave the stiffness to 'auto'";
-  const std::string key = v.basis == model::StiffnessBasis::per_point    ? "per_point"
-                          : v.basis == model::StiffnessBasis::per_length ? "per_length"
-                                                                         : "per_area";
-  return text + ": its normal_stiffness is too small for what presses; {" + key + ": " +
-         number(v.normal_stiffness * depth / (kHeldOut * radius)) +
-         "} would hold it to about 5 % of the radius, " + "'auto' finds that by itself";
+  return text + ": its normal_stiffness is too small for what presses; " +
+         stiffness_for(v, depth / (kHeldOut * radius)) +
+         " would hold it to about 5 % of the radius, 'auto' finds that by itself";
+}
+
+std::string drawn_through_volume(const std::string& place, const model::Volume& v, bool automatic) {
+  const std::string text = place + ", would be drawn through volume " + v.name;
+  if (automatic)
+    return text +
+           ", however stiff contact is made; say where it lies with 'start: {points: [[x, y, z], ...]}', "
+           "or see whether its load or length is in another unit";
+  return text + ": its normal_stiffness is too small for what presses; " + stiffness_for(v, 1 / kHeldOut) +
+         " or more would hold it to about 5 % of the radius, 'auto' finds that by itself";
 }
 
 double crossing_force(double EA, double weight_of_line) { return std::max(kDrawn * EA, weight_of_line); }

@@ -84,17 +84,24 @@ bool ContactVolumes::forget_raise() {
   return changed;
 }
 
+bool ContactVolumes::has_back(int volume) const {
+  return !dynamic_cast<const PlaneSurface*>(&surface(volume));
+}
+
 double ContactVolumes::deepest(int volume, double radius) const {
   const ContactVolume& c = volumes_[static_cast<size_t>(volume)];
   const model::Volume& v = c.settings;
-  // A plane has no other side that a line could come to: a soft floor is a floor.
-  if (!c.automatic && dynamic_cast<const PlaneSurface*>(c.surface.get())) return HUGE_VAL;
+  if (!c.automatic && !has_back(volume)) return HUGE_VAL;
   return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;
 }
 
 std::string ContactVolumes::too_soft(int volume, const std::string& place, double depth, double radius,
                                      double time) const {
   return too_soft_for_line(place, settings(volume), automatic(volume), depth, radius, time);
+}
+
+std::string ContactVolumes::drawn_through(int volume, const std::string& place) const {
+  return drawn_through_volume(place, settings(volume), automatic(volume));
 }
 
 }  // namespace hawser

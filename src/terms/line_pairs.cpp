@@ -53,7 +53,8 @@ void LinePairs::update_ghosts() {
 }
 
 void LinePairs::prepare(const Kinematics& committed, double) {
-  const size_t n = candidates_.segments().size();
+  // Where nothing can touch nothing is asked of an element.
+  const size_t n = pairs_.empty() ? 0 : candidates_.segments().size();
   start_.resize(n);
   for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
   rods_ = rods(committed);

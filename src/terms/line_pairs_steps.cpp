@@ -46,7 +46,9 @@ Verdict LinePairs::judge(const Kinematics& trial) const {
     const double gap = nearest(p, start_[static_cast<size_t>(p.a)], start_[static_cast<size_t>(p.b)]).gap;
     if (!through || gap < least) through = &p, least = gap;
   }
-  if (through) return {Verdict::Kind::shorter, too_soft(*through)};
+  if (through)
+    return {Verdict::Kind::shorter,
+            trial.step > 0 ? too_soft(*through) : where(*through) + " would pass through each other"};
   return {};
 }
 

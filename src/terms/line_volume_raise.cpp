@@ -66,6 +66,20 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
   return true;
 }
 
+bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
+  constexpr double kStiffer = 4;
+  std::vector<double> wanted = volumes_.stiffnesses();
+  for (const Group& g : groups()) {
+    double& there = wanted[static_cast<size_t>(g.volume)];
+    const double stiffer = kStiffer * volumes_.settings(g.volume).normal_stiffness;
+    if (there < stiffer && volumes_.automatic(g.volume) && (is_drawn_in(trial, g) || tunnels(trial, g)))
+      there = stiffer;
+  }
+  if (!volumes_.raise(wanted)) return false;
+  renew_laws();
+  return true;
+}
+
 void LineVolumeContact::forget_stiffening() {
   if (volumes_.forget_raise()) renew_laws();
 }

@@ -5,10 +5,11 @@
 
 namespace hawser {
 
-void LineVolumeContact::group_pairs() {
+std::vector<LineVolumeContact::Group> LineVolumeContact::groups() const {
+  std::vector<Group> groups;
   for (size_t i = 0, next = 0; i < pairs_.size(); i = next) {
     for (next = i + 1; next < pairs_.size() && pairs_[next].slot > 0;) ++next;
-    Group& g = groups_.emplace_back();
+    Group& g = groups.emplace_back();
     g.first = i, g.end = next;
     g.volume = pairs_[i].volume;
     g.nodes[0] = local(pairs_[i]).first, g.nodes[1] = local(pairs_[i]).second;
@@ -16,6 +17,7 @@ void LineVolumeContact::group_pairs() {
     if (element(pairs_[i]).beam) g.turn = 2.0 / 3 * pairs_[i].length;
     g.room = LineVolumeFinder::room_at_start(pairs_[i]);
   }
+  return groups;
 }
 
 // m, that points of the axis may have got by since the start of the step with one of its nodes.
@@ -31,7 +33,7 @@ double LineVolumeContact::way(const Kinematics& trial, const Group& g) const {
 
 void LineVolumeContact::look(const Kinematics& trial) {
   near_.clear();
-  if (groups_.empty()) group_pairs();
+  if (groups_.empty()) groups_ = groups();
   bool open = false;
   for (Group& g : groups_) {
     if (volumes_.still(g.volume) && way(trial, g) < g.room) continue;

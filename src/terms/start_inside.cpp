@@ -6,32 +6,12 @@
 #include <cmath>
 #include <tuple>
 
-#include "hawser/kernels/axis_shape.hpp"
-#include "hawser/kernels/line_contact.hpp"
 #include "hawser/mesh/arc.hpp"
+#include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/element_axis.hpp"
 
 namespace hawser {
 namespace {
-
-// The distance of the axis itself, whatever the line's radius.
-class AxisDistance final : public AxisGapFunction {
- public:
-  AxisDistance(const Surface& surface, const RigidPose& pose, const AxisShape& shape)
-      : surface_(surface), pose_(pose), shape_(shape) {}
-  AxisGap at(double xi, double within) override {
-    const auto p = surface_.query(pose_.to_body(shape_.point(xi)), within, hint_);
-    if (!p) return {within, 0};
-    hint_ = p->triangle;
-    return {p->distance, (pose_.rotation * p->normal).dot(shape_.slope(xi))};
-  }
-
- private:
-  const Surface& surface_;
-  const RigidPose& pose_;
-  const AxisShape& shape_;
-  int hint_ = -1;
-};
 
 RigidPose pose_of(const Bodies& bodies, const ContactVolume& v, const Kinematics& at) {
   return v.body < 0 ? RigidPose{} : bodies.pose(v.body, at);

@@ -1,5 +1,6 @@
-// A pipe of 60 m (12 in) is thrown at 1.5 m/s on a point support under its middle: the reaction does not
-// depend on the step, and contact makes no energy. Contact along the line, a thin bar across as the support.
+// A pipe of 60 m (12 in) is thrown at 1.5 m/s on a point support under its middle and leaps off again: the
+// reaction does not depend on the step, and contact makes no energy. Contact along the line, a thin bar
+// across as the support.
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::line_contact_throw_test {
@@ -54,6 +55,7 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
     return e.kinetic + e.strain + e.potential;
   };
   const double before = total(), kinetic = s.system().energy(d.kinematics()).kinetic;
+  EXPECT_NEAR(s.state().x[elements / 2].z(), sag, 1e-6) << "it does not hang over the support";
   Thrown out;
   double last = 0;
   d.run(
@@ -83,9 +85,7 @@ void tell(double stiffness, const std::string& what, const Thrown& t) {
       t.steps, t.iterations / t.steps);
 }
 
-// Fixed steps are divided where something strikes and for a while after; without that those of a third of a
-// period are 5 % off on the stiffer bar: not where the force rises, but by the pipe's own bending waves, late
-// by the square of the step after a third of a second.
+// Fixed steps are divided where something strikes and for a while after.
 TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
   for (const double stiffness : {1e7, 1e8}) {
     const double period = 2 * M_PI * std::sqrt(kMass / stiffness);  // 26.7, 8.4 ms
@@ -93,9 +93,10 @@ TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
     tell(stiffness, "T/48", fine);
     const auto expect = [&](const std::string& name, const Thrown& t) {
       tell(stiffness, name, t);
-      EXPECT_NEAR(t.most, fine.most, 0.03 * fine.most) << name;
-      EXPECT_LT(t.made, 3e-4) << name;
-      EXPECT_LT(std::abs(t.audit), 5e-3) << name;
+      EXPECT_NEAR(t.most, fine.most, 0.01 * fine.most) << name;
+      EXPECT_LT(t.made, 1e-3) << name;
+      // Twenty periods after the blow steps grow, and damp the bending waves it has left in the pipe.
+      EXPECT_LT(std::abs(t.audit), 3e-2) << name;
     };
     for (const double part : {3.0, 4.0, 6.0, 12.0}) {
       const std::string name = "T/" + std::to_string(static_cast<int>(part));

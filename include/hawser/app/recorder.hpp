@@ -2,7 +2,6 @@
 // extremes over the run.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -80,7 +79,7 @@ class Recorder {
     int end = -1;    // when it is one that this rank has: its place in ends_
   };
   std::vector<Point> points_;
-  std::vector<std::map<std::string, Extreme>> extremes_;  // by line, of this rank's nodes
+  std::vector<std::vector<Extreme>> extremes_;  // by quantity and line, of this rank's nodes
   SharpTurns turns_;
   Clearances clearances_;
   std::unique_ptr<ClashReport> clashes_;  // null: nothing can touch

@@ -3,13 +3,22 @@
 // step, so rotations of any size are met by small increments.
 #pragma once
 
+#include <string>
 #include <vector>
 
+#include "hawser/base/error.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/system.hpp"
 
 namespace hawser {
+
+// No step leads on past a line or a volume: the sentence says which.
+struct InTheWay : SolveError {
+  using SolveError::SolveError;
+};
+// Thrown, the same on all ranks, where contact is stiffer than the search began with: it begins again.
+struct StiffenedOnTheWay {};
 
 class StaticTrial {
  public:
@@ -26,9 +35,13 @@ class StaticTrial {
   double limit() const;
   // trial = state moved by `factor` times local_.
   void step(double factor);
-  // Whether no line goes through another on the straight way from the state to the trial. Where the
-  // candidates were not chosen for that way they are chosen anew.
+  // Whether no line goes through another or through a volume on the straight way from the state to the trial.
+  // Where the candidates were not chosen for that way they are chosen anew.
   bool clear();
+  // Throws what statics ends with where no step leads on: if something is in the way of the trial that
+  // clear() was asked about last, InTheWay, or StiffenedOnTheWay where automatic contact can be made stiffer;
+  // else SolveError with that sentence.
+  [[noreturn]] void give_up(const std::string& why);
   // Push off a saddle: a fixed, rank-independent displacement field without symmetry, larger with `attempt`
   // (1, 2, ...); less of it where lines would pass through each other.
   void leave(int attempt);
@@ -50,6 +63,7 @@ class StaticTrial {
   KspHandle ksp_;
   std::vector<double> local_, zero_;  // 3 * local blocks: an increment; nothing
   double length_ = 0;                 // m, of the longest element
+  std::string in_the_way_;            // of the trial, in words; empty: nothing
 };
 
 }  // namespace hawser

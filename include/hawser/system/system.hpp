@@ -101,7 +101,8 @@ class System {
   // Whether a converged step resolved the impacts in it, also those that its start, when longest_step() was
   // asked, did not show.
   bool resolves_impacts(const Kinematics& trial);
-  bool stiffen(const Kinematics& equilibrium);  // true on all ranks: solve again
+  bool stiffen(const Kinematics& equilibrium);       // true on all ranks: solve again
+  bool stiffen_in_the_way(const Kinematics& trial);  // in statics; true on all ranks: there is a way now
   void forget_stiffening();
 
   void prepare(const Kinematics& committed, double h);

@@ -102,10 +102,13 @@ class ContactVolumes {
   bool forget_raise();
   void keep_raise() { committed_ = stiffnesses(); }
   bool raised(int volume) const { return settings(volume).normal_stiffness != stiffness(volume); }
+  // Whether a line could come out on another side: not of a plane, a soft floor is a floor.
+  bool has_back(int volume) const;
   // m, how deep a volume's law is for: the radius, or what its table tells.
   double deepest(int volume, double radius) const;
   // That a place of a line is deeper than that, in words for the user.
   std::string too_soft(int volume, const std::string& place, double depth, double radius, double time) const;
+  std::string drawn_through(int volume, const std::string& place) const;
 
  private:
   const ContactVolume& at(int volume) const { return volumes_[static_cast<size_t>(volume)]; }

@@ -11,6 +11,7 @@
 #include "hawser/terms/contact_account.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/line_volume_finder.hpp"
+#include "hawser/terms/start_inside.hpp"
 #include "hawser/terms/touch.hpp"
 
 namespace hawser {
@@ -38,6 +39,7 @@ class LineVolumeContact final : public ForceTerm,
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
   bool stiffen(const Kinematics& equilibrium) override;
+  bool stiffen_in_the_way(const Kinematics& trial) override;
   void forget_stiffening() override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
@@ -51,6 +53,8 @@ class LineVolumeContact final : public ForceTerm,
   void enable_friction(bool on);
   // Before the first step, and the same on all ranks.
   void leave_out(std::vector<LeftOut> ends) { volumes_.leave_out(std::move(ends)); }
+  // Stretches that statics may bring out of a volume to any side.
+  void start_inside(std::vector<Inside> stretches) { started_inside_ = std::move(stretches); }
   int volumes() const { return volumes_.size(); }
   const std::string& volume_name(int volume) const { return volumes_.settings(volume).name; }
   // In the volume's basis; of an automatic one as far as it has been raised in accepted states, and so far it
@@ -121,7 +125,7 @@ class LineVolumeContact final : public ForceTerm,
   // Pairs of an element and a volume at the start of a step, with what is known of them.
   bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
   void add_pairs(Pair first, std::span<Pair> old, double motion);
-  void group_pairs();
+  std::vector<Group> groups() const;
   double way(const Kinematics& trial, const Group& g) const;
   void look(const Kinematics& trial);
   // Pairs for walls that are seen, which have none until then. lacks_pairs: of the pair number i.
@@ -145,7 +149,9 @@ class LineVolumeContact final : public ForceTerm,
   bool look_ahead_at_walls(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_touch(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
-  bool tunnels(const Kinematics& trial) const;
+  bool tunnels(const Kinematics& trial, const Group& g) const;
+  bool is_drawn_in(const Kinematics& trial, const Group& g) const;
+  bool started_inside(const Pair& pair) const;
   // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
   double still_part(const Pair& pair, const Kinematics& at, double force, double depth,
@@ -157,6 +163,7 @@ class LineVolumeContact final : public ForceTerm,
   std::vector<LineContactElement> elements_;
   std::vector<Pair> pairs_;               // sorted by element, volume and slot
   std::vector<ContactAccount> accounts_;  // of the elements
+  std::vector<Inside> started_inside_;
   bool friction_on_ = true;
   std::vector<Vec3> start_x_;  // m, of the nodes at the start of the step
   std::vector<Quat> start_q_;
