@@ -151,7 +151,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     system_->add(std::move(contact));
   }
 
-  if (contact_) contact_->leave_out(start_contact_.left_out), contact_->start_inside(start_contact_.inside);
+  if (contact_) contact_->leave_out(start_contact_.left_out);
 
   for (int v = 0; contact_ && v < contact_->volumes(); ++v) told_stiffness_.push_back(contact_->stiffness(v));
   if (mesh_->line_nodes() < static_cast<int>(mesh_->nodes.size())) {

@@ -18,6 +18,7 @@ constexpr int kMostIterations = 12, kEasyIterations = 4;  // of Newton, a step
 constexpr double kReduction = 1e-4;                       // of the imbalance, before a step counts as solved
 constexpr double kHopeless = 1e6;                         // growth of it from which Newton does not come back
 constexpr double kHeavier = 4, kLighter = 0.5;
+constexpr int kFree = 4;  // steps in a row after which nothing is in the way: they have made up for kHeavier
 constexpr double kFirst = 0.002;    // of the longest line, that the first step may bring
 constexpr double kHeaviest = 1e12;  // mass over that of the start at which nothing moves any more
 // So many steps, tried again or not, that bring no node by this share of the longest line and do not take
@@ -42,6 +43,7 @@ class Relaxation : StaticTrial {
   RelaxationReport run() {
     RelaxationReport report;
     double least = 0, kinetic = 0;
+    int free = 0;  // steps since one was rejected
     if (settings_.pushed > 0) leave(settings_.pushed);
     while (true) {
       prepare();
@@ -57,12 +59,13 @@ class Relaxation : StaticTrial {
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {
-        ++report.rejected;
+        ++report.rejected, free = 0;
         weigh(kHeavier);
         continue;
       }
       ++report.steps;
       take();
+      if (++free > kFree) in_the_way_.clear();
       if (iterations <= kEasyIterations) weigh(kLighter);
       if (settings_.friction) {
         system_.commit(state_.view(0));

@@ -75,7 +75,7 @@ void StaticSearch::descend(StaticsReport& report, double tolerance) {
     if (settings_.told) settings_.told(report);
     energy = potential(state_);  // and so does what moments are measured from
     if (norms.small(tolerance)) return;
-    if (it >= settings_.max_iterations) throw SolveError(failure(norms, "too many iterations"));
+    if (it >= settings_.max_iterations) give_up(failure(norms, "too many iterations"));
     const bool close = near(norms);
     const double slope = direction(close, close && shift < 1e-5 ? 0 : shift, norms);
     double factor = limit();
@@ -100,15 +100,14 @@ void StaticSearch::descend(StaticsReport& report, double tolerance) {
         norms = n, energy = e;
       }
     }
-    // Cut short again and again by lines that would pass through each other: they come ever nearer, and
-    // there is no way on.
+    // Cut short again and again by what lines would pass through: they come ever nearer, and there is no way
+    // on.
+    if (!blocked) in_the_way_.clear();
     cut += blocked;
     if ((!taken && shift > 1e6) || cut > kMostCut) {
       system_.residual(state_.view(0), r_.get());
       if (norms.small(100 * tolerance)) return;  // round-off of very stiff lines
-      const std::string why = failure(norms, "no descent");
-      if (blocked) step(limit()), clear();  // the whole step tells best what is in its way
-      give_up(why);
+      give_up(failure(norms, "no descent"));
     }
     shift = std::clamp(taken && halvings <= 1 && (full || close) ? 0.2 * shift
                        : taken && halvings <= 1                  ? shift

@@ -76,7 +76,6 @@ double StaticTrial::limit() const {
 }
 
 void StaticTrial::step(double factor) {
-  in_the_way_.clear();
   std::vector<double> u(local_);
   for (double& x : u) x *= factor;
   retract(system_.mesh(), state_, u.data(), trial_);
@@ -84,9 +83,12 @@ void StaticTrial::step(double factor) {
 }
 
 bool StaticTrial::clear() {
+  const auto passes = [this](const Verdict& v) {
+    if (!v.accepted()) in_the_way_ = v.because, blocked_ = trial_;
+    return v.accepted();
+  };
   const Verdict verdict = system_.judge(trial_.view(0));
-  in_the_way_ = verdict.because;
-  if (verdict.kind != Verdict::Kind::prepare_anew) return verdict.accepted();
+  if (verdict.kind != Verdict::Kind::prepare_anew) return passes(verdict);
   const LocalMesh& m = system_.mesh();
   // So that the way foreseen ends at the trial.
   if (system_.couple(straight_way(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
@@ -103,14 +105,13 @@ bool StaticTrial::clear() {
     system_.gather(u_.get(), local_);
   }
   system_.prepare(state_.view(0), 0);
-  const Verdict again = system_.judge(trial_.view(0));
-  in_the_way_ = again.because;
-  return again.accepted();
+  return passes(system_.judge(trial_.view(0)));
 }
 
 void StaticTrial::give_up(const std::string& why) {
   if (in_the_way_.empty()) throw SolveError(why);
-  if (system_.stiffen_in_the_way(trial_.view(0))) throw StiffenedOnTheWay();
+  system_.spread(blocked_);
+  if (system_.stiffen_in_the_way(blocked_.view(0))) throw StiffenedOnTheWay();
   throw InTheWay("statics: " + in_the_way_);
 }
 

@@ -22,14 +22,6 @@ std::string number(double v) {
   return text;
 }
 
-// The key with its value, made so many times as large.
-std::string stiffness_for(const model::Volume& v, double factor) {
-  const char* key = v.basis == model::StiffnessBasis::per_point    ? "per_point"
-                    : v.basis == model::StiffnessBasis::per_length ? "per_length"
-                                                                   : "per_area";
-  return std::string("{") + key + ": " + number(factor * v.normal_stiffness) + "}";
-}
-
 }  // namespace
 
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
@@ -75,19 +67,20 @@ std::string too_soft_for_line(const std::string& place, const model::Volume& v, 
            "contact";
   if (table)
     return text + ": give the table rows up to the forces that are met, or leave the stiffness to 'auto'";
-  return text + ": its normal_stiffness is too small for what presses; " +
-         stiffness_for(v, depth / (kHeldOut * radius)) +
-         " would hold it to about 5 % of the radius, 'auto' finds that by itself";
+  const std::string key = v.basis == model::StiffnessBasis::per_point    ? "per_point"
+                          : v.basis == model::StiffnessBasis::per_length ? "per_length"
+                                                                         : "per_area";
+  return text + ": its normal_stiffness is too small for what presses; {" + key + ": " +
+         number(v.normal_stiffness * depth / (kHeldOut * radius)) +
+         "} would hold it to about 5 % of the radius, " + "'auto' finds that by itself";
 }
 
-std::string drawn_through_volume(const std::string& place, const model::Volume& v, bool automatic) {
+std::string volume_in_the_way(const std::string& place, const model::Volume& v, bool too_soft) {
   const std::string text = place + ", would be drawn through volume " + v.name;
-  if (automatic)
-    return text +
-           ", however stiff contact is made; say where it lies with 'start: {points: [[x, y, z], ...]}', "
-           "or see whether its load or length is in another unit";
-  return text + ": its normal_stiffness is too small for what presses; " + stiffness_for(v, 1 / kHeldOut) +
-         " or more would hold it to about 5 % of the radius, 'auto' finds that by itself";
+  if (!too_soft) return text + "; say on which side it lies with 'start: {points: [[x, y, z], ...]}'";
+  return text + (v.force_table
+                     ? ": give its table rows up to the forces that are met, or leave the stiffness to 'auto'"
+                     : ": its normal_stiffness is too small for what presses, 'auto' finds one by itself");
 }
 
 double crossing_force(double EA, double weight_of_line) { return std::max(kDrawn * EA, weight_of_line); }

@@ -31,8 +31,8 @@ RigidPose ContactVolumes::pose_of(int volume, const Kinematics& at) const {
   return body < 0 ? RigidPose{} : bodies_->pose(body, at);
 }
 
-bool ContactVolumes::still(int volume) const {
-  const RigidPose &now = trial_pose(volume), &then = start_pose(volume);
+bool ContactVolumes::still(int volume, const RigidPose& now) const {
+  const RigidPose& then = start_pose(volume);
   return now.position == then.position && now.rotation.coeffs() == then.rotation.coeffs();
 }
 

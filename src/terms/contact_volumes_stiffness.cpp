@@ -100,8 +100,8 @@ std::string ContactVolumes::too_soft(int volume, const std::string& place, doubl
   return too_soft_for_line(place, settings(volume), automatic(volume), depth, radius, time);
 }
 
-std::string ContactVolumes::drawn_through(int volume, const std::string& place) const {
-  return drawn_through_volume(place, settings(volume), automatic(volume));
+std::string ContactVolumes::in_the_way(int volume, const std::string& place, bool drawn) const {
+  return volume_in_the_way(place, settings(volume), drawn && !automatic(volume));
 }
 
 }  // namespace hawser

@@ -72,8 +72,7 @@ bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
   for (const Group& g : groups()) {
     double& there = wanted[static_cast<size_t>(g.volume)];
     const double stiffer = kStiffer * volumes_.settings(g.volume).normal_stiffness;
-    if (there < stiffer && volumes_.automatic(g.volume) && (is_drawn_in(trial, g) || tunnels(trial, g)))
-      there = stiffer;
+    if (there < stiffer && volumes_.automatic(g.volume) && is_drawn_in(trial, g)) there = stiffer;
   }
   if (!volumes_.raise(wanted)) return false;
   renew_laws();

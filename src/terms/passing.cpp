@@ -4,7 +4,6 @@
 #include <array>
 
 #include "hawser/kernels/axis_sweep.hpp"
-#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
@@ -23,6 +22,7 @@ DistanceField distance_to(const Surface& surface) {
 }
 
 constexpr std::array<double, 2> kEnds{0, 1};  // of an element
+constexpr double kCreeps = 0.1;               // of the radius: what is thinner may be passed in statics
 
 // Of the part of the axis that may touch. De Casteljau's: the polar form of the cubic at all choices of the
 // two ends.
@@ -45,31 +45,42 @@ AxisPoints part_of(const LineVolumePair& pair, const AxisShape& shape, const Rig
 }  // namespace
 
 Verdict LineVolumeContact::judge(const Kinematics& trial) const {
-  if (trial.step > 0)
+  const bool rests = !(trial.step > 0);
+  if (!rests)
     if (std::string why = deeper_than_allowed(trial); !why.empty())
       return {Verdict::Kind::shorter, std::move(why)};
+  // Before the first evaluation none are known.
   const std::vector<Group> made = groups_.empty() ? groups() : std::vector<Group>{};
-  const std::vector<Group>& all = groups_.empty() ? made : groups_;
-  const auto through = std::find_if(
-      all.begin(), all.end(), [&](const Group& g) { return is_drawn_in(trial, g) || tunnels(trial, g); });
-  if (through == all.end()) return {};
-  if (trial.step > 0) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
-  const Pair& pair = pairs_[through->first];
-  const int node = mesh_.global[static_cast<size_t>(local(pair).first)];
-  return {Verdict::Kind::shorter, volumes_.drawn_through(pair.volume, mesh_.mesh->place(node))};
+  for (const Group& g : groups_.empty() ? made : groups_) {
+    const bool drawn = rests && is_drawn_in(trial, g);
+    if (!drawn && !tunnels(trial, g)) continue;
+    if (!rests) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
+    const Pair& pair = pairs_[g.first];
+    const int node = mesh_.global[static_cast<size_t>(local(pair).first)];
+    return {Verdict::Kind::shorter, volumes_.in_the_way(pair.volume, mesh_.mesh->place(node), drawn)};
+  }
+  return {};
 }
 
-// In statics, where contact that is too soft lets an axis come to the surface: from there on it would not be
-// known which side it belongs to. What started inside may leave where it likes.
+// Whether a group has not moved by as much as `room` [m] and its volume not at all.
+bool LineVolumeContact::near_start(const Kinematics& trial, const Group& g, double room) const {
+  return room > 0 && volumes_.still(g.volume, volumes_.pose_of(g.volume, trial)) && way(trial, g) < room;
+}
+
+// Contact that is too soft lets an axis come to the surface: from there on it would not be known which side
+// it belongs to. What is inside already may leave where it likes.
 bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const Group& g) const {
   const Pair& pair = pairs_[g.first];
-  const double deep = volumes_.deepest(pair.volume, pair.radius);
-  if (trial.step > 0 || finder_.by_gap() || is_held(pair) || started_inside(pair) ||
-      !volumes_.has_back(pair.volume) || (volumes_.still(g.volume) && way(trial, g) < g.room))
-    return false;
-  const AxisShape shape(ends(trial, pair.element));
-  const RigidPose pose = volumes_.pose_of(g.volume, trial);
-  AxisDistance axis(volumes_.surface(g.volume), pose, shape, pair.radius - deep);
+  if (near_start(trial, g, g.room) || finder_.by_gap() || is_held(pair)) return false;
+  return is_inside(pair, AxisShape(ends(trial, pair.element)), volumes_.pose_of(g.volume, trial)) &&
+         !is_inside(pair, pair.start.shape, pair.start.pose);
+}
+
+// Deeper than the law is for.
+bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
+  if (!volumes_.has_back(pair.volume)) return false;
+  AxisDistance axis(volumes_.surface(pair.volume), pose, shape,
+                    pair.radius - volumes_.deepest(pair.volume, pair.radius));
   if (finder_.at_nodes())
     return std::any_of(kEnds.begin(), kEnds.end(),
                        [&](double xi) { return finder_.takes_part(pair, xi) && axis.at(xi, 0).gap < 0; });
@@ -79,19 +90,22 @@ bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const Group& g) con
 }
 
 // Most are far away, or move less than they are thick. What is looked for at the nodes only passes between
-// them as it likes, and a gap spring sees no surface.
+// them as it likes, and a gap spring sees no surface. In statics, where a search creeps where it is blocked,
+// shorter ways count as well.
 bool LineVolumeContact::tunnels(const Kinematics& trial, const Group& g) const {
   const Pair& pair = pairs_[g.first];
   const double radius = pair.radius;
   const bool rests = !(trial.step > 0);
-  if (finder_.by_gap() || (rests && (started_inside(pair) || !volumes_.has_back(pair.volume))) ||
-      (volumes_.still(g.volume) && way(trial, g) < std::max(g.room, radius)))
+  const double least = rests ? kCreeps * radius : radius;
+  if (near_start(trial, g, std::max(g.room, least)) || finder_.by_gap()) return false;
+  if (rests && (!volumes_.has_back(pair.volume) || is_inside(pair, pair.start.shape, pair.start.pose)))
     return false;
   const AxisShape shape(ends(trial, pair.element));
   const RigidPose pose = volumes_.pose_of(g.volume, trial);
   const DistanceField field = distance_to(volumes_.surface(g.volume));
   const auto passes = [&](const AxisPoints& from, const AxisPoints& to, double free) {
-    return way_of(from, to) > std::max(free, radius) && goes_through(field, from, to, radius, rests);
+    const double way = way_of(from, to);
+    return way > std::max(free, least) && goes_through(field, from, to, way > radius ? radius : least, rests);
   };
   if (!finder_.at_nodes())
     return passes(part_of(pair, pair.start.shape, pair.start.pose), part_of(pair, shape, pose),
@@ -100,14 +114,6 @@ bool LineVolumeContact::tunnels(const Kinematics& trial, const Group& g) const {
     AxisPoints from, to;
     from.fill(pair.start.pose.to_body(pair.start.shape.point(xi))), to.fill(pose.to_body(shape.point(xi)));
     return finder_.takes_part(pair, xi) && passes(from, to, 0);
-  });
-}
-
-bool LineVolumeContact::started_inside(const Pair& pair) const {
-  const Element& e = element(pair);
-  const double from = arc_at(*mesh_.mesh, e, 0), to = arc_at(*mesh_.mesh, e, 1);
-  return std::any_of(started_inside_.begin(), started_inside_.end(), [&](const Inside& s) {
-    return s.line == e.line && s.volume == pair.volume && s.from <= to && from <= s.to;
   });
 }
 

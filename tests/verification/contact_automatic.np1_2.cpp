@@ -162,6 +162,17 @@ TEST_P(Stretched, StaysOnTheBar) {
   EXPECT_NEAR(out.tension, 1e5, 1e3);
   EXPECT_LT(out.ratio, 1.01);
 }
+// Neither through a thin bar, whose middle is nearer to its surface than the line is thick.
+TEST(Slings, StayOnAThinBar) {
+  for (const double strain : {0.01, 0.05}) {
+    const auto s = simulation(
+        "thin", sling("{box: {centre: [0, 0, 0.19], size: [0.1, 2, 0.005]}}", 1e4, true, "", false, strain));
+    s->solve_statics();
+    double top = -HUGE_VAL;
+    for (int n = 0; n < s->local().owned; ++n) top = std::max(top, s->state().x[static_cast<size_t>(n)].z());
+    EXPECT_GT(most(top), 0.19) << strain;
+  }
+}
 INSTANTIATE_TEST_SUITE_P(Slings, Stretched,
                          ::testing::Combine(::testing::Bool(),
                                             ::testing::Values("", "contact: {method: nodes}\n",
@@ -174,10 +185,9 @@ TEST(Slings, AreNotDrawnThroughContactThatIsTooSoft) {
     ADD_FAILURE() << "statics went through the bar";
   } catch (const SolveError& e) {
     const std::string said = e.what();
-    EXPECT_NE(
-        said.find("would be drawn through volume bar: its normal_stiffness is too small for what presses; "
-                  "{per_length: 2e+06} or more would hold it"),
-        std::string::npos)
+    EXPECT_NE(said.find(" m, would be drawn through volume bar: its normal_stiffness is too small for what "
+                        "presses, 'auto' finds one by itself"),
+              std::string::npos)
         << said;
   }
 }
@@ -259,8 +269,7 @@ std::string refusal(const std::string& text, bool moves) {
 TEST(TooSoft, IsRefused) {
   const std::string still =
       refusal(sling(kCylinder, 5e4, true, ", normal_stiffness: {per_length: 5.0e6}"), false);
-  for (const char* part : {"statics: line rope, arc length ",
-                           " m, would be drawn through volume bar: ", "{per_length: 1e+08} or more"})
+  for (const char* part : {"statics: line rope, arc length ", " m, would be drawn through volume bar: its "})
     EXPECT_NE(still.find(part), std::string::npos) << still;
   std::string text = kDrawn;
   text.replace(text.find("friction: 0.3,"), 14, "friction: 0.3, normal_stiffness: {per_length: 1.0e6},");

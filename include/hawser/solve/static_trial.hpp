@@ -38,9 +38,8 @@ class StaticTrial {
   // Whether no line goes through another or through a volume on the straight way from the state to the trial.
   // Where the candidates were not chosen for that way they are chosen anew.
   bool clear();
-  // Throws what statics ends with where no step leads on: if something is in the way of the trial that
-  // clear() was asked about last, InTheWay, or StiffenedOnTheWay where automatic contact can be made stiffer;
-  // else SolveError with that sentence.
+  // Throws what statics ends with where no step leads on: if something was in the way, InTheWay, or
+  // StiffenedOnTheWay where automatic contact can be made stiffer; else SolveError with that sentence.
   [[noreturn]] void give_up(const std::string& why);
   // Push off a saddle: a fixed, rank-independent displacement field without symmetry, larger with `attempt`
   // (1, 2, ...); less of it where lines would pass through each other.
@@ -63,7 +62,9 @@ class StaticTrial {
   KspHandle ksp_;
   std::vector<double> local_, zero_;  // 3 * local blocks: an increment; nothing
   double length_ = 0;                 // m, of the longest element
-  std::string in_the_way_;            // of the trial, in words; empty: nothing
+  // What was in the way of the last trial that was not clear, in words, and that trial; empty: nothing.
+  std::string in_the_way_;
+  State blocked_;
 };
 
 }  // namespace hawser

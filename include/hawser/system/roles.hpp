@@ -48,8 +48,8 @@ class RaisesStiffness {
   virtual ~RaisesStiffness() = default;
   // From an equilibrium, raises it where that asks for it and says so (solve again). Collective.
   virtual bool stiffen(const Kinematics& equilibrium) = 0;
-  // In statics, raises it where it is too low to keep a line from being drawn through on its way to the
-  // trial. Collective.
+  // In statics, raises it where it is too low to keep a line from being drawn in on its way to that trial.
+  // Collective.
   virtual bool stiffen_in_the_way(const Kinematics& trial) = 0;
   // Takes back what was raised since the last commit, before a step is tried (again).
   virtual void forget_stiffening() = 0;

@@ -39,9 +39,9 @@ std::string raised_note(const std::string& volume, double from, double to, const
 std::string too_soft_for_line(const std::string& place, const model::Volume& v, bool automatic, double depth,
                               double radius, double time);
 
-// For the user: that the way to an equilibrium would lead a line through a volume, and what helps. Not a
-// sentence: what comes before it says that statics found none.
-std::string drawn_through_volume(const std::string& place, const model::Volume& v, bool automatic);
+// For the user: that a line at this place would be drawn through a volume on its way to an equilibrium, and
+// what helps; too_soft: a stiffness that the case gives.
+std::string volume_in_the_way(const std::string& place, const model::Volume& v, bool too_soft);
 
 // N, what a line that crosses another is taken to be drawn over it with: a hundredth of its EA, which few
 // lines survive, or its weight if that is more.

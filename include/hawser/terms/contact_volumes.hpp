@@ -72,8 +72,9 @@ class ContactVolumes {
   const RigidPose& start_pose(int volume) const { return start_poses_[body(volume)]; }
   const RigidPose& trial_pose(int volume) const { return poses_[body(volume)]; }
   RigidPose pose_of(int volume, const Kinematics& at) const;
-  // Whether a volume has not moved since the start of the step.
-  bool still(int volume) const;
+  // Whether a volume has not moved since the start of the step: in the trial evaluated last, or to a pose.
+  bool still(int volume) const { return still(volume, trial_pose(volume)); }
+  bool still(int volume, const RigidPose& now) const;
   // Whether it rides on a body that floats, so that what acts on the line acts on the body as well.
   bool floats(int volume) const { return bodies_->floats(at(volume).body); }
   FloatingFrame floating_frame(int volume, const Kinematics& at) const;
@@ -108,7 +109,8 @@ class ContactVolumes {
   double deepest(int volume, double radius) const;
   // That a place of a line is deeper than that, in words for the user.
   std::string too_soft(int volume, const std::string& place, double depth, double radius, double time) const;
-  std::string drawn_through(int volume, const std::string& place) const;
+  // That no step of statics leads past it; drawn: into contact that is too soft.
+  std::string in_the_way(int volume, const std::string& place, bool drawn) const;
 
  private:
   const ContactVolume& at(int volume) const { return volumes_[static_cast<size_t>(volume)]; }

@@ -11,7 +11,6 @@
 #include "hawser/terms/contact_account.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/line_volume_finder.hpp"
-#include "hawser/terms/start_inside.hpp"
 #include "hawser/terms/touch.hpp"
 
 namespace hawser {
@@ -53,8 +52,6 @@ class LineVolumeContact final : public ForceTerm,
   void enable_friction(bool on);
   // Before the first step, and the same on all ranks.
   void leave_out(std::vector<LeftOut> ends) { volumes_.leave_out(std::move(ends)); }
-  // Stretches that statics may bring out of a volume to any side.
-  void start_inside(std::vector<Inside> stretches) { started_inside_ = std::move(stretches); }
   int volumes() const { return volumes_.size(); }
   const std::string& volume_name(int volume) const { return volumes_.settings(volume).name; }
   // In the volume's basis; of an automatic one as far as it has been raised in accepted states, and so far it
@@ -151,7 +148,8 @@ class LineVolumeContact final : public ForceTerm,
   void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   bool tunnels(const Kinematics& trial, const Group& g) const;
   bool is_drawn_in(const Kinematics& trial, const Group& g) const;
-  bool started_inside(const Pair& pair) const;
+  bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  bool near_start(const Kinematics& trial, const Group& g, double room) const;
   // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
   double still_part(const Pair& pair, const Kinematics& at, double force, double depth,
@@ -163,7 +161,6 @@ class LineVolumeContact final : public ForceTerm,
   std::vector<LineContactElement> elements_;
   std::vector<Pair> pairs_;               // sorted by element, volume and slot
   std::vector<ContactAccount> accounts_;  // of the elements
-  std::vector<Inside> started_inside_;
   bool friction_on_ = true;
   std::vector<Vec3> start_x_;  // m, of the nodes at the start of the step
   std::vector<Quat> start_q_;
