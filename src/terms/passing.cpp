@@ -62,9 +62,12 @@ Verdict LineVolumeContact::judge(const Kinematics& trial) const {
   return {};
 }
 
-// Whether a group has not moved by as much as `room` [m] and its volume not at all.
+// Whether a group has not moved by as much as `room` [m] and its volume not at all. In motion the trial has
+// been evaluated, and poses are known.
 bool LineVolumeContact::near_start(const Kinematics& trial, const Group& g, double room) const {
-  return room > 0 && volumes_.still(g.volume, volumes_.pose_of(g.volume, trial)) && way(trial, g) < room;
+  if (!(room > 0) || way(trial, g) >= room) return false;
+  return trial.step > 0 ? volumes_.still(g.volume)
+                        : volumes_.still(g.volume, volumes_.pose_of(g.volume, trial));
 }
 
 // Contact that is too soft lets an axis come to the surface: from there on it would not be known which side
