@@ -18,7 +18,9 @@ constexpr int kMostIterations = 12, kEasyIterations = 4;  // of Newton, a step
 constexpr double kReduction = 1e-4;                       // of the imbalance, before a step counts as solved
 constexpr double kHopeless = 1e6;                         // growth of it from which Newton does not come back
 constexpr double kHeavier = 4, kLighter = 0.5;
-constexpr int kFree = 4;  // steps in a row after which nothing is in the way: they have made up for kHeavier
+// Accepted steps in a row after which an earlier rejection no longer explains a failure: the mass is then
+// lower than before that rejection.
+constexpr int kFree = 4;
 constexpr double kFirst = 0.002;    // of the longest line, that the first step may bring
 constexpr double kHeaviest = 1e12;  // mass over that of the start at which nothing moves any more
 // So many steps, tried again or not, that bring no node by this share of the longest line and do not take

@@ -22,7 +22,8 @@ DistanceField distance_to(const Surface& surface) {
 }
 
 constexpr std::array<double, 2> kEnds{0, 1};  // of an element
-constexpr double kCreeps = 0.1;               // of the radius: what is thinner may be passed in statics
+// Of the radius: shorter displacements are not tested for tunnelling in statics.
+constexpr double kCreeps = 0.1;
 
 // Of the part of the axis that may touch. De Casteljau's: the polar form of the cubic at all choices of the
 // two ends.
@@ -70,8 +71,9 @@ bool LineVolumeContact::near_start(const Kinematics& trial, const Group& g, doub
                         : volumes_.still(g.volume, volumes_.pose_of(g.volume, trial));
 }
 
-// Contact that is too soft lets an axis come to the surface: from there on it would not be known which side
-// it belongs to. What is inside already may leave where it likes.
+// Where contact is too soft the axis of a line can reach the surface. Once it is inside, the nearest facet
+// may be on the far side of the volume, and contact would push the line out there. An element that is inside
+// at the start of the step may leave on any side.
 bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const Group& g) const {
   const Pair& pair = pairs_[g.first];
   if (near_start(trial, g, g.room) || finder_.by_gap() || is_held(pair)) return false;
@@ -79,7 +81,8 @@ bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const Group& g) con
          !is_inside(pair, pair.start.shape, pair.start.pose);
 }
 
-// Deeper than the law is for.
+// Whether the element is deeper in the volume than its contact law is for: the radius of the line, or the
+// last row of a table of forces.
 bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (!volumes_.has_back(pair.volume)) return false;
   AxisDistance axis(volumes_.surface(pair.volume), pose, shape,

@@ -35,8 +35,9 @@ class StaticTrial {
   double limit() const;
   // trial = state moved by `factor` times local_.
   void step(double factor);
-  // Whether no line goes through another or through a volume on the straight way from the state to the trial.
-  // Where the candidates were not chosen for that way they are chosen anew.
+  // Whether, on the straight way from the state to the trial, no line goes through another or through a
+  // volume, nor deeper into a volume than its contact law is for. Where the candidates were not chosen for
+  // that way they are chosen anew.
   bool clear();
   // Throws what statics ends with where no step leads on: if something was in the way, InTheWay, or
   // StiffenedOnTheWay where automatic contact can be made stiffer; else SolveError with that sentence.

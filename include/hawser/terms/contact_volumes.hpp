@@ -103,7 +103,7 @@ class ContactVolumes {
   bool forget_raise();
   void keep_raise() { committed_ = stiffnesses(); }
   bool raised(int volume) const { return settings(volume).normal_stiffness != stiffness(volume); }
-  // Whether a line could come out on another side: not of a plane, a soft floor is a floor.
+  // Whether the volume has a far side on which a line could come out; a plane has none.
   bool has_back(int volume) const;
   // m, how deep a volume's law is for: the radius, or what its table tells.
   double deepest(int volume, double radius) const;
