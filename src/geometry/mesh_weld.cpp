@@ -12,12 +12,12 @@
 namespace hawser {
 namespace {
 
-constexpr double kCrack = 1.0 / 200;  // of the shortest edge
+constexpr double kCrack = 1.0 / 100;  // of the shortest edge
 
 using Cell = std::array<std::int64_t, 3>;
 
 // Corners by the size of their tolerance: on level l those with one in (2^(l-1), 2^l], in cubes of 2^(l+1).
-// As their edges are 200 times as long, a cube holds few, whatever the grading of the mesh.
+// As their edges are 100 times as long, a cube holds few, whatever the grading of the mesh.
 class Levels {
  public:
   void add(int vertex, const Vec3& x, double tolerance) {

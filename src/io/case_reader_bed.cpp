@@ -179,6 +179,8 @@ class BedCheck {
   }
 
  private:
+  static constexpr double kTold = 0.02;  // m under the bed, what a rounded depth of the water may leave
+
   // No bed under a line is as large, one in mm taken for m is, nor as small as the line is thick.
   void size() const {
     constexpr SizeLimits kSizes{1e6, 1, std::numeric_limits<double>::infinity()};
@@ -260,6 +262,11 @@ class BedCheck {
           key, fmt::format("is {:.3g} m under the seabed, which would throw the line out; a line of '{}' may "
                            "start {:.2g} m deep at most where it is not 'buried'",
                            deep, type.name, most));
+    else if (covers(x) && deep >= 0.5 * type.contact_diameter && deep > kTold)
+      c_.notes.push_back(
+          fmt::format("{}: is {:.3g} m under the seabed, and the soil presses the line up beside it; "
+                      "give the height of the seabed there, or the length that is 'buried'",
+                      key, deep));
   }
 
   model::Case& c_;

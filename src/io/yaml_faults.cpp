@@ -14,6 +14,18 @@
 namespace hawser::io {
 namespace {
 
+struct Bracket {
+  char kind;
+  std::size_t line;
+};
+
+// What is open where a line ends.
+struct Open {
+  std::vector<Bracket> brackets;
+  std::optional<YamlFault>
+      fault;  // the first bracket that does not fit, quote that is not closed in its line
+};
+
 // A line without its comment and the blanks at its end.
 struct Line {
   std::string text;
@@ -23,10 +35,33 @@ struct Line {
   bool tab() const { return text.substr(0, indent).find('\t') != std::string::npos; }
 };
 
-// Up to a '#' after a blank; counts brackets. Nothing in quotes counts.
-Line cut(const std::string& raw, int& brackets) {
+int number(std::size_t line) { return static_cast<int>(line) + 1; }
+
+// Whether the line begins with a key, which no value of several lines does.
+bool begins_with_key(const std::string& raw) {
+  const std::size_t at = raw.find_first_not_of(' ');
+  if (at == std::string::npos) return false;
+  const std::size_t end =
+      raw.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", at);
+  return end != std::string::npos && end > at && raw[end] == ':' &&
+         (end + 1 == raw.size() || raw[end + 1] == ' ');
+}
+
+void close(char c, std::size_t line, Open& open) {
+  const char opens = c == ']' ? '[' : '{';
+  if (!open.brackets.empty() && open.brackets.back().kind == opens) return open.brackets.pop_back();
+  if (open.fault) return;
+  open.fault = {number(line),
+                open.brackets.empty()
+                    ? fmt::format("the bracket '{}' closes none that is open", c)
+                    : fmt::format("the bracket '{}' does not close the '{}' of line {}", c,
+                                  open.brackets.back().kind, number(open.brackets.back().line))};
+}
+
+// Up to a '#' after a blank. Brackets in quotes do not count.
+Line cut(const std::string& raw, std::size_t line, Open& open) {
   Line out;
-  out.flow = brackets > 0;
+  out.flow = !open.brackets.empty();
   char quote = 0;
   std::size_t end = 0;
   for (; end < raw.size(); ++end) {
@@ -39,23 +74,37 @@ Line cut(const std::string& raw, int& brackets) {
     if ((c == '"' || c == '\'') && std::string_view(" \t[{,:").find(before) != std::string_view::npos)
       quote = c;
     if (c == '#' && (before == ' ' || before == '\t')) break;
-    if (c == '[' || c == '{') ++brackets;
-    if (c == ']' || c == '}') --brackets;
+    if (c == '[' || c == '{') open.brackets.push_back({c, line});
+    if (c == ']' || c == '}') close(c, line, open);
   }
+  if (quote && !open.fault)
+    open.fault = {number(line),
+                  fmt::format("the quote {} that opens in this line is not closed in it", quote)};
   out.text = raw.substr(0, end);
   out.text.erase(out.text.find_last_not_of(" \t\r") + 1);
   out.indent = std::min(out.text.find_first_not_of(" \t"), out.text.size());
   return out;
 }
 
-std::vector<Line> lines_of(const std::string& text) {
+// The lines, and the first bracket or quote that does not fit. A bracket is open for good where a line after
+// it begins with a key, as far out as its own.
+std::vector<Line> lines_of(const std::string& text, std::optional<YamlFault>& unfit) {
   std::vector<Line> out;
-  int brackets = 0;
+  Open open;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    out.push_back(cut(text.substr(at, end - at), brackets));
+    const std::string raw = text.substr(at, end - at);
+    const bool ends = end == text.size();
+    if (!open.brackets.empty() && !open.fault &&
+        (ends ||
+         (begins_with_key(raw) && raw.find_first_not_of(' ') <= out[open.brackets.front().line].indent)))
+      open.fault = {
+          number(open.brackets.back().line),
+          fmt::format("the bracket '{}' that opens in this line is not closed", open.brackets.back().kind)};
+    out.push_back(cut(raw, out.size(), open));
     at = end + 1;
   }
+  unfit = open.fault;
   return out;
 }
 
@@ -83,7 +132,6 @@ std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_
     if (l.empty() || l.flow) continue;
     bool dropped = false;
     while (!levels.empty() && levels.back().indent > l.indent) levels.pop_back(), dropped = true;
-    const auto number = [](std::size_t line) { return static_cast<int>(line) + 1; };
     const bool known = !levels.empty() && levels.back().indent == l.indent;
     if (i == at && !known && levels.empty() && dropped)
       return YamlFault{number(i),
@@ -118,7 +166,8 @@ std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_
 }  // namespace
 
 std::optional<YamlFault> find_yaml_fault(const std::string& text, int line) {
-  const std::vector<Line> lines = lines_of(text);
+  std::optional<YamlFault> unfit;
+  const std::vector<Line> lines = lines_of(text, unfit);
   const std::size_t last = std::min(static_cast<std::size_t>(std::max(line, 1)), lines.size());
   for (std::size_t i = 0; i < last; ++i)
     if (!lines[i].flow && !lines[i].empty() && lines[i].tab())
@@ -130,6 +179,7 @@ std::optional<YamlFault> find_yaml_fault(const std::string& text, int line) {
   for (const std::size_t i : {last - 1, before > 0 ? before - 1 : before})
     if (std::string said = unseparated(lines[i].text); !said.empty())
       return YamlFault{static_cast<int>(i) + 1, std::move(said)};
+  if (unfit && unfit->line <= line) return unfit;
   return wrong_indent(lines, last - 1);
 }
 

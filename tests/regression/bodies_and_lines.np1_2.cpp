@@ -7,7 +7,7 @@
 #include "hawser/terms/body_contact.hpp"
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::bodies_and_lines {
 namespace {
 
 struct Outcome {
@@ -76,4 +76,4 @@ TEST(BodiesAndLines, HawserLiesAlongAPontoon) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::bodies_and_lines

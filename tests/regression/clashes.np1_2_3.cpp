@@ -4,7 +4,7 @@
 #include "hawser/io/clash_rows.hpp"
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::clashes {
 namespace {
 
 // A bar of 6 m falls flat by 0.2 m on the ground, a linear spring, and bounces.
@@ -230,4 +230,4 @@ TEST_F(Heap, ThroughARestart) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::clashes

@@ -2,7 +2,7 @@
 // take is accounted for at the steps that the program chooses.
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::crossing_risers {
 namespace {
 
 const char* const kRisers = R"(
@@ -48,4 +48,4 @@ TEST(CrossingRisers, ClashesAreAccountedFor) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::crossing_risers

@@ -2,7 +2,7 @@
 // on after a restart.
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::end_spring_audit {
 namespace {
 
 constexpr double kHalf = 11, kEnd = 16;  // s
@@ -68,4 +68,4 @@ TEST_F(EndSpringAudit, GoesOnAfterARestart) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::end_spring_audit

@@ -3,7 +3,7 @@
 
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::linear_table {
 namespace {
 
 const char* const kCase = R"(
@@ -46,4 +46,4 @@ TEST(LinearTable, StepsEndAtTheRows) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::linear_table

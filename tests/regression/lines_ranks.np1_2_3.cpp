@@ -2,7 +2,7 @@
 // same to 1e-9.
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::lines_ranks {
 namespace {
 
 // A riser from the ground to a heaving ship, a cable from the ship to a pile, a mast on the ship: supports of
@@ -103,4 +103,4 @@ TEST(LinesRanks, FewNodes) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::lines_ranks

@@ -3,7 +3,7 @@
 // differ by rounding only.
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::reel_cut {
 namespace {
 
 // The hose lies on the drum with friction from 2 s on. Solved whole are models of up to 1000 nodes.
@@ -66,4 +66,4 @@ TEST(ReelCut, WithFriction) { compare("reel_cut", {}, 1e-6); }
 TEST(ReelCut, WithoutFriction) { compare("reel_cut_frictionless", {{"friction: 0.3", "friction: 0"}}, 1e-9); }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::reel_cut

@@ -2,7 +2,7 @@
 // (docs/user-guide/running.md, "Several processes").
 #include "regression/same_fields.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::reel_ranks {
 namespace {
 
 // The first half turn, or all five.
@@ -37,4 +37,4 @@ TEST(ReelRanks, ContactAtTheNodes) { compare("reel_nodes", {{"method: line", "me
 TEST(ReelRanks, WithoutFriction) { compare("reel_frictionless", {{"friction: 0.3", "friction: 0"}}); }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::reel_ranks

@@ -9,7 +9,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::restart {
 namespace {
 
 constexpr double kHalf = 12, kEnd = 18;  // s; the hose lies on the drum with friction from 2 s on
@@ -146,4 +146,4 @@ TEST_P(Restart, OtherQuantitiesAreRefused) {
 INSTANTIATE_TEST_SUITE_P(Contact, Restart, ::testing::Values("nodes", "line"));
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::restart

@@ -7,7 +7,7 @@
 #include "regression/runs.hpp"
 #include "support/shapes.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::restart_contact {
 namespace {
 
 // A rope is drawn over a taut wire, both touch a roller; friction everywhere.
@@ -208,4 +208,4 @@ TEST(RestartContact, Parting) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::restart_contact

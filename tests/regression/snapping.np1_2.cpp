@@ -2,7 +2,7 @@
 // is that of steps and elements half as long.
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::snapping {
 namespace {
 
 // The chain of cases/mooring-line with four times its heave: it goes slack and snaps taut in every cycle.
@@ -180,4 +180,4 @@ TEST_F(Snapping, GoesOnAfterARestart) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::snapping

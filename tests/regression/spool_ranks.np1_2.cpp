@@ -2,7 +2,7 @@
 // fields to 1e-8 of their range, penetration and energy as they should be.
 #include "regression/same_fields.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::spool_ranks {
 namespace {
 
 bool whole() { return std::getenv("HAWSER_FULL") != nullptr; }
@@ -43,4 +43,4 @@ TEST(SpoolRanks, TheSameAsOnOne) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::spool_ranks

@@ -8,7 +8,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::start_contact {
 namespace {
 
 // A rope from its fairlead, 3 m inside a hull, to an anchor far below.
@@ -285,4 +285,4 @@ TEST(StartContact, AnAnchorOnTheBedIsWhereTheLineRests) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::start_contact

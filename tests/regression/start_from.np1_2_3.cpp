@@ -4,7 +4,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "regression/runs.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::start_from {
 namespace {
 
 const char* const kCase = R"(
@@ -140,4 +140,4 @@ TEST_F(StartFrom, RefusesInOneSentence) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::start_from

@@ -1,6 +1,7 @@
-// main of every test program: PETSc and MPI up before the first test, quiet on ranks above 0,
-// and a failure on any rank is a failure of the program. testing::TempDir() is a new folder, the same on all
-// ranks, that goes when the tests have ended; TEST_TMPDIR names another, as to a program that a test starts.
+// main of every test program; --file=SUBJECT runs the tests of the file SUBJECT.*cpp. PETSc and MPI up before
+// the first test, quiet on ranks above 0, and a failure on any rank is a failure of the program.
+// testing::TempDir() is a new folder, the same on all ranks, that goes when the tests have ended; TEST_TMPDIR
+// names another, as to a program that a test starts.
 #include <gtest/gtest.h>
 #include <petscsys.h>
 
@@ -11,6 +12,26 @@
 
 #include "hawser/base/alone.hpp"
 
+namespace {
+
+// Only the tests of the source file with this subject: "joints" for joints.np1_2_3.cpp.
+void choose_file(const std::string& subject) {
+  const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();
+  std::string filter;
+  for (int i = 0; i < all.total_test_suite_count(); ++i) {
+    const ::testing::TestSuite& suite = *all.GetTestSuite(i);
+    for (int k = 0; k < suite.total_test_count(); ++k) {
+      const ::testing::TestInfo& test = *suite.GetTestInfo(k);
+      if (std::filesystem::path(test.file()).filename().string().starts_with(subject + "."))
+        filter += std::string(suite.name()) + "." + test.name() + ":";
+    }
+  }
+  if (filter.empty()) throw std::runtime_error("no test of a file " + subject);
+  GTEST_FLAG_SET(filter, filter);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     if (std::string(argv[i]) == "--gtest_list_tests") {
@@ -18,6 +39,9 @@ int main(int argc, char** argv) {
       return RUN_ALL_TESTS();
     }
   ::testing::InitGoogleTest(&argc, argv);
+  for (int i = 1; i < argc; ++i)
+    if (const std::string argument = argv[i]; argument.starts_with("--file="))
+      choose_file(argument.substr(7));
   hawser::start_alone();
   if (PetscInitialize(&argc, &argv, nullptr, nullptr)) return 1;
   int rank = 0;

@@ -6,7 +6,7 @@
 #include "support/taylor.hpp"
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::frames {
 namespace {
 
 model::End on(const std::string& body, const Vec3& at) {
@@ -205,4 +205,4 @@ TEST(Frames, MomentumOfTwoBodiesOnALine) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::frames

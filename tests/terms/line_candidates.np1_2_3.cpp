@@ -7,7 +7,7 @@
 #include "support/tangle.hpp"
 #include "support/taylor.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_candidates {
 namespace {
 
 struct Model {
@@ -461,4 +461,4 @@ TEST(LineCandidates, Statics) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_candidates

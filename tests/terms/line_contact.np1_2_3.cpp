@@ -3,7 +3,7 @@
 #include "terms/line_contact_cases.hpp"
 #include "terms/whole_model.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_contact {
 namespace {
 
 TEST(LineContactRanks, SameAsOnOne) {
@@ -42,4 +42,4 @@ TEST(LineContactRanks, SameAsOnOne) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_contact

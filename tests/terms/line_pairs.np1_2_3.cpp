@@ -3,7 +3,7 @@
 #include "terms/line_pairs_cases.hpp"
 #include "terms/whole_model.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_pairs {
 namespace {
 
 TEST(LinePairsRanks, SameAsOnOne) {
@@ -39,4 +39,4 @@ TEST(LinePairsRanks, SameAsOnOne) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_pairs

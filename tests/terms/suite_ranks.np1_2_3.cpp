@@ -2,7 +2,7 @@
 // the same model on one rank, which every rank computes for itself.
 #include "support/taylor_cases.hpp"
 
-namespace hawser::test {
+namespace hawser::test::suite_ranks {
 namespace {
 
 double sum(MPI_Comm comm, double x) {
@@ -130,4 +130,4 @@ TEST(SuiteRanks, EnergyAndHistory) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::suite_ranks

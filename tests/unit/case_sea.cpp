@@ -13,12 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-model::Case read(const std::string& environment,
-                 const fs::path& folder = HAWSER_SOURCE_DIR "/tests/data/bad") {
+model::Case read(const std::string& environment, const fs::path& folder = HAWSER_SOURCE_DIR "/tests/data/bad",
+                 const std::string& height = "0") {
   return io::read_case_text("hawser: 1\nenvironment: " + environment +
                                 "\nline_types: {hose: {outer_diameter: 0.2, mass_per_length: 50, EA: 1e8, "
                                 "EI: 1e4, GJ: 1e4}}\nlines: {a: {sections: [{type: hose, length: 10, "
-                                "elements: 2}], end_a: {anchor: [0, 0, 0]}, end_b: free}}\n",
+                                "elements: 2}], end_a: {anchor: [0, 0, " +
+                                height + "]}, end_b: free}}\n",
                             (folder / "text.yaml").string());
 }
 
@@ -55,6 +56,20 @@ TEST(CaseSea, SeabedByTable) {
     EXPECT_EQ(bed.normal_stiffness, bed.force_table->largest_slope());
     expect_part(c, ("force by a table of 2 rows up to 0.05 m per " + per).c_str());
   }
+}
+
+TEST(CaseSea, AnAnchorUnderTheSeabedIsTold) {
+  const auto notes = [](const char* height) {
+    return read("{seabed: {depth: 90}}", HAWSER_SOURCE_DIR "/tests/data/bad", height).notes;
+  };
+  ASSERT_EQ(notes("-90.15").size(), 1U);
+  EXPECT_NE(
+      notes("-90.15")[0].find("lines.a.end_a.anchor: is 0.15 m under the seabed, and the soil presses the "
+                              "line up beside it"),
+      std::string::npos)
+      << notes("-90.15")[0];
+  EXPECT_TRUE(notes("-90.05").empty());  // within half a diameter: where it rests
+  EXPECT_TRUE(notes("-89.9").empty());
 }
 
 TEST(CaseSea, SuctionOfTheSeabed) {

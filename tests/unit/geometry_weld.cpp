@@ -38,10 +38,10 @@ TriangleMesh noisy(const TriangleMesh& clean) {
   return out;
 }
 
-// A box of 4 x 3 x 2 m, its sides divided into squares.
-TriangleMesh divided_box() {
+// A box of 4 x 3 x 2 units, its sides divided into squares.
+TriangleMesh divided_box(double unit) {
   TriangleMesh out;
-  const Vec3 size(4, 3, 2);
+  const Vec3 size = unit * Vec3(4, 3, 2);
   constexpr int n = 10;
   for (int axis = 0; axis < 3; ++axis)
     for (const bool far : {false, true})
@@ -116,7 +116,8 @@ void expect_clean_again(const TriangleMesh& clean, double size) {
   }
 }
 
-TEST(GeometryWeld, NoiseOnABox) { expect_clean_again(divided_box(), 5); }
+TEST(GeometryWeld, NoiseOnABox) { expect_clean_again(divided_box(1), 5); }
+TEST(GeometryWeld, NoiseOnABoxOfHalfAMetre) { expect_clean_again(divided_box(0.125), 0.6); }
 TEST(GeometryWeld, NoiseOnADrum) { expect_clean_again(drum_mesh(48, 1, 3, 6), 3); }
 TEST(GeometryWeld, NoiseOnAHull) { expect_clean_again(wigley_hull(), 60); }
 

@@ -5,7 +5,7 @@
 
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::bodies_on_lines {
 namespace {
 
 constexpr double kG = 9.80665;
@@ -140,4 +140,4 @@ TEST(BodiesOnLines, CompoundPendulumOnALine) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::bodies_on_lines

@@ -5,7 +5,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::body_contact_ranks {
 namespace {
 
 std::vector<double> poses(MPI_Comm comm, const model::Case& c, const std::vector<app::LoadedVolume>& v) {
@@ -38,4 +38,4 @@ TEST(BodyContact, RanksAgree) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::body_contact_ranks

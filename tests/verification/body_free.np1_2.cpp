@@ -4,7 +4,7 @@
 #include "hawser/app/simulation.hpp"
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::body_free {
 namespace {
 
 model::Case box(double mass) {
@@ -61,4 +61,4 @@ TEST(BodyFree, Tumbles) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::body_free

@@ -7,7 +7,7 @@
 #include "hawser/terms/body_contact.hpp"
 #include "verification/dynamics_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::body_impact {
 namespace {
 
 using model::StiffnessBasis;
@@ -191,4 +191,4 @@ TEST(BodyImpact, WhatWasMetIsNotForgotten) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::body_impact

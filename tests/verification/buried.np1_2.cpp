@@ -7,7 +7,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "support/mooring.hpp"
 
-namespace hawser::test {
+namespace hawser::test::buried {
 namespace {
 
 bool first_rank() {
@@ -243,4 +243,4 @@ dynamics: {duration: 4, step: 0.1}
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::buried

@@ -10,7 +10,7 @@
 #include "regression/runs.hpp"
 #include "verification/contact_rig.hpp"
 
-namespace hawser::runs {
+namespace hawser::runs::contact_automatic {
 namespace {
 
 using app::Simulation;
@@ -280,4 +280,4 @@ TEST(TooSoft, IsRefused) {
 }
 
 }  // namespace
-}  // namespace hawser::runs
+}  // namespace hawser::runs::contact_automatic

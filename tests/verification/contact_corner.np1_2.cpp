@@ -5,7 +5,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::contact_corner {
 namespace {
 
 using test::append;
@@ -224,4 +224,4 @@ volumes:
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::contact_corner

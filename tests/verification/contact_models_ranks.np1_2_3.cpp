@@ -1,7 +1,7 @@
 // Springs and gap springs at the nodes on several ranks: the figures of one.
 #include "verification/contact_models.hpp"
 
-namespace hawser::test {
+namespace hawser::test::contact_models_ranks {
 namespace {
 
 double sum(double x) {
@@ -55,4 +55,4 @@ TEST(ContactModelsRanks, Motion) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::contact_models_ranks

@@ -3,7 +3,7 @@
 
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::frames_of_beams {
 namespace {
 
 // A column of 4 m, clamped at its foot, with an arm of 3 m joined rigidly to its head, loaded at the tip.
@@ -52,4 +52,4 @@ TEST(FramesOfBeams, ArmOnAColumn) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::frames_of_beams

@@ -2,7 +2,7 @@
 // number of ranks at rest and in motion.
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::joints {
 namespace {
 
 model::End at_joint(const model::Case& c) {
@@ -148,4 +148,4 @@ TEST(Joints, APipeInSlings) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::joints

@@ -7,7 +7,7 @@
 #include "hawser/base/error.hpp"
 #include "verification/line_pairs_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::line_pairs_drape {
 namespace {
 
 constexpr double kDiameter = 0.1, kAbove = 0.4, kSpan = 10;
@@ -88,4 +88,4 @@ TEST(Drape, WhereThereIsNoWayTheSentenceSaysSo) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::line_pairs_drape

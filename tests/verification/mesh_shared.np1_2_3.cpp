@@ -18,7 +18,7 @@
 #include "hawser/io/case_reader.hpp"
 #include "support/shapes.hpp"
 
-namespace hawser::test {
+namespace hawser::test::mesh_shared {
 namespace {
 
 using namespace hawser::test;
@@ -230,4 +230,4 @@ TEST(MeshShared, AllRanksTellWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::mesh_shared

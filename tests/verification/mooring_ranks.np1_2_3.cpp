@@ -3,7 +3,7 @@
 #include "hawser/terms/seabed.hpp"
 #include "support/mooring.hpp"
 
-namespace hawser::test {
+namespace hawser::test::mooring_ranks {
 namespace {
 
 model::Case chain() {
@@ -31,4 +31,4 @@ TEST(MooringRanks, TheSameOnAnyNumber) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::mooring_ranks

@@ -5,7 +5,7 @@
 #include "hawser/solve/substructure.hpp"
 #include "verification/line_pairs_rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::parallel_solvers {
 namespace {
 
 // One line, wound in turns that nearly touch.
@@ -205,4 +205,4 @@ TEST_F(ParallelSolvers, WhereManyTouchAcrossTheCutMumpsSolves) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::parallel_solvers

@@ -9,7 +9,7 @@
 #include "hawser/base/error.hpp"
 #include "support/rig.hpp"
 
-namespace hawser::test {
+namespace hawser::test::relaxation {
 namespace {
 
 constexpr double kLength = 278.5, kDiameter = 0.49843453365368695, kDensity = 1025, kGravity = 9.80665;
@@ -158,6 +158,9 @@ TEST(Relaxation, SlackLinesLieOnTheBed) {
 // From a shape far from rest, a catenary below the bed, Newton's iteration does not come back; relaxation
 // does, out of the plane.
 TEST(Relaxation, WhatNewtonCannotDo) {
+  int ranks = 1;
+  MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
+  if (ranks > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   model::Case c = on_the_floor(false, 100 - 0.5 * kDiameter);
   c.lines[0].start = model::Start::catenary;
   c.statics.relaxation = model::Relaxation::never;
@@ -184,4 +187,4 @@ TEST(Relaxation, ItSaysWhereThereIsNoRest) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::relaxation

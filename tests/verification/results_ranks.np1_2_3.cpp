@@ -17,7 +17,7 @@
 #include "hawser/io/results.hpp"
 #include "hawser/io/write_error.hpp"
 
-namespace hawser::io {
+namespace hawser::io::results_ranks {
 namespace {
 
 int rank_of(MPI_Comm comm) {
@@ -290,4 +290,4 @@ TEST(ResultsRanks, ErrorOfOneRankReachesAll) {
 }
 
 }  // namespace
-}  // namespace hawser::io
+}  // namespace hawser::io::results_ranks

@@ -1,7 +1,7 @@
 // Lines laid on the seabed from end to end, from case files to results files: friction holds them in statics.
 #include "../regression/runs.hpp"
 
-namespace hawser::test {
+namespace hawser::test::seabed_laid {
 namespace {
 
 using runs::Edits;
@@ -134,4 +134,4 @@ TEST(SeabedLaid, ACurrentAcross) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::seabed_laid

@@ -6,7 +6,7 @@
 #include "hawser/terms/seabed.hpp"
 #include "support/mooring.hpp"
 
-namespace hawser::test {
+namespace hawser::test::seabed_shapes {
 namespace {
 
 using Heights = std::function<double(double, double)>;
@@ -125,4 +125,4 @@ TEST(SeabedShapes, OnARidge) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::seabed_shapes

@@ -6,7 +6,7 @@
 
 #include "hawser/model/wave_components.hpp"
 
-namespace hawser::test {
+namespace hawser::test::waves_ranks {
 namespace {
 
 TEST(WavesRanks, SeedsAreTheSameSea) {
@@ -36,4 +36,4 @@ TEST(WavesRanks, SeedsAreTheSameSea) {
 }
 
 }  // namespace
-}  // namespace hawser::test
+}  // namespace hawser::test::waves_ranks

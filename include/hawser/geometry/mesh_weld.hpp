@@ -13,8 +13,8 @@ struct CrackResult {
   int open_edges = 0;  // that are left
 };
 
-// Merges corners of open edges that are nearer to each other than 1/200 of the shortest edge at either: a
-// facet that this moves tilts by no more than 2/200 rad, which neither makes an edge nor hides one. Corners
+// Merges corners of open edges that are nearer to each other than 1/100 of the shortest edge at either: a
+// facet that this moves tilts by no more than 2/100 rad, which neither makes an edge nor hides one. Corners
 // all of whose edges join two triangles stay as they are, so a closed mesh does, however fine its features.
 // Of those that merge the corner of the most triangles keeps its place: noise on a few goes. The mesh must be
 // welded (equal corners are one). O(n log n).
