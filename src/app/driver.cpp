@@ -2,14 +2,12 @@
 // by a signal, final messages and exit code. Likewise for `hawser check`.
 #include "hawser/app/driver.hpp"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <petsclog.h>
 
 #include <algorithm>
 #include <cmath>
 #include <csignal>
-#include <ctime>
 #include <filesystem>
 
 #include "hawser/app/cost.hpp"
@@ -18,9 +16,9 @@
 #include "hawser/app/progress.hpp"
 #include "hawser/app/recorder.hpp"
 #include "hawser/app/restart.hpp"
+#include "hawser/app/run_parts.hpp"
 #include "hawser/app/share_nodes.hpp"
 #include "hawser/app/start_contact.hpp"
-#include "hawser/app/version.hpp"
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/share_of_time.hpp"
@@ -46,15 +44,6 @@ void request_stop(int signal) {
   std::signal(signal, SIG_DFL);
 }
 
-io::RunInfo run_info(const model::Case& c, const RunOptions& o, int ranks) {
-  io::RunInfo info;
-  info.case_text = c.text, info.case_path = c.path;
-  info.version = kVersion, info.options = o.options_text, info.ranks = ranks;
-  const std::time_t now = std::time(nullptr);
-  info.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
-  return info;
-}
-
 // A stage of -log_view for as long as it lives; inside it, events are named by term.
 class Stage {
  public:
@@ -66,12 +55,6 @@ class Stage {
   }
   ~Stage() { PetscLogStagePop(); }
 };
-
-// What is said while a case is read.
-io::ReadingNews news(Progress& progress) {
-  return {[&progress](const std::string& title) { progress.say(title); },
-          [&progress](const std::string& what, double seconds) { progress.busy(what, seconds); }};
-}
 
 // What was mended and chosen, the like of several volumes at once.
 std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
@@ -160,8 +143,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
                                s.negative_eigenvalues));
   }
 
-  Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes), run_info(c, options, size),
-                    restarted ? &checkpoint : nullptr, place.appends());
+  Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes),
+                    run_info(c, options.options_text, size), restarted ? &checkpoint : nullptr,
+                    place.appends());
   if (restarted) {
     restore(checkpoint, sim);
     // A new file begins with the state the run goes on from.
@@ -219,9 +203,11 @@ int run(MPI_Comm comm, const RunOptions& options) {
     try {
       d.run(
           end, [&](double t) { return times.next(t); }, observer);
-    } catch (const SolveError&) {
+    } catch (const SolveError& e) {
       save_state();
-      recorder.finish();
+      std::vector<std::string> messages = progress.messages();
+      messages.push_back(fmt::format("warning: {}", e.what()));
+      recorder.finish(std::move(messages));
       throw;
     }
   }
@@ -230,7 +216,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     for (const std::string& n :
          sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)))
       progress.say("note: " + n);
-  const std::string table = recorder.finish();
+  const std::string table = recorder.finish(progress.messages());
   if (speak) {
     fmt::print("\n{}", table);
     if (const std::string clashes = recorder.clash_table(); !clashes.empty()) fmt::print("\n{}", clashes);

@@ -15,6 +15,8 @@
 #include <vector>
 
 #include "hawser/app/driver.hpp"
+#include "hawser/app/modes.hpp"
+#include "hawser/app/post.hpp"
 #include "hawser/app/version.hpp"
 #include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
@@ -98,6 +100,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
 int main(int argc, char** argv) {
   // A file larger than the shell allows (ulimit -f) is then an error of writing, as a full disk is.
   std::signal(SIGXFSZ, SIG_IGN);
+  if (argc > 1 && hawser::app::is_post_command(argv[1])) return hawser::app::post(argv + 1);
   // What follows a lone "--" is PETSc's.
   std::vector<char*> mine, theirs{argv[0]};
   std::string options;
@@ -143,6 +146,18 @@ int main(int argc, char** argv) {
       "  hawser run case.yaml -- -dynamics_snes_monitor -log_view\n"
       "While it runs, results up to the last output can be opened in ParaView; Ctrl-C ends it cleanly.");
 
+  hawser::app::ModesOptions modes;
+  CLI::App* modes_command = cli.add_subcommand(
+      "modes", "Natural frequencies and shapes about the static equilibrium, as outputs of a results file.");
+  modes_command->add_option("case", modes.case_path, "Case file")->required();
+  modes_command->add_option("-n,--number", modes.count, "How many, from the lowest frequency on")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  modes_command->add_option("-o,--output", modes.output, "Results file (default: <case>-modes.h5)");
+  bool in_vacuum = false;
+  modes_command->add_flag("--without-added-mass", in_vacuum, "Leave out the added mass of the water");
+  modes_command->add_flag("-q,--quiet", modes.quiet, "Say nothing but errors");
+
   std::string check_path;
   int ranks = 0;
   CLI::App* check_command =
@@ -161,6 +176,7 @@ int main(int argc, char** argv) {
 
   CLI::App* library_command =
       cli.add_subcommand("library", "Print the line types library, as in the user guide.");
+  for (const auto& command : hawser::app::kPostCommands) cli.add_subcommand(command.name, command.what);
 
   cli.failure_message([&](const CLI::App*, const CLI::Error& e) {
     std::string what = e.what();
@@ -187,8 +203,10 @@ int main(int argc, char** argv) {
     if (petsc.rank == 0) std::fputs(hawser::io::line_library_markdown().c_str(), stdout);
     return 0;
   }
-  run.options_text = options;
+  run.options_text = modes.options_text = options;
+  modes.added_mass = !in_vacuum;
   return guarded(petsc, [&] {
+    if (*modes_command) return hawser::app::modes(PETSC_COMM_WORLD, modes);
     if (!*run_command) return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks, !quick);
     const int code = hawser::app::run(PETSC_COMM_WORLD, run);
     const auto left = unused(theirs);

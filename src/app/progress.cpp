@@ -111,6 +111,7 @@ void Progress::step(double time, double step, int iterations) {
 }
 
 void Progress::say(const std::string& text) {
+  if (text.starts_with("note: ") || text.starts_with("warning: ")) messages_.push_back(text);
   if (!speak_) return;
   end();
   std::puts(text.c_str());

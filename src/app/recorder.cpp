@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "hawser/app/run_parts.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/body_contact.hpp"
@@ -144,12 +145,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   contents.volumes = std::move(volumes);
   contents.xdmf = c.output.xdmf;
   const Mesh& mesh = sim_.mesh();
-  for (size_t l = 0; l < mesh.lines.size(); ++l) {
-    io::ResultLine line{c.lines[l].name, mesh.lines[l].first_node, mesh.lines[l].nodes, {}};
-    for (int n = 0; n < line.nodes; ++n)
-      line.arc.push_back(mesh.nodes[static_cast<size_t>(line.first_node + n)].arc);
-    contents.lines.push_back(std::move(line));
-  }
+  contents.lines = result_lines(c, mesh);
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
   if (ClashReport::wanted(sim_)) clashes_ = std::make_unique<ClashReport>(comm, sim_);
   contents.clashes = clashes_ != nullptr;
@@ -303,7 +299,8 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
     rows.push_back(std::move(row));
   }
   if (!sim_.model().output.clearances.empty())
-    for (std::vector<double>& row : clearances_.rows(at, poses(at))) rows.push_back(std::move(row));
+    for (std::vector<double>& row : clearances_.rows(at, body_poses(sim_, at)))
+      rows.push_back(std::move(row));
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
   if (rank == 0) {
@@ -358,38 +355,12 @@ std::string Recorder::audit_warning() const {
   return audit_.warning(sim_.model().dynamics.step > 0, node < 0 ? "a body" : sim_.mesh().place(node));
 }
 
-// Of floating bodies the rank that owns them tells the others.
-std::vector<io::BodyPose> Recorder::poses(const Kinematics& at) const {
-  const int bodies = sim_.bodies().size();
-  std::vector<double> told;
-  for (int b = 0; b < bodies; ++b) {
-    if (!sim_.bodies().floats(b)) continue;
-    const auto p = sim_.body_pose(b, at);
-    const Quat q = p ? p->rotation : Quat(0, 0, 0, 0);
-    const Vec3 x = p ? p->position : Vec3(Vec3::Zero());
-    told.insert(told.end(), {x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z()});
-  }
-  if (!told.empty())
-    MPI_Allreduce(MPI_IN_PLACE, told.data(), static_cast<int>(told.size()), MPI_DOUBLE, MPI_SUM, comm_);
-  std::vector<io::BodyPose> out;
-  const double* t = told.data();
-  for (int b = 0; b < bodies; ++b) {
-    if (sim_.bodies().floats(b)) {
-      out.push_back({{t[0], t[1], t[2]}, {t[3], t[4], t[5], t[6]}});
-      t += 7;
-    } else {
-      const RigidPose p = sim_.bodies().pose(b, at.time);
-      out.push_back({p.position, p.rotation});
-    }
-  }
-  return out;
-}
-
 void Recorder::output(double time, const Kinematics& at) {
   fill(at, true);
   if (pressed_ >= 0)
     turns_.look(at, values_[static_cast<size_t>(tension_)], values_[static_cast<size_t>(pressed_)]);
-  file_->write_output(time, values_, poses(at), clashes_ ? clashes_->take() : io::ClashTables{}, ends_);
+  file_->write_output(time, values_, body_poses(sim_, at), clashes_ ? clashes_->take() : io::ClashTables{},
+                      ends_);
 }
 
 std::vector<io::SummaryRow> Recorder::summary() const {
@@ -408,9 +379,8 @@ std::vector<io::SummaryRow> Recorder::summary() const {
   return rows;
 }
 
-std::string Recorder::finish() {
+std::string Recorder::finish(std::vector<std::string> messages) {
   const auto rows = summary();
-  file_->finish(rows, clashes_ ? clashes_->take() : io::ClashTables{});
   warnings_.clear();
   for (const auto& r : rows) {
     if (r.quantity == "max effective tension" && pressed_ >= 0)
@@ -433,6 +403,11 @@ std::string Recorder::finish() {
                 "automatic one is as high as the line's EA asks: is its tension more than it "
                 "bears?"));
   }
+  const bool moved = sim_.model().dynamics.enabled;
+  if (const std::string n = audit_.note(); moved && !n.empty()) messages.push_back("note: " + n);
+  if (const std::string w = audit_warning(); moved && !w.empty()) messages.push_back("warning: " + w);
+  for (const std::string& w : warnings_) messages.push_back("warning: " + w);
+  file_->finish(rows, clashes_ ? clashes_->take() : io::ClashTables{}, messages);
   std::string text = fmt::format("{:<24} {:<16} {:>14} {:<6} {:>10} {:>12}\n", "quantity", "line", "value",
                                  "unit", "time [s]", "arc [m]");
   for (const auto& r : rows)

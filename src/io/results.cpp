@@ -469,7 +469,8 @@ void ResultsFile::write_checkpoint(const Checkpoint& checkpoint) {
   m.sequence = sequence;
 }
 
-void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes) {
+void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes,
+                         const std::vector<std::string>& messages) {
   auto& m = *impl_;
   m.write_waiting();
   const long long steps = m.write_steps();
@@ -477,7 +478,7 @@ void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTabl
   m.forget_steps(steps);
   ClashRoom rows{0, 0};
   if (m.contents.clashes) rows = m.rows_of(clashes.ended.size(), clashes.open.size());
-  const ResultLast end{clashes, &summary};
+  const ResultLast end{clashes, &summary, &messages};
   m.build({std::max<long long>(m.count.outputs, 1),
            std::max<long long>(m.count.steps, 1),
            m.room.slot_doubles,

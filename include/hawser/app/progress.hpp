@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace hawser::app {
 
@@ -23,6 +24,8 @@ class Progress {
   void step(double time, double step, int iterations);
   // A line of its own, not lost in the rewritten one.
   void say(const std::string& text);
+  // What has been said of notes and warnings.
+  const std::vector<std::string>& messages() const { return messages_; }
   void end();
   ~Progress() { end(); }
 
@@ -33,6 +36,7 @@ class Progress {
   double start_ = 0, duration_ = 0;
   Clock::time_point began_ = Clock::now(), last_ = Clock::now();
   double next_share_ = 0.1;
+  std::vector<std::string> messages_;
   void rewrite(std::string text);
   bool open_ = false;     // a rewritten line stands on the terminal
   bool passing_ = false;  // and is of no interest once something else is said

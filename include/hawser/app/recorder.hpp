@@ -37,8 +37,9 @@ class Recorder {
   // A picture of the state: all fields.
   void output(double time, const Kinematics& at);
   void checkpoint(const io::Checkpoint& c) { file_->write_checkpoint(c); }
-  // Summary table into the file; returns it as text.
-  std::string finish();
+  // Summary table into the file, which is returned as text, with the notes and warnings that were told of the
+  // run and those of its end.
+  std::string finish(std::vector<std::string> messages);
 
   const Audit& audit() const { return audit_; }
   std::string audit_warning() const;  // Audit::warning in words of this case
@@ -57,7 +58,6 @@ class Recorder {
   void find_worst(const Kinematics& at);
   void correct_ends(const Kinematics& at);
   std::vector<io::SummaryRow> summary() const;
-  std::vector<io::BodyPose> poses(const Kinematics& at) const;
   std::vector<double> body_row(int body, const Kinematics& at) const;
 
   MPI_Comm comm_;

@@ -121,9 +121,10 @@ class ResultsFile {
   // When it returns, read_checkpoint() gives this one; until then, the one before.
   void write_checkpoint(const Checkpoint& checkpoint);
 
-  // End of the run, be it a good one or not: writes series rows still in memory and the table, and cuts the
-  // file to what is used. Only the destructor may follow.
-  void finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes = {});
+  // End of the run, be it a good one or not: writes series rows still in memory, the table and the notes and
+  // warnings of the run (those of rank 0), and cuts the file to what is used. Only the destructor may follow.
+  void finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes = {},
+              const std::vector<std::string>& messages = {});
 
   long long outputs() const;  // so far
   long long written() const;  // of these, those that are in the file

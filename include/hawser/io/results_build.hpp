@@ -21,10 +21,11 @@ struct ResultRoom {
 };
 
 // What the file gets beside the rows it keeps: with the last of them these clashes, and the table of the
-// summary when it is made for the last time.
+// summary and the notes and warnings of the run when it is made for the last time.
 struct ResultLast {
   const ClashTables& clashes;
   const std::vector<SummaryRow>* summary = nullptr;
+  const std::vector<std::string>* messages = nullptr;
 };
 
 // The counter that makes rows count. One small aligned write, after the rows are written.

@@ -1,0 +1,23 @@
+// The commands that look at results: Python does them (scripts/hawser_post).
+#pragma once
+
+#include <string_view>
+
+namespace hawser::app {
+
+struct PostCommand {
+  const char* name;
+  const char* what;
+};
+inline constexpr PostCommand kPostCommands[] = {
+    {"report", "Make one HTML file of a run: pictures, tables, range graphs, histories, energy."},
+    {"plot", "Make one figure: range graph, history, spectrum, phase, plan, elevation, in space."},
+    {"export", "Write the tables, histories and range graphs of a run as CSV files."}};
+
+bool is_post_command(std::string_view word);
+
+// Becomes Python with these arguments, the first of which is the command, and comes back only when there is
+// no Python or no package of hawser's: with the exit code, having said so.
+int post(char** arguments);
+
+}  // namespace hawser::app

@@ -1,0 +1,24 @@
+// What every command that writes results has in common: who ran what and when, the lines as the file has
+// them, and what is said while a case is read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hawser/app/progress.hpp"
+#include "hawser/app/simulation.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "hawser/io/results.hpp"
+#include "hawser/mesh/mesh.hpp"
+#include "hawser/model/case.hpp"
+
+namespace hawser::app {
+
+io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks);
+std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh);
+// Of all bodies, the same on all ranks: of floating ones the rank that owns them tells the others.
+// Collective.
+std::vector<io::BodyPose> body_poses(Simulation& sim, const Kinematics& at);
+io::ReadingNews news(Progress& progress);  // which must live as long
+
+}  // namespace hawser::app

@@ -1,0 +1,135 @@
+"""hawser report, hawser plot and hawser export."""
+import argparse
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+try:
+    import yaml
+
+    from . import charts, export, report, scene
+    from .results import Refusal, Results
+except ModuleNotFoundError as missing:
+    sys.exit(f"hawser: this needs the Python module '{missing.name}': install python3-h5py python3-matplotlib "
+             "python3-scipy python3-yaml (scripts/install-deps does)")
+
+
+def results_of(given):
+    """A results file, or that of a case, which is run if there is none yet or if the case is newer."""
+    path = Path(given)
+    if path.suffix not in (".yaml", ".yml") or not path.is_file():
+        return Results(path)
+    try:
+        named = ((yaml.safe_load(path.read_text(encoding="utf-8")) or {}).get("output") or {}).get("file")
+    except (yaml.YAMLError, AttributeError):
+        named = None  # hawser run says what is wrong with it
+    results = path.parent / named if named else path.with_suffix(".h5")
+    if not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
+        code = subprocess.run([os.environ.get("HAWSER", "hawser"), "run", str(path)]).returncode
+        if code not in (0, 4):  # 4: ended, and the report shows what does not add up
+            sys.exit(code)
+    return Results(results)
+
+
+def make_report(options):
+    results = results_of(options.results)
+    path = Path(options.output) if options.output else results.path.with_suffix(".html")
+    report.make(results, path, options.since)
+    print(f"report: {path}")
+
+
+def make_export(options):
+    results = results_of(options.results)
+    folder = Path(options.output) if options.output else results.path.with_suffix("")
+    for path in export.everything(results, folder):
+        print(path)
+
+
+def default_line(results, options):
+    return results.line(options.line) if options.line else report.by_tension(results)[0]
+
+
+def default_history(results, options):
+    if options.name is None and not results.histories:
+        raise Refusal(f"{results.path} has no history: the case asks for them by output.histories")
+    return results.series(options.name or results.histories[0])
+
+
+def make_plot(options):
+    results = results_of(options.results)
+    if options.what in scene.VIEWS:
+        output = -1 if options.time is None else int(abs(results.time - options.time).argmin())
+        figure = scene.picture(results, options.what, output)
+    elif options.what == "range":
+        figure = charts.range_graph(results, default_line(results, options), options.field, options.since)
+    else:
+        series = default_history(results, options)
+        keep = results.step_time >= options.since
+        time = results.step_time[keep]
+        column = options.column or ("effective_tension" if "effective_tension" in series.columns else series.columns[0])
+        values, unit = series.column(column)[keep], series.unit(column)
+        if len(time) < 16:
+            raise Refusal(f"'{series.name}' has {len(time)} steps from t = {options.since:g} s on: too few for a figure")
+        if options.what == "history":
+            figure = charts.history(time, [(column, values)], unit, column, series.name)
+        elif options.what == "spectrum":
+            figure = charts.density(time, values, unit, column, series.name)
+        else:
+            other = options.over or "position_z"
+            figure = charts.one_over_another(series.column(other)[keep], values,
+                                             (charts.label(other, series.unit(other)), charts.label(column, unit)), series.name)
+    path = Path(options.output) if options.output else results.path.with_name(f"{results.path.stem}-{options.what}.png")
+    if path.suffix not in (".png", ".svg", ".pdf"):
+        raise Refusal(f"{path}: a figure is a .png, .svg or .pdf file")
+    figure.savefig(path, dpi=150)
+    print(f"figure: {path}")
+
+
+def commands():
+    parser = argparse.ArgumentParser(prog="hawser", description="Reports, figures and tables of results.")
+    sub = parser.add_subparsers(dest="command", required=True)
+    of = "results file (.h5) or case file, which is run first if its results are missing or older"
+    since = {"type": float, "default": 0.0, "metavar": "T", "help": "leave out what is before t = T [s]"}
+
+    p = sub.add_parser("report", help="one HTML file with pictures, tables and figures of a run")
+    p.add_argument("results", help=of)
+    p.add_argument("-o", "--output", help="HTML file (default: beside the results)")
+    p.add_argument("--since", **since)
+    p.set_defaults(do=make_report)
+
+    p = sub.add_parser("plot", help="one figure, as PNG, SVG or PDF")
+    p.add_argument("results", help=of)
+    p.add_argument("what", choices=("range", "history", "spectrum", "phase", *scene.VIEWS))
+    p.add_argument("-o", "--output", help="file (default: <results>-<what>.png)")
+    p.add_argument("--line", help="of a range graph (default: that with the largest tension)")
+    p.add_argument("--field", default="effective_tension", help="of a range graph (default: effective_tension)")
+    p.add_argument("--name", help="of a history, as in output.histories (default: the first)")
+    p.add_argument("--column", help="of a history (default: effective_tension, or the first)")
+    p.add_argument("--over", help="phase: column on the horizontal axis (default: position_z)")
+    p.add_argument("--time", type=float, help="of a picture: the output nearest to it [s] (default: the last)")
+    p.add_argument("--since", **since)
+    p.set_defaults(do=make_plot)
+
+    p = sub.add_parser("export", help="CSV files of the tables, histories and range graphs")
+    p.add_argument("results", help=of)
+    p.add_argument("-o", "--output", help="folder (default: named like the results)")
+    p.set_defaults(do=make_export)
+    return parser
+
+
+def main():
+    options = commands().parse_args()
+    try:
+        options.do(options)
+    except Refusal as refusal:
+        print(f"hawser: {refusal}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"hawser: {error.filename}: cannot be written ({error.strerror})", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,52 @@
+"""Results as CSV files, one table each, with the units in the first row."""
+import csv
+import re
+
+import numpy as np
+
+from . import tables
+
+
+def write(path, head, rows):
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(head)
+        table.writerows([v if isinstance(v, str) else f"{v:.9g}" for v in row] for row in rows)
+    return path
+
+
+def file_name(name):
+    return re.sub(r"[^\w.@+-]+", "_", name)
+
+
+def series(results, name):
+    s = results.series(name)
+    head = ["time [s]"] + [f"{c} [{u}]" if u not in ("", "1") else c for c, u in zip(s.columns, s.units)]
+    return head, np.column_stack([results.step_time, s.values])
+
+
+def ranges(results, line):
+    """Over the outputs, of each field along a line: least, mean and largest."""
+    head, columns = ["arc_length [m]"], [line.arc]
+    for field in results.fields:
+        if field in ("position", "velocity", "axis_1", "axis_2"):
+            continue
+        values, unit = results.magnitude(field, line), results.unit(field)
+        for what, column in (("min", values.min(axis=0)), ("mean", values.mean(axis=0)), ("max", values.max(axis=0))):
+            head.append(f"{field}_{what} [{unit}]")
+            columns.append(column)
+    return head, np.column_stack(columns)
+
+
+def everything(results, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    done = [write(folder / "lines.csv", *tables.of_lines(results)), write(folder / "ends.csv", *tables.at_ends(results))]
+    for name, (head, rows) in (("extremes", tables.extremes(results)), ("statistics", tables.statistics_of(results)),
+                               ("clashes", tables.clashes(results))):
+        if rows:
+            done.append(write(folder / f"{name}.csv", head, rows))
+    for name in results.series_names:
+        done.append(write(folder / f"{file_name(results.series(name).name)}.csv", *series(results, name)))
+    for line in results.lines:
+        done.append(write(folder / f"range_{file_name(line.name)}.csv", *ranges(results, line)))
+    return done

@@ -1,0 +1,76 @@
+"""The HTML of a report: one file with everything in it, for the screen and for paper."""
+import base64
+import html
+import io
+
+import matplotlib.pyplot as plt
+
+STYLE = """
+body { font: 15px/1.45 system-ui, "DejaVu Sans", sans-serif; color: #1c2733; max-width: 980px; margin: 2em auto; padding: 0 1em }
+h1 { font-size: 1.7em; margin-bottom: 0.1em } h2 { font-size: 1.25em; border-bottom: 1px solid #c9d3dc; margin-top: 2em }
+nav a { margin-right: 1em } a { color: #1f5a92; text-decoration: none }
+table { border-collapse: collapse; font-size: 0.85em; margin: 0.8em 0; font-variant-numeric: tabular-nums }
+th, td { padding: 0.2em 0.7em; text-align: right; border-bottom: 1px solid #e3e8ed } th { background: #eef2f5; vertical-align: bottom }
+th.text, td.text { text-align: left } .wide { overflow-x: auto }
+img { max-width: 100%; height: auto; display: block; margin: 0.6em 0 }
+pre { background: #f5f7f9; padding: 1em; overflow-x: auto; font-size: 0.8em }
+.warning { background: #fdecea; border-left: 4px solid #c0392b; padding: 0.4em 0.8em; margin: 0.4em 0 }
+.note { background: #eef4fa; border-left: 4px solid #1f5a92; padding: 0.4em 0.8em; margin: 0.4em 0 }
+figure { margin: 0; break-inside: avoid } figcaption { color: #54616d; font-size: 0.85em }
+@media print { body { max-width: none; margin: 0; font-size: 11px } nav { display: none } h2 { break-after: avoid } pre { white-space: pre-wrap } }
+"""
+
+
+def number(value):
+    """Four digits or so, and no more than an engineer reads."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, int):
+        return str(value)
+    size = abs(value)
+    if value == 0 or size < 1e-12:
+        return "0"
+    if 1e-3 <= size < 1e5:
+        return f"{value:.{max(0, 4 - len(str(int(size))))}f}" if size >= 1 else f"{value:.4g}"
+    return f"{value:.4g}"
+
+
+class Page:
+    def __init__(self, title):
+        self.title, self.parts, self.sections = title, [], []
+
+    def section(self, name):
+        key = f"s{len(self.sections)}"
+        self.sections.append((key, name))
+        self.parts.append(f'<h2 id="{key}">{html.escape(name)}</h2>')
+
+    def text(self, words, kind="p"):
+        tag = f'<div class="{kind}">{{}}</div>' if kind in ("note", "warning") else f"<{kind}>{{}}</{kind}>"
+        self.parts.append(tag.format(html.escape(words)))
+
+    def table(self, head, rows):
+        if not rows:
+            return
+        left = [isinstance(v, str) and v != "" for v in rows[0]]
+        marks = [' class="text"' if is_text else "" for is_text in left]
+        lines = ["<tr>" + "".join(f"<th{m}>{html.escape(h)}</th>" for h, m in zip(head, marks)) + "</tr>"]
+        for row in rows:
+            lines.append("<tr>" + "".join(f"<td{m}>{html.escape(number(v))}</td>" for v, m in zip(row, marks)) + "</tr>")
+        self.parts.append('<div class="wide"><table>' + "\n".join(lines) + "</table></div>")
+
+    def figure(self, figure, caption, form="svg"):
+        """Takes the figure; `form`: svg, or png for what has very many strokes."""
+        data = io.BytesIO()
+        figure.savefig(data, format=form, dpi=130, metadata={"Date": None} if form == "svg" else None)
+        plt.close(figure)
+        kind = "svg+xml" if form == "svg" else form
+        text = base64.b64encode(data.getvalue()).decode()
+        self.parts.append(f'<figure><img alt="{html.escape(caption)}" src="data:image/{kind};base64,{text}">'
+                          f"<figcaption>{html.escape(caption)}</figcaption></figure>")
+
+    def write(self, path):
+        links = "".join(f'<a href="#{key}">{html.escape(name)}</a>' for key, name in self.sections)
+        path.write_text(
+            f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(self.title)}</title>'
+            f'<link rel="icon" href="data:,"><style>{STYLE}</style></head>\n<body><h1>{html.escape(self.title)}</h1>\n'
+            f"<nav>{links}</nav>\n" + "\n".join(self.parts) + "\n</body></html>\n", encoding="utf-8")

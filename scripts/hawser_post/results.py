@@ -1,0 +1,199 @@
+"""A results file of hawser: lines, outputs, histories and extremes as arrays, in SI units."""
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+import yaml
+
+
+class Refusal(Exception):
+    """What the user asked for cannot be done; the text is one sentence."""
+
+
+def text_of(value):
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+
+
+@dataclass
+class Line:
+    name: str
+    number: int
+    nodes: slice  # of the node fields
+    arc: np.ndarray  # m from end A, unstretched
+
+    @property
+    def length(self):
+        return float(self.arc[-1])
+
+
+@dataclass
+class Series:
+    """A table with a row at every step: a history, a clearance, the energy audit or the solver."""
+    name: str
+    columns: list
+    units: list
+    values: np.ndarray  # steps x columns
+
+    def column(self, name):
+        if name not in self.columns:
+            raise Refusal(f"'{self.name}' has no column '{name}' (there are: {', '.join(self.columns)})")
+        return self.values[:, self.columns.index(name)]
+
+    def unit(self, name):
+        return self.units[self.columns.index(name)]
+
+
+class Results:
+    def __init__(self, path):
+        self.path = Path(path)
+        if not self.path.is_file():
+            raise Refusal(f"{path}: there is no such file")
+        try:
+            self.file = h5py.File(self.path, "r", locking=False)
+        except OSError as error:
+            raise Refusal(f"{path}: is no HDF5 file that can be read ({str(error).splitlines()[0]})") from error
+        if "hawser_results" not in self.file.attrs:
+            raise Refusal(f"{path}: is an HDF5 file, but none that hawser has written")
+        # Of a run in progress more rows than these may be there: they are not results.
+        self.outputs, self.steps = (int(n) for n in self.file["written"][0])
+        if self.outputs == 0:
+            raise Refusal(f"{path}: holds no output yet")
+        self.time = self.file["outputs/time"][: self.outputs]
+        arc = self.file["nodes/arc_length"][:]
+        self.lines = []
+        for i, name in enumerate(self.file["lines/name"][:]):
+            first, count = int(self.file["lines/first_node"][i]), int(self.file["lines/nodes"][i])
+            self.lines.append(Line(text_of(name), i, slice(first, first + count), arc[first : first + count]))
+        self.case = text_of(self.file["case"][()])
+
+    def attribute(self, name):
+        return text_of(self.file.attrs.get(name, ""))
+
+    def line(self, name):
+        for line in self.lines:
+            if line.name == name:
+                return line
+        raise Refusal(f"there is no line '{name}' (there are: {', '.join(line.name for line in self.lines)})")
+
+    @property
+    def fields(self):
+        """Names of the node fields."""
+        return sorted(self.file["fields"])
+
+    def has(self, field):
+        return field in self.file["fields"]
+
+    def unit(self, field):
+        return text_of(self.file["fields"][field].attrs.get("unit", ""))
+
+    def field(self, name, line, output=None):
+        """Values at the nodes of a line: outputs x nodes (x 3), or nodes (x 3) of one output."""
+        if not self.has(name):
+            raise Refusal(f"there is no field '{name}' (there are: {', '.join(self.fields)})")
+        data = self.file["fields"][name]
+        if output is None:
+            return data[: self.outputs, line.nodes]
+        return data[range(self.outputs)[output], line.nodes]
+
+    def magnitude(self, name, line):
+        """As `field`, of vectors their size: outputs x nodes."""
+        values = self.field(name, line)
+        return np.linalg.norm(values, axis=2) if values.ndim == 3 else values
+
+    @property
+    def series_names(self):
+        return [n for n in self.file["series"] if n != "time"] if "series" in self.file else []
+
+    @property
+    def histories(self):
+        """Names of what `output.histories` and `output.clearances` ask for."""
+        return [n for n in self.series_names if n not in ("energy", "solver")]
+
+    def series(self, name):
+        for key in self.series_names:
+            data = self.file["series"][key]
+            if name in (key, text_of(data.attrs.get("name", key))):
+                return Series(text_of(data.attrs.get("name", key)),
+                              [text_of(c) for c in data.attrs["columns"]],
+                              [text_of(u) for u in data.attrs["units"]], data[: self.steps])
+        raise Refusal(f"there is no history '{name}' (there are: {', '.join(self.series_names) or 'none'})")
+
+    @property
+    def step_time(self):
+        return self.file["series/time"][: self.steps] if "series" in self.file else np.zeros(0)
+
+    def summary(self):
+        """Rows (quantity, line, value, unit, time, arc length) over all steps; none before the end of a run."""
+        rows = self.file["summary"][:] if "summary" in self.file else []
+        return [(text_of(r["quantity"]), text_of(r["line"]), float(r["value"]), text_of(r["unit"]),
+                 float(r["time"]), float(r["arc_length"])) for r in rows]
+
+    def ends(self, what):
+        """'force', 'moment' or 'direction': outputs x ends x 3; nothing where the file has none."""
+        return self.file[f"ends/{what}"][: self.outputs] if f"ends/{what}" in self.file else None
+
+    def clashes(self):
+        """Names of the columns, their units, and rows of those that ended and those in progress."""
+        if "clashes" not in self.file or self.outputs == 0:
+            return [], [], []
+        ended, still = (int(n) for n in self.file["outputs/clashes"][self.outputs - 1])
+        table = self.file["clashes/ended"]
+        names = [n for n in table.dtype.names]
+        units = [text_of(u) for u in table.attrs["units"]]
+        rows = list(table[:ended]) + list(self.file["clashes/open"][(self.outputs - 1) % 2, :still])
+        volumes = [text_of(v) for v in self.file["clashes/volume_name"][:]]
+
+        def value(row, name):
+            v = row[name]
+            if name.endswith("line"):
+                return self.lines[v].name if v >= 0 else ""
+            if name.endswith("volume"):
+                return volumes[v] if v >= 0 else ""
+            return float(v)
+
+        return names, units, [[value(r, n) for n in names] for r in rows]
+
+    def messages(self):
+        """Notes and warnings of the run."""
+        return [text_of(m) for m in self.file["messages"][:]] if "messages" in self.file else []
+
+    @property
+    def bodies(self):
+        return [text_of(n) for n in self.file["bodies/name"][:]] if "bodies/name" in self.file else []
+
+    def volumes(self, output):
+        """Name, vertices in space and triangles of each volume that is kept as a mesh."""
+        for name, volume in self.file.get("volumes", {}).items():
+            if "vertices" not in volume or "triangles" not in volume:
+                continue
+            x, body = volume["vertices"][:], int(volume.attrs.get("body", -1))
+            if body >= 0:
+                x = x @ self.rotation(body, output).T + self.file["bodies/position"][range(self.outputs)[output], body]
+            yield text_of(volume.attrs.get("name", name)), x, volume["triangles"][:].reshape(-1, 3)
+
+    def rotation(self, body, output):
+        w, x, y, z = self.file["bodies/rotation"][range(self.outputs)[output], body]
+        return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                         [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                         [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+    def sea(self):
+        """Height of the still water and of a flat seabed [m], each None where there is none: as the case has it."""
+        try:
+            environment = (yaml.safe_load(self.case) or {}).get("environment") or {}
+        except yaml.YAMLError:
+            return None, None
+        water, bed = environment.get("water"), environment.get("seabed")
+        level = None if water is None else metres((water or {}).get("surface"), 0.0)
+        depth = metres((bed or {}).get("depth"), None)
+        return level, None if depth is None else (level or 0.0) - depth
+
+
+def metres(value, otherwise):
+    """A length of a case file, which may be a text with its unit."""
+    found = re.fullmatch(r"\s*([-+.\deE]+)\s*(m|mm|cm|km|ft|in)?\s*", str(value))
+    if not found:
+        return otherwise
+    return float(found.group(1)) * {"mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254}.get(found.group(2), 1.0)

@@ -1,0 +1,123 @@
+"""Pictures of the model: from above, from the side and in space, with sea, seabed and volumes."""
+import matplotlib.pyplot as plt
+import numpy as np
+from mpl_toolkits.mplot3d.art3d import Line3DCollection
+
+from .charts import COLOURS
+
+VIEWS = ("plan", "elevation", "space")
+SEA, BED, HULL = "#4d8fbf", "#9c7a4d", "#7a858f"
+MOST_EDGES = 6000
+
+
+def colour(results, line):
+    return COLOURS[line.number % len(COLOURS)]
+
+
+def edges(x, triangles):
+    """Edges of a mesh to draw, the sharp ones first, at most MOST_EDGES."""
+    corners = x[triangles]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+    all_edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    of = np.tile(np.arange(len(triangles)), 3)
+    order = np.lexsort((all_edges[:, 1], all_edges[:, 0]))
+    all_edges, of = all_edges[order], of[order]
+    twin = np.flatnonzero((all_edges[1:] == all_edges[:-1]).all(axis=1))
+    bend = 1 - (normals[of[twin]] * normals[of[twin + 1]]).sum(axis=1)
+    kept = twin[bend > 0.03]  # beyond 14 degrees
+    if len(kept) < 12:  # round all over
+        kept = twin
+    kept = kept[np.argsort(-bend[np.searchsorted(twin, kept)], kind="stable")[:MOST_EDGES]]
+    return x[all_edges[kept]]
+
+
+def across(results):
+    """The horizontal direction in which the lines extend most, a unit vector: what a view from the side shows."""
+    x = np.concatenate([results.field("position", line, 0)[:, :2] for line in results.lines])
+    _, _, axes = np.linalg.svd(x - x.mean(axis=0), full_matrices=False)
+    along = axes[0]
+    if abs(along[0]) > 0.95:
+        along = np.array([1.0, 0.0])
+    elif abs(along[1]) > 0.95:
+        along = np.array([0.0, 1.0])
+    return along * (np.sign(along[np.argmax(np.abs(along))]) or 1)
+
+
+def picture(results, view, output=-1, high=4.2):
+    if view == "space":
+        return in_space(results, output)
+    figure, axes = plt.subplots(figsize=(7.2, high), layout="constrained")
+    along = across(results)
+
+    def flat(x):
+        return (x[..., 0], x[..., 1]) if view == "plan" else (x[..., :2] @ along, x[..., 2])
+
+    for name, x, triangles in results.volumes(output):
+        for edge in edges(x, triangles):
+            axes.plot(*flat(edge), color=HULL, lw=0.5, zorder=1)
+    shown = list(dict.fromkeys([0, range(results.outputs)[output]]))
+    for line in results.lines:
+        for output_shown in shown:
+            last = output_shown == shown[-1]
+            axes.plot(*flat(results.field("position", line, output_shown)), color=colour(results, line),
+                      lw=1.4 if last else 0.8, ls="-" if last else "--", zorder=3,
+                      label=line.name if last and len(results.lines) <= 12 else None)
+    for b, name in enumerate(results.bodies):
+        x = results.file["bodies/position"][range(results.outputs)[output], b]
+        axes.plot(*flat(x), "k+", ms=8, zorder=4)
+        axes.annotate(name, flat(x), xytext=(4, 4), textcoords="offset points", fontsize=8)
+    if view == "elevation":
+        surface, bed = results.sea()
+        if surface is not None:
+            axes.axhline(surface, color=SEA, lw=1.2)
+        if bed is not None:
+            axes.axhline(bed, color=BED, lw=1.6)
+    axes.set_aspect("equal", adjustable="datalim")
+    names = ("x [m]", "y [m]") if view == "plan" else (axis_name(along), "z [m]")
+    axes.set(xlabel=names[0], ylabel=names[1], title=title(results, view, shown))
+    if len(results.lines) <= 12:
+        axes.legend(fontsize=8, ncols=min(4, len(results.lines)))
+    return figure
+
+
+def axis_name(along):
+    if along[0] == 1:
+        return "x [m]"
+    return "y [m]" if along[1] == 1 else f"along ({along[0]:.2f}, {along[1]:.2f}) [m]"
+
+
+def title(results, view, shown):
+    at = f"t = {results.time[shown[-1]]:g} s"
+    if len(shown) > 1:
+        at += f" (dashed: t = {results.time[0]:g} s)"
+    return {"plan": "from above", "elevation": "from the side", "space": "in space"}[view] + ", " + at
+
+
+def in_space(results, output):
+    figure = plt.figure(figsize=(7.2, 5.0), layout="constrained")
+    axes = figure.add_subplot(projection="3d", computed_zorder=False)
+    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    for line in results.lines:
+        x = results.field("position", line, output)
+        axes.plot(x[:, 0], x[:, 1], x[:, 2], color=colour(results, line), lw=1.4, zorder=3)
+        low, high = np.minimum(low, x.min(axis=0)), np.maximum(high, x.max(axis=0))
+    for _, x, triangles in results.volumes(output):
+        axes.add_collection3d(Line3DCollection(edges(x, triangles), colors=HULL, linewidths=0.4, zorder=2))
+        # A volume far larger than what lies on it does not make that small.
+        reach = 1.5 * (high - low).max()
+        low, high = np.minimum(low, np.maximum(x.min(axis=0), low - reach)), np.maximum(high, np.minimum(x.max(axis=0), high + reach))
+    surface, bed = results.sea()
+    for z, paint, alpha in ((bed, BED, 0.25), (surface, SEA, 0.15)):
+        if z is None:
+            continue
+        corner = np.array([[low[0], high[0]], [low[0], high[0]]]), np.array([[low[1]] * 2, [high[1]] * 2])
+        axes.plot_surface(*corner, np.full((2, 2), z), color=paint, alpha=alpha, zorder=1)
+        low[2], high[2] = min(low[2], z), max(high[2], z)
+    size = np.maximum(high - low, 0.15 * (high - low).max())
+    middle = (low + high) / 2
+    for set_limits, m, s in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle, size):
+        set_limits(m - s / 2, m + s / 2)
+    axes.set_box_aspect(size)
+    axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]", title=title(results, "space", [range(results.outputs)[output]]))
+    return figure

@@ -1,0 +1,48 @@
+"""What is said of a signal in a few numbers, and its spectrum. Signals may have steps of any length."""
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.signal import welch
+
+
+@dataclass
+class Statistics:
+    least: float
+    least_time: float
+    most: float
+    most_time: float
+    mean: float
+    deviation: float  # standard deviation
+    period: float  # s, mean between upcrossings of the mean; NaN with fewer than two
+
+
+def mean_of(t, x):
+    """Mean over time by the trapezoidal rule."""
+    return float(np.trapz(x, t) / (t[-1] - t[0])) if len(t) > 1 and t[-1] > t[0] else float(x[-1])
+
+
+def upcrossings(t, x):
+    """Times at which x rises through its mean, by straight lines between samples."""
+    y = np.asarray(x) - mean_of(t, x)
+    i = np.flatnonzero((y[:-1] < 0) & (y[1:] >= 0))
+    return t[i] - y[i] * (t[i + 1] - t[i]) / (y[i + 1] - y[i])
+
+
+def statistics(t, x):
+    t, x = np.asarray(t, float), np.asarray(x, float)
+    mean = mean_of(t, x)
+    up = upcrossings(t, x)
+    period = (up[-1] - up[0]) / (len(up) - 1) if len(up) > 1 else np.nan
+    low, high = int(np.argmin(x)), int(np.argmax(x))
+    return Statistics(float(x[low]), float(t[low]), float(x[high]), float(t[high]), mean,
+                      float(np.sqrt(mean_of(t, (x - mean) ** 2))), float(period))
+
+
+def spectrum(t, x):
+    """One-sided power spectral density by Welch's method (Welch 1967), Hann windows of a quarter of the signal that
+    overlap by half: frequencies [Hz] and unit²/Hz. The signal is brought to equal steps first, as many as it has."""
+    t, x = np.asarray(t, float), np.asarray(x, float)
+    even = np.linspace(t[0], t[-1], len(t))
+    f, density = welch(np.interp(even, t, x), fs=1 / (even[1] - even[0]), nperseg=max(16, len(even) // 4),
+                       detrend="constant")
+    return f, density

@@ -1,0 +1,147 @@
+// The table of natural modes, and the results file in which each mode is an output.
+#include "hawser/app/modes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "hawser/app/output_place.hpp"
+#include "hawser/app/run_parts.hpp"
+#include "hawser/app/simulation.hpp"
+#include "hawser/app/volumes.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/notes.hpp"
+#include "hawser/solve/natural_modes.hpp"
+
+namespace hawser::app {
+namespace {
+
+// Of the longest line, as a mode is drawn: largest displacement of `position`.
+constexpr double kDrawn = 0.05;
+
+// Where a mode has its largest translation, the same on all ranks.
+struct Place {
+  double size = -1;
+  int node = -1;  // of the mesh
+  Vec3 along = Vec3::Zero();
+};
+
+Place largest(MPI_Comm comm, const LocalMesh& local, const NaturalMode& mode) {
+  Place p;
+  for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
+    if (const double size = mode.shape[n].norm(); size > p.size)
+      p = {size, local.global[n], mode.shape[n].cwiseAbs()};
+  struct {
+    double size;
+    int rank;
+  } best{p.size, 0};
+  MPI_Comm_rank(comm, &best.rank);
+  MPI_Allreduce(MPI_IN_PLACE, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
+  MPI_Bcast(&p.node, 1, MPI_INT, best.rank, comm);
+  MPI_Bcast(p.along.data(), 3, MPI_DOUBLE, best.rank, comm);
+  p.size = best.size;
+  return p;
+}
+
+double period_of(const NaturalMode& mode) { return 2 * M_PI / std::sqrt(mode.squared); }
+
+std::string row(const Mesh& mesh, int number, const NaturalMode& mode, const Place& p) {
+  const std::string when = mode.squared > 0
+                               ? fmt::format("{:>12.5g} {:>14.5g}", period_of(mode), 1 / period_of(mode))
+                               : fmt::format("{:>12} {:>14}", "unstable", "-");
+  return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}\n", number, when, p.along.x(), p.along.y(),
+                     p.along.z(), mesh.place(p.node));
+}
+
+io::ResultContents contents(const Simulation& sim, const ModesOptions& o, int size, int found) {
+  const model::Case& c = sim.model();
+  io::ResultContents out;
+  out.run = run_info(c, o.options_text, size);
+  out.lines = result_lines(c, sim.mesh());
+  out.fields = {{"position", "m", 3}, {"mode_shape", "1", 3}};
+  out.series = {{"modes", {{"period", "s", 1}, {"frequency", "Hz", 1}}}};
+  for (const auto& b : c.bodies) out.bodies.push_back(b.name);
+  out.xdmf = c.output.xdmf;
+  out.expected_outputs = out.expected_steps = found + 1;
+  out.free_bodies = static_cast<int>(sim.mesh().nodes.size()) - sim.mesh().line_nodes();
+  return out;
+}
+
+std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
+  std::vector<double> out;
+  for (int n = 0; n < nodes; ++n)
+    out.insert(out.end(), values[static_cast<size_t>(n)].begin(), values[static_cast<size_t>(n)].end());
+  return out;
+}
+
+void write(MPI_Comm comm, Simulation& sim, const ModesOptions& o, const std::string& path,
+           const std::vector<NaturalMode>& found) {
+  int rank = 0, size = 1;
+  MPI_Comm_rank(comm, &rank), MPI_Comm_size(comm, &size);
+  const LocalMesh& local = sim.local();
+  std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
+  io::ResultsFile file = io::ResultsFile::create(
+      comm, path, contents(sim, o, size, static_cast<int>(found.size())), std::move(owned));
+  double length = 0;
+  for (const auto& line : sim.model().lines) length = std::max(length, model::length_of(line));
+  const std::vector<io::BodyPose> poses = body_poses(sim, sim.state().view(0));
+  const std::vector<Vec3> rest(static_cast<size_t>(local.owned), Vec3::Zero());
+  file.write_output(0, {flat(sim.state().x, local.owned), flat(rest, local.owned)}, poses);
+  double number = 0;
+  for (const NaturalMode& mode : found) {
+    ++number;
+    std::vector<Vec3> drawn = sim.state().x;
+    for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) drawn[n] += kDrawn * length * mode.shape[n];
+    const double period = mode.squared > 0 ? period_of(mode) : HUGE_VAL;
+    file.append_series(number, {rank == 0 ? std::vector<double>{period, 1 / period} : std::vector<double>{}});
+    file.write_output(number, {flat(drawn, local.owned), flat(mode.shape, local.owned)}, poses);
+  }
+  file.finish({});
+}
+
+}  // namespace
+
+int modes(MPI_Comm comm, const ModesOptions& options) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  Progress progress(rank == 0 && !options.quiet);
+  model::Case c = io::read_case(options.case_path, news(progress), comm);
+  const std::filesystem::path beside(c.path);
+  const std::string wanted = options.output.empty()
+                                 ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
+                                 : std::filesystem::absolute(options.output).string();
+  const OutputPlace place(comm, wanted, "");
+  if (!options.added_mass)
+    for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  c.tree.reset();
+  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
+  for (const std::string& n : model::grouped_notes(c.notes)) progress.say("note: " + n);
+  if (!c.statics.enabled)
+    throw InputError(c.path +
+                     ": statics: modes are about the static equilibrium, which this case leaves out");
+  sim.solve_statics();
+  const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);
+  progress.end();
+  std::string table = fmt::format("{:>4} {:>12} {:>14}  {:^17}  {}\n", "mode", "period [s]", "frequency [Hz]",
+                                  "x, y, z there", "largest at");
+  for (size_t i = 0; i < found.size(); ++i)
+    table += row(sim.mesh(), static_cast<int>(i) + 1, found[i], largest(comm, sim.local(), found[i]));
+  write(comm, sim, options, place.path(), found);
+  if (rank == 0 && !options.quiet) {
+    fmt::print("\n{}", table);
+    if (found.size() < static_cast<size_t>(options.count))
+      fmt::print("\nnote: the model has no more than {} modes\n", found.size());
+    if (!found.empty() && found.front().squared <= 0)
+      fmt::print(
+          "\nwarning: the equilibrium is unstable or can be moved without force in the first direction\n");
+    fmt::print("\nresults: {}\n", place.path());
+  }
+  return 0;
+}
+
+}  // namespace hawser::app

@@ -1,0 +1,65 @@
+// Where the Python package is, beside the program that is installed or in the sources, and how the process
+// becomes Python.
+#include "hawser/app/post.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hawser::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The folder of the package hawser_post; empty: there is none.
+fs::path package_folder(const fs::path& program) {
+  for (const fs::path& folder :
+       {program.parent_path().parent_path() / "share/hawser/python", fs::path(HAWSER_SCRIPTS)}) {
+    std::error_code none;
+    if (fs::is_directory(folder / "hawser_post", none)) return folder;
+  }
+  return {};
+}
+
+}  // namespace
+
+bool is_post_command(std::string_view word) {
+  return std::any_of(std::begin(kPostCommands), std::end(kPostCommands),
+                     [&](const PostCommand& c) { return word == c.name; });
+}
+
+int post(char** arguments) {
+  // Of several processes one is enough.
+  if (const char* rank = std::getenv("OMPI_COMM_WORLD_RANK"); rank && std::string_view(rank) != "0") return 0;
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown), folder = package_folder(program);
+  if (folder.empty()) {
+    std::fputs(
+        fmt::format(
+            "hawser: the Python package hawser_post is neither in share/hawser/python beside {} nor in {}\n",
+            program.string(), HAWSER_SCRIPTS)
+            .c_str(),
+        stderr);
+    return 1;
+  }
+  const char* before = std::getenv("PYTHONPATH");
+  setenv("PYTHONPATH", (before ? fmt::format("{}:{}", folder.string(), before) : folder.string()).c_str(), 1);
+  setenv("HAWSER", program.c_str(), 1);
+  std::string python = "python3", no_bytecode = "-B", module = "-m", name = "hawser_post";
+  std::vector<char*> words{python.data(), no_bytecode.data(), module.data(), name.data()};
+  for (; *arguments; ++arguments) words.push_back(*arguments);
+  words.push_back(nullptr);
+  // The distribution's own has the modules; another may come first in PATH.
+  execv("/usr/bin/python3", words.data());
+  execvp("python3", words.data());
+  std::fputs("hawser: there is no python3, which this command needs\n", stderr);
+  return 1;
+}
+
+}  // namespace hawser::app

@@ -1,0 +1,125 @@
+// Stiffness and mass as matrices of free components, and their lowest eigenpairs by shift and invert.
+#include "hawser/solve/natural_modes.hpp"
+
+#include <fmt/format.h>
+#include <petscmat.h>
+#include <slepceps.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/handle.hpp"
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+// Eigenvalues are looked for about this one, omega² of a period of 1000 s below zero: there K - target M is
+// regular also where the system can move freely.
+constexpr double kTarget = -4e-5;  // rad²/s²
+constexpr double kTolerance = 1e-10;
+constexpr int kMostIterations = 2000;
+
+class Slepc {
+ public:
+  Slepc() { check(SlepcInitializeNoArguments()); }  // PETSc is up already, and stays
+  ~Slepc() { SlepcFinalize(); }
+  Slepc(const Slepc&) = delete;
+  Slepc& operator=(const Slepc&) = delete;
+};
+
+using Solver = Handle<EPS, EPSDestroy>;
+
+// The symmetric part of a tangent. The tangent has 1 on the diagonal of held components.
+MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights, double held) {
+  MatHandle J = system.create_matrix(), A, T;
+  const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
+  system.tangent(at, weights, zero, false, J.get());
+  check(MatConvert(J.get(), MATAIJ, MAT_INITIAL_MATRIX, A.out()));
+  check(MatTranspose(A.get(), MAT_INITIAL_MATRIX, T.out()));
+  check(MatAXPY(A.get(), 1, T.get(), DIFFERENT_NONZERO_PATTERN));
+  check(MatScale(A.get(), 0.5));
+  const auto& is_held = system.supports().held();
+  for (int b = 0; b < system.mesh().owned_blocks; ++b)
+    for (int c = 0; c < 3; ++c) {
+      if (!(is_held[static_cast<size_t>(b)] >> c & 1)) continue;
+      const PetscInt row = 3 * system.mesh().global_block[static_cast<size_t>(b)] + c;
+      check(MatSetValue(A.get(), row, row, held - 1, ADD_VALUES));
+    }
+  check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(A.get(), MAT_FINAL_ASSEMBLY));
+  check(MatSetOption(A.get(), MAT_SYMMETRIC, PETSC_TRUE));
+  return A;
+}
+
+// Translations of the nodes by the unknowns: a node that is tied goes with its frame, dx = dX - R hat(y)
+// theta.
+std::vector<Vec3> translations(const System& system, const Kinematics& at, const std::vector<double>& u) {
+  const LocalMesh& mesh = system.mesh();
+  const auto block = [&](int b) { return Vec3(u.data() + 3 * b); };
+  std::vector<Vec3> out(mesh.block.size());
+  for (size_t n = 0; n < out.size(); ++n) out[n] = block(mesh.block[n]);
+  for (const int i : system.supports().ties()) {
+    const Support& s = system.supports().list()[static_cast<size_t>(i)];
+    const int frame = mesh.block[static_cast<size_t>(s.frame)];
+    out[static_cast<size_t>(s.node)] =
+        block(frame) + at.q[static_cast<size_t>(s.frame)] * block(frame + 1).cross(s.at);
+  }
+  double most = 0;
+  for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) most = std::max(most, out[n].norm());
+  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, system.comm());
+  for (Vec3& x : out) x /= std::max(most, 1e-300);
+  return out;
+}
+
+}  // namespace
+
+std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int count) {
+  const Slepc slepc;
+  // Held components are at omega = infinity, where nobody looks.
+  const MatHandle K = symmetric(system, at, {1, 0, 0}, 1), M = symmetric(system, at, {0, 0, 1}, 0);
+  Solver solver;
+  check(EPSCreate(system.comm(), solver.out()));
+  EPS eps = solver.get();
+  check(EPSSetOptionsPrefix(eps, "modes_"));
+  check(EPSSetOperators(eps, K.get(), M.get()));
+  check(EPSSetProblemType(eps, EPS_GHEP));
+  check(EPSSetDimensions(eps, count, PETSC_DEFAULT, PETSC_DEFAULT));
+  check(EPSSetTolerances(eps, kTolerance, kMostIterations));
+  check(EPSSetTarget(eps, kTarget));
+  check(EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE));
+  ST st = nullptr;
+  check(EPSGetST(eps, &st));
+  check(STSetType(st, STSINVERT));
+  KSP ksp = nullptr;
+  check(STGetKSP(st, &ksp));
+  check(KSPSetType(ksp, KSPPREONLY));
+  PC pc = nullptr;
+  check(KSPGetPC(ksp, &pc));
+  check(PCSetType(pc, PCLU));
+  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  check(EPSSetFromOptions(eps));
+  check(EPSSolve(eps));
+  PetscInt found = 0;
+  check(EPSGetConverged(eps, &found));
+  EPSConvergedReason reason = EPS_CONVERGED_ITERATING;
+  check(EPSGetConvergedReason(eps, &reason));
+  if (reason < 0)
+    throw SolveError(fmt::format("modes: {} of {} eigenvalues have converged: ask for fewer", found, count));
+  std::vector<NaturalMode> out;
+  const VecHandle u = system.create_vector();
+  std::vector<double> local;
+  for (PetscInt i = 0; i < std::min<PetscInt>(found, count); ++i) {
+    NaturalMode mode;
+    check(EPSGetEigenpair(eps, i, &mode.squared, nullptr, u.get(), nullptr));
+    system.gather(u.get(), local);
+    mode.shape = translations(system, at, local);
+    out.push_back(std::move(mode));
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const NaturalMode& a, const NaturalMode& b) { return a.squared < b.squared; });
+  return out;
+}
+
+}  // namespace hawser

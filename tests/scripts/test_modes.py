@@ -1,0 +1,145 @@
+"""hawser modes, as a user runs it: against an eigenproblem assembled here from the equilibrium alone."""
+import os
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from scipy.linalg import eigh
+
+from support import ROOT, run, write
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from hawser_post.results import Results  # noqa: E402
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+# Chains of the UMaine VolturnUS-S (Allen et al. 2020, NREL/TP-5000-76773): 850 m of studless chain, 685 kg/m,
+# EA 3270 MN, volume-equivalent diameter 0.333 m, fairleads at 58 m and anchors at 837.6 m, 200 m of water.
+EA, MASS, DIAMETER, DENSITY, BED, SMOOTHING = 3.27e9, 685.0, 0.333, 1025.0, 30e3, 0.02
+CHAIN = """\
+hawser: 1
+environment:
+  water: {depth: 200, density: 1025}
+  seabed: {depth: 200, normal_stiffness: {per_length: 30 kN/m2}, smoothing: 20 mm, friction: 0}
+line_types:
+  chain: {outer_diameter: 0.333, mass_per_length: 685, EA: 3.27e9, bending: false, Ca_normal: 0.82, Ca_axial: 0.27}
+bodies:
+  platform: {}
+lines:
+LINES
+contact: {between_lines: false}
+"""
+STRING = """\
+hawser: 1
+environment: {water: {depth: 500, density: 1000}, gravity: 0}
+line_types:
+  wire: {outer_diameter: 0.1, mass_per_length: 20, EA: 1e9, bending: false, Ca_normal: 1.5}
+lines:
+  wire:
+    sections: [{type: wire, length: 100, elements: 50}]
+    end_a: {anchor: [0, 0, -200]}
+    end_b: {anchor: [100.1, 0, -200]}
+"""
+
+
+def chains(count):
+    lines = []
+    for i in range(count):
+        way = np.array([np.cos(2 * np.pi * i / 3), np.sin(2 * np.pi * i / 3)])
+        anchor, fairlead = 837.6 * way, 58 * way
+        lines.append(f"  line{i}:\n    sections: [{{type: chain, length: 850, elements: 170}}]\n"
+                     f"    end_a: {{anchor: [{anchor[0]:.10g}, {anchor[1]:.10g}, -200]}}\n"
+                     f"    end_b: {{body: platform, at: [{fairlead[0]:.10g}, {fairlead[1]:.10g}, -14]}}")
+    return CHAIN.replace("LINES", "\n".join(lines))
+
+
+def frequencies_of(results, line):
+    """Hz, of a cable with consistent mass and added mass, from where its nodes are and what its elements are strained."""
+    x = results.field("position", line, 0)
+    n = len(x)
+    K, M = np.zeros((3 * n, 3 * n)), np.zeros((3 * n, 3 * n))
+    area = np.pi / 4 * DIAMETER**2
+    for e in range(n - 1):
+        rest = line.arc[e + 1] - line.arc[e]
+        d = x[e + 1] - x[e]
+        length = np.linalg.norm(d)
+        t = np.outer(d, d) / length**2
+        tension = EA * (length / rest - 1)
+        k = EA / rest * t + tension / length * (np.eye(3) - t)
+        m = rest * (MASS * np.eye(3) + DENSITY * area * (0.82 * (np.eye(3) - t) + 0.27 * t))
+        i, j = slice(3 * e, 3 * e + 3), slice(3 * e + 3, 3 * e + 6)
+        for a, b, share in ((i, i, 1), (j, j, 1), (i, j, -1), (j, i, -1)):
+            K[a, b] += share * k
+            M[a, b] += m / (3 if share > 0 else 6)
+    # The bed: springs under the nodes and under the middles of elements, with the weights of Simpson's rule, that
+    # begin to act over twice the smoothing.
+    z = x[:, 2]
+
+    def spring(height):
+        return BED * np.clip((SMOOTHING - (height + 200 - DIAMETER / 2)) / (2 * SMOOTHING), 0, 1)
+
+    for e in range(n - 1):
+        rest = line.arc[e + 1] - line.arc[e]
+        i, j = 3 * e + 2, 3 * e + 5
+        K[i, i] += rest / 6 * spring(z[e])
+        K[j, j] += rest / 6 * spring(z[e + 1])
+        K[np.ix_([i, j], [i, j])] += rest * 2 / 3 * spring((z[e] + z[e + 1]) / 2) / 4
+    free = slice(3, 3 * n - 3)
+    return np.sqrt(np.abs(eigh(K[free, free], M[free, free], eigvals_only=True, subset_by_index=(0, 11)))) / (2 * np.pi)
+
+
+class Modes(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def modes(self, text, *arguments, ranks=1):
+        """Frequencies [Hz] as printed, and the results file."""
+        write(self.folder, "case.yaml", text)
+        launch = [] if ranks == 1 else ["mpirun", "-n", str(ranks)]
+        told = run(*launch, HAWSER, "modes", "case.yaml", *arguments, cwd=self.folder, timeout=600)
+        self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+        printed = [float(v) for v in re.findall(r"^ *\d+ +[\d.e+-]+ +([\d.e+-]+) ", told.stdout, re.M)]
+        return np.array(printed), Results(self.folder / "case-modes.h5")
+
+    def test_volturnus(self):
+        one, _ = self.modes(chains(1), "-n", "12")
+        run(HAWSER, "run", "case.yaml", cwd=self.folder, timeout=600)
+        statics = Results(self.folder / "case.h5")
+        line = statics.line("line0")
+        # Table of the reference case: 2435.56 kN at the fairlead.
+        self.assertAlmostEqual(statics.field("effective_tension", line, 0)[-1] / 2435.56e3, 1, delta=2e-3)
+        own = frequencies_of(statics, line)
+        np.testing.assert_allclose(one[:8], own[:8], rtol=1e-3)
+        # Three of them about a platform that is held: each mode three times.
+        three, results = self.modes(chains(3), "-n", "12", ranks=2)
+        np.testing.assert_allclose(three, np.repeat(one[:4], 3), rtol=1e-3)
+        self.assertEqual(len(results.lines), 3)
+
+    def test_added_mass(self):
+        # sqrt(T/m)/(2 L), n times; the added mass is 1.5 times the displaced mass.
+        T, displaced = 1e9 * 1e-3, 1000 * np.pi / 4 * 0.01
+        for arguments, mass in (([], 20 + 1.5 * displaced), (["--without-added-mass"], 20)):
+            found, results = self.modes(STRING, "-n", "6", *arguments)
+            exact = np.repeat([1, 2, 3], 2) * np.sqrt(T / mass) / (2 * 100.1)
+            # Elements of a fiftieth of the length: (n pi/50)²/24 for the third mode; stretched, 0.05 %.
+            np.testing.assert_allclose(found, exact, rtol=2.5e-3)
+            shape = np.linalg.norm(results.field("mode_shape", results.line("wire")), axis=2)
+            np.testing.assert_allclose(shape.max(axis=1), [0] + 6 * [1], atol=1e-9)
+            np.testing.assert_allclose(shape[1], np.sin(np.pi * np.linspace(0, 1, 51)), atol=1e-3)
+            modes = results.series("modes")
+            np.testing.assert_allclose(modes.column("frequency"), found, rtol=1e-4)
+
+    def test_refusals(self):
+        write(self.folder, "case.yaml", STRING + "statics: false\ndynamics: {duration: 1}\n")
+        told = run(HAWSER, "modes", "case.yaml", cwd=self.folder)
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("modes are about the static equilibrium", told.stderr)
+        self.assertEqual(run(HAWSER, "modes", "case.yaml", "-n", "0", cwd=self.folder).returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,187 @@
+"""hawser report, plot and export: of a run of their own, and what they say where there is nothing to show."""
+import csv
+import os
+import shutil
+import sys
+import tempfile
+import unittest
+from html.parser import HTMLParser
+from pathlib import Path
+
+from support import ROOT, run, write
+
+sys.path.insert(0, str(ROOT / "scripts"))
+import numpy as np  # noqa: E402
+
+from hawser_post.results import Results, metres  # noqa: E402
+from hawser_post.statistics import spectrum, statistics  # noqa: E402
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+CASE = """\
+hawser: 1
+title: A riser & its <barge>
+environment:
+  water: {depth: 60 m}
+  seabed: {depth: 60 m, friction: 0.5}
+line_types:
+  riser: {outer_diameter: 0.25, mass_per_length: 90, EA: 6e8, EI: 2e4, GJ: 2e4, Cd_normal: 1}
+  chain: {outer_diameter: 0.1, mass_per_length: 40, EA: 2e8, bending: false}
+bodies:
+  barge: {motion: {harmonic: {amplitude: [0, 0, 1], period: 8}, ramp: 8}}
+volumes:
+  barge: {shape: {box: {centre: [-6, 0, 1], size: [10, 8, 3]}}, body: barge}
+lines:
+  riser:
+    sections: [{type: riser, length: 100, elements: 40}]
+    end_a: {body: barge, at: [0, 0, -2]}
+    end_b: {anchor: [70, 0, -60]}
+  mooring:
+    sections: [{type: chain, length: 110, elements: 30}]
+    end_a: {body: barge, at: [-11, 0, 0]}
+    end_b: {anchor: [-90, 10, -60]}
+dynamics: {duration: 24}
+output: {every: 0.5, histories: [{line: riser, at: end_a, name: hang-off}]}
+"""
+
+
+class Balanced(HTMLParser):
+    """Every tag that is opened is closed, nothing is fetched, and the words that are shown."""
+    VOID = {"meta", "link", "img", "br"}
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.words, self.pictures, self.foreign = [], [], 0, []
+
+    def handle_starttag(self, tag, attributes):
+        for name, value in attributes:
+            if name in ("src", "href") and not value.startswith(("data:", "#")):
+                self.foreign.append(value)
+        self.pictures += tag == "img"
+        if tag not in self.VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1] == tag, (tag, self.open)
+        self.open.pop()
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+
+class Report(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        write(cls.folder, "riser.yaml", CASE)
+        cls.first = cls.hawser("report", "riser.yaml")  # runs the case
+        cls.results = Results(cls.folder / "riser.h5")
+
+    @classmethod
+    def hawser(cls, *arguments):
+        return run(HAWSER, *arguments, cwd=cls.folder, timeout=600)
+
+    def test_report_of_a_case(self):
+        self.assertEqual(self.first.returncode, 0, self.first.stderr)
+        text = (self.folder / "riser.html").read_text(encoding="utf-8")
+        self.assertLess(len(text), 5e6)
+        page = Balanced()
+        page.feed(text)
+        self.assertEqual(page.open, [])
+        self.assertEqual(page.foreign, [])
+        self.assertGreater(page.pictures, 12)
+        words = " ".join(page.words)
+        for part in ("A riser & its <barge>", "Notes and warnings", "hang-off", "Range graphs", "Energy", "sections:",
+                     f"{self.results.outputs} outputs"):
+            self.assertIn(part, words)
+        for quantity, *_ in self.results.summary():
+            self.assertIn(quantity, words)
+        self.assertTrue(any(m.startswith("note: ") for m in self.results.messages()))
+        for message in self.results.messages():
+            self.assertIn(message, words)
+        # What is newer than the case is not run again.
+        again = self.hawser("report", "riser.yaml", "-o", "again.html", "--since", "8")
+        self.assertEqual((again.returncode, again.stdout), (0, "report: again.html\n"), again.stderr)
+
+    def test_figures(self):
+        for what in ("range", "history", "spectrum", "phase", "plan", "elevation", "space"):
+            made = self.hawser("plot", "riser.h5", what)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertGreater((self.folder / f"riser-{what}.png").stat().st_size, 8000)
+        made = self.hawser("plot", "riser.h5", "range", "--field", "bending_moment", "--line", "riser", "-o", "m.svg")
+        self.assertIn("bending moment", (self.folder / "m.svg").read_text(), made.stderr)
+
+    def test_tables(self):
+        made = self.hawser("export", "riser.h5", "-o", "csv")
+        self.assertEqual(made.returncode, 0, made.stderr)
+
+        def table(name):
+            with (self.folder / "csv" / name).open(encoding="utf-8") as file:
+                rows = list(csv.reader(file))
+            return rows[0], rows[1:]
+
+        head, rows = table("range_riser.csv")
+        line = self.results.line("riser")
+        tension = self.results.field("effective_tension", line)
+        most = np.array([float(r[head.index("effective_tension_max [N]")]) for r in rows])
+        np.testing.assert_allclose(most, tension.max(axis=0), rtol=1e-8)
+        head, rows = table("hang-off.csv")
+        self.assertEqual(len(rows), self.results.steps)
+        self.assertEqual(head[:2], ["time [s]", "position_x [m]"])
+        np.testing.assert_allclose([float(r[3]) for r in rows], self.results.series("hang-off").column("position_z"),
+                                   rtol=1e-8, atol=1e-8)
+        head, rows = table("ends.csv")
+        # At rest the ends carry what the line weighs in water, but for what lies on the bed.
+        forces = [float(r[head.index("vertical force [N]")]) for r in rows if r[0] == "riser"]
+        self.assertLess(forces[0], 0)
+        self.assertEqual(table("extremes.csv")[1][0][0], self.results.summary()[0][0])
+
+    def test_refusals(self):
+        for arguments, part in ((["report", "none.h5"], "none.h5: there is no such file"),
+                                (["report", "riser.yaml.txt"], "there is no such file"),
+                                (["plot", "riser.h5", "range", "--line", "rizer"], "there is no line 'rizer' (there are: riser, mooring)"),
+                                (["plot", "riser.h5", "range", "--field", "mass"], "there is no field 'mass'"),
+                                (["plot", "riser.h5", "history", "--name", "x"], "there is no history 'x'"),
+                                (["plot", "riser.h5", "history", "--column", "x"], "has no column 'x'"),
+                                (["plot", "riser.h5", "plan", "-o", "plan.xyz"], "is a .png, .svg or .pdf file"),
+                                (["export", "riser.yaml", "-o", "/proc/none"], "cannot be written")):
+            told = self.hawser(*arguments)
+            with self.subTest(arguments=arguments):
+                self.assertIn(told.returncode, (1, 2))
+                self.assertEqual(len(told.stderr.splitlines()), 1, told.stderr)
+                self.assertTrue(told.stderr.startswith("hawser: "), told.stderr)
+                self.assertIn(part, told.stderr)
+        write(self.folder, "no.h5", "text")
+        self.assertIn("is no HDF5 file", self.hawser("plot", "no.h5", "plan").stderr)
+
+    def test_listed_with_the_commands(self):
+        said = self.hawser("--help").stdout
+        for command in ("report", "plot", "export"):
+            self.assertIn(command, said)
+        self.assertIn("--since", self.hawser("report", "--help").stdout)
+
+
+class Numbers(unittest.TestCase):
+    def test_statistics_of_a_sine_with_uneven_steps(self):
+        t = np.cumsum(np.random.default_rng(1).uniform(0.002, 0.02, 9000))
+        t = (t - t[0]) * 80 / (t[-1] - t[0])
+        s = statistics(t, 3 + 2 * np.sin(2 * np.pi * t / 4))
+        self.assertAlmostEqual(s.mean, 3, places=4)
+        self.assertAlmostEqual(s.deviation, np.sqrt(2), places=4)
+        self.assertAlmostEqual(s.period, 4, places=4)
+        self.assertAlmostEqual(s.most, 5, places=4)
+        self.assertAlmostEqual(s.least_time % 4, 3, delta=0.05)
+
+    def test_spectrum_holds_the_variance_at_its_frequency(self):
+        t = np.linspace(0, 400, 8001)
+        f, density = spectrum(t, 2 * np.sin(2 * np.pi * t / 5))
+        self.assertAlmostEqual(f[np.argmax(density)], 0.2, delta=0.01)
+        self.assertAlmostEqual(np.trapz(density, f), 2, delta=0.02)
+
+    def test_lengths_of_case_files(self):
+        self.assertEqual([metres(v, None) for v in (60, "60 m", "0.1 km", "200 mm", "x", None)],
+                         [60, 60, 100, 0.2, None, None])
+
+
+if __name__ == "__main__":
+    unittest.main()

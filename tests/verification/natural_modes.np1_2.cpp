@@ -1,0 +1,93 @@
+// Modes by shift and invert: against closed forms, and the translations of ends tied to a body that swings.
+#include "hawser/solve/natural_modes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include "hawser/base/error.hpp"
+#include "support/rig.hpp"
+#include "verification/dynamics_rig.hpp"
+
+namespace hawser::test::natural_modes {
+namespace {
+
+constexpr double kG = 9.81;
+
+// Of the node's owner, on all ranks.
+Vec3 shape_at(Simulation& s, const NaturalMode& mode, int node) {
+  const int n = s.local().find(node);
+  Vec3 x = n >= 0 && n < s.local().owned ? mode.shape[static_cast<size_t>(n)] : Vec3(Vec3::Zero());
+  MPI_Allreduce(MPI_IN_PLACE, x.data(), 3, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  return x;
+}
+
+// Zeros of J0: omega_n = j_n/2 sqrt(g/L), in two directions each.
+TEST(NaturalModes, HangingChain) {
+  const std::vector<double> exact{1.1909350769091904, 2.733692939922684, 4.285561621936849};
+  model::Case c = one_line(cable_type(1e8, 1), 10, 200, anchor(Vec3::Zero()), {});
+  c.environment.gravity = kG;
+  Simulation s(PETSC_COMM_WORLD, c);
+  s.solve_statics();
+  const auto modes = hawser::natural_modes(s.system(), s.state().view(0), 6);
+  ASSERT_EQ(modes.size(), 6U);
+  for (size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(std::sqrt(modes[i].squared), exact[i / 2], 5e-4 * exact[i / 2]) << i;
+    // The end swings most.
+    EXPECT_NEAR(shape_at(s, modes[i], 200).norm(), 1, 1e-9) << i;
+    EXPECT_NEAR(shape_at(s, modes[i], 0).norm(), 0, 1e-12) << i;
+  }
+}
+
+// A load on one sling is a double pendulum in both planes: M = [m L², m L a; m L a, I + m a²], K = [m g L, m
+// g a], and free to turn about the sling.
+TEST(NaturalModes, LoadOnASling) {
+  const double m = 2000, L = 5, a = 1;
+  const Vec3 inertia(3000, 4000, 5000);
+  model::Case c;
+  c.environment.gravity = kG;
+  c.line_types = {cable_type(1e6 * m * kG, 1e-7 * m)};
+  model::Body& b = c.bodies.emplace_back();
+  b.name = "load", b.position = {0, 0, -L - a};
+  b.mass.emplace();
+  b.mass->mass = m, b.mass->inertia = inertia, b.mass->weight = true;
+  model::End eye;
+  eye.kind = model::EndKind::body, eye.body = "load", eye.at = {0, 0, a};
+  model::Line line;
+  line.name = "sling";
+  line.sections.push_back({"cable", L, 2, 1});
+  line.end_a = anchor(Vec3::Zero()), line.end_b = eye;
+  c.lines.push_back(line);
+  Simulation s(PETSC_COMM_WORLD, c);
+  s.solve_statics();
+  const auto modes = hawser::natural_modes(s.system(), s.state().view(0), 5);
+  ASSERT_EQ(modes.size(), 5U);
+  EXPECT_NEAR(modes[0].squared, 0, 1e-6);
+  struct Exact {
+    double squared, eye;  // and how far the eye goes as the load's centre goes by 1
+    int axis;
+  };
+  std::vector<Exact> exact;
+  for (int axis = 0; axis < 2; ++axis) {
+    Eigen::Matrix2d M, K;
+    M << m * L * L, m * L * a, m * L * a, inertia[1 - axis] + m * a * a;
+    K << m * kG * L, 0, 0, m * kG * a;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> pairs(K, M);
+    for (int k = 0; k < 2; ++k) {
+      const Eigen::Vector2d v = pairs.eigenvectors().col(k);
+      exact.push_back({pairs.eigenvalues()[k], L * v[0] / (L * v[0] + a * v[1]), axis});
+    }
+  }
+  std::sort(exact.begin(), exact.end(), [](const Exact& p, const Exact& q) { return p.squared < q.squared; });
+  for (size_t i = 0; i < 4; ++i) {
+    const NaturalMode& mode = modes[i + 1];
+    EXPECT_NEAR(mode.squared, exact[i].squared, 1e-4 * exact[i].squared) << i;
+    const double end = shape_at(s, mode, 2)[exact[i].axis],
+                 centre = shape_at(s, mode, s.mesh().body_node(0))[exact[i].axis];
+    EXPECT_NEAR(end, exact[i].eye * centre, 1e-3) << i;
+    EXPECT_GT(std::max(std::abs(end), std::abs(centre)), 0.999) << i;
+  }
+}
+
+}  // namespace
+}  // namespace hawser::test::natural_modes
