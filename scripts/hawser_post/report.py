@@ -1,4 +1,6 @@
 """The report of a run: what an engineer looks at before signing."""
+from pathlib import Path
+
 import numpy as np
 import yaml
 
@@ -133,7 +135,7 @@ def make(results, path, since):
         page.text(results.case, "pre")
         return page.write(path)
     version, ranks = results.attribute("version"), results.attribute("ranks")
-    page.text(f"{results.attribute('case_path')}: hawser {version}, {results.attribute('date')}, {ranks} rank"
+    page.text(f"{Path(results.attribute('case_path')).name}: hawser {version}, {results.attribute('date')}, {ranks} rank"
               f"{'' if ranks == '1' else 's'}; {len(results.lines)} line{'' if len(results.lines) == 1 else 's'}, "
               f"{results.outputs} outputs, {max(results.steps - 1, 0)} steps to t = {results.time[-1]:g} s.")
     messages = results.messages()

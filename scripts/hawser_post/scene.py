@@ -1,13 +1,16 @@
 """Pictures of the model: from above, from the side and in space, with sea, seabed and volumes."""
 import matplotlib.pyplot as plt
 import numpy as np
-from mpl_toolkits.mplot3d.art3d import Line3DCollection
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from .charts import COLOURS
 
 VIEWS = ("plan", "elevation", "space")
-SEA, BED, HULL = "#4d8fbf", "#9c7a4d", "#7a858f"
-MOST_EDGES = 6000
+SEA, BED, HULL, FACE = "#4d8fbf", "#9c7a4d", "#7a858f", "#e4e8ec"
+MOST_EDGES, MOST_FACES = 6000, 30000
+TICKS = 8  # along the longest axis of a picture in space
 
 
 def colour(results, line):
@@ -53,9 +56,12 @@ def picture(results, view, output=-1, high=4.2):
     def flat(x):
         return (x[..., 0], x[..., 1]) if view == "plan" else (x[..., :2] @ along, x[..., 2])
 
-    for name, x, triangles in results.volumes(output):
-        for edge in edges(x, triangles):
-            axes.plot(*flat(edge), color=HULL, lw=0.5, zorder=1)
+    for _, x, triangles in results.volumes(output):
+        if len(triangles) <= MOST_FACES:
+            axes.add_collection(PolyCollection(np.stack(flat(x[triangles]), axis=-1), facecolors=FACE, edgecolors=FACE,
+                                               lw=0.3, zorder=0))
+        axes.add_collection(LineCollection(np.stack(flat(edges(x, triangles)), axis=-1), colors=HULL, lw=0.5, zorder=1))
+    axes.autoscale_view()
     shown = list(dict.fromkeys([0, range(results.outputs)[output]]))
     for line in results.lines:
         for output_shown in shown:
@@ -103,6 +109,8 @@ def in_space(results, output):
         axes.plot(x[:, 0], x[:, 1], x[:, 2], color=colour(results, line), lw=1.4, zorder=3)
         low, high = np.minimum(low, x.min(axis=0)), np.maximum(high, x.max(axis=0))
     for _, x, triangles in results.volumes(output):
+        if len(triangles) <= MOST_FACES:
+            axes.add_collection3d(Poly3DCollection(x[triangles], facecolors=FACE, alpha=0.6, zorder=1))
         axes.add_collection3d(Line3DCollection(edges(x, triangles), colors=HULL, linewidths=0.4, zorder=2))
         # A volume far larger than what lies on it does not make that small.
         reach = 1.5 * (high - low).max()
@@ -116,8 +124,10 @@ def in_space(results, output):
         low[2], high[2] = min(low[2], z), max(high[2], z)
     size = np.maximum(high - low, 0.15 * (high - low).max())
     middle = (low + high) / 2
-    for set_limits, m, s in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), middle, size):
+    for axis, set_limits, m, s in zip((axes.xaxis, axes.yaxis, axes.zaxis), (axes.set_xlim, axes.set_ylim, axes.set_zlim),
+                                      middle, size):
         set_limits(m - s / 2, m + s / 2)
-    axes.set_box_aspect(size)
+        axis.set_major_locator(MaxNLocator(max(1, round(TICKS * s / size.max()))))
+    axes.set_box_aspect(size, zoom=1.2)
     axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]", title=title(results, "space", [range(results.outputs)[output]]))
     return figure
