@@ -8,7 +8,7 @@ from pathlib import Path
 try:
     import yaml
 
-    from . import charts, export, report, scene
+    from . import charts, export, fatigue, report, scene
     from .results import Refusal, Results
 except ModuleNotFoundError as missing:
     sys.exit(f"hawser: this needs the Python module '{missing.name}': install python3-h5py python3-matplotlib "
@@ -86,6 +86,49 @@ def make_plot(options):
     print(f"figure: {path}")
 
 
+def sea_states(given):
+    """Results files and the share of the time of each: 'FILE=SHARE', or FILE for equal shares."""
+    out = []
+    for text in given:
+        path, _, share = text.rpartition("=") if "=" in text else (text, "", "")
+        try:
+            out.append((results_of(path), float(share) if share else 1 / len(given)))
+        except ValueError:
+            raise Refusal(f"'{text}': the share of the time after '=' is no number") from None
+    if sum(share for _, share in out) > 1 + 1e-9 or min(share for _, share in out) < 0:
+        raise Refusal("the shares of the sea states are more than all of the time, or below zero")
+    return out
+
+
+def make_fatigue(options):
+    curve = fatigue.CURVES[options.curve]
+    needs = {"tension": ["breaking_load"], "area": ["area"], "pipe": ["outer_diameter", "wall"]}[curve.of]
+    for name in needs:
+        if not (getattr(options, name) or 0) > 0:
+            raise Refusal(f"the curve {options.curve} needs --{name.replace('_', '-')}, above 0")
+    if curve.of == "pipe" and options.wall > options.outer_diameter / 2:
+        raise Refusal("--wall is more than half of --outer-diameter")
+    states = sea_states(options.results)
+    line = states[0][0].line(options.line) if options.line else report.by_tension(states[0][0])[0]
+    total = 0
+    for results, share in states:
+        own = results.line(line.name)
+        if len(own.arc) != len(line.arc):
+            raise Refusal(f"{results.path}: line '{line.name}' has other nodes than in {states[0][0].path}")
+        total = total + share * fatigue.YEAR * fatigue.along(
+            results, own, curve, options.since, options.breaking_load, options.area, options.outer_diameter, options.wall,
+            options.factor)
+        if (outputs := fatigue.outputs_a_period(results, own, options.since)) < 10:
+            print(f"warning: {results.path} has {outputs:.2g} outputs in a mean period of the tension: cycles are cut short; "
+                  "set output.every to a tenth of it or less")
+    worst = int(total.argmax())
+    print(f"{line.name}, {curve.source}, {options.curve}: largest damage {total[worst]:.4g} a year at arc length "
+          f"{line.arc[worst]:.6g} m" + (f", life {1 / total[worst]:.4g} years" if total[worst] > 0 else ""))
+    path = Path(options.output) if options.output else states[0][0].path.with_name(f"{states[0][0].path.stem}-fatigue.csv")
+    export.write(path, ["arc_length [m]", "damage [1/year]"], zip(line.arc, total))
+    print(f"damage along the line: {path}")
+
+
 def commands():
     parser = argparse.ArgumentParser(prog="hawser", description="Reports, figures and tables of results.")
     sub = parser.add_subparsers(dest="command", required=True)
@@ -115,6 +158,19 @@ def commands():
     p.add_argument("results", help=of)
     p.add_argument("-o", "--output", help="folder (default: named like the results)")
     p.set_defaults(do=make_export)
+
+    p = sub.add_parser("fatigue", help="damage along a line by rainflow cycles and a published S-N or T-N curve")
+    p.add_argument("results", nargs="+", metavar="RESULTS[=SHARE]", help=of + "; of several, with their shares of the time")
+    p.add_argument("--curve", required=True, choices=sorted(fatigue.CURVES))
+    p.add_argument("--line", help="default: that with the largest tension")
+    p.add_argument("--breaking-load", type=float, metavar="N", help="N; API curves")
+    p.add_argument("--area", type=float, metavar="A", help="m², of both bars of a chain or of a rope; curves of DNV-OS-E301")
+    p.add_argument("--outer-diameter", type=float, metavar="D", help="m; curves of DNV-RP-C203")
+    p.add_argument("--wall", type=float, metavar="W", help="m, thickness; curves of DNV-RP-C203")
+    p.add_argument("--factor", type=float, default=1.0, help="stress concentration factor (default: 1)")
+    p.add_argument("--since", **since)
+    p.add_argument("-o", "--output", help="CSV file (default: <results>-fatigue.csv)")
+    p.set_defaults(do=make_fatigue)
     return parser
 
 

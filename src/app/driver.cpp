@@ -56,16 +56,6 @@ class Stage {
   ~Stage() { PetscLogStagePop(); }
 };
 
-// What was mended and chosen, the like of several volumes at once.
-std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
-                                   const std::vector<std::string>& chosen) {
-  std::vector<std::string> all = c.notes;
-  for (const auto& v : volumes)
-    for (const auto& n : v.notes) all.push_back("volumes." + v.name + ": " + n);
-  all.insert(all.end(), chosen.begin(), chosen.end());
-  return model::grouped_notes(all);
-}
-
 // Prints how the lines start beside the volumes; false if one starts inside, out of which statics must bring
 // it. InputError if there is no statics. On one rank.
 bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
@@ -122,25 +112,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
       progress.say("which is the end of the case: nothing left to compute");
   } else if (c.statics.enabled) {
     const Stage stage("statics");
-    const size_t told = sim.notes().size();
-    const StaticsReport s = sim.solve_statics([&](const StaticsReport& now) {
-      progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-    });
-    for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
-    progress.say(fmt::format(
-        "statics: {} iterations{}{}", s.iterations,
-        s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
-        !c.statics.contact_friction && c.contact.has_friction(c.volumes) ? ", without friction of contact"
-                                                                         : ""));
-    if (s.escapes > 0)
-      progress.say(fmt::format(
-          "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can "
-          "rest in "
-          "more than one shape, see whether this is the one meant, and say so by `start` if it is not",
-          s.escapes, s.escapes == 1 ? "um" : "a"));
-    if (s.negative_eigenvalues > 0)
-      progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",
-                               s.negative_eigenvalues));
+    solve_statics(sim, progress);
   }
 
   Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes),

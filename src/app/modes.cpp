@@ -14,7 +14,6 @@
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/model/notes.hpp"
 #include "hawser/solve/natural_modes.hpp"
 
 namespace hawser::app {
@@ -23,18 +22,18 @@ namespace {
 // Of the longest line, as a mode is drawn: largest displacement of `position`.
 constexpr double kDrawn = 0.05;
 
-// Where a mode has its largest translation, the same on all ranks.
+// Where a mode has its largest translation or rotation, the same on all ranks.
 struct Place {
-  double size = -1;
-  int node = -1;  // of the mesh
+  double size = 0;
+  int node = -1;  // of the mesh; -1: nowhere
   Vec3 along = Vec3::Zero();
 };
 
-Place largest(MPI_Comm comm, const LocalMesh& local, const NaturalMode& mode) {
+Place largest(MPI_Comm comm, const LocalMesh& local, const std::vector<Vec3>& values) {
   Place p;
   for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
-    if (const double size = mode.shape[n].norm(); size > p.size)
-      p = {size, local.global[n], mode.shape[n].cwiseAbs()};
+    if (const double size = values[n].norm(); size > p.size)
+      p = {size, local.global[n], values[n].cwiseAbs()};
   struct {
     double size;
     int rank;
@@ -49,12 +48,15 @@ Place largest(MPI_Comm comm, const LocalMesh& local, const NaturalMode& mode) {
 
 double period_of(const NaturalMode& mode) { return 2 * M_PI / std::sqrt(mode.squared); }
 
-std::string row(const Mesh& mesh, int number, const NaturalMode& mode, const Place& p) {
-  const std::string when = mode.squared > 0
-                               ? fmt::format("{:>12.5g} {:>14.5g}", period_of(mode), 1 / period_of(mode))
-                               : fmt::format("{:>12} {:>14}", "unstable", "-");
-  return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}\n", number, when, p.along.x(), p.along.y(),
-                     p.along.z(), mesh.place(p.node));
+std::string row(const Mesh& mesh, int number, const NaturalMode& mode, const Place& translation,
+                const Place& rotation) {
+  const bool turns = translation.node < 0;
+  const Place& p = turns ? rotation : translation;
+  const std::string when =
+      mode.squared > kFree ? fmt::format("{:>12.5g} {:>14.5g}", period_of(mode), 1 / period_of(mode))
+                           : fmt::format("{:>12} {:>14}", mode.squared < -kFree ? "unstable" : "free", "-");
+  return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}{}\n", number, when, p.along.x(), p.along.y(),
+                     p.along.z(), mesh.place(p.node), turns ? ", turns in place" : "");
 }
 
 io::ResultContents contents(const Simulation& sim, const ModesOptions& o, int size, int found) {
@@ -96,7 +98,7 @@ void write(MPI_Comm comm, Simulation& sim, const ModesOptions& o, const std::str
     ++number;
     std::vector<Vec3> drawn = sim.state().x;
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) drawn[n] += kDrawn * length * mode.shape[n];
-    const double period = mode.squared > 0 ? period_of(mode) : HUGE_VAL;
+    const double period = mode.squared > kFree ? period_of(mode) : HUGE_VAL;
     file.append_series(number, {rank == 0 ? std::vector<double>{period, 1 / period} : std::vector<double>{}});
     file.write_output(number, {flat(drawn, local.owned), flat(mode.shape, local.owned)}, poses);
   }
@@ -115,30 +117,35 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
                                  ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
                                  : std::filesystem::absolute(options.output).string();
   const OutputPlace place(comm, wanted, "");
+  if (!c.statics.enabled)
+    throw InputError(c.path +
+                     ": statics: modes are about the static equilibrium, which this case leaves out");
   if (!options.added_mass)
     for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
   c.tree.reset();
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
-  for (const std::string& n : model::grouped_notes(c.notes)) progress.say("note: " + n);
-  if (!c.statics.enabled)
-    throw InputError(c.path +
-                     ": statics: modes are about the static equilibrium, which this case leaves out");
-  sim.solve_statics();
+  for (const auto& n : place.notes()) progress.say("note: " + n);
+  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
+  for (const auto& w : sim.warnings()) progress.say("warning: " + w);
+  const StaticsReport statics = solve_statics(sim, progress);
   const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);
   progress.end();
   std::string table = fmt::format("{:>4} {:>12} {:>14}  {:^17}  {}\n", "mode", "period [s]", "frequency [Hz]",
                                   "x, y, z there", "largest at");
   for (size_t i = 0; i < found.size(); ++i)
-    table += row(sim.mesh(), static_cast<int>(i) + 1, found[i], largest(comm, sim.local(), found[i]));
+    table += row(sim.mesh(), static_cast<int>(i) + 1, found[i], largest(comm, sim.local(), found[i].shape),
+                 largest(comm, sim.local(), found[i].rotation));
+  const auto unstable =
+      std::count_if(found.begin(), found.end(), [](const NaturalMode& m) { return m.squared < -kFree; });
+  if (statics.negative_eigenvalues > unstable)
+    table += fmt::format("and {} more directions in which the equilibrium is unstable, faster than these\n",
+                         statics.negative_eigenvalues - unstable);
   write(comm, sim, options, place.path(), found);
   if (rank == 0 && !options.quiet) {
     fmt::print("\n{}", table);
     if (found.size() < static_cast<size_t>(options.count))
       fmt::print("\nnote: the model has no more than {} modes\n", found.size());
-    if (!found.empty() && found.front().squared <= 0)
-      fmt::print(
-          "\nwarning: the equilibrium is unstable or can be moved without force in the first direction\n");
     fmt::print("\nresults: {}\n", place.path());
   }
   return 0;

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "hawser/app/version.hpp"
+#include "hawser/model/notes.hpp"
 
 namespace hawser::app {
 
@@ -53,6 +54,39 @@ std::vector<io::BodyPose> body_poses(Simulation& sim, const Kinematics& at) {
     }
   }
   return out;
+}
+
+std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
+                                   const std::vector<std::string>& chosen) {
+  std::vector<std::string> all = c.notes;
+  for (const auto& v : volumes)
+    for (const auto& n : v.notes) all.push_back("volumes." + v.name + ": " + n);
+  all.insert(all.end(), chosen.begin(), chosen.end());
+  return model::grouped_notes(all);
+}
+
+StaticsReport solve_statics(Simulation& sim, Progress& progress) {
+  const model::Case& c = sim.model();
+  const size_t told = sim.notes().size();
+  const StaticsReport s = sim.solve_statics([&](const StaticsReport& now) {
+    progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+  });
+  for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
+  progress.say(fmt::format(
+      "statics: {} iterations{}{}", s.iterations,
+      s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
+      !c.statics.contact_friction && c.contact.has_friction(c.volumes) ? ", without friction of contact"
+                                                                       : ""));
+  if (s.escapes > 0)
+    progress.say(fmt::format(
+        "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can "
+        "rest in "
+        "more than one shape, see whether this is the one meant, and say so by `start` if it is not",
+        s.escapes, s.escapes == 1 ? "um" : "a"));
+  if (s.negative_eigenvalues > 0)
+    progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",
+                             s.negative_eigenvalues));
+  return s;
 }
 
 io::ReadingNews news(Progress& progress) {

@@ -72,6 +72,7 @@ struct ResultsFile::Impl {
   SharedFile file;
   ResultContents contents;
   std::vector<int> owned;
+  std::ptrdiff_t line_nodes;  // of these, those of lines
   std::vector<RowRun> runs;
   std::vector<int> ends;  // owned; number 2 l is end A of line l, 2 l + 1 its end B
   std::vector<RowRun> end_runs;
@@ -306,7 +307,8 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents w
     : file(comm, path),
       contents(std::move(what)),
       owned(std::move(nodes)),
-      runs(runs_of({owned.begin(), std::lower_bound(owned.begin(), owned.end(), contents.nodes_total())})) {
+      line_nodes(std::lower_bound(owned.begin(), owned.end(), contents.nodes_total()) - owned.begin()),
+      runs(runs_of({owned.begin(), owned.begin() + line_nodes})) {
   check_contents(contents);
   for (size_t l = 0; l < contents.lines.size(); ++l)
     for (const int end : {0, 1}) {
@@ -434,8 +436,11 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   WaitingOutputs& w = m.waiting;
   w.times.push_back(time);
   w.fields.resize(fields.size()), w.ends.resize(ends.size());
-  for (size_t i = 0; i < fields.size(); ++i)
-    w.fields[i].insert(w.fields[i].end(), fields[i].begin(), fields[i].end());
+  for (size_t i = 0; i < fields.size(); ++i) {
+    // Nodes of bodies come after those of lines, and are not in the rows.
+    const auto count = static_cast<std::ptrdiff_t>(m.line_nodes) * c.fields[i].components;
+    w.fields[i].insert(w.fields[i].end(), fields[i].begin(), fields[i].begin() + count);
+  }
   for (size_t i = 0; i < ends.size(); ++i) w.ends[i].insert(w.ends[i].end(), ends[i].begin(), ends[i].end());
   w.clashes.push_back(clashes);
   m.wait(poses);

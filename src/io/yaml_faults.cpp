@@ -14,23 +14,11 @@
 namespace hawser::io {
 namespace {
 
-struct Bracket {
-  char kind;
-  std::size_t line;
-};
-
-// What is open where a line ends.
-struct Open {
-  std::vector<Bracket> brackets;
-  std::optional<YamlFault>
-      fault;  // the first bracket that does not fit, quote that is not closed in its line
-};
-
 // A line without its comment and the blanks at its end.
 struct Line {
   std::string text;
   std::size_t indent = 0;  // of blanks and tabs
-  bool flow = false;       // begins within brackets
+  bool flow = false;       // begins within brackets or a quote
   bool empty() const { return indent == text.size(); }
   bool tab() const { return text.substr(0, indent).find('\t') != std::string::npos; }
 };
@@ -41,72 +29,105 @@ int number(std::size_t line) { return static_cast<int>(line) + 1; }
 bool begins_with_key(const std::string& raw) {
   const std::size_t at = raw.find_first_not_of(' ');
   if (at == std::string::npos) return false;
-  const std::size_t end =
-      raw.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", at);
+  const std::size_t end = raw.find_first_of(" :,#'\"[]{}", at);
   return end != std::string::npos && end > at && raw[end] == ':' &&
-         (end + 1 == raw.size() || raw[end + 1] == ' ');
+         (end + 1 == raw.size() || raw[end + 1] == ' ' || raw[end + 1] == '\r');
 }
 
-void close(char c, std::size_t line, Open& open) {
-  const char opens = c == ']' ? '[' : '{';
-  if (!open.brackets.empty() && open.brackets.back().kind == opens) return open.brackets.pop_back();
-  if (open.fault) return;
-  open.fault = {number(line),
-                open.brackets.empty()
-                    ? fmt::format("the bracket '{}' closes none that is open", c)
-                    : fmt::format("the bracket '{}' does not close the '{}' of line {}", c,
-                                  open.brackets.back().kind, number(open.brackets.back().line))};
-}
-
-// Up to a '#' after a blank. Brackets in quotes do not count.
-Line cut(const std::string& raw, std::size_t line, Open& open) {
-  Line out;
-  out.flow = !open.brackets.empty();
-  char quote = 0;
-  std::size_t end = 0;
-  for (; end < raw.size(); ++end) {
-    const char c = raw[end], before = end > 0 ? raw[end - 1] : ' ';
-    if (quote) {
-      if (c == quote) quote = 0;
-      continue;
+// Splits a text into lines and finds the first bracket or quote that does not fit. They count where a value
+// begins and within brackets; the lines of a text after | or > are left empty.
+class Lines {
+ public:
+  explicit Lines(const std::string& text) {
+    for (std::size_t at = 0; at <= text.size();) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      add(text.substr(at, end - at));
+      at = end + 1;
     }
-    // Within a word a quote is a letter.
-    if ((c == '"' || c == '\'') && std::string_view(" \t[{,:").find(before) != std::string_view::npos)
-      quote = c;
-    if (c == '#' && (before == ' ' || before == '\t')) break;
-    if (c == '[' || c == '{') open.brackets.push_back({c, line});
-    if (c == ']' || c == '}') close(c, line, open);
+    if (inside()) left_open();
   }
-  if (quote && !open.fault)
-    open.fault = {number(line),
-                  fmt::format("the quote {} that opens in this line is not closed in it", quote)};
-  out.text = raw.substr(0, end);
-  out.text.erase(out.text.find_last_not_of(" \t\r") + 1);
-  out.indent = std::min(out.text.find_first_not_of(" \t"), out.text.size());
-  return out;
-}
+  const std::vector<Line>& all() const { return lines_; }
+  const std::optional<YamlFault>& unfit() const { return unfit_; }
 
-// The lines, and the first bracket or quote that does not fit. A bracket is open for good where a line after
-// it begins with a key, as far out as its own.
-std::vector<Line> lines_of(const std::string& text, std::optional<YamlFault>& unfit) {
-  std::vector<Line> out;
-  Open open;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string raw = text.substr(at, end - at);
-    const bool ends = end == text.size();
-    if (!open.brackets.empty() && !open.fault &&
-        (ends ||
-         (begins_with_key(raw) && raw.find_first_not_of(' ') <= out[open.brackets.front().line].indent)))
-      open.fault = {
-          number(open.brackets.back().line),
-          fmt::format("the bracket '{}' that opens in this line is not closed", open.brackets.back().kind)};
-    out.push_back(cut(raw, out.size(), open));
-    at = end + 1;
+ private:
+  struct Open {
+    char kind;  // [ { \" or '
+    std::size_t line;
+  };
+
+  bool inside() const { return !open_.empty(); }
+  bool quoted() const { return inside() && (open_.back().kind == '"' || open_.back().kind == '\''); }
+
+  void blame(std::size_t line, std::string text) {
+    if (!unfit_) unfit_ = {number(line), std::move(text)};
   }
-  unfit = open.fault;
-  return out;
-}
+  void left_open() {
+    blame(open_.back().line, fmt::format("the {} {} that opens in this line is not closed",
+                                         quoted() ? "quote" : "bracket", open_.back().kind));
+    open_.clear();
+  }
+
+  void add(const std::string& raw) {
+    const std::size_t indent = std::min(raw.find_first_not_of(" \t"), raw.size());
+    if (literal_ && (indent == raw.size() || indent > literal_indent_)) {
+      lines_.emplace_back();
+      return;
+    }
+    literal_ = false;
+    // What opened further up is open for good where a line as far out as its own begins with a key.
+    if (inside() && begins_with_key(raw) && indent <= lines_[open_.front().line].indent) left_open();
+    Line out;
+    out.flow = inside();
+    out.text = raw.substr(0, scan(raw));
+    out.text.erase(out.text.find_last_not_of(" \t\r") + 1);
+    out.indent = std::min(out.text.find_first_not_of(" \t"), out.text.size());
+    const std::size_t mark = out.text.find_last_not_of("+-0123456789");
+    literal_ = !inside() && mark != std::string::npos && mark > 1 && out.text[mark - 1] == ' ' &&
+               (out.text[mark] == '|' || out.text[mark] == '>');
+    literal_indent_ = out.indent;
+    lines_.push_back(std::move(out));
+  }
+
+  // Where the comment of a line begins, or its end.
+  std::size_t scan(const std::string& raw) {
+    bool value = true;  // one may begin here: at the start, after "- " and ": ", in brackets after a comma
+    for (std::size_t i = 0; i < raw.size(); ++i) {
+      const char c = raw[i], next = i + 1 < raw.size() ? raw[i + 1] : ' ';
+      if (quoted()) {
+        const char quote = open_.back().kind;
+        if ((quote == '"' && c == '\\') || (quote == '\'' && c == '\'' && next == '\''))
+          ++i;
+        else if (c == quote)
+          open_.pop_back(), value = false;
+        continue;
+      }
+      if (c == '#' && (i == 0 || raw[i - 1] == ' ' || raw[i - 1] == '\t')) return i;
+      if (c == ' ' || c == '\t') continue;
+      if (value && (c == '"' || c == '\''))
+        open_.push_back({c, lines_.size()});
+      else if ((c == '[' || c == '{') && (value || inside()))
+        open_.push_back({c, lines_.size()}), value = true;
+      else if ((c == ']' || c == '}') && (value || inside()))
+        close(c);
+      else
+        value = ((c == ':' || c == '-') && next == ' ') || (c == ',' && inside());
+    }
+    return raw.size();
+  }
+
+  void close(char c) {
+    if (inside() && open_.back().kind == (c == ']' ? '[' : '{')) return open_.pop_back();
+    blame(lines_.size(), !inside() ? fmt::format("the bracket '{}' closes none that is open", c)
+                                   : fmt::format("the bracket '{}' does not close the '{}' of line {}", c,
+                                                 open_.back().kind, number(open_.back().line)));
+  }
+
+  std::vector<Line> lines_;
+  std::vector<Open> open_;
+  std::optional<YamlFault> unfit_;
+  bool literal_ = false;
+  std::size_t literal_indent_ = 0;
+};
 
 // What is said of the first key of a line without a blank after its colon; empty: there is none.
 std::string unseparated(const std::string& line) {
@@ -166,8 +187,8 @@ std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_
 }  // namespace
 
 std::optional<YamlFault> find_yaml_fault(const std::string& text, int line) {
-  std::optional<YamlFault> unfit;
-  const std::vector<Line> lines = lines_of(text, unfit);
+  const Lines parts(text);
+  const std::vector<Line>& lines = parts.all();
   const std::size_t last = std::min(static_cast<std::size_t>(std::max(line, 1)), lines.size());
   for (std::size_t i = 0; i < last; ++i)
     if (!lines[i].flow && !lines[i].empty() && lines[i].tab())
@@ -179,7 +200,7 @@ std::optional<YamlFault> find_yaml_fault(const std::string& text, int line) {
   for (const std::size_t i : {last - 1, before > 0 ? before - 1 : before})
     if (std::string said = unseparated(lines[i].text); !said.empty())
       return YamlFault{static_cast<int>(i) + 1, std::move(said)};
-  if (unfit && unfit->line <= line) return unfit;
+  if (parts.unfit() && parts.unfit()->line <= line) return parts.unfit();
   return wrong_indent(lines, last - 1);
 }
 

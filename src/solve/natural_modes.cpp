@@ -20,6 +20,8 @@ namespace {
 constexpr double kTarget = -4e-5;  // rad²/s²
 constexpr double kTolerance = 1e-10;
 constexpr int kMostIterations = 2000;
+// Translations, over rotations times the size of the system, below which they are rounding.
+constexpr double kInPlace = 1e-7;
 
 class Slepc {
  public:
@@ -53,30 +55,59 @@ MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights
   return A;
 }
 
-// Translations of the nodes by the unknowns: a node that is tied goes with its frame, dx = dX - R hat(y)
-// theta.
-std::vector<Vec3> translations(const System& system, const Kinematics& at, const std::vector<double>& u) {
+long free_components(const System& system) {
+  long free = 0;
+  for (int b = 0; b < system.mesh().owned_blocks; ++b)
+    for (int c = 0; c < 3; ++c) free += !(system.supports().held()[static_cast<size_t>(b)] >> c & 1);
+  MPI_Allreduce(MPI_IN_PLACE, &free, 1, MPI_LONG, MPI_SUM, system.comm());
+  return free;
+}
+
+// m, of the box about all nodes.
+double size_of(const System& system, const Kinematics& at) {
+  Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
+  for (size_t n = 0; n < static_cast<size_t>(system.mesh().owned); ++n)
+    low = low.cwiseMin(at.x[n]), high = high.cwiseMax(at.x[n]);
+  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, system.comm());
+  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, system.comm());
+  return (high - low).norm();
+}
+
+// Of the nodes, by the unknowns: a node that is tied goes with its frame, dx = dX - R hat(y) theta.
+void move_nodes(const System& system, const Kinematics& at, const std::vector<double>& u, NaturalMode& mode) {
   const LocalMesh& mesh = system.mesh();
   const auto block = [&](int b) { return Vec3(u.data() + 3 * b); };
-  std::vector<Vec3> out(mesh.block.size());
-  for (size_t n = 0; n < out.size(); ++n) out[n] = block(mesh.block[n]);
+  const size_t nodes = mesh.block.size();
+  mode.shape.assign(nodes, Vec3::Zero()), mode.rotation.assign(nodes, Vec3::Zero());
+  for (size_t n = 0; n < nodes; ++n) {
+    mode.shape[n] = block(mesh.block[n]);
+    if (mesh.rotates(static_cast<int>(n))) mode.rotation[n] = at.q[n] * block(mesh.block[n] + 1);
+  }
   for (const int i : system.supports().ties()) {
     const Support& s = system.supports().list()[static_cast<size_t>(i)];
     const int frame = mesh.block[static_cast<size_t>(s.frame)];
-    out[static_cast<size_t>(s.node)] =
+    mode.shape[static_cast<size_t>(s.node)] =
         block(frame) + at.q[static_cast<size_t>(s.frame)] * block(frame + 1).cross(s.at);
   }
-  double most = 0;
-  for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) most = std::max(most, out[n].norm());
-  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, system.comm());
-  for (Vec3& x : out) x /= std::max(most, 1e-300);
-  return out;
+  double most[2] = {0, 0};
+  for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
+    most[0] = std::max(most[0], mode.shape[n].norm());
+    most[1] = std::max(most[1], mode.rotation[n].norm());
+  }
+  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system.comm());
+  const bool in_place = most[0] < kInPlace * most[1] * size_of(system, at);
+  for (size_t n = 0; n < nodes; ++n) {
+    mode.shape[n] = in_place ? Vec3(Vec3::Zero()) : Vec3(mode.shape[n] / most[0]);
+    mode.rotation[n] /= in_place ? most[1] : most[0];
+  }
 }
 
 }  // namespace
 
 std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int count) {
   const Slepc slepc;
+  count = static_cast<int>(std::min<long>(count, free_components(system)));
+  if (count == 0) return {};
   // Held components are at omega = infinity, where nobody looks.
   const MatHandle K = symmetric(system, at, {1, 0, 0}, 1), M = symmetric(system, at, {0, 0, 1}, 0);
   Solver solver;
@@ -114,7 +145,7 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
     NaturalMode mode;
     check(EPSGetEigenpair(eps, i, &mode.squared, nullptr, u.get(), nullptr));
     system.gather(u.get(), local);
-    mode.shape = translations(system, at, local);
+    move_nodes(system, at, local, mode);
     out.push_back(std::move(mode));
   }
   std::stable_sort(out.begin(), out.end(),

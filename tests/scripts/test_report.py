@@ -13,6 +13,7 @@ from support import ROOT, run, write
 sys.path.insert(0, str(ROOT / "scripts"))
 import numpy as np  # noqa: E402
 
+from hawser_post.fatigue import CURVES, damage, rainflow, wall_stress  # noqa: E402
 from hawser_post.results import Results, metres  # noqa: E402
 from hawser_post.statistics import spectrum, statistics  # noqa: E402
 
@@ -154,6 +155,28 @@ class Report(unittest.TestCase):
         write(self.folder, "no.h5", "text")
         self.assertIn("is no HDF5 file", self.hawser("plot", "no.h5", "plan").stderr)
 
+    def test_fatigue(self):
+        told = self.hawser("fatigue", "riser.h5=0.25", "riser.h5=0.75", "--curve", "api-studless-chain", "--breaking-load",
+                           "3e6", "--line", "mooring", "--since", "8")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        line, t = self.results.line("mooring"), self.results.time
+        tension = self.results.field("effective_tension", line)[t >= 8]
+        exact = [damage(tension[:, n], CURVES["api-studless-chain"], 3e6) / (t[-1] - t[t >= 8][0]) * 365.25 * 86400
+                 for n in range(tension.shape[1])]
+        self.assertIn(f"{max(exact):.4g} a year", told.stdout)
+        with (self.folder / "riser-fatigue.csv").open() as file:
+            rows = list(csv.reader(file))[1:]
+        np.testing.assert_allclose([float(r[1]) for r in rows], exact, rtol=1e-6)
+        pipe = ["--curve", "dnv-d-air", "--outer-diameter", "0.25", "--wall", "0.02", "--line", "riser"]
+        self.assertIn("largest damage", self.hawser("fatigue", "riser.h5", *pipe).stdout)
+        for arguments, part in ((["riser.h5=0.7", "riser.h5=0.7", *pipe], "more than all of the time"),
+                                (["riser.h5=x", *pipe], "is no number"),
+                                (["riser.h5", "--curve", "dnv-d-air"], "needs --outer-diameter"),
+                                (["riser.h5", *pipe, "--since", "23"], "too few for cycles")):
+            refused = self.hawser("fatigue", *arguments)
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(part, refused.stderr)
+
     def test_listed_with_the_commands(self):
         said = self.hawser("--help").stdout
         for command in ("report", "plot", "export"):
@@ -177,6 +200,40 @@ class Numbers(unittest.TestCase):
         f, density = spectrum(t, 2 * np.sin(2 * np.pi * t / 5))
         self.assertAlmostEqual(f[np.argmax(density)], 0.2, delta=0.01)
         self.assertAlmostEqual(np.trapz(density, f), 2, delta=0.02)
+
+    def test_rainflow_of_the_standard(self):
+        # ASTM E1049-85, figure 6 and table 6: ranges 3, 4, 6, 8, 9.
+        ranges, means, counts = rainflow([-2, 1, -3, 5, -1, 3, -4, 4, -2])
+        found = {float(r): float(counts[ranges == r].sum()) for r in np.unique(ranges)}
+        self.assertEqual(found, {3: 0.5, 4: 1.5, 6: 0.5, 8: 1.0, 9: 0.5})
+        self.assertEqual(float(means[ranges == 3][0]), -0.5)
+        # Whatever lies between the turning points.
+        fine = np.interp(np.linspace(0, 8, 801), range(9), [-2, 1, -3, 5, -1, 3, -4, 4, -2])
+        self.assertAlmostEqual(float((rainflow(fine)[0] ** 3 * rainflow(fine)[2]).sum()), float((ranges**3 * counts).sum()))
+        self.assertEqual(rainflow([5, 5, 5]).size, 0)
+
+    def test_damage_of_a_sine(self):
+        x = 3e6 + 1e6 * np.cos(np.linspace(0, 2 * np.pi * 50, 50 * 40 + 1))
+        # N = 316 R^-3 with R = 2/10; K = 10^(3.20 - 2.79 L) R^-4.09 with L = 3/10 (API RP 2SK).
+        self.assertAlmostEqual(damage(x, CURVES["api-studless-chain"], 1e7), 50 * 0.2**3 / 316, places=6)
+        self.assertAlmostEqual(damage(x, CURVES["api-strand-rope"], 1e7) / (50 * 0.2**4.09 / 10 ** (3.20 - 2.79 * 0.3)), 1,
+                               places=3)
+        # DNV-RP-C203, curve D in air: 1e7 cycles at 52.63 MPa; log N = 15.606 - 5 log s below.
+        stress = 0.5 * np.cos(np.linspace(0, 2 * np.pi * 50, 50 * 40 + 1))
+        self.assertAlmostEqual(damage(52.63 * stress, CURVES["dnv-d-air"]) * 1e7 / 50, 1, places=2)
+        self.assertAlmostEqual(damage(30 * stress, CURVES["dnv-d-air"]) * 10**15.606 / 30**5 / 50, 1, places=6)
+        self.assertAlmostEqual(damage(100 * stress, CURVES["dnv-d-air"]) * 10**12.164 / 100**3 / 50, 1, places=6)
+
+    def test_stress_of_a_pipe(self):
+        outer, wall, moment = 0.5, 0.02, 2e5
+        inner = outer - 2 * wall
+        stress = wall_stress(np.array([[1e6]]), np.array([[0.6 * moment]]), np.array([[0.8 * moment]]), outer, wall)
+        area, inertia = np.pi / 4 * (outer**2 - inner**2), np.pi / 64 * (outer**4 - inner**4)
+        self.assertAlmostEqual(stress.mean(), 1.0 / area, places=9)
+        bending = 1e-6 * moment * outer / 2 / inertia
+        # Of sixteen places one is within 11.25 degrees of the plane of bending.
+        self.assertLessEqual(stress.max() - stress.mean(), bending)
+        self.assertGreater(stress.max() - stress.mean(), bending * np.cos(np.pi / 16))
 
     def test_lengths_of_case_files(self):
         self.assertEqual([metres(v, None) for v in (60, "60 m", "0.1 km", "200 mm", "x", None)],

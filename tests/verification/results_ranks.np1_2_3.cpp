@@ -161,6 +161,37 @@ void write_run(MPI_Comm comm, const std::string& path, bool finish) {
     file.finish({{"max effective tension", "hose", 670e3, "N", 3, 25}, {"min", "mooring/1", -1, "N", 0, 0}});
 }
 
+// Outputs that follow each other fast are written together; bodies with mass have nodes after those of the
+// lines.
+TEST(ResultsRanks, RowsOfLinesBesideNodesOfBodies) {
+  constexpr int kOutputs = 40, kBodies = 2;
+  ResultContents c = contents();
+  c.free_bodies = kBodies, c.clashes = false;
+  const int nodes = c.nodes_total();
+  const std::string path = temporary("bodies.h5");
+  const auto owned = owned_nodes(MPI_COMM_WORLD, nodes + kBodies);
+  {
+    auto file = ResultsFile::create(MPI_COMM_WORLD, path, c, owned);
+    write_rows(file, MPI_COMM_WORLD, owned, 0, kOutputs);
+    file.finish({});
+  }
+  if (rank_of(MPI_COMM_WORLD) > 0) return;
+  const h5::Id file = h5::open_read(path);
+  for (size_t f = 0; f < c.fields.size(); ++f) {
+    const int components = c.fields[f].components;
+    std::vector<double> all(static_cast<size_t>(kOutputs * nodes * components));
+    const h5::Id set = h5::open_dataset(file, "fields/" + c.fields[f].name);
+    ASSERT_EQ(h5::shape_of(set)[0], static_cast<hsize_t>(kOutputs));
+    ASSERT_GE(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), 0);
+    size_t i = 0;
+    for (int k = 0; k < kOutputs; ++k)
+      for (int n = 0; n < nodes; ++n)
+        for (int j = 0; j < components; ++j)
+          ASSERT_EQ(all[i++], value(k, static_cast<int>(f), n, j))
+              << c.fields[f].name << " " << k << " " << n;
+  }
+}
+
 TEST(ResultsRanks, FileIsTheSameAsFromOneRank) {
   for (const bool finish : {false, true}) {
     const std::string together = temporary("together.h5"), alone = temporary("alone.h5");

@@ -7,6 +7,7 @@
 
 #include "hawser/app/progress.hpp"
 #include "hawser/app/simulation.hpp"
+#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/io/results.hpp"
 #include "hawser/mesh/mesh.hpp"
@@ -19,6 +20,12 @@ std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh)
 // Of all bodies, the same on all ranks: of floating ones the rank that owns them tells the others.
 // Collective.
 std::vector<io::BodyPose> body_poses(Simulation& sim, const Kinematics& at);
+// What was mended and chosen, the like of several volumes at once.
+std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
+                                   const std::vector<std::string>& chosen);
+// Statics of the case, its progress and what is to be told of the equilibrium. Collective; throws as
+// Simulation::solve_statics does.
+StaticsReport solve_statics(Simulation& sim, Progress& progress);
 io::ReadingNews news(Progress& progress);  // which must live as long
 
 }  // namespace hawser::app
