@@ -22,12 +22,13 @@ def results_of(given):
         return Results(path)
     try:
         named = ((yaml.safe_load(path.read_text(encoding="utf-8")) or {}).get("output") or {}).get("file")
-    except (yaml.YAMLError, AttributeError):
+    except (yaml.YAMLError, AttributeError, UnicodeDecodeError):
         named = None  # hawser run says what is wrong with it
-    results = path.parent / named if named else path.with_suffix(".h5")
+    results = path.parent / str(named) if named else path.with_suffix(".h5")
     if not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
         code = subprocess.run([os.environ.get("HAWSER", "hawser"), "run", str(path)]).returncode
-        if code not in (0, 4):  # 4: ended, and the report shows what does not add up
+        # Where the solver gave up, a signal came or the energy does not add up, the results say so.
+        if code not in (0, 3, 4, 130) or not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
             sys.exit(code)
     return Results(results)
 
@@ -47,6 +48,8 @@ def make_export(options):
 
 
 def default_line(results, options):
+    if not results.lines:
+        raise Refusal(f"{results.path}: there are no lines")
     return results.line(options.line) if options.line else report.by_tension(results)[0]
 
 
@@ -58,6 +61,8 @@ def default_history(results, options):
 
 def make_plot(options):
     results = results_of(options.results)
+    if results.modes and options.what not in scene.VIEWS:
+        raise Refusal(f"{results.path} holds natural modes: of those there are plan, elevation and space, with --time K for mode K")
     if options.what in scene.VIEWS:
         output = -1 if options.time is None else int(abs(results.time - options.time).argmin())
         figure = scene.picture(results, options.what, output)
@@ -147,7 +152,7 @@ def commands():
     p.add_argument("-o", "--output", help="file (default: <results>-<what>.png)")
     p.add_argument("--line", help="of a range graph (default: that with the largest tension)")
     p.add_argument("--field", default="effective_tension", help="of a range graph (default: effective_tension)")
-    p.add_argument("--name", help="of a history, as in output.histories (default: the first)")
+    p.add_argument("--name", help="of a history, as in output.histories (default: the first by name)")
     p.add_argument("--column", help="of a history (default: effective_tension, or the first)")
     p.add_argument("--over", help="phase: column on the horizontal axis (default: position_z)")
     p.add_argument("--time", type=float, help="of a picture: the output nearest to it [s] (default: the last)")
@@ -182,7 +187,11 @@ def main():
         print(f"hawser: {refusal}", file=sys.stderr)
         return 2
     except OSError as error:
-        print(f"hawser: {error.filename}: cannot be written ({error.strerror})", file=sys.stderr)
+        what = f"{error.filename}: cannot be written ({error.strerror})" if error.filename else str(error)
+        print(f"hawser: {what}", file=sys.stderr)
+        return 1
+    except KeyError as missing:
+        print(f"hawser: the results file is damaged or of another version: {missing.args[0]}", file=sys.stderr)
         return 1
     return 0
 

@@ -5,7 +5,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-from .statistics import spectrum  # noqa: E402
+from .statistics import mean_of, spectrum  # noqa: E402
 
 WIDE, HIGH = 7.2, 3.0  # inches
 MOST_POINTS = 2000  # of a curve, more are not seen
@@ -52,13 +52,14 @@ def sheet(high=HIGH):
 def range_graph(results, line, field, since=0.0):
     """The envelope over the outputs from `since` on, the mean, and the first output (static, if the case has it)."""
     values = results.magnitude(field, line)
-    from_there = values[results.time >= since] if np.any(results.time >= since) else values[-1:]
+    keep = results.since(since)
+    from_there = values[keep]
     unit, factor = scaled(results.unit(field), [values])
     figure, axes = sheet()
     if len(from_there) > 1:
         axes.fill_between(line.arc, from_there.min(axis=0) / factor, from_there.max(axis=0) / factor, alpha=0.2, lw=0)
         axes.plot(line.arc, from_there.max(axis=0) / factor, label="maximum")
-        axes.plot(line.arc, from_there.mean(axis=0) / factor, label="mean")
+        axes.plot(line.arc, mean_of(results.time[keep], from_there) / factor, label="mean")
         axes.plot(line.arc, from_there.min(axis=0) / factor, label="minimum")
     axes.plot(line.arc, values[0] / factor, "k--", lw=0.9, label=f"t = {results.time[0]:g} s")
     axes.set(xlabel="arc length from end A [m]", ylabel=label(field, unit), title=line.name)
@@ -81,11 +82,11 @@ def history(time, curves, unit, name, title=""):
 def density(time, values, unit, name, title=""):
     f, s = spectrum(time, values)
     figure, axes = sheet(2.6)
-    axes.plot(f, s, lw=1.0)
+    axes.plot(f, s, lw=1.0, marker=".", ms=4)
     # Up to where 99.9 % of the variance is.
     total = np.cumsum(s)
     axes.set_xlim(0, max(f[min(np.searchsorted(total, 0.999 * total[-1]) + 1, len(f) - 1)], f[1]))
-    axes.set(xlabel="frequency [Hz]", ylabel=f"{words(name)} [({unit})²/Hz]", title=title)
+    axes.set(xlabel=f"frequency [Hz], resolved to {f[1]:.2g} Hz", ylabel=f"{words(name)} [{unit}²/Hz]", title=title)
     return figure
 
 

@@ -5,6 +5,7 @@ import re
 import numpy as np
 
 from . import tables
+from .statistics import mean_of
 
 
 def write(path, head, rows):
@@ -32,21 +33,40 @@ def ranges(results, line):
         if field in ("position", "velocity", "axis_1", "axis_2"):
             continue
         values, unit = results.magnitude(field, line), results.unit(field)
-        for what, column in (("min", values.min(axis=0)), ("mean", values.mean(axis=0)), ("max", values.max(axis=0))):
+        for what, column in (("min", values.min(axis=0)), ("mean", mean_of(results.time, values)), ("max", values.max(axis=0))):
             head.append(f"{field}_{what} [{unit}]")
             columns.append(column)
     return head, np.column_stack(columns)
 
 
+def shapes(results, line):
+    """The translations of each mode along a line."""
+    head, columns = ["arc_length [m]"], [line.arc]
+    for k in range(1, results.outputs):
+        head += [f"mode_{k}_{c}" for c in "xyz"]
+        columns += list(results.field("mode_shape", line, k).T)
+    return head, np.column_stack(columns)
+
+
+def modes(results, folder):
+    series = results.series("modes")
+    rows = np.column_stack([np.arange(1, results.steps + 1), series.values])
+    done = [write(folder / "modes.csv", ["mode", "period [s]", "frequency [Hz]"], rows)]
+    return done + [write(folder / f"shape_{file_name(line.name)}.csv", *shapes(results, line)) for line in results.lines]
+
+
 def everything(results, folder):
     folder.mkdir(parents=True, exist_ok=True)
+    if results.modes:
+        return modes(results, folder)
     done = [write(folder / "lines.csv", *tables.of_lines(results)), write(folder / "ends.csv", *tables.at_ends(results))]
     for name, (head, rows) in (("extremes", tables.extremes(results)), ("statistics", tables.statistics_of(results)),
                                ("clashes", tables.clashes(results))):
         if rows:
             done.append(write(folder / f"{name}.csv", head, rows))
     for name in results.series_names:
-        done.append(write(folder / f"{file_name(results.series(name).name)}.csv", *series(results, name)))
+        kind = "history_" if name in results.histories else ""
+        done.append(write(folder / f"{kind}{file_name(name)}.csv", *series(results, name)))
     for line in results.lines:
         done.append(write(folder / f"range_{file_name(line.name)}.csv", *ranges(results, line)))
     return done

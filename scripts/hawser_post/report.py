@@ -42,7 +42,8 @@ def pictures(page, results):
 
 def start(page, results):
     page.section("Start")
-    page.text(f"State of the first output, t = {results.time[0]:g} s: the static equilibrium where the case has statics. "
+    page.text(f"State of the first output, t = {results.time[0]:g} s: the static equilibrium where the case has statics, "
+              "moving as the motions of the case begin (damping of the material then adds to its forces). "
               "Forces are those of the line on what holds its end; the declination is the angle between the upward "
               "vertical and the direction into the line.")
     page.table(*tables.at_ends(results, 0))
@@ -51,7 +52,7 @@ def start(page, results):
 def ranges(page, results, lines, since):
     page.section("Range graphs")
     if moves(results):
-        page.text(f"Over the {np.count_nonzero(results.time >= since)} outputs from t = {since:g} s on. Peaks between "
+        page.text(f"Over the {np.count_nonzero(results.since(since))} outputs from t = {since:g} s on. Peaks between "
                   "two outputs are in the table of extremes, not here.")
     for line in lines:
         for field in FIELDS:
@@ -127,17 +128,32 @@ def modes(page, results):
         page.figure(figure, f"Mode {k}: {period:.4g} s.", "png")
 
 
+def count(n, what):
+    return f"{n} {what}" + ("" if n == 1 else "s")
+
+
+def run_of(results):
+    """Who has computed what, and when."""
+    ranks = results.attribute("ranks")
+    return (f"{Path(results.attribute('case_path')).name}: hawser {results.attribute('version')}, "
+            f"{results.attribute('date')}, {ranks} rank{'' if ranks == '1' else 's'}.")
+
+
 def make(results, path, since):
     page = Page(title_of(results))
-    if "modes" in results.series_names:
+    if results.modes:
+        page.text(run_of(results))
+        for m in results.messages():
+            page.text(m, "warning" if m.startswith("warning") else "note")
         modes(page, results)
         page.section("Case file")
         page.text(results.case, "pre")
         return page.write(path)
-    version, ranks = results.attribute("version"), results.attribute("ranks")
-    page.text(f"{Path(results.attribute('case_path')).name}: hawser {version}, {results.attribute('date')}, {ranks} rank"
-              f"{'' if ranks == '1' else 's'}; {len(results.lines)} line{'' if len(results.lines) == 1 else 's'}, "
-              f"{results.outputs} outputs, {max(results.steps - 1, 0)} steps to t = {results.time[-1]:g} s.")
+    steps = max(results.steps - 1, 0)
+    page.text(f"{run_of(results)} {count(len(results.lines), 'line')}, {count(results.outputs, 'output')}, "
+              f"{count(steps, 'step')} to t = {results.time[-1]:g} s.")
+    if results.time[-1] < results.duration * (1 - 1e-6):
+        page.text(f"The run has reached t = {results.time[-1]:g} s of the {results.duration:g} s of its case.", "warning")
     messages = results.messages()
     if messages:
         page.section("Notes and warnings")
@@ -156,7 +172,7 @@ def make(results, path, since):
     if len(lines) < len(results.lines):
         page.text(f"Figures below are of the {MOST_LINES} lines with the largest tensions of {len(results.lines)}.")
     ranges(page, results, lines, since)
-    if moves(results):
+    if moves(results) and results.steps > 0:
         histories(page, results, lines, since)
     head, rows = tables.clashes(results)
     if rows:

@@ -107,6 +107,26 @@ class Results:
         return [n for n in self.file["series"] if n != "time"] if "series" in self.file else []
 
     @property
+    def modes(self):
+        """Whether output k is a natural mode and not a state at a time."""
+        return self.has("mode_shape")
+
+    @property
+    def duration(self):
+        """s that the case asks for; 0: not known."""
+        try:
+            return float((yaml.safe_load(self.case).get("dynamics") or {}).get("duration") or 0)
+        except (yaml.YAMLError, AttributeError, TypeError, ValueError):
+            return 0.0
+
+    def since(self, t):
+        """Which outputs are at t [s] or later: two at least, where there are more than one."""
+        keep = self.time >= t
+        if self.outputs > 1 and np.count_nonzero(keep) < 2:
+            raise Refusal(f"{self.path}: there are no two outputs from t = {t:g} s on (the last is at {self.time[-1]:g} s)")
+        return keep
+
+    @property
     def histories(self):
         """Names of what `output.histories` and `output.clearances` ask for."""
         return [n for n in self.series_names if n not in ("energy", "solver")]
@@ -183,17 +203,21 @@ class Results:
         """Height of the still water and of a flat seabed [m], each None where there is none: as the case has it."""
         try:
             environment = (yaml.safe_load(self.case) or {}).get("environment") or {}
-        except yaml.YAMLError:
+        except (yaml.YAMLError, AttributeError):
             return None, None
         water, bed = environment.get("water"), environment.get("seabed")
         level = None if water is None else metres((water or {}).get("surface"), 0.0)
-        depth = metres((bed or {}).get("depth"), None)
-        return level, None if depth is None else (level or 0.0) - depth
+        if bed is None or any(key in bed for key in ("slope_deg", "grid", "mesh")):
+            return level, None
+        depth = metres(bed.get("depth", (water or {}).get("depth")), None)  # below z = 0, as the solver takes both
+        return level, None if depth is None else -depth
 
 
 def metres(value, otherwise):
     """A length of a case file, which may be a text with its unit."""
     found = re.fullmatch(r"\s*([-+.\deE]+)\s*(m|mm|cm|km|ft|in)?\s*", str(value))
-    if not found:
+    try:
+        size = float(found.group(1))
+    except (AttributeError, ValueError):  # no number
         return otherwise
-    return float(found.group(1)) * {"mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254}.get(found.group(2), 1.0)
+    return size * {"mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254}.get(found.group(2), 1.0)

@@ -37,6 +37,8 @@ def edges(x, triangles):
 
 def across(results):
     """The horizontal direction in which the lines extend most, a unit vector: what a view from the side shows."""
+    if not results.lines:
+        return np.array([1.0, 0.0])
     x = np.concatenate([results.field("position", line, 0)[:, :2] for line in results.lines])
     _, _, axes = np.linalg.svd(x - x.mean(axis=0), full_matrices=False)
     along = axes[0]
@@ -82,7 +84,7 @@ def picture(results, view, output=-1, high=4.2):
     axes.set_aspect("equal", adjustable="datalim")
     names = ("x [m]", "y [m]") if view == "plan" else (axis_name(along), "z [m]")
     axes.set(xlabel=names[0], ylabel=names[1], title=title(results, view, shown))
-    if len(results.lines) <= 12:
+    if 0 < len(results.lines) <= 12:
         axes.legend(fontsize=8, ncols=min(4, len(results.lines)))
     return figure
 
@@ -94,9 +96,12 @@ def axis_name(along):
 
 
 def title(results, view, shown):
-    at = f"t = {results.time[shown[-1]]:g} s"
-    if len(shown) > 1:
-        at += f" (dashed: t = {results.time[0]:g} s)"
+    if results.modes:
+        at = f"mode {shown[-1]} (dashed: at rest)"
+    else:
+        at = f"t = {results.time[shown[-1]]:g} s"
+        if len(shown) > 1:
+            at += f" (dashed: t = {results.time[0]:g} s)"
     return {"plan": "from above", "elevation": "from the side", "space": "in space"}[view] + ", " + at
 
 
@@ -112,9 +117,14 @@ def in_space(results, output):
         if len(triangles) <= MOST_FACES:
             axes.add_collection3d(Poly3DCollection(x[triangles], facecolors=FACE, alpha=0.6, zorder=1))
         axes.add_collection3d(Line3DCollection(edges(x, triangles), colors=HULL, linewidths=0.4, zorder=2))
+        if not results.lines:
+            low, high = np.minimum(low, x.min(axis=0)), np.maximum(high, x.max(axis=0))
+            continue
         # A volume far larger than what lies on it does not make that small.
         reach = 1.5 * (high - low).max()
         low, high = np.minimum(low, np.maximum(x.min(axis=0), low - reach)), np.maximum(high, np.minimum(x.max(axis=0), high + reach))
+    if not np.all(np.isfinite(low)):
+        low, high = np.full(3, -1.0), np.full(3, 1.0)
     surface, bed = results.sea()
     for z, paint, alpha in ((bed, BED, 0.25), (surface, SEA, 0.15)):
         if z is None:
@@ -128,6 +138,6 @@ def in_space(results, output):
                                       middle, size):
         set_limits(m - s / 2, m + s / 2)
         axis.set_major_locator(MaxNLocator(max(1, round(TICKS * s / size.max()))))
-    axes.set_box_aspect(size, zoom=1.2)
+    axes.set_box_aspect(size, zoom=1.2 if size[2] < size[:2].max() else 0.9)
     axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]", title=title(results, "space", [range(results.outputs)[output]]))
     return figure

@@ -17,8 +17,8 @@ class Statistics:
 
 
 def mean_of(t, x):
-    """Mean over time by the trapezoidal rule."""
-    return float(np.trapz(x, t) / (t[-1] - t[0])) if len(t) > 1 and t[-1] > t[0] else float(x[-1])
+    """Mean over time by the trapezoidal rule, of each column where there are columns."""
+    return np.trapz(x, t, axis=0) / (t[-1] - t[0]) if len(t) > 1 and t[-1] > t[0] else x[-1]
 
 
 def upcrossings(t, x):
@@ -30,7 +30,7 @@ def upcrossings(t, x):
 
 def statistics(t, x):
     t, x = np.asarray(t, float), np.asarray(x, float)
-    mean = mean_of(t, x)
+    mean = float(mean_of(t, x))
     up = upcrossings(t, x)
     period = (up[-1] - up[0]) / (len(up) - 1) if len(up) > 1 else np.nan
     low, high = int(np.argmin(x)), int(np.argmax(x))
@@ -39,10 +39,13 @@ def statistics(t, x):
 
 
 def spectrum(t, x):
-    """One-sided power spectral density by Welch's method (Welch 1967), Hann windows of a quarter of the signal that
-    overlap by half: frequencies [Hz] and unit²/Hz. The signal is brought to equal steps first, as many as it has."""
+    """One-sided power spectral density by Welch's method (Welch 1967): frequencies [Hz] and unit²/Hz. Hann windows of a
+    quarter of a signal of 40 mean periods or more, of half of one of 20, else of all of it; they overlap by half. The
+    signal is brought to equal steps first, as many as it has."""
     t, x = np.asarray(t, float), np.asarray(x, float)
     even = np.linspace(t[0], t[-1], len(t))
-    f, density = welch(np.interp(even, t, x), fs=1 / (even[1] - even[0]), nperseg=max(16, len(even) // 4),
+    periods = len(upcrossings(t, x))
+    parts = 4 if periods >= 40 else 2 if periods >= 20 else 1
+    f, density = welch(np.interp(even, t, x), fs=1 / (even[1] - even[0]), nperseg=len(even) // parts,
                        detrend="constant")
     return f, density

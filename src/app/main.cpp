@@ -206,11 +206,12 @@ int main(int argc, char** argv) {
   run.options_text = modes.options_text = options;
   modes.added_mass = !in_vacuum;
   return guarded(petsc, [&] {
-    if (*modes_command) return hawser::app::modes(PETSC_COMM_WORLD, modes);
-    if (!*run_command) return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks, !quick);
-    const int code = hawser::app::run(PETSC_COMM_WORLD, run);
+    if (!*run_command && !*modes_command)
+      return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks, !quick);
+    const int code =
+        *run_command ? hawser::app::run(PETSC_COMM_WORLD, run) : hawser::app::modes(PETSC_COMM_WORLD, modes);
     const auto left = unused(theirs);
-    if (petsc.rank == 0 && !run.quiet && !left.empty())
+    if (petsc.rank == 0 && !run.quiet && !modes.quiet && !left.empty())
       fmt::print("\nwarning: nothing in this run has used the PETSc option{} {}\n",
                  left.size() > 1 ? "s" : "", fmt::join(left, ", "));
     return code;

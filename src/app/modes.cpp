@@ -81,7 +81,7 @@ std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
 }
 
 void write(MPI_Comm comm, Simulation& sim, const ModesOptions& o, const std::string& path,
-           const std::vector<NaturalMode>& found) {
+           const std::vector<NaturalMode>& found, const std::vector<std::string>& messages) {
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank), MPI_Comm_size(comm, &size);
   const LocalMesh& local = sim.local();
@@ -102,7 +102,7 @@ void write(MPI_Comm comm, Simulation& sim, const ModesOptions& o, const std::str
     file.append_series(number, {rank == 0 ? std::vector<double>{period, 1 / period} : std::vector<double>{}});
     file.write_output(number, {flat(drawn, local.owned), flat(mode.shape, local.owned)}, poses);
   }
-  file.finish({});
+  file.finish({}, {}, messages);
 }
 
 }  // namespace
@@ -141,7 +141,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   if (statics.negative_eigenvalues > unstable)
     table += fmt::format("and {} more directions in which the equilibrium is unstable, faster than these\n",
                          statics.negative_eigenvalues - unstable);
-  write(comm, sim, options, place.path(), found);
+  write(comm, sim, options, place.path(), found, progress.messages());
   if (rank == 0 && !options.quiet) {
     fmt::print("\n{}", table);
     if (found.size() < static_cast<size_t>(options.count))

@@ -126,7 +126,7 @@ class Report(unittest.TestCase):
         tension = self.results.field("effective_tension", line)
         most = np.array([float(r[head.index("effective_tension_max [N]")]) for r in rows])
         np.testing.assert_allclose(most, tension.max(axis=0), rtol=1e-8)
-        head, rows = table("hang-off.csv")
+        head, rows = table("history_hang-off.csv")
         self.assertEqual(len(rows), self.results.steps)
         self.assertEqual(head[:2], ["time [s]", "position_x [m]"])
         np.testing.assert_allclose([float(r[3]) for r in rows], self.results.series("hang-off").column("position_z"),

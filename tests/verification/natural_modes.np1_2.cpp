@@ -62,7 +62,15 @@ TEST(NaturalModes, LoadOnASling) {
   s.solve_statics();
   const auto modes = hawser::natural_modes(s.system(), s.state().view(0), 5);
   ASSERT_EQ(modes.size(), 5U);
-  EXPECT_NEAR(modes[0].squared, 0, 1e-6);
+  // It turns in place, without force.
+  EXPECT_LT(std::abs(modes[0].squared), kFree);
+  EXPECT_EQ(shape_at(s, modes[0], s.mesh().body_node(0)).norm(), 0);
+  const int load = s.local().find(s.mesh().body_node(0));
+  if (load >= 0 && load < s.local().owned) {
+    EXPECT_NEAR((modes[0].rotation[static_cast<size_t>(load)].cwiseAbs() - Vec3::UnitZ()).norm(), 0, 1e-6);
+  }
+  // Three components of the node of the sling, six of the load: there are no more modes than those.
+  EXPECT_EQ(hawser::natural_modes(s.system(), s.state().view(0), 1000).size(), 9U);
   struct Exact {
     double squared, eye;  // and how far the eye goes as the load's centre goes by 1
     int axis;

@@ -37,8 +37,8 @@ class Recorder {
   // A picture of the state: all fields.
   void output(double time, const Kinematics& at);
   void checkpoint(const io::Checkpoint& c) { file_->write_checkpoint(c); }
-  // Summary table into the file, which is returned as text, with the notes and warnings that were told of the
-  // run and those of its end.
+  // Writes the summary table into the file, with the notes and warnings that were told of the run and those
+  // of its end; returns the table as text.
   std::string finish(std::vector<std::string> messages);
 
   const Audit& audit() const { return audit_; }
