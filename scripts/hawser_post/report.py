@@ -9,7 +9,7 @@ from .page import Page
 
 MOST_LINES = 8  # with figures of their own
 MOST_MODES = 12
-FIELDS = ("effective_tension", "bending_moment", "curvature", "shear_force", "torsion_moment", "contact_normal_force",
+FIELDS = ("effective_tension", "utilisation", "bending_moment", "curvature", "shear_force", "torsion_moment", "contact_normal_force",
           "line_contact_normal_force")
 
 

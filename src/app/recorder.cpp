@@ -86,14 +86,39 @@ struct Wanted {
   std::array<std::string_view, 2> fields;
   bool largest;
 };
-constexpr Wanted kExtremes[] = {{"max effective tension", {kBefore, kAfter}, true},
-                                {"min effective tension", {kBefore, kAfter}, false},
-                                {"max curvature", {"curvature"}, true},
-                                {"max bending moment", {"bending_moment"}, true},
-                                {"max penetration", {"penetration"}, true}};
+constexpr Wanted kExtremes[] = {
+    {"max effective tension", {kBefore, kAfter}, true}, {"min effective tension", {kBefore, kAfter}, false},
+    {"max utilisation", {"utilisation"}, true},         {"max curvature", {"curvature"}, true},
+    {"max bending moment", {"bending_moment"}, true},   {"max penetration", {"penetration"}, true}};
 
 // Beside those of the terms in a checkpoint.
 const std::string kClashRecords = "clash report";
+
+bool knows_breaking_loads(const model::Case& c) {
+  return std::any_of(c.line_types.begin(), c.line_types.end(),
+                     [](const auto& t) { return t.breaking_load > 0; });
+}
+
+// 1/N, of the breaking loads of the elements before and after each owned node; 0: not known.
+std::vector<std::array<double, 2>> over_breaking_loads(const model::Case& c, const LocalMesh& local) {
+  std::vector<std::array<double, 2>> out;
+  const Mesh& mesh = *local.mesh;
+  const auto of = [&](const LineSpan& line, int element) {
+    if (element < 0 || element >= line.elements) return 0.0;
+    const int type = mesh.elements[static_cast<size_t>(line.first_element + element)].type;
+    const double load = c.line_types[static_cast<size_t>(type)].breaking_load;
+    return load > 0 ? 1 / load : 0;
+  };
+  for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
+    const Node& node = mesh.nodes[static_cast<size_t>(local.global[n])];
+    out.push_back({0, 0});
+    if (node.body >= 0) continue;
+    const LineSpan& line = mesh.lines[static_cast<size_t>(node.line)];
+    const int i = local.global[n] - line.first_node;
+    out.back() = {of(line, i - 1), of(line, i)};
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -113,6 +138,10 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   if (std::any_of(fields_.begin(), fields_.end(),
                   [](const auto& f) { return f.name == "effective_tension"; }))
     for (const char* side : {kBefore, kAfter}) fields_.push_back({side, "N", 1});
+  if (knows_breaking_loads(c)) {
+    breaking_ = over_breaking_loads(c, local);
+    fields_.push_back({"utilisation", "1", 1});
+  }
   for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
   auto find = [&](const std::string& name) {
     for (size_t i = 0; i < fields_.size(); ++i)
@@ -121,6 +150,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   };
   pressed_ = find("contact_normal_force");
   tension_ = find("effective_tension"), before_ = find(kBefore), after_ = find(kAfter);
+  utilisation_ = find("utilisation");
   wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
   moment_ = find("bending_moment"), moment_2_ = find("bending_moment_2"),
   moment_3_ = find("bending_moment_3");
@@ -210,6 +240,11 @@ void Recorder::fill(const Kinematics& at, bool all) {
   for (const int side : {before_, after_})
     if (side >= 0) values_[static_cast<size_t>(side)] = values_[static_cast<size_t>(tension_)];
   correct_ends(at);
+  if (utilisation_ < 0) return;
+  for (size_t n = 0; n < owned; ++n)
+    values_[static_cast<size_t>(utilisation_)][n] =
+        std::max({values_[static_cast<size_t>(before_)][n] * breaking_[n][0],
+                  values_[static_cast<size_t>(after_)][n] * breaking_[n][1], 0.0});
 }
 
 // An element's tension is that of its middle, its moments leave out the load along it. At the ends of a line,
@@ -322,6 +357,8 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
       for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
         const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
         if (node.body >= 0) break;
+        // Nothing is to be told where no breaking load is known.
+        if (static_cast<int>(f) == utilisation_ && breaking_[n][0] + breaking_[n][1] == 0) continue;
         Extreme& x = extremes_[q][static_cast<size_t>(node.line)];
         if (!x.set || (w.largest ? v[n] > x.value : v[n] < x.value)) x = {v[n], info.time, node.arc, true};
       }

@@ -25,13 +25,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // What the disk has not yet been told to keep through a power cut is at most this old.
-constexpr double kFlushEvery = 10;  // s
+constexpr std::chrono::seconds kFlushEvery{10};
 // Writing the XDMF text anew, and outputs, take at most these shares of the time.
 constexpr double kXdmfShare = 0.02, kOutputShare = 0.05;
 // More than that, of a rank, does not wait to be written.
 constexpr size_t kMostWaiting = 4'000'000;  // numbers
-
-double seconds_since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
 // Outputs that are not in the file yet, each after the other.
 struct WaitingOutputs {
@@ -157,7 +155,7 @@ struct ResultsFile::Impl {
     if (root()) file.write_alone("written", result_count_type(), &next);
     file.agree();
     count = next;
-    int due = root() && seconds_since(last_flush) > kFlushEvery;
+    int due = root() && Clock::now() - last_flush > kFlushEvery;
     MPI_Bcast(&due, 1, MPI_INT, 0, file.comm());
     if (!due) return;
     file.flush();
@@ -436,10 +434,10 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   WaitingOutputs& w = m.waiting;
   w.times.push_back(time);
   w.fields.resize(fields.size()), w.ends.resize(ends.size());
+  // Nodes of bodies come after those of lines, and are not in the rows.
   for (size_t i = 0; i < fields.size(); ++i) {
-    // Nodes of bodies come after those of lines, and are not in the rows.
-    const auto count = static_cast<std::ptrdiff_t>(m.line_nodes) * c.fields[i].components;
-    w.fields[i].insert(w.fields[i].end(), fields[i].begin(), fields[i].begin() + count);
+    const auto last = fields[i].begin() + m.line_nodes * c.fields[i].components;
+    w.fields[i].insert(w.fields[i].end(), fields[i].begin(), last);
   }
   for (size_t i = 0; i < ends.size(); ++i) w.ends[i].insert(w.ends[i].end(), ends[i].begin(), ends[i].end());
   w.clashes.push_back(clashes);
@@ -493,9 +491,7 @@ void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTabl
   m.save_xdmf(true);
 }
 
-long long ResultsFile::outputs() const {
-  return impl_->count.outputs + static_cast<long long>(impl_->waiting.times.size());
-}
+long long ResultsFile::outputs() const { return written() + std::ssize(impl_->waiting.times); }
 long long ResultsFile::written() const { return impl_->count.outputs; }
 const ResultContents& ResultsFile::contents() const { return impl_->contents; }
 const std::string& ResultsFile::path() const { return impl_->file.path(); }

@@ -26,7 +26,7 @@ environment:
   seabed: {depth: 60 m, friction: 0.5}
 line_types:
   riser: {outer_diameter: 0.25, mass_per_length: 90, EA: 6e8, EI: 2e4, GJ: 2e4, Cd_normal: 1}
-  chain: {outer_diameter: 0.1, mass_per_length: 40, EA: 2e8, bending: false}
+  chain: {outer_diameter: 0.1, mass_per_length: 40, EA: 2e8, bending: false, breaking_load: 2 MN}
 bodies:
   barge: {motion: {harmonic: {amplitude: [0, 0, 1], period: 8}, ramp: 8}}
 volumes:
@@ -95,8 +95,11 @@ class Report(unittest.TestCase):
         for part in ("A riser & its <barge>", "Notes and warnings", "hang-off", "Range graphs", "Energy", "sections:",
                      f"{self.results.outputs} outputs"):
             self.assertIn(part, words)
-        for quantity, *_ in self.results.summary():
+        extremes = {(quantity, line): value for quantity, line, value, *_ in self.results.summary()}
+        for quantity, _ in extremes:
             self.assertIn(quantity, words)
+        self.assertAlmostEqual(extremes["max utilisation", "mooring"], extremes["max effective tension", "mooring"] / 2e6)
+        self.assertNotIn(("max utilisation", "riser"), extremes)
         self.assertTrue(any(m.startswith("note: ") for m in self.results.messages()))
         for message in self.results.messages():
             self.assertIn(message, words)

@@ -2,6 +2,7 @@
 // extremes over the run.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -71,7 +72,9 @@ class Recorder {
   std::vector<io::ResultField> fields_;
   // Among values_.
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
-      moment_2_ = -1, moment_3_ = -1, pressed_ = -1;
+      moment_2_ = -1, moment_3_ = -1, pressed_ = -1, utilisation_ = -1;
+  std::vector<std::array<double, 2>>
+      breaking_;               // 1/N, of the elements before and after an owned node; 0: not known
   std::vector<int> carriers_;  // likewise
   struct Point {
     int owned = -1;  // local node when this rank has it
