@@ -179,8 +179,8 @@ def commands():
     return parser
 
 
-def main():
-    options = commands().parse_args()
+def main(arguments=None):
+    options = commands().parse_args(arguments)
     try:
         options.do(options)
     except Refusal as refusal:

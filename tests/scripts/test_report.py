@@ -1,9 +1,12 @@
 """hawser report, plot and export: of a run of their own, and what they say where there is nothing to show."""
+import contextlib
 import csv
+import io
 import os
 import shutil
 import sys
 import tempfile
+import types
 import unittest
 from html.parser import HTMLParser
 from pathlib import Path
@@ -13,6 +16,7 @@ from support import ROOT, run, write
 sys.path.insert(0, str(ROOT / "scripts"))
 import numpy as np  # noqa: E402
 
+from hawser_post import __main__ as post  # noqa: E402
 from hawser_post.fatigue import CURVES, damage, rainflow, wall_stress  # noqa: E402
 from hawser_post.results import Results, metres  # noqa: E402
 from hawser_post.statistics import spectrum, statistics  # noqa: E402
@@ -82,6 +86,19 @@ class Report(unittest.TestCase):
     def hawser(cls, *arguments):
         return run(HAWSER, *arguments, cwd=cls.folder, timeout=600)
 
+    @classmethod
+    def python(cls, *arguments):
+        """The same without starting the program and Python anew."""
+        out, err = io.StringIO(), io.StringIO()
+        before = os.getcwd()
+        try:
+            os.chdir(cls.folder)
+            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+                code = post.main(list(arguments))
+        finally:
+            os.chdir(before)
+        return types.SimpleNamespace(returncode=code, stdout=out.getvalue(), stderr=err.getvalue())
+
     def test_report_of_a_case(self):
         self.assertEqual(self.first.returncode, 0, self.first.stderr)
         text = (self.folder / "riser.html").read_text(encoding="utf-8")
@@ -109,7 +126,7 @@ class Report(unittest.TestCase):
 
     def test_figures(self):
         for what in ("range", "history", "spectrum", "phase", "plan", "elevation", "space"):
-            made = self.hawser("plot", "riser.h5", what)
+            made = self.python("plot", "riser.h5", what)
             self.assertEqual(made.returncode, 0, made.stderr)
             self.assertGreater((self.folder / f"riser-{what}.png").stat().st_size, 8000)
         made = self.hawser("plot", "riser.h5", "range", "--field", "bending_moment", "--line", "riser", "-o", "m.svg")
@@ -149,14 +166,14 @@ class Report(unittest.TestCase):
                                 (["plot", "riser.h5", "history", "--column", "x"], "has no column 'x'"),
                                 (["plot", "riser.h5", "plan", "-o", "plan.xyz"], "is a .png, .svg or .pdf file"),
                                 (["export", "riser.yaml", "-o", "/proc/none"], "cannot be written")):
-            told = self.hawser(*arguments)
+            told = self.python(*arguments)
             with self.subTest(arguments=arguments):
                 self.assertIn(told.returncode, (1, 2))
                 self.assertEqual(len(told.stderr.splitlines()), 1, told.stderr)
                 self.assertTrue(told.stderr.startswith("hawser: "), told.stderr)
                 self.assertIn(part, told.stderr)
         write(self.folder, "no.h5", "text")
-        self.assertIn("is no HDF5 file", self.hawser("plot", "no.h5", "plan").stderr)
+        self.assertIn("is no HDF5 file", self.python("plot", "no.h5", "plan").stderr)
 
     def test_fatigue(self):
         told = self.hawser("fatigue", "riser.h5=0.25", "riser.h5=0.75", "--curve", "api-studless-chain", "--breaking-load",
@@ -171,12 +188,12 @@ class Report(unittest.TestCase):
             rows = list(csv.reader(file))[1:]
         np.testing.assert_allclose([float(r[1]) for r in rows], exact, rtol=1e-6)
         pipe = ["--curve", "dnv-d-air", "--outer-diameter", "0.25", "--wall", "0.02", "--line", "riser"]
-        self.assertIn("largest damage", self.hawser("fatigue", "riser.h5", *pipe).stdout)
+        self.assertIn("largest damage", self.python("fatigue", "riser.h5", *pipe).stdout)
         for arguments, part in ((["riser.h5=0.7", "riser.h5=0.7", *pipe], "more than all of the time"),
                                 (["riser.h5=x", *pipe], "is no number"),
                                 (["riser.h5", "--curve", "dnv-d-air"], "needs --outer-diameter"),
                                 (["riser.h5", *pipe, "--since", "23"], "too few for cycles")):
-            refused = self.hawser("fatigue", *arguments)
+            refused = self.python("fatigue", *arguments)
             self.assertEqual(refused.returncode, 2)
             self.assertIn(part, refused.stderr)
 

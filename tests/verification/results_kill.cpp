@@ -139,9 +139,10 @@ Said run_and_kill(const std::string& path, double seconds) {
     // A fresh environment: MPI must not take the child for a part of the parent's job.
     const std::string file = std::string(kFileVariable) + "=" + path;
     std::vector<std::string> env{file};
-    for (const char* name : {"PATH", "HOME", "TMPDIR", "LD_LIBRARY_PATH", "OMPI_ALLOW_RUN_AS_ROOT",
-                             "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_btl_vader_single_copy_mechanism",
-                             "OMPI_MCA_hwloc_base_binding_policy"})
+    for (const char* name :
+         {"PATH", "HOME", "TMPDIR", "TEST_TMPDIR", "LD_LIBRARY_PATH", "OMPI_ALLOW_RUN_AS_ROOT",
+          "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "OMPI_MCA_btl_vader_single_copy_mechanism",
+          "OMPI_MCA_hwloc_base_binding_policy"})
       if (const char* v = std::getenv(name)) env.push_back(std::string(name) + "=" + v);
     std::vector<char*> envp;
     for (auto& e : env) envp.push_back(e.data());
