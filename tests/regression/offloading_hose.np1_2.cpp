@@ -14,7 +14,7 @@ constexpr double kRadius = 0.5 * 0.49843;  // m
 constexpr double kSide = 27.5;  // m, half the beam: the port side is at x = -27.5, the ship heading north
 
 bool whole() { return std::getenv("HAWSER_FULL") != nullptr; }
-double stop_at() { return whole() ? 0 : 200; }
+double stop_at() { return whole() ? 0 : 150; }
 
 std::string hose(const std::string& path, const std::string& name) {
   const std::string from = HAWSER_SOURCE_DIR "/cases/offloading-hose/";
