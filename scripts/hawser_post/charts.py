@@ -82,10 +82,11 @@ def history(time, curves, unit, name, title=""):
 def density(time, values, unit, name, title=""):
     f, s = spectrum(time, values)
     figure, axes = sheet(2.6)
-    axes.plot(f, s, lw=1.0, marker=".", ms=4)
     # Up to where 99.9 % of the variance is.
     total = np.cumsum(s)
-    axes.set_xlim(0, max(f[min(np.searchsorted(total, 0.999 * total[-1]) + 1, len(f) - 1)], f[1]))
+    shown = max(np.searchsorted(total, 0.999 * total[-1]) + 2, 3)
+    axes.plot(f[:shown], s[:shown], lw=1.0, marker=".", ms=4)
+    axes.set_xlim(left=0)
     axes.set(xlabel=f"frequency [Hz], resolved to {f[1]:.2g} Hz", ylabel=f"{words(name)} [{unit}²/Hz]", title=title)
     return figure
 

@@ -9,6 +9,7 @@ from .page import Page
 
 MOST_LINES = 8  # with figures of their own
 MOST_MODES = 12
+MOST_HISTORIES = 16
 FIELDS = ("effective_tension", "utilisation", "bending_moment", "curvature", "shear_force", "torsion_moment", "contact_normal_force",
           "line_contact_normal_force")
 
@@ -67,7 +68,10 @@ def ranges(page, results, lines, since):
 def histories(page, results, lines, since):
     page.section("Time histories")
     time = results.step_time
-    for name in results.histories:
+    if len(results.histories) > MOST_HISTORIES:
+        page.text(f"Figures are of the first {MOST_HISTORIES} of {len(results.histories)} histories by name; hawser plot "
+                  "draws the others, and the table has the statistics of all.")
+    for name in results.histories[:MOST_HISTORIES]:
         series = results.series(name)
         for group in groups(series):
             curves = [(charts.words(c), series.column(c)) for c in group]
