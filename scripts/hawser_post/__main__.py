@@ -126,6 +126,7 @@ def make_fatigue(options):
         if (outputs := fatigue.outputs_a_period(results, own, options.since)) < 10:
             print(f"warning: {results.path} has {outputs:.2g} outputs in a mean period of the tension: cycles are cut short; "
                   "set output.every to a tenth of it or less")
+    total = total.max(axis=1)
     worst = int(total.argmax())
     print(f"{line.name}, {curve.source}, {options.curve}: largest damage {total[worst]:.4g} a year at arc length "
           f"{line.arc[worst]:.6g} m" + (f", life {1 / total[worst]:.4g} years" if total[worst] > 0 else ""))

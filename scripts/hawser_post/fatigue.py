@@ -97,7 +97,8 @@ def wall_stress(tension, moment_2, moment_3, outer, wall):
 
 
 def along(results, line, curve, since, breaking_load=None, area=None, outer=None, wall=None, factor=1.0):
-    """Damage a second at each node of a line: over the outputs from `since` on; of pipes at the worst angle."""
+    """Damage a second at each node of a line (rows) and each place around it (columns; one but for pipes), over the
+    outputs from `since` on. Several sea states add up place by place."""
     keep = results.time >= since
     if np.count_nonzero(keep) < 16:
         raise Refusal(f"{results.path}: {np.count_nonzero(keep)} outputs from t = {since:g} s on are too few for cycles")
@@ -106,12 +107,12 @@ def along(results, line, curve, since, breaking_load=None, area=None, outer=None
         tension = "wall_tension" if results.has("wall_tension") else "effective_tension"
         moments = [results.field(f"bending_moment_{k}", line)[keep] for k in (2, 3)]
         stress = factor * wall_stress(results.field(tension, line)[keep], *moments, outer, wall)
-        sums = [max(damage(stress[:, n, p], curve) for p in range(PLACES)) for n in range(stress.shape[1])]
+        sums = [[damage(stress[:, n, p], curve) for p in range(PLACES)] for n in range(stress.shape[1])]
     else:
         tension = results.field("effective_tension", line)[keep] * factor
         if curve.of == "area":
             tension = 1e-6 * tension / area
-        sums = [damage(tension[:, n], curve, breaking_load) for n in range(tension.shape[1])]
+        sums = [[damage(tension[:, n], curve, breaking_load)] for n in range(tension.shape[1])]
     return np.array(sums) / seconds
 
 

@@ -2,7 +2,6 @@
 from pathlib import Path
 
 import numpy as np
-import yaml
 
 from . import charts, scene, tables
 from .page import Page
@@ -15,11 +14,7 @@ FIELDS = ("effective_tension", "utilisation", "bending_moment", "curvature", "sh
 
 
 def title_of(results):
-    try:
-        given = (yaml.safe_load(results.case) or {}).get("title")
-    except yaml.YAMLError:
-        given = None
-    return str(given) if given else results.path.stem
+    return str(results.keys.get("title") or results.path.stem)
 
 
 def by_tension(results):

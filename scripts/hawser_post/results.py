@@ -1,6 +1,7 @@
 """A results file of hawser: lines, outputs, histories and extremes as arrays, in SI units."""
 import re
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 import h5py
@@ -68,6 +69,15 @@ class Results:
             self.lines.append(Line(text_of(name), i, slice(first, first + count), arc[first : first + count]))
         self.case = text_of(self.file["case"][()])
 
+    @cached_property
+    def keys(self):
+        """The case file as YAML reads it; empty where it cannot."""
+        try:
+            found = yaml.safe_load(self.case)
+        except yaml.YAMLError:
+            found = None
+        return found if isinstance(found, dict) else {}
+
     def attribute(self, name):
         return text_of(self.file.attrs.get(name, ""))
 
@@ -115,8 +125,8 @@ class Results:
     def duration(self):
         """s that the case asks for; 0: not known."""
         try:
-            return float((yaml.safe_load(self.case).get("dynamics") or {}).get("duration") or 0)
-        except (yaml.YAMLError, AttributeError, TypeError, ValueError):
+            return float((self.keys.get("dynamics") or {}).get("duration") or 0)
+        except (AttributeError, TypeError, ValueError):
             return 0.0
 
     def since(self, t):
@@ -201,10 +211,7 @@ class Results:
 
     def sea(self):
         """Height of the still water and of a flat seabed [m], each None where there is none: as the case has it."""
-        try:
-            environment = (yaml.safe_load(self.case) or {}).get("environment") or {}
-        except (yaml.YAMLError, AttributeError):
-            return None, None
+        environment = self.keys.get("environment") or {}
         water, bed = environment.get("water"), environment.get("seabed")
         level = None if water is None else metres((water or {}).get("surface"), 0.0)
         if bed is None or any(key in bed for key in ("slope_deg", "grid", "mesh")):

@@ -13,6 +13,7 @@
 #include "hawser/app/simulation.hpp"
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/solve/natural_modes.hpp"
 
@@ -34,15 +35,7 @@ Place largest(MPI_Comm comm, const LocalMesh& local, const std::vector<Vec3>& va
   for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
     if (const double size = values[n].norm(); size > p.size)
       p = {size, local.global[n], values[n].cwiseAbs()};
-  struct {
-    double size;
-    int rank;
-  } best{p.size, 0};
-  MPI_Comm_rank(comm, &best.rank);
-  MPI_Allreduce(MPI_IN_PLACE, &best, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
-  MPI_Bcast(&p.node, 1, MPI_INT, best.rank, comm);
-  MPI_Bcast(p.along.data(), 3, MPI_DOUBLE, best.rank, comm);
-  p.size = best.size;
+  tell_of_largest(comm, p.size, 0, p);
   return p;
 }
 
@@ -53,8 +46,9 @@ std::string row(const Mesh& mesh, int number, const NaturalMode& mode, const Pla
   const bool turns = translation.node < 0;
   const Place& p = turns ? rotation : translation;
   const std::string when =
-      mode.squared > kFree ? fmt::format("{:>12.5g} {:>14.5g}", period_of(mode), 1 / period_of(mode))
-                           : fmt::format("{:>12} {:>14}", mode.squared < -kFree ? "unstable" : "free", "-");
+      mode.squared > kFreeMotion
+          ? fmt::format("{:>12.5g} {:>14.5g}", period_of(mode), 1 / period_of(mode))
+          : fmt::format("{:>12} {:>14}", mode.squared < -kFreeMotion ? "unstable" : "free", "-");
   return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}{}\n", number, when, p.along.x(), p.along.y(),
                      p.along.z(), mesh.place(p.node), turns ? ", turns in place" : "");
 }
@@ -98,7 +92,7 @@ void write(MPI_Comm comm, Simulation& sim, const ModesOptions& o, const std::str
     ++number;
     std::vector<Vec3> drawn = sim.state().x;
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) drawn[n] += kDrawn * length * mode.shape[n];
-    const double period = mode.squared > kFree ? period_of(mode) : HUGE_VAL;
+    const double period = mode.squared > kFreeMotion ? period_of(mode) : HUGE_VAL;
     file.append_series(number, {rank == 0 ? std::vector<double>{period, 1 / period} : std::vector<double>{}});
     file.write_output(number, {flat(drawn, local.owned), flat(mode.shape, local.owned)}, poses);
   }
@@ -136,8 +130,8 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   for (size_t i = 0; i < found.size(); ++i)
     table += row(sim.mesh(), static_cast<int>(i) + 1, found[i], largest(comm, sim.local(), found[i].shape),
                  largest(comm, sim.local(), found[i].rotation));
-  const auto unstable =
-      std::count_if(found.begin(), found.end(), [](const NaturalMode& m) { return m.squared < -kFree; });
+  const auto unstable = std::count_if(found.begin(), found.end(),
+                                      [](const NaturalMode& m) { return m.squared < -kFreeMotion; });
   if (statics.negative_eigenvalues > unstable)
     table += fmt::format("and {} more directions in which the equilibrium is unstable, faster than these\n",
                          statics.negative_eigenvalues - unstable);

@@ -38,12 +38,18 @@ void configure_linear_solver(KSP ksp, const System& system, const char* prefix) 
   check(KSPSetFromOptions(ksp));
 }
 
-int negative_eigenvalues(Mat J) {
+MatHandle symmetric_part(Mat J) {
   MatHandle a, t;
   check(MatConvert(J, MATAIJ, MAT_INITIAL_MATRIX, a.out()));
   check(MatTranspose(a.get(), MAT_INITIAL_MATRIX, t.out()));
   check(MatAXPY(a.get(), 1, t.get(), DIFFERENT_NONZERO_PATTERN));
+  check(MatScale(a.get(), 0.5));
   check(MatSetOption(a.get(), MAT_SYMMETRIC, PETSC_TRUE));
+  return a;
+}
+
+int negative_eigenvalues(Mat J) {
+  const MatHandle a = symmetric_part(J);
   MatHandle factor;
   if (MatGetFactor(a.get(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.out())) return -1;
   check(MatMumpsSetIcntl(factor.get(), 24, 1));  // what PETSc asks for before it tells the inertia

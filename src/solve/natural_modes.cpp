@@ -10,7 +10,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/base/handle.hpp"
-#include "hawser/math/so3.hpp"
+#include "hawser/solve/linear_solver.hpp"
 
 namespace hawser {
 namespace {
@@ -33,15 +33,12 @@ class Slepc {
 
 using Solver = Handle<EPS, EPSDestroy>;
 
-// The symmetric part of a tangent. The tangent has 1 on the diagonal of held components.
+// The symmetric part of a tangent, with `held` on the diagonal of held components, where the tangent has 1.
 MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights, double held) {
-  MatHandle J = system.create_matrix(), A, T;
+  const MatHandle J = system.create_matrix();
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
   system.tangent(at, weights, zero, false, J.get());
-  check(MatConvert(J.get(), MATAIJ, MAT_INITIAL_MATRIX, A.out()));
-  check(MatTranspose(A.get(), MAT_INITIAL_MATRIX, T.out()));
-  check(MatAXPY(A.get(), 1, T.get(), DIFFERENT_NONZERO_PATTERN));
-  check(MatScale(A.get(), 0.5));
+  MatHandle A = symmetric_part(J.get());
   const auto& is_held = system.supports().held();
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
     for (int c = 0; c < 3; ++c) {

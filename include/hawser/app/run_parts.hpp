@@ -1,5 +1,5 @@
-// What every command that writes results has in common: who ran what and when, the lines as the file has
-// them, and what is said while a case is read.
+// What the commands that write results share: the description of the run, lines and bodies in the form of the
+// results file, statics with its messages, and what is printed while a case is read.
 #pragma once
 
 #include <string>

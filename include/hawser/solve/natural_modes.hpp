@@ -16,7 +16,7 @@ struct NaturalMode {
 };
 
 // |omega²| of a direction in which the system moves freely: a period of 10 000 s, far above rounding.
-inline constexpr double kFree = 4e-7;  // rad²/s²
+inline constexpr double kFreeMotion = 4e-7;  // rad²/s²
 
 // The `count` modes nearest to rest (fewer where there are no more), ascending, about the state `at`, which
 // is at rest; M holds the added mass of the terms. Of tangents that are not symmetric (friction) the
