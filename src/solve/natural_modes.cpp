@@ -105,7 +105,8 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
   const Slepc slepc;
   count = static_cast<int>(std::min<long>(count, free_components(system)));
   if (count == 0) return {};
-  // Held components are at omega = infinity, where nobody looks.
+  // Held components get stiffness 1 and no mass: their eigenvalues are infinite and do not appear among the
+  // lowest.
   const MatHandle K = symmetric(system, at, {1, 0, 0}, 1), M = symmetric(system, at, {0, 0, 1}, 0);
   Solver solver;
   check(EPSCreate(system.comm(), solver.out()));

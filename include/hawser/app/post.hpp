@@ -1,4 +1,4 @@
-// The commands that look at results: Python does them (scripts/hawser_post).
+// The commands that evaluate results, which are written in Python (scripts/hawser_post).
 #pragma once
 
 #include <string_view>
@@ -17,8 +17,9 @@ inline constexpr PostCommand kPostCommands[] = {
 
 bool is_post_command(std::string_view word);
 
-// Becomes Python with these arguments, the first of which is the command, and comes back only when there is
-// no Python or no package of hawser's: with the exit code, having said so.
+// Replaces this process by Python running the package hawser_post with these arguments, the first of which is
+// the command. Returns only when Python or the package is missing: prints a sentence and returns the exit
+// code.
 int post(char** arguments);
 
 }  // namespace hawser::app
