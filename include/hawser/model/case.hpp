@@ -39,6 +39,7 @@ struct LineType {
   Vec3 rotary_inertia = Vec3::Zero();  // kg m (per length), about axes 1 (along), 2, 3
   double stiffness_damping = 0;        // s, Rayleigh beta: damping = beta * material stiffness
   double breaking_load = 0;            // N; 0: not known
+  double minimum_bend_radius = 0;      // m, that the type allows; 0: not known
   double thermal_expansion = 0;        // 1/K
 
   // In water. The axial drag acts on the skin, pi times the drag diameter.
@@ -213,6 +214,16 @@ struct LeftShape {
   std::vector<Quat> rotation;  // empty: not known
 };
 
+// What the static equilibrium of a line has to meet, by the length of one of its sections.
+struct LengthTarget {
+  enum class Kind { tension, declination, touchdown, laid_length };
+  Kind kind = Kind::tension;
+  double value = 0;            // N; rad; m, arc length of the touchdown point; m
+  bool at_a = false;           // at end A, or seen from there; else end B
+  int section = 0;             // of which the length is sought
+  double least = 0, most = 0;  // m, lengths of it between which it is sought
+};
+
 struct Line {
   std::string name;
   std::vector<Section> sections;
@@ -228,6 +239,7 @@ struct Line {
   Start start = Start::automatic;
   std::vector<Vec3> points;               // for Start::points: polyline the line is laid along
   std::shared_ptr<const LeftShape> left;  // for Start::other_run
+  std::optional<LengthTarget> target;
 };
 
 // Mean over the arc [from, to] of a line, m: of its temperature change, K, and of what that lengthens it by.
@@ -322,6 +334,10 @@ struct Output {
   double checkpoint_every = 0;  // s; 0: with every field output
   bool xdmf = true;
   std::vector<HistoryPoint> histories;
+  double history_every = 0;    // s between rows of histories; 0: every step
+  bool touchdowns = true;      // a history of each line's touchdown points
+  bool statistics = true;      // of node fields, over every step
+  double statistics_from = 0;  // s, from which they count
   ClashOutput clashes;
   std::vector<Clearance> clearances;
 };
@@ -341,7 +357,8 @@ struct Case {
   Statics statics;
   Dynamics dynamics;
   Output output;
-  std::vector<std::string> notes;  // what the reader repaired or doubts, a sentence each
+  std::vector<std::string> notes;    // what the reader repaired or doubts, a sentence each
+  std::vector<std::string> changes;  // KEY=VALUE of the command line, applied to the file's text
 
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
   int body_index(const std::string& name) const;             // -1: none (fixed in space)
