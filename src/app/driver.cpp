@@ -121,17 +121,15 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (restarted) {
     restore(checkpoint, sim);
     // A new file begins with the state the run goes on from.
-    if (!place.appends()) recorder.output(checkpoint.time, sim.dynamics().kinematics());
+    if (!place.appends()) recorder.output(sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
     sim.dynamics().start(sim.state());
-    recorder.start(0, sim.dynamics().kinematics());
-    recorder.step({}, sim.dynamics().kinematics(), 0);
-    recorder.output(0, sim.dynamics().kinematics());
+    // A start at rest is shown at rest: the velocities with which motions begin come after it.
+    const Kinematics moving = sim.dynamics().kinematics();
+    recorder.start(moving, c.statics.enabled ? sim.state().view(0) : moving);
     recorder.checkpoint(make_checkpoint(sim, recorder));  // so that a run killed at once can go on too
   } else {
-    recorder.start(0, sim.state().view(0));
-    recorder.step({}, sim.state().view(0), 0);
-    recorder.output(0, sim.state().view(0));
+    recorder.start(sim.state().view(0), sim.state().view(0));
   }
 
   bool stopped = false;  // before its end, the same on all ranks
@@ -163,8 +161,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
         MPI_Allreduce(MPI_IN_PLACE, agreed, 2, MPI_INT, MPI_MAX, comm);
       }
       const bool stop = agreed[0] != 0;
-      if (output || stop)
-        recorder.output(info.time, d.kinematics()), output_at = next_multiple(info.time, every);
+      if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
       if (save || stop) {
         if (last || stop || keep > 0 || agreed[1]) save_state();
         checkpoint_at = keep > 0 ? next_multiple(info.time, keep) : output_at;

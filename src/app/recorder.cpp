@@ -7,62 +7,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <string_view>
+#include <span>
 #include <utility>
 
+#include "hawser/app/audit_checkpoint.hpp"
+#include "hawser/app/output_times.hpp"
 #include "hawser/app/run_parts.hpp"
-#include "hawser/base/gather.hpp"
+#include "hawser/app/touchdown.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser::app {
 namespace {
-
-constexpr std::pair<const char*, double Energy::*> kEnergies[] = {
-    {"kinetic", &Energy::kinetic},      {"strain", &Energy::strain},   {"potential", &Energy::potential},
-    {"friction", &Energy::friction},    {"damping", &Energy::damping}, {"work", &Energy::work},
-    {"unresolved", &Energy::unresolved}};
-
-Energy sum(MPI_Comm comm, Energy e) {
-  std::array<double, std::size(kEnergies)> v;
-  for (size_t i = 0; i < v.size(); ++i) v[i] = e.*kEnergies[i].second;
-  MPI_Allreduce(MPI_IN_PLACE, v.data(), static_cast<int>(v.size()), MPI_DOUBLE, MPI_SUM, comm);
-  for (size_t i = 0; i < v.size(); ++i) e.*kEnergies[i].second = v[i];
-  return e;
-}
-
-void save_energy(std::map<std::string, double>& to, const std::string& prefix, const Energy& e) {
-  for (const auto& [name, member] : kEnergies) to[prefix + name] = e.*member;
-}
-
-// What of an audit a checkpoint keeps, by name.
-std::map<std::string, double*> numbers(Audit& a) {
-  std::map<std::string, double*> out = {{"audit.brought_in", &a.brought_in},
-                                        {"audit.error", &a.error},
-                                        {"audit.at_start", &a.at_start},
-                                        {"audit.worked", &a.worked},
-                                        {"audit.set_free", &a.set_free},
-                                        {"audit.there", &a.there},
-                                        {"audit.held", &a.held},
-                                        {"audit.least_error", &a.least_error}};
-  for (const auto& [name, l] : {std::pair{"audit.made.", &a.made}, {"audit.lost.", &a.lost}}) {
-    const std::string prefix = name;
-    out[prefix + "value"] = &l->value, out[prefix + "time"] = &l->time, out[prefix + "step"] = &l->step;
-  }
-  for (const auto& [name, s] : {std::pair{"audit.climb.", &a.climb}, {"audit.worst.", &a.worst}}) {
-    const std::string prefix = name;
-    out[prefix + "value"] = &s->value, out[prefix + "time"] = &s->time, out[prefix + "length"] = &s->length;
-  }
-  return out;
-}
-
-Energy saved_energy(const std::function<double(const std::string&)>& get, const std::string& prefix) {
-  Energy e;
-  for (const auto& [name, member] : kEnergies) e.*member = get(prefix + name);
-  return e;
-}
 
 // Both sides of a node, of the registry's field of that name.
 constexpr const char* kBefore = "effective_tension_before";
@@ -73,6 +30,8 @@ const std::vector<std::string> kShown = {"effective_tension",    kBefore,       
                                          "shear_force",          "bending_moment", "bending_moment_2",
                                          "bending_moment_3",     "torsion_moment", "curvature",
                                          "contact_normal_force", "penetration"};
+// Likewise, after the columns of ends.
+const std::vector<std::string> kShownLast = {"wall_tension", "declination", "utilisation"};
 
 // What the bed, soil, volumes and other lines exert on a node.
 const char* const kCarriers[] = {"seabed_force", "soil_force", "contact_force", "line_contact_force"};
@@ -80,19 +39,23 @@ const char* const kCarriers[] = {"seabed_force", "soil_force", "contact_force", 
 // Of ends: the last is that of beams only.
 const io::ResultField kEnds[] = {{"force", "N", 3}, {"direction", "", 3}, {"moment", "N m", 3}};
 
-// The extremes of the summary: name, field (or two), largest (or smallest).
-struct Wanted {
-  const char* quantity;
-  std::array<std::string_view, 2> fields;
-  bool largest;
-};
-constexpr Wanted kExtremes[] = {
-    {"max effective tension", {kBefore, kAfter}, true}, {"min effective tension", {kBefore, kAfter}, false},
-    {"max utilisation", {"utilisation"}, true},         {"max curvature", {"curvature"}, true},
-    {"max bending moment", {"bending_moment"}, true},   {"max penetration", {"penetration"}, true}};
-
 // Beside those of the terms in a checkpoint.
 const std::string kClashRecords = "clash report";
+
+// Of a direction from end A to end B: 0 is straight up, 180 straight down.
+double degrees_from_vertical(const Vec3& along) {
+  return std::atan2(std::hypot(along.x(), along.y()), along.z()) * 180 / M_PI;
+}
+
+std::vector<double> touchdown_row(const Touchdown& t) {
+  std::vector<double> row;
+  for (const auto& p : {t.from_a, t.from_b}) {
+    row.push_back(p ? p->arc : std::nan(""));
+    for (int k = 0; k < 3; ++k) row.push_back(p ? p->position[k] : std::nan(""));
+  }
+  row.push_back(t.laid);
+  return row;
+}
 
 bool knows_breaking_loads(const model::Case& c) {
   return std::any_of(c.line_types.begin(), c.line_types.end(),
@@ -130,7 +93,8 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       registry_(simulation.system().fields()),
       end_forces_(simulation.system()),
       turns_(simulation.local()),
-      clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)) {
+      clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)),
+      rows_every_(simulation.model().output.history_every) {
   const model::Case& c = sim_.model();
   const LocalMesh& local = sim_.local();
   fields_ = {{"position", "m", 3}, {"velocity", "m/s", 3}};
@@ -150,10 +114,11 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   };
   pressed_ = find("contact_normal_force");
   tension_ = find("effective_tension"), before_ = find(kBefore), after_ = find(kAfter);
-  utilisation_ = find("utilisation");
+  utilisation_ = find("utilisation"), declination_ = find("declination");
   wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
   moment_ = find("bending_moment"), moment_2_ = find("bending_moment_2"),
   moment_3_ = find("bending_moment_3");
+  for (const FieldSource& f : registry_.sources()) onto_.push_back(f.onto.empty() ? -1 : find(f.onto));
   for (const char* name : kCarriers)
     if (const int f = find(name); f >= 0) carriers_.push_back(f);
   ends_.resize(moment_ >= 0 ? 3 : 2);
@@ -164,14 +129,19 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   };
   for (const FieldSource& s : registry_.sources())
     every_step_.push_back(s.name == "effective_tension" || among(kCarriers, s.name) ||
-                          (points && among(kShown, s.name)) ||
-                          std::any_of(std::begin(kExtremes), std::end(kExtremes),
-                                      [&](const Wanted& w) { return among(w.fields, s.name); }));
+                          (points && (among(kShown, s.name) || among(kShownLast, s.name))) ||
+                          LineExtremes::wants(s.name) ||
+                          (c.output.statistics && NodeStatistics::wants(s.name)));
 
   io::ResultContents contents;
   contents.run = run;
   contents.fields = fields_;
   contents.end_fields.assign(kEnds, kEnds + ends_.size());
+  if (c.output.statistics) {
+    statistics_ =
+        std::make_unique<NodeStatistics>(fields_, static_cast<size_t>(local.owned), c.output.statistics_from);
+    contents.statistics = statistics_->fields();
+  }
   contents.volumes = std::move(volumes);
   contents.xdmf = c.output.xdmf;
   const Mesh& mesh = sim_.mesh();
@@ -200,14 +170,30 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     if (p.owned >= 0 && at_end) p.end = end_forces_.end_at(p.owned);
     points_.push_back(p);
     io::ResultSeries series{h.name, {{"position", "m", 3}, {"velocity", "m/s", 3}}};
-    for (const std::string& name : kShown)
-      if (const int f = find(name); f >= 0) series.columns.push_back(fields_[static_cast<size_t>(f)]);
+    const auto show = [&](const std::vector<std::string>& names) {
+      for (const std::string& name : names)
+        if (const int f = find(name); f >= 0) series.columns.push_back(fields_[static_cast<size_t>(f)]);
+    };
+    show(kShown);
     if (at_end)
       for (const io::ResultField& f : contents.end_fields)
         series.columns.push_back({"end_" + f.name, f.unit, f.components});
+    show(kShownLast);
+    series.columns.push_back({"acceleration", "m/s2", 3});
+    if (at_end)
+      for (const char* angle : {"end_declination", "end_azimuth"})
+        series.columns.push_back({angle, "deg", 1});
     contents.series.push_back(std::move(series));
   }
   for (io::ResultSeries& s : clearances_.series()) contents.series.push_back(std::move(s));
+  if (shows_touchdowns())
+    for (const model::Line& line : c.lines)
+      contents.series.push_back({line.name + " touchdown",
+                                 {{"end_a_arc_length", "m", 1},
+                                  {"end_a_position", "m", 3},
+                                  {"end_b_arc_length", "m", 1},
+                                  {"end_b_position", "m", 3},
+                                  {"laid_length", "m", 1}}});
   io::ResultSeries energy{"energy", {}};
   for (const char* name :
        {"kinetic", "strain", "potential", "friction", "damping", "brought_in", "error", "unresolved"})
@@ -218,7 +204,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   const double every = c.output.every > 0 ? c.output.every : std::max(c.dynamics.duration / 100, 1e-9);
   contents.expected_outputs = c.dynamics.enabled ? static_cast<int>(c.dynamics.duration / every) + 3 : 2;
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
-  extremes_.assign(std::size(kExtremes), std::vector<Extreme>(mesh.lines.size()));
+  extremes_ = std::make_unique<LineExtremes>(comm, c, local, fields_);
   if (from) restore(*from);
   if (clashes_ && !append) clashes_->begin_file();
   file_ = std::make_unique<io::ResultsFile>(
@@ -236,7 +222,10 @@ void Recorder::fill(const Kinematics& at, bool all) {
       values_[1][3 * n + k] = at.v[n][static_cast<Eigen::Index>(k)];
     }
   for (size_t f = 0; f < registry_.sources().size(); ++f)
-    if (all || every_step_[f]) registry_.sources()[f].fill(at, values_[f + 2]);
+    if (all || every_step_[f]) {
+      if (onto_[f] >= 0) values_[f + 2] = values_[static_cast<size_t>(onto_[f])];
+      registry_.sources()[f].fill(at, values_[f + 2]);
+    }
   for (const int side : {before_, after_})
     if (side >= 0) values_[static_cast<size_t>(side)] = values_[static_cast<size_t>(tension_)];
   correct_ends(at);
@@ -257,9 +246,10 @@ void Recorder::correct_ends(const Kinematics& at) {
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
       carried[n] += Eigen::Map<const Vec3>(values_[static_cast<size_t>(f)].data() + 3 * n).cwiseAbs();
   if (!carriers_.empty()) sim_.system().spread(carried);
-  // At the start of a run in time there is no step yet, but what acts is that of motion: waves.
+  // A run in time that begins without statics has no step yet, but what acts is that of motion: waves.
   Kinematics now = at;
-  if (sim_.model().dynamics.enabled && now.step == 0) now.step = sim_.dynamics().control().proposal();
+  if (!sim_.model().statics.enabled && sim_.model().dynamics.enabled && now.step == 0)
+    now.step = sim_.dynamics().control().proposal();
   end_forces_.evaluate(now, carried);
 
   for (auto& e : ends_) e.clear();
@@ -273,6 +263,8 @@ void Recorder::correct_ends(const Kinematics& at) {
       return field < 0 ? 0 : std::exchange(values_[static_cast<size_t>(field)][n], value);
     };
     put(before_, p.sides[0].tension()), put(after_, p.sides[1].tension());
+    const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
+    put(declination_, degrees_from_vertical(p.end >= 0 ? p.at_end().direction : Vec3(first + second)));
     const double tension = larger([](const SectionForce& s) { return s.tension(); });
     const double middle = put(tension_, tension);
     if (wall_ >= 0) values_[static_cast<size_t>(wall_)][n] += tension - middle;
@@ -292,7 +284,38 @@ void Recorder::correct_ends(const Kinematics& at) {
   }
 }
 
-void Recorder::start(double, const Kinematics& at) { start_ = sum(comm_, sim_.system().energy(at)); }
+void Recorder::start(const Kinematics& at, const Kinematics& shown) {
+  start_ = sum_of(comm_, sim_.system().energy(at));
+  step({}, at, 0, &shown);
+  output(shown);
+}
+
+std::vector<double> Recorder::point_row(const Point& p, const Kinematics& at) const {
+  const size_t n = static_cast<size_t>(p.owned);
+  std::vector<double> row;
+  const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
+  const auto show = [&](const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      for (size_t f = 2; f < fields_.size(); ++f)
+        if (fields_[f].name == name) row.push_back(values_[f][n]);
+  };
+  vector(at.x[n]), vector(at.v[n]);
+  show(kShown);
+  if (p.end >= 0)
+    for (const auto& of : ends_) vector(std::span(of).subspan(3 * static_cast<size_t>(p.end), 3));
+  show(kShownLast);
+  vector(at.a[n]);
+  if (p.end >= 0) {
+    const Vec3 along(ends_[1].data() + 3 * p.end);
+    row.push_back(degrees_from_vertical(along));
+    row.push_back(std::atan2(along.y(), along.x()) * 180 / M_PI);
+  }
+  return row;
+}
+
+bool Recorder::shows_touchdowns() const {
+  return sim_.model().output.touchdowns && sim_.model().environment.seabed.present;
+}
 
 // Empty on ranks that do not own the body.
 std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
@@ -310,27 +333,31 @@ std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
 }
 
 void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work) {
-  fill(at, false);
+  step(info, at, support_work, &at);
+}
+
+void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work,
+                    const Kinematics* shown) {
+  fill(*shown, false);
   Energy share = sim_.system().energy(at);
   share.work += support_work;
-  if (audit_.update(start_, sum(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);
+  if (audit_.update(start_, sum_of(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);
+  extremes_->add(info.time, values_);
+  if (statistics_) statistics_->add(info.time, values_);
+  if (clashes_) clashes_->step(info.time);
+  if (info.time < rows_from_ - 1e-9 * std::max(1.0, info.time)) return;
+  if (rows_every_ > 0) rows_from_ = next_multiple(info.time, rows_every_);
+  append_rows(info, *shown);
+}
+
+void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
   const Energy& e = audit_.now;
 
   std::vector<std::vector<double>> rows;
   for (const Point& p : points_) {
     std::vector<double> row;
     if (p.body >= 0) row = body_row(p.body, at);
-    if (p.owned >= 0) {
-      const size_t n = static_cast<size_t>(p.owned);
-      for (int f : {0, 1})
-        for (size_t k = 0; k < 3; ++k) row.push_back(values_[static_cast<size_t>(f)][3 * n + k]);
-      for (const std::string& name : kShown)
-        for (size_t f = 2; f < fields_.size(); ++f)
-          if (fields_[f].name == name) row.push_back(values_[f][n]);
-      if (p.end >= 0)
-        for (const auto& of : ends_)
-          row.insert(row.end(), of.begin() + 3 * p.end, of.begin() + 3 * p.end + 3);
-    }
+    if (p.owned >= 0) row = point_row(p, at);
     rows.push_back(std::move(row));
   }
   if (!sim_.model().output.clearances.empty())
@@ -338,6 +365,9 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
       rows.push_back(std::move(row));
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
+  if (shows_touchdowns())
+    for (const Touchdown& t : touchdowns(comm_, sim_.model(), sim_.local(), at))
+      rows.push_back(rank == 0 ? touchdown_row(t) : std::vector<double>{});
   if (rank == 0) {
     rows.push_back({e.kinetic, e.strain, e.potential, e.friction, e.damping, audit_.brought_in, audit_.error,
                     e.unresolved});
@@ -346,24 +376,6 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
     rows.push_back({}), rows.push_back({});
   }
   file_->append_series(info.time, rows);
-  if (clashes_) clashes_->step(info.time);
-
-  const LocalMesh& local = sim_.local();
-  for (size_t q = 0; q < std::size(kExtremes); ++q) {
-    const Wanted& w = kExtremes[q];
-    for (size_t f = 2; f < fields_.size(); ++f) {
-      if (std::find(w.fields.begin(), w.fields.end(), fields_[f].name) == w.fields.end()) continue;
-      const auto& v = values_[f];
-      for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
-        const Node& node = sim_.mesh().nodes[static_cast<size_t>(local.global[n])];
-        if (node.body >= 0) break;
-        // Nothing is to be told where no breaking load is known.
-        if (static_cast<int>(f) == utilisation_ && breaking_[n][0] + breaking_[n][1] == 0) continue;
-        Extreme& x = extremes_[q][static_cast<size_t>(node.line)];
-        if (!x.set || (w.largest ? v[n] > x.value : v[n] < x.value)) x = {v[n], info.time, node.arc, true};
-      }
-    }
-  }
 }
 
 // Where the step that made most energy so far changed the motion most, and what acted there.
@@ -392,32 +404,25 @@ std::string Recorder::audit_warning() const {
   return audit_.warning(sim_.model().dynamics.step > 0, node < 0 ? "a body" : sim_.mesh().place(node));
 }
 
-void Recorder::output(double time, const Kinematics& at) {
+void Recorder::output(const Kinematics& at) {
   fill(at, true);
   if (pressed_ >= 0)
     turns_.look(at, values_[static_cast<size_t>(tension_)], values_[static_cast<size_t>(pressed_)]);
-  file_->write_output(time, values_, body_poses(sim_, at), clashes_ ? clashes_->take() : io::ClashTables{},
+  file_->write_output(at.time, values_, body_poses(sim_, at), clashes_ ? clashes_->take() : io::ClashTables{},
                       ends_);
 }
 
-std::vector<io::SummaryRow> Recorder::summary() const {
-  std::vector<io::SummaryRow> rows;
-  for (size_t l = 0; l < sim_.model().lines.size(); ++l)
-    for (size_t q = 0; q < std::size(kExtremes); ++q) {
-      const Wanted& w = kExtremes[q];
-      Extreme x = extremes_[q][l];
-      const double largest_by = !x.set ? -HUGE_VAL : w.largest ? x.value : -x.value;
-      if (!tell_of_largest(comm_, largest_by, -HUGE_VAL, x)) continue;
-      std::string unit;
-      for (const auto& f : fields_)
-        if (f.name == w.fields[0]) unit = f.unit;
-      rows.push_back({w.quantity, sim_.model().lines[l].name, x.value, unit, x.time, x.arc});
-    }
-  return rows;
+void Recorder::checkpoint(const io::Checkpoint& c) {
+  write_statistics();
+  file_->write_checkpoint(c);
+}
+
+void Recorder::write_statistics() {
+  if (statistics_) file_->write_statistics(statistics_->table());
 }
 
 std::string Recorder::finish(std::vector<std::string> messages) {
-  const auto rows = summary();
+  const auto rows = extremes_->table();
   warnings_.clear();
   for (const auto& r : rows) {
     if (r.quantity == "max effective tension" && pressed_ >= 0)
@@ -444,6 +449,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
   if (const std::string n = audit_.note(); moved && !n.empty()) messages.push_back("note: " + n);
   if (const std::string w = audit_warning(); moved && !w.empty()) messages.push_back("warning: " + w);
   for (const std::string& w : warnings_) messages.push_back("warning: " + w);
+  write_statistics();
   file_->finish(rows, clashes_ ? clashes_->take() : io::ClashTables{}, messages);
   std::string text = fmt::format("{:<24} {:<16} {:>14} {:<6} {:>10} {:>12}\n", "quantity", "line", "value",
                                  "unit", "time [s]", "arc [m]");
@@ -455,18 +461,9 @@ std::string Recorder::finish(std::vector<std::string> messages) {
 
 void Recorder::save(io::Checkpoint& to) {
   if (clashes_) to.history[kClashRecords] = {ClashReport::history(), clashes_->save()};
-  auto& scalars = to.scalars;
-  save_energy(scalars, "audit.start.", start_);
-  save_energy(scalars, "audit.now.", audit_.now);
-  for (const auto& [name, value] : numbers(audit_)) scalars[name] = *value;
-  for (const auto& [name, s] : {std::pair{"audit.climb.", &audit_.climb}, {"audit.worst.", &audit_.worst}}) {
-    scalars[std::string(name) + "node"] = s->node;
-    scalars[std::string(name) + "touch"] = static_cast<int>(s->touch);
-  }
-  for (const auto& r : summary()) {
-    const std::string key = "extreme." + r.line + "." + r.quantity;
-    scalars[key] = r.value, scalars[key + ".time"] = r.time, scalars[key + ".arc"] = r.arc_length;
-  }
+  if (statistics_) statistics_->save(to);
+  save_audit(start_, audit_, to);
+  extremes_->save(to);
 }
 
 void Recorder::restore(const io::Checkpoint& from) {
@@ -474,24 +471,10 @@ void Recorder::restore(const io::Checkpoint& from) {
     const auto at = from.history.find(kClashRecords);
     clashes_->restore(at == from.history.end() ? std::vector<HistoryRecord>{} : at->second.records);
   }
-  const auto& scalars = from.scalars;
-  auto get = [&](const std::string& k) {
-    const auto it = scalars.find(k);
-    return it == scalars.end() ? 0.0 : it->second;
-  };
-  start_ = saved_energy(get, "audit.start.");
-  audit_.now = saved_energy(get, "audit.now.");
-  for (const auto& [name, value] : numbers(audit_)) *value = get(name);
-  for (const auto& [name, s] : {std::pair{"audit.climb.", &audit_.climb}, {"audit.worst.", &audit_.worst}}) {
-    s->node = static_cast<int>(get(std::string(name) + "node"));
-    s->touch = static_cast<Audit::Step::Touch>(static_cast<int>(get(std::string(name) + "touch")));
-  }
-  for (size_t l = 0; l < sim_.model().lines.size(); ++l)
-    for (size_t q = 0; q < std::size(kExtremes); ++q) {
-      const Wanted& w = kExtremes[q];
-      const std::string key = "extreme." + sim_.model().lines[l].name + "." + w.quantity;
-      if (scalars.count(key)) extremes_[q][l] = {get(key), get(key + ".time"), get(key + ".arc"), true};
-    }
+  if (statistics_) statistics_->restore(from);
+  restore_audit(from, start_, audit_);
+  extremes_->restore(from);
+  if (rows_every_ > 0) rows_from_ = next_multiple(from.time, rows_every_);
 }
 
 }  // namespace hawser::app

@@ -363,6 +363,10 @@ class Reader {
       source_.bad(v["file"], "output.file", "must end in .h5, found " + model::quote(v["file"].text));
     o.every = number(v, "every");
     o.checkpoint_every = number(v, "checkpoint_every");
+    o.history_every = number(v, "history_every");
+    o.touchdowns = v["touchdowns"].number != 0;
+    o.statistics = v["statistics"].number != 0;
+    o.statistics_from = v["statistics_from"].number;
     // What is there is kept under another name, in place of what had that.
     for (const model::Line& l : c_.lines)
       for (const std::string& replaced : {o.file, kept_name(o.file)})

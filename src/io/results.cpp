@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -17,6 +16,7 @@
 #include "hawser/io/results_build.hpp"
 #include "hawser/io/results_rows.hpp"
 #include "hawser/io/xdmf.hpp"
+#include "waiting_outputs.hpp"
 
 namespace hawser::io {
 
@@ -30,39 +30,6 @@ constexpr std::chrono::seconds kFlushEvery{10};
 constexpr double kXdmfShare = 0.02, kOutputShare = 0.05;
 // More than that, of a rank, does not wait to be written.
 constexpr size_t kMostWaiting = 4'000'000;  // numbers
-
-// Outputs that are not in the file yet, each after the other.
-struct WaitingOutputs {
-  std::vector<double> times;
-  std::vector<std::vector<double>> fields, ends;  // by field: outputs x nodes x components
-  std::vector<double> position, rotation;         // of bodies
-  std::vector<std::vector<float>> moved;          // by volume
-  std::vector<ClashTables> clashes;
-
-  size_t size() const {
-    size_t n = 0;
-    for (const auto& f : fields) n += f.size();
-    return n;
-  }
-  // The first n outputs, which go.
-  WaitingOutputs take(size_t n) {
-    WaitingOutputs out;
-    const size_t of = times.size();
-    const auto part = [&](auto& from, auto& to) {
-      const auto end = from.begin() + static_cast<std::ptrdiff_t>(from.size() / of * n);
-      to.assign(std::make_move_iterator(from.begin()), std::make_move_iterator(end));
-      from.erase(from.begin(), end);
-    };
-    const auto parts = [&](auto& from, auto& to) {
-      to.resize(from.size());
-      for (size_t i = 0; i < from.size(); ++i) part(from[i], to[i]);
-    };
-    parts(fields, out.fields), parts(ends, out.ends), parts(moved, out.moved);
-    part(position, out.position), part(rotation, out.rotation), part(clashes, out.clashes);
-    part(times, out.times);
-    return out;
-  }
-};
 
 }  // namespace
 
@@ -470,6 +437,16 @@ void ResultsFile::write_checkpoint(const Checkpoint& checkpoint) {
   m.file.write_rows(slot + "header", H5T_NATIVE_UINT64, 0, 4, m.root(), header);
   m.file.agree();
   m.sequence = sequence;
+}
+
+void ResultsFile::write_statistics(const std::vector<std::vector<double>>& values) {
+  auto& m = *impl_;
+  const auto& all = m.contents.statistics;
+  if (values.size() != all.size()) throw std::logic_error("results: statistics of all fields or none");
+  // Nodes of bodies come after those of lines, and have no rows.
+  for (size_t i = 0; i < all.size(); ++i)
+    m.file.write_runs(statistics_place(all[i]), H5T_NATIVE_DOUBLE, -1, m.runs, values[i].data());
+  m.file.agree();
 }
 
 void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes,

@@ -95,14 +95,24 @@ void write_description(hid_t file, const ResultContents& c) {
   }
 }
 
+hsize_t rows_in(const RowSet& s, long long outputs, long long steps, const ResultContents& c) {
+  if (s.by == RowsBy::node) return static_cast<hsize_t>(c.nodes_total());
+  return static_cast<hsize_t>(s.by == RowsBy::step ? steps : outputs);
+}
+
 void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room) {
   for (const char* name : {"outputs", "fields", "series"}) h5::group(file, name);
+  if (!c.statistics.empty()) h5::group(file, "statistics");
   if (!c.end_fields.empty()) h5::group(file, "ends");
   for (const auto& s : row_sets(c)) {
-    h5::Shape shape{static_cast<hsize_t>(s.by_step ? room.steps : room.outputs)};
+    h5::Shape shape{rows_in(s, room.outputs, room.steps, c)};
     shape.insert(shape.end(), s.tail.begin(), s.tail.end());
     const h5::Id set = h5::reserve(file, s.name, s.type, shape);
     if (!s.unit.empty()) h5::text_attribute(set, "unit", s.unit);
+    if (s.by == RowsBy::node)
+      h5::texts_attribute(
+          set, "columns",
+          {"minimum", "time_of_minimum", "maximum", "time_of_maximum", "mean", "standard_deviation"});
     if (s.name == "outputs/time" || s.name == "series/time") {  // rows not yet there show as NaN
       const std::vector<double> nan(shape[0], std::numeric_limits<double>::quiet_NaN());
       h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nan.data()), s.name);
@@ -208,12 +218,14 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
                       "would be lost; keep it, or go on in another file with -o",
                       path, name));
   for (const auto& s : row_sets(c)) {
+    // Statistics are made anew from the checkpoint, which older files do not hold.
+    if (s.by == RowsBy::node && !h5::exists(from, s.name)) continue;
     if (!h5::exists(from, s.name)) throw differs("its " + s.name);
     const h5::Id old = h5::open_dataset(from, s.name), made = h5::open_dataset(to, s.name);
     const h5::Shape shape = h5::shape_of(old);
     if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end()))
       throw differs("its " + s.name);
-    copy_rows(old, made, s.type, static_cast<hsize_t>(s.by_step ? kept.steps : kept.outputs));
+    copy_rows(old, made, s.type, rows_in(s, kept.outputs, kept.steps, c));
   }
   if (c.clashes) copy_clash_tables(from, to, clashes);
   if (room.slot_doubles == 0) return;
@@ -272,6 +284,8 @@ std::vector<std::string> series_places(const ResultContents& c) {
   return names;
 }
 
+std::string statistics_place(const ResultField& field) { return "statistics/" + safe_name(field.name); }
+
 h5::Id result_count_type() {
   h5::Id type = h5::own(H5Tcreate(H5T_COMPOUND, sizeof(ResultCount)), H5Tclose, "counter");
   h5::check(H5Tinsert(type, "outputs", offsetof(ResultCount, outputs), H5T_STD_I64LE), "counter");
@@ -301,32 +315,40 @@ DrawnMesh drawn_mesh(const VolumeMesh& v, int limit) {
 std::vector<RowSet> row_sets(const ResultContents& c) {
   const auto nodes = static_cast<hsize_t>(c.nodes_total());
   std::vector<RowSet> sets;
-  sets.push_back({"outputs/time", false, H5T_IEEE_F64LE, {}, "s"});
+  sets.push_back({"outputs/time", RowsBy::output, H5T_IEEE_F64LE, {}, "s"});
   for (const auto& f : c.fields) {
     h5::Shape tail{nodes};
     if (f.components > 1) tail.push_back(static_cast<hsize_t>(f.components));
-    sets.push_back({"fields/" + safe_name(f.name), false, H5T_IEEE_F64LE, tail, f.unit});
+    sets.push_back({"fields/" + safe_name(f.name), RowsBy::output, H5T_IEEE_F64LE, tail, f.unit});
   }
   for (const auto& f : c.end_fields)
     sets.push_back({"ends/" + f.name,
-                    false,
+                    RowsBy::output,
                     H5T_IEEE_F64LE,
                     {2 * c.lines.size(), static_cast<hsize_t>(f.components)},
                     f.unit});
-  if (c.clashes) sets.push_back({kClashCounts, false, H5T_STD_I64LE, {2}, ""});
-  sets.push_back({"bodies/position", false, H5T_IEEE_F64LE, {c.bodies.size(), 3}, "m"});
-  sets.push_back({"bodies/rotation", false, H5T_IEEE_F64LE, {c.bodies.size(), 4}, "quaternion w x y z"});
+  for (const auto& f : c.statistics) {
+    h5::Shape tail;
+    if (f.components > 1) tail.push_back(static_cast<hsize_t>(f.components));
+    tail.push_back(kStatistics);
+    sets.push_back({statistics_place(f), RowsBy::node, H5T_IEEE_F64LE, tail, f.unit});
+  }
+  if (c.clashes) sets.push_back({kClashCounts, RowsBy::output, H5T_STD_I64LE, {2}, ""});
+  sets.push_back({"bodies/position", RowsBy::output, H5T_IEEE_F64LE, {c.bodies.size(), 3}, "m"});
+  sets.push_back(
+      {"bodies/rotation", RowsBy::output, H5T_IEEE_F64LE, {c.bodies.size(), 4}, "quaternion w x y z"});
   const auto volumes = volume_places(c);
   for (size_t i = 0; i < volumes.size(); ++i) {
     const DrawnMesh d = drawn_mesh(c.volumes[i], c.moving_vertices);
-    if (d.moves) sets.push_back({volumes[i] + "/moved", false, H5T_IEEE_F32LE, {d.vertices.size(), 3}, "m"});
+    if (d.moves)
+      sets.push_back({volumes[i] + "/moved", RowsBy::output, H5T_IEEE_F32LE, {d.vertices.size(), 3}, "m"});
   }
-  sets.push_back({"series/time", true, H5T_IEEE_F64LE, {}, "s"});
+  sets.push_back({"series/time", RowsBy::step, H5T_IEEE_F64LE, {}, "s"});
   const auto series = series_places(c);
   for (size_t i = 0; i < series.size(); ++i) {
     hsize_t columns = 0;
     for (const auto& col : c.series[i].columns) columns += static_cast<hsize_t>(col.components);
-    sets.push_back({series[i], true, H5T_IEEE_F64LE, {columns}, ""});
+    sets.push_back({series[i], RowsBy::step, H5T_IEEE_F64LE, {columns}, ""});
   }
   return sets;
 }

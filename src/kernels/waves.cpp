@@ -75,16 +75,16 @@ struct Grid {
   }
 };
 
-// splitmix64: uniform in (0, 1), the same everywhere.
+// splitmix64 (Steele, Lea and Flood 2014): uniform in (0, 1), the same everywhere.
 struct Random {
   std::uint64_t state;
-  double next() {
+  std::uint64_t bits() {
     std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return (static_cast<double>(z >> 11) + 0.5) / 9007199254740992.0;
+    return z ^ (z >> 31);
   }
+  double next() { return (static_cast<double>(bits() >> 11) + 0.5) / 9007199254740992.0; }
 };
 
 // Uniform angles, kept as often as cos^2s of half the angle says.
@@ -109,7 +109,9 @@ WaveComponent component_of(double energy, double from, double to, double directi
   return c;
 }
 
-Random random_of(std::uint64_t seed) { return {seed * 0x9e3779b97f4a7c15u + 1}; }
+// The state walks by a constant, so that seeds that differ by little would give the same numbers, shifted:
+// the walk begins at a place that is itself drawn at random.
+Random random_of(std::uint64_t seed) { return {Random{seed}.bits()}; }
 
 }  // namespace
 

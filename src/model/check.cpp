@@ -305,6 +305,7 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
     if (b.drift) covers(b.drift->table, key + ".drift.table");
   }
   std::set<std::string> names{"energy", "solver", "time"};  // of the program's own
+  for (const Line& line : c.lines) names.insert(line.name + " touchdown");
   for (std::size_t i = 0; i < c.output.histories.size(); ++i) {
     const HistoryPoint& h = c.output.histories[i];
     const std::string name = fmt::format("output.histories[{}]", i);
@@ -320,6 +321,10 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
                                     "m long",
                                     h.at, h.line, length)});
   }
+  if (c.dynamics.enabled && c.output.statistics && c.output.statistics_from >= c.dynamics.duration)
+    issues.push_back(
+        {"output.statistics_from", fmt::format("statistics would begin at {:g} s, but the run ends at {:g} s",
+                                               c.output.statistics_from, c.dynamics.duration)});
   for (std::size_t i = 0; i < c.output.clearances.size(); ++i) {
     const Clearance& k = c.output.clearances[i];
     const std::string key = fmt::format("output.clearances[{}]", i);

@@ -63,6 +63,19 @@ Key output() {
                        .either({{{"line", "at"}, {"line", "at"}}, {{"body"}, {"body"}}}, true),
                    "points whose motion, tension and contact are kept at every step")
                   .or_else("[]"),
+              number("history_every", time,
+                     "time between rows of all histories, each at the end of the step that reaches it")
+                  .at_least(0)
+                  .or_else_note("every step"),
+              boolean("touchdowns", "a history of every line's touchdown points, where there is a seabed")
+                  .or_else("true"),
+              boolean("statistics",
+                      "minimum, maximum, mean and standard deviation of node fields over every step")
+                  .or_else("true"),
+              number("statistics_from", time,
+                     "time from which statistics count, for example the end of the ramp")
+                  .at_least(0)
+                  .or_else("0"),
               clearances(), clashes()},
              "Results.")
       .or_else("{}");

@@ -263,12 +263,11 @@ void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, d
 // Of the wall: effective tension, and the pressures on the ends that it stands for (Sparks 1984). Where the
 // type changes it is the larger one's own.
 void Hydrodynamics::fields(FieldRegistry& registry) const {
-  std::function<void(const Kinematics&, std::span<double>)> effective;
-  for (const FieldSource& f : registry.sources())
-    if (f.name == "effective_tension") effective = f.fill;
-  if (!effective) return;
-  registry.add({"wall_tension", "N", 1, [this, effective](const Kinematics& k, std::span<double> out) {
-                  effective(k, out);
+  const std::string effective = "effective_tension";
+  const auto& all = registry.sources();
+  if (std::none_of(all.begin(), all.end(), [&](const FieldSource& f) { return f.name == effective; })) return;
+  registry.add({"wall_tension", "N", 1,
+                [this](const Kinematics& k, std::span<double> out) {
                   std::vector<double> weight(out.size(), 0), sum(out.size(), 0);
                   for (const Piece& p : pieces_)
                     for (const int node : {p.at.first, p.at.second}) {
@@ -289,7 +288,8 @@ void Hydrodynamics::fields(FieldRegistry& registry) const {
                     }
                   for (size_t n = 0; n < out.size(); ++n)
                     if (weight[n] > 0) out[n] += sum[n] / weight[n];
-                }});
+                },
+                effective});
 }
 
 namespace {

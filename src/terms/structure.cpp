@@ -351,17 +351,29 @@ void StructureTerm::fields(FieldRegistry& registry) const {
         put(b.at.second, of_beam(s, e, 1), b.section.length);
       }
       for (const Cable& c : cables_) {
-        const CableStress s = cable_stress(c.section, ends(c, k));
-        put(c.at.first, of_cable(s), c.section.length), put(c.at.second, of_cable(s), c.section.length);
+        const double value = of_cable(c.section, ends(c, k));
+        put(c.at.first, value, c.section.length), put(c.at.second, value, c.section.length);
       }
       for (size_t n = 0; n < weights.size(); ++n)
         if (weights[n] > 0) out[n] /= weights[n];
     };
   };
-  auto nothing = [](const CableStress&) { return 0.0; };
-  registry.add({"effective_tension", "N", 1,
-                at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.tension; },
-                         [](const CableStress& s) { return s.tension; })});
+  auto nothing = [](const CableSection&, const CableEnds&) { return 0.0; };
+  registry.add(
+      {"effective_tension", "N", 1,
+       at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.tension; },
+                [](const CableSection& s, const CableEnds& e) { return cable_stress(s, e).tension; })});
+  // Of the line's direction, from end A to end B: 0 is straight up.
+  auto from_vertical = [](const Vec3& along) {
+    return std::atan2(along.head<2>().norm(), along.z()) * 180 / M_PI;
+  };
+  registry.add(
+      {"declination", "deg", 1,
+       at_nodes(
+           [from_vertical](const BeamStress&, const BeamEnds& e, int end) {
+             return from_vertical((end ? e.q2 : e.q1) * Vec3::UnitX());
+           },
+           [from_vertical](const CableSection&, const CableEnds& e) { return from_vertical(e.x2 - e.x1); })});
   // Of the whole model, not of this rank: all ranks write the same fields.
   const auto& all = mesh_.mesh->elements;
   if (std::none_of(all.begin(), all.end(), [](const Element& e) { return e.beam; })) return;

@@ -11,17 +11,13 @@
 #include "hawser/app/clash_report.hpp"
 #include "hawser/app/clearances.hpp"
 #include "hawser/app/end_forces.hpp"
+#include "hawser/app/line_extremes.hpp"
+#include "hawser/app/node_statistics.hpp"
 #include "hawser/app/sharp_turns.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/io/results.hpp"
 
 namespace hawser::app {
-
-// Largest or smallest value of a field on a line over the run.
-struct Extreme {
-  double value = 0, time = 0, arc = 0;
-  bool set = false;
-};
 
 class Recorder {
  public:
@@ -31,13 +27,15 @@ class Recorder {
            std::vector<std::shared_ptr<const Surface>> surfaces, const io::RunInfo& run,
            const io::Checkpoint* from = nullptr, bool append = false);
 
-  // The state from which energies count.
-  void start(double time, const Kinematics& at);
-  // Every accepted step: histories, extremes, audit. Collective only in the audit.
+  // The beginning of a run: the state `at`, from which energies count and which may move already, and the one
+  // that is shown for it, the first step and output: its static equilibrium where there is one.
+  void start(const Kinematics& at, const Kinematics& shown);
+  // Every accepted step: histories, extremes, statistics, audit. Collective only in the audit.
   void step(const StepInfo& info, const Kinematics& at, double support_work);
   // A picture of the state: all fields.
-  void output(double time, const Kinematics& at);
-  void checkpoint(const io::Checkpoint& c) { file_->write_checkpoint(c); }
+  void output(const Kinematics& at);
+  // With it the statistics so far.
+  void checkpoint(const io::Checkpoint& c);
   // Writes the summary table into the file, with the notes and warnings that were told of the run and those
   // of its end; returns the table as text.
   std::string finish(std::vector<std::string> messages);
@@ -54,17 +52,27 @@ class Recorder {
   void save(io::Checkpoint& to);
 
  private:
+  struct Point {
+    int owned = -1;  // local node when this rank has it
+    int body = -1;   // of the case, when it is one
+    int end = -1;    // when it is one that this rank has: its place in ends_
+  };
   void restore(const io::Checkpoint& from);
   void fill(const Kinematics& at, bool all);
   void find_worst(const Kinematics& at);
   void correct_ends(const Kinematics& at);
-  std::vector<io::SummaryRow> summary() const;
+  void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics* shown);
+  void append_rows(const StepInfo& info, const Kinematics& at);
+  void write_statistics();
+  bool shows_touchdowns() const;
+  std::vector<double> point_row(const Point& p, const Kinematics& at) const;
   std::vector<double> body_row(int body, const Kinematics& at) const;
 
   MPI_Comm comm_;
   Simulation& sim_;
   FieldRegistry registry_;
   std::vector<char> every_step_;  // by field of the registry: wanted at every step, not only at outputs
+  std::vector<int> onto_;         // likewise: among values_, the field it is computed from; -1: none
   EndForces end_forces_;
   std::vector<std::vector<double>>
       values_;                             // position, velocity, the registry's fields, tension of both sides
@@ -72,20 +80,17 @@ class Recorder {
   std::vector<io::ResultField> fields_;
   // Among values_.
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
-      moment_2_ = -1, moment_3_ = -1, pressed_ = -1, utilisation_ = -1;
+      moment_2_ = -1, moment_3_ = -1, pressed_ = -1, utilisation_ = -1, declination_ = -1;
   std::vector<std::array<double, 2>>
       breaking_;               // 1/N, of the elements before and after an owned node; 0: not known
   std::vector<int> carriers_;  // likewise
-  struct Point {
-    int owned = -1;  // local node when this rank has it
-    int body = -1;   // of the case, when it is one
-    int end = -1;    // when it is one that this rank has: its place in ends_
-  };
   std::vector<Point> points_;
-  std::vector<std::vector<Extreme>> extremes_;  // by quantity and line, of this rank's nodes
+  std::unique_ptr<LineExtremes> extremes_;
+  std::unique_ptr<NodeStatistics> statistics_;  // null: not wanted
   SharpTurns turns_;
   Clearances clearances_;
-  std::unique_ptr<ClashReport> clashes_;  // null: nothing can touch
+  double rows_every_ = 0, rows_from_ = 0;  // s, of the histories; 0: every step
+  std::unique_ptr<ClashReport> clashes_;   // null: nothing can touch
   std::unique_ptr<io::ResultsFile> file_;
   Audit audit_;
   std::vector<std::string> warnings_;

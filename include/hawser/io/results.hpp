@@ -35,6 +35,10 @@ struct ResultField {
   int components = 1;
 };
 
+// Numbers that statistics of a field have, for each node and component: minimum and its time, maximum and its
+// time, mean, standard deviation.
+inline constexpr int kStatistics = 6;
+
 // A named row of numbers at every step: a point of a line, or sums such as the energies.
 struct ResultSeries {
   std::string name;
@@ -62,6 +66,7 @@ struct ResultContents {
   std::vector<ResultField> fields;  // node fields; `position` [m, 3 components] is always there, first
   // Of the ends of lines; end number 2 l is end A of line l, 2 l + 1 its end B.
   std::vector<ResultField> end_fields;
+  std::vector<ResultField> statistics;  // node fields of which statistics over the run are kept
   std::vector<ResultSeries> series;
   std::vector<std::string> bodies;
   std::vector<VolumeMesh> volumes;
@@ -120,6 +125,9 @@ class ResultsFile {
 
   // When it returns, read_checkpoint() gives this one; until then, the one before.
   void write_checkpoint(const Checkpoint& checkpoint);
+
+  // Statistics so far: by field of contents.statistics, owned nodes x components x kStatistics.
+  void write_statistics(const std::vector<std::vector<double>>& values);
 
   // End of the run, be it a good one or not: writes series rows still in memory, the table and the notes and
   // warnings of the run (those of rank 0), and cuts the file to what is used. Only the destructor may follow.

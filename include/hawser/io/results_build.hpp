@@ -34,15 +34,17 @@ struct ResultCount {
 };
 h5::Id result_count_type();
 
-// A dataset with one row an output or one row a step.
+// A dataset with one row an output, one a step, or one a node.
+enum class RowsBy { output, step, node };
 struct RowSet {
   std::string name;
-  bool by_step = false;
+  RowsBy by = RowsBy::output;
   hid_t type = -1;  // of its numbers, in file and memory
   h5::Shape tail;   // shape of one row
   std::string unit;
 };
 std::vector<RowSet> row_sets(const ResultContents& contents);
+std::string statistics_place(const ResultField& field);
 
 // "volumes/<name>" and "series/<name>", in the order of the contents.
 std::vector<std::string> volume_places(const ResultContents& contents);

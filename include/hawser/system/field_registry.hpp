@@ -17,6 +17,8 @@ struct FieldSource {
   int components = 1;
   // Fills values[node * components + c] for this rank's owned nodes from an accepted state.
   std::function<void(const Kinematics& at, std::span<double> values)> fill;
+  // A field added before, of the same shape, whose values `values` holds when fill is called; empty: none.
+  std::string onto = {};
 };
 
 class FieldRegistry {

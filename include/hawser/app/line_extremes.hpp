@@ -1,0 +1,53 @@
+// The table of extremes: of each line the largest (or smallest) value of some fields over all steps, with the
+// time and the place.
+#pragma once
+
+#include <mpi.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hawser/io/checkpoint.hpp"
+#include "hawser/io/results.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/case.hpp"
+
+namespace hawser::app {
+
+class LineExtremes {
+ public:
+  // fields: those of which add() gets the values. Of a line without breaking loads no utilisation is told.
+  LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
+               const std::vector<io::ResultField>& fields);
+
+  // Whether a table of this field is kept.
+  static bool wants(std::string_view field);
+
+  // An accepted step: values by field, of the owned nodes.
+  void add(double time, const std::vector<std::vector<double>>& values);
+  // The rows of all lines, those of a line together, the same on all ranks. Collective.
+  std::vector<io::SummaryRow> table() const;
+
+  void save(io::Checkpoint& to) const;  // collective
+  void restore(const io::Checkpoint& from);
+
+ private:
+  struct Extreme {
+    double value = 0, time = 0, arc = 0;
+    bool set = false;
+  };
+  struct Quantity {
+    std::string name, unit;
+    std::vector<size_t> fields;
+    bool largest = true;
+    std::vector<Extreme> lines;  // of this rank's nodes
+    std::vector<char> told;      // by line
+  };
+  MPI_Comm comm_;
+  const LocalMesh& local_;
+  std::vector<std::string> names_;  // of lines
+  std::vector<Quantity> quantities_;
+};
+
+}  // namespace hawser::app

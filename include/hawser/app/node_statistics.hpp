@@ -1,0 +1,49 @@
+// Minimum, maximum, their times, mean and standard deviation of node fields over every step of a run.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hawser/io/checkpoint.hpp"
+#include "hawser/io/results.hpp"
+
+namespace hawser::app {
+
+// Between two steps a value is taken to vary linearly: mean and variance are those of that curve, so that
+// steps of any length count by their length.
+class NodeStatistics {
+ public:
+  // Those of `fields` that statistics are kept of, of so many owned nodes, over all that comes at `from` [s]
+  // or later.
+  NodeStatistics(const std::vector<io::ResultField>& fields, std::size_t nodes, double from);
+
+  static bool wants(std::string_view field);
+
+  const std::vector<io::ResultField>& fields() const { return fields_; }
+  // An accepted step: values of all fields of the constructor, by field, nodes x components.
+  void add(double time, const std::vector<std::vector<double>>& values);
+  // By field of fields(): nodes x components x io::kStatistics numbers; NaN before the first step that
+  // counts.
+  std::vector<std::vector<double>> table() const;
+
+  void save(io::Checkpoint& to) const;
+  // A file of an older version has none: they count from its time on.
+  void restore(const io::Checkpoint& from);
+
+ private:
+  struct Sums {
+    double least, least_time, most, most_time, mean;
+    double squares;  // integral of the squared difference from the mean, s times the unit squared
+    double last;     // value at the latest step
+  };
+  std::vector<io::ResultField> fields_;
+  std::vector<std::size_t> place_;  // of each, among all fields
+  std::vector<std::vector<Sums>> sums_;
+  double from_;
+  bool begun_ = false;
+  double since_ = 0, latest_ = 0;  // s
+};
+
+}  // namespace hawser::app

@@ -1,0 +1,99 @@
+// The class LineExtremes: which quantities are in the table, the comparison at every step, and the table.
+#include "hawser/app/line_extremes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "hawser/base/gather.hpp"
+
+namespace hawser::app {
+namespace {
+
+// Name, field (or two), largest (or smallest).
+struct Wanted {
+  const char* quantity;
+  std::array<std::string_view, 2> fields;
+  bool largest;
+};
+constexpr std::array<std::string_view, 2> kTension = {"effective_tension_before", "effective_tension_after"};
+constexpr Wanted kWanted[] = {
+    {"max effective tension", kTension, true},        {"min effective tension", kTension, false},
+    {"max utilisation", {"utilisation"}, true},       {"max curvature", {"curvature"}, true},
+    {"max bending moment", {"bending_moment"}, true}, {"max penetration", {"penetration"}, true}};
+
+bool among(const Wanted& w, std::string_view field) {
+  return std::find(w.fields.begin(), w.fields.end(), field) != w.fields.end();
+}
+
+// Utilisation is against what the line types state.
+bool known(const model::Case& c, const model::Line& line, std::string_view field) {
+  return field != "utilisation" ||
+         std::any_of(line.sections.begin(), line.sections.end(),
+                     [&](const auto& s) { return c.line_type(s.type).breaking_load > 0; });
+}
+
+}  // namespace
+
+bool LineExtremes::wants(std::string_view field) {
+  return std::any_of(std::begin(kWanted), std::end(kWanted),
+                     [&](const Wanted& w) { return among(w, field); });
+}
+
+LineExtremes::LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
+                           const std::vector<io::ResultField>& fields)
+    : comm_(comm), local_(local) {
+  for (const model::Line& line : c.lines) names_.push_back(line.name);
+  for (const Wanted& w : kWanted) {
+    Quantity q{w.quantity, "", {}, w.largest, std::vector<Extreme>(names_.size()), {}};
+    for (size_t f = 0; f < fields.size(); ++f)
+      if (among(w, fields[f].name)) q.fields.push_back(f), q.unit = fields[f].unit;
+    for (const model::Line& line : c.lines) q.told.push_back(known(c, line, w.fields[0]));
+    if (!q.fields.empty()) quantities_.push_back(std::move(q));
+  }
+}
+
+void LineExtremes::add(double time, const std::vector<std::vector<double>>& values) {
+  for (Quantity& q : quantities_)
+    for (const size_t f : q.fields)
+      for (size_t n = 0; n < static_cast<size_t>(local_.owned); ++n) {
+        const Node& node = local_.mesh->nodes[static_cast<size_t>(local_.global[n])];
+        if (node.body >= 0) break;  // bodies come after the lines
+        const double v = values[f][n];
+        Extreme& x = q.lines[static_cast<size_t>(node.line)];
+        if (!x.set || (q.largest ? v > x.value : v < x.value)) x = {v, time, node.arc, true};
+      }
+}
+
+std::vector<io::SummaryRow> LineExtremes::table() const {
+  std::vector<io::SummaryRow> rows;
+  for (size_t l = 0; l < names_.size(); ++l)
+    for (const Quantity& q : quantities_) {
+      if (!q.told[l]) continue;
+      Extreme x = q.lines[l];
+      const double largest_by = !x.set ? -HUGE_VAL : q.largest ? x.value : -x.value;
+      if (tell_of_largest(comm_, largest_by, -HUGE_VAL, x))
+        rows.push_back({q.name, names_[l], x.value, q.unit, x.time, x.arc});
+    }
+  return rows;
+}
+
+void LineExtremes::save(io::Checkpoint& to) const {
+  for (const io::SummaryRow& r : table()) {
+    const std::string key = "extreme." + r.line + "." + r.quantity;
+    to.scalars[key] = r.value, to.scalars[key + ".time"] = r.time, to.scalars[key + ".arc"] = r.arc_length;
+  }
+}
+
+void LineExtremes::restore(const io::Checkpoint& from) {
+  for (Quantity& q : quantities_)
+    for (size_t l = 0; l < names_.size(); ++l) {
+      const std::string key = "extreme." + names_[l] + "." + q.name;
+      const auto at = from.scalars.find(key);
+      if (at == from.scalars.end()) continue;
+      q.lines[l] = {at->second, from.scalars.at(key + ".time"), from.scalars.at(key + ".arc"), true};
+    }
+}
+
+}  // namespace hawser::app

@@ -1,0 +1,45 @@
+// Outputs that are accepted but not in the file yet. Inside io only.
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+#include "hawser/io/clash_rows.hpp"
+
+namespace hawser::io {
+
+// Each output after the other.
+struct WaitingOutputs {
+  std::vector<double> times;
+  std::vector<std::vector<double>> fields, ends;  // by field: outputs x nodes x components
+  std::vector<double> position, rotation;         // of bodies
+  std::vector<std::vector<float>> moved;          // by volume
+  std::vector<ClashTables> clashes;
+
+  size_t size() const {
+    size_t n = 0;
+    for (const auto& f : fields) n += f.size();
+    return n;
+  }
+  // The first n outputs, which go.
+  WaitingOutputs take(size_t n) {
+    WaitingOutputs out;
+    const size_t of = times.size();
+    const auto part = [&](auto& from, auto& to) {
+      const auto end = from.begin() + static_cast<std::ptrdiff_t>(from.size() / of * n);
+      to.assign(std::make_move_iterator(from.begin()), std::make_move_iterator(end));
+      from.erase(from.begin(), end);
+    };
+    const auto parts = [&](auto& from, auto& to) {
+      to.resize(from.size());
+      for (size_t i = 0; i < from.size(); ++i) part(from[i], to[i]);
+    };
+    parts(fields, out.fields), parts(ends, out.ends), parts(moved, out.moved);
+    part(position, out.position), part(rotation, out.rotation), part(clashes, out.clashes);
+    part(times, out.times);
+    return out;
+  }
+};
+
+}  // namespace hawser::io
