@@ -1,0 +1,205 @@
+// Touchdown points of lines: every rank looks for the first change of contact from either end among its
+// elements; the few nodes about it are then told to all, and the place is found from them.
+#include "hawser/app/touchdown.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "hawser/geometry/surface.hpp"
+#include "hawser/model/bed.hpp"
+
+namespace hawser::app {
+namespace {
+
+constexpr int kAbout = 5;       // nodes about a change of contact: two that lie, three that hang
+constexpr double kHeld = 1e-3;  // of the radius: an end held on the bed is there up to round-off
+
+struct Gap {
+  double value = 0, slope = 0;  // m; by arc length, of a beam
+  Vec3 x = Vec3::Zero();
+};
+
+class Lines {
+ public:
+  Lines(const model::Case& c, const LocalMesh& local, const Kinematics& at)
+      : c_(c), local_(local), mesh_(*local.mesh), at_(at) {}
+
+  // m, of an element of the mesh.
+  double radius(int element) const {
+    const int type = mesh_.elements[static_cast<size_t>(element)].type;
+    return 0.5 * c_.line_types[static_cast<size_t>(type)].contact_diameter;
+  }
+
+  Gap gap(int local) const {
+    const Node& n = mesh_.nodes[static_cast<size_t>(local_.global[static_cast<size_t>(local)])];
+    const LineSpan& span = mesh_.lines[static_cast<size_t>(n.line)];
+    const int i = local_.global[static_cast<size_t>(local)] - span.first_node;
+    double r = 0;
+    for (const int e : {i - 1, i})
+      if (e >= 0 && e < span.elements) r = std::max(r, radius(span.first_element + e));
+    Gap g;
+    g.x = at_.x[static_cast<size_t>(local)];
+    const model::Seabed& bed = c_.environment.seabed;
+    Vec3 normal = model::bed_normal(bed);
+    if (bed.surface) {
+      const auto near = bed.surface->query(g.x, std::numeric_limits<double>::infinity());
+      g.value = near ? near->distance : std::numeric_limits<double>::infinity();
+      if (near) normal = near->normal;
+    } else {
+      g.value = model::height_above_bed(bed, g.x);
+    }
+    g.value -= r;
+    if ((i == 0 || i == span.nodes - 1) && std::abs(g.value) < kHeld * r) g.value = 0;
+    if (n.rotates) g.slope = normal.dot(at_.q[static_cast<size_t>(local)] * Vec3::UnitX());
+    return g;
+  }
+
+ private:
+  const model::Case& c_;
+  const LocalMesh& local_;
+  const Mesh& mesh_;
+  const Kinematics& at_;
+};
+
+bool lies(double gap) { return gap <= 0; }
+
+// Arc length beyond the node that lies, m, where the straight line of two gaps is zero.
+double straight(double lying, double hanging, double length) { return length * lying / (lying - hanging); }
+
+// The same of the cubic with these slopes, by bisection: it changes its sign once at least.
+double cubic(double lying, double slope, double hanging, double next_slope, double length) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double t = 0.5 * (low + high), u = 1 - t;
+    const double g = u * u * ((1 + 2 * t) * lying + t * length * slope) +
+                     t * t * ((1 + 2 * u) * hanging - u * length * next_slope);
+    (lies(g) ? low : high) = t;
+  }
+  return 0.5 * (low + high) * length;
+}
+
+// A change of contact: `first` lies, the node after it in direction `way` (1: to end B, -1) hangs.
+struct Change {
+  int first = -1, way = 1;
+};
+
+struct About {
+  std::array<Gap, kAbout> gap;     // two that lie, three that hang
+  std::array<double, kAbout> arc;  // m, growing away from what lies
+  std::array<bool, kAbout> there, two_sided;
+};
+
+// Rise over run of the chord of two nodes, to the bed.
+double steepness(const Gap& a, const Gap& b) {
+  const double rise = b.value - a.value, length2 = (b.x - a.x).squaredNorm();
+  return rise / std::sqrt(std::max(length2 - rise * rise, 1e-12 * length2));
+}
+
+// m beyond the last node that lies.
+double beyond(const About& n, bool beam) {
+  const double length = n.arc[2] - n.arc[1];
+  if (beam) return cubic(n.gap[1].value, n.gap[1].slope, n.gap[2].value, n.gap[2].slope, length);
+  // The second chord that hangs is the first that nothing of the bed acts on.
+  for (const size_t k : {size_t{2}, size_t{1}}) {
+    if (k + 2 >= n.there.size() || !n.there[k + 2] || n.two_sided[k + 1] || lies(n.gap[k + 2].value))
+      continue;
+    const double m1 = 0.5 * (n.arc[k] + n.arc[k + 1]), m2 = 0.5 * (n.arc[k + 1] + n.arc[k + 2]);
+    const double t1 = steepness(n.gap[k], n.gap[k + 1]), t2 = steepness(n.gap[k + 1], n.gap[k + 2]);
+    const double bend = (t2 - t1) / (m2 - m1);
+    if (!(bend > 0)) continue;
+    const double deep = std::max({0.0, -n.gap[1].value, n.there[0] ? -n.gap[0].value : 0.0});
+    const double s = m1 - t1 / bend + std::sqrt(deep / bend) - n.arc[1];
+    return std::clamp(s, n.there[0] ? 0.5 * (n.arc[0] - n.arc[1]) : 0.0, length);
+  }
+  return straight(n.gap[1].value, n.gap[2].value, length);
+}
+
+TouchdownPoint place(const About& n, double s, double arc) {
+  const size_t k = s < 0 ? 0 : 1;  // between nodes k and k + 1
+  const double t = (n.arc[1] + s - n.arc[k]) / (n.arc[k + 1] - n.arc[k]);
+  return {arc, n.gap[k].x + t * (n.gap[k + 1].x - n.gap[k].x)};
+}
+
+}  // namespace
+
+std::vector<Touchdown> touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
+                                  const Kinematics& at) {
+  const Mesh& mesh = *local.mesh;
+  const size_t lines = mesh.lines.size();
+  std::vector<Touchdown> out(lines);
+  if (!c.environment.seabed.present) return out;
+  const Lines of(c, local, at);
+  std::vector<double> gap(static_cast<size_t>(local.nodes()));
+  for (int n = 0; n < local.nodes(); ++n)
+    if (mesh.nodes[static_cast<size_t>(local.global[static_cast<size_t>(n)])].body < 0)
+      gap[static_cast<size_t>(n)] = of.gap(n).value;
+
+  // First element from A, and minus the first from B, in which contact changes; what lies.
+  std::vector<int> first(2 * lines, std::numeric_limits<int>::max());
+  std::vector<double> laid(lines, 0);
+  for (const LocalElement& e : local.elements) {
+    if (!e.counted) continue;
+    const Element& g = mesh.elements[static_cast<size_t>(e.global)];
+    const size_t l = static_cast<size_t>(g.line);
+    const double a = gap[static_cast<size_t>(e.first)], b = gap[static_cast<size_t>(e.second)];
+    if (lies(a) && lies(b)) laid[l] += g.length;
+    if (lies(a) == lies(b)) continue;
+    laid[l] += lies(a) ? straight(a, b, g.length) : straight(b, a, g.length);
+    first[2 * l] = std::min(first[2 * l], e.global), first[2 * l + 1] = std::min(first[2 * l + 1], -e.global);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, first.data(), static_cast<int>(first.size()), MPI_INT, MPI_MIN, comm);
+  MPI_Allreduce(MPI_IN_PLACE, laid.data(), static_cast<int>(lines), MPI_DOUBLE, MPI_SUM, comm);
+
+  // Gap and slope, then place of the nodes about each. Which of its two nodes lies is told by the first sum.
+  std::vector<double> rows(2 * lines * 2 * kAbout * 5, 0);
+  const auto row = [&](size_t k, int i) {
+    return rows.data() + 5 * (2 * kAbout * k + static_cast<size_t>(i));
+  };
+  for (size_t k = 0; k < 2 * lines; ++k) {
+    if (first[k] == std::numeric_limits<int>::max()) continue;
+    const Element& e = mesh.elements[static_cast<size_t>(std::abs(first[k]))];
+    const LineSpan& span = mesh.lines[static_cast<size_t>(e.line)];
+    for (int i = 0; i < 2 * kAbout; ++i) {  // from four nodes before the element's first one to five after
+      const int global = e.first - kAbout + 1 + i;
+      if (global < span.first_node || global >= span.first_node + span.nodes) continue;
+      const int n = local.find(global);
+      if (n < 0 || n >= local.owned) continue;
+      const Gap g = of.gap(n);
+      const double values[] = {g.value, g.slope, g.x.x(), g.x.y(), g.x.z()};
+      std::copy(std::begin(values), std::end(values), row(k, i));
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, rows.data(), static_cast<int>(rows.size()), MPI_DOUBLE, MPI_SUM, comm);
+
+  for (size_t k = 0; k < 2 * lines; ++k) {
+    if (first[k] == std::numeric_limits<int>::max()) continue;
+    const Element& e = mesh.elements[static_cast<size_t>(std::abs(first[k]))];
+    const LineSpan& span = mesh.lines[static_cast<size_t>(e.line)];
+    const bool up = lies(row(k, kAbout - 1)[0]);  // the node towards A lies
+    const Change change{up ? e.first : e.second, up ? 1 : -1};
+    About n{};
+    for (int i = 0; i < kAbout; ++i) {
+      const int global = change.first + change.way * (i - 1);
+      const size_t j = static_cast<size_t>(i);
+      n.there[j] = global >= span.first_node && global < span.first_node + span.nodes;
+      if (!n.there[j]) continue;
+      const Node& node = mesh.nodes[static_cast<size_t>(global)];
+      const double* v = row(k, global - e.first + kAbout - 1);
+      n.gap[j] = {v[0], change.way * v[1], Vec3(v[2], v[3], v[4])};
+      n.arc[j] = change.way * node.arc, n.two_sided[j] = node.two_sided;
+    }
+    const double s = beyond(n, e.beam);
+    Touchdown& t = out[static_cast<size_t>(e.line)];
+    (k % 2 == 0 ? t.from_a : t.from_b) = place(
+        n, s,
+        std::clamp(mesh.nodes[static_cast<size_t>(change.first)].arc + change.way * s, 0.0, span.length));
+    if (k % 2 == 0 || first[k] != -first[k - 1])
+      laid[static_cast<size_t>(e.line)] += s - straight(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1]);
+  }
+  for (size_t l = 0; l < lines; ++l) out[l].laid = std::clamp(laid[l], 0.0, mesh.lines[l].length);
+  return out;
+}
+
+}  // namespace hawser::app

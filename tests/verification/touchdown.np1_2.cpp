@@ -1,0 +1,120 @@
+// Touchdown points and laid lengths of lines at rest against closed forms, on rigid and on soft ground,
+// wherever between its nodes the line touches down; on 1 and 2 ranks.
+#include "hawser/app/touchdown.hpp"
+
+#include "hawser/kernels/catenary_on_bed.hpp"
+#include "support/rig.hpp"
+
+namespace hawser::test::touchdown_test {
+namespace {
+
+constexpr double kWeight = 1000, kHeight = 100;  // N/m, m
+
+// From an anchor `above` the bed to an end `away` from it and kHeight above the bed.
+model::Case line_on_bed(double length, int elements, double stiffness, double away, double above = 0) {
+  model::LineType t = cable_type(1e9, kWeight / 9.81);
+  t.outer_diameter = t.contact_diameter = 0.1;
+  model::Case c = one_line(t, length, elements, anchor({0, 0, above - kHeight}), anchor({away, 0, 0}));
+  c.contact.between_lines.enabled = false;  // so that ranks cut it
+  c.environment.gravity = 9.81;
+  model::Seabed& bed = c.environment.seabed;
+  bed.present = true, bed.depth = kHeight, bed.normal_stiffness = stiffness;
+  bed.basis = model::StiffnessBasis::per_length;
+  c.dynamics.enabled = false;
+  return c;
+}
+
+struct Rest {
+  app::Touchdown touchdown;
+  double pull = 0;  // N, horizontal
+};
+
+Rest at_rest(const model::Case& c) {
+  Simulation sim(PETSC_COMM_WORLD, c);
+  sim.solve_statics();
+  Rest out;
+  out.touchdown = app::touchdowns(PETSC_COMM_WORLD, c, sim.local(), sim.state().view(0)).at(0);
+  return out;
+}
+
+// Elements of 5 m, and the touchdown point where in one of them it likes.
+TEST(Touchdown, OfACatenaryOnRigidGround) {
+  for (const double length : {391.0, 392.3, 393.6, 394.9, 396.2}) {
+    const int elements = 78;
+    const model::Case c = line_on_bed(length, elements, 1e8, 360);
+    const Rest rest = at_rest(c);
+    const auto closed = catenary_on_bed(Vec3(0, 0, 0.05 - kHeight), Vec3(360, 0, 0),
+                                        {{length, Vec3(0, 0, -kWeight), 1e9, Vec3::Zero(), 0}}, 0);
+    ASSERT_TRUE(closed && rest.touchdown.from_a && rest.touchdown.from_b);
+    printf("  %.1f m: touchdown at %.3f m, closed form %.3f m\n", length, rest.touchdown.from_a->arc,
+           closed->grounded());
+    EXPECT_NEAR(rest.touchdown.from_a->arc, closed->grounded(), 0.3);  // 6 % of an element
+    EXPECT_EQ(rest.touchdown.from_a->arc, rest.touchdown.from_b->arc);
+    EXPECT_NEAR(rest.touchdown.laid, rest.touchdown.from_a->arc, 1e-9);
+    EXPECT_NEAR(rest.touchdown.from_a->position.x(), closed->position(closed->grounded()).x(), 0.4);
+  }
+}
+
+// Where the ground yields the gap is zero sqrt(H / k) beyond what lies on rigid ground.
+TEST(Touchdown, OnSoftGround) {
+  const double length = 393, k = 4000;
+  const auto closed = catenary_on_bed(Vec3(0, 0, 0.05 - kHeight), Vec3(360, 0, 0),
+                                      {{length, Vec3(0, 0, -kWeight), 1e9, Vec3::Zero(), 0}}, 0);
+  ASSERT_TRUE(closed);
+  const double soft = closed->grounded() + std::sqrt(closed->tension(0).head<2>().norm() / k);
+  for (const int elements : {78, 400}) {
+    const Rest rest = at_rest(line_on_bed(length, elements, k, 360));
+    ASSERT_TRUE(rest.touchdown.from_a);
+    printf("  %d elements: touchdown at %.3f m, closed form %.3f m (%.3f m on rigid ground)\n", elements,
+           rest.touchdown.from_a->arc, soft, closed->grounded());
+    EXPECT_NEAR(rest.touchdown.from_a->arc, soft, 0.8);
+  }
+}
+
+// A slack line between two ends above the bed lies in its middle: it touches down twice, mirrored.
+TEST(Touchdown, FromBothEnds) {
+  model::Case c = line_on_bed(420, 84, 1e8, 300, kHeight);
+  const Rest rest = at_rest(c);
+  ASSERT_TRUE(rest.touchdown.from_a && rest.touchdown.from_b);
+  EXPECT_NEAR(rest.touchdown.from_a->arc, 420 - rest.touchdown.from_b->arc, 0.02);
+  EXPECT_NEAR(rest.touchdown.laid, rest.touchdown.from_b->arc - rest.touchdown.from_a->arc, 1e-9);
+  const double laid = rest.touchdown.laid;
+  EXPECT_GT(laid, 50);
+  EXPECT_LT(laid, 250);
+  // Half of it, from the bed up.
+  const double half = 0.5 * (420 - laid);
+  const auto closed = catenary_on_bed(Vec3(0, 0, 0.05 - kHeight), Vec3(150, 0, 0),
+                                      {{210, Vec3(0, 0, -kWeight), 1e9, Vec3::Zero(), 0}}, 0);
+  ASSERT_TRUE(closed);
+  EXPECT_NEAR(half, 210 - closed->grounded(), 0.3);
+}
+
+TEST(Touchdown, WhatHangsOrLiesHasNone) {
+  const Rest hangs = at_rest(line_on_bed(330, 33, 1e6, 300, kHeight));
+  EXPECT_FALSE(hangs.touchdown.from_a || hangs.touchdown.from_b);
+  EXPECT_EQ(hangs.touchdown.laid, 0);
+  model::Case c = line_on_bed(300, 30, 1e6, 300);
+  c.lines[0].end_b = anchor({299, 0, -kHeight});
+  c.lines[0].start = model::Start::straight;
+  const Rest lies = at_rest(c);
+  EXPECT_FALSE(lies.touchdown.from_a || lies.touchdown.from_b);
+  EXPECT_NEAR(lies.touchdown.laid, 300, 1e-9);
+}
+
+// A pipe: its elements are bent, and 1 m and 4 m of them find the same place.
+TEST(Touchdown, OfABeam) {
+  double found[2] = {};
+  for (const int i : {0, 1}) {
+    model::Case c = line_on_bed(392, i == 0 ? 98 : 392, 1e5, 360);
+    c.line_types[0].kind = model::LineKind::beam;
+    c.line_types[0].EI2 = c.line_types[0].EI3 = 2e7, c.line_types[0].GJ = 1.5e7;
+    const Rest rest = at_rest(c);
+    ASSERT_TRUE(rest.touchdown.from_a);
+    found[i] = rest.touchdown.from_a->arc;
+  }
+  printf("  %.3f m by elements of 4 m, %.3f m by 1 m\n", found[0], found[1]);
+  EXPECT_NEAR(found[0], found[1], 0.4);
+}
+
+}  // namespace
+}  // namespace hawser::test::touchdown_test
