@@ -1,5 +1,5 @@
-// Where the Python package is, beside the program that is installed or in the sources, and how the process
-// becomes Python.
+// Where the Python package is, as seen from the program (installed, moved or in the folder of a build), and how
+// the process becomes Python.
 #include "hawser/app/post.hpp"
 
 #include <fmt/format.h>
@@ -17,13 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder of the package hawser_post; empty: there is none.
+// The data from the folder of the program: in the folder of a build, and installed.
+constexpr const char* kData[] = {"share/hawser", HAWSER_DATA};
+
+// The folder of the package hawser_post; where there is none, a sentence says where it was looked for.
 fs::path package_folder(const fs::path& program) {
-  for (const fs::path& folder :
-       {program.parent_path().parent_path() / "share/hawser/python", fs::path(HAWSER_SCRIPTS)}) {
+  std::string seen;
+  for (const char* data : kData) {
+    const fs::path folder = (program.parent_path() / data / "python").lexically_normal();
     std::error_code none;
     if (fs::is_directory(folder / "hawser_post", none)) return folder;
+    seen += (seen.empty() ? "neither in " : " nor in ") + folder.string();
   }
+  std::fputs(fmt::format("hawser: the Python package hawser_post is {}\n", seen).c_str(), stderr);
   return {};
 }
 
@@ -39,15 +45,7 @@ int post(char** arguments) {
   if (const char* rank = std::getenv("OMPI_COMM_WORLD_RANK"); rank && std::string_view(rank) != "0") return 0;
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown), folder = package_folder(program);
-  if (folder.empty()) {
-    std::fputs(
-        fmt::format(
-            "hawser: the Python package hawser_post is neither in share/hawser/python beside {} nor in {}\n",
-            program.string(), HAWSER_SCRIPTS)
-            .c_str(),
-        stderr);
-    return 1;
-  }
+  if (folder.empty()) return 1;
   setenv("HAWSER", program.c_str(), 1);
   // The package comes first, not the folder of the user, in which there may be modules of the same names.
   std::string python = "python3", no_bytecode = "-B", command = "-c", from = folder.string(),
