@@ -1,5 +1,5 @@
-// Where the Python package is, as seen from the program (installed, moved or in the folder of a build), and how
-// the process becomes Python.
+// Where the Python package is, as seen from the program (installed, moved or in the folder of a build), and
+// how the process becomes Python.
 #include "hawser/app/post.hpp"
 
 #include <fmt/format.h>

@@ -7,7 +7,8 @@ from pathlib import Path
 
 from support import ROOT, run
 
-SHELL = ["scripts/install-deps", "scripts/run", "scripts/test", "scripts/format", "scripts/render", ".ci/run"]
+SHELL = ["scripts/install-deps", "scripts/run", "scripts/test", "scripts/format", "scripts/render", "scripts/package",
+         ".ci/run"]
 
 
 class Commands(unittest.TestCase):
@@ -38,7 +39,7 @@ class Commands(unittest.TestCase):
                 self.assertIn(complaint, result.stderr)
 
     def test_unknown_arguments(self):
-        for script in ["scripts/install-deps", "scripts/test", "scripts/format"]:
+        for script in ["scripts/install-deps", "scripts/test", "scripts/format", "scripts/package"]:
             with self.subTest(script=script):
                 result = run(script, "--no-such-thing")
                 self.assertEqual(result.returncode, 2)
@@ -51,6 +52,8 @@ class Commands(unittest.TestCase):
             self.assertIn(package, listed)
         self.assertNotIn("paraview", listed)
         self.assertIn("paraview", run("scripts/install-deps", "--list", "--view").stdout.split())
+        self.assertNotIn("lintian", listed)
+        self.assertIn("lintian", run("scripts/install-deps", "--list", "--package").stdout.split())
 
     def test_install_deps_names_what_is_missing(self):
         # A machine with nothing installed, played by a dpkg-query that knows no package, a user who needs no sudo, and
