@@ -175,17 +175,18 @@ def everything(program):
                      for (word, what), said in zip(entries, pool.map(lambda entry: ask(program, entry[0]), entries))]
 
 
-def main():
-    if len(sys.argv) != 4:
-        sys.exit(__doc__)
-    program, page_path, completion_path = sys.argv[1:]
+def make(program, page_path, completion_path):
+    """Writes both files and returns what `everything` told."""
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.strip()
     top, commands = everything(program)
     for path, content in ((page_path, gzip.compress(page(version, top, commands).encode(), 9, mtime=0)),
                           (completion_path, completion(top, commands).encode())):
         Path(path).parent.mkdir(parents=True, exist_ok=True)
         Path(path).write_bytes(content)
+    return top, commands
 
 
 if __name__ == "__main__":
-    main()
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    make(*sys.argv[1:])

@@ -69,10 +69,7 @@ class Made(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         cls.page, cls.completion = (Path(cls.folder.name) / name for name in ("hawser.1.gz", "completion"))
-        made = run(sys.executable, "-B", ROOT / "scripts/manual.py", HAWSER, cls.page, cls.completion)
-        if made.returncode != 0:
-            raise AssertionError(made.stdout + made.stderr)
-        cls.said = {word: said for word, _, said in manual.everything(HAWSER)[1]}
+        cls.said = {word: said for word, _, said in manual.make(HAWSER, cls.page, cls.completion)[1]}
         cls.commands = set(cls.said)
 
     def words(self, *line):
