@@ -90,6 +90,17 @@ class Tutorial(unittest.TestCase):
                             self.assertEqual(result.returncode, 0, result.stderr)
         self.assertGreater(count, 20)
 
+    def test_excerpts(self):
+        """Every line of a ```yaml block of the tutorial is in one of its case files."""
+        bare = lambda line: " ".join(line.split("#")[0].split())
+        cases = {bare(line) for case in (ROOT / "docs/tutorial").glob("*.yaml")
+                 for line in case.read_text(encoding="utf-8").splitlines()}
+        for page in sorted((ROOT / "docs/tutorial").glob("*.md")):
+            for block in re.findall(r"^```yaml\n(.*?)^```$", page.read_text(encoding="utf-8"), re.M | re.S):
+                for line in block.splitlines():
+                    if line != "...":
+                        self.assertIn(bare(line), cases | {""}, f"{page.name}: in no case file of the tutorial")
+
     def test_numbers_and_words_that_differ_are_found(self):
         printed = ["max effective tension    mooring    541573 N   0.000  0.000", "lines: 1 (100 elements)"]
         self.assertIsNone(first_missing(["max effective tension mooring 541000 N 0.000 0.000"], printed))
