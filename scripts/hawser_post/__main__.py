@@ -1,36 +1,15 @@
-"""hawser report, hawser plot and hawser export."""
+"""The commands that look at results: hawser report, plot, export, extremes and fatigue."""
 import argparse
-import os
-import subprocess
 import sys
 from pathlib import Path
 
 try:
-    import yaml
-
-    from . import charts, export, fatigue, report, scene
-    from .results import Refusal, Results
+    from . import charts, export, extremes_told, fatigue, report, scene
+    from .given import history_of, results_of
+    from .results import Refusal
 except ModuleNotFoundError as missing:
     sys.exit(f"hawser: this needs the Python module '{missing.name}': install python3-h5py python3-matplotlib "
              "python3-scipy python3-yaml (scripts/install-deps does)")
-
-
-def results_of(given):
-    """A results file, or that of a case, which is run if there is none yet or if the case is newer."""
-    path = Path(given)
-    if path.suffix not in (".yaml", ".yml") or not path.is_file():
-        return Results(path)
-    try:
-        named = ((yaml.safe_load(path.read_text(encoding="utf-8")) or {}).get("output") or {}).get("file")
-    except (yaml.YAMLError, AttributeError, UnicodeDecodeError):
-        named = None  # hawser run says what is wrong with it
-    results = path.parent / str(named) if named else path.with_suffix(".h5")
-    if not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
-        code = subprocess.run([os.environ.get("HAWSER", "hawser"), "run", str(path)]).returncode
-        # Where the solver gave up, a signal came or the energy does not add up, the results say so.
-        if code not in (0, 3, 4, 130) or not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
-            sys.exit(code)
-    return Results(results)
 
 
 def make_report(options):
@@ -53,12 +32,6 @@ def default_line(results, options):
     return results.line(options.line) if options.line else report.by_tension(results)[0]
 
 
-def default_history(results, options):
-    if options.name is None and not results.histories:
-        raise Refusal(f"{results.path} has no history: the case asks for them by output.histories")
-    return results.series(options.name or results.histories[0])
-
-
 def make_plot(options):
     results = results_of(options.results)
     if results.modes and options.what not in scene.VIEWS:
@@ -69,10 +42,9 @@ def make_plot(options):
     elif options.what == "range":
         figure = charts.range_graph(results, default_line(results, options), options.field, options.since)
     else:
-        series = default_history(results, options)
+        series, column = history_of(results, options.name, options.column)
         keep = results.step_time >= options.since
         time = results.step_time[keep]
-        column = options.column or ("effective_tension" if "effective_tension" in series.columns else series.columns[0])
         values, unit = series.column(column)[keep], series.unit(column)
         if len(time) < 16:
             raise Refusal(f"'{series.name}' has {len(time)} steps from t = {options.since:g} s on: too few for a figure")
@@ -164,6 +136,18 @@ def commands():
     p.add_argument("results", help=of)
     p.add_argument("-o", "--output", help="folder (default: named like the results)")
     p.set_defaults(do=make_export)
+
+    p = sub.add_parser("extremes", help="most probable maximum and quantile of a history in a duration, by fitted distributions")
+    p.add_argument("results", nargs="+", metavar="RESULTS", help=of + "; of several runs of one sea state, all count")
+    p.add_argument("--name", help="history, as in output.histories (default: the first by name)")
+    p.add_argument("--column", help="its column (default: effective_tension, or the first)")
+    p.add_argument("--duration", default="3h", metavar="T", help="for which extremes are told: 3h, '90 min', 600 (default: 3h)")
+    p.add_argument("--quantile", type=float, default=0.9, metavar="P", help="not exceeded with this probability (default: 0.9)")
+    p.add_argument("--minima", action="store_true", help="smallest values instead of largest")
+    p.add_argument("--block", metavar="T", help="length of a block, or 'run' where each run is one (default: ten mean periods)")
+    p.add_argument("--since", **since)
+    p.add_argument("-o", "--output", help="also write the numbers, as .json or .csv")
+    p.set_defaults(do=extremes_told.make)
 
     p = sub.add_parser("fatigue", help="damage along a line by rainflow cycles and a published S-N or T-N curve")
     p.add_argument("results", nargs="+", metavar="RESULTS[=SHARE]", help=of + "; of several, with their shares of the time")

@@ -16,14 +16,18 @@ class Statistics:
     period: float  # s, mean between upcrossings of the mean; NaN with fewer than two
 
 
+def integral(t, x):
+    return np.trapz(x, t, axis=0)
+
+
 def mean_of(t, x):
     """Mean over time by the trapezoidal rule, of each column where there are columns."""
-    return np.trapz(x, t, axis=0) / (t[-1] - t[0]) if len(t) > 1 and t[-1] > t[0] else x[-1]
+    return integral(t, x) / (t[-1] - t[0]) if len(t) > 1 and t[-1] > t[0] else x[-1]
 
 
-def upcrossings(t, x):
-    """Times at which x rises through its mean, by straight lines between samples."""
-    y = np.asarray(x) - mean_of(t, x)
+def upcrossings(t, x, level=None):
+    """Times at which x rises through a level, its mean unless given, by straight lines between samples."""
+    y = np.asarray(x) - (mean_of(t, x) if level is None else level)
     i = np.flatnonzero((y[:-1] < 0) & (y[1:] >= 0))
     return t[i] - y[i] * (t[i + 1] - t[i]) / (y[i + 1] - y[i])
 

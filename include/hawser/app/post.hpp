@@ -13,6 +13,7 @@ inline constexpr PostCommand kPostCommands[] = {
     {"report", "Make one HTML file of a run: pictures, tables, range graphs, histories, energy."},
     {"plot", "Make one figure: range graph, history, spectrum, phase, plan, elevation, in space."},
     {"export", "Write the tables, histories and range graphs of a run as CSV files."},
+    {"extremes", "Tell the extremes of a history in a duration, by distributions fitted to its maxima."},
     {"fatigue", "Tell the damage along a line, by rainflow cycles and a published curve."}};
 
 bool is_post_command(std::string_view word);

@@ -1,0 +1,58 @@
+"""What the words of a command line stand for: results of files and cases, histories, durations."""
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import yaml
+
+from .results import Refusal, Results
+
+SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
+
+
+def results_of(given):
+    """A results file, or that of a case, which is run if there is none yet or if the case is newer."""
+    path = Path(given)
+    if path.suffix not in (".yaml", ".yml") or not path.is_file():
+        return Results(path)
+    try:
+        named = ((yaml.safe_load(path.read_text(encoding="utf-8")) or {}).get("output") or {}).get("file")
+    except (yaml.YAMLError, AttributeError, UnicodeDecodeError):
+        named = None  # hawser run says what is wrong with it
+    results = path.parent / str(named) if named else path.with_suffix(".h5")
+    if not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
+        code = subprocess.run([os.environ.get("HAWSER", "hawser"), "run", str(path)]).returncode
+        # Where the solver gave up, a signal came or the energy does not add up, the results say so.
+        if code not in (0, 3, 4, 130) or not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
+            sys.exit(code)
+    return Results(results)
+
+
+def history_of(results, name, column):
+    """A history and the name of one of its columns: without names the first history, its tension or its first column."""
+    if name is None and not results.histories:
+        raise Refusal(f"{results.path} has no history: the case asks for them by output.histories")
+    series = results.series(name or results.histories[0])
+    return series, column or ("effective_tension" if "effective_tension" in series.columns else series.columns[0])
+
+
+def seconds(text):
+    """A time with its unit, as 3h, '90 min' or 600."""
+    found = re.fullmatch(r"\s*([\d.]+(?:[eE][-+]?\d+)?)\s*(s|min|h|d)?\s*", text)
+    try:
+        value = float(found.group(1)) * SECONDS[found.group(2) or "s"]
+    except (AttributeError, ValueError):
+        raise Refusal(f"'{text}' is no time: a number with s, min, h or d, such as 3h") from None
+    if not 0 < value < float("inf"):
+        raise Refusal(f"'{text}' is no time above 0")
+    return value
+
+
+def time_words(value):
+    """The same, as it is said: 3 h."""
+    for name in ("d", "h", "min"):
+        if value >= SECONDS[name] and abs(value / SECONDS[name] - round(value / SECONDS[name])) < 1e-9:
+            return f"{value / SECONDS[name]:g} {name}"
+    return f"{value:.4g} s"

@@ -1,0 +1,40 @@
+"""A results file that was not computed, with as much as a test of the Python tools needs."""
+import h5py
+import numpy as np
+
+
+def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statistics=None, case="hawser: 1\n",
+                 attributes=None):
+    """lines: {name: arc lengths of its nodes}; fields: {name: (unit, outputs x all nodes (x 3))}; statistics: {field:
+    (unit, all nodes (x 3) x 6)}; series: (times, {name: ([columns], [units], steps x columns)}). Without the field
+    `position` nodes lie along x."""
+    lines = lines or {"line": np.linspace(0, 10, 3)}
+    fields = dict(fields or {})
+    arc = np.concatenate(list(lines.values()))
+    if "position" not in fields:
+        x = np.zeros((len(time), len(arc), 3))
+        x[:, :, 0] = arc
+        fields["position"] = ("m", x)
+    step_time, tables = series or (np.zeros(0), {})
+    with h5py.File(path, "w") as file:
+        file.attrs.update({"hawser_results": 1, "version": "0", "case_path": "case.yaml", "date": "today", "ranks": 1,
+                           **(attributes or {})})
+        file["written"] = np.array([(len(time), len(step_time))], dtype=[("outputs", "i8"), ("steps", "i8")])
+        file["outputs/time"] = np.asarray(time, float)
+        file["nodes/arc_length"] = arc
+        file["lines/name"] = [name.encode() for name in lines]
+        counts = [len(v) for v in lines.values()]
+        file["lines/first_node"] = np.concatenate([[0], np.cumsum(counts)[:-1]])
+        file["lines/nodes"] = counts
+        file["case"] = case.encode()
+        for group, found in (("fields", fields), ("statistics", statistics or {})):
+            for name, (unit, values) in found.items():
+                file[f"{group}/{name}"] = values
+                file[f"{group}/{name}"].attrs["unit"] = unit.encode()
+        if len(step_time):
+            file["series/time"] = step_time
+        for name, (columns, units, values) in tables.items():
+            file[f"series/{name}"] = values
+            file[f"series/{name}"].attrs.update({"name": name.encode(), "columns": [c.encode() for c in columns],
+                                                 "units": [u.encode() for u in units]})
+    return path
