@@ -4,8 +4,8 @@ import sys
 from pathlib import Path
 
 try:
-    from . import charts, export, extremes_told, fatigue, report, scene
-    from .given import history_of, results_of
+    from . import charts, export, extremes_told, fatigue, report, scene, stress
+    from .given import history_of, modes_of, results_of
     from .results import Refusal
 except ModuleNotFoundError as missing:
     sys.exit(f"hawser: this needs the Python module '{missing.name}': install python3-h5py python3-matplotlib "
@@ -15,7 +15,7 @@ except ModuleNotFoundError as missing:
 def make_report(options):
     results = results_of(options.results)
     path = Path(options.output) if options.output else results.path.with_suffix(".html")
-    report.make(results, path, options.since)
+    report.make(results, path, options.since, modes_of(options.results) if options.modes else None)
     print(f"report: {path}")
 
 
@@ -41,6 +41,10 @@ def make_plot(options):
         figure = scene.picture(results, options.what, output)
     elif options.what == "range":
         figure = charts.range_graph(results, default_line(results, options), options.field, options.since)
+    elif options.what == "stress":
+        line = default_line(results, options)
+        figure = charts.stress_graph(results, line, stress.along(results, line, options.outer_diameter, options.wall),
+                                     options.since)
     else:
         series, column = history_of(results, options.name, options.column)
         keep = results.step_time >= options.since
@@ -117,13 +121,16 @@ def commands():
     p.add_argument("results", help=of)
     p.add_argument("-o", "--output", help="HTML file (default: beside the results)")
     p.add_argument("--since", **since)
+    p.add_argument("--modes", action="store_true", help="of a case file: also natural periods and mode shapes (hawser modes)")
     p.set_defaults(do=make_report)
 
     p = sub.add_parser("plot", help="one figure, as PNG, SVG or PDF")
     p.add_argument("results", help=of)
-    p.add_argument("what", choices=("range", "history", "spectrum", "phase", *scene.VIEWS))
+    p.add_argument("what", choices=("range", "stress", "history", "spectrum", "phase", *scene.VIEWS))
     p.add_argument("-o", "--output", help="file (default: <results>-<what>.png)")
-    p.add_argument("--line", help="of a range graph (default: that with the largest tension)")
+    p.add_argument("--line", help="of a range or stress graph (default: that with the largest tension)")
+    p.add_argument("--outer-diameter", type=float, metavar="D", help="m, of a pipe: stress (default: the case's)")
+    p.add_argument("--wall", type=float, metavar="W", help="m, thickness of its wall: stress (default: the case's)")
     p.add_argument("--field", default="effective_tension", help="of a range graph (default: effective_tension)")
     p.add_argument("--name", help="of a history, as in output.histories (default: the first by name)")
     p.add_argument("--column", help="of a history (default: effective_tension, or the first)")

@@ -5,24 +5,23 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
+from .envelopes import envelope  # noqa: E402
 from .statistics import mean_of, spectrum  # noqa: E402
 
-WIDE, HIGH = 7.2, 3.0  # inches
+WIDE, HIGH = 7.2, 2.7  # inches
 MOST_POINTS = 2000  # of a curve, more are not seen
-PREFIXES = {"N": [(1e6, "MN"), (1e3, "kN")], "N m": [(1e6, "MN m"), (1e3, "kN m")], "J": [(1e6, "MJ"), (1e3, "kJ")]}
-COLOURS = ["#1f5a92", "#c8651b", "#3c8d5a", "#8b4a8b", "#a03030", "#5b6770"]
+# Results are in SI units; figures and pages show these: factor and name.
+SHOWN = {"N": (1e3, "kN"), "N m": (1e3, "kN m"), "N s": (1e3, "kN s"), "J": (1e3, "kJ"), "Pa": (1e6, "MPa")}
+COLOURS = ["#1f5a92", "#c8651b", "#3c8d5a", "#8b4a8b", "#a03030", "#5b6770", "#b59a1f", "#2a9aa8"]
 plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False,
-                     "axes.spines.right": False, "svg.hashsalt": "hawser", "legend.frameon": False,
+                     "axes.spines.right": False, "svg.hashsalt": "hawser", "legend.frameon": False, "axes.titlesize": 10.5, "axes.titlelocation": "left",
                      "axes.prop_cycle": matplotlib.cycler(color=COLOURS)})
 
 
-def scaled(unit, values):
-    """A unit in which the values are read easily, and how many of the given one it is."""
-    largest = max((float(np.nanmax(np.abs(v))) for v in values if np.size(v)), default=0)
-    for factor, name in PREFIXES.get(unit, []):
-        if largest >= 10 * factor or (largest >= factor and factor > 1e3):
-            return name, factor
-    return unit, 1.0
+def shown(unit):
+    """The unit in which a quantity is shown, and how many of the results' unit it is."""
+    factor, name = SHOWN.get(unit, (1.0, unit))
+    return name, factor
 
 
 def words(name):
@@ -49,45 +48,76 @@ def sheet(high=HIGH):
     return figure, axes
 
 
+def legend(axes, most=5):
+    """Above the axes, where it covers nothing; rows of up to `most`."""
+    names = axes.get_legend_handles_labels()[1]
+    if not names:
+        return
+    title = axes.get_title("left")
+    axes.set_title("")
+    axes.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncols=min(most, len(names)), fontsize=8,
+                title=title, title_fontproperties={"size": 10.5}, alignment="left")
+
+
 def range_graph(results, line, field, since=0.0):
-    """The envelope over the outputs from `since` on, the mean, and the first output (static, if the case has it)."""
-    values = results.magnitude(field, line)
-    keep = results.since(since)
-    from_there = values[keep]
-    unit, factor = scaled(results.unit(field), [values])
+    """The envelope from `since` on (over every step where the results have it, else over the outputs), the mean, and the
+    first output (static, if the case has it)."""
+    start = results.magnitude(field, line, 0)
+    unit, factor = shown(results.unit(field))
     figure, axes = sheet()
-    if len(from_there) > 1:
-        axes.fill_between(line.arc, from_there.min(axis=0) / factor, from_there.max(axis=0) / factor, alpha=0.2, lw=0)
-        axes.plot(line.arc, from_there.max(axis=0) / factor, label="maximum")
-        axes.plot(line.arc, mean_of(results.time[keep], from_there) / factor, label="mean")
-        axes.plot(line.arc, from_there.min(axis=0) / factor, label="minimum")
-    axes.plot(line.arc, values[0] / factor, "k--", lw=0.9, label=f"t = {results.time[0]:g} s")
+    found = envelope(results, line, field, since)
+    if found is not None:
+        axes.fill_between(line.arc, found.least / factor, found.most / factor, alpha=0.2, lw=0)
+        for values, name in ((found.most, "maximum"), (found.mean, "mean"), (found.least, "minimum")):
+            axes.plot(line.arc, values / factor, label=name)
+    axes.plot(line.arc, start / factor, "k--", lw=0.9, label=f"t = {results.time[0]:g} s")
     axes.set(xlabel="arc length from end A [m]", ylabel=label(field, unit), title=line.name)
-    axes.legend(ncols=4, fontsize=8)
+    legend(axes)
+    return figure
+
+
+def stress_graph(results, line, stress, since=0.0):
+    """Von Mises stress [Pa], outputs x nodes, along a line: its envelope from `since` on and the first output."""
+    keep = results.since(since)
+    figure, axes = sheet()
+    if np.count_nonzero(keep) > 1:
+        least, most = stress[keep].min(axis=0) / 1e6, stress[keep].max(axis=0) / 1e6
+        axes.fill_between(line.arc, least, most, alpha=0.2, lw=0)
+        for values, name in ((most, "maximum"), (mean_of(results.time[keep], stress[keep]) / 1e6, "mean"), (least, "minimum")):
+            axes.plot(line.arc, values, label=name)
+    axes.plot(line.arc, stress[0] / 1e6, "k--", lw=0.9, label=f"t = {results.time[0]:g} s")
+    axes.set(xlabel="arc length from end A [m]", ylabel="von Mises stress [MPa]", title=line.name)
+    legend(axes)
     return figure
 
 
 def history(time, curves, unit, name, title=""):
     """curves: (label, values) at the times."""
-    unit, factor = scaled(unit, [v for _, v in curves])
+    unit, factor = shown(unit)
     figure, axes = sheet(2.6)
     for label_of, values in curves:
         axes.plot(*thinned(time, values / factor), lw=0.9, label=label_of)
     axes.set(xlabel="time [s]", ylabel=label(name, unit), title=title)
     if len(curves) > 1:
-        axes.legend(ncols=4, fontsize=8)
+        legend(axes, 6)
     return figure
 
 
+def power(unit):
+    """The square of a unit."""
+    return f"({unit})²" if any(c in unit for c in " /") else f"{unit}²"
+
+
 def density(time, values, unit, name, title=""):
-    f, s = spectrum(time, values)
+    unit, factor = shown(unit)
+    f, s = spectrum(time, values / factor)
     figure, axes = sheet(2.6)
     # Up to where 99.9 % of the variance is.
     total = np.cumsum(s)
-    shown = max(np.searchsorted(total, 0.999 * total[-1]) + 2, 3)
-    axes.plot(f[:shown], s[:shown], lw=1.0, marker=".", ms=4)
+    last = max(np.searchsorted(total, 0.999 * total[-1]) + 2, 3)
+    axes.plot(f[:last], s[:last], lw=1.0, marker=".", ms=4)
     axes.set_xlim(left=0)
-    axes.set(xlabel=f"frequency [Hz], resolved to {f[1]:.2g} Hz", ylabel=f"{words(name)} [{unit}²/Hz]", title=title)
+    axes.set(xlabel=f"frequency [Hz], resolved to {f[1]:.2g} Hz", ylabel=f"{words(name)} [{power(unit)}/Hz]", title=title)
     return figure
 
 

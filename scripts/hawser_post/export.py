@@ -5,7 +5,7 @@ import re
 import numpy as np
 
 from . import tables
-from .statistics import mean_of
+from .envelopes import envelope, only_one
 
 
 def write(path, head, rows):
@@ -27,13 +27,16 @@ def series(results, name):
 
 
 def ranges(results, line):
-    """Over the outputs, of each field along a line: least, mean and largest."""
+    """Of each field along a line: least, mean and largest, over every step where the results have that, else over the
+    outputs."""
     head, columns = ["arc_length [m]"], [line.arc]
     for field in results.fields:
         if field in ("position", "velocity", "axis_1", "axis_2"):
             continue
-        values, unit = results.magnitude(field, line), results.unit(field)
-        for what, column in (("min", values.min(axis=0)), ("mean", mean_of(results.time, values)), ("max", values.max(axis=0))):
+        unit, found = results.unit(field), envelope(results, line, field)
+        if found is None:
+            found = only_one(results.magnitude(field, line, 0))
+        for what, column in (("min", found.least), ("mean", found.mean), ("max", found.most)):
             head.append(f"{field}_{what} [{unit}]")
             columns.append(column)
     return head, np.column_stack(columns)

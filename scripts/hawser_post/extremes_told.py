@@ -63,7 +63,7 @@ def told(options, sign, names, records, mean, deviation, found, duration):
 
 
 def show(values, note):
-    unit, factor = charts.scaled(values["unit"], [values["extreme"], values["mean"]])
+    unit, factor = charts.shown(values["unit"])
     of = values["of"]
     runs = "" if values["runs"] == 1 else f" of {values['runs']} runs"
     print(f"{charts.words(values['quantity'])} of {values['history']} [{unit}], {of} in {time_words(values['duration'])} "

@@ -30,6 +30,19 @@ def results_of(given):
     return Results(results)
 
 
+def modes_of(given):
+    """Results of `hawser modes` of a case file, which runs if there are none yet or if the case is newer."""
+    path = Path(given)
+    if path.suffix not in (".yaml", ".yml"):
+        raise Refusal(f"{path}: modes are those of a case: give the case file with --modes")
+    results = path.with_name(f"{path.stem}-modes.h5")
+    if not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
+        code = subprocess.run([os.environ.get("HAWSER", "hawser"), "modes", str(path), "-o", str(results)]).returncode
+        if code != 0:
+            sys.exit(code)
+    return Results(results)
+
+
 def history_of(results, name, column):
     """A history and the name of one of its columns: without names the first history, its tension or its first column."""
     if name is None and not results.histories:

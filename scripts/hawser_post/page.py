@@ -4,6 +4,7 @@ import html
 import io
 
 import matplotlib.pyplot as plt
+import numpy as np
 
 STYLE = """
 body { font: 15px/1.45 system-ui, "DejaVu Sans", sans-serif; color: #1c2733; max-width: 980px; margin: 2em auto; padding: 0 1em }
@@ -11,13 +12,20 @@ h1 { font-size: 1.7em; margin-bottom: 0.1em } h2 { font-size: 1.25em; border-bot
 nav a { margin-right: 1em } a { color: #1f5a92; text-decoration: none }
 table { border-collapse: collapse; font-size: 0.85em; margin: 0.8em 0; font-variant-numeric: tabular-nums }
 th, td { padding: 0.2em 0.7em; text-align: right; border-bottom: 1px solid #e3e8ed } th { background: #eef2f5; vertical-align: bottom }
-th.text, td.text { text-align: left } .wide { overflow-x: auto }
+th.text, td.text { text-align: left } .wide { overflow-x: auto } tr { break-inside: avoid }
 img { max-width: 100%; height: auto; display: block; margin: 0.6em 0 }
 pre { background: #f5f7f9; padding: 1em; overflow-x: auto; font-size: 0.8em }
 .warning { background: #fdecea; border-left: 4px solid #c0392b; padding: 0.4em 0.8em; margin: 0.4em 0 }
 .note { background: #eef4fa; border-left: 4px solid #1f5a92; padding: 0.4em 0.8em; margin: 0.4em 0 }
 figure { margin: 0; break-inside: avoid } figcaption { color: #54616d; font-size: 0.85em }
-@media print { body { max-width: none; margin: 0; font-size: 11px } nav { display: none } h2 { break-after: avoid } pre { white-space: pre-wrap } }
+@page { size: A4; margin: 15mm 14mm }
+@media print {
+  body { max-width: none; margin: 0; padding: 0; font-size: 10.5pt } nav { display: none }
+  h2 { break-after: avoid; margin-top: 1.4em } p { orphans: 3; widows: 3 }
+  table { font-size: 7.5pt } th, td { padding: 0.15em 0.45em } thead { display: table-header-group } .wide { overflow: visible }
+  img { max-width: 158mm; max-height: 120mm; margin: 0.2em 0 } pre { white-space: pre-wrap; overflow-wrap: anywhere; font-size: 7.5pt }
+  .warning, .note { break-inside: avoid } * { print-color-adjust: exact; -webkit-print-color-adjust: exact }
+}
 """
 
 
@@ -51,12 +59,20 @@ class Page:
     def table(self, head, rows):
         if not rows:
             return
-        left = [isinstance(v, str) and v != "" for v in rows[0]]
+        rows = [list(row) for row in rows]
+        for k in range(len(head)):  # what is nothing beside the others of its column
+            sizes = [abs(row[k]) for row in rows if isinstance(row[k], float) and np.isfinite(row[k])]
+            for row in rows:
+                if isinstance(row[k], float) and abs(row[k]) < 1e-9 * max(sizes, default=0):
+                    row[k] = 0.0
+        left = [any(isinstance(row[k], str) and row[k] != "" for row in rows) for k in range(len(head))]
         marks = [' class="text"' if is_text else "" for is_text in left]
-        lines = ["<tr>" + "".join(f"<th{m}>{html.escape(h)}</th>" for h, m in zip(head, marks)) + "</tr>"]
+        titles = "".join(f"<th{m}>{html.escape(h)}</th>" for h, m in zip(head, marks))
+        lines = []
         for row in rows:
             lines.append("<tr>" + "".join(f"<td{m}>{html.escape(number(v))}</td>" for v, m in zip(row, marks)) + "</tr>")
-        self.parts.append('<div class="wide"><table>' + "\n".join(lines) + "</table></div>")
+        self.parts.append(f'<div class="wide"><table><thead><tr>{titles}</tr></thead><tbody>' + "\n".join(lines)
+                          + "</tbody></table></div>")
 
     def figure(self, figure, caption, form="svg"):
         """Takes the figure; `form`: svg, or png for what has very many strokes."""

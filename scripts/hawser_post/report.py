@@ -3,14 +3,16 @@ from pathlib import Path
 
 import numpy as np
 
-from . import charts, scene, tables
+from . import charts, envelopes, scene, stress, tables
 from .page import Page
 
 MOST_LINES = 8  # with figures of their own
 MOST_MODES = 12
 MOST_HISTORIES = 16
+MOST_ROWS = 60  # of a table of the input
 FIELDS = ("effective_tension", "utilisation", "bending_moment", "curvature", "shear_force", "torsion_moment", "contact_normal_force",
           "line_contact_normal_force")
+MORE_FIELDS = ("wall_tension", "penetration", "line_penetration")  # in the table, without figures
 
 
 def title_of(results):
@@ -28,36 +30,85 @@ def moves(results):
     return results.outputs > 1
 
 
+def table(page, head, rows):
+    page.table(*tables.for_reading(head, rows))
+
+
 def pictures(page, results):
     page.section("Model")
     for view, caption in (("elevation", "From the side."), ("plan", "From above."), ("space", "In space.")):
         figure = scene.picture(results, view)
         page.figure(figure, caption, "png")
-    page.table(*tables.of_lines(results))
+    table(page, *tables.of_lines(results))
+
+
+def given(page, results):
+    page.section("Input")
+    page.text("As in the case file, with its units (numbers without one are SI); all of it stands at the end.")
+    for head, rows in (tables.environment(results), tables.line_types(results), tables.sections(results)):
+        page.table(head, rows[:MOST_ROWS])
+        if len(rows) > MOST_ROWS:
+            page.text(f"{len(rows) - MOST_ROWS} more rows are in the case file.")
 
 
 def start(page, results):
+    if not results.lines:
+        return
     page.section("Start")
     page.text(f"State of the first output, t = {results.time[0]:g} s: the static equilibrium where the case has statics, "
               "moving as the motions of the case begin (damping of the material then adds to its forces). "
               "Forces are those of the line on what holds its end; the declination is the angle between the upward "
               "vertical and the direction into the line.")
-    page.table(*tables.at_ends(results, 0))
+    table(page, *tables.at_ends(results, 0))
+
+
+def extremes(page, results, since):
+    page.section("Extremes")
+    head, rows = tables.extremes(results)
+    if rows:
+        page.text("Over every step and every node, as in the summary of the run.")
+        table(page, head, rows)
+    else:
+        page.text("Those of the summary are written at the end of a run, which this one has not reached.")
+    fields = [f for f in (*FIELDS, *MORE_FIELDS) if results.has(f)]
+    head, rows = tables.of_fields(results, fields, since)
+    if rows:
+        page.text("Extremes along each line. " + envelopes.told(results, fields, since))
+        table(page, head, rows)
+    head, rows = tables.utilisation(results, since)
+    if rows:
+        page.section("Utilisation")
+        page.text("Largest effective tension over the breaking load of the line type. "
+                  + envelopes.told(results, ["utilisation"], since))
+        page.table(head, rows)
 
 
 def ranges(page, results, lines, since):
+    if not lines:
+        return
     page.section("Range graphs")
     if moves(results):
-        page.text(f"Over the {np.count_nonzero(results.since(since))} outputs from t = {since:g} s on. Peaks between "
-                  "two outputs are in the table of extremes, not here.")
+        page.text(envelopes.told(results, [f for f in FIELDS if results.has(f)], since))
     for line in lines:
         for field in FIELDS:
             if not results.has(field):
                 continue
-            values = results.magnitude(field, line)
-            if np.any(np.abs(values) > 0):
+            found = envelopes.envelope(results, line, field, since)
+            at_start = results.magnitude(field, line, 0)
+            if np.any(np.abs(at_start) > 0) or found is not None and np.any(np.abs([found.least, found.most]) > 0):
                 page.figure(charts.range_graph(results, line, field, since),
                             f"{charts.words(field).capitalize()} along {line.name}.")
+
+
+def stresses(page, results, lines, since):
+    pipes = [line for line in lines if stress.is_pipe(results, line)]
+    if not pipes:
+        return
+    page.section("Stress of pipes")
+    page.text("Von Mises stress of the wall by wall tension, bending, torsion and pressures; the larger of the inner and the "
+              "outer fibre, at the outputs.")
+    for line in pipes:
+        page.figure(charts.stress_graph(results, line, stress.along(results, line), since), f"Stress along {line.name}.")
 
 
 def histories(page, results, lines, since):
@@ -85,7 +136,7 @@ def histories(page, results, lines, since):
             page.figure(charts.history(results.time, [("end A", values[:, 0]), ("end B", values[:, -1])],
                                        results.unit("effective_tension"), "effective tension", line.name),
                         f"Tension at the ends of {line.name}, every output.")
-    page.table(*tables.statistics_of(results, since))
+    table(page, *tables.statistics_of(results, since))
 
 
 def groups(series):
@@ -98,32 +149,59 @@ def groups(series):
     return list(out.values())
 
 
+def meetings(page, results):
+    clashes, clearances = tables.clashes(results), tables.clearances(results)
+    if not clashes[1] and not clearances[1]:
+        return
+    page.section("Clashes and clearances")
+    if "clashes" in results.file:
+        shown = clashes[1]
+        column = next((k for k, h in enumerate(clashes[0]) if h.startswith("peak force")), None)
+        if len(shown) > MOST_ROWS and column is not None:
+            shown = sorted(shown, key=lambda row: -row[column])[:MOST_ROWS]
+            page.text(f"The {MOST_ROWS} of {len(clashes[1])} clashes with the largest forces; hawser export writes all.")
+        if not shown:
+            page.text("Nothing has touched.")
+        table(page, *without_empty(clashes[0], shown))
+    if clearances[1]:
+        page.text("Smallest distances between surfaces over every step; below zero they overlap.")
+        page.table(*clearances)
+
+
+def without_empty(head, rows):
+    """Without the columns in which nothing stands."""
+    keep = [k for k in range(len(head)) if any(row[k] != "" and not (isinstance(row[k], float) and np.isnan(row[k]))
+                                               for row in rows)]
+    return [head[k] for k in keep], [[row[k] for k in keep] for row in rows]
+
+
 def energy(page, results):
     head, rows = tables.energy(results)
     if not rows:
         return
     page.section("Energy")
     page.text("What was brought in since the start, where it is and what is not accounted for ('error').")
-    page.table(head, rows)
+    table(page, head, rows)
     series = results.series("energy")
-    page.figure(charts.history(results.step_time, [(charts.words(c), series.column(c)) for c in series.columns], "J",
-                               "energy"), "The energy audit, every step.")
+    if results.steps > 1:
+        page.figure(charts.history(results.step_time, [(charts.words(c), series.column(c)) for c in series.columns], "J",
+                                   "energy"), "The energy audit, every step.")
 
 
 def modes(page, results):
     """A file of `hawser modes`: output k is mode k, drawn with 5 % of the longest line as its largest displacement."""
     page.section("Natural modes")
     series = results.series("modes")
+    page.text("Small vibrations about the static equilibrium.")
     page.table(["mode", "period [s]", "frequency [Hz]"],
                [[k + 1, float(series.column("period")[k]), float(series.column("frequency")[k])] for k in range(results.steps)])
-    page.section("Shapes")
     page.text("Dashed: the equilibrium. The largest displacement is drawn as 5 % of the longest line.")
     for k in range(1, min(results.outputs, MOST_MODES + 1)):
         x = np.concatenate([np.abs(results.field("mode_shape", line, k)) for line in results.lines])
         view = "plan" if x[:, :2].max() > x[:, 2].max() and x[:, 1].max() > x[:, 0].max() else "elevation"
-        figure = scene.picture(results, view, k, 3.2)
         period = series.column("period")[k - 1]
-        figure.axes[0].set_title(f"mode {k}, {period:.4g} s, " + ("from above" if view == "plan" else "from the side"))
+        name = f"mode {k}, {period:.4g} s, " + ("from above" if view == "plan" else "from the side")
+        figure = scene.picture(results, view, k, 3.2, name)
         page.figure(figure, f"Mode {k}: {period:.4g} s.", "png")
 
 
@@ -138,45 +216,48 @@ def run_of(results):
             f"{results.attribute('date')}, {ranks} rank{'' if ranks == '1' else 's'}.")
 
 
-def make(results, path, since):
+def told(page, results):
+    for m in results.messages():
+        page.text(m, "warning" if m.startswith("warning") else "note")
+
+
+def of_modes(results, path):
     page = Page(title_of(results))
+    page.text(run_of(results))
+    told(page, results)
+    modes(page, results)
+    page.section("Case file")
+    page.text(results.case, "pre")
+    page.write(path)
+
+
+def make(results, path, since, vibrations=None):
+    """`vibrations`: results of `hawser modes` of the same case, which get a section."""
     if results.modes:
-        page.text(run_of(results))
-        for m in results.messages():
-            page.text(m, "warning" if m.startswith("warning") else "note")
-        modes(page, results)
-        page.section("Case file")
-        page.text(results.case, "pre")
-        return page.write(path)
+        return of_modes(results, path)
+    page = Page(title_of(results))
     steps = max(results.steps - 1, 0)
     page.text(f"{run_of(results)} {count(len(results.lines), 'line')}, {count(results.outputs, 'output')}, "
               f"{count(steps, 'step')} to t = {results.time[-1]:g} s.")
     if results.time[-1] < results.duration * (1 - 1e-6):
         page.text(f"The run has reached t = {results.time[-1]:g} s of the {results.duration:g} s of its case.", "warning")
-    messages = results.messages()
-    if messages:
+    if results.messages():
         page.section("Notes and warnings")
-        for m in messages:
-            page.text(m, "warning" if m.startswith("warning") else "note")
+        told(page, results)
     pictures(page, results)
+    given(page, results)
     start(page, results)
-    page.section("Extremes")
-    head, rows = tables.extremes(results)
-    if rows:
-        page.text("Over every step and every node.")
-        page.table(head, rows)
-    else:
-        page.text("They are written at the end of a run, which this one has not reached.")
+    if vibrations:
+        modes(page, vibrations)
+    extremes(page, results, since)
     lines = by_tension(results)[:MOST_LINES]
     if len(lines) < len(results.lines):
         page.text(f"Figures below are of the {MOST_LINES} lines with the largest tensions of {len(results.lines)}.")
     ranges(page, results, lines, since)
+    stresses(page, results, lines, since)
     if moves(results) and results.steps > 0:
         histories(page, results, lines, since)
-    head, rows = tables.clashes(results)
-    if rows:
-        page.section("Clashes")
-        page.table(head, rows)
+    meetings(page, results)
     energy(page, results)
     page.section("Case file")
     page.text(results.case, "pre")

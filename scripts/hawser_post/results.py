@@ -107,10 +107,24 @@ class Results:
             return data[: self.outputs, line.nodes]
         return data[range(self.outputs)[output], line.nodes]
 
-    def magnitude(self, name, line):
-        """As `field`, of vectors their size: outputs x nodes."""
-        values = self.field(name, line)
-        return np.linalg.norm(values, axis=2) if values.ndim == 3 else values
+    def magnitude(self, name, line, output=None):
+        """As `field`, of vectors their size: outputs x nodes, or nodes of one output."""
+        values = self.field(name, line, output)
+        vectors = values.ndim == (3 if output is None else 2)
+        return np.linalg.norm(values, axis=-1) if vectors else values
+
+    def statistics(self, name, line):
+        """Of a field over every accepted step, at the nodes of a line: nodes (x 3) x 6, the last axis minimum, its time,
+        maximum, its time, mean, standard deviation. None where the file has them not."""
+        data = self.file.get(f"statistics/{name}")
+        return None if data is None else data[line.nodes]
+
+    @property
+    def statistics_from(self):
+        """s, from when on `statistics` count."""
+        given = (self.keys.get("output") or {}).get("statistics_from") if isinstance(self.keys.get("output"), dict) else None
+        found = re.fullmatch(r"\s*([-+.\deE]+)\s*(s|min|h)?\s*", str(given or 0))
+        return float(found.group(1)) * {"min": 60.0, "h": 3600.0}.get(found.group(2), 1.0) if found else 0.0
 
     @property
     def series_names(self):
@@ -208,16 +222,6 @@ class Results:
         return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
                          [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
                          [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
-
-    def sea(self):
-        """Height of the still water and of a flat seabed [m], each None where there is none: as the case has it."""
-        environment = self.keys.get("environment") or {}
-        water, bed = environment.get("water"), environment.get("seabed")
-        level = None if water is None else metres((water or {}).get("surface"), 0.0)
-        if bed is None or any(key in bed for key in ("slope_deg", "grid", "mesh")):
-            return level, None
-        depth = metres(bed.get("depth", (water or {}).get("depth")), None)  # below z = 0, as the solver takes both
-        return level, None if depth is None else -depth
 
 
 def metres(value, otherwise):

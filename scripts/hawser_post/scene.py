@@ -5,11 +5,13 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-from .charts import COLOURS
+from .charts import COLOURS, legend
+from .sea import Sea
 
 VIEWS = ("plan", "elevation", "space")
 SEA, BED, HULL, FACE = "#4d8fbf", "#9c7a4d", "#7a858f", "#e4e8ec"
 MOST_EDGES, MOST_FACES = 6000, 30000
+MOST_WAVES = 60  # places along a side of the surface of the sea in a picture in space
 TICKS = 8  # along the longest axis of a picture in space
 
 
@@ -49,7 +51,7 @@ def across(results):
     return along * (np.sign(along[np.argmax(np.abs(along))]) or 1)
 
 
-def picture(results, view, output=-1, high=4.2):
+def picture(results, view, output=-1, high=4.2, name=None):
     if view == "space":
         return in_space(results, output)
     figure, axes = plt.subplots(figsize=(7.2, high), layout="constrained")
@@ -71,22 +73,41 @@ def picture(results, view, output=-1, high=4.2):
             axes.plot(*flat(results.field("position", line, output_shown)), color=colour(results, line),
                       lw=1.4 if last else 0.8, ls="-" if last else "--", zorder=3,
                       label=line.name if last and len(results.lines) <= 12 else None)
-    for b, name in enumerate(results.bodies):
+    for b, body in enumerate(results.bodies):
         x = results.file["bodies/position"][range(results.outputs)[output], b]
         axes.plot(*flat(x), "k+", ms=8, zorder=4)
-        axes.annotate(name, flat(x), xytext=(4, 4), textcoords="offset points", fontsize=8)
+        # Of two that are close the names go to different sides.
+        axes.annotate(body, flat(x), xytext=(4, 4 if b % 2 == 0 else -9), textcoords="offset points", fontsize=8)
     if view == "elevation":
-        surface, bed = results.sea()
-        if surface is not None:
-            axes.axhline(surface, color=SEA, lw=1.2)
-        if bed is not None:
-            axes.axhline(bed, color=BED, lw=1.6)
+        water_and_bed(axes, results, along, output)
     axes.set_aspect("equal", adjustable="datalim")
     names = ("x [m]", "y [m]") if view == "plan" else (axis_name(along), "z [m]")
-    axes.set(xlabel=names[0], ylabel=names[1], title=title(results, view, shown))
+    axes.set(xlabel=names[0], ylabel=names[1], title=name or title(results, view, shown))
     if 0 < len(results.lines) <= 12:
-        axes.legend(fontsize=8, ncols=min(4, len(results.lines)))
+        legend(axes, 4)
     return figure
+
+
+def water_and_bed(axes, results, along, output):
+    """Surface and seabed in a view from the side, in the plane through the middle of the lines."""
+    sea = Sea(results)
+    time = 0.0 if results.modes else results.time[output]
+    x = [results.field("position", line, output)[:, :2] for line in results.lines]
+    middle = np.concatenate(x).mean(axis=0) if x else np.zeros(2)
+    middle -= (middle @ along) * along
+    low, high = axes.get_xlim()
+    s = np.linspace(low, high, 400)
+    place = middle[:, None] + along[:, None] * s
+    if sea.level is not None:
+        if sea.still or results.modes:
+            axes.axhline(sea.level, color=SEA, lw=1.2)
+        else:
+            axes.plot(s, sea.surface(*place, time), color=SEA, lw=1.2)
+    if sea.bed:
+        if sea.grid is None and not any(sea.plane[1:]):
+            axes.axhline(-sea.plane[0], color=BED, lw=1.6)
+        else:
+            axes.plot(s, sea.seabed(*place), color=BED, lw=1.6)
 
 
 def axis_name(along):
@@ -103,6 +124,24 @@ def title(results, view, shown):
         if len(shown) > 1:
             at += f" (dashed: t = {results.time[0]:g} s)"
     return {"plan": "from above", "elevation": "from the side", "space": "in space"}[view] + ", " + at
+
+
+def draw_sea(axes, sea, low, high, time):
+    """Surface and seabed over what is shown, which grows upwards and downwards to hold them."""
+    x, y = np.meshgrid(*(np.linspace(low[k], high[k], MOST_WAVES) for k in (0, 1)))
+    surfaces = []
+    if sea.bed:
+        surfaces.append((sea.seabed(x, y), BED, 0.25))
+    if sea.level is not None:
+        surfaces.append((sea.surface(x, y, time), SEA, 0.15 if sea.still else 0.3))
+    for z, paint, alpha in surfaces:
+        if np.isnan(z).all():
+            continue
+        # Of a plane one face is enough.
+        step = MOST_WAVES - 1 if np.nanmax(np.abs(z - z[0, 0])) < 1e-9 else 1
+        axes.plot_surface(x[::step, ::step], y[::step, ::step], z[::step, ::step], color=paint, alpha=alpha, zorder=1,
+                          rcount=MOST_WAVES, ccount=MOST_WAVES, shade=False, lw=0)
+        low[2], high[2] = min(low[2], np.nanmin(z)), max(high[2], np.nanmax(z))
 
 
 def in_space(results, output):
@@ -125,19 +164,13 @@ def in_space(results, output):
         low, high = np.minimum(low, np.maximum(x.min(axis=0), low - reach)), np.maximum(high, np.minimum(x.max(axis=0), high + reach))
     if not np.all(np.isfinite(low)):
         low, high = np.full(3, -1.0), np.full(3, 1.0)
-    surface, bed = results.sea()
-    for z, paint, alpha in ((bed, BED, 0.25), (surface, SEA, 0.15)):
-        if z is None:
-            continue
-        corner = np.array([[low[0], high[0]], [low[0], high[0]]]), np.array([[low[1]] * 2, [high[1]] * 2])
-        axes.plot_surface(*corner, np.full((2, 2), z), color=paint, alpha=alpha, zorder=1)
-        low[2], high[2] = min(low[2], z), max(high[2], z)
+    draw_sea(axes, Sea(results), low, high, 0.0 if results.modes else results.time[output])
     size = np.maximum(high - low, 0.15 * (high - low).max())
     middle = (low + high) / 2
     for axis, set_limits, m, s in zip((axes.xaxis, axes.yaxis, axes.zaxis), (axes.set_xlim, axes.set_ylim, axes.set_zlim),
                                       middle, size):
         set_limits(m - s / 2, m + s / 2)
         axis.set_major_locator(MaxNLocator(max(1, round(TICKS * s / size.max()))))
-    axes.set_box_aspect(size, zoom=1.2 if size[2] < size[:2].max() else 0.9)
+    axes.set_box_aspect(size, zoom=1.15 if size[2] < size[:2].max() else 0.8)
     axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]", title=title(results, "space", [range(results.outputs)[output]]))
     return figure

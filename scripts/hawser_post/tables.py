@@ -1,9 +1,34 @@
-"""Tables of a report and of the CSV files: what lines are like at rest, extremes, statistics, clashes, energy."""
+"""Tables of a report and of the CSV files: what lines are like at rest, extremes, statistics, clashes, energy. In SI
+units; `for_reading` brings them to those of a page."""
+import re
+
 import numpy as np
 
+from .charts import shown
+from .envelopes import envelope
 from .statistics import statistics
 
 VERTICAL = np.array([0.0, 0.0, 1.0])
+
+
+def for_reading(head, rows):
+    """A table with forces in kN, moments in kN m and so on. The unit of a column stands in its head, as [N]; that of a row
+    in the column `unit`, for the columns before and behind it that have no unit of their own."""
+    factors, names = [], []
+    for title in head:
+        unit = re.search(r"\[(.+)\]$", title)
+        name, factor = shown(unit.group(1)) if unit else ("", None)
+        factors.append(factor)
+        names.append(title[: unit.start()] + f"[{name}]" if unit else title)
+    column = head.index("unit") if "unit" in head else None
+    out = []
+    for row in rows:
+        name, own = shown(row[column]) if column is not None else ("", 1.0)
+        numbers = [v / (own if f is None else f) if isinstance(v, (float, np.floating)) else v for v, f in zip(row, factors)]
+        if column is not None:
+            numbers[column] = "" if name == "1" else name
+        out.append(numbers)
+    return names, out
 
 
 def at_ends(results, output=0):
@@ -51,8 +76,102 @@ def extremes(results):
     return head, [list(row) for row in results.summary()]
 
 
+def of_fields(results, fields, since=0.0):
+    """The least and the largest value of each field along each line, with time and place."""
+    head = ["line", "quantity", "unit", "minimum", "at [s]", "at [m]", "maximum", "at [s]", "at [m]"]
+    rows = []
+    for line in results.lines:
+        for field in fields:
+            found = envelope(results, line, field, since) if results.has(field) else None
+            if found is None or not np.any(np.abs([found.least, found.most]) > 0):
+                continue
+            low, high = int(np.argmin(found.least)), int(np.argmax(found.most))
+            rows.append([line.name, field.replace("_", " "), results.unit(field), found.least[low], found.least_time[low],
+                         line.arc[low], found.most[high], found.most_time[high], line.arc[high]])
+    return head, rows
+
+
+def utilisation(results, since=0.0):
+    """The largest share of the breaking load of each line that has one."""
+    head, rows = of_fields(results, ["utilisation"], since)
+    return [head[0], "utilisation", *head[7:]], [[row[0], *row[6:]] for row in rows]
+
+
+def clearances(results):
+    """The smallest of each clearance of `output.clearances`, over every step."""
+    head, rows = ["clearance", "smallest [m]", "at [s]", "on the line at [m]"], []
+    for name in results.histories:
+        series = results.series(name)
+        if series.columns[:1] != ["clearance"]:
+            continue
+        x = series.column("clearance")
+        if np.all(np.isnan(x)):
+            rows.append([series.name, "never near", "", ""])
+            continue
+        k = int(np.nanargmin(x))
+        rows.append([series.name, float(x[k]), float(results.step_time[k]), float(series.column("arc_length")[k])])
+    return head, rows
+
+
+def line_types(results):
+    """The line types as the case file has them: a row for each key."""
+    types = results.keys.get("line_types")
+    types = {k: v for k, v in types.items() if isinstance(v, dict)} if isinstance(types, dict) else {}
+    keys = list(dict.fromkeys(key for values in types.values() for key in values))
+    def text(value):
+        return "" if value is None else "table" if isinstance(value, (dict, list)) else str(value)
+    return ["key", *map(str, types)], [[str(key), *(text(values.get(key)) for values in types.values())] for key in keys]
+
+
+def sections(results):
+    """The lines as the case file has them: sections and ends."""
+    head, rows = ["line", "section", "length", "type", "end A", "end B"], []
+    lines = results.keys.get("lines")
+    for name, line in (lines.items() if isinstance(lines, dict) else ()):
+        if not isinstance(line, dict):
+            continue
+        ends = [end_words(line.get(key)) for key in ("end_a", "end_b")]
+        for k, section in enumerate(line.get("sections") or [], 1):
+            if isinstance(section, dict):
+                rows.append([str(name) if k == 1 else "", str(k), length_words(section.get("length", "")),
+                             str(section.get("type", "")), *(ends if k == 1 else ["", ""])])
+    return head, rows
+
+
+def length_words(value):
+    return f"{value} m" if isinstance(value, (int, float)) else str(value)
+
+
+def end_words(end):
+    """An end of a line in a few words."""
+    if not isinstance(end, dict):
+        return str(end or "")
+    clamped = ", clamped" if end.get("clamped") else ""
+    for key, before in (("anchor", "anchored at "), ("body", "on "), ("joint", "joint ")):
+        if key in end:
+            at = f" at {end['at']}" if "at" in end else ""
+            return f"{before}{end[key]}{at}{clamped}"
+    return ", ".join(map(str, end))
+
+
+def environment(results):
+    """The environment as the case file has it: a row for each key, with its path."""
+    rows = []
+
+    def walk(value, path):
+        if isinstance(value, dict) and value:
+            for key, inner in value.items():
+                walk(inner, [*path, str(key)])
+        else:
+            text = "yes" if value is None or value == {} else str(value)
+            rows.append([".".join(path), text if len(text) <= 80 else text[:77] + "..."])
+
+    walk(results.keys.get("environment") or {}, [])
+    return ["environment", "value"], [row for row in rows if row[0]]
+
+
 def statistics_of(results, since=0.0):
-    """A row for each column of each history, over the steps from `since` on."""
+    """A row for each column of each history that is not zero throughout, over the steps from `since` on."""
     head = ["history", "quantity", "unit", "minimum", "at [s]", "maximum", "at [s]", "mean", "standard deviation",
             "mean period [s]"]
     rows = []
@@ -64,7 +183,7 @@ def statistics_of(results, since=0.0):
         series = results.series(name)
         for column in series.columns:
             x = series.column(column)[keep]
-            if not np.all(np.isfinite(x)):
+            if not np.all(np.isfinite(x)) or not np.any(x):
                 continue
             s = statistics(time[keep], x)
             rows.append([series.name, column.replace("_", " "), series.unit(column), s.least, s.least_time, s.most,
@@ -82,4 +201,4 @@ def energy(results):
     if "energy" not in results.series_names or results.steps == 0:
         return [], []
     series = results.series("energy")
-    return ["energy", "J"], [[n.replace("_", " "), float(series.values[-1, i])] for i, n in enumerate(series.columns)]
+    return ["energy", "at the end [J]"], [[n.replace("_", " "), float(series.values[-1, i])] for i, n in enumerate(series.columns)]

@@ -143,6 +143,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     contents.statistics = statistics_->fields();
   }
   contents.volumes = std::move(volumes);
+  contents.waves = result_waves(c);
   contents.xdmf = c.output.xdmf;
   const Mesh& mesh = sim_.mesh();
   contents.lines = result_lines(c, mesh);

@@ -7,6 +7,7 @@
 
 #include "hawser/app/version.hpp"
 #include "hawser/model/notes.hpp"
+#include "hawser/model/wave_components.hpp"
 
 namespace hawser::app {
 
@@ -26,6 +27,15 @@ std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh)
       line.arc.push_back(mesh.nodes[static_cast<size_t>(line.first_node + n)].arc);
     out.push_back(std::move(line));
   }
+  return out;
+}
+
+io::ResultWaves result_waves(const model::Case& c) {
+  io::ResultWaves out;
+  const WaveField waves = model::wave_field(c.environment);
+  for (const WaveComponent& w : waves.components())
+    out.components.push_back({w.amplitude, w.omega, w.number, w.x, w.y, w.phase});
+  out.level = c.environment.water.surface, out.ramp = c.environment.water.waves.ramp;
   return out;
 }
 

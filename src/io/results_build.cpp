@@ -41,6 +41,19 @@ void write_triangles(hid_t file, const std::string& name, std::span<const std::a
   write_all(file, name, H5T_STD_I32LE, {t.size(), 3}, t.data(), H5T_NATIVE_INT);
 }
 
+void write_waves(hid_t file, const ResultWaves& w) {
+  if (w.components.empty()) return;
+  h5::group(file, "waves");
+  write_all(file, "waves/components", H5T_IEEE_F64LE, {w.components.size(), 6}, w.components[0].data(),
+            H5T_NATIVE_DOUBLE);
+  const h5::Id set = h5::own(H5Dopen2(file, "waves/components", H5P_DEFAULT), H5Dclose, "waves/components");
+  h5::texts_attribute(set, "columns",
+                      {"amplitude", "omega", "number", "direction_x", "direction_y", "phase"});
+  h5::texts_attribute(set, "units", {"m", "rad/s", "1/m", "", "", "rad"});
+  write_all(file, "waves/level", H5T_IEEE_F64LE, {1}, &w.level, H5T_NATIVE_DOUBLE);
+  write_all(file, "waves/ramp", H5T_IEEE_F64LE, {1}, &w.ramp, H5T_NATIVE_DOUBLE);
+}
+
 void write_description(hid_t file, const ResultContents& c) {
   const h5::Id root = h5::own(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "HDF5 root");
   h5::text_attribute(root, "hawser_results", "1");
@@ -76,6 +89,7 @@ void write_description(hid_t file, const ResultContents& c) {
   write_ints(file, "lines/cells", mixed);
   write_all(file, "nodes/arc_length", H5T_IEEE_F64LE, {arc.size()}, arc.data(), H5T_NATIVE_DOUBLE);
 
+  write_waves(file, c.waves);
   h5::group(file, "bodies");
   h5::write_texts(file, "bodies/name", c.bodies);
   h5::group(file, "volumes");

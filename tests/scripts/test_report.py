@@ -19,6 +19,7 @@ import numpy as np  # noqa: E402
 from hawser_post import __main__ as post  # noqa: E402
 from hawser_post.fatigue import CURVES, damage, rainflow, wall_stress  # noqa: E402
 from hawser_post.results import Results, metres  # noqa: E402
+from hawser_post.sea import Sea  # noqa: E402
 from hawser_post.statistics import spectrum, statistics  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
@@ -123,6 +124,35 @@ class Report(unittest.TestCase):
         # What is newer than the case is not run again.
         again = self.hawser("report", "riser.yaml", "-o", "again.html", "--since", "8")
         self.assertEqual((again.returncode, again.stdout), (0, "report: again.html\n"), again.stderr)
+
+    def test_modes_in_the_report(self):
+        told = self.hawser("report", "riser.yaml", "--modes", "-o", "modes.html")
+        self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+        page = Balanced()
+        page.feed((self.folder / "modes.html").read_text(encoding="utf-8"))
+        words = " ".join(page.words)
+        self.assertIn("Natural modes", words)
+        periods = Results(self.folder / "riser-modes.h5").series("modes").column("period")
+        self.assertIn(f"Mode 1: {periods[0]:.4g} s.", words)
+        self.assertEqual(self.python("report", "riser.h5", "--modes").returncode, 2)
+
+    def test_sea_of_the_results(self):
+        write(self.folder, "sea.yaml", CASE.replace("water: {depth: 60 m}", "water: {depth: 60 m, surface: 0.5}\n  waves: {WAVES}")
+              .replace("duration: 24", "duration: 1"))
+        text = (self.folder / "sea.yaml").read_text()
+        for waves in ("regular: {height: 3, period: 8, direction_deg: 90}, ramp: 4", "jonswap: {hs: 2.5, tp: 8, components: 40}"):
+            write(self.folder, "sea.yaml", text.replace("WAVES", waves))
+            told = self.hawser("run", "-q", "sea.yaml")
+            self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+            sea = Sea(Results(self.folder / "sea.h5"))
+            amplitude, omega, number = sea.components.T[:3]
+            np.testing.assert_allclose(omega**2, 9.80665 * number * np.tanh(number * 60.5), rtol=2e-2)
+            if waves.startswith("regular"):
+                self.assertAlmostEqual(float(sea.surface(5.0, 20.0, 6.0)),
+                                       0.5 + 1.5 * np.cos(number[0] * 20 - 2 * np.pi / 8 * 6), places=6)
+                self.assertEqual(sea.ramp, 4)
+            else:
+                self.assertAlmostEqual(4 * np.sqrt((amplitude**2).sum() / 2) / 2.5, 1, delta=0.02)
 
     def test_figures(self):
         for what in ("range", "history", "spectrum", "phase", "plan", "elevation", "space"):

@@ -17,6 +17,8 @@ namespace hawser::app {
 
 io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks);
 std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh);
+// The waves of a case; a Stokes' wave as the linear one of its height.
+io::ResultWaves result_waves(const model::Case& c);
 // Of all bodies, the same on all ranks: of floating ones the rank that owns them tells the others.
 // Collective.
 std::vector<io::BodyPose> body_poses(Simulation& sim, const Kinematics& at);

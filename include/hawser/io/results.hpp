@@ -59,6 +59,14 @@ struct VolumeMesh {
   std::shared_ptr<const void> keep;  // what vertices and triangles lie in, if it must be kept
 };
 
+// The sea as the run has it, for pictures: rows of amplitude m, omega rad/s, number 1/m, x, y of the
+// direction, phase rad; the surface is at `level` + sum a cos(number (x, y)·position - omega t + phase),
+// times its ramp.
+struct ResultWaves {
+  std::vector<std::array<double, 6>> components;  // empty: still water, or none
+  double level = 0, ramp = 0;                     // m; s
+};
+
 // What the file is to hold; the same on all ranks.
 struct ResultContents {
   RunInfo run;
@@ -70,6 +78,7 @@ struct ResultContents {
   std::vector<ResultSeries> series;
   std::vector<std::string> bodies;
   std::vector<VolumeMesh> volumes;
+  ResultWaves waves;
   bool clashes = false;  // there is a clash report; its volumes are `volumes`
   bool xdmf = true;
   int expected_outputs = 100;    // room made at once; it doubles when it runs out

@@ -1,0 +1,56 @@
+"""What a field along a line has been between the least and the largest: over every step of the run where the results have
+that (`statistics`), else over the outputs."""
+from dataclasses import dataclass
+
+import numpy as np
+
+from .statistics import mean_of
+
+
+@dataclass
+class Envelope:
+    least: np.ndarray  # at each node
+    least_time: np.ndarray  # s
+    most: np.ndarray
+    most_time: np.ndarray
+    mean: np.ndarray
+    every_step: bool
+
+
+def only_one(values):
+    """Of one output."""
+    return Envelope(values, 0 * values, values, 0 * values, values, False)
+
+
+def of_every_step(results, field, since):
+    """Whether the envelope of a field from `since` on can be taken over every step: the file has it from just then on."""
+    data = results.file.get(f"statistics/{field}")
+    # Of a vector there are the components, and the size has no envelope in them.
+    return data is not None and data.ndim == 2 and since in (0.0, results.statistics_from)
+
+
+def envelope(results, line, field, since=0.0):
+    """None where there is no more than one output."""
+    if of_every_step(results, field, since):
+        least, least_time, most, most_time, mean, _ = results.statistics(field, line).T
+        return Envelope(least, least_time, most, most_time, mean, True)
+    if results.outputs < 2:
+        return None
+    keep = results.since(since)
+    values, time = results.magnitude(field, line)[keep], results.time[keep]
+    return Envelope(values.min(axis=0), time[values.argmin(axis=0)], values.max(axis=0), time[values.argmax(axis=0)],
+                    mean_of(time, values), False)
+
+
+def told(results, fields, since):
+    """What the envelopes of these fields are over, in a sentence."""
+    every = [of_every_step(results, field, since) for field in fields]
+    outputs = f"the {np.count_nonzero(results.since(since))} outputs from t = {since:g} s on"
+    if all(every):
+        begin = f" from t = {results.statistics_from:g} s on" if results.statistics_from > 0 else ""
+        return f"Over every step{begin}."
+    why = ("the results have no statistics of every step" if "statistics" not in results.file
+           else f"the statistics of every step begin at another time, t = {results.statistics_from:g} s")
+    if any(every):
+        why = "there are no statistics of every step of some fields"
+    return f"Over {outputs}, so a peak may lie between two of them ({why})."

@@ -1,0 +1,90 @@
+"""The surface of the sea and the seabed of a run, as heights over x and y: for pictures."""
+from pathlib import Path
+
+import numpy as np
+from scipy.interpolate import RegularGridInterpolator
+
+from .results import metres
+
+
+def dictionary(value):
+    return value if isinstance(value, dict) else {}
+
+
+def number(value, otherwise):
+    try:
+        return float(str(value).split()[0])
+    except (ValueError, IndexError):
+        return otherwise
+
+
+def ramp_at(t, ramp):
+    """Of a smooth start, quintic, as the solver's."""
+    z = np.clip(t / ramp, 0, 1) if ramp > 0 else 1.0
+    return z**3 * (10 + z * (6 * z - 15))
+
+
+class Sea:
+    """`level` [m] of the still water, None without water; `bed` whether the seabed is known."""
+
+    def __init__(self, results):
+        environment = dictionary(results.keys.get("environment"))
+        water = dictionary(environment.get("water"))
+        self.level = metres(water.get("surface"), 0.0) if "water" in environment else None
+        self.components, self.ramp = None, 0.0
+        if "waves/components" in results.file:
+            self.components = results.file["waves/components"][:]
+            self.level, self.ramp = float(results.file["waves/level"][0]), float(results.file["waves/ramp"][0])
+        self.plane = self.grid = None
+        if "seabed" in environment:
+            bed = dictionary(environment["seabed"])
+            if "grid" in bed:
+                self.grid = grid_of(results, dictionary(bed["grid"]))
+            elif "mesh" not in bed:
+                depth = metres(bed.get("depth", water.get("depth")), None)  # below z = 0, as the solver takes both
+                slope, way = (np.radians(number(bed.get(k), 0.0)) for k in ("slope_deg", "slope_direction_deg"))
+                self.plane = None if depth is None else (depth, np.tan(slope) * np.cos(way), np.tan(slope) * np.sin(way))
+
+    @property
+    def bed(self):
+        return self.plane is not None or self.grid is not None
+
+    @property
+    def still(self):
+        return self.components is None
+
+    def surface(self, x, y, t):
+        """z [m] of the water at places at a time [s]."""
+        x, y = np.broadcast_arrays(np.asarray(x, float), y)
+        z = np.full(x.shape, self.level)
+        if self.components is None:
+            return z
+        raised = np.zeros(x.shape)
+        for amplitude, omega, k, dx, dy, phase in self.components:
+            raised += amplitude * np.cos(k * (dx * x + dy * y) - omega * t + phase)
+        return z + ramp_at(t, self.ramp) * raised
+
+    def seabed(self, x, y):
+        """z [m]; NaN outside a measured grid."""
+        x, y = np.broadcast_arrays(np.asarray(x, float), y)
+        if self.grid is not None:
+            return self.grid(np.stack([x, y], axis=-1))
+        depth, down_x, down_y = self.plane
+        return -depth - down_x * x - down_y * y
+
+
+def grid_of(results, keys):
+    """Between the heights of the grid's file, beside the case file; None where it is not found or not a grid."""
+    path = Path(str(keys.get("file", "")))
+    for folder in (Path(results.attribute("case_path")).parent, results.path.parent):
+        try:
+            rows = np.loadtxt(folder / path)[:, :3]
+        except (OSError, ValueError, IndexError):
+            continue
+        xs, ys = np.unique(rows[:, 0]), np.unique(rows[:, 1])
+        if len(xs) < 2 or len(ys) < 2 or len(xs) * len(ys) != len(rows):
+            return None
+        z = np.empty((len(xs), len(ys)))
+        z[np.searchsorted(xs, rows[:, 0]), np.searchsorted(ys, rows[:, 1])] = rows[:, 2] * (-1 if keys.get("depths") else 1)
+        return RegularGridInterpolator((xs, ys), z, bounds_error=False)
+    return None

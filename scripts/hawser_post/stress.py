@@ -1,0 +1,116 @@
+"""Von Mises stress of pipes: by wall tension, bending, torsion and the pressures inside and outside, after Lamé."""
+import re
+from dataclasses import dataclass
+
+import numpy as np
+
+from .results import Refusal, metres
+
+GRAVITY, SEAWATER = 9.80665, 1025.0  # m/s², kg/m³: what a case has that does not say
+
+
+@dataclass
+class Wall:
+    """A pipe's section: numbers, or arrays of one a node, NaN where the line is no pipe."""
+    outer: np.ndarray  # m, diameter
+    inner: np.ndarray
+
+    @property
+    def area(self):
+        return np.pi / 4 * (self.outer**2 - self.inner**2)
+
+    @property
+    def inertia(self):  # of area, m^4
+        return np.pi / 64 * (self.outer**4 - self.inner**4)
+
+
+def von_mises(wall, wall_tension, moment, torsion, outside, inside):
+    """Pa, the largest of the inner and the outer fibre on both sides of the plane of bending. Forces in N, moments in N m,
+    pressures in Pa. Hoop and radial stress are Lamé's (Timoshenko and Goodier 1970, Theory of Elasticity, article 28);
+    the shear force, which acts where bending does not, is left out."""
+    outer, inner = wall.outer / 2, wall.inner / 2
+    ring = outer**2 - inner**2
+    largest = 0.0
+    for r in (inner, outer):
+        uniform = (inside * inner**2 - outside * outer**2) / ring
+        ringed = (inside - outside) * inner**2 * outer**2 / (r**2 * ring)
+        hoop, radial, shear = uniform + ringed, uniform - ringed, torsion * r / (2 * wall.inertia)
+        for side in (1, -1):
+            axial = wall_tension / wall.area + side * moment * r / wall.inertia
+            squares = (axial - hoop) ** 2 + (hoop - radial) ** 2 + (radial - axial) ** 2
+            largest = np.maximum(largest, np.sqrt(squares / 2 + 3 * shear**2))
+    return largest
+
+
+def of_type(values):
+    """Of a line type of the case, m: outer diameter, inner diameter of its wall, bore of its contents; NaN: not given."""
+    if not isinstance(values, dict):
+        return np.nan, np.nan, np.nan
+    pipe, contents = (v if isinstance(v, dict) else {} for v in (values.get("pipe"), values.get("contents")))
+    outer = metres(pipe.get("outer_diameter", values.get("outer_diameter")), np.nan)
+    wall = metres(pipe.get("wall_thickness", pipe.get("wall")), np.nan)
+    inner = metres(contents.get("inner_diameter", pipe.get("inner_diameter")), outer - 2 * wall)
+    bore = inner if contents else np.nan
+    return (outer, inner, bore) if 0 <= inner < outer else (outer, np.nan, bore)
+
+
+def types_along(results, line):
+    """What `of_type` gives at the nodes of a line on the side of end A and on that of end B: 2 x 3 x nodes."""
+    types, lines = (v if isinstance(v, dict) else {} for v in (results.keys.get("line_types"), results.keys.get("lines")))
+    sections = [s for s in ((lines.get(line.name) or {}).get("sections") or []) if isinstance(s, dict)]
+    ends = np.cumsum([metres(s.get("length"), np.nan) for s in sections])
+    if len(ends) == 0 or np.isnan(ends).any():
+        return np.full((2, 3, len(line.arc)), np.nan)
+    sizes = np.array([of_type(types.get(s.get("type"))) for s in sections])
+    close = 1e-9 * max(ends[-1], 1.0)
+    return np.array([sizes[np.clip(np.searchsorted(ends, line.arc + shift), 0, len(ends) - 1)].T for shift in (-close, close)])
+
+
+def is_pipe(results, line):
+    """Whether the case says that a part of the line is a pipe with a wall."""
+    types, lines = (v if isinstance(v, dict) else {} for v in (results.keys.get("line_types"), results.keys.get("lines")))
+    sections = [s for s in ((lines.get(line.name) or {}).get("sections") or []) if isinstance(s, dict)]
+    found = [types.get(s.get("type")) for s in sections]
+    return results.has("bending_moment") and any(isinstance(t, dict) and "pipe" in t for t in found)
+
+
+def number(value, otherwise):
+    found = re.match(r"\s*[-+.\deE]+", str(value))
+    try:
+        return float(found.group()) if found else otherwise
+    except ValueError:
+        return otherwise
+
+
+def outside_pressure(results, line):
+    """Pa, outputs x nodes, of the still water."""
+    environment = results.keys.get("environment")
+    environment = environment if isinstance(environment, dict) else {}
+    position = results.field("position", line)
+    if "water" not in environment:
+        return np.zeros(position.shape[:2])
+    water = environment["water"] if isinstance(environment["water"], dict) else {}
+    density, level = number(water.get("density"), SEAWATER), metres(water.get("surface"), 0.0)
+    return density * number(environment.get("gravity"), GRAVITY) * np.maximum(level - position[:, :, 2], 0)
+
+
+def along(results, line, outer=None, thickness=None):
+    """Pa, outputs x nodes; NaN where the line is no pipe. The wall is as given [m], else as the case has it. The pressure
+    inside is that of the results: wall tension = effective tension + p_i A_i - p_e A_e (docs/theory/water.md)."""
+    if not results.has("bending_moment"):
+        raise Refusal(f"{results.path}: there is no bending moment, as all lines are cables")
+    if (outer is None) != (thickness is None) or outer is not None and not (outer > 0 and 0 < thickness <= outer / 2):
+        raise Refusal("the stress of a pipe needs --outer-diameter and --wall, above 0, the wall at most half of the diameter")
+    effective = results.field("effective_tension", line)
+    tension = results.field("wall_tension", line) if results.has("wall_tension") else effective
+    outside = outside_pressure(results, line)
+    moment, torsion = (results.field(f"{name}_moment", line) for name in ("bending", "torsion"))
+    largest = np.full(tension.shape, np.nan)
+    for own_outer, own_inner, bore in types_along(results, line):
+        wall = Wall(own_outer, own_inner) if outer is None else Wall(outer, outer - 2 * thickness)
+        inside = (tension - effective + outside * np.pi / 4 * own_outer**2) / (np.pi / 4 * bore**2)
+        inside = np.where(np.isnan(bore), 0.0, inside)  # no contents
+        largest = np.fmax(largest, von_mises(wall, tension, moment, torsion, outside, inside))
+    if np.isnan(largest).all():
+        raise Refusal(f"{results.path}: the case gives no wall of line '{line.name}': give --outer-diameter and --wall")
+    return largest

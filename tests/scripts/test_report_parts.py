@@ -1,0 +1,208 @@
+"""Parts of a report on results files that were not computed: units, statistics of every step, stress of pipes, clearances,
+sea and seabed."""
+import contextlib
+import io
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from support import ROOT, write
+from synthetic import results_file
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from hawser_post import __main__ as post  # noqa: E402
+from hawser_post import charts, envelopes, export, stress, tables  # noqa: E402
+from hawser_post.results import Refusal, Results  # noqa: E402
+from hawser_post.sea import Sea  # noqa: E402
+
+CASE = """\
+hawser: 1
+title: Synthetic
+environment: {water: {depth: 50, density: 1000}, seabed: {depth: 50}, gravity: 10}
+line_types:
+  wall: {pipe: {outer_diameter: 300 mm, wall_thickness: 0.02}, contents: {density: 800, pressure: 10 MPa}}
+  bar: {outer_diameter: 0.1, mass_per_length: 10, EA: 1e8, EI: 1, GJ: 1}
+lines:
+  riser: {sections: [{type: wall, length: 60}, {type: bar, length: 40}], end_a: {anchor: [0, 0, -10]}, end_b: free}
+output: {statistics_from: 4 s}
+"""
+TIME, ARC = np.arange(0, 20, 0.5), np.linspace(0, 100, 51)
+
+
+class Parts(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def file(self, statistics=True, name="run.h5", **more):
+        n, o = len(ARC), len(TIME)
+        x = np.zeros((o, n, 3))
+        x[:, :, 0], x[:, :, 2] = ARC, -10 - ARC / 5
+        self.tension = 1e5 * (2 + np.sin(TIME)[:, None] * np.sin(ARC / 20))
+        self.moment = 2e4 * np.abs(np.sin(TIME / 2)[:, None] * np.cos(ARC / 10))
+        outside, inside = 1e4 * -x[:, :, 2], 10e6 + 8e3 * -x[:, :, 2]
+        wall = self.tension + inside * np.pi / 4 * 0.26**2 - outside * np.pi / 4 * 0.3**2
+        fields = {"position": ("m", x), "effective_tension": ("N", self.tension), "wall_tension": ("N", wall),
+                  "bending_moment": ("N m", self.moment), "torsion_moment": ("N m", 0 * self.moment)}
+        every = {}
+        if statistics:
+            for k, field in enumerate(f for f in fields if f != "position"):
+                v = fields[field][1]
+                every[field] = (fields[field][0], np.stack([v.min(axis=0) - 3e3, 0 * ARC + 7.25, v.max(axis=0) + 5e3,
+                                                            0 * ARC + 8.5 + k, v.mean(axis=0), v.std(axis=0)], axis=-1))
+        return results_file(self.folder / name, TIME, {"riser": ARC}, fields, statistics=every, case=CASE, **more)
+
+    def run_(self, *arguments):
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+            code = post.main([str(a) for a in arguments])
+        return code, out.getvalue(), err.getvalue()
+
+    def words(self, *arguments):
+        code, _, err = self.run_("report", *arguments, "-o", self.folder / "page.html")
+        self.assertEqual(code, 0, err)
+        text = (self.folder / "page.html").read_text(encoding="utf-8")
+        return re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", re.sub(r'src="data:[^"]*"', "", text)))
+
+    def test_statistics_of_every_step_come_first(self):
+        results = Results(self.file())
+        line = results.line("riser")
+        found = envelopes.envelope(results, line, "effective_tension")
+        np.testing.assert_allclose(found.most, self.tension.max(axis=0) + 5e3)
+        np.testing.assert_allclose(found.least_time, 7.25)
+        self.assertTrue(found.every_step)
+        # From another time on there are only the outputs.
+        later = envelopes.envelope(results, line, "effective_tension", 10.0)
+        np.testing.assert_allclose(later.most, self.tension[TIME >= 10].max(axis=0))
+        self.assertFalse(later.every_step)
+        self.assertTrue(envelopes.envelope(results, line, "effective_tension", 4.0).every_step)
+        words = self.words(results.path)
+        self.assertIn("Over every step from t = 4 s on.", words)
+        peak = self.tension.max() + 5e3
+        self.assertIn("riser effective tension kN", words)
+        self.assertIn(f" {peak / 1e3:.1f} 8.500 ", words)
+        self.assertIn("Over the 20 outputs from t = 10 s on", envelopes.told(results, ["effective_tension"], 10.0))
+        without = self.words(self.file(statistics=False, name="bare.h5"))
+        self.assertIn("Over the 40 outputs from t = 0 s on, so a peak may lie between two of them", without)
+        # The CSV files stay in SI units.
+        head, rows = export.ranges(results, line)
+        np.testing.assert_allclose(rows[:, head.index("effective_tension_max [N]")], found.most)
+
+    def test_statistics_of_vectors(self):
+        path = self.file()
+        with h5py.File(path, "a") as file:
+            file["statistics/position"] = np.zeros((len(ARC), 3, 6))
+        results = Results(path)
+        self.assertEqual(results.statistics("position", results.line("riser")).shape, (51, 3, 6))
+        self.assertFalse(envelopes.of_every_step(results, "position", 0.0))
+
+    def test_units_of_pages(self):
+        head, rows = tables.for_reading(["line", "tension [N]", "x [m]"], [["a", 2500.0, 3.0]])
+        self.assertEqual((head, rows), (["line", "tension [kN]", "x [m]"], [["a", 2.5, 3.0]]))
+        head, rows = tables.for_reading(["value", "unit", "time [s]"], [[2500.0, "N m", 7.0], [0.5, "1", 8.0]])
+        self.assertEqual(rows, [[2.5, "kN m", 7.0], [0.5, "", 8.0]])
+        results = Results(self.file())
+        axes = charts.range_graph(results, results.line("riser"), "bending_moment").axes[0]
+        self.assertEqual(axes.get_ylabel(), "bending moment [kN m]")
+
+    def test_legends_cover_no_curve(self):
+        results = Results(self.file())
+        figure = charts.range_graph(results, results.line("riser"), "effective_tension")
+        figure.canvas.draw()
+        axes = figure.axes[0]
+        legend, frame = axes.get_legend().get_window_extent(), axes.get_window_extent()
+        self.assertGreaterEqual(legend.y0, frame.y1)
+        self.assertLessEqual(legend.y1, figure.bbox.y1 + 1)
+
+    def test_stress_of_a_closed_cylinder(self):
+        # Pressure alone, the ends closed: sqrt(3) p b²/(b² - a²) at the inner fibre; tension and bending alone: My/I + N/A.
+        wall, a, b, p = stress.Wall(0.3, 0.26), 0.13, 0.15, 20e6
+        found = stress.von_mises(wall, p * np.pi * a**2, 0.0, 0.0, 0.0, p)
+        self.assertAlmostEqual(found / (np.sqrt(3) * p * b**2 / (b**2 - a**2)), 1, places=12)
+        # The same pressure in and out, ends closed: hydrostatic, no shear anywhere.
+        even = stress.von_mises(wall, p * np.pi * (a**2 - b**2), 0.0, 0.0, p, p)
+        self.assertLess(even, 1e-6 * p)
+        area, inertia = np.pi * (b**2 - a**2), np.pi / 4 * (b**4 - a**4)
+        self.assertAlmostEqual(stress.von_mises(wall, 3e5, 4e4, 0.0, 0.0, 0.0) / (3e5 / area + 4e4 * b / inertia), 1, places=12)
+        twist = stress.von_mises(wall, 0.0, 0.0, 5e4, 0.0, 0.0)
+        self.assertAlmostEqual(twist / (np.sqrt(3) * 5e4 * b / (2 * inertia)), 1, places=12)
+
+    def test_stress_along_a_line(self):
+        results = Results(self.file())
+        line = results.line("riser")
+        found = stress.along(results, line)
+        self.assertTrue(np.isnan(found[:, ARC > 60]).all())
+        self.assertTrue(np.isfinite(found[:, ARC <= 60]).all())
+        # The pressure inside is got back from the wall tension.
+        depth, k = 10 + ARC[5] / 5, 7
+        wall = stress.Wall(0.3, 0.26)
+        inside, outside = 10e6 + 8e3 * depth, 1e4 * depth
+        tension = self.tension[k, 5] + inside * np.pi / 4 * 0.26**2 - outside * np.pi / 4 * 0.3**2
+        by_hand = stress.von_mises(wall, tension, self.moment[k, 5], 0.0, outside, inside)
+        self.assertAlmostEqual(found[k, 5] / by_hand, 1, places=9)
+        code, _, err = self.run_("plot", results.path, "stress", "-o", self.folder / "s.svg")
+        self.assertEqual(code, 0, err)
+        self.assertIn("von Mises stress [MPa]", (self.folder / "s.svg").read_text())
+        self.assertIn("Stress of pipes", self.words(results.path))
+        code, _, err = self.run_("plot", results.path, "stress", "--wall", "0.2", "-o", self.folder / "s.svg")
+        self.assertEqual(code, 2)
+        self.assertIn("--outer-diameter and --wall", err)
+        cables = Results(results_file(self.folder / "cables.h5"))
+        with self.assertRaisesRegex(Refusal, "all lines are cables"):
+            stress.along(cables, cables.lines[0])
+
+    def test_clearances_and_input(self):
+        gap = np.stack([1 + np.cos(TIME), TIME, 0 * TIME], axis=1)
+        path = self.file(series=(TIME, {"to the hull": (["clearance", "arc_length", "other_arc_length"], ["m"] * 3, gap)}))
+        words = self.words(path)
+        k = int(np.argmin(gap[:, 0]))
+        self.assertIn(f"to the hull {gap[k, 0]:.4g} {TIME[k]:.3f} {TIME[k]:.3f}", words)
+        self.assertIn("environment value water.depth 50", words)
+        self.assertIn("riser 1 60 m wall anchored at [0, 0, -10] free 2 40 m bar", words)
+
+    def test_modes_need_a_case(self):
+        code, _, err = self.run_("report", self.file(), "--modes")
+        self.assertEqual(code, 2)
+        self.assertIn("give the case file with --modes", err)
+
+
+class Seas(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def sea(self, case, waves=None):
+        path = results_file(self.folder / "sea.h5", case=case)
+        if waves is not None:
+            with h5py.File(path, "a") as file:
+                file["waves/components"], file["waves/level"], file["waves/ramp"] = waves, [0.5], [10.0]
+        return Sea(Results(path))
+
+    def test_waves(self):
+        sea = self.sea("environment: {water: {depth: 50}}", [[2, 0.5, 0.03, 0, 1, 0.3], [1, 0.8, 0.06, 1, 0, 0]])
+        exact = 0.5 + 2 * np.cos(0.03 * 7 - 0.5 * 20 + 0.3) + np.cos(0.06 * 4 - 0.8 * 20)
+        self.assertAlmostEqual(float(sea.surface(4.0, 7.0, 20.0)), exact, places=12)
+        self.assertAlmostEqual(float(sea.surface(4.0, 7.0, 0.0)), 0.5)
+        self.assertFalse(sea.still)
+
+    def test_beds(self):
+        flat = self.sea("environment: {water: {depth: 30 m}, seabed: {friction: 0.5}}")
+        self.assertEqual((flat.level, float(flat.seabed(3.0, 4.0)), flat.still), (0.0, -30.0, True))
+        slope = self.sea("environment: {seabed: {depth: 30, slope_deg: 5, slope_direction_deg: 90}}")
+        self.assertIsNone(slope.level)
+        self.assertAlmostEqual(float(slope.seabed(3.0, 10.0)), -30 - 10 * np.tan(np.radians(5)))
+        write(self.folder, "bed.xyz", "# x y z\n0 0 -10\n10 0 -12\n0 10 -14\n10 10 -16\n")
+        grid = self.sea("environment: {seabed: {grid: {file: bed.xyz}}}")
+        self.assertAlmostEqual(float(grid.seabed(5.0, 5.0)), -13)
+        self.assertTrue(np.isnan(grid.seabed(50.0, 5.0)))
+        self.assertFalse(self.sea("environment: {seabed: {grid: {file: none.xyz}}}").bed)
+
+
+if __name__ == "__main__":
+    unittest.main()
