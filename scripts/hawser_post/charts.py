@@ -117,6 +117,7 @@ def density(time, values, unit, name, title=""):
     last = max(np.searchsorted(total, 0.999 * total[-1]) + 2, 3)
     axes.plot(f[:last], s[:last], lw=1.0, marker=".", ms=4)
     axes.set_xlim(left=0)
+    axes.ticklabel_format(axis="y", style="plain")
     axes.set(xlabel=f"frequency [Hz], resolved to {f[1]:.2g} Hz", ylabel=f"{words(name)} [{power(unit)}/Hz]", title=title)
     return figure
 

@@ -21,7 +21,7 @@ figure { margin: 0; break-inside: avoid } figcaption { color: #54616d; font-size
 @page { size: A4; margin: 15mm 14mm }
 @media print {
   body { max-width: none; margin: 0; padding: 0; font-size: 10.5pt } nav { display: none }
-  h2 { break-after: avoid; margin-top: 1.4em } p { orphans: 3; widows: 3 }
+  h2, h2 + p { break-after: avoid } h2 { margin-top: 1.4em } p { orphans: 3; widows: 3 }
   table { font-size: 7.5pt } th, td { padding: 0.15em 0.45em } thead { display: table-header-group } .wide { overflow: visible }
   img { max-width: 158mm; max-height: 120mm; margin: 0.2em 0 } pre { white-space: pre-wrap; overflow-wrap: anywhere; font-size: 7.5pt }
   .warning, .note { break-inside: avoid } * { print-color-adjust: exact; -webkit-print-color-adjust: exact }

@@ -169,9 +169,12 @@ def meetings(page, results):
 
 
 def without_empty(head, rows):
-    """Without the columns in which nothing stands."""
-    keep = [k for k in range(len(head)) if any(row[k] != "" and not (isinstance(row[k], float) and np.isnan(row[k]))
-                                               for row in rows)]
+    """Without the columns in which nothing stands, of another line also nothing but zeros."""
+    keep = []
+    for k, title in enumerate(head):
+        nothing = ("", 0.0) if title.startswith("other ") else ("",)
+        if any(row[k] not in nothing and not (isinstance(row[k], float) and np.isnan(row[k])) for row in rows):
+            keep.append(k)
     return [head[k] for k in keep], [[row[k] for k in keep] for row in rows]
 
 
@@ -184,8 +187,9 @@ def energy(page, results):
     table(page, head, rows)
     series = results.series("energy")
     if results.steps > 1:
-        page.figure(charts.history(results.step_time, [(charts.words(c), series.column(c)) for c in series.columns], "J",
-                                   "energy"), "The energy audit, every step.")
+        curves = [(charts.words(c), series.column(c) - series.column(c)[0]) for c in series.columns]
+        page.figure(charts.history(results.step_time, curves, "J", "change of energy"),
+                    "The energy audit, every step: change since the start.")
 
 
 def modes(page, results):

@@ -126,6 +126,12 @@ def title(results, view, shown):
     return {"plan": "from above", "elevation": "from the side", "space": "in space"}[view] + ", " + at
 
 
+def widened(low, high):
+    """No side shorter than 0.15 times the longest."""
+    size = np.maximum(high - low, 0.15 * (high - low).max())
+    return (low + high - size) / 2, (low + high + size) / 2
+
+
 def draw_sea(axes, sea, low, high, time):
     """Surface and seabed over what is shown, which grows upwards and downwards to hold them."""
     x, y = np.meshgrid(*(np.linspace(low[k], high[k], MOST_WAVES) for k in (0, 1)))
@@ -164,9 +170,10 @@ def in_space(results, output):
         low, high = np.minimum(low, np.maximum(x.min(axis=0), low - reach)), np.maximum(high, np.minimum(x.max(axis=0), high + reach))
     if not np.all(np.isfinite(low)):
         low, high = np.full(3, -1.0), np.full(3, 1.0)
+    low, high = widened(low, high)
     draw_sea(axes, Sea(results), low, high, 0.0 if results.modes else results.time[output])
-    size = np.maximum(high - low, 0.15 * (high - low).max())
-    middle = (low + high) / 2
+    low, high = widened(low, high)
+    size, middle = high - low, (low + high) / 2
     for axis, set_limits, m, s in zip((axes.xaxis, axes.yaxis, axes.zaxis), (axes.set_xlim, axes.set_ylim, axes.set_zlim),
                                       middle, size):
         set_limits(m - s / 2, m + s / 2)
