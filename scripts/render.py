@@ -1,18 +1,26 @@
-"""Pictures of a run: lines as tubes coloured by a field, the volumes they touch as surfaces.
+"""Pictures and films of a run: lines as tubes coloured by a field, the volumes they touch as surfaces, sea and seabed.
 
     scripts/render RESULTS.xdmf OUT_FOLDER [options]                            (starts the two programs below)
     scripts/with-display pvpython scripts/render.py RESULTS.xdmf OUT_FOLDER [options]
 
 Writes OUT_FOLDER/NAME_0000.png and so on, one a time, and NAME.png with all of them side by side. What a cell is
-drawn as follows from its shape (polylines are lines, triangles are volumes), so any XDMF of that kind will do.
+drawn as follows from its shape (polylines are lines, triangles are volumes), so any XDMF of that kind will do; with the
+.h5 of a run beside it there are also sea, seabed, buoys, joints, bodies, names and the lines' own diameters.
 """
 import argparse
 import inspect
 import math
 import os
+import shutil
+import subprocess
+import sys
+import tempfile
 
 from paraview import servermanager
 from paraview import simple as pv
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from render_scenery import Scenery, results_beside, sections_of  # noqa: E402
 
 # Shown in these units: factor and name.
 UNITS = {
@@ -41,13 +49,16 @@ LINES = inspect.getsource(leaves) + """
 from paraview import vtk
 import math
 
-points, cells, shown = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkDoubleArray()
+points, cells, shown, radius = vtk.vtkPoints(), vtk.vtkCellArray(), vtk.vtkDoubleArray(), vtk.vtkDoubleArray()
 points.SetDataTypeToDouble()
 shown.SetName("shown")
+radius.SetName("radius")
+sections = {sections!r}  # of each line: (arc length to which, radius)
 for leaf in leaves(self.GetInputDataObject(0, 0)):
     if leaf.GetNumberOfPoints() == 0:
         continue  # cells without points crash: the reader leaves them so when it cannot read the .h5
     values = leaf.GetPointData().GetArray({field!r})
+    number, arc = leaf.GetPointData().GetArray("line"), leaf.GetPointData().GetArray("arc_length")
     for c in range(leaf.GetNumberOfCells()):
         if leaf.GetCellType(c) not in (vtk.VTK_LINE, vtk.VTK_POLY_LINE):
             continue
@@ -64,11 +75,18 @@ for leaf in leaves(self.GetInputDataObject(0, 0)):
                 value = math.hypot(*[values.GetComponent(ids.GetId(i), k) for k in range(n)]) if n > 1 \\
                     else values.GetComponent(ids.GetId(i), 0)
             shown.InsertNextValue({factor!r} * value)
+            wide = {radius!r}
+            if sections and number and arc:
+                along = sections[int(number.GetComponent(ids.GetId(i), 0))]
+                at = arc.GetComponent(ids.GetId(i), 0) - 1e-9 * along[-1][0]
+                wide = next((r for to, r in along if at <= to), along[-1][1])
+            radius.InsertNextValue(wide)
         cells.InsertNextCell(len(own), own)
 output = self.GetPolyDataOutput()
 output.SetPoints(points)
 output.SetLines(cells)
 output.GetPointData().AddArray(shown)
+output.GetPointData().AddArray(radius)
 output.GetPointData().SetActiveScalars("shown")
 """
 
@@ -111,7 +129,13 @@ def arguments(argv, **defaults):
     parser.add_argument("out", help="folder for the pictures, made if it is not there")
     parser.add_argument("--field", default="effective_tension", help="node field that colours the lines")
     parser.add_argument("--range", type=float, nargs=2, help="of the colours, as the scale shows it (default: all)")
-    parser.add_argument("--diameter", type=float, help="of the tubes, m (default: a 400th of the model)")
+    parser.add_argument("--diameter", type=float, help="of all tubes, m (default: those of the lines, by --factor)")
+    parser.add_argument("--factor", type=float, help="how many times thicker than they are lines are drawn (default: once, "
+                        "or so that the thickest is a 300th of the picture)")
+    parser.add_argument("--film", metavar="FILE.mp4", help="also a film of all outputs; needs ffmpeg")
+    parser.add_argument("--rate", type=float, default=25, help="of the film, pictures a second")
+    parser.add_argument("--no-sea", action="store_true", help="leave out the surface of the sea and the seabed")
+    parser.add_argument("--no-names", action="store_true", help="leave out the names of lines, joints, bodies and volumes")
     parser.add_argument("--pictures", type=int, default=4, help="how many, spread evenly over the run")
     parser.add_argument("--at", type=float, nargs="+", help="times of the pictures, s, instead")
     parser.add_argument("--direction", type=vector, default=[-1, 1.5, -0.6], help="the way the camera looks: x,y,z")
@@ -227,6 +251,10 @@ def colour_lines(view, tubes, options, limits, unit):
 
 
 def render(options):
+    if options.film and not options.film.endswith(".mp4"):
+        raise SystemExit(f"render: {options.film}: a film is an .mp4 file")
+    if options.film and not shutil.which("ffmpeg"):
+        raise SystemExit("render: a film needs ffmpeg, which is not installed (Debian: apt-get install ffmpeg)")
     os.makedirs(options.out, exist_ok=True)
     pv._DisableFirstRenderCameraReset()
     source = pv.OpenDataFile(os.path.abspath(options.results))  # the reader wants a folder before the name
@@ -234,22 +262,24 @@ def render(options):
         raise SystemExit(f"render: ParaView cannot open {options.results}")
     source.UpdatePipelineInformation()
     written = source.TimestepValues  # a number, not a list, when there is one time only
-    times = chosen_times((list(written) if hasattr(written, "__iter__") else [written]) or [0.0], options)
+    written = (list(written) if hasattr(written, "__iter__") else [written]) or [0.0]
+    times = chosen_times(written, options)
     source.UpdatePipeline(times[-1])
     if not has_field(source, options.field) and options.field != "effective_tension":
         print(f"render: no node field '{options.field}' in {options.results}; the lines stay in one colour")
 
-    factor, unit = UNITS.get(options.field, (1, ""))
-    lines = derived(source, LINES, field=options.field, factor=factor)
-    faces = derived(source, FACES)
+    results = results_beside(options.results)
     lower, upper = extent(source, times)
     if lower[0] > upper[0]:
         raise SystemExit(f"render: {options.results} has no points; is its .h5 file beside it?")
     diagonal = math.dist(lower, upper) or 1.0
-    # ParaView 5.11 draws no tubes of radius 1, the filter's own default: hence not quite that.
-    radius = (options.diameter or diagonal / 400) / 2 * (1 + 1e-6)
-    tubes = pv.Tube(Input=lines, Radius=radius, NumberofSides=24, Capping=1)
-    tubes.Scalars = ["POINTS", "shown"]
+    sections, radius = thickness(results, options, options.height or diagonal)
+    factor, unit = UNITS.get(options.field, (1, ""))
+    lines = derived(source, LINES, field=options.field, factor=factor, sections=sections, radius=radius)
+    faces = derived(source, FACES)
+    # The radius given is what those of the points are multiplied by where they vary.
+    tubes = pv.Tube(Input=lines, Radius=1.0, NumberofSides=24, Capping=1, VaryRadius="By Absolute Scalar")
+    tubes.Scalars = ["POINTS", "radius"]
 
     view = pv.CreateRenderView(ViewSize=options.size)
     view.UseColorPaletteForBackground = 0
@@ -271,20 +301,62 @@ def render(options):
     label.FontSize = 24
     label.WindowLocation = "Upper Left Corner"
 
+    around = None
     if options.scenery:
         options.scenery(view)
+    elif results:
+        thick = max([radius] + [r for line in sections or [] for _, r in line])
+        around = Scenery(view, results, lower, upper, (options.height or diagonal) / 120, thick, not options.no_sea,
+                         not options.no_names)
     middle = [(a + b) / 2 for a, b in zip(lower, upper)]
     aim(view, options.direction, options.focus or middle, options.height or 1.05 * diagonal, 2 * diagonal)
     name = os.path.splitext(os.path.basename(options.results))[0]
-    files = []
-    for i, time in enumerate(times):
+
+    def picture(time, path):
         view.ViewTime = time
         clock.Text = f"t = {time:.4g} s"
+        if around:
+            around.at_time(time)
         pv.Render(view)
+        pv.SaveScreenshot(path, view, ImageResolution=options.size)
+
+    files = []
+    for i, time in enumerate(times):
         files.append(os.path.join(options.out, f"{name}_{i:04d}.png"))
-        pv.SaveScreenshot(files[-1], view, ImageResolution=options.size)
+        picture(time, files[-1])
     join(files, options.columns or len(files), os.path.join(options.out, f"{name}.png"))
     print("\n".join(files + [os.path.join(options.out, f"{name}.png")]))
+    if options.film:
+        film(options, written, picture)
+
+
+def film(options, times, picture):
+    """An MP4 of the pictures at all times, which every player shows: H.264 with an even number of pixels each way."""
+    with tempfile.TemporaryDirectory() as folder:
+        for i, time in enumerate(times):
+            picture(time, os.path.join(folder, f"{i:06d}.png"))
+        made = subprocess.run(["ffmpeg", "-y", "-loglevel", "error", "-framerate", str(options.rate), "-i",
+                               os.path.join(folder, "%06d.png"), "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2", "-c:v", "libx264",
+                               "-pix_fmt", "yuv420p", "-movflags", "+faststart", options.film],
+                              capture_output=True, text=True, check=False)
+    if made.returncode != 0:
+        raise SystemExit(f"render: ffmpeg could not make {options.film}: {made.stderr.strip().splitlines()[-1:]}")
+    print(options.film)
+
+
+def thickness(results, options, height):
+    """Of each line (arc length to which, radius there), and the radius where that is not known, m."""
+    thinnest = height / 600
+    if options.diameter:
+        return None, options.diameter / 2
+    sections = sections_of(results) if results else []
+    widths = [w for line in sections for _, w in line if w == w]
+    if not widths:
+        return None, thinnest
+    factor = options.factor or max(1.0, 2 * thinnest / max(widths))
+    if factor != 1:
+        print(f"render: lines are drawn {factor:.3g} times as thick as they are")
+    return [[(to, factor * w / 2 if w == w else thinnest) for to, w in line] for line in sections], thinnest
 
 
 def main(argv=None, **defaults):
@@ -296,9 +368,6 @@ def main(argv=None, **defaults):
 if __name__ == "__main__":
     # As a module, not as the main program: ParaView runs the pieces of Python above in the main program's names,
     # where they replace min, max and others.
-    import sys
-
-    sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
     import render as module
 
     module.main()

@@ -1,4 +1,5 @@
 """scripts/render.py draws a small run: the right pictures, of the right size, that show something that moves."""
+import os
 import shutil
 import struct
 import tempfile
@@ -88,6 +89,94 @@ class Render(unittest.TestCase):
     def test_wanted_time_and_absent_field(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(self.render(folder, "--at", "1", "--field", "nothing"), ["small.png", "small_0000.png"])
+
+
+CASE = """\
+hawser: 1
+environment:
+  water: {depth: 20}
+  waves: {regular: {height: 2, period: 6}}
+  seabed: {depth: 20}
+line_types:
+  thick: {outer_diameter: 1.0, mass_per_length: 900, EA: 1e8, bending: false}
+  thin: {outer_diameter: 0.4, mass_per_length: 200, EA: 1e8, bending: false}
+joints: {yoke: {start: [0, 0, -10]}}
+lines:
+  left:
+    sections: [{type: thick, length: 17, elements: 8}]
+    end_a: {anchor: [-14, 0, -4]}
+    end_b: {joint: yoke}
+    masses: [{at: 8, mass: 500, volume: 2}]
+  right: {sections: [{type: thin, length: 17, elements: 8}], end_a: {joint: yoke}, end_b: {anchor: [14, 0, -4]}}
+dynamics: {duration: 1, step: 0.1}
+output: {every: 0.25}
+"""
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+
+
+@unittest.skipUnless(shutil.which("pvpython") and shutil.which("Xvfb") and Path(HAWSER).exists(), "scripts/install-deps --view")
+class Scenery(unittest.TestCase):
+    def render(self, folder, *options, path=None):
+        if not (Path(folder) / "sea.h5").exists():
+            write(folder, "sea.yaml", CASE)
+            told = run(HAWSER, "run", "-q", "sea.yaml", cwd=folder)
+            self.assertEqual(told.returncode, 0, told.stderr)
+        return run("scripts/with-display", "pvpython", ROOT / "scripts/render.py", Path(folder) / "sea.xdmf",
+                   Path(folder) / "out", "--size", "240", "160", "--direction=0,1,-0.2", "--focus", "0,0,-10", "--height", "32",
+                   "--pictures", "1", *options, timeout=300, env={**os.environ, **({"PATH": path} if path else {})})
+
+    def picture(self, folder, *options):
+        told = self.render(folder, *options)
+        self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+        return read_png(Path(folder) / "out/sea.png")[2]
+
+    @staticmethod
+    def count(rows, test):
+        return sum(bool(test(*row[x : x + 3])) for row in rows for x in range(0, len(row), 3))
+
+    def test_sea_buoys_names_diameters_and_film(self):
+        def orange(r, g, b):
+            return r > 130 and r > g + 40 > b + 60
+
+        def dark(r, g, b):
+            return max(r, g, b) < 90 and max(r, g, b) - min(r, g, b) < 12
+
+        with tempfile.TemporaryDirectory() as folder:
+            film = ["--film", str(Path(folder) / "run.mp4")] if shutil.which("ffmpeg") else []
+            everything = self.picture(folder, *film)
+            bare = self.picture(folder, "--no-names", "--no-sea")
+            # Almost from the side, 5 pixels a metre: water in the upper half, the bed in the lower one.
+            self.assertGreater(self.count(everything[5:70], lambda r, g, b: b > r + 25 > 175), 300)
+            self.assertLess(self.count(bare[5:70], lambda r, g, b: b > r + 25 > 175), 100)
+            self.assertGreater(self.count(everything[90:], lambda r, g, b: 230 > r > g > b + 15 > 80), 300)
+            self.assertGreater(self.count(bare, orange), 20)  # the buoy, a ball of 0.78 m radius
+            self.assertGreater(self.count(everything, dark), self.count(bare, dark) + 30)  # names
+            # True diameters: the left line is 2.5 times as thick as the right one; a factor holds for both.
+            thick = self.picture(folder, "--no-names", "--no-sea", "--factor", "3")
+
+            def across(rows, columns):
+                return sum(max(row[3 * x : 3 * x + 3]) - min(row[3 * x : 3 * x + 3]) > 30
+                           for row in rows[:100] for x in columns) / len(columns)
+
+            left, right = range(55, 76), range(131, 139)  # where each is almost level, and free of the colour bar
+            self.assertAlmostEqual(across(thick, left) / across(thick, right), 2.5, delta=0.4)
+            self.assertGreater(across(thick, right), 2 * across(bare, right))
+            if film:
+                self.assertEqual((Path(folder) / "run.mp4").read_bytes()[4:8], b"ftyp")
+                shown = run("ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                            "stream=nb_read_frames,width,height", "-of", "csv=p=0", Path(folder) / "run.mp4")
+                self.assertEqual(shown.stdout.split(), ["240,160,5"])  # as many as outputs
+
+    def test_film_needs_ffmpeg(self):
+        with tempfile.TemporaryDirectory() as folder:
+            bare = Path(folder) / "bin"
+            bare.mkdir()
+            for tool in ("bash", "pvpython", "Xvfb", "mktemp", "rm", "sleep", "env", "xkbcomp"):
+                (bare / tool).symlink_to(shutil.which(tool) or "/bin/true")
+            (bare / "ssh").symlink_to("/bin/true")  # Open MPI, which ParaView starts, looks for it
+            told = self.render(folder, "--film", "run.mp4", path=str(bare))
+            self.assertNotEqual(told.returncode, 0)
+            self.assertIn("a film needs ffmpeg", told.stdout + told.stderr)
 
 
 if __name__ == "__main__":
