@@ -144,9 +144,12 @@ TEST_F(StatisticsRanks, TouchdownPointsMove) {
              z = named(file, r, "chain_touchdown", "end_b_position_z");
   ASSERT_EQ(arc.size(), r.step_times.size());
   const auto [least, most] = std::minmax_element(arc.begin(), arc.end());
-  EXPECT_GT(*least, 60), EXPECT_LT(*most, 120), EXPECT_GT(*most - *least, 1);
+  EXPECT_GT(*least, 60);
+  EXPECT_LT(*most, 120);
+  EXPECT_GT(*most - *least, 1);
   for (size_t i = 0; i < arc.size(); ++i) {
-    EXPECT_NEAR(x[i], arc[i], 1.5), EXPECT_NEAR(z[i], -40, 0.3);
+    EXPECT_NEAR(x[i], arc[i], 1.5);
+    EXPECT_NEAR(z[i], -40, 0.3);
     EXPECT_NEAR(laid[i], arc[i], 2.6);  // half an element
   }
 }

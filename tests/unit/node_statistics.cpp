@@ -33,14 +33,18 @@ TEST(NodeStatistics, OfASineWithStepsOfAnyLength) {
   const auto all = s.table();
   ASSERT_EQ(all[0].size(), 2u * io::kStatistics);
   const double* row = all[0].data();
-  EXPECT_NEAR(row[0], 950, 0.01), EXPECT_NEAR(std::fmod(row[1], 1), 0.75, 0.005);
-  EXPECT_NEAR(row[2], 1050, 0.01), EXPECT_NEAR(std::fmod(row[3], 1), 0.25, 0.005);
+  EXPECT_NEAR(row[0], 950, 0.01);
+  EXPECT_NEAR(std::fmod(row[1], 1), 0.75, 0.005);
+  EXPECT_NEAR(row[2], 1050, 0.01);
+  EXPECT_NEAR(std::fmod(row[3], 1), 0.25, 0.005);
   EXPECT_NEAR(row[4], 1000, 1e-3);
   EXPECT_NEAR(row[5], 50 / std::sqrt(2.0), 2e-3);
   EXPECT_NEAR(all[0][io::kStatistics + 4], 2000, 2e-3);  // of the second node
   // What does not change has no deviation.
-  EXPECT_EQ(all[1][0], 0.5), EXPECT_EQ(all[1][2], 0.5);
-  EXPECT_DOUBLE_EQ(all[1][4], 0.5), EXPECT_EQ(all[1][5], 0);
+  EXPECT_EQ(all[1][0], 0.5);
+  EXPECT_EQ(all[1][2], 0.5);
+  EXPECT_DOUBLE_EQ(all[1][4], 0.5);
+  EXPECT_EQ(all[1][5], 0);
   EXPECT_EQ(all[1][io::kStatistics], -0.5);
 }
 
@@ -64,8 +68,10 @@ TEST(NodeStatistics, BeginWhenTheCaseSays) {
   EXPECT_TRUE(std::isnan(s.table()[0][0]));
   s.add(3, values(10, 0)), s.add(4, values(20, 0));
   const auto all = s.table();
-  EXPECT_EQ(all[0][0], 10), EXPECT_EQ(all[0][1], 3);
-  EXPECT_EQ(all[0][2], 20), EXPECT_EQ(all[0][3], 4);
+  EXPECT_EQ(all[0][0], 10);
+  EXPECT_EQ(all[0][1], 3);
+  EXPECT_EQ(all[0][2], 20);
+  EXPECT_EQ(all[0][3], 4);
   EXPECT_DOUBLE_EQ(all[0][4], 15);
 }
 

@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-
 #include <algorithm>
 #include <complex>
+#include <map>
 #include <string>
 #include <vector>
 
