@@ -49,7 +49,7 @@ def page(width, height, columns=1):
 
 def save(figure, name):
     figure.tight_layout()
-    figure.savefig(HERE / f"conventions-{name}.png")
+    figure.savefig(HERE / f"conventions-{name}.png", bbox_inches="tight")
     plt.close(figure)
 
 
