@@ -14,7 +14,7 @@ environment:
 line_types:
   chain: {library: chain-studless, diameter: 0.08, grade: R4}
 bodies:
-  ship: {motion: {harmonic: {amplitude: [1, 0, 0], period: 6}}}
+  ship: {motion: {harmonic: {amplitude: [1, 0, 0], period: 6}, ramp: 4}}
 lines:
   chain:
     sections: [{type: chain, length: 160, elements: 32}]
@@ -96,8 +96,12 @@ TEST_F(StatisticsRanks, AreThoseOfTheHistories) {
       EXPECT_NEAR(s.at(node, 5), std::sqrt(square - mean * mean), 1e-6 * std::abs(mean)) << field;
       EXPECT_GT(s.at(node, 2) - s.at(node, 0), 1e-4 * std::abs(mean)) << field;
     }
-  // From the motion of the end: the ship's own surge, (2 pi / 6)² at most.
-  EXPECT_NEAR(largest(named(file, r, "fairlead", "acceleration_x")), std::pow(2 * M_PI / 6, 2), 0.02);
+  // The ship's own surge, after its ramp.
+  const auto a = named(file, r, "fairlead", "acceleration_x"), x = named(file, r, "fairlead", "position_x");
+  for (size_t i = 0; i < a.size(); ++i)
+    if (r.step_times[i] > 4) {
+      EXPECT_NEAR(a[i], -std::pow(2 * M_PI / 6, 2) * (x[i] - 145), 1e-6);
+    }
 }
 
 TEST_F(StatisticsRanks, GoOnAfterARestart) {
@@ -149,7 +153,7 @@ TEST_F(StatisticsRanks, TouchdownPointsMove) {
   EXPECT_GT(*most - *least, 1);
   for (size_t i = 0; i < arc.size(); ++i) {
     EXPECT_NEAR(x[i], arc[i], 1.5);
-    EXPECT_NEAR(z[i], -40, 0.3);
+    EXPECT_NEAR(z[i], -40, 0.6);
     EXPECT_NEAR(laid[i], arc[i], 2.6);  // half an element
   }
 }
