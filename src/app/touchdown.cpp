@@ -9,6 +9,7 @@
 
 #include "hawser/geometry/surface.hpp"
 #include "hawser/model/bed.hpp"
+#include "hawser/model/bed_touch.hpp"
 
 namespace hawser::app {
 namespace {
@@ -26,10 +27,10 @@ class Lines {
   Lines(const model::Case& c, const LocalMesh& local, const Kinematics& at)
       : c_(c), local_(local), mesh_(*local.mesh), at_(at) {}
 
-  // m, of an element of the mesh.
-  double radius(int element) const {
+  // m, of an element of the mesh: its axis above the bed where it begins to press.
+  double touching(int element) const {
     const int type = mesh_.elements[static_cast<size_t>(element)].type;
-    return 0.5 * c_.line_types[static_cast<size_t>(type)].contact_diameter;
+    return model::touching_height(c_, c_.line_types[static_cast<size_t>(type)]);
   }
 
   Gap gap(int local) const {
@@ -38,7 +39,7 @@ class Lines {
     const int i = local_.global[static_cast<size_t>(local)] - span.first_node;
     double r = 0;
     for (const int e : {i - 1, i})
-      if (e >= 0 && e < span.elements) r = std::max(r, radius(span.first_element + e));
+      if (e >= 0 && e < span.elements) r = std::max(r, touching(span.first_element + e));
     Gap g;
     g.x = at_.x[static_cast<size_t>(local)];
     const model::Seabed& bed = c_.environment.seabed;
@@ -51,7 +52,7 @@ class Lines {
       g.value = model::height_above_bed(bed, g.x);
     }
     g.value -= r;
-    if ((i == 0 || i == span.nodes - 1) && std::abs(g.value) < kHeld * r) g.value = 0;
+    if ((i == 0 || i == span.nodes - 1) && g.value > 0 && g.value < kHeld * r) g.value = 0;
     if (n.rotates) g.slope = normal.dot(at_.q[static_cast<size_t>(local)] * Vec3::UnitX());
     return g;
   }
@@ -86,15 +87,29 @@ struct Change {
 };
 
 struct About {
-  std::array<Gap, kAbout> gap;     // two that lie, three that hang
-  std::array<double, kAbout> arc;  // m, growing away from what lies
-  std::array<bool, kAbout> there, two_sided;
+  std::array<Gap, kAbout> gap;                        // two that lie, three that hang
+  std::array<double, kAbout> arc;                     // m, growing away from what lies
+  std::array<bool, kAbout> there, inside, two_sided;  // on the line; no end of it; of two types
 };
 
 // Rise over run of the chord of two nodes, to the bed.
 double steepness(const Gap& a, const Gap& b) {
   const double rise = b.value - a.value, length2 = (b.x - a.x).squaredNorm();
   return rise / std::sqrt(std::max(length2 - rise * rise, 1e-12 * length2));
+}
+
+// m, how far ground that yields carries a line beyond s0, seen from a node `behind` s0 that lies `deep` [m]
+// in it: l of deep = bend l² (1 - exp(-(behind + l) / l)), which grows with l.
+double carried(double deep, double behind, double bend) {
+  double low = std::max(0.0, -behind), high = low + 1e-9;
+  const auto depth = [&](double l) { return bend * l * l * (1 - std::exp(-(behind + l) / l)); };
+  if (!(deep > 0)) return low;
+  while (depth(high) < deep && high < 1e9) high *= 2;
+  for (int i = 0; i < 60; ++i) {
+    const double l = 0.5 * (low + high);
+    (depth(l) < deep ? low : high) = l;
+  }
+  return high;
 }
 
 // m beyond the last node that lies.
@@ -109,8 +124,10 @@ double beyond(const About& n, bool beam) {
     const double t1 = steepness(n.gap[k], n.gap[k + 1]), t2 = steepness(n.gap[k + 1], n.gap[k + 2]);
     const double bend = (t2 - t1) / (m2 - m1);
     if (!(bend > 0)) continue;
-    const double deep = std::max({0.0, -n.gap[1].value, n.there[0] ? -n.gap[0].value : 0.0});
-    const double s = m1 - t1 / bend + std::sqrt(deep / bend) - n.arc[1];
+    const double s0 = m1 - t1 / bend;
+    // The last node that lies but one, unless it is an end, which is held.
+    const size_t from = n.there[0] && n.inside[0] && lies(n.gap[0].value) ? 0 : 1;
+    const double s = s0 + carried(-n.gap[from].value, s0 - n.arc[from], bend) - n.arc[1];
     return std::clamp(s, n.there[0] ? 0.5 * (n.arc[0] - n.arc[1]) : 0.0, length);
   }
   return straight(n.gap[1].value, n.gap[2].value, length);
@@ -185,6 +202,7 @@ std::vector<Touchdown> touchdowns(MPI_Comm comm, const model::Case& c, const Loc
       const size_t j = static_cast<size_t>(i);
       n.there[j] = global >= span.first_node && global < span.first_node + span.nodes;
       if (!n.there[j]) continue;
+      n.inside[j] = global != span.first_node && global != span.first_node + span.nodes - 1;
       const Node& node = mesh.nodes[static_cast<size_t>(global)];
       const double* v = row(k, global - e.first + kAbout - 1);
       n.gap[j] = {v[0], change.way * v[1], Vec3(v[2], v[3], v[4])};

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "hawser/model/bed.hpp"
+#include "hawser/model/bed_touch.hpp"
 #include "hawser/terms/buried.hpp"
 #include "hawser/terms/seabed.hpp"
 
@@ -68,10 +69,7 @@ SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
   normal.damping = bed.damping * share;
   o.suction = {bed.suction * share, bed.suction_length};
   normal.table = bed.force_table.get(), normal.table_factor = share;
-  // A fifth of what the line at rest sinks in: what rests lies beyond the ramp, what touches down is soft.
-  if (!normal.table)
-    normal.smoothing =
-        bed.smoothing >= 0 ? bed.smoothing : std::max(0.002 * s.radius, 0.2 * std::max(s.weight, 0.0) / k);
+  normal.smoothing = model::bed_smoothing(bed, s.radius, s.weight, k);
   const model::Friction& f = bed.friction;
   FrictionLaw& friction = o.law.friction;
   friction.axial = f.axial, friction.lateral = f.lateral;

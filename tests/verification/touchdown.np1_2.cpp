@@ -10,11 +10,12 @@ namespace {
 
 constexpr double kWeight = 1000, kHeight = 100;  // N/m, m
 
-// From an anchor `above` the bed to an end `away` from it and kHeight above the bed.
+// From an anchor `above` where a line of 0.1 m lies on the bed to an end `away` from it and kHeight above the
+// bed.
 model::Case line_on_bed(double length, int elements, double stiffness, double away, double above = 0) {
   model::LineType t = cable_type(1e9, kWeight / 9.81);
   t.outer_diameter = t.contact_diameter = 0.1;
-  model::Case c = one_line(t, length, elements, anchor({0, 0, above - kHeight}), anchor({away, 0, 0}));
+  model::Case c = one_line(t, length, elements, anchor({0, 0, above - kHeight + 0.05}), anchor({away, 0, 0}));
   c.contact.between_lines.enabled = false;  // so that ranks cut it
   c.environment.gravity = 9.81;
   model::Seabed& bed = c.environment.seabed;
@@ -48,7 +49,7 @@ TEST(Touchdown, OfACatenaryOnRigidGround) {
     ASSERT_TRUE(closed && rest.touchdown.from_a && rest.touchdown.from_b);
     printf("  %.1f m: touchdown at %.3f m, closed form %.3f m\n", length, rest.touchdown.from_a->arc,
            closed->grounded());
-    EXPECT_NEAR(rest.touchdown.from_a->arc, closed->grounded(), 0.3);  // 6 % of an element
+    EXPECT_NEAR(rest.touchdown.from_a->arc, closed->grounded(), 0.2);  // 4 % of an element
     EXPECT_EQ(rest.touchdown.from_a->arc, rest.touchdown.from_b->arc);
     EXPECT_NEAR(rest.touchdown.laid, rest.touchdown.from_a->arc, 1e-9);
     EXPECT_NEAR(rest.touchdown.from_a->position.x(), closed->position(closed->grounded()).x(), 0.4);
@@ -57,17 +58,20 @@ TEST(Touchdown, OfACatenaryOnRigidGround) {
 
 // Where the ground yields the gap is zero sqrt(H / k) beyond what lies on rigid ground.
 TEST(Touchdown, OnSoftGround) {
+  // The parabola of what hangs has its vertex half of w / k under the bed, which is that of the closed form.
   const double length = 393, k = 4000;
-  const auto closed = catenary_on_bed(Vec3(0, 0, 0.05 - kHeight), Vec3(360, 0, 0),
+  const auto closed = catenary_on_bed(Vec3(0, 0, 0.05 - 0.5 * kWeight / k - kHeight), Vec3(360, 0, 0),
                                       {{length, Vec3(0, 0, -kWeight), 1e9, Vec3::Zero(), 0}}, 0);
   ASSERT_TRUE(closed);
   const double soft = closed->grounded() + std::sqrt(closed->tension(0).head<2>().norm() / k);
   for (const int elements : {78, 400}) {
-    const Rest rest = at_rest(line_on_bed(length, elements, k, 360));
+    model::Case c = line_on_bed(length, elements, k, 360);
+    c.environment.seabed.smoothing = 1e-4;
+    const Rest rest = at_rest(c);
     ASSERT_TRUE(rest.touchdown.from_a);
     printf("  %d elements: touchdown at %.3f m, closed form %.3f m (%.3f m on rigid ground)\n", elements,
            rest.touchdown.from_a->arc, soft, closed->grounded());
-    EXPECT_NEAR(rest.touchdown.from_a->arc, soft, 0.8);
+    EXPECT_NEAR(rest.touchdown.from_a->arc, soft, 0.15);
   }
 }
 
@@ -76,7 +80,7 @@ TEST(Touchdown, FromBothEnds) {
   model::Case c = line_on_bed(420, 84, 1e8, 300, kHeight);
   const Rest rest = at_rest(c);
   ASSERT_TRUE(rest.touchdown.from_a && rest.touchdown.from_b);
-  EXPECT_NEAR(rest.touchdown.from_a->arc, 420 - rest.touchdown.from_b->arc, 0.02);
+  EXPECT_NEAR(rest.touchdown.from_a->arc, 420 - rest.touchdown.from_b->arc, 0.1);
   EXPECT_NEAR(rest.touchdown.laid, rest.touchdown.from_b->arc - rest.touchdown.from_a->arc, 1e-9);
   const double laid = rest.touchdown.laid;
   EXPECT_GT(laid, 50);
@@ -94,7 +98,7 @@ TEST(Touchdown, WhatHangsOrLiesHasNone) {
   EXPECT_FALSE(hangs.touchdown.from_a || hangs.touchdown.from_b);
   EXPECT_EQ(hangs.touchdown.laid, 0);
   model::Case c = line_on_bed(300, 30, 1e6, 300);
-  c.lines[0].end_b = anchor({299, 0, -kHeight});
+  c.lines[0].end_b = anchor({300, 0, 0.05 - kHeight});
   c.lines[0].start = model::Start::straight;
   const Rest lies = at_rest(c);
   EXPECT_FALSE(lies.touchdown.from_a || lies.touchdown.from_b);

@@ -19,7 +19,7 @@ struct TouchdownPoint {
 
 struct Touchdown {
   // The first place from end A, and the first from end B, where contact of the line with the bed begins or
-  // ends: the gap between its underside and the bed is zero. Of a mooring line that lies from its anchor on
+  // ends: the bed's force on it begins. Of a mooring line that lies from its anchor on
   // both are the same. Empty: the line lies from end to end, or nowhere.
   std::optional<TouchdownPoint> from_a, from_b;
   double laid = 0;  // m, unstretched length that lies on the bed or below it
@@ -27,13 +27,13 @@ struct Touchdown {
 
 // Of every line of the case in its order, the same on all ranks. at: an accepted state of local nodes.
 //
-// The gap is that of the axis less half the contact diameter. Between two nodes of a beam it is the cubic of
+// The gap is that of the axis less the height at which the bed's force begins (model/bed_touch.hpp): half the
+// contact diameter, and the smooth start of the force. Between two nodes of a beam it is the cubic of
 // their gaps and directions. A cable's elements are chords, whose slope to the bed grows linearly with the
 // unstretched arc length where it hangs freely (dz/dx = w (s - s0) / H): the two first elements that hang say
-// where it vanishes, s0, which is the end of what lies on rigid ground. On ground that yields by d the gap
-// is zero further on, by sqrt(d H / w): a string on springs joins the parabola of what hangs there
-// (docs/theory/seabed.md, "Touchdown points"). Collective; no line of communication longer than a few numbers
-// a line.
+// where it vanishes, s0, which is the end of what lies on rigid ground. Ground that yields carries the
+// line further: a string on springs joins the parabola of what hangs there (docs/theory/seabed.md,
+// "Touchdown points"). Collective: a few numbers a line.
 std::vector<Touchdown> touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                   const Kinematics& at);
 
