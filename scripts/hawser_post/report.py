@@ -10,7 +10,7 @@ MOST_LINES = 8  # with figures of their own
 MOST_MODES = 12
 MOST_HISTORIES = 16
 MOST_ROWS = 60  # of a table of the input
-FIELDS = ("effective_tension", "utilisation", "bending_moment", "curvature", "shear_force", "torsion_moment", "contact_normal_force",
+FIELDS = ("effective_tension", "utilisation", "bend_utilisation", "bending_moment", "curvature", "shear_force", "torsion_moment", "contact_normal_force",
           "line_contact_normal_force")
 MORE_FIELDS = ("wall_tension", "penetration", "line_penetration")  # in the table, without figures
 

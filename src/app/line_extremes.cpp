@@ -27,13 +27,6 @@ bool among(const Wanted& w, std::string_view field) {
   return std::find(w.fields.begin(), w.fields.end(), field) != w.fields.end();
 }
 
-// Utilisation is against what the line types state.
-bool known(const model::Case& c, const model::Line& line, std::string_view field) {
-  return field != "utilisation" ||
-         std::any_of(line.sections.begin(), line.sections.end(),
-                     [&](const auto& s) { return c.line_type(s.type).breaking_load > 0; });
-}
-
 }  // namespace
 
 bool LineExtremes::wants(std::string_view field) {
@@ -46,20 +39,21 @@ LineExtremes::LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh&
     : comm_(comm), local_(local) {
   for (const model::Line& line : c.lines) names_.push_back(line.name);
   for (const Wanted& w : kWanted) {
-    Quantity q{w.quantity, "", {}, w.largest, std::vector<Extreme>(names_.size()), {}};
+    Quantity q{w.quantity, "", {}, w.largest, std::vector<Extreme>(names_.size())};
     for (size_t f = 0; f < fields.size(); ++f)
       if (among(w, fields[f].name)) q.fields.push_back(f), q.unit = fields[f].unit;
-    for (const model::Line& line : c.lines) q.told.push_back(known(c, line, w.fields[0]));
     if (!q.fields.empty()) quantities_.push_back(std::move(q));
   }
 }
 
-void LineExtremes::add(double time, const std::vector<std::vector<double>>& values) {
+void LineExtremes::add(double time, const std::vector<std::vector<double>>& values,
+                       const Utilisation& utilisation) {
   for (Quantity& q : quantities_)
     for (const size_t f : q.fields)
       for (size_t n = 0; n < static_cast<size_t>(local_.owned); ++n) {
         const Node& node = local_.mesh->nodes[static_cast<size_t>(local_.global[n])];
         if (node.body >= 0) break;  // bodies come after the lines
+        if (!utilisation.known(static_cast<int>(f), n)) continue;
         const double v = values[f][n];
         Extreme& x = q.lines[static_cast<size_t>(node.line)];
         if (!x.set || (q.largest ? v > x.value : v < x.value)) x = {v, time, node.arc, true};
@@ -70,7 +64,6 @@ std::vector<io::SummaryRow> LineExtremes::table() const {
   std::vector<io::SummaryRow> rows;
   for (size_t l = 0; l < names_.size(); ++l)
     for (const Quantity& q : quantities_) {
-      if (!q.told[l]) continue;
       Extreme x = q.lines[l];
       const double largest_by = !x.set ? -HUGE_VAL : q.largest ? x.value : -x.value;
       if (tell_of_largest(comm_, largest_by, -HUGE_VAL, x))

@@ -31,7 +31,8 @@ const std::vector<std::string> kShown = {"effective_tension",    kBefore,       
                                          "bending_moment_3",     "torsion_moment", "curvature",
                                          "contact_normal_force", "penetration"};
 // Likewise, after the columns of ends.
-const std::vector<std::string> kShownLast = {"wall_tension", "declination", "utilisation"};
+const std::vector<std::string> kShownLast = {"wall_tension", "declination", "utilisation",
+                                             "bend_utilisation"};
 
 // What the bed, soil, volumes and other lines exert on a node.
 const char* const kCarriers[] = {"seabed_force", "soil_force", "contact_force", "line_contact_force"};
@@ -57,32 +58,6 @@ std::vector<double> touchdown_row(const Touchdown& t) {
   return row;
 }
 
-bool knows_breaking_loads(const model::Case& c) {
-  return std::any_of(c.line_types.begin(), c.line_types.end(),
-                     [](const auto& t) { return t.breaking_load > 0; });
-}
-
-// 1/N, of the breaking loads of the elements before and after each owned node; 0: not known.
-std::vector<std::array<double, 2>> over_breaking_loads(const model::Case& c, const LocalMesh& local) {
-  std::vector<std::array<double, 2>> out;
-  const Mesh& mesh = *local.mesh;
-  const auto of = [&](const LineSpan& line, int element) {
-    if (element < 0 || element >= line.elements) return 0.0;
-    const int type = mesh.elements[static_cast<size_t>(line.first_element + element)].type;
-    const double load = c.line_types[static_cast<size_t>(type)].breaking_load;
-    return load > 0 ? 1 / load : 0;
-  };
-  for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
-    const Node& node = mesh.nodes[static_cast<size_t>(local.global[n])];
-    out.push_back({0, 0});
-    if (node.body >= 0) continue;
-    const LineSpan& line = mesh.lines[static_cast<size_t>(node.line)];
-    const int i = local.global[n] - line.first_node;
-    out.back() = {of(line, i - 1), of(line, i)};
-  }
-  return out;
-}
-
 }  // namespace
 
 Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes,
@@ -93,6 +68,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       registry_(simulation.system().fields()),
       end_forces_(simulation.system()),
       turns_(simulation.local()),
+      utilisation_(simulation.model(), simulation.local()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)),
       rows_every_(simulation.model().output.history_every) {
   const model::Case& c = sim_.model();
@@ -102,10 +78,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   if (std::any_of(fields_.begin(), fields_.end(),
                   [](const auto& f) { return f.name == "effective_tension"; }))
     for (const char* side : {kBefore, kAfter}) fields_.push_back({side, "N", 1});
-  if (knows_breaking_loads(c)) {
-    breaking_ = over_breaking_loads(c, local);
-    fields_.push_back({"utilisation", "1", 1});
-  }
+  utilisation_.add_fields(fields_);
   for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
   auto find = [&](const std::string& name) {
     for (size_t i = 0; i < fields_.size(); ++i)
@@ -114,7 +87,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   };
   pressed_ = find("contact_normal_force");
   tension_ = find("effective_tension"), before_ = find(kBefore), after_ = find(kAfter);
-  utilisation_ = find("utilisation"), declination_ = find("declination");
+  declination_ = find("declination");
   wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
   moment_ = find("bending_moment"), moment_2_ = find("bending_moment_2"),
   moment_3_ = find("bending_moment_3");
@@ -230,11 +203,7 @@ void Recorder::fill(const Kinematics& at, bool all) {
   for (const int side : {before_, after_})
     if (side >= 0) values_[static_cast<size_t>(side)] = values_[static_cast<size_t>(tension_)];
   correct_ends(at);
-  if (utilisation_ < 0) return;
-  for (size_t n = 0; n < owned; ++n)
-    values_[static_cast<size_t>(utilisation_)][n] =
-        std::max({values_[static_cast<size_t>(before_)][n] * breaking_[n][0],
-                  values_[static_cast<size_t>(after_)][n] * breaking_[n][1], 0.0});
+  utilisation_.fill(values_);
 }
 
 // An element's tension is that of its middle, its moments leave out the load along it. At the ends of a line,
@@ -343,7 +312,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   Energy share = sim_.system().energy(at);
   share.work += support_work;
   if (audit_.update(start_, sum_of(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);
-  extremes_->add(info.time, values_);
+  extremes_->add(info.time, values_, utilisation_);
   if (statistics_) statistics_->add(info.time, values_);
   if (clashes_) clashes_->step(info.time);
   if (info.time < rows_from_ - 1e-9 * std::max(1.0, info.time)) return;
@@ -430,6 +399,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
       if (const std::string w = turns_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
           !w.empty())
         warnings_.push_back(w);
+    if (const std::string w = overused(r); !w.empty()) warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;
     double radius = 0;
     const model::Case& c = sim_.model();

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hawser/app/utilisation.hpp"
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/io/results.hpp"
 #include "hawser/mesh/local_mesh.hpp"
@@ -17,15 +18,15 @@ namespace hawser::app {
 
 class LineExtremes {
  public:
-  // fields: those of which add() gets the values. Of a line without breaking loads no utilisation is told.
+  // fields: those of which add() gets the values.
   LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
                const std::vector<io::ResultField>& fields);
 
   // Whether a table of this field is kept.
   static bool wants(std::string_view field);
 
-  // An accepted step: values by field, of the owned nodes.
-  void add(double time, const std::vector<std::vector<double>>& values);
+  // An accepted step: values by field, of the owned nodes; a utilisation that is not known does not count.
+  void add(double time, const std::vector<std::vector<double>>& values, const Utilisation& utilisation);
   // The rows of all lines, those of a line together, the same on all ranks. Collective.
   std::vector<io::SummaryRow> table() const;
 
@@ -42,7 +43,6 @@ class LineExtremes {
     std::vector<size_t> fields;
     bool largest = true;
     std::vector<Extreme> lines;  // of this rank's nodes
-    std::vector<char> told;      // by line
   };
   MPI_Comm comm_;
   const LocalMesh& local_;

@@ -15,6 +15,7 @@
 #include "hawser/app/node_statistics.hpp"
 #include "hawser/app/sharp_turns.hpp"
 #include "hawser/app/simulation.hpp"
+#include "hawser/app/utilisation.hpp"
 #include "hawser/io/results.hpp"
 
 namespace hawser::app {
@@ -80,14 +81,13 @@ class Recorder {
   std::vector<io::ResultField> fields_;
   // Among values_.
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
-      moment_2_ = -1, moment_3_ = -1, pressed_ = -1, utilisation_ = -1, declination_ = -1;
-  std::vector<std::array<double, 2>>
-      breaking_;               // 1/N, of the elements before and after an owned node; 0: not known
+      moment_2_ = -1, moment_3_ = -1, pressed_ = -1, declination_ = -1;
   std::vector<int> carriers_;  // likewise
   std::vector<Point> points_;
   std::unique_ptr<LineExtremes> extremes_;
   std::unique_ptr<NodeStatistics> statistics_;  // null: not wanted
   SharpTurns turns_;
+  Utilisation utilisation_;
   Clearances clearances_;
   double rows_every_ = 0, rows_from_ = 0;  // s, of the histories; 0: every step
   std::unique_ptr<ClashReport> clashes_;   // null: nothing can touch
