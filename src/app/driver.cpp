@@ -90,6 +90,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  c = with_targets_met(comm, std::move(c), volumes, progress, options.restart);
   c.tree.reset();
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   const double end =
@@ -220,10 +221,11 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   MPI_Comm_rank(comm, &rank);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
   Progress progress(rank == 0);
-  const model::Case c = io::read_case(case_path, news(progress), comm);
+  model::Case c = io::read_case(case_path, news(progress), comm);
   const std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
   if (rank != 0) return 0;
   progress.end();
+  if (trial) c = with_targets_met(MPI_COMM_SELF, std::move(c), volumes, progress);
   fmt::print("{}", model::summary(c));
   for (const auto& v : volumes) {
     fmt::print("volume {}: {}\n", v.name, v.report);

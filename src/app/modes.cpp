@@ -114,9 +114,10 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   if (!c.statics.enabled)
     throw InputError(c.path +
                      ": statics: modes are about the static equilibrium, which this case leaves out");
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  c = with_targets_met(comm, std::move(c), volumes, progress);
   if (!options.added_mass)
     for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
-  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
   c.tree.reset();
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   for (const auto& n : place.notes()) progress.say("note: " + n);

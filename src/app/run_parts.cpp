@@ -5,6 +5,7 @@
 
 #include <ctime>
 
+#include "hawser/app/targets.hpp"
 #include "hawser/app/version.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/model/wave_components.hpp"
@@ -73,6 +74,19 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
     for (const auto& n : v.notes) all.push_back("volumes." + v.name + ": " + n);
   all.insert(all.end(), chosen.begin(), chosen.end());
   return model::grouped_notes(all);
+}
+
+model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
+                             Progress& progress, const std::string& restart) {
+  if (!has_targets(c)) return c;
+  MetTargets met = !restart.empty()
+                       ? with_lengths_of(c, restart, comm)
+                       : meet_targets(comm, c, volumes, [&](const StaticsReport& now) {
+                           progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+                         });
+  for (const std::string& f : met.found) progress.say("note: " + f);
+  met.model.output.file = c.output.file;  // which the command line may have said
+  return std::move(met.model);
 }
 
 StaticsReport solve_statics(Simulation& sim, Progress& progress) {

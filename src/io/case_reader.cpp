@@ -29,13 +29,18 @@ namespace fs = std::filesystem;
 
 class Reader {
  public:
-  Reader(const Value& root, const CaseSource& source, Case& c) : root_(root), source_(source), c_(c) {}
+  Reader(const Value& root, const CaseSource& source, Case& c, const SectionLengths& lengths = {})
+      : root_(root), source_(source), c_(c), lengths_(lengths) {}
 
   void read() {
     c_.title = root_["title"].text;
     c_.environment = read_environment(root_["environment"], source_, c_.notes);
     each("line_types", [&](const std::string& name, const Value& v) {
-      c_.line_types.push_back(read_line_type(name, v, source_));
+      const model::LineType& t = c_.line_types.emplace_back(read_line_type(name, v, source_, c_.environment));
+      if (t.kind == model::LineKind::cable && t.minimum_bend_radius > 0)
+        c_.notes.push_back(
+            "line_types." + name +
+            ".minimum_bend_radius: a type with 'bending: false' has no curvature to compare it with");
     });
     each("bodies", [&](const std::string& name, const Value& v) { c_.bodies.push_back(body(name, v)); });
     each("volumes", [&](const std::string& name, const Value& v) { c_.volumes.push_back(volume(name, v)); });
@@ -239,6 +244,8 @@ class Reader {
     }
     for (std::size_t i = 0; i < v["buried"].items.size(); ++i)
       l.buried.push_back(buried(v["buried"].items[i], length, l));
+    if (const Value* t = v.find("target"))
+      l.target = read_target(*t, path + ".target", v["sections"], source_);
     read_temperature_change(v["temperature_change"], path + ".temperature_change", source_, l);
     for (const Value& m : v["masses"].items)
       l.masses.push_back({arc(m.find("at"), 0, length), m["mass"].number, m["volume"].number,
@@ -278,6 +285,7 @@ class Reader {
       source_.bad(v["element_length"], path + ".element_length",
                   fmt::format("makes {:.3g} elements of this section; the limit is {:.0e}", n, kMost));
     s.elements = static_cast<int>(n);
+    if (const auto found = lengths_.find(path); found != lengths_.end()) s.length = found->second;
     return s;
   }
 
@@ -421,6 +429,7 @@ class Reader {
   const Value& root_;
   const CaseSource& source_;
   Case& c_;
+  const SectionLengths lengths_;
   OtherRuns others_{source_};
 };
 
@@ -443,6 +452,17 @@ model::Case read_case_text(const std::string& text, const std::string& path, con
   for (const model::Issue& i : model::check(c)) c.refuse(i.key, i.text);
   check_bed(c);
   return c;
+}
+
+model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm comm) {
+  Case out;
+  out.text = c.text, out.file = c.file, out.path = c.path, out.directory = c.directory;
+  out.tree = c.tree, out.changes = c.changes;
+  const CaseSource source{c.file, c.directory, comm};
+  Reader(*c.tree, source, out, lengths).read();
+  for (const model::Issue& i : model::check(out)) out.refuse(i.key, i.text);
+  check_bed(out);
+  return out;
 }
 
 model::Case read_case(const std::string& path, const ReadingNews& news, MPI_Comm comm) {

@@ -263,9 +263,24 @@ model::Environment read_environment(const Value& v, const CaseSource& source,
   return e;
 }
 
-void read_in_water(const Value& v, const std::string& key, const CaseSource& source, model::LineType& t) {
+namespace {
+
+void read_bore(const Value& c, const std::string& key, const CaseSource& source, bool pipe, double& bore) {
+  const Value* given = c.find("inner_diameter");
+  if (given && pipe)
+    source.bad(*given, key + ".inner_diameter", "'pipe' already says what it is; remove one of them");
+  if (!given && !pipe)
+    source.bad(c, key + ".inner_diameter", "required key is missing: the diameter of the bore");
+  if (given) bore = given->number;
+}
+
+}  // namespace
+
+void read_in_water(const Value& v, const std::string& key, const CaseSource& source,
+                   const model::Water& water, model::LineType& t) {
   const bool known = t.drag_diameter > 0;  // from the library; what is given goes before it
-  t.displaced_diameter = number(v, "displaced_diameter", known ? t.displaced_diameter : t.outer_diameter);
+  t.displaced_diameter =
+      number(v, "displaced_diameter", t.displaced_diameter > 0 ? t.displaced_diameter : t.outer_diameter);
   t.drag_diameter = number(v, "drag_diameter", known ? t.drag_diameter : t.displaced_diameter);
   const auto take = [&](const char* name, double& x) {
     if (!known || v[name].given) x = v[name].number;
@@ -273,8 +288,12 @@ void read_in_water(const Value& v, const std::string& key, const CaseSource& sou
   take("Cd_normal", t.Cd_normal), take("Cd_axial", t.Cd_axial);
   take("Ca_normal", t.Ca_normal), take("Ca_axial", t.Ca_axial);
   if (const Value* c = v.find("contents")) {
-    t.inner_diameter = (*c)["inner_diameter"].number;
-    t.contents_density = (*c)["density"].number, t.contents_pressure = (*c)["pressure"].number;
+    read_bore(*c, key + ".contents", source, v.has("pipe"), t.inner_diameter);
+    const Value& density = (*c)["density"];
+    if (density.is("flooded") && !water.present)
+      source.bad(density, key + ".contents.density", "is 'flooded', but there is no 'environment.water'");
+    t.contents_density = density.is("flooded") ? water.density : density.number;
+    t.contents_pressure = (*c)["pressure"].number;
     if (t.inner_diameter >= t.outer_diameter)
       source.bad(
           (*c)["inner_diameter"], key + ".contents.inner_diameter",

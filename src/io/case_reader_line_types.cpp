@@ -1,8 +1,9 @@
-// `line_types`: from the library, from the case, or from both.
+// `line_types`: from the library, from the case, or from both; a pipe, or by weights (case_reader_pipe.cpp).
 #include <fmt/format.h>
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 #include "hawser/io/case_reader_parts.hpp"
 #include "hawser/io/line_library.hpp"
@@ -24,6 +25,8 @@ std::shared_ptr<const StiffnessTable> read_stiffness_table(const Value& table, c
 }
 
 void read_bending(const Value& v, const std::string& path, const CaseSource& source, model::LineType& t) {
+  t.GA = v["GA"].number;
+  if (v.has("pipe")) return;
   for (const char* key : {"EI", "GJ"})
     if (!v.has(key))
       source.bad(
@@ -32,7 +35,6 @@ void read_bending(const Value& v, const std::string& path, const CaseSource& sou
           "'bending: false')");
   const Value& EI = v["EI"];
   t.GJ = v["GJ"].number;
-  t.GA = v["GA"].number;
   if (EI.kind == Value::Kind::map) {
     t.moment_table = read_stiffness_table(EI["table"], path + ".EI.table", true, source);
     t.EI2 = t.EI3 = t.moment_table->initial();
@@ -49,20 +51,25 @@ void read_bending(const Value& v, const std::string& path, const CaseSource& sou
 
 }  // namespace
 
-model::LineType read_line_type(const std::string& name, const Value& v, const CaseSource& source) {
+model::LineType read_line_type(const std::string& name, const Value& v, const CaseSource& source,
+                               const model::Environment& sea) {
   const std::string path = "line_types." + name;
   model::LineType t;
   const bool known = v.has("library");
+  if (v.has("pipe"))
+    read_pipe(v, path, source, t);
+  else if (v.has("weight"))
+    read_weight(v, path, source, sea.gravity, t);
   if (known) {
     t = library_line_type(v, path, source);
-  } else {
+  } else if (!v.has("pipe")) {
     for (const char* key : {"diameter", "grade"})
       if (v.has(key)) source.bad(v[key], path + "." + key, "has a meaning with 'library' only");
     for (const char* key : {"outer_diameter", "mass_per_length", "EA"})
-      if (!v.has(key))
+      if (!v.has(key) && !(v.has("weight") && std::string_view(key) == "mass_per_length"))
         source.bad(v, path + "." + key,
-                   "required key is missing: a type that is not from the 'library' needs outer_diameter, "
-                   "mass_per_length and EA");
+                   "required key is missing: a type that is no 'pipe' and not from the 'library' needs "
+                   "outer_diameter, mass_per_length (or weight) and EA");
   }
   t.name = name;
   if (v.has("bending")) t.kind = v["bending"].number != 0 ? model::LineKind::beam : model::LineKind::cable;
@@ -75,6 +82,7 @@ model::LineType read_line_type(const std::string& name, const Value& v, const Ca
   take("contact_diameter", t.contact_diameter);
   take("mass_per_length", t.mass_per_length);
   take("breaking_load", t.breaking_load);
+  take("minimum_bend_radius", t.minimum_bend_radius);
   take("thermal_expansion", t.thermal_expansion);
   if (v.has("EA")) {
     const Value& EA = v["EA"];
@@ -85,7 +93,7 @@ model::LineType read_line_type(const std::string& name, const Value& v, const Ca
       t.EA = EA.number;
     }
   }
-  read_in_water(v, path, source, t);
+  read_in_water(v, path, source, sea.water, t);
   take("stiffness_damping", t.stiffness_damping);
   if (t.kind == model::LineKind::beam) {
     read_bending(v, path, source, t);

@@ -40,6 +40,7 @@ class LineCheck {
     for (std::size_t i = 0; i < line_.bend_stiffeners.size(); ++i)
       check_stiffener(line_.bend_stiffeners[i], fmt::format("bend_stiffeners[{}]", i));
     for (std::size_t i = 0; i < line_.buried.size(); ++i) check_buried(i, fmt::format("buried[{}]", i));
+    if (line_.target) check_target(*line_.target);
   }
 
  private:
@@ -196,6 +197,17 @@ class LineCheck {
           key,
           "nothing says where this stretch lies: give 'start' as straight or as points, or two held ends of "
           "which it begins at one");
+  }
+
+  void check_target(const LengthTarget& t) {
+    using Kind = LengthTarget::Kind;
+    const bool bed = t.kind == Kind::touchdown || t.kind == Kind::laid_length;
+    if (!c_.statics.enabled)
+      issue("target", "is met in static equilibrium, which this case leaves out ('statics: false')");
+    if (bed && !c_.environment.seabed.present)
+      issue("target", "is about the seabed, but there is no 'environment.seabed'");
+    if (!bed && !held(t.at_a ? line_.end_a : line_.end_b))
+      issue("target", "end {} is free: it has no tension and no angle to be met", t.at_a ? "A" : "B");
   }
 
   // K, the largest either way over the arc [from, to], m.

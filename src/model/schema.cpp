@@ -26,70 +26,6 @@ using namespace schema_build;
 
 namespace {
 
-constexpr const char* kFromLibrary = "none: needed unless `library`";
-
-Key line_types() {
-  std::vector<Key> keys = {
-      text("library", "takes what is not given here from the [library](line-types.md) of chains and ropes"),
-      number("diameter", length, "nominal diameter in the library: of a chain that of its bar").above(0),
-      text("grade", "of the library's chains: `R3`, `R3S`, `R4`, `R4S` or `R5`"),
-      number("outer_diameter", length, "diameter of the outside").above(0).or_else_note(kFromLibrary),
-      number("contact_diameter", length, "diameter that touches volumes")
-          .above(0)
-          .or_else_note("`outer_diameter`"),
-      number("mass_per_length", mass_per_length, "mass in air, without `contents` and `marine_growth`")
-          .above(0)
-          .or_else_note(kFromLibrary),
-      boolean("bending",
-              "`false` makes a cable: axial stiffness only, may go slack; its nodes have no "
-              "rotations")
-          .or_else_note("`true`; `false` with `library`"),
-      one_of("EA",
-             {number("", force).above(0),
-              map("",
-                  {list("table", list("", number("", none), "").items(2, 2),
-                        "tension over strain, `[[strain, N], ...]`, rising through zero: a monotone cubic, "
-                        "elastic, straight beyond the rows")
-                       .is_required()
-                       .items(1)},
-                  "")},
-             "axial stiffness")
-          .or_else_note(kFromLibrary),
-      one_of(
-          "EI",
-          {number("", bending_stiffness).above(0),
-           list("", number("", bending_stiffness).above(0), "").items(2, 2),
-           map("",
-               {list("table", list("", number("", none), "").items(2, 2),
-                     "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the same in "
-                     "all directions: a monotone cubic, elastic, straight beyond the rows")
-                    .is_required()
-                    .items(1)},
-               "")},
-          "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
-          .or_else_note("none: needed unless `bending: false`"),
-      number("GJ", bending_stiffness, "torsion stiffness")
-          .above(0)
-          .or_else_note("none: needed unless `bending: false`"),
-      number("GA", force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)").at_least(0).or_else("0"),
-      vec3("rotary_inertia", inertia_per_length,
-           "rotary inertia per length about axes 1 (along the line), 2 and 3")
-          .at_least(0)
-          .or_else_note("of a full round section: m d²/8, m d²/16, m d²/16"),
-      number("stiffness_damping", time, "Rayleigh damping beta: damping = beta times the material stiffness")
-          .at_least(0)
-          .or_else("0"),
-      number("thermal_expansion", thermal_expansion,
-             "strain for a `temperature_change` of the line by 1 K: of steel 1.17e-5; may be negative")
-          .or_else("0"),
-      number("breaking_load", force, "minimum breaking load, for the summary; nothing breaks")
-          .above(0)
-          .or_else_note("that of `library`, or not known")};
-  for (Key& k : in_water()) keys.push_back(std::move(k));
-  return names("line_types", map("<type>", std::move(keys), ""), "What lines are made of, by name.")
-      .or_else("{}");
-}
-
 Key harmonic(std::string about) {
   return map(
       "harmonic",
@@ -390,7 +326,7 @@ Key lines() {
                          "...]`, straight between the rows and constant beyond: types with "
                          "`thermal_expansion` get longer; acts from statics on")
                       .or_else("0"),
-                  std::move(loads)},
+                  std::move(loads), target()},
                  ""),
              "Lines, by name. Arc lengths are unstretched and count from end A.")
       .or_else("{}");

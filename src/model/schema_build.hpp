@@ -84,6 +84,8 @@ Key friction();               // coefficients and springs of it, of volumes and 
 Key force_rows();             // `table` of force against penetration, of volumes and the seabed
 Key environment();            // the sea and its bed
 std::vector<Key> in_water();  // of line types
+Key line_types();
+Key target();  // of lines
 Key output();
 
 }  // namespace hawser::model::schema_build

@@ -238,8 +238,12 @@ std::vector<Key> in_water() {
           .or_else("1"),
       number("Ca_axial", none, "added mass coefficient along the line").at_least(0).at_most(100).or_else("0"),
       map("contents",
-          {number("inner_diameter", length, "of the bore").above(0).is_required(),
-           number("density", density, "of what fills it").at_least(0).is_required(),
+          {number("inner_diameter", length, "of the bore")
+               .above(0)
+               .or_else_note("that of `pipe`; else needed"),
+           one_of("density", {number("", density).at_least(0), word("", {"flooded"})},
+                  "of what fills it; `flooded`: the water of the sea")
+               .is_required(),
            number("pressure", pressure, "above the atmosphere, at the still water level").or_else("0")},
           "what is in the bore: its mass is added to `mass_per_length`"),
       map("marine_growth",

@@ -1,4 +1,4 @@
-// The keys of contact between lines.
+// The keys of contact between lines, and of what the length of a line has to meet.
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {
@@ -59,6 +59,34 @@ Key between_lines() {
                      "")},
                 "contact of the lines with each other and with themselves; `false`: none")
       .or_else("true");
+}
+
+Key target() {
+  return map("target",
+             {number("tension", force, "effective tension at the end").above(0),
+              number("declination_deg", angle,
+                     "angle at the end between the upward vertical and the line's direction from end A to "
+                     "end B, as of `ends/direction` in the results")
+                  .at_least(0)
+                  .at_most(3.14159265358979323846),
+              number("touchdown", length,
+                     "arc length from end A of the touchdown point that is the first one from `at`")
+                  .at_least(0),
+              number("laid_length", length, "that lies on the seabed").above(0),
+              word("at", {"end_a", "end_b"}, "the end").or_else("end_b"),
+              integer("section", "whose `length` is sought: number from end A on, the first is 1")
+                  .at_least(1)
+                  .or_else_note("the longest"),
+              list("between", number("", length).above(0), "lengths of that section that are tried")
+                  .items(2, 2)
+                  .or_else_note("half its `length` and one and a half times it")},
+             "what statics is to meet at t = 0 by the length of one section: its `length` is then only where "
+             "the search begins")
+      .either({{{"tension"}, {"tension"}},
+               {{"declination_deg"}, {"declination_deg"}},
+               {{"touchdown"}, {"touchdown"}},
+               {{"laid_length"}, {"laid_length"}}},
+              true);
 }
 
 }  // namespace hawser::model::schema_build

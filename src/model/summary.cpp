@@ -149,6 +149,20 @@ std::string warmth_text(const Case& c, const Line& l) {
                      std::abs(expansion), expansion < 0 ? "shorter" : "longer");
 }
 
+std::string target_text(const LengthTarget& t) {
+  using Kind = LengthTarget::Kind;
+  const std::string end = t.at_a ? "end A" : "end B";
+  const std::string what = t.kind == Kind::tension
+                               ? fmt::format("a tension of {:g} kN at {}", t.value / 1000, end)
+                           : t.kind == Kind::declination
+                               ? fmt::format("a declination of {:g} deg at {}", t.value * 180 / M_PI, end)
+                           : t.kind == Kind::touchdown
+                               ? fmt::format("a touchdown point at {:g} m, the first from {}", t.value, end)
+                               : fmt::format("a laid length of {:g} m", t.value);
+  return fmt::format("{}, by the length of section {}, between {:g} and {:g} m", what, t.section + 1, t.least,
+                     t.most);
+}
+
 void describe_line(const Case& c, const Line& l, std::string& s) {
   const LineSize z = size_of(c, l);
   s += fmt::format("  {}: {:g} m, {} elements, {} nodes, {} unknowns, {:.4g} kg, weight {:.4g} kN\n", l.name,
@@ -162,6 +176,7 @@ void describe_line(const Case& c, const Line& l, std::string& s) {
   }
   s += fmt::format("    end A {}; end B {}; start {}\n", end_text(l.end_a), end_text(l.end_b),
                    start_text(l.start));
+  if (l.target) s += "    target: " + target_text(*l.target) + "\n";
   if (!l.bend_stiffeners.empty()) s += fmt::format("    {} bend stiffeners\n", l.bend_stiffeners.size());
   if (!l.temperature_change.empty()) s += "    " + warmth_text(c, l) + "\n";
   if (!l.masses.empty() || !l.loads.empty() || !l.point_loads.empty())
@@ -251,6 +266,7 @@ std::string summary(const Case& c) {
   s += fmt::format("lines: {} ({} elements, {} nodes, {} unknowns)\n", c.lines.size(), elements, nodes,
                    unknowns);
   for (const Line& l : c.lines) describe_line(c, l, s);
+  if (!c.line_types.empty()) s += line_type_table(c);
   s += fmt::format("bodies: {}\n", c.bodies.size());
   for (const Body& b : c.bodies)
     s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(b));

@@ -20,7 +20,8 @@ constexpr Unit kTime[] = {{"s"}, {"ms", 1, 1000}, {"min", 60, 1}, {"h", 3600, 1}
 constexpr Unit kMass[] = {{"kg"}, {"g", 1, 1000}, {"t", 1000, 1}};
 constexpr Unit kMassPerLength[] = {{"kg/m"}, {"t/m", 1000, 1}};
 constexpr Unit kForce[] = {{"N"}, {"kN", 1e3, 1}, {"MN", 1e6, 1}, {"GN", 1e9, 1}, {"tf", kTonneForce, 1}};
-constexpr Unit kForcePerLength[] = {{"N/m"}, {"kN/m", 1e3, 1}, {"MN/m", 1e6, 1}, {"tf/m", kTonneForce, 1}};
+constexpr Unit kForcePerLength[] = {
+    {"N/m"}, {"kN/m", 1e3, 1}, {"MN/m", 1e6, 1}, {"kgf/m", kTonneForce, 1000}, {"tf/m", kTonneForce, 1}};
 constexpr Unit kMoment[] = {{"Nm"}, {"kNm", 1e3, 1}, {"MNm", 1e6, 1}, {"tfm", kTonneForce, 1}};
 constexpr Unit kBending[] = {
     {"Nm^2"}, {"kNm^2", 1e3, 1}, {"MNm^2", 1e6, 1}, {"GNm^2", 1e9, 1}, {"tfm^2", kTonneForce, 1}};
@@ -41,7 +42,7 @@ constexpr Unit kTurningStiffness[] = {
     {"Nm/deg", 180, kPi}, {"kNm/deg", 180e3, kPi}, {"MNm/deg", 180e6, kPi}};
 constexpr Unit kTurningDamping[] = {{"Nms/rad"}, {"kNms/rad", 1e3, 1}, {"MNms/rad", 1e6, 1}, {"Nms"}};
 constexpr Unit kDensity[] = {{"kg/m^3"}, {"t/m^3", 1000, 1}};
-constexpr Unit kPressure[] = {{"Pa"}, {"kPa", 1e3, 1}, {"MPa", 1e6, 1}, {"bar", 1e5, 1}};
+constexpr Unit kPressure[] = {{"Pa"}, {"kPa", 1e3, 1}, {"MPa", 1e6, 1}, {"GPa", 1e9, 1}, {"bar", 1e5, 1}};
 constexpr Unit kVolume[] = {{"m^3"}};
 constexpr Unit kArea[] = {{"m^2"}};
 constexpr Unit kTemperatureChange[] = {{"K"}, {"degC"}, {"°C"}};

@@ -25,6 +25,11 @@ std::vector<io::BodyPose> body_poses(Simulation& sim, const Kinematics& at);
 // What was mended and chosen, the like of several volumes at once.
 std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
                                    const std::vector<std::string>& chosen);
+// The case with the lengths that meet the targets of its lines (app/targets.hpp), and what they are told as
+// notes; the case itself where there are none. restart: results that a run goes on from, and its lengths with
+// it. Collective.
+model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
+                             Progress& progress, const std::string& restart = "");
 // Statics of the case, its progress and what is to be told of the equilibrium. Collective; throws as
 // Simulation::solve_statics does.
 StaticsReport solve_statics(Simulation& sim, Progress& progress);

@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <functional>
+#include <map>
 #include <string>
 
 #include "hawser/model/case.hpp"
@@ -30,5 +31,12 @@ model::Case read_case(const std::string& path, const ReadingNews& news = {}, MPI
 // The same for text already read; `path` names the file and gives the directory of relative paths.
 model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news = {},
                            MPI_Comm comm = MPI_COMM_SELF);
+
+// Unstretched lengths of sections by their dotted keys, "lines.hose.sections[0]", m.
+using SectionLengths = std::map<std::string, double>;
+
+// The case, whose `tree` must be there, as if these lengths were in its file: arc lengths said as `end_b`
+// move along. The numbers of elements stay. InputError where it is then no valid case. Collective.
+model::Case with_lengths(const model::Case& c, const SectionLengths& lengths, MPI_Comm comm = MPI_COMM_SELF);
 
 }  // namespace hawser::io

@@ -74,14 +74,26 @@ model::BetweenLines read_between_lines(const model::Value& v, const CaseSource& 
 model::Environment read_environment(const model::Value& v, const CaseSource& source,
                                     std::vector<std::string>& notes);
 void read_in_water(const model::Value& v, const std::string& key, const CaseSource& source,
-                   model::LineType& t);
+                   const model::Water& water, model::LineType& t);
+
+// `pipe` and `weight` of a line type: mass, diameters and stiffnesses from the walls of a pipe
+// (docs/user-guide/case-file.md), mass and displaced diameter from weights per length. Keys that say the same
+// once more are refused.
+void read_pipe(const model::Value& v, const std::string& key, const CaseSource& source, model::LineType& t);
+void read_weight(const model::Value& v, const std::string& key, const CaseSource& source, double gravity,
+                 model::LineType& t);
 
 // An entry of `line_types`, which may take from the library what it does not say itself.
-model::LineType read_line_type(const std::string& name, const model::Value& v, const CaseSource& source);
+model::LineType read_line_type(const std::string& name, const model::Value& v, const CaseSource& source,
+                               const model::Environment& sea);
 
 // An entry of `bend_stiffeners` of a line, its root at arc length `at` [m].
 void read_bend_stiffener(const model::Value& v, const std::string& path, double at, double length,
                          const CaseSource& source, model::Line& line);
+
+// `target` of a line of these `sections`.
+model::LengthTarget read_target(const model::Value& v, const std::string& key, const model::Value& sections,
+                                const CaseSource& source);
 
 // `temperature_change` of a line.
 void read_temperature_change(const model::Value& v, const std::string& path, const CaseSource& source,

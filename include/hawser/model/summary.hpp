@@ -15,6 +15,10 @@ struct LineSize {
 };
 LineSize size_of(const Case& c, const Line& line);
 
+// Mass, weight in air and submerged weight per length, EA, EI, minimum breaking load and minimum bend radius
+// of every line type, a row each under two lines of headings. Contents and marine growth are in the weights.
+std::string line_type_table(const Case& c);
+
 // Several lines of text, ending in a newline: lines, bodies, volumes, what is run, notes.
 std::string summary(const Case& c);
 

@@ -1,0 +1,95 @@
+// The class RootSearch: the walk outward, and Chandrupatla's choice between its two steps.
+#include "hawser/math/root_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+namespace {
+
+constexpr double kGrowth = 2;     // of steps outward
+constexpr int kMostFailures = 6;  // before what lies beyond is left alone: each halves the step
+
+}  // namespace
+
+RootSearch::RootSearch(double start, double step, double low, double high) : next_(start) {
+  way_[0].step = step, way_[1].step = -step;
+  for (Way& w : way_) w.limit = w.step > 0 ? high : low, w.x = start;
+}
+
+double RootSearch::width() const { return std::abs(x_[1] - x_[0]); }
+
+void RootSearch::tell(double value) {
+  const std::pair<double, double> row(next_, value);
+  seen_.insert(std::upper_bound(seen_.begin(), seen_.end(), row), row);
+  if (bracketed_) {
+    const int same = (value > 0) == (f_[0] > 0) ? 0 : 1;
+    x_[2] = x_[same], f_[2] = f_[same];
+    if (same == 1) x_[1] = x_[0], f_[1] = f_[0];
+    x_[0] = next_, f_[0] = value, failures_ = 0;
+    return between();
+  }
+  if (told_++ == 0) {
+    for (Way& w : way_) w.f = value;
+    going_ = value > 0 ? 1 : 0;
+    return outward();
+  }
+  Way& w = way_[going_];
+  if ((value > 0) != (w.f > 0)) {
+    bracketed_ = true;
+    x_[0] = next_, f_[0] = value, x_[1] = w.x, f_[1] = w.f;
+    share_ = f_[0] / (f_[0] - f_[1]);
+    next_ = x_[0] + std::clamp(share_, 0.02, 0.98) * (x_[1] - x_[0]);
+    x_[2] = x_[1], f_[2] = f_[1];
+    return;
+  }
+  // The other way first, if this one leads away.
+  const bool away = told_ == 2 && std::abs(value) > std::abs(w.f) && !way_[1 - going_].ended;
+  w.x = next_, w.f = value, w.step *= w.failures > 0 ? 1 : kGrowth;
+  if (w.x == w.limit) w.ended = true;
+  if (away) going_ = 1 - going_;
+  outward();
+}
+
+void RootSearch::fail() {
+  if (bracketed_) {
+    if (++failures_ > kMostFailures) exhausted_ = true;
+    share_ *= 0.5;
+    next_ = x_[0] + share_ * (x_[1] - x_[0]);
+    return;
+  }
+  if (told_ == 0) {
+    exhausted_ = true;
+    return;
+  }
+  Way& w = way_[going_];
+  w.limit = next_, w.step = 0.5 * (next_ - w.x);
+  if (++w.failures > kMostFailures) w.ended = true;
+  outward();
+}
+
+void RootSearch::outward() {
+  if (way_[going_].ended) going_ = 1 - going_;
+  const Way& w = way_[going_];
+  if (w.ended) {
+    exhausted_ = true;
+    return;
+  }
+  const double x = w.x + w.step;
+  next_ = (w.step > 0) == (x < w.limit) ? x : w.limit;
+  // What failed is not asked for again.
+  if (w.failures > 0 && next_ == w.limit) next_ = 0.5 * (w.x + w.limit);
+}
+
+void RootSearch::between() {
+  const double xi = (x_[0] - x_[1]) / (x_[2] - x_[1]), phi = (f_[0] - f_[1]) / (f_[2] - f_[1]);
+  share_ = 0.5;
+  if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi) {
+    const double alpha = (x_[2] - x_[0]) / (x_[1] - x_[0]);
+    share_ = f_[0] / (f_[1] - f_[0]) * f_[2] / (f_[1] - f_[2]) +
+             alpha * f_[0] / (f_[2] - f_[0]) * f_[1] / (f_[2] - f_[1]);
+  }
+  next_ = x_[0] + share_ * (x_[1] - x_[0]);
+}
+
+}  // namespace hawser

@@ -1,0 +1,118 @@
+// The keys of line types: of a section given by its properties, of a pipe by its walls, of a hose or an
+// umbilical by its weights.
+#include "schema_build.hpp"
+
+namespace hawser::model::schema_build {
+namespace {
+
+constexpr const char* kFromPipe = "none: needed unless `library` or `pipe`";
+constexpr const char* kStiffness = "none: needed unless `bending: false` or `pipe`";
+
+Key pipe() {
+  return map(
+      "pipe",
+      {number("outer_diameter", length, "of the wall, without coatings").above(0).is_required(),
+       number("wall_thickness", length, "of the wall").above(0).is_required(),
+       one_of("material",
+              {word("", {"steel", "titanium", "hdpe"}),
+               map("",
+                   {number("E", pressure, "modulus of elasticity").above(0).is_required(),
+                    number("density", density, "of the wall").above(0).is_required(),
+                    number("poisson", none, "Poisson's ratio").at_least(0).at_most(0.5).or_else("0.3")},
+                   "")},
+              "of the wall: one of those of the [guide](case-file.md#pipes-hoses-and-umbilicals), or its "
+              "numbers")
+           .or_else("steel"),
+       list("coatings",
+            map("",
+                {number("thickness", length, "of the layer").above(0).is_required(),
+                 number("density", density, "of the layer").above(0).is_required()},
+                ""),
+            "layers on the wall, from the inside to the outside: mass and diameter, no stiffness")
+           .or_else("[]")},
+      "a pipe, from which mass, diameters, `EA`, `EI`, `GJ` and the bore of `contents` follow");
+}
+
+Key weight() {
+  return map(
+      "weight",
+      {number("in_air", force_per_length, "weight in air").above(0).is_required(),
+       number("submerged", force_per_length, "weight under water; negative: it floats").is_required(),
+       number("full_of", density,
+              "of what the bore is full of in these weights; it is taken out where `contents` say "
+              "what is in it")
+           .above(0)
+           .or_else_note("nothing: the weights are those of the empty line"),
+       number("water_density", density, "of the water that `submerged` is for").above(0).or_else("1025")},
+      "weights per length from a data sheet, from which `mass_per_length` and `displaced_diameter` "
+      "follow");
+}
+
+}  // namespace
+
+Key line_types() {
+  std::vector<Key> keys = {
+      text("library", "takes what is not given here from the [library](line-types.md) of chains and ropes"),
+      number("diameter", length, "nominal diameter in the library: of a chain that of its bar").above(0),
+      text("grade", "of the library's chains: `R3`, `R3S`, `R4`, `R4S` or `R5`"),
+      pipe(),
+      weight(),
+      number("outer_diameter", length, "diameter of the outside").above(0).or_else_note(kFromPipe),
+      number("contact_diameter", length, "diameter that touches volumes")
+          .above(0)
+          .or_else_note("`outer_diameter`"),
+      number("mass_per_length", mass_per_length, "mass in air, without `contents` and `marine_growth`")
+          .above(0)
+          .or_else_note("none: needed unless `library`, `pipe` or `weight`"),
+      boolean("bending",
+              "`false` makes a cable: axial stiffness only, may go slack; its nodes have no "
+              "rotations")
+          .or_else_note("`true`; `false` with `library`"),
+      one_of("EA",
+             {number("", force).above(0),
+              map("",
+                  {list("table", list("", number("", none), "").items(2, 2),
+                        "tension over strain, `[[strain, N], ...]`, rising through zero: a monotone cubic, "
+                        "elastic, straight beyond the rows")
+                       .is_required()
+                       .items(1)},
+                  "")},
+             "axial stiffness")
+          .or_else_note(kFromPipe),
+      one_of(
+          "EI",
+          {number("", bending_stiffness).above(0),
+           list("", number("", bending_stiffness).above(0), "").items(2, 2),
+           map("",
+               {list("table", list("", number("", none), "").items(2, 2),
+                     "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the same in "
+                     "all directions: a monotone cubic, elastic, straight beyond the rows")
+                    .is_required()
+                    .items(1)},
+               "")},
+          "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
+          .or_else_note(kStiffness),
+      number("GJ", bending_stiffness, "torsion stiffness").above(0).or_else_note(kStiffness),
+      number("GA", force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)").at_least(0).or_else("0"),
+      vec3("rotary_inertia", inertia_per_length,
+           "rotary inertia per length about axes 1 (along the line), 2 and 3")
+          .at_least(0)
+          .or_else_note("of a full round section: m d²/8, m d²/16, m d²/16; of a `pipe` its own"),
+      number("stiffness_damping", time, "Rayleigh damping beta: damping = beta times the material stiffness")
+          .at_least(0)
+          .or_else("0"),
+      number("thermal_expansion", thermal_expansion,
+             "strain for a `temperature_change` of the line by 1 K: of steel 1.17e-5; may be negative")
+          .or_else("0"),
+      number("breaking_load", force, "minimum breaking load, for the summary; nothing breaks")
+          .above(0)
+          .or_else_note("that of `library`, or not known"),
+      number("minimum_bend_radius", length, "that the line may be bent to, for the summary; nothing breaks")
+          .above(0)
+          .or_else_note("not known")};
+  for (Key& k : in_water()) keys.push_back(std::move(k));
+  return names("line_types", map("<type>", std::move(keys), ""), "What lines are made of, by name.")
+      .or_else("{}");
+}
+
+}  // namespace hawser::model::schema_build

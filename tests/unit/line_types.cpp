@@ -1,0 +1,160 @@
+// Line types given as pipes and by the weights of data sheets: against tables of pipes, by hand, refusals,
+// and the table of `hawser check`.
+#include <gtest/gtest.h>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "hawser/model/summary.hpp"
+
+namespace hawser::line_types_test {
+namespace {
+
+model::Case case_of(const std::string& keys, const std::string& sea = "water: {}") {
+  return io::read_case_text(
+      "hawser: 1\nenvironment: {" + sea + "}\nline_types:\n  t: {" + keys +
+          "}\nlines:\n  l: {sections: [{type: t, length: 10, elements: 2}], end_a: {anchor: "
+          "[0, 0, -5]}, end_b: {anchor: [9, 0, -5]}}\n",
+      "types.yaml");
+}
+
+model::LineType type_of(const std::string& keys) { return case_of(keys).line_type("t"); }
+
+std::string refusal(const std::string& keys, const std::string& sea = "water: {}") {
+  try {
+    case_of(keys, sea);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+void expect_refused(const std::string& keys, const std::string& why, const std::string& sea = "water: {}") {
+  const std::string told = refusal(keys, sea);
+  EXPECT_NE(told.find(why), std::string::npos) << keys << ": " << told;
+  EXPECT_EQ(told.find('\n'), std::string::npos) << told;
+}
+
+const std::string kPipe = "pipe: {outer_diameter: 10.75 in, wall_thickness: 0.5 in";
+
+// ASME B36.10: 10 inch, wall 0.500 in, 81.52 kg/m; I = 212 in^4 and A = 16.1 in^2 of its tables.
+TEST(LineTypes, SteelPipe) {
+  const model::LineType t = type_of(kPipe + "}");
+  EXPECT_EQ(t.kind, model::LineKind::beam);
+  EXPECT_NEAR(t.mass_per_length, 81.52, 0.001 * 81.52);
+  EXPECT_NEAR(t.EA, 207e9 * 16.1 * 0.0254 * 0.0254, 2e-3 * t.EA);
+  EXPECT_NEAR(t.EI2, 207e9 * 212 * std::pow(0.0254, 4), 2e-3 * t.EI2);
+  EXPECT_EQ(t.EI2, t.EI3);
+  EXPECT_NEAR(t.GJ, t.EI2 / 1.3, 1e-9 * t.GJ);  // G J = E / (2 (1 + nu)) 2 I
+  EXPECT_NEAR(t.outer_diameter, 0.27305, 1e-12);
+  EXPECT_NEAR(t.inner_diameter, 9.75 * 0.0254, 1e-12);
+  EXPECT_NEAR(t.rotary_inertia.x(), 7850 * 2 * t.EI2 / 207e9, 1e-9);
+  EXPECT_EQ(t.contact_diameter, t.outer_diameter);
+}
+
+// By hand: 3 mm of 900 kg/m³ under 50 mm of 800 kg/m³, full of oil.
+TEST(LineTypes, CoatingsAndContents) {
+  const model::LineType bare = type_of(kPipe + "}"),
+                        t = type_of(
+                            kPipe +
+                            ", coatings: [{thickness: 3 mm, density: 900}, {thickness: 50 mm, density: "
+                            "800}]}, contents: {density: 870, pressure: 10 MPa}");
+  const double D = 0.27305, D1 = D + 0.006, D2 = D1 + 0.1, d = D - 2 * 0.0127;
+  EXPECT_NEAR(t.outer_diameter, D2, 1e-12);
+  EXPECT_NEAR(t.displaced(), D2, 1e-12);
+  EXPECT_NEAR(
+      t.mass_per_length,
+      bare.mass_per_length + M_PI / 4 * (900 * (D1 * D1 - D * D) + 800 * (D2 * D2 - D1 * D1) + 870 * d * d),
+      1e-9);
+  EXPECT_EQ(t.EI2, bare.EI2);
+  EXPECT_EQ(t.EA, bare.EA);
+  EXPECT_EQ(t.GJ, bare.GJ);
+  EXPECT_EQ(t.contents_pressure, 1e7);
+  const auto ring = [](double inner, double outer) {
+    return M_PI / 32 * (std::pow(outer, 4) - std::pow(inner, 4));
+  };
+  EXPECT_NEAR(t.rotary_inertia.x(), bare.rotary_inertia.x() + 900 * ring(D, D1) + 800 * ring(D1, D2), 1e-9);
+}
+
+// A flooded pipe of thickness t floats by its wall alone.
+TEST(LineTypes, Flooded) {
+  const model::Case c = case_of(
+      "pipe: {outer_diameter: 0.5, wall_thickness: 0.02, material: hdpe}, contents: "
+      "{density: flooded}",
+      "water: {density: 1000}");
+  const model::LineType& t = c.line_type("t");
+  const double wall = M_PI / 4 * (0.25 - 0.46 * 0.46);
+  EXPECT_NEAR(t.mass_per_length - 1000 * M_PI / 4 * 0.25, (955 - 1000) * wall, 1e-9);
+  EXPECT_NEAR(t.EA, 0.9e9 * wall, 1e-3);
+  expect_refused(kPipe + "}, contents: {density: flooded}", "contents.density: is 'flooded', but there is no",
+                 "gravity: 9.81");
+}
+
+TEST(LineTypes, Materials) {
+  EXPECT_NEAR(type_of(kPipe + ", material: titanium}").EA / type_of(kPipe + "}").EA, 114. / 207, 1e-12);
+  const model::LineType t = type_of(kPipe + ", material: {E: 70 GPa, density: 2700, poisson: 0.25}}");
+  EXPECT_NEAR(t.GJ, t.EI2 / 1.25, 1e-9 * t.GJ);
+  EXPECT_NEAR(t.mass_per_length / type_of(kPipe + "}").mass_per_length, 2700. / 7850, 1e-12);
+  EXPECT_EQ(type_of(kPipe + "}, bending: false").kind, model::LineKind::cable);
+}
+
+TEST(LineTypes, ByWeights) {
+  const std::string rest = ", outer_diameter: 0.25, EA: 500 MN, EI: 50 kNm2, GJ: 10 kNm2";
+  const model::LineType t = type_of("weight: {in_air: 90 kgf/m, submerged: 45 kgf/m}" + rest);
+  EXPECT_NEAR(t.mass_per_length, 90, 1e-9);
+  EXPECT_NEAR(1025 * M_PI / 4 * t.displaced() * t.displaced(), 45, 1e-9);
+  // Full of water of 1025 kg/m³ on the sheet, full of gas in the case.
+  const double bore = M_PI / 4 * 0.01;
+  const model::LineType gas = type_of(
+      "weight: {in_air: 90 kgf/m, submerged: 45 kgf/m, full_of: 1025}, contents: {inner_diameter: 0.1, "
+      "density: 100}" +
+      rest);
+  EXPECT_NEAR(gas.mass_per_length, 90 - 925 * bore, 1e-9);
+  EXPECT_NEAR(gas.displaced(), t.displaced(), 1e-12);
+  // A floating hose.
+  EXPECT_LT(type_of("weight: {in_air: 0.2 kN/m, submerged: -0.1 kN/m}" + rest).mass_per_length,
+            1025 * M_PI / 4 * 0.25 * 0.25);
+}
+
+TEST(LineTypes, Refusals) {
+  const std::string rest = ", outer_diameter: 0.25, EA: 500 MN, EI: 50 kNm2, GJ: 10 kNm2";
+  const std::string weight = "weight: {in_air: 90 kgf/m, submerged: 45 kgf/m}";
+  expect_refused(kPipe + "}, EA: 1 MN", "line_types.t.EA: 'pipe' already says what it is");
+  expect_refused(kPipe + "}, outer_diameter: 1", "line_types.t.outer_diameter: 'pipe' already says");
+  expect_refused(kPipe + "}, library: polyester, diameter: 0.1", "line_types.t.library: 'pipe' already says");
+  expect_refused(kPipe + "}, " + weight, "line_types.t.weight: 'pipe' already says");
+  expect_refused(kPipe + "}, contents: {inner_diameter: 0.1, density: 1}",
+                 "line_types.t.contents.inner_diameter: 'pipe' already says");
+  expect_refused("pipe: {outer_diameter: 0.2, wall_thickness: 0.1}", "fills the pipe of 0.2 m");
+  expect_refused(kPipe + ", material: stel}", "did you mean 'steel'");
+  expect_refused(weight + rest + ", mass_per_length: 90",
+                 "line_types.t.mass_per_length: 'weight' already says");
+  expect_refused(weight + ", library: polyester, diameter: 0.1",
+                 "line_types.t.library: 'weight' already says");
+  expect_refused(weight + ", EA: 5 MN", "line_types.t.outer_diameter: required key is missing");
+  expect_refused("weight: {in_air: 45 kgf/m, submerged: 90 kgf/m}" + rest,
+                 "is not less than the weight in air");
+  expect_refused("weight: {in_air: 90 kgf/m, submerged: 10 kgf/m}" + rest,
+                 "but its outer_diameter is 0.25 m");
+  expect_refused(
+      "weight: {in_air: 90 kgf/m, submerged: 45 kgf/m, full_of: 1e5}, contents: {inner_diameter: 0.1, "
+      "density: 1}" +
+          rest,
+      "weighs more than the line full of it");
+  expect_refused(weight + rest + ", contents: {density: 1000}", "the diameter of the bore");
+  expect_refused("outer_diameter: 0.1, EA: 1 MN", "mass_per_length (or weight)");
+}
+
+TEST(LineTypes, TableOfTheCheck) {
+  const std::string table = model::line_type_table(
+      case_of("weight: {in_air: 900, submerged: 450}, outer_diameter: 0.25, EA: 500 MN, EI: 50 kNm2, GJ: 10 "
+              "kNm2, breaking_load: 2 MN, minimum_bend_radius: 3.5"));
+  EXPECT_NE(
+      table.find("t              91.77        900        450       5e+05          50       2000       3.5\n"),
+      std::string::npos)
+      << table;
+  const std::string dry = model::line_type_table(case_of(kPipe + "}", "gravity: 9.81"));
+  EXPECT_NE(dry.find(" - "), std::string::npos) << dry;
+}
+
+}  // namespace
+}  // namespace hawser::line_types_test
