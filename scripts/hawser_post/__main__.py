@@ -1,10 +1,10 @@
 """The commands that look at results: hawser report, plot, export, extremes and fatigue."""
-import argparse
 import sys
 from pathlib import Path
 
 try:
     from . import charts, export, extremes_told, fatigue, report, scene, stress
+    from .arguments import Parser, add_set
     from .given import history_of, modes_of, results_of
     from .results import Refusal
 except ModuleNotFoundError as missing:
@@ -13,14 +13,14 @@ except ModuleNotFoundError as missing:
 
 
 def make_report(options):
-    results = results_of(options.results)
+    results = results_of(options.results, options.changes)
     path = Path(options.output) if options.output else results.path.with_suffix(".html")
-    report.make(results, path, options.since, modes_of(options.results) if options.modes else None)
+    report.make(results, path, options.since, modes_of(options.results, options.changes) if options.modes else None)
     print(f"report: {path}")
 
 
 def make_export(options):
-    results = results_of(options.results)
+    results = results_of(options.results, options.changes)
     folder = Path(options.output) if options.output else results.path.with_suffix("")
     for path in export.everything(results, folder):
         print(path)
@@ -33,7 +33,7 @@ def default_line(results, options):
 
 
 def make_plot(options):
-    results = results_of(options.results)
+    results = results_of(options.results, options.changes)
     if results.modes and options.what not in scene.VIEWS:
         raise Refusal(f"{results.path} holds natural modes: of those there are plan, elevation and space, with --time K for mode K")
     if options.what in scene.VIEWS:
@@ -67,13 +67,13 @@ def make_plot(options):
     print(f"figure: {path}")
 
 
-def sea_states(given):
+def sea_states(given, changes):
     """Results files and the share of the time of each: 'FILE=SHARE', or FILE for equal shares."""
     out = []
     for text in given:
         path, _, share = text.rpartition("=") if "=" in text else (text, "", "")
         try:
-            out.append((results_of(path), float(share) if share else 1 / len(given)))
+            out.append((results_of(path, changes), float(share) if share else 1 / len(given)))
         except ValueError:
             raise Refusal(f"'{text}': the share of the time after '=' is no number") from None
     if sum(share for _, share in out) > 1 + 1e-9 or min(share for _, share in out) < 0:
@@ -89,7 +89,7 @@ def make_fatigue(options):
             raise Refusal(f"the curve {options.curve} needs --{name.replace('_', '-')}, above 0")
     if curve.of == "pipe" and options.wall > options.outer_diameter / 2:
         raise Refusal("--wall is more than half of --outer-diameter")
-    states = sea_states(options.results)
+    states = sea_states(options.results, options.changes)
     line = states[0][0].line(options.line) if options.line else report.by_tension(states[0][0])[0]
     total = 0
     for results, share in states:
@@ -112,7 +112,7 @@ def make_fatigue(options):
 
 
 def commands():
-    parser = argparse.ArgumentParser(prog="hawser", description="Reports, figures and tables of results.")
+    parser = Parser(prog="hawser", description="Reports, figures and tables of results.")
     sub = parser.add_subparsers(dest="command", required=True)
     of = "results file (.h5) or case file, which is run first if its results are missing or older"
     since = {"type": float, "default": 0.0, "metavar": "T", "help": "leave out what is before t = T [s]"}
@@ -122,6 +122,7 @@ def commands():
     p.add_argument("-o", "--output", help="HTML file (default: beside the results)")
     p.add_argument("--since", **since)
     p.add_argument("--modes", action="store_true", help="of a case file: also natural periods and mode shapes (hawser modes)")
+    add_set(p)
     p.set_defaults(do=make_report)
 
     p = sub.add_parser("plot", help="one figure, as PNG, SVG or PDF")
@@ -137,11 +138,13 @@ def commands():
     p.add_argument("--over", help="phase: column on the horizontal axis (default: position_z)")
     p.add_argument("--time", type=float, help="of a picture: the output nearest to it [s] (default: the last)")
     p.add_argument("--since", **since)
+    add_set(p)
     p.set_defaults(do=make_plot)
 
     p = sub.add_parser("export", help="CSV files of the tables, histories and range graphs")
     p.add_argument("results", help=of)
     p.add_argument("-o", "--output", help="folder (default: named like the results)")
+    add_set(p)
     p.set_defaults(do=make_export)
 
     p = sub.add_parser("extremes", help="most probable maximum and quantile of a history in a duration, by fitted distributions")
@@ -154,6 +157,7 @@ def commands():
     p.add_argument("--block", metavar="T", help="length of a block, or 'run' where each run is one (default: ten mean periods)")
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="also write the numbers, as .json or .csv")
+    add_set(p)
     p.set_defaults(do=extremes_told.make)
 
     p = sub.add_parser("fatigue", help="damage along a line by rainflow cycles and a published S-N or T-N curve")
@@ -167,6 +171,7 @@ def commands():
     p.add_argument("--factor", type=float, default=1.0, help="stress concentration factor (default: 1)")
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="CSV file (default: <results>-fatigue.csv)")
+    add_set(p)
     p.set_defaults(do=make_fatigue)
     return parser
 

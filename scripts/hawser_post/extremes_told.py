@@ -13,7 +13,7 @@ def records_of(options):
     """The records of all results, and the names of the history, of its column and of the unit."""
     records, names = [], None
     for given in options.results:
-        results = results_of(given)
+        results = results_of(given, options.changes)
         series, column = history_of(results, options.name if names is None else names[0], options.column)
         time, values = results.step_time, series.column(column)
         names = names or (series.name, column, series.unit(column))

@@ -1,43 +1,44 @@
 """What the words of a command line stand for: results of files and cases, histories, durations."""
-import os
 import re
-import subprocess
 import sys
 from pathlib import Path
 
 import yaml
 
+from .arguments import refuse_changes, run_case
 from .results import Refusal, Results
 
 SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 
 
-def results_of(given):
+def results_of(given, changes=()):
     """A results file, or that of a case, which is run if there is none yet or if the case is newer."""
     path = Path(given)
     if path.suffix not in (".yaml", ".yml") or not path.is_file():
+        refuse_changes(path, changes)
         return Results(path)
     try:
         named = ((yaml.safe_load(path.read_text(encoding="utf-8")) or {}).get("output") or {}).get("file")
     except (yaml.YAMLError, AttributeError, UnicodeDecodeError):
         named = None  # hawser run says what is wrong with it
     results = path.parent / str(named) if named else path.with_suffix(".h5")
-    if not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
-        code = subprocess.run([os.environ.get("HAWSER", "hawser"), "run", str(path)]).returncode
+    old = not results.is_file() or results.stat().st_mtime < path.stat().st_mtime
+    if old or (changes and Results(results).changes != list(changes)):
+        code = run_case("run", path, changes)
         # Where the solver gave up, a signal came or the energy does not add up, the results say so.
         if code not in (0, 3, 4, 130) or not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
             sys.exit(code)
     return Results(results)
 
 
-def modes_of(given):
+def modes_of(given, changes=()):
     """Results of `hawser modes` of a case file, which runs if there are none yet or if the case is newer."""
     path = Path(given)
     if path.suffix not in (".yaml", ".yml"):
         raise Refusal(f"{path}: modes are those of a case: give the case file with --modes")
     results = path.with_name(f"{path.stem}-modes.h5")
-    if not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
-        code = subprocess.run([os.environ.get("HAWSER", "hawser"), "modes", str(path), "-o", str(results)]).returncode
+    if not results.is_file() or results.stat().st_mtime < path.stat().st_mtime or changes:
+        code = run_case("modes", path, changes, "-o", str(results))
         if code != 0:
             sys.exit(code)
     return Results(results)

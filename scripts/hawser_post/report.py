@@ -216,7 +216,8 @@ def count(n, what):
 def run_of(results):
     """Who has computed what, and when."""
     ranks = results.attribute("ranks")
-    return (f"{Path(results.attribute('case_path')).name}: hawser {results.attribute('version')}, "
+    changes = "".join(f" --set {change}" for change in results.changes)
+    return (f"{Path(results.attribute('case_path')).name}{changes}: hawser {results.attribute('version')}, "
             f"{results.attribute('date')}, {ranks} rank{'' if ranks == '1' else 's'}.")
 
 

@@ -46,6 +46,24 @@ class Series:
         return self.units[self.columns.index(name)]
 
 
+def make_change(case, change):
+    """KEY=VALUE of --set in a case as YAML reads it (include/hawser/io/case_changes.hpp)."""
+    path, _, value = change.partition("=")
+    steps = re.findall(r"\[(\d+)\]|([^.\[\]]+)", path)
+    at, new = case, yaml.safe_load(value)
+    for i, (place, key) in enumerate(steps):
+        if place:
+            key = int(place) if isinstance(at, list) else list(at)[int(place)]
+        if i + 1 < len(steps):
+            if isinstance(at, dict) and at.get(key) is None:
+                at[key] = {}
+            at = at[key]
+        elif new is None:
+            at.pop(key, None)
+        else:
+            at[key] = new
+
+
 class Results:
     def __init__(self, path):
         self.path = Path(path)
@@ -68,13 +86,16 @@ class Results:
             first, count = int(self.file["lines/first_node"][i]), int(self.file["lines/nodes"][i])
             self.lines.append(Line(text_of(name), i, slice(first, first + count), arc[first : first + count]))
         self.case = text_of(self.file["case"][()])
+        self.changes = text_of(self.file["set"][()]).splitlines() if "set" in self.file else []  # KEY=VALUE of --set
 
     @cached_property
     def keys(self):
-        """The case file as YAML reads it; empty where it cannot."""
+        """The case as it was run: its file as YAML reads it, changed by --set; empty where it cannot."""
         try:
             found = yaml.safe_load(self.case)
-        except yaml.YAMLError:
+            for change in self.changes:
+                make_change(found, change)
+        except (yaml.YAMLError, LookupError, TypeError):
             found = None
         return found if isinstance(found, dict) else {}
 

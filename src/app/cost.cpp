@@ -6,7 +6,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -61,10 +64,14 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
             way.push_back({cpu_time() - at_rest, info.time});
             return !over();
           });
-      trial.reached = way.back().second;
+      trial.reached = way.back().second, trial.moved = true;
       const auto half = std::find_if(way.begin(), way.end(),
                                      [&](const auto& w) { return w.first >= 0.5 * way.back().first; });
       const auto from = half == way.end() - 1 ? std::pair(0.0, 0.0) : *half;
+      // Rows of a restless beginning, and steps as long as those of the second half.
+      const double behind = std::max(static_cast<double>(way.end() - half), 1.0);
+      trial.steps = static_cast<double>(way.size()) +
+                    (trial.duration - trial.reached) * behind / std::max(trial.reached - from.second, 1e-300);
       trial.rate = (way.back().first - from.first) / (way.back().second - from.second);
     }
   } catch (const Spent&) {
@@ -89,6 +96,48 @@ std::string cost_sentence(const TrialRun& t) {
                              : "";
   return fmt::format("expected cost: {} CPU s{}",
                      cost < 1 ? std::string("less than 1") : fmt::format("about {:.2g}", cost), by);
+}
+
+io::ExpectedRows expected_rows(const model::Case& c, const TrialRun& trial, double longest_step,
+                               double checkpoint) {
+  io::ExpectedRows rows;
+  if (!c.dynamics.enabled) return rows;
+  const OutputTimes times(c);
+  const double duration = c.dynamics.duration;
+  const double step = c.dynamics.step > 0 ? c.dynamics.step : kAutomatic * longest_step;
+  rows.outputs = 1 + std::ceil(duration / times.every * (1 - 1e-9));
+  rows.steps = 1 + (trial.steps > 0 ? trial.steps : duration / step);
+  if (c.output.history_every > 0) rows.steps = std::min(rows.steps, 2 + duration / c.output.history_every);
+  rows.checkpoint = checkpoint;
+  return rows;
+}
+
+std::string size_sentence(const io::ResultsSize& size, const std::string& folder) {
+  constexpr double kMuch = 2e9;  // bytes
+  const auto bytes = [](double n) {
+    return n < 1e6   ? fmt::format("{:.3g} kB", n / 1e3)
+           : n < 1e9 ? fmt::format("{:.3g} MB", n / 1e6)
+                     : fmt::format("{:.3g} GB", n / 1e9);
+  };
+  std::string parts;
+  for (const auto& [name, n] : {std::pair{"fields", size.fields},
+                                {"histories", size.histories},
+                                {"checkpoints", size.checkpoints},
+                                {"meshes", size.meshes}})
+    if (n > 0.005 * size.total()) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, bytes(n));
+  std::string s = fmt::format("expected results: about {} ({})", bytes(size.total()), parts);
+  std::error_code unknown;
+  const std::filesystem::space_info disk = std::filesystem::space(folder, unknown);
+  // At its end the file is written once more, without spare room.
+  if (const double left = static_cast<double>(disk.available); !unknown && 2 * size.total() > left)
+    s += fmt::format(
+        "\nnote: the disk of {} has {} left, and a run takes up to twice the size of its results: give a "
+        "larger "
+        "output.every, or another disk with -o",
+        folder, bytes(left));
+  else if (size.total() > kMuch)
+    s += "\nnote: output.every says how often fields are written, which is most of it in most runs";
+  return s;
 }
 
 double peak_memory() {

@@ -31,10 +31,11 @@
 namespace hawser::app {
 namespace {
 
-constexpr int kStopped = 130;          // exit code: by a signal
-constexpr int kWrongEnergy = 4;        // exit code: the run has ended, but its energy does not add up
-constexpr double kCheckpoints = 0.02;  // of the time, unless the case says when
-constexpr double kTrial = 4;           // CPU s, of the trial run of `hawser check`
+constexpr int kStopped = 130;              // exit code: by a signal
+constexpr int kWrongEnergy = 4;            // exit code: the run has ended, but its energy does not add up
+constexpr double kCheckpoints = 0.02;      // of the time, unless the case says when
+constexpr double kTrial = 4;               // CPU s, of the trial run of `hawser check`
+constexpr double kCheckpointNumbers = 61;  // of a node without contact (app/restart.cpp)
 
 // Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
 // with everything on disk. Who cannot wait sends the signal again.
@@ -83,7 +84,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   MPI_Comm_size(comm, &size);
   const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
   Progress progress(speak);
-  model::Case c = io::read_case(options.case_path, news(progress), comm);
+  model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
   if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
   const OutputPlace place(comm, c.output.file, options.restart);
   c.output.file = place.path();
@@ -96,11 +97,16 @@ int run(MPI_Comm comm, const RunOptions& options) {
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
   io::Checkpoint checkpoint;
-  if (restarted) checkpoint = read_restart(options.restart, sim);
+  std::vector<std::string> restart_notes;
+  if (restarted) {
+    checkpoint = read_restart(options.restart, sim);
+    restart_notes = compare_changes(comm, options.restart, c.changes);
+  }
   progress.say(
       fmt::format("{} nodes on {}", sim.mesh().nodes.size(),
                   size == 1 ? "1 rank" : fmt::format("{} ranks, {} cut elements", size, sim.cut_elements())));
   for (const auto& n : place.notes()) progress.say("note: " + n);
+  for (const auto& n : restart_notes) progress.say("note: " + n);
   for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
   if (!restarted) {
     for (const auto& w : sim.warnings()) progress.say("warning: " + w);
@@ -216,12 +222,13 @@ int run(MPI_Comm comm, const RunOptions& options) {
   return kWrongEnergy;
 }
 
-int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial) {
+int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,
+               const std::vector<std::string>& changes) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
   Progress progress(rank == 0);
-  model::Case c = io::read_case(case_path, news(progress), comm);
+  model::Case c = io::read_case(case_path, news(progress), comm, changes);
   const std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
   if (rank != 0) return 0;
   progress.end();
@@ -248,9 +255,20 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
                        : "the case is valid if statics moves its lines out of the volumes they start in; "
                          "the run stops if not\n");
   std::fflush(stdout);
-  if (!trial) return 0;
-  fmt::print("{}\n", cost_sentence(trial_run(sim, c, kTrial)));
-  fmt::print("{}\n", memory_sentence(read, peak_memory()));
+  const double longest = sim.dynamics_settings().step.longest;
+  Recorder recorder(MPI_COMM_SELF, sim, volume_meshes(c, volumes), surfaces(volumes), run_info(c, "", 1),
+                    nullptr, false, false);
+  TrialRun tried;
+  double checkpoint = kCheckpointNumbers * static_cast<double>(sim.mesh().nodes.size());
+  if (trial) {
+    tried = trial_run(sim, c, kTrial);
+    fmt::print("{}\n", cost_sentence(tried));
+    fmt::print("{}\n", memory_sentence(read, peak_memory()));
+    if (tried.moved) checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder));
+  }
+  const io::ResultsSize size =
+      io::results_size(recorder.contents(), expected_rows(c, tried, longest, checkpoint));
+  fmt::print("{}\n", size_sentence(size, std::filesystem::path(c.output.file).parent_path().string()));
   return 0;
 }
 

@@ -17,6 +17,7 @@
 #include "hawser/app/driver.hpp"
 #include "hawser/app/modes.hpp"
 #include "hawser/app/post.hpp"
+#include "hawser/app/usage.hpp"
 #include "hawser/app/version.hpp"
 #include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
@@ -136,11 +137,17 @@ int main(int argc, char** argv) {
                           "results file, the run is continued in it");
   run_command
       ->add_option("--stop-at", run.stop_at, "End at this simulated time, s, if the case would go on longer")
-      ->check([](const std::string& text) {
-        char* end = nullptr;
-        return std::strtod(text.c_str(), &end) > 0 && !*end ? "" : "'" + text + "' is no time above 0";
-      });
+      ->check(hawser::app::positive_time());
   run_command->add_flag("-q,--quiet", run.quiet, "Say nothing but errors");
+  std::vector<std::string> changes;
+  const auto add_set = [&](CLI::App* command) {
+    command
+        ->add_option("--set", changes,
+                     "Change a key of the case: lines.riser.sections[0].length=120; repeatable")
+        ->option_text("KEY=VALUE")
+        ->allow_extra_args(false);
+  };
+  add_set(run_command);
   run_command->footer(
       "PETSc options follow a lone --, with the prefixes statics_ and dynamics_:\n"
       "  hawser run case.yaml -- -dynamics_snes_monitor -log_view\n"
@@ -151,12 +158,13 @@ int main(int argc, char** argv) {
       "modes", "Natural frequencies and shapes about the static equilibrium, as outputs of a results file.");
   modes_command->add_option("case", modes.case_path, "Case file")->required();
   modes_command->add_option("-n,--number", modes.count, "How many, from the lowest frequency on")
-      ->check(CLI::Range(1, 10000))
+      ->check(hawser::app::whole_number(1, 10000))
       ->capture_default_str();
   modes_command->add_option("-o,--output", modes.output, "Results file (default: <case>-modes.h5)");
   bool in_vacuum = false;
   modes_command->add_flag("--without-added-mass", in_vacuum, "Leave out the added mass of the water");
   modes_command->add_flag("-q,--quiet", modes.quiet, "Say nothing but errors");
+  add_set(modes_command);
 
   std::string check_path;
   int ranks = 0;
@@ -165,9 +173,10 @@ int main(int argc, char** argv) {
   check_command->add_option("case", check_path, "Case file")->required();
   check_command
       ->add_option("-n,--ranks", ranks, "Show the partition for this many ranks; else for those it runs on")
-      ->check(CLI::Range(1, 1 << 20));
+      ->check(hawser::app::whole_number(1, 1 << 20));
   bool quick = false;
   check_command->add_flag("--quick", quick, "Without the trial run that tells the cost");
+  add_set(check_command);
 
   bool json = false, markdown = false;
   CLI::App* schema_command = cli.add_subcommand("schema", "Print the schema of case files.");
@@ -179,10 +188,7 @@ int main(int argc, char** argv) {
   for (const auto& command : hawser::app::kPostCommands) cli.add_subcommand(command.name, command.what);
 
   cli.failure_message([&](const CLI::App*, const CLI::Error& e) {
-    std::string what = e.what();
-    if (cli.get_subcommands().empty() && e.get_name() == "RequiredError")
-      what = mine.size() > 2 ? fmt::format("there is no command '{}'", mine[1]) : "it needs a command";
-    return fmt::format("hawser: {} (see hawser --help)\n", what);
+    return hawser::app::usage_error(cli, e, {mine.begin() + 1, mine.end() - 1});
   });
 
   const Petsc petsc(static_cast<int>(theirs.size()) - 1, theirs.data());
@@ -204,10 +210,11 @@ int main(int argc, char** argv) {
     return 0;
   }
   run.options_text = modes.options_text = options;
+  run.changes = modes.changes = changes;
   modes.added_mass = !in_vacuum;
   return guarded(petsc, [&] {
     if (!*run_command && !*modes_command)
-      return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks, !quick);
+      return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks, !quick, changes);
     const int code =
         *run_command ? hawser::app::run(PETSC_COMM_WORLD, run) : hawser::app::modes(PETSC_COMM_WORLD, modes);
     const auto left = unused(theirs);

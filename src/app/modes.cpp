@@ -105,7 +105,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   Progress progress(rank == 0 && !options.quiet);
-  model::Case c = io::read_case(options.case_path, news(progress), comm);
+  model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
   const std::filesystem::path beside(c.path);
   const std::string wanted = options.output.empty()
                                  ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()

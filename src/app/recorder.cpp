@@ -62,7 +62,7 @@ std::vector<double> touchdown_row(const Touchdown& t) {
 
 Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes,
                    std::vector<std::shared_ptr<const Surface>> surfaces, const io::RunInfo& run,
-                   const io::Checkpoint* from, bool append)
+                   const io::Checkpoint* from, bool append, bool write)
     : comm_(comm),
       sim_(simulation),
       registry_(simulation.system().fields()),
@@ -179,6 +179,10 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   contents.expected_outputs = c.dynamics.enabled ? static_cast<int>(c.dynamics.duration / every) + 3 : 2;
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   extremes_ = std::make_unique<LineExtremes>(comm, c, local, fields_);
+  if (!write) {
+    planned_ = std::move(contents);
+    return;
+  }
   if (from) restore(*from);
   if (clashes_ && !append) clashes_->begin_file();
   file_ = std::make_unique<io::ResultsFile>(

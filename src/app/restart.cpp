@@ -3,13 +3,16 @@
 #include "hawser/app/restart.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "hawser/app/files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/io/hdf5.hpp"
 
 namespace hawser::app {
 namespace {
@@ -133,7 +136,9 @@ void check_history(const io::Checkpoint& c, const System& system, const std::str
       throw older(path, it->first);
 }
 
-io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
+namespace {
+
+io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   const LocalMesh& m = simulation.local();
   const MPI_Comm comm = simulation.system().comm();
   check_restart_file(comm, path, simulation.mesh());
@@ -156,6 +161,39 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
   check_history(c, simulation.system(), path);
   return c;
+}
+
+}  // namespace
+
+io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
+  try {
+    return read_checked(path, simulation);
+  } catch (const InputError& e) {
+    const std::vector<std::string>& changes = simulation.model().changes;
+    if (changes.empty()) throw;
+    throw InputError(fmt::format(
+        "{} (the case is changed by --set {}; a run that goes on may have another duration, other motions, "
+        "waves, loads, friction, steps and outputs, but not other lines, lengths, elements or volumes)",
+        e.what(), fmt::join(changes, " --set ")));
+  }
+}
+
+std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
+                                         const std::vector<std::string>& changes) {
+  std::vector<std::string> notes;
+  on_root(comm, [&] {
+    const io::h5::Id file = io::h5::open_read(path);
+    const std::vector<std::string> names = io::h5::members(file, "/");
+    if (std::find(names.begin(), names.end(), "set") == names.end()) return;
+    std::istringstream lines(io::h5::read_text(file, "set"));
+    std::string there;
+    for (std::string line; std::getline(lines, line);) there += " --set " + line;
+    const std::string here = changes.empty() ? "" : fmt::format(" --set {}", fmt::join(changes, " --set "));
+    if (there != here)
+      notes.push_back(fmt::format("the run of {} was made with{}, and goes on with{}", path,
+                                  there.empty() ? "out --set" : there, here.empty() ? "out --set" : here));
+  });
+  return notes;
 }
 
 void restore(const io::Checkpoint& c, Simulation& simulation) {

@@ -2,6 +2,7 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <ctime>
 
@@ -15,6 +16,7 @@ namespace hawser::app {
 io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks) {
   io::RunInfo info;
   info.case_text = c.text, info.case_path = c.path;
+  info.changes = fmt::format("{}", fmt::join(c.changes, "\n"));
   info.version = kVersion, info.options = petsc_options, info.ranks = ranks;
   info.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   return info;

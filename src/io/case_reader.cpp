@@ -3,6 +3,7 @@
 #include "hawser/io/case_reader.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +12,13 @@
 #include <sstream>
 
 #include "hawser/base/error.hpp"
+#include "hawser/io/case_changes.hpp"
 #include "hawser/io/case_reader_parts.hpp"
 #include "hawser/io/input_file.hpp"
 #include "hawser/io/old_results.hpp"
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/doubts.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 
@@ -435,14 +438,17 @@ class Reader {
 
 }  // namespace
 
-model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news,
-                           MPI_Comm comm) {
+namespace {
+
+Case read_document(const std::string& text, const std::string& path, const ReadingNews& news, MPI_Comm comm,
+                   const CaseChanges& changes) {
   Case c;
-  c.text = text, c.file = path;
+  c.text = text, c.file = path, c.changes = changes;
   c.path = fs::absolute(path).lexically_normal().string();
   c.directory = fs::path(c.path).parent_path().string();
   const auto tree = std::make_shared<Value>(parse_yaml(text, path));
   const Value& root = *tree;
+  c.notes = change_document(*tree, changes, path);
   model::check_structure(*tree, model::case_schema(), path);
   if (const Value* title = root.find("title"); news.title)
     news.title(title && !title->text.empty() ? title->text : c.path);
@@ -451,8 +457,11 @@ model::Case read_case_text(const std::string& text, const std::string& path, con
   c.tree = tree;
   for (const model::Issue& i : model::check(c)) c.refuse(i.key, i.text);
   check_bed(c);
+  for (std::string& n : model::doubt_notes(c)) c.notes.push_back(std::move(n));
   return c;
 }
+
+}  // namespace
 
 model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm comm) {
   Case out;
@@ -462,10 +471,24 @@ model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm 
   Reader(*c.tree, source, out, lengths).read();
   for (const model::Issue& i : model::check(out)) out.refuse(i.key, i.text);
   check_bed(out);
+  for (std::string& n : model::doubt_notes(out)) out.notes.push_back(std::move(n));
   return out;
 }
 
-model::Case read_case(const std::string& path, const ReadingNews& news, MPI_Comm comm) {
+model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news,
+                           MPI_Comm comm, const CaseChanges& changes) {
+  try {
+    return read_document(text, path, news, comm, changes);
+  } catch (const InputError& e) {
+    // What is wrong may be in another line of the file than what was changed.
+    const std::string why = e.what();
+    if (changes.empty() || why.find("--set") != std::string::npos) throw;
+    throw InputError(fmt::format("{} (the case is changed by --set {})", why, fmt::join(changes, " --set ")));
+  }
+}
+
+model::Case read_case(const std::string& path, const ReadingNews& news, MPI_Comm comm,
+                      const CaseChanges& changes) {
   if (const std::string why = unreadable(path, "case", kMostCase); !why.empty())
     model::fail(path, 0, "", why);
   std::error_code error;
@@ -475,7 +498,7 @@ model::Case read_case(const std::string& path, const ReadingNews& news, MPI_Comm
     if (in && fs::file_size(path, error) == 0 && !error) model::fail(path, 1, "", "the file is empty");
     model::fail(path, 0, "", "cannot be read");
   }
-  return read_case_text(text.str(), path, news, comm);
+  return read_case_text(text.str(), path, news, comm, changes);
 }
 
 }  // namespace hawser::io

@@ -63,6 +63,7 @@ void write_description(hid_t file, const ResultContents& c) {
   h5::int_attribute(root, "ranks", c.run.ranks);
   h5::write_text(file, "case", c.run.case_text);
   h5::write_text(file, "options", c.run.options);
+  h5::write_text(file, "set", c.run.changes);
 
   h5::group(file, "lines");
   std::vector<std::string> names;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include "hawser/base/error.hpp"
 #include "hawser/model/schema.hpp"
@@ -205,6 +207,31 @@ void refuse_deep_brackets(const std::string& text, const std::string& file) {
   }
 }
 
+// What the parser says, in words of its users.
+std::string in_words(const std::string& said) {
+  static constexpr std::pair<std::string_view, std::string_view> kWords[] = {
+      {"illegal map value",
+       "a colon stands where no key can be; text that holds a colon and a blank needs quotes ('Case 3: a "
+       "line')"},
+      {"end of map flow not found", "a comma or a closing } is missing before this place"},
+      {"end of sequence flow not found", "a comma or a closing ] is missing before this place"},
+      {"end of map not found",
+       "this does not go on what stands before it; is a colon, a comma or a quote missing?"},
+      {"end of sequence not found",
+       "the entries of this list begin with '- ' in one column, but this does not"},
+      {"illegal flow end", "a bracket closes none that is open"},
+      {"unknown token", "no value begins with this character; put text that does in quotes"},
+      {"the referenced anchor is not defined",
+       "'*' begins the name of an anchor, and there is none of this name; put text that begins so in quotes"},
+      {"bad character found while scanning hex number",
+       "a backslash within double quotes begins a special character; use single quotes, or / in paths"},
+      {"unknown escape character",
+       "a backslash within double quotes begins a special character; use single quotes, or / in paths"}};
+  for (const auto& [theirs, ours] : kWords)
+    if (said.starts_with(theirs)) return std::string(ours);
+  return said.empty() ? "the text breaks off" : said;
+}
+
 }  // namespace
 
 model::Value parse_yaml(const std::string& text, const std::string& file) {
@@ -217,13 +244,14 @@ model::Value parse_yaml(const std::string& text, const std::string& file) {
     if (!parser.HandleNextDocument(tree)) model::fail(file, 1, "", "the file is empty");
     NoDocument second(file);
     parser.HandleNextDocument(second);
+    if (const auto fault = find_open_quote(text)) model::fail(file, fault->line, "", fault->text);
     return tree.take();
   } catch (const YAML::Exception& e) {
     const int line = e.mark.line < 0 ? 1 : e.mark.line + 1;
     if (const auto fault = find_yaml_fault(text, line)) model::fail(file, fault->line, "", fault->text);
     model::fail(file, line, "",
                 fmt::format("this is not valid YAML at column {}: {}", std::max(e.mark.column, 0) + 1,
-                            e.msg.empty() ? "the text breaks off" : e.msg));
+                            in_words(e.msg)));
   }
 }
 

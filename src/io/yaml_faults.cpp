@@ -48,6 +48,8 @@ class Lines {
   }
   const std::vector<Line>& all() const { return lines_; }
   const std::optional<YamlFault>& unfit() const { return unfit_; }
+  // The line of a quote that is left open, from 0, and its kind.
+  const std::optional<std::pair<std::size_t, char>>& open_quote() const { return open_quote_; }
 
  private:
   struct Open {
@@ -62,6 +64,7 @@ class Lines {
     if (!unfit_) unfit_ = {number(line), std::move(text)};
   }
   void left_open() {
+    if (quoted() && !open_quote_) open_quote_ = {open_.back().line, open_.back().kind};
     blame(open_.back().line, fmt::format("the {} {} that opens in this line is not closed",
                                          quoted() ? "quote" : "bracket", open_.back().kind));
     open_.clear();
@@ -90,7 +93,8 @@ class Lines {
 
   // Where the comment of a line begins, or its end.
   std::size_t scan(const std::string& raw) {
-    bool value = true;  // one may begin here: at the start, after "- " and ": ", in brackets after a comma
+    bool value = true;    // one may begin here: at the start, after "- " and ": ", in brackets after a comma
+    bool closed = false;  // the last bracket that was open
     for (std::size_t i = 0; i < raw.size(); ++i) {
       const char c = raw[i], next = i + 1 < raw.size() ? raw[i + 1] : ' ';
       if (quoted()) {
@@ -98,7 +102,7 @@ class Lines {
         if ((quote == '"' && c == '\\') || (quote == '\'' && c == '\'' && next == '\''))
           ++i;
         else if (c == quote)
-          open_.pop_back(), value = false;
+          open_.pop_back(), value = false, check_after_quote(raw, i);
         continue;
       }
       if (c == '#' && (i == 0 || raw[i - 1] == ' ' || raw[i - 1] == '\t')) return i;
@@ -107,12 +111,20 @@ class Lines {
         open_.push_back({c, lines_.size()});
       else if ((c == '[' || c == '{') && (value || inside()))
         open_.push_back({c, lines_.size()}), value = true;
-      else if ((c == ']' || c == '}') && (value || inside()))
-        close(c);
+      else if ((c == ']' || c == '}') && (value || inside() || closed))
+        close(c), closed = !inside();
       else
         value = ((c == ':' || c == '-') && next == ' ') || (c == ',' && inside());
     }
     return raw.size();
+  }
+
+  void check_after_quote(const std::string& raw, std::size_t at) {
+    const std::size_t next = raw.find_first_not_of(" \t\r", at + 1);
+    if (next == std::string::npos || std::string_view(",]}:#").find(raw[next]) != std::string_view::npos)
+      return;
+    blame(lines_.size(), fmt::format("the quote {} ends in the middle of a text: within such quotes write {}",
+                                     raw[at], raw[at] == '"' ? "\\\"" : "''"));
   }
 
   void close(char c) {
@@ -125,6 +137,7 @@ class Lines {
   std::vector<Line> lines_;
   std::vector<Open> open_;
   std::optional<YamlFault> unfit_;
+  std::optional<std::pair<std::size_t, char>> open_quote_;
   bool literal_ = false;
   std::size_t literal_indent_ = 0;
 };
@@ -140,6 +153,17 @@ std::string unseparated(const std::string& line) {
     start = c == '{' || c == ',' || (start && (c == ' ' || c == '-'));
   }
   return "";
+}
+
+// What a line begins with that YAML takes for text; null: nothing like that.
+const char* strange_begin(const Line& line) {
+  if (line.empty() || line.flow) return nullptr;
+  const std::string_view begin = std::string_view(line.text).substr(line.indent);
+  if (begin.starts_with("//")) return "a comment begins with '#', not with '//'";
+  const char next = begin.size() > 1 ? begin[1] : ' ';
+  if (begin.front() == '-' && (next == '{' || next == '[' || (next >= 'a' && next <= 'z')))
+    return "a blank is missing after the '-' with which an entry of a list begins";
+  return nullptr;
 }
 
 std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_t at) {
@@ -186,6 +210,18 @@ std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_
 
 }  // namespace
 
+std::optional<YamlFault> find_open_quote(const std::string& text) {
+  const Lines parts(text);
+  const auto& open = parts.open_quote();
+  if (!open) return std::nullopt;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < open->first; ++i) at = text.find('\n', at) + 1;
+  if (std::count(text.begin() + static_cast<std::ptrdiff_t>(at), text.end(), open->second) != 1)
+    return std::nullopt;
+  return YamlFault{number(open->first),
+                   fmt::format("the quote {} that opens in this line is not closed", open->second)};
+}
+
 std::optional<YamlFault> find_yaml_fault(const std::string& text, int line) {
   const Lines parts(text);
   const std::vector<Line>& lines = parts.all();
@@ -200,6 +236,8 @@ std::optional<YamlFault> find_yaml_fault(const std::string& text, int line) {
   for (const std::size_t i : {last - 1, before > 0 ? before - 1 : before})
     if (std::string said = unseparated(lines[i].text); !said.empty())
       return YamlFault{static_cast<int>(i) + 1, std::move(said)};
+  for (std::size_t i = 0; i < last; ++i)
+    if (const char* said = strange_begin(lines[i])) return YamlFault{static_cast<int>(i) + 1, said};
   if (parts.unfit() && parts.unfit()->line <= line) return parts.unfit();
   return wrong_indent(lines, last - 1);
 }

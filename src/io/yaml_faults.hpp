@@ -12,8 +12,11 @@ struct YamlFault {
 };
 
 // Looks for tabs in indentation, colons without a blank after them, brackets and quotes that are not closed
-// and keys that do not begin in one column, in `text` around the line (from 1) where the parser gave up.
-// Nothing: it is something else.
+// and keys that do not begin in one column, comments and entries of lists that YAML takes for text, in `text`
+// around the line (from 1) where the parser gave up. Nothing: it is something else.
 std::optional<YamlFault> find_yaml_fault(const std::string& text, int line);
+
+// A quote that nothing closes up to the end of the text, which the parser takes for a value.
+std::optional<YamlFault> find_open_quote(const std::string& text);
 
 }  // namespace hawser::io

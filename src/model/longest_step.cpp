@@ -91,16 +91,13 @@ double add_body(const Body& b, Shortest& to, Shortest& own) {
   return speed;
 }
 
-// Slowest period of a line, from its weight as a hanging chain (2.405/2 sqrt(g/L)), its bending stiffness
-// (pi²/L² sqrt(EI/m)) and the tension of a start that is shorter than its chord (pi/L sqrt(T/m)).
+// Its slowest period, the time of a wave along it where something jolts it, and drag.
 void add_line(const Case& c, const Line& line, double speed, bool jolted, Shortest& own, Shortest& drags) {
-  double length = 0, loose = 0, mass = 0, bend = 0, give = 0, along = 0;
+  double length = 0, mass = 0, along = 0;
   for (const Section& s : line.sections) {
     const LineType& t = c.line_type(s.type);
-    loose += s.length * (1 + thermal_strain(t, line, length, length + s.length));
     length += s.length, mass += s.length * t.mass_per_length;
-    bend += s.length * (t.kind == LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
-    give += s.length / t.EA, along += s.length * std::sqrt(t.mass_per_length / t.EA);
+    along += s.length * std::sqrt(t.mass_per_length / t.EA);
     if (!c.environment.water.present || speed == 0) continue;
     const double area = 0.25 * M_PI * t.displaced() * t.displaced(),
                  drag = 0.5 * c.environment.water.density * t.Cd_normal * t.dragged() * speed;
@@ -109,13 +106,7 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
                "a tenth of the time in which drag carries line " + line.name + " along");
   }
   if (length == 0 || mass == 0) return;
-  double square = 1.45 * c.environment.gravity / length + std::pow(M_PI / length, 4) * bend / mass;
-  if (is_held(line.end_a) && is_held(line.end_b)) {
-    const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
-    square += std::pow(M_PI / length, 2) * std::max(chord - loose, 0.0) / give / (mass / length);
-  }
-  if (square > 0)
-    own.of(2 * M_PI / std::sqrt(square) / kOfOwn, "a twentieth of the slowest period of line " + line.name);
+  own.of(slowest_period(c, line) / kOfOwn, "a twentieth of the slowest period of line " + line.name);
   if (jolted)
     own.of(2 * along / kOfOwn, "a twentieth of the time of a wave along line " + line.name + " and back");
 }
@@ -130,6 +121,23 @@ void add_ramps(const Case& c, Shortest& to) {
 }
 
 }  // namespace
+
+double slowest_period(const Case& c, const Line& line) {
+  double length = 0, loose = 0, mass = 0, bend = 0, give = 0;
+  for (const Section& s : line.sections) {
+    const LineType& t = c.line_type(s.type);
+    loose += s.length * (1 + thermal_strain(t, line, length, length + s.length));
+    length += s.length, mass += s.length * t.mass_per_length, give += s.length / t.EA;
+    bend += s.length * (t.kind == LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
+  }
+  if (length == 0 || mass == 0) return 0;
+  double square = 1.45 * c.environment.gravity / length + std::pow(M_PI / length, 4) * bend / mass;
+  if (is_held(line.end_a) && is_held(line.end_b)) {
+    const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
+    square += std::pow(M_PI / length, 2) * std::max(chord - loose, 0.0) / give / (mass / length);
+  }
+  return square > 0 ? 2 * M_PI / std::sqrt(square) : 0;
+}
 
 LongestStep longest_step(const Case& c) {
   Shortest to, own, drags;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "hawser/base/error.hpp"
@@ -13,6 +14,7 @@ namespace hawser::model {
 void fail(const std::string& file, int line, const std::string& key, const std::string& text) {
   std::string where = file;
   if (line > 0) where += fmt::format(":{}", line);
+  if (line == kBySet) where += " with --set";
   if (!key.empty()) where += ": " + key;
   std::string s = where + ": " + text;
   for (char& c : s)  // one sentence, one line, whatever the file held
@@ -147,11 +149,16 @@ class Checker {
         break;
       case Quantity::Status::not_a_number: {
         const bool comma = v.text.find(',') != std::string::npos;
-        wrong_type(v, k, path, comma ? "; the decimal sign is a point" : "");
+        const bool comment = v.text.find("//") != std::string::npos;
+        wrong_type(v, k, path,
+                   comment ? "; a comment begins with '#'"
+                   : comma ? "; the decimal sign is a point"
+                           : "");
       }
       case Quantity::Status::not_finite:
         bad(v, path, quote(v.text) + " is not a finite number");
       case Quantity::Status::wrong_unit: {
+        if (const std::string hint = misspelt(q.unit); !hint.empty()) wrong_type(v, k, path, hint);
         if (k.unit == Dimension::none)
           bad(v, path,
               fmt::format("wrong unit {} in {}; this number has no unit", quote(q.unit), quote(v.text)));
@@ -168,6 +175,17 @@ class Checker {
         (b.at_most && !(q.si <= *b.at_most)))
       bad(v, path, fmt::format("{} is out of range; must be {}", quote(v.text), bounds_text(k)));
     v.number = q.si;
+  }
+
+  // What stands after a number and is more likely to be a part of it than a unit.
+  static std::string misspelt(const std::string& unit) {
+    const auto digit = [&](std::size_t i) { return i < unit.size() && unit[i] >= '0' && unit[i] <= '9'; };
+    const bool letter = !unit.empty() && std::string_view("eEdD").find(unit[0]) != std::string_view::npos;
+    if (unit.starts_with('^') || unit.starts_with("*10") ||
+        (letter && (digit(1) || (digit(2) && unit[1] == '+'))))
+      return "; a power of ten is written 1e8, without blanks";
+    if (digit(0)) return "; there are no blanks between the digits of a number";
+    return "";
   }
 
   void check_boolean(Value& v, const Key& k, const std::string& path) {
@@ -223,9 +241,10 @@ class Checker {
   }
 
   void check_vec3(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::list) wrong_type(v, k, path);
+    if (v.kind != Kind::list) wrong_type(v, k, path, no_list(v));
     if (v.items.size() != 3)
-      bad(v, path, fmt::format("expected {}, found a list of {}", describe(k), v.items.size()));
+      bad(v, path,
+          fmt::format("expected {}, found a list of {}{}", describe(k), v.items.size(), no_commas(v)));
     Key number = k;
     number.type = Type::number;
     for (std::size_t i = 0; i < 3; ++i)
@@ -233,11 +252,24 @@ class Checker {
   }
 
   void check_list(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::list) wrong_type(v, k, path);
+    if (v.kind != Kind::list) wrong_type(v, k, path, no_list(v));
     const std::size_t n = v.items.size();
     if (n < k.min_items || (k.max_items > 0 && n > k.max_items))
-      bad(v, path, fmt::format("expected {}, found a list of {}", describe(k), n));
+      bad(v, path, fmt::format("expected {}, found a list of {}{}", describe(k), n, no_commas(v)));
     for (std::size_t i = 0; i < n; ++i) check(v.items[i], k.keys[0], fmt::format("{}[{}]", path, i));
+  }
+
+  // No list where there should be one.
+  static std::string no_list(const Value& v) {
+    if (v.kind == Kind::map) return "; entries of a list begin with '- ', or stand in brackets: [a, b]";
+    if (v.kind == Kind::scalar && v.text.starts_with('(')) return "; a list stands in brackets: [1, 2, 3]";
+    return "";
+  }
+  // One entry where there should be several.
+  static std::string no_commas(const Value& v) {
+    const bool one = v.items.size() == 1 && v.items[0].kind == Kind::scalar &&
+                     v.items[0].text.find_first_of(" ;") != std::string::npos;
+    return one ? fmt::format("; there are commas between entries, not as in {}", quote(v.items[0].text)) : "";
   }
 
   // No map where there should be one.
@@ -287,7 +319,20 @@ class Checker {
   // What was probably meant by the i-th key, which the map does not know.
   static std::string likely(const Value& v, std::size_t i, const Key& k,
                             const std::vector<std::string>& allowed) {
+    if (v.keys[i].find("\u00a0") != std::string::npos)
+      return "; it holds a no-break space, as texts from elsewhere do: write a blank in its place";
     if (const std::string blank = missing_blank(v.keys[i]); !blank.empty()) return "; " + blank;
+    if (const std::size_t at = v.keys[i].find('='); at != std::string::npos && at > 0) {
+      const std::string before = v.keys[i].substr(0, v.keys[i].find_last_not_of(" =", at) + 1);
+      return fmt::format("; between a key and its value are a colon and a blank: '{}: ...'", before);
+    }
+    // The rest of a number or a list in braces.
+    if (i > 0 && v.items[i].kind == Kind::null && v.items[i - 1].kind == Kind::scalar &&
+        v.keys[i].find_first_not_of("0123456789.-+ )") == std::string::npos) {
+      if (v.items[i - 1].text.starts_with('(')) return "; a list stands in brackets: [1, 2, 3]";
+      return fmt::format("; the decimal sign is a point, and there is nothing between thousands: not {},{}",
+                         v.items[i - 1].text, v.keys[i]);
+    }
     // The keys of a map that was left empty because they are not further in than its own.
     for (std::size_t j = i; j-- > 0;)
       for (const Key& above : k.keys)
@@ -295,7 +340,14 @@ class Checker {
           for (const Key& inner : above.keys)
             if (inner.name == v.keys[i])
               return fmt::format("; it belongs to '{}' if it is indented further than that", above.name);
-    return did_you_mean(v.keys[i], allowed);
+    const std::string near = nearest(v.keys[i], allowed);
+    if (near.empty() || edit_distance(v.keys[i], near) > 1) {
+      if (const std::string below = place_below(k, v.keys[i]); !below.empty())
+        return fmt::format("; did you mean '{}'?", below);
+      if (const std::string other = near.empty() ? place_below(case_schema(), v.keys[i]) : ""; !other.empty())
+        return fmt::format("; there is such a key at '{}'", other);
+    }
+    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
   }
 
   static std::string printable(const std::string& key) {
@@ -411,6 +463,36 @@ std::string describe(const Key& k) {
     }
   }
   return {};
+}
+
+std::string place_below(const Key& key, std::string_view name) {
+  struct Place {
+    const Key* key;
+    std::string path;
+  };
+  const auto same = [&](std::string_view other) {
+    return std::equal(other.begin(), other.end(), name.begin(), name.end(), [](char a, char b) {
+      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    });
+  };
+  std::vector<Place> level{{&key, ""}};
+  for (int depth = 0; depth < 6 && !level.empty(); ++depth) {
+    std::vector<Place> next;
+    for (const Place& p : level)
+      for (const Key& k : p.key->keys) {
+        if (p.key->type == Type::one_of) {
+          next.push_back({&k, p.path});
+        } else if (p.key->type == Type::list) {
+          next.push_back({&k, p.path + "[0]"});
+        } else if (p.key->type == Type::map) {
+          const std::string path = p.path + (p.path.empty() ? "" : ".") + k.name;
+          if (depth > 0 && same(k.name)) return path;
+          next.push_back({&k, path});
+        }
+      }
+    level = std::move(next);
+  }
+  return "";
 }
 
 void check_structure(Value& root, const Key& schema, const std::string& file) {

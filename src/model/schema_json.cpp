@@ -240,7 +240,9 @@ std::string quantity_pattern(Dimension d) {
     }
     if (u.name != "1") units += (units.empty() ? "" : "|") + text;
   }
-  return fmt::format("\"^ *[+-]?([0-9]+\\\\.?[0-9]*|\\\\.[0-9]+)([eE][+-]?[0-9]+)? *({})? *$\"", units);
+  const std::string number = "([0-9]+\\\\.?[0-9]*|\\\\.[0-9]+)([eE][+-]?[0-9]+)?";
+  if (d == Dimension::none) units += "|/" + number;
+  return fmt::format("\"^ *[+-]?{} *({})? *$\"", number, units);
 }
 
 }  // namespace

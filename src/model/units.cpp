@@ -18,7 +18,7 @@ constexpr Unit kLength[] = {{"m"},           {"mm", 1, 1000},    {"cm", 1, 100},
                             {"km", 1000, 1}, {"in", 254, 10000}, {"ft", 3048, 10000}};
 constexpr Unit kTime[] = {{"s"}, {"ms", 1, 1000}, {"min", 60, 1}, {"h", 3600, 1}};
 constexpr Unit kMass[] = {{"kg"}, {"g", 1, 1000}, {"t", 1000, 1}};
-constexpr Unit kMassPerLength[] = {{"kg/m"}, {"t/m", 1000, 1}};
+constexpr Unit kMassPerLength[] = {{"kg/m"}, {"t/m", 1000, 1}, {"kg/km", 1, 1000}};
 constexpr Unit kForce[] = {{"N"}, {"kN", 1e3, 1}, {"MN", 1e6, 1}, {"GN", 1e9, 1}, {"tf", kTonneForce, 1}};
 constexpr Unit kForcePerLength[] = {
     {"N/m"}, {"kN/m", 1e3, 1}, {"MN/m", 1e6, 1}, {"kgf/m", kTonneForce, 1000}, {"tf/m", kTonneForce, 1}};
@@ -143,6 +143,16 @@ Quantity parse_quantity(std::string_view text, Dimension d) {
   if (error == std::errc::result_out_of_range) return q.status = Quantity::Status::not_finite, q;
   std::string_view unit = digits.substr(static_cast<std::size_t>(end - digits.data()));
   while (!unit.empty() && unit.front() == ' ') unit.remove_prefix(1);
+  // "1/7", as exponents are known by.
+  if (d == Dimension::none && unit.starts_with('/')) {
+    double divisor = 0;
+    const auto [rest, bad] = std::from_chars(unit.data() + 1, unit.data() + unit.size(), divisor);
+    if (bad != std::errc() || rest != unit.data() + unit.size())
+      return q.status = Quantity::Status::not_a_number, q;
+    q.si = value / divisor;
+    if (!std::isfinite(q.si)) q.status = Quantity::Status::not_finite;
+    return q;
+  }
   q.unit = unit;
   const std::span<const Unit> units = units_of(d);
   const Unit* u = unit.empty() ? &units.front() : nullptr;

@@ -39,7 +39,7 @@ int Value::line_of(std::string_view path) const {
     if (!path.empty() && path.front() == '.') path.remove_prefix(1);
     if (!next) break;
     v = next;
-    if (v->given && v->line > 0) line_found = v->line;
+    if (v->given && v->line != 0) line_found = v->line;
   }
   return line_found;
 }

@@ -69,6 +69,8 @@ TEST(CaseUnits, NumbersWithAndWithoutUnit) {
   EXPECT_DOUBLE_EQ(si("2 rad", angle), 2);
   EXPECT_DOUBLE_EQ(si("30 rpm", angular_velocity), 3.14159265358979323846);
   EXPECT_EQ(si("30 %", none), 0.3);
+  EXPECT_EQ(si("1/7", none), 1.0 / 7);
+  EXPECT_EQ(si(" 2.5/1e1 ", none), 0.25);
   EXPECT_DOUBLE_EQ(si("18 km/h", velocity), 5);
 }
 
@@ -80,6 +82,10 @@ TEST(CaseUnits, WhatIsNoNumber) {
     EXPECT_EQ(parse_quantity(text, length).status, Status::not_a_number) << text;
   for (const char* text : {".nan", ".inf", "-.inf", "nan", "inf", "1e999", "-1e999"})
     EXPECT_EQ(parse_quantity(text, length).status, Status::not_finite) << text;
+  for (const char* text : {"1/", "1/x", "1/7/2", "1//7", "1/7 %"})
+    EXPECT_EQ(parse_quantity(text, none).status, Status::not_a_number) << text;
+  EXPECT_EQ(parse_quantity("1/0", none).status, Status::not_finite);
+  EXPECT_EQ(parse_quantity("1/7", length).status, Status::wrong_unit);
   EXPECT_EQ(parse_quantity("1e306 km", length).status, Status::not_finite);
   for (const char* text : {"1 kg", "1 M", "1 mN", "1 1", "0x10", "1 m^2"})
     EXPECT_EQ(parse_quantity(text, length).status, Status::wrong_unit) << text;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hawser/app/simulation.hpp"
+#include "hawser/io/results_size.hpp"
 
 namespace hawser::app {
 
@@ -13,7 +14,9 @@ struct TrialRun {
   double spent = 0, reached = 0;     // CPU s; s, simulated
   double rate = 0;                   // CPU s a simulated second, of the second half of what dynamics spent
   double duration = 0, longest = 0;  // s, of the run and its longest step; duration 0: no dynamics
-  std::string failure;               // why the run stops there, if it does
+  double steps = 0;     // accepted ones, to the end of the run if the rest is like the second half
+  bool moved = false;   // dynamics has begun
+  std::string failure;  // why the run stops there, if it does
 };
 // Runs statics and dynamics until they have spent that many CPU s, a step of each at least. On one rank: each
 // looks at its own clock.
@@ -23,6 +26,14 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget);
 double expected_cost(const TrialRun& trial);
 // "expected cost: about 12 CPU s, by its first 3.2 of 400 s"
 std::string cost_sentence(const TrialRun& trial);
+
+// What the finished run will have in its results file, from a trial run or, where steps are not known from
+// it, from half the longest step. checkpoint: numbers in one; 0: none.
+io::ExpectedRows expected_rows(const model::Case& c, const TrialRun& trial, double longest_step,
+                               double checkpoint);
+// "expected results: about 24 MB (fields 18, histories 4, ...)", and a note below it where that is much or
+// more than the disk of the folder has left.
+std::string size_sentence(const io::ResultsSize& size, const std::string& folder);
 
 // Bytes: the most that this process has had in memory so far.
 double peak_memory();

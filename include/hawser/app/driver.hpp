@@ -4,15 +4,17 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace hawser::app {
 
 struct RunOptions {
   std::string case_path;
-  std::string output;        // results file instead of the case's
-  std::string restart;       // results file whose newest checkpoint to go on from
-  std::string options_text;  // PETSc options, for the record
-  double stop_at = 0;        // s, end the run early; 0: the case's duration
+  std::string output;                // results file instead of the case's
+  std::string restart;               // results file whose newest checkpoint to go on from
+  std::string options_text;          // PETSc options, for the record
+  std::vector<std::string> changes;  // of the case, KEY=VALUE each (io/case_changes.hpp)
+  double stop_at = 0;                // s, end the run early; 0: the case's duration
   bool quiet = false;
 };
 
@@ -21,6 +23,7 @@ int run(MPI_Comm comm, const RunOptions& options);
 
 // Reads and checks, prints the summary with the partition for `ranks` (0: those of comm). trial: and runs the
 // beginning of the case for some seconds, writing nothing, for the expected cost or the reason why it stops.
-int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial = true);
+int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial = true,
+               const std::vector<std::string>& changes = {});
 
 }  // namespace hawser::app

@@ -4,13 +4,15 @@
 #include <mpi.h>
 
 #include <string>
+#include <vector>
 
 namespace hawser::app {
 
 struct ModesOptions {
   std::string case_path;
-  std::string output;        // results file; empty: <case>-modes.h5 beside the case file
-  std::string options_text;  // PETSc options, for the record
+  std::string output;                // results file; empty: <case>-modes.h5 beside the case file
+  std::string options_text;          // PETSc options, for the record
+  std::vector<std::string> changes;  // of the case, KEY=VALUE each
   int count = 10;
   bool added_mass = true;  // of the water
   bool quiet = false;

@@ -23,10 +23,14 @@ namespace hawser::app {
 class Recorder {
  public:
   // Starts a new results file. `from`: the checkpoint the run goes on from, if it does; `append`: in the file
-  // that holds it, else in a new one. surfaces: one for each volume of the case.
+  // that holds it, else in a new one. surfaces: one for each volume of the case. write: false makes no file,
+  // and only contents() and save() may follow.
   Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::VolumeMesh> volumes,
            std::vector<std::shared_ptr<const Surface>> surfaces, const io::RunInfo& run,
-           const io::Checkpoint* from = nullptr, bool append = false);
+           const io::Checkpoint* from = nullptr, bool append = false, bool write = true);
+
+  // What the file holds, or would.
+  const io::ResultContents& contents() const { return file_ ? file_->contents() : planned_; }
 
   // The beginning of a run: the state `at`, from which energies count and which may move already, and the one
   // that is shown for it, the first step and output: its static equilibrium where there is one.
@@ -92,6 +96,7 @@ class Recorder {
   double rows_every_ = 0, rows_from_ = 0;  // s, of the histories; 0: every step
   std::unique_ptr<ClashReport> clashes_;   // null: nothing can touch
   std::unique_ptr<io::ResultsFile> file_;
+  io::ResultContents planned_;  // where there is no file
   Audit audit_;
   std::vector<std::string> warnings_;
   Energy start_;  // energies at the start of the run, that of before all restarts

@@ -1,6 +1,9 @@
 // A run's state to a checkpoint and back.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "hawser/app/recorder.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/io/checkpoint.hpp"
@@ -12,6 +15,11 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder);
 // The newest checkpoint of the results file `path`, this rank's share. Throws InputError when there is none
 // or its lines or volumes are not those of the simulation. Collective.
 io::Checkpoint read_restart(const std::string& path, Simulation& simulation);
+
+// A note if the run of that file was made with other changes of its case than these (KEY=VALUE of --set); on
+// rank 0. Collective.
+std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
+                                         const std::vector<std::string>& changes);
 
 // Throws InputError, naming the term, where terms keep other quantities than the checkpoint holds.
 void check_history(const io::Checkpoint& checkpoint, const System& system, const std::string& path);

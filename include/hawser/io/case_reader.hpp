@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "hawser/model/case.hpp"
 
@@ -22,15 +23,20 @@ double reading_time(const std::string& path);
 // "reading the mesh hull.stl (41 MB)"
 std::string reading_text(const std::string& path);
 
+// Changes: "KEY=VALUE" each, made in the document before it is checked (case_changes.hpp).
+using CaseChanges = std::vector<std::string>;
+
 // Read and check a case file: form, units, references, sense, and the other files it names but the meshes of
 // volumes, which app::load_volumes() reads. Collective over comm, of whose ranks one a host reads the mesh of
 // a seabed, for all of them.
-// Throws InputError; what() is one sentence "file:line: dotted.key: what is wrong".
-model::Case read_case(const std::string& path, const ReadingNews& news = {}, MPI_Comm comm = MPI_COMM_SELF);
+// Throws InputError; what() is one sentence "file:line: dotted.key: what is wrong", of a changed case with
+// its changes.
+model::Case read_case(const std::string& path, const ReadingNews& news = {}, MPI_Comm comm = MPI_COMM_SELF,
+                      const CaseChanges& changes = {});
 
 // The same for text already read; `path` names the file and gives the directory of relative paths.
 model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news = {},
-                           MPI_Comm comm = MPI_COMM_SELF);
+                           MPI_Comm comm = MPI_COMM_SELF, const CaseChanges& changes = {});
 
 // Unstretched lengths of sections by their dotted keys, "lines.hose.sections[0]", m.
 using SectionLengths = std::map<std::string, double>;

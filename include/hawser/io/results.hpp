@@ -20,6 +20,7 @@ namespace hawser::io {
 
 struct RunInfo {
   std::string case_text, case_path, version, options, date;
+  std::string changes;  // by --set, KEY=VALUE in a line each; case_text is without them
   int ranks = 1;
 };
 

@@ -21,4 +21,9 @@ struct LongestStep {
 // than half, a tenth of the time in which drag slows what is carried along.
 LongestStep longest_step(const Case& c);
 
+// Slowest period of a line [s], from its weight as a hanging chain (2.405/2 sqrt(g/L)), its bending stiffness
+// (pi²/L² sqrt(EI/m)) and the tension of a start that is shorter than its chord (pi/L sqrt(T/m)); 0: none of
+// these.
+double slowest_period(const Case& c, const Line& line);
+
 }  // namespace hawser::model

@@ -4,12 +4,16 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hawser/model/units.hpp"
 #include "hawser/model/value.hpp"
 
 namespace hawser::model {
+
+// Value::line of what --set has put into a document.
+inline constexpr int kBySet = -1;
 
 struct Bounds {
   std::optional<double> above, at_least, at_most;  // SI (angles: rad)
@@ -68,6 +72,10 @@ const Key& case_schema();
 
 // "a number [m]", "'auto' or a number [s]", "a list of 3 numbers [m]", ...
 std::string describe(const Key& key);
+
+// Where below a key there is one called `name` (letter case aside): "sections[0].length" of a line; the least
+// deep one, without names of the user's choice. Empty: nowhere, or in the key itself.
+std::string place_below(const Key& key, std::string_view name);
 
 // Check `root` against the schema, fill in defaults (Value::given = false), set Value::number in SI,
 // resolve references. Throws InputError "file:line: dotted.key: ..." at the first fault.

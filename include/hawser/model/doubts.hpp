@@ -1,0 +1,37 @@
+// What a case may be meant to say and more often is a slip of the pen: a wrong unit, a lost digit, a wrong
+// sign. Nothing here stops a run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser::model {
+
+struct Doubt {
+  std::string key;   // dotted, as in the file
+  std::string text;  // what was found there, and what is usual
+  int kind = 0;      // of the same kind only the first few are told
+};
+
+// Everything doubtful of a case that model::check passes, in the order of the functions below. Empty for an
+// ordinary case.
+std::vector<Doubt> doubts(const Case& c);
+// "file:line: key: text" each; of many of one kind the first three, and how many more there are.
+std::vector<std::string> doubt_notes(const Case& c);
+
+// Its parts. Weight, diameter and EA of each line type that do not fit each other.
+void doubt_line_types(const Case& c, std::vector<Doubt>& out);
+// Strains and tensions that loads, weight and the distance of the ends mean, and lengths far beyond that
+// distance.
+void doubt_lines(const Case& c, std::vector<Doubt>& out);
+// Depths of water and bed, ends far from the bed, and currents that push aside what lies on it.
+void doubt_sea(const Case& c, std::vector<Doubt>& out);
+// Time steps, times between outputs, and motions that begin with a jump of velocity.
+void doubt_times(const Case& c, std::vector<Doubt>& out);
+
+// kg/m of a type less the water that it displaces, at a height z [m] below the surface; above it all.
+double mass_in_water(const Case& c, const LineType& type, double z);
+
+}  // namespace hawser::model

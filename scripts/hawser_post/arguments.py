@@ -1,0 +1,64 @@
+"""Command lines in sentences: what is wrong in one of them, with the nearest valid word, and --set of a case."""
+import argparse
+import difflib
+import os
+import re
+import subprocess
+import sys
+
+from .results import Refusal
+
+
+class Parser(argparse.ArgumentParser):
+    """Says in one sentence what is wrong, as the program's own commands do; exit code 2."""
+
+    def error(self, message):
+        unknown = re.match(r"unrecognized arguments: (\S+)", message)
+        choice = re.match(r"argument (.+): invalid choice: '(.*)' \(choose from (.*)\)", message, re.DOTALL)
+        if unknown:
+            word = unknown.group(1).split("=")[0]
+            options = [name for action in self._actions for name in action.option_strings]
+            options += [name for sub in self._subparsers._group_actions for p in sub.choices.values() if p.prog == self.current
+                        for action in p._actions for name in action.option_strings] if self._subparsers else []
+            message = (f"there is no option '{word}'" + near(word, options)) if word.startswith("-") else \
+                f"'{word}' is one file or word too many"
+        elif choice:
+            words = re.findall(r"'([^']*)'", choice.group(3))
+            message = f"{choice.group(1)} cannot be '{choice.group(2)}'{near(choice.group(2), words)} (there are {', '.join(words)})"
+        else:
+            message = re.sub(r"the following arguments are required: ", "these are missing: ", message)
+            message = re.sub(r"argument (\S+): expected one argument", r"a value is missing after \1", message)
+            message = re.sub(r"argument (\S+): invalid float value: (.*)", r"\1: \2 is no number", message)
+        print(f"hawser: {message} (see {self.current or self.prog} --help)", file=sys.stderr)
+        sys.exit(2)
+
+    current = ""
+
+    def parse_args(self, args=None, namespace=None):
+        words = list(sys.argv[1:] if args is None else args)
+        if words and self._subparsers:
+            self.current = f"{self.prog} {words[0]}"
+        return super().parse_args(args, namespace)
+
+
+def near(word, known):
+    found = difflib.get_close_matches(word, known, 1, 0.6)
+    return f"; did you mean '{found[0]}'?" if found else ""
+
+
+def add_set(parser):
+    """--set KEY=VALUE, as of hawser run."""
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",
+                        help="change a key of the case file that is run first (see hawser run --help); repeatable")
+
+
+def refuse_changes(path, changes):
+    """Changes are of a case, not of results."""
+    if changes:
+        raise Refusal(f"{path}: --set changes a case file that is run first, and this is none")
+
+
+def run_case(command, path, changes, *more):
+    """The exit code of a command of the program, with a case and these changes of it."""
+    given = [word for change in changes for word in ("--set", change)]
+    return subprocess.run([os.environ.get("HAWSER", "hawser"), command, str(path), *more, *given]).returncode

@@ -1,0 +1,51 @@
+// Rows of all datasets times their number, both checkpoint slots with their spare room, the meshes, and what
+// HDF5 keeps of each dataset.
+#include "hawser/io/results_size.hpp"
+
+#include <hdf5.h>
+
+#include "hawser/io/results_build.hpp"
+
+namespace hawser::io {
+namespace {
+
+constexpr double kOfDataset = 600;  // bytes of its header, name and attributes, measured
+constexpr double kSpare = 1.5;      // of a checkpoint slot, over the first checkpoint (ResultsFile)
+constexpr double kNode = 20;        // bytes: arc length, line, number, and its place in the line's cell
+
+}  // namespace
+
+ResultsSize results_size(const ResultContents& c, const ExpectedRows& rows) {
+  ResultsSize size;
+  for (const RowSet& s : row_sets(c)) {
+    double row = static_cast<double>(H5Tget_size(s.type));
+    for (const hsize_t n : s.tail) row *= static_cast<double>(n);
+    if (s.by == RowsBy::step)
+      size.histories += row * rows.steps;
+    else if (s.by == RowsBy::node)
+      size.fields += row * c.nodes_total();
+    else
+      (s.name.starts_with("volumes/") ? size.meshes : size.fields) += row * rows.outputs;
+    size.rest += kOfDataset;
+  }
+  for (const VolumeMesh& v : c.volumes) {
+    size.meshes +=
+        24.0 * static_cast<double>(v.vertices.size()) + 13.0 * static_cast<double>(v.triangles.size());
+    size.rest += 3 * kOfDataset;
+  }
+  if (rows.checkpoint > 0) size.checkpoints = 2 * kSpare * sizeof(double) * rows.checkpoint;
+  size.rest += 20 * kOfDataset + kNode * c.nodes_total() + static_cast<double>(c.run.case_text.size());
+  return size;
+}
+
+double checkpoint_numbers(const Checkpoint& c) {
+  double n = 1 + static_cast<double>(c.scalars.size());
+  for (const auto& [name, field] : c.nodes) n += static_cast<double>(field.values.size());
+  for (const auto& [name, history] : c.history) {
+    n += 1;
+    for (const HistoryRecord& r : history.records) n += 4 + static_cast<double>(r.values.size());
+  }
+  return n;
+}
+
+}  // namespace hawser::io

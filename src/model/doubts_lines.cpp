@@ -1,0 +1,125 @@
+// What a line must bear at least by the distance of its ends, its loads and its weight, as a strain and
+// against its breaking load; and whether it is far longer than the way between its ends.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/bed.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/doubts.hpp"
+
+namespace hawser::model {
+namespace {
+
+// What materials bear before they yield or break, and designs stay far below: steel wire and chain break at 1
+// to 2 %, polyester at 10 %, nylon at 40 % (ISO 18692, ISO 19901-7).
+constexpr double kMetal = 20e9, kMetalStrain = 0.01,
+                 kFibreStrain = 0.1;  // Pa, modulus of what counts as metal
+constexpr double kLong = 10;          // lengths over the distance of the ends
+constexpr double kDeepLong = 5;       // and over that and the height of both ends above the bed
+
+double allowed_strain(const LineType& t) {
+  return t.EA / (M_PI / 4 * t.outer_diameter * t.outer_diameter) > kMetal ? kMetalStrain : kFibreStrain;
+}
+
+// One doubt of the section that a tension [N] stretches or overloads.
+void bears(const Case& c, const Section& s, double tension, const std::string& key, const std::string& why,
+           std::vector<Doubt>& out) {
+  const LineType& t = c.line_type(s.type);
+  if (t.breaking_load > 0 && tension > t.breaking_load) {
+    out.push_back({key,
+                   fmt::format("{} means a tension of {:.4g} kN at least, and '{}' breaks at {:.4g} kN", why,
+                               tension / 1000, t.name, t.breaking_load / 1000),
+                   3});
+  } else if (const double strain = tension / t.EA; !t.tension_table && strain > allowed_strain(t)) {
+    out.push_back(
+        {key,
+         fmt::format("{} means a tension of {:.4g} kN at least, which stretches '{}' (EA {:.4g} kN) by "
+                     "{:.3g} %; usual is less than {:g} %",
+                     why, tension / 1000, t.name, t.EA / 1000, 100 * strain, 100 * allowed_strain(t)),
+         3});
+  }
+}
+
+void doubt_span(const Case& c, const Line& line, std::vector<Doubt>& out) {
+  if (!is_held(line.end_a) || !is_held(line.end_b)) return;
+  const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
+  const double length = length_of(line), loose = length + expansion_of(c, line);
+  double give = 0;
+  for (const Section& s : line.sections) give += s.length / c.line_type(s.type).EA;
+  const std::string key = "lines." + line.name + ".sections";
+  const Section& weakest = *std::min_element(
+      line.sections.begin(), line.sections.end(),
+      [&](const Section& a, const Section& b) { return c.line_type(a.type).EA < c.line_type(b.type).EA; });
+  if (chord > loose)
+    bears(c, weakest, (chord - loose) / give, key,
+          fmt::format("a length of {:.6g} m over a distance of {:.6g} m between its ends", loose, chord),
+          out);
+  const bool automatic = line.start == Start::automatic || line.start == Start::catenary;
+  double room = chord;
+  if (const Seabed& bed = c.environment.seabed; bed.present)
+    for (const End* e : {&line.end_a, &line.end_b})
+      room += std::max(height_above_bed(bed, end_position(c, *e)), 0.0);
+  if (automatic && chord > 0 && length > kLong * chord && length > kDeepLong * room)
+    out.push_back(
+        {key,
+         fmt::format("the line is {:.6g} m long, {:.3g} times the distance of its ends ({:.6g} m); is it "
+                     "meant to be that slack?",
+                     length, length / chord, chord),
+         4});
+}
+
+// At the higher end of a line hangs at least what is between the heights of its ends, at the end of one that
+// hangs freely all of it that does not lie.
+void doubt_weight(const Case& c, const Line& line, std::vector<Doubt>& out) {
+  const bool a = is_held(line.end_a), b = is_held(line.end_b);
+  if ((!a && !b) || line.start == Start::points || line.start == Start::other_run) return;
+  const Vec3 top = a && (!b || end_position(c, line.end_a).z() >= end_position(c, line.end_b).z())
+                       ? end_position(c, line.end_a)
+                       : end_position(c, line.end_b);
+  double height = length_of(line);
+  if (a && b)
+    height = std::min(height, std::abs(end_position(c, line.end_a).z() - end_position(c, line.end_b).z()));
+  if (const Seabed& bed = c.environment.seabed; bed.present)
+    height = std::min(height, std::max(height_above_bed(bed, top), 0.0));
+  const LineType* lightest = nullptr;  // whichever of its types hangs there
+  for (const Section& s : line.sections)
+    if (const LineType& t = c.line_type(s.type);
+        !lightest || mass_in_water(c, t, -HUGE_VAL) < mass_in_water(c, *lightest, -HUGE_VAL))
+      lightest = &t;
+  const double weight = c.environment.gravity * mass_in_water(c, *lightest, -HUGE_VAL) * height;
+  const Section& strongest = *std::max_element(
+      line.sections.begin(), line.sections.end(),
+      [&](const Section& x, const Section& y) { return c.line_type(x.type).EA < c.line_type(y.type).EA; });
+  if (weight > 0)
+    bears(c, strongest, weight, "lines." + line.name,
+          fmt::format("its own weight over {:.4g} m of height", height), out);
+}
+
+void doubt_loads(const Case& c, const Line& line, std::vector<Doubt>& out) {
+  for (const PointLoad& p : line.point_loads) {
+    double end = 0;
+    for (const Section& s : line.sections) {
+      end += s.length;
+      if (p.at > end && &s != &line.sections.back()) continue;
+      // A beam carries what acts across it by bending.
+      const bool pulled = (p.at <= 0 && !is_held(line.end_a)) || (p.at >= end && !is_held(line.end_b));
+      if (c.line_type(s.type).kind == LineKind::cable && pulled)
+        bears(c, s, p.force.norm(), fmt::format("lines.{}.loads[{}]", line.name, p.order), "its force", out);
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+void doubt_lines(const Case& c, std::vector<Doubt>& out) {
+  for (const Line& line : c.lines) {
+    doubt_span(c, line, out);
+    doubt_weight(c, line, out);
+    doubt_loads(c, line, out);
+  }
+}
+
+}  // namespace hawser::model

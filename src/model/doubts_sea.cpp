@@ -1,0 +1,168 @@
+// Whether the depths of water, bed and ends fit each other, and what a current does in statics to a slack
+// line on the bed, which nothing holds across there.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hawser/model/bed.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/doubts.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kSameDepth = 0.02;  // of the depth of the water
+constexpr double kNear = 10,
+                 kNearShare = 0.5;  // m, and of the depth: anchors that high are meant to be there
+constexpr double kBow = 0.05;       // of the length that lies
+
+void doubt_depths(const Case& c, std::vector<Doubt>& out) {
+  const Water& w = c.environment.water;
+  const Seabed& bed = c.environment.seabed;
+  if (!w.present || !bed.present || bed.surface || bed.slope > 0 || !(w.depth > 0)) return;
+  const double depth = bed.depth + w.surface;
+  if (std::abs(depth - w.depth) > kSameDepth * w.depth)
+    out.push_back(
+        {"environment.seabed.depth",
+         fmt::format("the bed is {:.6g} m below the still water, but the water is {:.6g} m deep; the "
+                     "waves go by the latter",
+                     depth, w.depth),
+         5});
+}
+
+// An anchor above the water as far as the bed is below: a lost minus sign. One in the lower half of the
+// water, but well above the bed: another depth than that of the bed.
+void doubt_anchor(const Case& c, const Line& line, const End& e, const char* which, std::vector<Doubt>& out) {
+  if (e.kind != EndKind::anchor) return;
+  const Water& w = c.environment.water;
+  const Seabed& bed = c.environment.seabed;
+  const double z = e.at.z() - w.surface, depth = w.depth > 0 ? w.depth : bed.depth;
+  const std::string key = fmt::format("lines.{}.{}.anchor", line.name, which);
+  if (w.present && depth > 0 && std::abs(z - depth) < kSameDepth * depth)
+    out.push_back(
+        {key,
+         fmt::format("is {:.6g} m above the water, and that is {:.6g} m deep: z points up; is {:g} meant?", z,
+                     depth, -e.at.z()),
+         6});
+  if (!bed.present || bed.surface) return;
+  const double height = height_above_bed(bed, e.at);
+  if (height > kNear && height < kNearShare * bed.depth)
+    out.push_back(
+        {key,
+         fmt::format("is {:.4g} m above the bed, which is at z = {:.6g} m there; is it meant to be held "
+                     "in mid-water?",
+                     height, e.at.z() - height / bed_normal(bed).z()),
+         6});
+}
+
+// z below which no point of the line can be, held at one end or both: hanging straight down. -inf: it is
+// free.
+double lowest(const Case& c, const Line& line) {
+  const double length = length_of(line) + expansion_of(c, line);
+  const auto z = [&](const End& e) { return end_position(c, e).z(); };
+  const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
+  if (a && b) return 0.5 * (z(line.end_a) + z(line.end_b) - length);
+  if (a || b) return z(a ? line.end_a : line.end_b) - length;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : line.points) least = std::min(least, p.z());
+  return std::isfinite(least) ? least : -least;
+}
+
+void doubt_bed_in_reach(const Case& c, std::vector<Doubt>& out) {
+  const Seabed& bed = c.environment.seabed;
+  if (!bed.present || bed.surface || bed.slope > 0 || c.lines.empty()) return;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Line& l : c.lines) least = std::min(least, lowest(c, l));
+  // Bodies that move take their lines along.
+  if (least > -0.8 * bed.depth)
+    out.push_back({"environment.seabed",
+                   fmt::format("no line gets near the bed at z = {:.6g} m: hanging straight down the deepest "
+                               "reaches z = {:.6g} m",
+                               -bed.depth, least),
+                   7});
+}
+
+// Horizontal velocity of the current at t = 0 at a depth [m], m/s.
+Vec3 current_at(const Water& w, double depth) {
+  const std::vector<CurrentRow>& rows = w.current.profile;
+  if (rows.empty() || w.current.exponent > 0) return Vec3::Zero();  // a power law has none at the bed
+  const auto vector = [](const CurrentRow& r) {
+    return Vec3(r.speed * std::cos(r.direction), r.speed * std::sin(r.direction), 0);
+  };
+  const auto below =
+      std::find_if(rows.begin(), rows.end(), [&](const CurrentRow& r) { return r.depth > depth; });
+  const double factor = w.current.time_factor.at(0);
+  if (below == rows.begin()) return factor * vector(rows.front());
+  if (below == rows.end()) return factor * vector(rows.back());
+  const CurrentRow &u = *(below - 1), &l = *below;
+  return factor * (vector(u) + (depth - u.depth) / (l.depth - u.depth) * (vector(l) - vector(u)));
+}
+
+// Of an inextensible chain of length L [m] without friction between a point of a level bed and one X m away
+// and h m above it: tension where it lies over weight per length [m]. Negative: none of it lies.
+double slack_tension(double L, double X, double h) {
+  if (L >= X + h) return 0;
+  const auto left = [&](double a) {  // what is too long where the tension is a
+    return L - std::sqrt(h * h + 2 * h * a) + (a > 0 ? a * std::acosh(1 + h / a) : 0) - X;
+  };
+  double low = 0, high = h;
+  while (left(high) < 0 && high < 1e6 * h) high *= 2;
+  if (left(high) < 0) return -1;
+  for (int i = 0; i < 80; ++i) {
+    const double a = 0.5 * (low + high);
+    (left(a) < 0 ? low : high) = a;
+  }
+  return L > std::sqrt(h * h + 2 * h * high) ? high : -1;
+}
+
+void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {
+  const Water& w = c.environment.water;
+  const Seabed& bed = c.environment.seabed;
+  const bool automatic = line.start == Start::automatic || line.start == Start::catenary;
+  if (!c.statics.enabled || w.current.profile.empty() || w.current.ramp > 0 || !bed.present || bed.surface ||
+      !automatic || !is_held(line.end_a) || !is_held(line.end_b))
+    return;
+  Vec3 low = end_position(c, line.end_a), high = end_position(c, line.end_b);
+  if (low.z() > high.z()) std::swap(low, high);
+  const double length = length_of(line), near = laying_reach(c, line), h = height_above_bed(bed, high);
+  if (height_above_bed(bed, low) > near || h < 10 * near) return;
+  double weight = 0, drag = 0;  // per length, N/m
+  const Vec3 across = Vec3(low.y() - high.y(), high.x() - low.x(), 0).normalized();
+  const double speed = std::abs(current_at(w, w.surface - low.z()).dot(across));
+  for (const Section& s : line.sections) {
+    const LineType& t = c.line_type(s.type);
+    const double own = c.environment.gravity * mass_in_water(c, t, low.z());
+    if (!(own > 0)) return;  // it floats somewhere and hangs in other shapes
+    weight += own * s.length / length;
+    drag += 0.5 * w.density * t.Cd_normal * t.dragged() * speed * speed * s.length / length;
+  }
+  const double X = (high - low).head<2>().norm(), a = slack_tension(length, X, h);
+  if (!(speed > 0) || a < 0 || drag > bed.friction.lateral * weight) return;  // it would be swept away
+  const double lies = length - std::sqrt(h * h + 2 * h * a),
+               bow = drag * lies / (8 * std::max(a, 1e-9) * weight);
+  if (!(lies > 0) || bow < kBow) return;
+  out.push_back(
+      {"lines." + line.name,
+       fmt::format("{:.3g} m of it lie slack on the bed ({:.3g} kN), and the current of {:.3g} m/s there "
+                   "bows them sideways in statics, where no friction acts across a line until it is at "
+                   "rest; with 'environment.current.ramp' the current starts in dynamics, where friction "
+                   "holds it",
+                   lies, a * weight / 1000, speed),
+       8});
+}
+
+}  // namespace
+
+void doubt_sea(const Case& c, std::vector<Doubt>& out) {
+  doubt_depths(c, out);
+  doubt_bed_in_reach(c, out);
+  for (const Line& line : c.lines) {
+    doubt_anchor(c, line, line.end_a, "end_a", out);
+    doubt_anchor(c, line, line.end_b, "end_b", out);
+    doubt_current(c, line, out);
+  }
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,129 @@
+// Whether steps and outputs are short enough for what moves the lines, and whether something is struck at t =
+// 0.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/body_motion.hpp"
+#include "hawser/model/doubts.hpp"
+#include "hawser/model/longest_step.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kSteps = 20,
+                 kOwnSteps = 5;  // fewest in a period of what drives, of the line's own slowest motion
+constexpr double kOutputs = 2;   // fewest in a period
+// Of the fastest motion of a body, and m/s: what its first moment may have. A spline through rows that begin
+// at rest is not quite at rest.
+constexpr double kJump = 0.05, kLeastJump = 0.05;
+
+struct Period {
+  double length = 0;  // s; 0: none
+  std::string of;
+};
+
+void shorter(Period& least, double length, const std::string& of) {
+  if (length > 0 && (least.length == 0 || length < least.length)) least = {length, of};
+}
+
+// The shortest period of waves (of a spectrum: its peak) and of harmonic motions.
+Period driving(const Case& c) {
+  Period least;
+  const Waves& w = c.environment.water.waves;
+  if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table)
+    shorter(least, w.peak_period, "the waves");
+  else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::stokes)
+    shorter(least, w.rows.front().period, "the wave");
+  for (const Body& b : c.bodies) {
+    const auto* h = std::get_if<HarmonicMotion>(&b.motion);
+    if (h && !(h->amplitude.isZero() && h->rotation_amplitude.isZero()))
+      shorter(least, h->period, "the motion of body " + b.name);
+  }
+  return least;
+}
+
+void doubt_step(const Case& c, const Period& drive, std::vector<Doubt>& out) {
+  const double step = c.dynamics.step;
+  if (!(step > 0)) return;
+  if (drive.length > 0 && step > drive.length / kSteps) {
+    out.push_back({"dynamics.step",
+                   fmt::format("{:g} s is {:.2g} steps in a period of {} ({:g} s); usual is {:g} or more",
+                               step, drive.length / step, drive.of, drive.length, kSteps),
+                   9});
+    return;
+  }
+  Period own;
+  for (const Line& line : c.lines) shorter(own, slowest_period(c, line), "line " + line.name);
+  if (own.length > 0 && step > own.length / kOwnSteps)
+    out.push_back(
+        {"dynamics.step",
+         fmt::format("{:g} s is {:.2g} steps in the slowest natural period of {} (about {:.2g} s): none "
+                     "of its vibrations is resolved",
+                     step, own.length / step, own.of, own.length),
+         9});
+}
+
+void doubt_outputs(const Case& c, const Period& drive, std::vector<Doubt>& out) {
+  const double every = c.output.every;
+  if (every > c.dynamics.duration)
+    out.push_back(
+        {"output.every",
+         fmt::format("{:g} s is longer than the run ({:g} s): there are outputs at its start and its end "
+                     "only",
+                     every, c.dynamics.duration),
+         10});
+  else if (drive.length > 0 && every > drive.length / kOutputs)
+    out.push_back(
+        {"output.every",
+         fmt::format("{:g} s is {:.2g} outputs in a period of {} ({:g} s): they show no period; usual is "
+                     "10 or more (histories have every step)",
+                     every, drive.length / every, drive.of, drive.length),
+         10});
+}
+
+// Speed of a body's origin and, by its turning, of what is tied to it [m/s].
+double speed_at(const Case& c, const Body& b, const RigidMotion& motion, double t) {
+  const RigidPose p = motion.at(t);
+  double most = p.velocity.norm();
+  for (const Line& line : c.lines)
+    for (const End* e : {&line.end_a, &line.end_b})
+      if (e->kind == EndKind::body && e->body == b.name)
+        most = std::max(most, p.velocity_at(p.to_space(e->at)).norm());
+  return most;
+}
+
+void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
+  if (b.mass || b.on || b.ramp > 0 || !c.statics.enabled || b.motion.index() == 0) return;
+  // Straight lines between rows jump at all of them, and rows of waves are given with their ramp.
+  if (const auto* t = std::get_if<TableMotion>(&b.motion);
+      t && (t->between == BetweenRows::linear || t->of_waves))
+    return;
+  const RigidMotion motion = rigid_motion(b);
+  const double first = speed_at(c, b, motion, 0);
+  if (!(first > kLeastJump)) return;
+  constexpr int kLooks = 200;
+  double most = 0;
+  for (int i = 1; i <= kLooks; ++i)
+    most = std::max(most, speed_at(c, b, motion, c.dynamics.duration * i / kLooks));
+  if (first > kJump * most)
+    out.push_back(
+        {"bodies." + b.name + ".motion",
+         fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: it strikes them; a "
+                     "'ramp' of some periods starts it smoothly",
+                     first),
+         11});
+}
+
+}  // namespace
+
+void doubt_times(const Case& c, std::vector<Doubt>& out) {
+  if (!c.dynamics.enabled) return;
+  const Period drive = driving(c);
+  doubt_step(c, drive, out);
+  doubt_outputs(c, drive, out);
+  for (const Body& b : c.bodies) doubt_start(c, b, out);
+}
+
+}  // namespace hawser::model

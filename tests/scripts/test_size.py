@@ -1,0 +1,57 @@
+"""The size of the results that `hawser check` expects is that of the file a run leaves."""
+import os
+import re
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+from support import ROOT, run
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+UNITS = {"kB": 1e3, "MB": 1e6, "GB": 1e9}
+
+
+class Size(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def expected(self, case, *options):
+        result = run(HAWSER, "check", ROOT / "cases" / case, *options, timeout=300)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        found = re.search(r"^expected results: about ([\d.]+) (\w+) \(fields ", result.stdout, re.MULTILINE)
+        self.assertTrue(found, result.stdout)
+        return float(found.group(1)) * UNITS[found.group(2)], result.stdout
+
+    def check_size(self, case, *options):
+        file = self.folder / "results.h5"
+        done = run(HAWSER, "run", ROOT / "cases" / case, "-q", "-o", file, *options, timeout=300)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        size = file.stat().st_size
+        for quick in ([], ["--quick"]):
+            told, _ = self.expected(case, *options, *quick)
+            with self.subTest(case=case, quick=quick, size=size):
+                # Without a trial the number of steps is a guess.
+                self.assertLess(abs(told / size - 1), 0.15 if not quick else 0.5, f"{told:g} is expected, {size} are there")
+
+    def test_of_a_line_with_fixed_steps(self):
+        self.check_size("mooring-line/mooring-line.yaml", "--set", "dynamics.duration=20", "--set", "output.every=0.2")
+
+    def test_of_bodies_and_meshes_in_automatic_steps(self):
+        self.check_size("barge-hawser/barge-hawser.yaml", "--set", "dynamics.duration=60")
+
+    def test_of_statics(self):
+        self.check_size("hanging-line/hanging-line.yaml")
+
+    def test_what_is_much_is_noted(self):
+        case = ("mooring-line/mooring-line.yaml", "--quick", "--set", "dynamics.duration=10800", "--set", "output.every=0.1")
+        told, said = self.expected(*case)
+        self.assertGreater(told, 2e9)
+        self.assertRegex(said, "\nnote: (output.every says how often|the disk of .* has .* left)")
+        _, said = self.expected(*case, "--set", "output.every=0.00001")
+        self.assertIn("left, and a run takes up to twice the size of its results", said)
+
+
+if __name__ == "__main__":
+    unittest.main()

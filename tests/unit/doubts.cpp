@@ -1,0 +1,190 @@
+// What is possible but unusual in a case is told, and nothing of an ordinary one.
+#include "hawser/model/doubts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hawser/io/case_reader.hpp"
+#include "hawser/model/longest_step.hpp"
+
+namespace hawser::doubts_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A chain from an anchor on the bed to a vessel that heaves, in waves and a current.
+const std::string kCase = R"(hawser: 1
+environment:
+  water: {depth: 200}
+  seabed: {depth: 200, friction: 0.6}
+  waves: {jonswap: {hs: 5, tp: 11}}
+  current: {speed: 0.2, direction_deg: 90}
+line_types:
+  chain: {outer_diameter: 0.25, mass_per_length: 390, EA: 1.6e9, bending: false, breaking_load: 1.3e7}
+bodies:
+  vessel: {motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}
+lines:
+  mooring:
+    sections: [{type: chain, length: 760, elements: 76}]
+    end_a: {anchor: [700, 0, -200]}
+    end_b: {body: vessel, at: [0, 0, 0]}
+dynamics: {duration: 60, step: 0.1}
+output: {every: 1}
+)";
+
+using Changes = std::vector<std::pair<std::string, std::string>>;
+
+std::vector<std::string> notes(const Changes& changes, const std::vector<std::string>& set = {}) {
+  std::string text = kCase;
+  for (const auto& [from, to] : changes) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+  }
+  const model::Case c = io::read_case_text(text, "slips.yaml", {}, MPI_COMM_SELF, set);
+  EXPECT_GE(c.notes.size(), doubt_notes(c).size());
+  return doubt_notes(c);
+}
+
+// One doubt, which holds this.
+void expect_doubt(const Changes& changes, const std::string& part) {
+  const std::vector<std::string> found = notes(changes);
+  ASSERT_EQ(found.size(), 1U) << part << "\n" << testing::PrintToString(found);
+  EXPECT_NE(found.front().find(part), std::string::npos) << part << "\n" << found.front();
+}
+
+TEST(Doubts, NoneOfAnOrdinaryCase) { EXPECT_EQ(notes({}), std::vector<std::string>{}); }
+
+TEST(Doubts, NoneOfAnyShippedCase) {
+  int cases = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(HAWSER_SOURCE_DIR "/cases")) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++cases;
+    const model::Case c = io::read_case(entry.path().string());
+    EXPECT_EQ(doubt_notes(c), std::vector<std::string>{});
+  }
+  EXPECT_GE(cases, 16);
+}
+
+TEST(Doubts, MassDiameterAndStiffness) {
+  expect_doubt(
+      {{"outer_diameter: 0.25", "outer_diameter: 0.14"}},
+      "slips.yaml:8: line_types.chain: 390 kg/m in a diameter of 0.14 m are 25.3 t/m³, more than steel "
+      "(7.85); a chain has here the diameter of a round bar of its volume");
+  expect_doubt(
+      {{"outer_diameter: 0.25, mass_per_length: 390, EA: 1.6e9, bending: false, breaking_load: 1.3e7",
+        "outer_diameter: 0.25, mass_per_length: 390000, EA: 1.6e12, bending: false"},
+       {"1.6e12", "1.1e10"}},
+      "is the mass in kg/km?");
+  expect_doubt({{"outer_diameter: 0.25", "outer_diameter: 250"},
+                {"environment:", "environment:\n  gravity: 0"},
+                {"  water: {depth: 200}\n", ""},
+                {"  waves: {jonswap: {hs: 5, tp: 11}}\n", ""},
+                {"  current: {speed: 0.2, direction_deg: 90}\n", ""},
+                {"EA: 1.6e9", "EA: 1.6e14"}},
+               "is the diameter in mm? ('120 mm')");
+  expect_doubt({{"EA: 1.6e9", "EA: 1.6e11"}},
+               "is a modulus of 3.26e+03 GPa; that of a solid steel bar is 206");
+  expect_doubt({{"760, elements: 76", "930, elements: 76"},
+                {"mass_per_length: 390, EA: 1.6e9", "mass_per_length: 51, EA: 1.6e3"},
+                {"  current: {speed: 0.2, direction_deg: 90}\n", ""}},
+               "less than that of rubber (1 to 10)");
+}
+
+TEST(Doubts, TensionsOfLinesAndLengths) {
+  expect_doubt(
+      {{"length: 760", "length: 715"}},
+      "slips.yaml:13: lines.mooring.sections: a length of 715 m over a distance of 728.011 m between its "
+      "ends means a tension of 2.912e+04 kN at least, and 'chain' breaks at 1.3e+04 kN");
+  expect_doubt({{"length: 760", "length: 715"}, {", breaking_load: 1.3e7", ""}},
+               "by 1.82 %; usual is less than 1 %");
+  expect_doubt({{"EA: 1.6e9", "EA: 1.6e6"}, {", breaking_load: 1.3e7", ""}},
+               "its own weight over 200 m of height means");
+  expect_doubt({{"end_b: {body: vessel, at: [0, 0, 0]}",
+                 "end_b: free\n    loads: [{at: end_b, force: [2.0e7, 0, 0]}]"}},
+               "lines.mooring.loads[0]: its force means a tension of 2e+04 kN");
+  expect_doubt({{"length: 760", "length: 8000"}, {"  current: {speed: 0.2, direction_deg: 90}\n", ""}},
+               "the line is 8000 m long, 11 times the distance of its ends (728.011 m)");
+}
+
+TEST(Doubts, Depths) {
+  expect_doubt({{"water: {depth: 200}", "water: {depth: 20}"}},
+               "slips.yaml:4: environment.seabed.depth: the bed is 200 m below the still water, but the "
+               "water is 20 m");
+  expect_doubt(
+      {{"  seabed: {depth: 200, friction: 0.6}\n", ""}, {"anchor: [700, 0, -200]", "anchor: [700, 0, 200]"}},
+      "is 200 m above the water, and that is 200 m deep: z points up; is -200 meant?");
+  expect_doubt({{"anchor: [700, 0, -200]", "anchor: [700, 0, -160]"}},
+               "is 40 m above the bed, which is at z = -200 m");
+  expect_doubt(
+      {{"water: {depth: 200}", "water: {}"}, {"depth: 200, friction", "depth: 2000, friction"}},
+      "no line gets near the bed at z = -2000 m: hanging straight down the deepest reaches z = -480 m");
+}
+
+TEST(Doubts, SlackOnTheBedInACurrent) {
+  expect_doubt({{"length: 760", "length: 880"}}, "lie slack on the bed");
+  EXPECT_TRUE(
+      notes({{"length: 760", "length: 880"}, {"direction_deg: 90", "direction_deg: 90, ramp: 20"}}).empty());
+  EXPECT_TRUE(notes({{"length: 760", "length: 880"}, {"direction_deg: 90", "direction_deg: 0"}}).empty());
+  EXPECT_TRUE(notes({{"length: 760", "length: 880"},
+                     {"speed: 0.2, direction_deg: 90", "speed: 0.2, exponent: 1/7, direction_deg: 90"}})
+                  .empty());
+}
+
+TEST(Doubts, Times) {
+  expect_doubt({{"step: 0.1", "step: 1"}},
+               "dynamics.step: 1 s is 10 steps in a period of the motion of body vessel (10 s)");
+  expect_doubt(
+      {{"{harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}", "{velocity: [0.01, 0, 0], ramp: 10}"},
+       {"  waves: {jonswap: {hs: 5, tp: 11}}\n", ""},
+       {"step: 0.1", "step: 12"}},
+      "steps in the slowest natural period of line mooring");
+  expect_doubt({{"every: 1", "every: 100"}}, "output.every: 100 s is longer than the run (60 s)");
+  expect_doubt({{"every: 1", "every: 8"}},
+               "8 s is 1.2 outputs in a period of the motion of body vessel (10 s)");
+  expect_doubt({{"period: 10}, ramp: 10}", "period: 10}}"}},
+               "bodies.vessel.motion: starts at t = 0 with 1.26 m/s, while the lines are at rest");
+  expect_doubt({{"{harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}",
+                 "{table: {rows: [[0, 0, 0, 0], [30, 9, 0, 0], [60, 18, 0, 0]]}}"}},
+               "starts at t = 0 with 0.3 m/s");
+  EXPECT_TRUE(notes({{"{harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}",
+                      "{table: {rows: [[0, 0, 0, 0], [1, 0, 0, 0], [30, 9, 0, 0], [60, 18, 0, 0]], "
+                      "interpolation: monotone}}"}})
+                  .empty());
+}
+
+TEST(Doubts, ManyOfAKindAreCutShort) {
+  std::string lines;
+  for (int i = 0; i < 5; ++i)
+    lines += "\n  chain" + std::to_string(i) +
+             ": {outer_diameter: 0.14, mass_per_length: 390, EA: 1.6e9, bending: false}";
+  const std::vector<std::string> found = notes({{"line_types:", "line_types:" + lines}});
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_TRUE(found.back().ends_with("(and 2 more like it)")) << found.back();
+}
+
+TEST(Doubts, OfWhatIsSet) {
+  const std::vector<std::string> found = notes({}, {"dynamics.step=1"});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found.front().starts_with("slips.yaml with --set: dynamics.step: 1 s is 10 steps"))
+      << found.front();
+}
+
+TEST(Doubts, SlowestPeriodOfATautString) {
+  // T = 1e6 N, m = 100 kg/m, L = 100 m: 2 L sqrt(m/T) = 2 s, without gravity.
+  const model::Case c = io::read_case_text(
+      "hawser: 1\nenvironment: {gravity: 0}\nline_types: {wire: {outer_diameter: 0.1, mass_per_length: 100, "
+      "EA: 1e9, "
+      "bending: false}}\nlines: {wire: {sections: [{type: wire, length: 100, elements: 10}], end_a: {anchor: "
+      "[0, 0, "
+      "0]}, end_b: {anchor: [100.1, 0, 0]}}}\n",
+      "wire.yaml");
+  EXPECT_NEAR(slowest_period(c, c.lines.front()), 2, 1e-3);
+}
+
+}  // namespace
+}  // namespace hawser::doubts_test
