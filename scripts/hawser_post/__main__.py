@@ -6,6 +6,7 @@ try:
     from . import charts, export, extremes_told, fatigue, report, scene, stress
     from .arguments import Parser, add_set
     from .given import history_of, modes_of, results_of
+    from .page import whole
     from .results import Refusal
 except ModuleNotFoundError as missing:
     sys.exit(f"hawser: this needs the Python module '{missing.name}': install python3-h5py python3-matplotlib "
@@ -63,7 +64,7 @@ def make_plot(options):
     path = Path(options.output) if options.output else results.path.with_name(f"{results.path.stem}-{options.what}.png")
     if path.suffix not in (".png", ".svg", ".pdf"):
         raise Refusal(f"{path}: a figure is a .png, .svg or .pdf file")
-    figure.savefig(path, dpi=150)
+    figure.savefig(path, dpi=150, bbox_inches=whole(figure))
     print(f"figure: {path}")
 
 

@@ -70,7 +70,7 @@ def range_graph(results, line, field, since=0.0):
         axes.fill_between(line.arc, found.least / factor, found.most / factor, alpha=0.2, lw=0)
         for values, name in ((found.most, "maximum"), (found.mean, "mean"), (found.least, "minimum")):
             axes.plot(line.arc, values / factor, label=name)
-    axes.plot(line.arc, start / factor, "k--", lw=0.9, label=f"t = {results.time[0]:g} s")
+    axes.plot(line.arc, start / factor, "k-" if found is None else "k--", lw=0.9, label=f"t = {results.time[0]:g} s")
     axes.set(xlabel="arc length from end A [m]", ylabel=label(field, unit), title=line.name)
     legend(axes)
     return figure

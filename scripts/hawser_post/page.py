@@ -5,6 +5,7 @@ import io
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.transforms import Bbox
 
 STYLE = """
 body { font: 15px/1.45 system-ui, "DejaVu Sans", sans-serif; color: #1c2733; max-width: 980px; margin: 2em auto; padding: 0 1em }
@@ -13,7 +14,7 @@ nav a { margin-right: 1em } a { color: #1f5a92; text-decoration: none }
 table { border-collapse: collapse; font-size: 0.85em; margin: 0.8em 0; font-variant-numeric: tabular-nums }
 th, td { padding: 0.2em 0.7em; text-align: right; border-bottom: 1px solid #e3e8ed } th { background: #eef2f5; vertical-align: bottom }
 th.text, td.text { text-align: left } .wide { overflow-x: auto } tr { break-inside: avoid }
-img { max-width: 100%; height: auto; display: block; margin: 0.6em 0 }
+img { width: 100%; height: auto; display: block; margin: 0.6em 0 }
 pre { background: #f5f7f9; padding: 1em; overflow-x: auto; font-size: 0.8em }
 .warning { background: #fdecea; border-left: 4px solid #c0392b; padding: 0.4em 0.8em; margin: 0.4em 0 }
 .note { background: #eef4fa; border-left: 4px solid #1f5a92; padding: 0.4em 0.8em; margin: 0.4em 0 }
@@ -41,6 +42,14 @@ def number(value):
     if 1e-3 <= size < 1e5:
         return f"{value:.{max(0, 4 - len(str(int(size))))}f}" if size >= 1 else f"{value:.4g}"
     return f"{value:.4g}"
+
+
+def whole(figure):
+    """The figure with what stands out of it, as names of axes in space do; None where nothing does."""
+    if not any(hasattr(axes, "zaxis") for axes in figure.axes):
+        return None
+    figure.canvas.draw()
+    return Bbox.union([figure.bbox_inches, figure.get_tightbbox(figure.canvas.get_renderer())])
 
 
 class Page:
@@ -77,7 +86,7 @@ class Page:
     def figure(self, figure, caption, form="svg"):
         """Takes the figure; `form`: svg, or png for what has very many strokes."""
         data = io.BytesIO()
-        figure.savefig(data, format=form, dpi=130, metadata={"Date": None} if form == "svg" else None)
+        figure.savefig(data, format=form, dpi=130, metadata={"Date": None} if form == "svg" else None, bbox_inches=whole(figure))
         plt.close(figure)
         kind = "svg+xml" if form == "svg" else form
         text = base64.b64encode(data.getvalue()).decode()

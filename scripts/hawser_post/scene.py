@@ -178,6 +178,6 @@ def in_space(results, output):
                                       middle, size):
         set_limits(m - s / 2, m + s / 2)
         axis.set_major_locator(MaxNLocator(max(1, round(TICKS * s / size.max()))))
-    axes.set_box_aspect(size, zoom=1.15 if size[2] < size[:2].max() else 0.8)
+    axes.set_box_aspect(size, zoom=1.02 if size[2] < size[:2].max() else 0.8)
     axes.set(xlabel="x [m]", ylabel="y [m]", zlabel="z [m]", title=title(results, "space", [range(results.outputs)[output]]))
     return figure

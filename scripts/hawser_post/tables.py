@@ -119,6 +119,8 @@ def line_types(results):
     types = {k: v for k, v in types.items() if isinstance(v, dict)} if isinstance(types, dict) else {}
     keys = list(dict.fromkeys(key for values in types.values() for key in values))
     def text(value):
+        if isinstance(value, bool):
+            return str(value).lower()
         return "" if value is None else "table" if isinstance(value, (dict, list)) else str(value)
     return ["key", *map(str, types)], [[str(key), *(text(values.get(key)) for values in types.values())] for key in keys]
 

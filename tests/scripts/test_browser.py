@@ -1,0 +1,107 @@
+"""A report opens in a browser: every picture is shown, nothing is fetched, nothing is complained of, and it prints on A4."""
+import html
+import json
+import os
+import re
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+from support import ROOT, run, write
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+CASE = """\
+hawser: 1
+title: A short report
+environment:
+  water: {depth: 40}
+  waves: {regular: {height: 2, period: 6}}
+  seabed: {depth: 40}
+line_types:
+  hose: {outer_diameter: 0.2, mass_per_length: 60, EA: 1e8, EI: 1e4, GJ: 1e4, Cd_normal: 1, breaking_load: 1 MN}
+volumes:
+  buoy: {shape: {sphere: {centre: [20, 8, -10], radius: 2}}}
+lines:
+  hose:
+    sections: [{type: hose, length: 60, elements: 30}]
+    end_a: {anchor: [0, 0, -5]}
+    end_b: {anchor: [40, 0, -5]}
+dynamics: {duration: 8, step: 0.1}
+output: {every: 0.5, histories: [{line: hose, at: end_a}], clearances: [{line: hose, volume: buoy}]}
+"""
+# The browser's log of the network says of each request what it was made for: this number stands for what a page asks for, and
+# not the browser on its own (test_sees_what_is_wrong fails should it change).
+OF_PAGES = r'"traffic_annotation":101845102'
+# What the page itself says when it is there: pictures and whether they were read, what was loaded, how wide it is.
+ASKED = """<script>addEventListener('load', () => {
+  const pictures = [...document.images];
+  document.body.setAttribute('data-told', JSON.stringify({
+    pictures: pictures.length, shown: pictures.filter(p => p.complete && p.naturalWidth > 100).length,
+    loaded: performance.getEntriesByType('resource').map(e => e.name.slice(0, 40)).filter(n => !n.startsWith('data:')),
+    wide: document.documentElement.scrollWidth, window: innerWidth}));
+})</script>"""
+
+
+@unittest.skipUnless(BROWSER, "no report is opened in a browser: chromium is not installed (apt-get install chromium)")
+class Browser(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
+        write(cls.folder, "short.yaml", CASE)
+        told = run(HAWSER, "report", "short.yaml", cwd=cls.folder, timeout=600)
+        if told.returncode:
+            raise AssertionError(told.stdout + told.stderr)
+        cls.report = cls.folder / "short.html"
+
+    def browse(self, page, *options):
+        with tempfile.TemporaryDirectory() as profile:
+            seen = run(BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
+                       "--disable-component-update", "--disable-sync", f"--user-data-dir={profile}", "--host-resolver-rules=MAP * ~NOTFOUND", "--enable-logging=stderr",
+                       "--window-size=1000,800", *options, Path(page).as_uri(), timeout=300)
+        self.assertEqual(seen.returncode, 0, seen.stderr)
+        return seen
+
+    def told(self, text):
+        write(self.folder, "asked.html", text.replace("</head>", ASKED + "</head>"))
+        net = self.folder / "net.json"
+        seen = self.browse(self.folder / "asked.html", "--dump-dom", "--virtual-time-budget=10000", f"--log-net-log={net}")
+        said = json.loads(html.unescape(re.search(r'data-told="([^"]*)"', seen.stdout).group(1)))
+        said["console"] = re.findall(r"CONSOLE.*", seen.stderr)
+        said["requests"] = sorted(set(re.findall(OF_PAGES + r',"url":"(\w+://[^"]*)"', net.read_text(encoding="utf-8"))
+                                      ) - {(self.folder / "asked.html").as_uri()})
+        return said
+
+    def test_opens_by_itself(self):
+        text = self.report.read_text(encoding="utf-8")
+        self.assertLess(len(text.encode()), 5e6)
+        said = self.told(text)
+        self.assertGreater(said["pictures"], 8)
+        self.assertEqual((said["shown"], said["loaded"], said["console"], said["requests"]), (said["pictures"], [], [], []))
+        self.assertLessEqual(said["wide"], said["window"])
+
+    def test_sees_what_is_wrong(self):
+        # The same eyes on a page with a picture from outside, a broken one, and an error.
+        bad = ('<html><head></head><body><img src="http://picture.invalid/a.png"><img src="data:image/png;base64,AAAA">'
+               '<script>console.error("oh")</script><div style="width: 3000px">x</div></body></html>')
+        said = self.told(bad)
+        self.assertEqual((said["pictures"], said["shown"]), (2, 0))
+        self.assertTrue(any("oh" in line for line in said["console"]), said)
+        self.assertIn("http://picture.invalid/a.png", said["requests"])
+        self.assertGreater(said["wide"], said["window"])
+
+    def test_prints_on_a4(self):
+        paper = self.folder / "short.pdf"
+        self.browse(self.report, "--no-pdf-header-footer", f"--print-to-pdf={paper}")
+        boxes = re.findall(rb"/MediaBox \[([\d. ]+)\]", paper.read_bytes())
+        self.assertGreater(len(boxes), 2)
+        for box in boxes:  # points of 1/72 inch: 210 x 297 mm
+            width, height = (float(v) for v in box.split()[2:])
+            self.assertAlmostEqual(width, 595.3, delta=1.5)
+            self.assertAlmostEqual(height, 841.9, delta=1.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
