@@ -24,6 +24,8 @@ def only_one(values):
 
 def of_every_step(results, field, since):
     """Whether the envelope of a field from `since` on can be taken over every step: the file has it from just then on."""
+    if not results.ended:  # they are as old as the last checkpoint
+        return False
     data = results.file.get(f"statistics/{field}")
     # Of a vector there are the components, and the size has no envelope in them.
     return data is not None and data.ndim == 2 and since in (0.0, results.statistics_from)
@@ -31,11 +33,11 @@ def of_every_step(results, field, since):
 
 def envelope(results, line, field, since=0.0):
     """None where there is no more than one output."""
+    if results.outputs < 2:
+        return None
     if of_every_step(results, field, since):
         least, least_time, most, most_time, mean, _ = results.statistics(field, line).T
         return Envelope(least, least_time, most, most_time, mean, True)
-    if results.outputs < 2:
-        return None
     keep = results.since(since)
     values, time = results.magnitude(field, line)[keep], results.time[keep]
     return Envelope(values.min(axis=0), time[values.argmin(axis=0)], values.max(axis=0), time[values.argmax(axis=0)],
@@ -50,7 +52,7 @@ def told(results, fields, since):
         begin = f" from t = {results.statistics_from:g} s on" if results.statistics_from > 0 else ""
         return f"Over every step{begin}."
     why = ("the results have no statistics of every step" if "statistics" not in results.file
-           else f"the statistics of every step begin at another time, t = {results.statistics_from:g} s")
+           else "the run has not ended" if not results.ended else f"the statistics of every step begin at another time, t = {results.statistics_from:g} s")
     if any(every):
         why = "there are no statistics of every step of some fields"
     return f"Over {outputs}, so a peak may lie between two of them ({why})."

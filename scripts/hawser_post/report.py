@@ -78,8 +78,9 @@ def extremes(page, results, since):
     head, rows = tables.utilisation(results, since)
     if rows:
         page.section("Utilisation")
-        page.text("Largest effective tension over the breaking load of the line type. "
-                  + envelopes.told(results, ["utilisation"], since))
+        page.text("Largest effective tension over the breaking load of the line type"
+                  + (", and least bend radius that it allows over the radius of the bend. " if results.has("bend_utilisation") else ". ")
+                  + envelopes.told(results, [f for f in tables.UTILISATIONS if results.has(f)], since))
         page.table(head, rows)
 
 

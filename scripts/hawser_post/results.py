@@ -141,6 +141,11 @@ class Results:
         return None if data is None else data[line.nodes]
 
     @property
+    def ended(self):
+        """Whether the run has come to its end, by itself or by a signal."""
+        return "summary" in self.file
+
+    @property
     def statistics_from(self):
         """s, from when on `statistics` count."""
         given = (self.keys.get("output") or {}).get("statistics_from") if isinstance(self.keys.get("output"), dict) else None

@@ -8,6 +8,7 @@ from .charts import shown
 from .envelopes import envelope
 from .statistics import statistics
 
+UTILISATIONS = ("utilisation", "bend_utilisation")
 VERTICAL = np.array([0.0, 0.0, 1.0])
 
 
@@ -83,18 +84,18 @@ def of_fields(results, fields, since=0.0):
     for line in results.lines:
         for field in fields:
             found = envelope(results, line, field, since) if results.has(field) else None
-            if found is None or not np.any(np.abs([found.least, found.most]) > 0):
+            if found is None or not np.any(np.abs([found.least, found.most]) > 0):  # NaN: not known
                 continue
-            low, high = int(np.argmin(found.least)), int(np.argmax(found.most))
+            low, high = int(np.nanargmin(found.least)), int(np.nanargmax(found.most))
             rows.append([line.name, field.replace("_", " "), results.unit(field), found.least[low], found.least_time[low],
                          line.arc[low], found.most[high], found.most_time[high], line.arc[high]])
     return head, rows
 
 
 def utilisation(results, since=0.0):
-    """The largest share of the breaking load of each line that has one."""
-    head, rows = of_fields(results, ["utilisation"], since)
-    return [head[0], "utilisation", *head[7:]], [[row[0], *row[6:]] for row in rows]
+    """The largest utilisation of each line that has one: of its breaking load, and of its least bend radius."""
+    head, rows = of_fields(results, UTILISATIONS, since)
+    return [*head[:2], "largest", *head[7:]], [[*row[:2], *row[6:]] for row in rows]
 
 
 def clearances(results):

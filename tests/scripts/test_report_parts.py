@@ -90,6 +90,9 @@ class Parts(unittest.TestCase):
         self.assertIn("Over the 20 outputs from t = 10 s on", envelopes.told(results, ["effective_tension"], 10.0))
         without = self.words(self.file(statistics=False, name="bare.h5"))
         self.assertIn("Over the 40 outputs from t = 0 s on, so a peak may lie between two of them", without)
+        going = Results(self.file(name="going.h5", ended=False))  # a run in progress: statistics are older than outputs
+        self.assertFalse(envelopes.envelope(going, going.lines[0], "effective_tension").every_step)
+        self.assertIn("the run has not ended", envelopes.told(going, ["effective_tension"], 0.0))
         # The CSV files stay in SI units.
         head, rows = export.ranges(results, line)
         np.testing.assert_allclose(rows[:, head.index("effective_tension_max [N]")], found.most)
@@ -156,6 +159,16 @@ class Parts(unittest.TestCase):
         cables = Results(results_file(self.folder / "cables.h5"))
         with self.assertRaisesRegex(Refusal, "all lines are cables"):
             stress.along(cables, cables.lines[0])
+
+    def test_utilisation(self):
+        share = np.outer(0.5 + 0.1 * np.sin(TIME), 1 - ARC / 200)
+        path = results_file(self.folder / "u.h5", TIME, {"riser": ARC}, {
+            "utilisation": ("1", share), "bend_utilisation": ("1", np.where(ARC < 50, np.nan, 2 * share))})
+        head, rows = tables.utilisation(Results(path))
+        self.assertEqual(head, ["line", "quantity", "largest", "at [s]", "at [m]"])
+        k = int(np.argmax(share[:, 0]))
+        self.assertEqual(rows[0], ["riser", "utilisation", share[k, 0], TIME[k], 0.0])
+        self.assertEqual(rows[1], ["riser", "bend utilisation", 2 * share[k, 25], TIME[k], 50.0])
 
     def test_clearances_and_input(self):
         gap = np.stack([1 + np.cos(TIME), TIME, 0 * TIME], axis=1)
