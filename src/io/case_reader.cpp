@@ -415,18 +415,7 @@ class Reader {
       k.name = w.has("name") ? w["name"].text : k.line + " to " + k.other_line + k.volume;
       o.clearances.push_back(k);
     }
-    clashes(v["clashes"]);
-  }
-
-  void clashes(const Value& v) {
-    model::ClashOutput& o = c_.output.clashes;
-    if (v.kind != Kind::map) {
-      o.enabled = v.number != 0;
-      return;
-    }
-    o.merge_gap = v["merge_gap"].number;
-    o.merge_length = number(v, "merge_length");
-    o.rows = static_cast<int>(v["rows"].number);
+    o.clashes = read_clash_output(v["clashes"]);
   }
 
   const Value& root_;
@@ -436,9 +425,12 @@ class Reader {
   OtherRuns others_{source_};
 };
 
-}  // namespace
-
-namespace {
+// What can only be judged when all of it is read.
+void examine(Case& c) {
+  for (const model::Issue& i : model::check(c)) c.refuse(i.key, i.text);
+  check_bed(c);
+  for (std::string& n : model::doubt_notes(c)) c.notes.push_back(std::move(n));
+}
 
 Case read_document(const std::string& text, const std::string& path, const ReadingNews& news, MPI_Comm comm,
                    const CaseChanges& changes) {
@@ -455,9 +447,7 @@ Case read_document(const std::string& text, const std::string& path, const Readi
   const CaseSource source{path, c.directory, comm};
   Reader(root, source, c).read();
   c.tree = tree;
-  for (const model::Issue& i : model::check(c)) c.refuse(i.key, i.text);
-  check_bed(c);
-  for (std::string& n : model::doubt_notes(c)) c.notes.push_back(std::move(n));
+  examine(c);
   return c;
 }
 
@@ -469,9 +459,7 @@ model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm 
   out.tree = c.tree, out.changes = c.changes;
   const CaseSource source{c.file, c.directory, comm};
   Reader(*c.tree, source, out, lengths).read();
-  for (const model::Issue& i : model::check(out)) out.refuse(i.key, i.text);
-  check_bed(out);
-  for (std::string& n : model::doubt_notes(out)) out.notes.push_back(std::move(n));
+  examine(out);
   return out;
 }
 

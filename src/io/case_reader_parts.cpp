@@ -266,6 +266,18 @@ model::Friction read_friction(const Value& f, const std::string& key, const Case
   return o;
 }
 
+model::ClashOutput read_clash_output(const Value& v) {
+  model::ClashOutput o;
+  if (v.kind != Value::Kind::map) {
+    o.enabled = v.number != 0;
+    return o;
+  }
+  o.merge_gap = v["merge_gap"].number;
+  if (const Value* length = v.find("merge_length")) o.merge_length = length->number;
+  o.rows = static_cast<int>(v["rows"].number);
+  return o;
+}
+
 namespace {
 // In the order of model::SignTest.
 constexpr std::array kSigns{"automatic", "pseudonormal", "winding", "tetrahedron", "ray", "solid_angle"};

@@ -56,6 +56,9 @@ GivenRows read_given_rows(const model::Value& v, const std::string& key, const C
 // Refuses row i when its first number, a time, is not above that of the row before.
 void check_time(const GivenRows& given, size_t i, const CaseSource& source);
 
+// `output.clashes`: a map, or whether there is a report.
+model::ClashOutput read_clash_output(const model::Value& v);
+
 // `rao: {...}`: the motion of a body in the waves of the case as a dense table over `duration` [s].
 model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
                             const model::Body& body, double duration, const CaseSource& source,
