@@ -45,7 +45,8 @@ def pictures(page, results):
 def given(page, results):
     page.section("Input")
     page.text("As in the case file, with its units (numbers without one are SI); all of it stands at the end.")
-    for head, rows in (tables.environment(results), tables.line_types(results), tables.sections(results)):
+    for head, rows in (tables.echo(results, "environment"), tables.line_types(results), tables.sections(results),
+                       tables.echo(results, "bodies"), tables.echo(results, "volumes"), tables.echo(results, "dynamics")):
         page.table(head, rows[:MOST_ROWS])
         if len(rows) > MOST_ROWS:
             page.text(f"{len(rows) - MOST_ROWS} more rows are in the case file.")
@@ -63,17 +64,21 @@ def start(page, results):
 
 
 def extremes(page, results, since):
+    if not results.lines:
+        return
     page.section("Extremes")
     head, rows = tables.extremes(results)
-    if rows:
+    if results.ended:
         page.text("Over every step and every node, as in the summary of the run.")
         table(page, head, rows)
     else:
         page.text("Those of the summary are written at the end of a run, which this one has not reached.")
     fields = [f for f in (*FIELDS, *MORE_FIELDS) if results.has(f)]
-    head, rows = tables.of_fields(results, fields, since)
+    many = len(results.lines) * len(fields) > 2 * MOST_ROWS
+    shown = by_tension(results)[:MOST_LINES] if many else results.lines
+    head, rows = tables.of_fields(results, fields, since, shown)
     if rows:
-        page.text("Extremes along each line. " + envelopes.told(results, fields, since))
+        page.text(f"Extremes along {f'the {len(shown)} lines with the largest tensions' if many else 'each line'}. " + envelopes.told(results, fields, since))
         table(page, head, rows)
     head, rows = tables.utilisation(results, since)
     if rows:
@@ -170,10 +175,10 @@ def meetings(page, results):
 
 
 def without_empty(head, rows):
-    """Without the columns in which nothing stands, of another line also nothing but zeros."""
+    """Without the columns in which nothing stands, of places and of another line also nothing but zeros."""
     keep = []
     for k, title in enumerate(head):
-        nothing = ("", 0.0) if title.startswith("other ") else ("",)
+        nothing = ("", 0.0) if title.startswith("other ") or "arc" in title else ("",)
         if any(row[k] not in nothing and not (isinstance(row[k], float) and np.isnan(row[k])) for row in rows):
             keep.append(k)
     return [head[k] for k in keep], [[row[k] for k in keep] for row in rows]

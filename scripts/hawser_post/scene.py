@@ -96,7 +96,9 @@ def water_and_bed(axes, results, along, output):
     middle = np.concatenate(x).mean(axis=0) if x else np.zeros(2)
     middle -= (middle @ along) * along
     low, high = axes.get_xlim()
-    s = np.linspace(low, high, 400)
+    axes.set_autoscalex_on(False)
+    span = max(high - low, np.ptp(axes.get_ylim()))  # equal scales may widen the view by this much, not more
+    s = np.linspace(low - span, high + span, 1200)
     place = middle[:, None] + along[:, None] * s
     if sea.level is not None:
         if sea.still or results.modes:

@@ -77,11 +77,11 @@ def extremes(results):
     return head, [list(row) for row in results.summary()]
 
 
-def of_fields(results, fields, since=0.0):
-    """The least and the largest value of each field along each line, with time and place."""
+def of_fields(results, fields, since=0.0, lines=None):
+    """The least and the largest value of each field along each line (or these), with time and place."""
     head = ["line", "quantity", "unit", "minimum", "at [s]", "at [m]", "maximum", "at [s]", "at [m]"]
     rows = []
-    for line in results.lines:
+    for line in results.lines if lines is None else lines:
         for field in fields:
             found = envelope(results, line, field, since) if results.has(field) else None
             if found is None or not np.any(np.abs([found.least, found.most]) > 0):  # NaN: not known
@@ -157,8 +157,8 @@ def end_words(end):
     return ", ".join(map(str, end))
 
 
-def environment(results):
-    """The environment as the case file has it: a row for each key, with its path."""
+def echo(results, part):
+    """A part of the case file, such as its environment: a row for each key, with its path."""
     rows = []
 
     def walk(value, path):
@@ -166,11 +166,11 @@ def environment(results):
             for key, inner in value.items():
                 walk(inner, [*path, str(key)])
         else:
-            text = "yes" if value is None or value == {} else str(value)
+            text = "" if value is None or value == {} else str(value).lower() if isinstance(value, bool) else str(value).replace("'", "")
             rows.append([".".join(path), text if len(text) <= 80 else text[:77] + "..."])
 
-    walk(results.keys.get("environment") or {}, [])
-    return ["environment", "value"], [row for row in rows if row[0]]
+    walk(results.keys.get(part) or {}, [])
+    return [part, "value"], [row for row in rows if row[0]]
 
 
 def statistics_of(results, since=0.0):

@@ -35,7 +35,7 @@ def picture(report, path):
                         f"--window-size={COLUMNS * (WIDE + 40)},{HIGH + 40}", page.as_uri()], check=True, capture_output=True)
         with Image.open(shot) as image:
             small = image.convert("RGB").resize([round(SCALE * n) for n in image.size], Image.LANCZOS)
-            small.quantize(96, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(path, optimize=True)
+            small.quantize(200, kmeans=2, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 def main(names):
