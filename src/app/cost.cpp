@@ -115,9 +115,10 @@ io::ExpectedRows expected_rows(const model::Case& c, const TrialRun& trial, doub
 std::string size_sentence(const io::ResultsSize& size, const std::string& folder) {
   constexpr double kMuch = 2e9;  // bytes
   const auto bytes = [](double n) {
-    return n < 1e6   ? fmt::format("{:.3g} kB", n / 1e3)
-           : n < 1e9 ? fmt::format("{:.3g} MB", n / 1e6)
-                     : fmt::format("{:.3g} GB", n / 1e9);
+    const char* units[] = {"kB", "MB", "GB", "TB"};
+    std::size_t k = 0;
+    for (n /= 1e3; n >= 1e3 && k + 1 < std::size(units); ++k) n /= 1e3;
+    return fmt::format("{:.3g} {}", n, units[k]);
   };
   std::string parts;
   for (const auto& [name, n] : {std::pair{"fields", size.fields},

@@ -9,7 +9,7 @@
 namespace hawser::io {
 namespace {
 
-constexpr double kOfDataset = 600;  // bytes of its header, name and attributes, measured
+constexpr double kOfDataset = 830;  // bytes of its header, name and attributes, measured
 constexpr double kSpare = 1.5;      // of a checkpoint slot, over the first checkpoint (ResultsFile)
 constexpr double kNode = 20;        // bytes: arc length, line, number, and its place in the line's cell
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSameDepth = 0.02;  // of the depth of the water
 constexpr double kNear = 10,
                  kNearShare = 0.5;  // m, and of the depth: anchors that high are meant to be there
-constexpr double kBow = 0.05;       // of the length that lies
+constexpr double kBow = 0.01;       // of the length that lies
 
 void doubt_depths(const Case& c, std::vector<Doubt>& out) {
   const Water& w = c.environment.water;
@@ -143,13 +143,14 @@ void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {
   const double lies = length - std::sqrt(h * h + 2 * h * a),
                bow = drag * lies / (8 * std::max(a, 1e-9) * weight);
   if (!(lies > 0) || bow < kBow) return;
+  const std::string far = bow < 0.1 ? fmt::format("about {:.2g} m sideways", bow * lies) : "far sideways";
   out.push_back(
       {"lines." + line.name,
-       fmt::format("{:.3g} m of it lie slack on the bed ({:.3g} kN), and the current of {:.3g} m/s there "
-                   "bows them sideways in statics, where no friction acts across a line until it is at "
-                   "rest; with 'environment.current.ramp' the current starts in dynamics, where friction "
-                   "holds it",
-                   lies, a * weight / 1000, speed),
+       fmt::format(
+           "{:.3g} m of it lie slack on the bed ({:.3g} kN), and in statics, where no friction acts across "
+           "a line before it is at rest, the current of {:.3g} m/s there bows them {}; with "
+           "'environment.current.ramp' the current begins in dynamics, where friction holds them",
+           lies, a * weight / 1000, speed, far),
        8});
 }
 

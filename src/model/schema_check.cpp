@@ -2,12 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "hawser/base/error.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
+#include "schema_hints.hpp"
 
 namespace hawser::model {
 
@@ -39,6 +39,14 @@ namespace {
 
 using Type = Key::Type;
 using Kind = Value::Kind;
+
+std::string in_unit(Dimension d) { return d == Dimension::none ? "" : fmt::format(" [{}]", base_unit(d)); }
+
+std::string plural(std::string s) {  // "a number [m]" -> "numbers [m]"
+  if (s.starts_with("a number")) return "numbers" + s.substr(8);
+  if (s.starts_with("the name of an entry")) return "names of entries" + s.substr(20);
+  return s;
+}
 
 std::string bounds_text(const Key& k) {
   if (k.bounds.at_least && k.bounds.at_least == k.bounds.at_most)
@@ -150,7 +158,7 @@ class Checker {
       case Quantity::Status::not_finite:
         bad(v, path, quote(v.text) + " is not a finite number");
       case Quantity::Status::wrong_unit: {
-        if (const std::string hint = misspelt(q.unit); !hint.empty()) wrong_type(v, k, path, hint);
+        if (const std::string hint = misspelt_number(q.unit); !hint.empty()) wrong_type(v, k, path, hint);
         if (k.unit == Dimension::none)
           bad(v, path,
               fmt::format("wrong unit {} in {}; this number has no unit", quote(q.unit), quote(v.text)));
@@ -167,17 +175,6 @@ class Checker {
         (b.at_most && !(q.si <= *b.at_most)))
       bad(v, path, fmt::format("{} is out of range; must be {}", quote(v.text), bounds_text(k)));
     v.number = q.si;
-  }
-
-  // What stands after a number and is more likely to be a part of it than a unit.
-  static std::string misspelt(const std::string& unit) {
-    const auto digit = [&](std::size_t i) { return i < unit.size() && unit[i] >= '0' && unit[i] <= '9'; };
-    const bool letter = !unit.empty() && std::string_view("eEdD").find(unit[0]) != std::string_view::npos;
-    if (unit.starts_with('^') || unit.starts_with("*10") ||
-        (letter && (digit(1) || (digit(2) && unit[1] == '+'))))
-      return "; a power of ten is written 1e8, without blanks";
-    if (digit(0)) return "; there are no blanks between the digits of a number";
-    return "";
   }
 
   void check_boolean(Value& v, const Key& k, const std::string& path) {
@@ -233,10 +230,11 @@ class Checker {
   }
 
   void check_vec3(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::list) wrong_type(v, k, path, no_list(v));
+    if (v.kind != Kind::list) wrong_type(v, k, path, hint_of_no_list(v));
     if (v.items.size() != 3)
       bad(v, path,
-          fmt::format("expected {}, found a list of {}{}", describe(k), v.items.size(), no_commas(v)));
+          fmt::format("expected {}, found a list of {}{}", describe(k), v.items.size(),
+                      hint_of_no_commas(v)));
     Key number = k;
     number.type = Type::number;
     for (std::size_t i = 0; i < 3; ++i)
@@ -244,35 +242,15 @@ class Checker {
   }
 
   void check_list(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::list) wrong_type(v, k, path, no_list(v));
+    if (v.kind != Kind::list) wrong_type(v, k, path, hint_of_no_list(v));
     const std::size_t n = v.items.size();
     if (n < k.min_items || (k.max_items > 0 && n > k.max_items))
-      bad(v, path, fmt::format("expected {}, found a list of {}{}", describe(k), n, no_commas(v)));
+      bad(v, path, fmt::format("expected {}, found a list of {}{}", describe(k), n, hint_of_no_commas(v)));
     for (std::size_t i = 0; i < n; ++i) check(v.items[i], k.keys[0], fmt::format("{}[{}]", path, i));
   }
 
-  // No list where there should be one.
-  static std::string no_list(const Value& v) {
-    if (v.kind == Kind::map) return "; entries of a list begin with '- ', or stand in brackets: [a, b]";
-    if (v.kind == Kind::scalar && v.text.starts_with('(')) return "; a list stands in brackets: [1, 2, 3]";
-    return "";
-  }
-  // One entry where there should be several.
-  static std::string no_commas(const Value& v) {
-    const bool one = v.items.size() == 1 && v.items[0].kind == Kind::scalar &&
-                     v.items[0].text.find_first_of(" ;") != std::string::npos;
-    return one ? fmt::format("; there are commas between entries, not as in {}", quote(v.items[0].text)) : "";
-  }
-
-  // No map where there should be one.
-  static std::string no_keys(const Value& v) {
-    if (v.kind == Kind::null) return "; its keys are those below it that are indented further";
-    const std::string blank = v.kind == Kind::scalar ? missing_blank(v.text) : "";
-    return blank.empty() ? "" : "; " + blank;
-  }
-
   void check_names(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::map) wrong_type(v, k, path, no_keys(v));
+    if (v.kind != Kind::map) wrong_type(v, k, path, hint_of_no_keys(v));
     if (v.items.size() < k.min_items) bad(v, path, "is empty; at least one entry is needed");
     for (std::size_t i = 0; i < v.items.size(); ++i) {
       check_name_text(v.items[i], v.keys[i], path);
@@ -281,7 +259,7 @@ class Checker {
   }
 
   void check_map(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::map) wrong_type(v, k, path, no_keys(v));
+    if (v.kind != Kind::map) wrong_type(v, k, path, hint_of_no_keys(v));
     const std::string prefix = path.empty() ? "" : path + ".";
     std::vector<std::string> allowed;
     for (const Key& c : k.keys) allowed.push_back(c.name);
@@ -289,7 +267,8 @@ class Checker {
     for (std::size_t i = 0; i < v.keys.size(); ++i)
       if (!std::binary_search(allowed.begin(), allowed.end(), v.keys[i]))
         bad(v.items[i], prefix + printable(v.keys[i]),
-            fmt::format("unknown key{} (allowed: {})", likely(v, i, k, allowed), fmt::join(allowed, ", ")));
+            fmt::format("unknown key{} (allowed: {})", likely_key(v, i, k, allowed),
+                        fmt::join(allowed, ", ")));
     for (const Key& c : k.keys)
       if (c.required && !v.has(c.name))
         bad(v, prefix + c.name,
@@ -306,40 +285,6 @@ class Checker {
         v.keys.push_back(c.name);
         v.items.push_back(std::move(filled));
       }
-  }
-
-  // What was probably meant by the i-th key, which the map does not know.
-  static std::string likely(const Value& v, std::size_t i, const Key& k,
-                            const std::vector<std::string>& allowed) {
-    if (v.keys[i].find("\u00a0") != std::string::npos)
-      return "; it holds a no-break space, as texts from elsewhere do: write a blank in its place";
-    if (const std::string blank = missing_blank(v.keys[i]); !blank.empty()) return "; " + blank;
-    if (const std::size_t at = v.keys[i].find('='); at != std::string::npos && at > 0) {
-      const std::string before = v.keys[i].substr(0, v.keys[i].find_last_not_of(" =", at) + 1);
-      return fmt::format("; between a key and its value are a colon and a blank: '{}: ...'", before);
-    }
-    // The rest of a number or a list in braces.
-    if (i > 0 && v.items[i].kind == Kind::null && v.items[i - 1].kind == Kind::scalar &&
-        v.keys[i].find_first_not_of("0123456789.-+ )") == std::string::npos) {
-      if (v.items[i - 1].text.starts_with('(')) return "; a list stands in brackets: [1, 2, 3]";
-      return fmt::format("; the decimal sign is a point, and there is nothing between thousands: not {},{}",
-                         v.items[i - 1].text, v.keys[i]);
-    }
-    // The keys of a map that was left empty because they are not further in than its own.
-    for (std::size_t j = i; j-- > 0;)
-      for (const Key& above : k.keys)
-        if (above.name == v.keys[j] && v.items[j].kind == Kind::null)
-          for (const Key& inner : above.keys)
-            if (inner.name == v.keys[i])
-              return fmt::format("; it belongs to '{}' if it is indented further than that", above.name);
-    const std::string near = nearest(v.keys[i], allowed);
-    if (near.empty() || edit_distance(v.keys[i], near) > 1) {
-      if (const std::string below = place_below(k, v.keys[i]); !below.empty())
-        return fmt::format("; did you mean '{}'?", below);
-      if (const std::string other = near.empty() ? place_below(case_schema(), v.keys[i]) : ""; !other.empty())
-        return fmt::format("; there is such a key at '{}'", other);
-    }
-    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
   }
 
   static std::string printable(const std::string& key) {
@@ -408,6 +353,54 @@ class Checker {
 };
 
 }  // namespace
+
+std::string describe(const Key& k) {
+  switch (k.type) {
+    case Type::number:
+      return "a number" + in_unit(k.unit);
+    case Type::integer:
+      return "an integer";
+    case Type::boolean:
+      return "true or false";
+    case Type::word: {
+      std::vector<std::string> quoted;
+      for (const std::string& w : k.words) quoted.push_back("'" + w + "'");
+      return enumerate(quoted);
+    }
+    case Type::text:
+      return "text";
+    case Type::name:
+      return "a name";
+    case Type::reference:
+      return "the name of an entry of " + k.refers;
+    case Type::vec3:
+      return "a list of 3 numbers" + in_unit(k.unit);
+    case Type::list: {
+      std::string of = plural(describe(k.keys[0]));
+      if (of.starts_with("a map")) of = "maps" + of.substr(5);
+      if (of.starts_with("a list")) of = "lists" + of.substr(6);
+      if (k.max_items > 0 && k.max_items == k.min_items)
+        return fmt::format("a list of {} {}", k.min_items, of);
+      if (k.max_items > 0) return fmt::format("a list of {} to {} {}", k.min_items, k.max_items, of);
+      if (k.min_items == 1) return "a list of one or more " + of;
+      if (k.min_items > 0) return fmt::format("a list of at least {} {}", k.min_items, of);
+      return "a list of " + of;
+    }
+    case Type::map: {
+      std::vector<std::string> names;
+      for (const Key& c : k.keys) names.push_back(c.name);
+      return fmt::format("a map with the keys {}", fmt::join(names, ", "));
+    }
+    case Type::names:
+      return "a map of names";
+    case Type::one_of: {
+      std::vector<std::string> parts;
+      for (const Key& a : k.keys) parts.push_back(describe(a));
+      return enumerate(parts);
+    }
+  }
+  return {};
+}
 
 void check_structure(Value& root, const Key& schema, const std::string& file) {
   Checker(file, root).check(root, schema, "");

@@ -126,7 +126,7 @@ TEST(Doubts, Depths) {
 }
 
 TEST(Doubts, SlackOnTheBedInACurrent) {
-  expect_doubt({{"length: 760", "length: 880"}}, "lie slack on the bed");
+  expect_doubt({{"length: 760", "length: 880"}}, "bows them about 19 m sideways");
   EXPECT_TRUE(
       notes({{"length: 760", "length: 880"}, {"direction_deg: 90", "direction_deg: 90, ramp: 20"}}).empty());
   EXPECT_TRUE(notes({{"length: 760", "length: 880"}, {"direction_deg: 90", "direction_deg: 0"}}).empty());

@@ -1,0 +1,21 @@
+// Ends of sentences on what a user probably meant, "; a list stands in brackets" and the like; empty: nothing
+// to say. Inside model only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hawser/model/schema.hpp"
+
+namespace hawser::model {
+
+// Of what stands after a number and is no unit.
+std::string misspelt_number(const std::string& unit);
+// Of what stands where a list or a map should be, and of a list with too few entries.
+std::string hint_of_no_list(const Value& v);
+std::string hint_of_no_commas(const Value& v);
+std::string hint_of_no_keys(const Value& v);
+// Of the i-th key of a map, which its schema k does not have; allowed: the names it has.
+std::string likely_key(const Value& v, std::size_t i, const Key& k, const std::vector<std::string>& allowed);
+
+}  // namespace hawser::model
