@@ -87,7 +87,7 @@ TEST(CaseChanges, LeaveAllElseAsItIs) {
   EXPECT_EQ(root["lines"]["other"].keys, keys);
   EXPECT_FALSE(root["lines"]["other"]["end_a"].has("clamped"));
   EXPECT_EQ(root["lines"]["other"]["end_a"]["anchor"].items[1].text, "50");
-  EXPECT_EQ(root["lines"]["other"]["end_a"].line, 14);
+  EXPECT_EQ(root["lines"]["other"]["end_a"].line, 15);
 }
 
 TEST(CaseChanges, ThatCannotBeMadeAreRefusedWithOneSentence) {

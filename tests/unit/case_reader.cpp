@@ -40,7 +40,7 @@ TEST(CaseReader, WavesThatWouldBreak) {
     return read(
                kTypes + std::string("environment: {") + sea +
                "}\n"
-               "lines: {a: {sections: [{type: chain, length: 100, elements: 2}], end_a: {anchor: [0, 0, 0]}, "
+               "lines: {a: {sections: [{type: hose, length: 100, elements: 2}], end_a: {anchor: [0, 0, 0]}, "
                "end_b: {anchor: [90, 0, 0]}}}\n")
         .notes;
   };
