@@ -37,12 +37,15 @@ bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-14; }
 // the length in deep water, 0.142 tanh(kd) else.
 TEST(CaseReader, WavesThatWouldBreak) {
   const auto notes = [](const std::string& sea) {
-    return read(
-               kTypes + std::string("environment: {") + sea +
-               "}\n"
-               "lines: {a: {sections: [{type: hose, length: 100, elements: 2}], end_a: {anchor: [0, 0, 0]}, "
-               "end_b: {anchor: [90, 0, 0]}}}\n")
-        .notes;
+    std::vector<std::string> all =
+        read(kTypes + std::string("environment: {") + sea +
+             "}\n"
+             "lines: {a: {sections: [{type: hose, length: 100, elements: 2}], end_a: {anchor: [0, 0, 0]}, "
+             "end_b: {anchor: [90, 0, 0]}}}\n")
+            .notes;
+    // The chain is too heavy for its diameter under water.
+    std::erase_if(all, [](const std::string& n) { return n.find("line_types.chain") != std::string::npos; });
+    return all;
   };
   // 9 s: 126.4 m long, 17.95 m; in 10 m of water 81.7 m and 7.50 m.
   EXPECT_TRUE(notes("water: {}, waves: {regular: {height: 17.9, period: 9}}").empty());
