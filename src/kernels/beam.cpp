@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/math/clones.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/math/wide3.hpp"
 
@@ -257,14 +258,14 @@ void damping(const BeamSection& s, const BeamReference& r, const BeamEnds& e, co
 
 }  // namespace
 
-void beam_force(const BeamSection& s, const BeamReference& r, const BeamEnds& e, double* f) {
+HAWSER_CLONES void beam_force(const BeamSection& s, const BeamReference& r, const BeamEnds& e, double* f) {
   Local o;
   kinematics(s, r, e, s.beta > 0, o);
   force(o, r, f);
 }
 
-void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool convex, double* f,
-                  double* K, double* C) {
+HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool convex,
+                                double* f, double* K, double* C) {
   Local o;
   const bool damped = s.beta > 0;
   kinematics(s, r, e, damped, o);
@@ -351,7 +352,7 @@ void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& 
   }
 }
 
-BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamEnds& e) {
+HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamEnds& e) {
   Local o;
   kinematics(s, r, e, s.beta > 0, o);
   BeamStress out;

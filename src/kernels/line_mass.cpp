@@ -2,6 +2,7 @@
 // loads, with exact tangents, kinetic energy and work.
 #include "hawser/kernels/line_mass.hpp"
 
+#include "hawser/math/clones.hpp"
 #include "hawser/math/wide3.hpp"
 
 namespace hawser {
@@ -70,15 +71,15 @@ inline void force(const MassSection& s, const Local& o, const Mat& J, double* f)
 
 }  // namespace
 
-void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, double* f) {
+HAWSER_CLONES void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, double* f) {
   Local o;
   const Mat J = rotary(s);
   kinematics(s, e, load, J, o);
   force(s, o, J, f);
 }
 
-void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, double* f, double* K,
-                       double* C, double* M) {
+HAWSER_CLONES void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, double* f,
+                                     double* K, double* C, double* M) {
   Local o;
   const Mat J = rotary(s);
   kinematics(s, e, load, J, o);

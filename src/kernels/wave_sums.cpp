@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/math/clones.hpp"
+
 namespace hawser {
 namespace {
 
@@ -44,7 +46,7 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) {
   }
 }
 
-WaveSums::Phases WaveSums::phases(double x, double y, double t) const {
+HAWSER_CLONES WaveSums::Phases WaveSums::phases(double x, double y, double t) const {
   const std::size_t n = number_.size();
   Phases out;
   out.angle.resize(n), out.cosine.resize(n);
@@ -54,7 +56,8 @@ WaveSums::Phases WaveSums::phases(double x, double y, double t) const {
 }
 
 // cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow.
-void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity, Vec3& acceleration) const {
+HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity,
+                                        Vec3& acceleration) const {
   std::size_t n = number_.size();
   if (z < 0) {
     const auto end = std::upper_bound(number_.begin(), number_.end(), kUnfelt / -z);

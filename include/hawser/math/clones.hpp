@@ -1,0 +1,11 @@
+// A function compiled for several generations of x86-64 processors, of which the loader takes the one that
+// fits, for the few kernels that gain by it. Everything it calls is drawn into it: vectors are passed
+// differently with AVX.
+#pragma once
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__AVX2__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define HAWSER_CLONES __attribute__((flatten, target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
+#else
+#define HAWSER_CLONES
+#endif
