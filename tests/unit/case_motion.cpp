@@ -18,7 +18,7 @@ namespace {
 model::Case read(const std::string& table, const std::string& more = "") {
   return io::read_case_text(fmt::format(R"(
 hawser: 1
-line_types: {{chain: {{outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}}}}
+line_types: {{chain: {{outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending: false}}}}
 bodies: {{ship: {{motion: {{table: {{{}}}{}}}}}}}
 lines:
   mooring: {{sections: [{{type: chain, length: 120, elements: 4}}], end_a: {{anchor: [100, 0, -50]}}, end_b: {{body: ship, at: [0, 0, 0]}}}}

@@ -21,7 +21,7 @@ environment:
   water: {depth: 100}
   waves: {regular: {height: 3, period: 9, direction_deg: 75}, ramp: 5}
 line_types:
-  chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}
+  chain: {outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending: false}
 bodies:
   ship:
     position: [40, -20, 3]
@@ -60,7 +60,7 @@ environment:
   water: {depth: 100}
   waves: {stokes: {height: 3, period: 9, direction_deg: 75}, ramp: 0}
 line_types:
-  chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}
+  chain: {outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending: false}
 bodies:
   ship:
     position: [40, -20, 3]
@@ -113,7 +113,7 @@ TEST(CaseRao, WavesFromTheOtherSide) {
 hawser: 1
 environment: {water: {depth: 100}, waves: {)" +
                                   sea + R"(, ramp: 0}}
-line_types: {chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}}
+line_types: {chain: {outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending: false}}
 bodies: {ship: {position: [0, 0, 0], rotation_deg: [0, 0, 30], motion: {rao: {)" +
                                   rao + "rows: [" + rows + R"(]}}}}
 lines:
@@ -165,7 +165,7 @@ TEST(CaseRao, WavesBeyondTheTable) {
 hawser: 1
 environment: {water: {depth: 100}, waves: {)" +
                                   sea + R"(, ramp: 0}}
-line_types: {chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 1e8, bending: false}}
+line_types: {chain: {outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending: false}}
 bodies: {ship: {position: [0, 0, 0], rotation_deg: [0, 0, 30], motion: {rao: {rows: [)" +
                                   rows + R"(]}}}}
 lines:

@@ -20,8 +20,8 @@ namespace hawser::io {
 
 struct RunInfo {
   std::string case_text, case_path, version, options, date;
-  std::string changes;  // by --set, KEY=VALUE in a line each; case_text is without them
   int ranks = 1;
+  std::string changes = {};  // by --set, KEY=VALUE in a line each; case_text is without them
 };
 
 // Nodes of a line follow each other in file order, end A to end B; lines follow each other as well.
