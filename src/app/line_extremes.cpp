@@ -19,9 +19,10 @@ struct Wanted {
 };
 constexpr std::array<std::string_view, 2> kTension = {"effective_tension_before", "effective_tension_after"};
 constexpr Wanted kWanted[] = {
-    {"max effective tension", kTension, true},        {"min effective tension", kTension, false},
-    {"max utilisation", {"utilisation"}, true},       {"max curvature", {"curvature"}, true},
-    {"max bending moment", {"bending_moment"}, true}, {"max penetration", {"penetration"}, true}};
+    {"max effective tension", kTension, true},  {"min effective tension", kTension, false},
+    {"max utilisation", {"utilisation"}, true}, {"max bend utilisation", {"bend_utilisation"}, true},
+    {"max curvature", {"curvature"}, true},     {"max bending moment", {"bending_moment"}, true},
+    {"max penetration", {"penetration"}, true}};
 
 bool among(const Wanted& w, std::string_view field) {
   return std::find(w.fields.begin(), w.fields.end(), field) != w.fields.end();

@@ -25,12 +25,17 @@ struct Gap {
 class Lines {
  public:
   Lines(const model::Case& c, const LocalMesh& local, const Kinematics& at)
-      : c_(c), local_(local), mesh_(*local.mesh), at_(at) {}
+      : bed_(c.environment.seabed),
+        normal_(model::bed_normal(bed_)),
+        local_(local),
+        mesh_(*local.mesh),
+        at_(at) {
+    for (const model::LineType& t : c.line_types) touching_.push_back(model::touching_height(c, t));
+  }
 
   // m, of an element of the mesh: its axis above the bed where it begins to press.
   double touching(int element) const {
-    const int type = mesh_.elements[static_cast<size_t>(element)].type;
-    return model::touching_height(c_, c_.line_types[static_cast<size_t>(type)]);
+    return touching_[static_cast<size_t>(mesh_.elements[static_cast<size_t>(element)].type)];
   }
 
   Gap gap(int local) const {
@@ -42,14 +47,13 @@ class Lines {
       if (e >= 0 && e < span.elements) r = std::max(r, touching(span.first_element + e));
     Gap g;
     g.x = at_.x[static_cast<size_t>(local)];
-    const model::Seabed& bed = c_.environment.seabed;
-    Vec3 normal = model::bed_normal(bed);
-    if (bed.surface) {
-      const auto near = bed.surface->query(g.x, std::numeric_limits<double>::infinity());
+    Vec3 normal = normal_;
+    if (bed_.surface) {
+      const auto near = bed_.surface->query(g.x, std::numeric_limits<double>::infinity());
       g.value = near ? near->distance : std::numeric_limits<double>::infinity();
       if (near) normal = near->normal;
     } else {
-      g.value = model::height_above_bed(bed, g.x);
+      g.value = normal.dot(g.x + Vec3(0, 0, bed_.depth));
     }
     g.value -= r;
     if ((i == 0 || i == span.nodes - 1) && g.value > 0 && g.value < kHeld * r) g.value = 0;
@@ -58,7 +62,9 @@ class Lines {
   }
 
  private:
-  const model::Case& c_;
+  const model::Seabed& bed_;
+  const Vec3 normal_;             // where it is a plane
+  std::vector<double> touching_;  // by line type
   const LocalMesh& local_;
   const Mesh& mesh_;
   const Kinematics& at_;

@@ -182,17 +182,41 @@ inline Results read(const std::string& path) {
   return r;
 }
 
+// The names of the columns of a series: texts of fixed length.
+inline std::vector<std::string> columns_of(const std::string& path, const std::string& series) {
+  const auto file = io::h5::open_read(path);
+  const auto set = io::h5::open_dataset(file, "series/" + series);
+  const auto at = io::h5::own(H5Aopen(set, "columns", H5P_DEFAULT), H5Aclose, "columns");
+  const auto type = io::h5::own(H5Aget_type(at), H5Tclose, "type");
+  const auto space = io::h5::own(H5Aget_space(at), H5Sclose, "space");
+  const size_t n = static_cast<size_t>(H5Sget_simple_extent_npoints(space)), width = H5Tget_size(type);
+  std::string all(n * width, '\0');
+  io::h5::check(H5Aread(at, type, all.data()), "columns");
+  std::vector<std::string> names;
+  for (size_t i = 0; i < n; ++i) names.emplace_back(std::string(all.data() + i * width, width).c_str());
+  return names;
+}
+
+inline std::vector<double> named(const std::string& path, const Results& r, const std::string& series,
+                                 const std::string& column) {
+  const auto names = columns_of(path, series);
+  const auto at = std::find(names.begin(), names.end(), column);
+  if (at == names.end()) throw std::logic_error("no column " + column);
+  return r.column(series, static_cast<size_t>(at - names.begin()));
+}
+
 inline double largest(const std::vector<double>& a) {
   double most = 0;
   for (const double x : a) most = std::max(most, std::abs(x));
   return most;
 }
-// Not a number counts as very different.
+// Not a number counts as very different from any number.
 inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() != b.size()) return HUGE_VAL;
   double most = 0;
   for (size_t i = 0; i < a.size(); ++i)
-    most = std::max(most, std::isnan(a[i] - b[i]) ? HUGE_VAL : std::abs(a[i] - b[i]));
+    if (!std::isnan(a[i]) || !std::isnan(b[i]))
+      most = std::max(most, std::isnan(a[i] - b[i]) ? HUGE_VAL : std::abs(a[i] - b[i]));
   return most;
 }
 

@@ -134,7 +134,7 @@ TEST_F(StartFrom, RefusesInOneSentence) {
   const model::Case c = io::read_case(path + "/new.yaml");
   EXPECT_FALSE(c.lines[0].left);
   EXPECT_TRUE(c.lines[1].left);
-  ASSERT_EQ(c.notes.size(), 1u);
+  ASSERT_FALSE(c.notes.empty());
   EXPECT_NE(c.notes[0].find("lines.new: is not in a.h5"), std::string::npos) << c.notes[0];
   MPI_Barrier(MPI_COMM_WORLD);
 }

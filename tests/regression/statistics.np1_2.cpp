@@ -36,29 +36,6 @@ Statistics statistics(const std::string& path, const std::string& field) {
   return {io::h5::read_array(file, "statistics/" + field).values};
 }
 
-// The names of the columns of a series: texts of fixed length.
-std::vector<std::string> columns_of(const std::string& path, const std::string& series) {
-  const auto file = io::h5::open_read(path);
-  const auto set = io::h5::open_dataset(file, "series/" + series);
-  const auto at = io::h5::own(H5Aopen(set, "columns", H5P_DEFAULT), H5Aclose, "columns");
-  const auto type = io::h5::own(H5Aget_type(at), H5Tclose, "type");
-  const auto space = io::h5::own(H5Aget_space(at), H5Sclose, "space");
-  const size_t n = static_cast<size_t>(H5Sget_simple_extent_npoints(space)), width = H5Tget_size(type);
-  std::string all(n * width, '\0');
-  io::h5::check(H5Aread(at, type, all.data()), "columns");
-  std::vector<std::string> names;
-  for (size_t i = 0; i < n; ++i) names.emplace_back(std::string(all.data() + i * width, width).c_str());
-  return names;
-}
-
-std::vector<double> named(const std::string& path, const Results& r, const std::string& series,
-                          const std::string& column) {
-  const auto names = columns_of(path, series);
-  const auto at = std::find(names.begin(), names.end(), column);
-  if (at == names.end()) throw std::logic_error("no column " + column);
-  return r.column(series, static_cast<size_t>(at - names.begin()));
-}
-
 class StatisticsRanks : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -124,7 +101,7 @@ TEST_F(StatisticsRanks, AreTheSameOnOneRank) {
 
 // The first output and the first row are the static equilibrium, although the ship moves at once.
 TEST_F(StatisticsRanks, BeginAtRest) {
-  write_case(path + "/rest.yaml", kCase, {{"dynamics: {duration: 12}", "dynamics: {enabled: false}"}});
+  write_case(path + "/rest.yaml", kCase, {{"dynamics: {duration: 12}\n", ""}});
   run_on_all({path + "/rest.yaml", path + "/static.h5"});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results still = read(path + "/static.h5"), moving = read(path + "/whole.h5");
