@@ -5,10 +5,11 @@
 
 namespace hawser::runs {
 
-// Largest less least value.
+// Largest less least value of those that are numbers.
 inline double range(const std::vector<double>& a) {
-  const auto [least, most] = std::minmax_element(a.begin(), a.end());
-  return a.empty() ? 0 : *most - *least;
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const double x : a) least = std::fmin(least, x), most = std::fmax(most, x);
+  return std::max(most - least, 0.0);
 }
 
 // The same times of output, and every field the same to this share of its range. Returns the largest share
