@@ -31,10 +31,16 @@ def of_every_step(results, field, since):
     return data is not None and data.ndim == 2 and since in (0.0, results.statistics_from)
 
 
+def begin(results, since):
+    """From when envelopes are taken, unless said: from where statistics of every step begin, also those over outputs."""
+    return results.statistics_from if since == 0.0 and results.ended and "statistics" in results.file else since
+
+
 def envelope(results, line, field, since=0.0):
     """None where there is no more than one output."""
     if results.outputs < 2:
         return None
+    since = begin(results, since)
     if of_every_step(results, field, since):
         least, least_time, most, most_time, mean, _ = results.statistics(field, line).T
         return Envelope(least, least_time, most, most_time, mean, True)
@@ -46,13 +52,15 @@ def envelope(results, line, field, since=0.0):
 
 def told(results, fields, since):
     """What the envelopes of these fields are over, in a sentence."""
+    since = begin(results, since)
     every = [of_every_step(results, field, since) for field in fields]
-    outputs = f"the {np.count_nonzero(results.since(since))} outputs from t = {since:g} s on"
+    outputs = f"the {np.count_nonzero(results.since(since))} outputs from t = {since:g} s on, so a peak may lie between two of them"
+    start = f" from t = {since:g} s on" if since > 0 else ""
     if all(every):
-        begin = f" from t = {results.statistics_from:g} s on" if results.statistics_from > 0 else ""
-        return f"Over every step{begin}."
+        return f"Over every step{start}."
+    if any(every):
+        others = ", ".join(field.replace("_", " ") for field, own in zip(fields, every) if not own)
+        return f"Over every step{start}; {others}: over {outputs}."
     why = ("the results have no statistics of every step" if "statistics" not in results.file
            else "the run has not ended" if not results.ended else f"the statistics of every step begin at another time, t = {results.statistics_from:g} s")
-    if any(every):
-        why = "there are no statistics of every step of some fields"
-    return f"Over {outputs}, so a peak may lie between two of them ({why})."
+    return f"Over {outputs} ({why})."

@@ -9,10 +9,21 @@
 namespace hawser::app {
 namespace {
 
-constexpr std::string_view kFields[] = {
-    "effective_tension", "wall_tension",     "declination",         "utilisation",      "bend_utilisation",
-    "bending_moment",    "bending_moment_2", "shear_force",         "bending_moment_3", "torsion_moment",
-    "curvature",         "penetration",      "contact_normal_force"};
+constexpr std::string_view kFields[] = {"effective_tension",
+                                        "effective_tension_before",
+                                        "effective_tension_after",
+                                        "wall_tension",
+                                        "declination",
+                                        "utilisation",
+                                        "bend_utilisation",
+                                        "bending_moment",
+                                        "bending_moment_2",
+                                        "shear_force",
+                                        "bending_moment_3",
+                                        "torsion_moment",
+                                        "curvature",
+                                        "penetration",
+                                        "contact_normal_force"};
 // In a checkpoint.
 const std::string kPrefix = "statistics.", kBegun = "statistics.begun", kSince = "statistics.since",
                   kLatest = "statistics.latest";

@@ -32,7 +32,7 @@ class Change {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
       refuse("", "is no KEY=VALUE; write for example --set dynamics.duration=600");
-    key_ = text.substr(0, equals), given_ = text.substr(equals + 1);
+    key_ = text.substr(0, text.find_last_not_of(" \t=", equals) + 1), given_ = text.substr(equals + 1);
     if (given_.find_first_not_of(" \t") == std::string::npos)
       refuse("", "has nothing after the '='; 'null' removes a key");
     read_steps();

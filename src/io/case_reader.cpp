@@ -460,6 +460,9 @@ model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm 
   const CaseSource source{c.file, c.directory, comm};
   Reader(*c.tree, source, out, lengths).read();
   examine(out);
+  // Of the command line; all others are of the lengths that were given.
+  for (const std::string& n : c.notes)
+    if (n.find("--set") != std::string::npos) out.notes.push_back(n);
   return out;
 }
 

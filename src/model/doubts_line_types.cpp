@@ -13,6 +13,7 @@ namespace {
 constexpr double kHeavy = 8500, kLight = 100;  // kg/m³, mean density of a line with its bore
 // In air the diameter may be nominal, that of a chain's bar: 25 t/m³.
 constexpr double kHeavyInAir = 30000;
+constexpr double kThick = 5;                   // m
 constexpr double kStiff = 250e9, kSoft = 1e5;  // Pa
 
 bool in_range(double x, double least, double most) { return x >= least && x <= most; }
@@ -44,6 +45,13 @@ void doubt_line_types(const Case& c, std::vector<Doubt>& out) {
                                                   : "more than steel (7.85)",
                                  density_hint(density, water)),
                      1});
+    if (t.outer_diameter > kThick)
+      out.push_back(
+          {key,
+           fmt::format("an outer diameter of {:.4g} m is more than that of any pipe, hose or rope; is "
+                       "it in mm? ('{:g} mm')",
+                       t.outer_diameter, t.outer_diameter),
+           0});
     const double D = t.outer_diameter, modulus = t.EA / (M_PI / 4 * D * D);
     if (modulus > kStiff)
       out.push_back(

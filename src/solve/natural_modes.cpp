@@ -20,6 +20,9 @@ namespace {
 constexpr double kTarget = -4e-5;  // rad²/s²
 constexpr double kTolerance = 1e-10;
 constexpr int kMostIterations = 2000;
+constexpr int kMore = 4;       // modes that are looked for beyond those that are wanted
+constexpr long kMost = 8;      // times as many at the most
+constexpr double kGap = 1e-6;  // of an eigenvalue: those that are nearer to each other are repeated
 // Translations, over rotations times the size of the system, below which they are rounding.
 constexpr double kInPlace = 1e-7;
 
@@ -99,20 +102,13 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
   }
 }
 
-}  // namespace
-
-std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int count) {
-  const Slepc slepc;
-  count = static_cast<int>(std::min<long>(count, free_components(system)));
-  if (count == 0) return {};
-  // Held components get stiffness 1 and no mass: their eigenvalues are infinite and do not appear among the
-  // lowest.
-  const MatHandle K = symmetric(system, at, {1, 0, 0}, 1), M = symmetric(system, at, {0, 0, 1}, 0);
+// Those that converge, of the `count` nearest to the target, lowest first.
+std::vector<NaturalMode> nearest_modes(System& system, const Kinematics& at, Mat K, Mat M, int count) {
   Solver solver;
   check(EPSCreate(system.comm(), solver.out()));
   EPS eps = solver.get();
   check(EPSSetOptionsPrefix(eps, "modes_"));
-  check(EPSSetOperators(eps, K.get(), M.get()));
+  check(EPSSetOperators(eps, K, M));
   check(EPSSetProblemType(eps, EPS_GHEP));
   check(EPSSetDimensions(eps, count, PETSC_DEFAULT, PETSC_DEFAULT));
   check(EPSSetTolerances(eps, kTolerance, kMostIterations));
@@ -132,14 +128,10 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
   check(EPSSolve(eps));
   PetscInt found = 0;
   check(EPSGetConverged(eps, &found));
-  EPSConvergedReason reason = EPS_CONVERGED_ITERATING;
-  check(EPSGetConvergedReason(eps, &reason));
-  if (reason < 0)
-    throw SolveError(fmt::format("modes: {} of {} eigenvalues have converged: ask for fewer", found, count));
   std::vector<NaturalMode> out;
   const VecHandle u = system.create_vector();
   std::vector<double> local;
-  for (PetscInt i = 0; i < std::min<PetscInt>(found, count); ++i) {
+  for (PetscInt i = 0; i < found; ++i) {
     NaturalMode mode;
     check(EPSGetEigenpair(eps, i, &mode.squared, nullptr, u.get(), nullptr));
     system.gather(u.get(), local);
@@ -149,6 +141,58 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
   std::stable_sort(out.begin(), out.end(),
                    [](const NaturalMode& a, const NaturalMode& b) { return a.squared < b.squared; });
   return out;
+}
+
+// How many eigenvalues of K - lambda M lie below `squared`, by Sylvester's law of inertia (Parlett 1980,
+// section 3-3); -1: not known.
+int eigenvalues_below(Mat K, Mat M, double squared) {
+  MatHandle shifted;
+  check(MatDuplicate(K, MAT_COPY_VALUES, shifted.out()));
+  check(MatAXPY(shifted.get(), -squared, M, DIFFERENT_NONZERO_PATTERN));
+  return negative_eigenvalues(shifted.get());
+}
+
+// Whether between the target and the first gap behind the `count` lowest of these modes there are no others.
+bool complete(Mat K, Mat M, const std::vector<NaturalMode>& modes, size_t count) {
+  size_t last = count - 1;
+  const auto gap = [&](size_t i) { return modes[i + 1].squared - modes[i].squared; };
+  while (last + 1 < modes.size() && !(gap(last) > kGap * std::abs(modes[last + 1].squared))) ++last;
+  if (last + 1 >= modes.size()) return false;
+  const double end = modes[last].squared + 0.5 * gap(last);
+  const auto found = std::count_if(modes.begin(), modes.end(), [&](const NaturalMode& m) {
+    return m.squared > kTarget && m.squared < end;
+  });
+  const int above = eigenvalues_below(K, M, end), below = eigenvalues_below(K, M, kTarget);
+  return above < 0 || below < 0 || found >= above - below;
+}
+
+}  // namespace
+
+std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int count) {
+  const Slepc slepc;
+  const long free = free_components(system);
+  count = static_cast<int>(std::min<long>(count, free));
+  if (count == 0) return {};
+  // Held components get stiffness 1 and no mass: their eigenvalues are infinite and do not appear among the
+  // lowest.
+  const MatHandle K = symmetric(system, at, {1, 0, 0}, 1), M = symmetric(system, at, {0, 0, 1}, 0);
+  // A Krylov space meets each direction of a repeated eigenvalue, of equal lines, by rounding only: some may
+  // be missing at first.
+  for (long ask = std::min<long>(count + kMore, free);; ask = std::min(2 * ask, free)) {
+    std::vector<NaturalMode> modes = nearest_modes(system, at, K.get(), M.get(), static_cast<int>(ask));
+    const size_t wanted = static_cast<size_t>(count);
+    if (modes.size() < wanted)
+      throw SolveError(
+          fmt::format("modes: {} of {} eigenvalues have converged: ask for fewer", modes.size(), count));
+    const bool no_more = ask == free || std::ssize(modes) < ask;
+    if (!no_more && !complete(K.get(), M.get(), modes, wanted)) {
+      if (ask > kMost * (count + kMore))
+        throw SolveError("modes: there are more natural frequencies than were found: ask for another number");
+      continue;
+    }
+    modes.resize(wanted);
+    return modes;
+  }
 }
 
 }  // namespace hawser

@@ -39,6 +39,25 @@ TEST(NaturalModes, HangingChain) {
   }
 }
 
+// Four equal chains have every natural frequency eight times: none is left out, however many are asked for.
+TEST(NaturalModes, OfEqualLinesAreAllThere) {
+  const std::vector<double> exact{1.1909350769091904, 2.733692939922684, 4.285561621936849};
+  model::Case c = one_line(cable_type(1e8, 1), 10, 60, anchor(Vec3::Zero()), {});
+  c.environment.gravity = kG;
+  for (const int i : {1, 2, 3}) {
+    c.lines.push_back(c.lines[0]);
+    c.lines.back().name += std::to_string(i), c.lines.back().end_a = anchor(Vec3(20 * i, 0, 0));
+  }
+  Simulation s(PETSC_COMM_WORLD, c);
+  s.solve_statics();
+  for (const int count : {4, 7, 10, 16, 18}) {
+    const auto modes = hawser::natural_modes(s.system(), s.state().view(0), count);
+    ASSERT_EQ(modes.size(), static_cast<size_t>(count));
+    for (size_t i = 0; i < modes.size(); ++i)
+      EXPECT_NEAR(std::sqrt(modes[i].squared), exact[i / 8], 5e-3 * exact[i / 8]) << i << " of " << count;
+  }
+}
+
 // A load on one sling is a double pendulum in both planes: M = [m L², m L a; m L a, I + m a²], K = [m g L, m
 // g a], and free to turn about the sling.
 TEST(NaturalModes, LoadOnASling) {
