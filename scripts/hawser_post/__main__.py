@@ -44,8 +44,9 @@ def make_plot(options):
         figure = charts.range_graph(results, default_line(results, options), options.field, options.since)
     elif options.what == "stress":
         line = default_line(results, options)
-        figure = charts.stress_graph(results, line, stress.along(results, line, options.outer_diameter, options.wall),
-                                     options.since)
+        largest = stress.along(results, line, options.outer_diameter, options.wall)
+        figure = charts.stress_graph(results, line, largest, options.since)
+        print(stress.told(results, line, largest, options.since))
     else:
         series, column = history_of(results, options.name, options.column)
         keep = results.step_time >= options.since

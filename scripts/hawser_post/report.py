@@ -114,7 +114,8 @@ def stresses(page, results, lines, since):
     page.text("Von Mises stress of the wall by wall tension, bending, torsion and pressures; the larger of the inner and the "
               "outer fibre, at the outputs.")
     for line in pipes:
-        page.figure(charts.stress_graph(results, line, stress.along(results, line), since), f"Stress along {line.name}.")
+        largest = stress.along(results, line)
+        page.figure(charts.stress_graph(results, line, largest, since), stress.told(results, line, largest, since) + ".")
 
 
 def histories(page, results, lines, since):

@@ -6,6 +6,7 @@ import numpy as np
 
 from .results import Refusal, metres
 
+THICKEST = 5.0  # m
 GRAVITY, SEAWATER = 9.80665, 1025.0  # m/s², kg/m³: what a case has that does not say
 
 
@@ -43,24 +44,27 @@ def von_mises(wall, wall_tension, moment, torsion, outside, inside):
 
 
 def of_type(values):
-    """Of a line type of the case, m: outer diameter, inner diameter of its wall, bore of its contents; NaN: not given."""
+    """Of a line type of the case, m: outer diameter, inner diameter of its wall, bore of its contents, diameter over all
+    coatings; NaN: not given."""
     if not isinstance(values, dict):
-        return np.nan, np.nan, np.nan
+        return np.nan, np.nan, np.nan, np.nan
     pipe, contents = (v if isinstance(v, dict) else {} for v in (values.get("pipe"), values.get("contents")))
     outer = metres(pipe.get("outer_diameter", values.get("outer_diameter")), np.nan)
     wall = metres(pipe.get("wall_thickness", pipe.get("wall")), np.nan)
     inner = metres(contents.get("inner_diameter", pipe.get("inner_diameter")), outer - 2 * wall)
     bore = inner if contents else np.nan
-    return (outer, inner, bore) if 0 <= inner < outer else (outer, np.nan, bore)
+    coatings = pipe.get("coatings") if isinstance(pipe.get("coatings"), list) else []
+    outermost = outer + 2 * sum(metres(layer.get("thickness"), 0.0) for layer in coatings if isinstance(layer, dict))
+    return outer, inner if 0 <= inner < outer else np.nan, bore, outermost
 
 
 def types_along(results, line):
-    """What `of_type` gives at the nodes of a line on the side of end A and on that of end B: 2 x 3 x nodes."""
+    """What `of_type` gives at the nodes of a line on the side of end A and on that of end B: 2 x 4 x nodes."""
     types, lines = (v if isinstance(v, dict) else {} for v in (results.keys.get("line_types"), results.keys.get("lines")))
     sections = [s for s in ((lines.get(line.name) or {}).get("sections") or []) if isinstance(s, dict)]
     ends = np.cumsum([metres(s.get("length"), np.nan) for s in sections])
     if len(ends) == 0 or np.isnan(ends).any():
-        return np.full((2, 3, len(line.arc)), np.nan)
+        return np.full((2, 4, len(line.arc)), np.nan)
     sizes = np.array([of_type(types.get(s.get("type"))) for s in sections])
     close = 1e-9 * max(ends[-1], 1.0)
     return np.array([sizes[np.clip(np.searchsorted(ends, line.arc + shift), 0, len(ends) - 1)].T for shift in (-close, close)])
@@ -96,21 +100,34 @@ def outside_pressure(results, line):
 
 def along(results, line, outer=None, thickness=None):
     """Pa, outputs x nodes; NaN where the line is no pipe. The wall is as given [m], else as the case has it. The pressure
-    inside is that of the results: wall tension = effective tension + p_i A_i - p_e A_e (docs/theory/water.md)."""
+    inside is that of the results, whose wall tension is effective tension + p_i A_i - p_e A_e with all coatings
+    (docs/theory/water.md); coatings hand the pressure outside on to the wall and carry no tension of their own."""
     if not results.has("bending_moment"):
         raise Refusal(f"{results.path}: there is no bending moment, as all lines are cables")
     if (outer is None) != (thickness is None) or outer is not None and not (outer > 0 and 0 < thickness <= outer / 2):
         raise Refusal("the stress of a pipe needs --outer-diameter and --wall, above 0, the wall at most half of the diameter")
+    if outer is not None and outer > THICKEST:
+        raise Refusal(f"--outer-diameter {outer:g} is in m: no pipe is as thick as that")
     effective = results.field("effective_tension", line)
-    tension = results.field("wall_tension", line) if results.has("wall_tension") else effective
     outside = outside_pressure(results, line)
     moment, torsion = (results.field(f"{name}_moment", line) for name in ("bending", "torsion"))
-    largest = np.full(tension.shape, np.nan)
-    for own_outer, own_inner, bore in types_along(results, line):
+    largest = np.full(effective.shape, np.nan)
+    for own_outer, own_inner, bore, outermost in types_along(results, line):
         wall = Wall(own_outer, own_inner) if outer is None else Wall(outer, outer - 2 * thickness)
-        inside = (tension - effective + outside * np.pi / 4 * own_outer**2) / (np.pi / 4 * bore**2)
-        inside = np.where(np.isnan(bore), 0.0, inside)  # no contents
+        inside = np.zeros(effective.shape)
+        if results.has("wall_tension"):
+            by_contents = results.field("wall_tension", line) - effective + outside * np.pi / 4 * outermost**2
+            inside = np.where(np.isnan(bore), 0.0, by_contents / (np.pi / 4 * bore**2))  # without contents none
+        tension = effective + np.pi / 4 * (inside * wall.inner**2 - outside * wall.outer**2)
         largest = np.fmax(largest, von_mises(wall, tension, moment, torsion, outside, inside))
     if np.isnan(largest).all():
         raise Refusal(f"{results.path}: the case gives no wall of line '{line.name}': give --outer-diameter and --wall")
     return largest
+
+
+def told(results, line, largest, since=0.0):
+    """The largest of these stresses, with its time and place, in a sentence."""
+    keep = np.flatnonzero(results.since(since))
+    output, node = np.unravel_index(np.nanargmax(largest[keep]), largest[keep].shape)
+    return (f"largest von Mises stress of {line.name} at the outputs: {largest[keep][output, node] / 1e6:.4g} MPa at arc length "
+            f"{line.arc[node]:.6g} m, t = {results.time[keep][output]:.6g} s")

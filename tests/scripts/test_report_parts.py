@@ -40,14 +40,14 @@ class Parts(unittest.TestCase):
         self.folder = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def file(self, statistics=True, name="run.h5", **more):
+    def file(self, statistics=True, name="run.h5", case=CASE, outermost=0.3, **more):
         n, o = len(ARC), len(TIME)
         x = np.zeros((o, n, 3))
         x[:, :, 0], x[:, :, 2] = ARC, -10 - ARC / 5
         self.tension = 1e5 * (2 + np.sin(TIME)[:, None] * np.sin(ARC / 20))
         self.moment = 2e4 * np.abs(np.sin(TIME / 2)[:, None] * np.cos(ARC / 10))
         outside, inside = 1e4 * -x[:, :, 2], 10e6 + 8e3 * -x[:, :, 2]
-        wall = self.tension + inside * np.pi / 4 * 0.26**2 - outside * np.pi / 4 * 0.3**2
+        wall = self.tension + inside * np.pi / 4 * 0.26**2 - outside * np.pi / 4 * outermost**2
         fields = {"position": ("m", x), "effective_tension": ("N", self.tension), "wall_tension": ("N", wall),
                   "bending_moment": ("N m", self.moment), "torsion_moment": ("N m", 0 * self.moment)}
         every = {}
@@ -56,7 +56,7 @@ class Parts(unittest.TestCase):
                 v = fields[field][1]
                 every[field] = (fields[field][0], np.stack([v.min(axis=0) - 3e3, 0 * ARC + 7.25, v.max(axis=0) + 5e3,
                                                             0 * ARC + 8.5 + k, v.mean(axis=0), v.std(axis=0)], axis=-1))
-        return results_file(self.folder / name, TIME, {"riser": ARC}, fields, statistics=every, case=CASE, **more)
+        return results_file(self.folder / name, TIME, {"riser": ARC}, fields, statistics=every, case=case, **more)
 
     def run_(self, *arguments):
         out, err = io.StringIO(), io.StringIO()
@@ -135,6 +135,16 @@ class Parts(unittest.TestCase):
         self.assertAlmostEqual(stress.von_mises(wall, 3e5, 4e4, 0.0, 0.0, 0.0) / (3e5 / area + 4e4 * b / inertia), 1, places=12)
         twist = stress.von_mises(wall, 0.0, 0.0, 5e4, 0.0, 0.0)
         self.assertAlmostEqual(twist / (np.sqrt(3) * 5e4 * b / (2 * inertia)), 1, places=12)
+
+    def test_coatings_hand_the_pressure_on(self):
+        plain = Results(self.file())
+        case = CASE.replace("wall_thickness: 0.02}", "wall_thickness: 0.02, coatings: [{thickness: 50 mm, density: 750}]}")
+        self.assertNotEqual(case, CASE)
+        coated = Results(self.file(name="coated.h5", case=case, outermost=0.4))
+        one, other = (stress.along(results, results.line("riser"))[:, ARC <= 60] for results in (plain, coated))
+        np.testing.assert_allclose(one, other, rtol=1e-9)
+        told = stress.told(plain, plain.line("riser"), stress.along(plain, plain.line("riser")))
+        self.assertIn(f"{one.max() / 1e6:.4g} MPa at arc length", told)
 
     def test_stress_along_a_line(self):
         results = Results(self.file())
