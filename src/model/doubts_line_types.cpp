@@ -45,7 +45,7 @@ void doubt_line_types(const Case& c, std::vector<Doubt>& out) {
                                                   : "more than steel (7.85)",
                                  density_hint(density, water)),
                      1});
-    if (t.outer_diameter > kThick)
+    else if (t.outer_diameter > kThick)
       out.push_back(
           {key,
            fmt::format("an outer diameter of {:.4g} m is more than that of any pipe, hose or rope; is "

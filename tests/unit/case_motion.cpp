@@ -70,11 +70,12 @@ TEST(CaseMotion, MonotoneAndLinearStayBetweenTheRows) {
   const model::Case linear = read(kRows + ", interpolation: linear");
   EXPECT_NEAR(model::rigid_motion(linear.bodies[0]).at(2.5).position.z(), 0.5, 1e-14);
   EXPECT_NE(model::summary(linear).find("straight lines between them"), std::string::npos);
-  // A wave of a dozen rows a period that begins at its crest says nothing.
+  // Of a wave of a dozen rows a period no overshoot is told.
   std::string rows;
   for (int i = 0; i <= 24; ++i)
-    rows += fmt::format("{}[{}, 0, 0, {}]", i ? ", " : "", 0.5 * i, std::cos(2 * M_PI * i / 12.));
-  EXPECT_TRUE(read("rows: [" + rows + "]").notes.empty());
+    rows += fmt::format("{}[{}, 0, 0, {}]", i ? ", " : "", 0.5 * i, std::sin(2 * M_PI * i / 12.));
+  for (const std::string& note : read("rows: [" + rows + "]").notes)
+    EXPECT_EQ(note.find("between its rows"), std::string::npos) << note;
   try {
     read(kRows + ", interpolation: cubic");
     FAIL();
