@@ -62,7 +62,10 @@ def make_plot(options):
             other = options.over or "position_z"
             figure = charts.one_over_another(series.column(other)[keep], values,
                                              (charts.label(other, series.unit(other)), charts.label(column, unit)), series.name)
-    path = Path(options.output) if options.output else results.path.with_name(f"{results.path.stem}-{options.what}.png")
+    # Another field or history does not take the place of the first figure.
+    words = {"range": [options.line, options.field if options.field != "effective_tension" else None], "stress": [options.line]}
+    more = [word.replace(" ", "_").replace("/", "_") for word in words.get(options.what, [options.name, options.column]) if word]
+    path = Path(options.output) if options.output else results.path.with_name("-".join([results.path.stem, options.what, *more]) + ".png")
     if path.suffix not in (".png", ".svg", ".pdf"):
         raise Refusal(f"{path}: a figure is a .png, .svg or .pdf file")
     figure.savefig(path, dpi=150, bbox_inches=whole(figure))
