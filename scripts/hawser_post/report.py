@@ -56,8 +56,7 @@ def start(page, results):
     if not results.lines:
         return
     page.section("Start")
-    page.text(f"State of the first output, t = {results.time[0]:g} s: the static equilibrium where the case has statics, "
-              "moving as the motions of the case begin (damping of the material then adds to its forces). "
+    page.text(f"State of the first output, t = {results.time[0]:g} s: the static equilibrium where the case has statics. "
               "Forces are those of the line on what holds its end; the declination is the angle between the upward "
               "vertical and the direction into the line.")
     table(page, *tables.at_ends(results, 0))
