@@ -2,8 +2,8 @@
 #include "hawser/app/audit_checkpoint.hpp"
 
 #include <array>
-#include <map>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace hawser::app {

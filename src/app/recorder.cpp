@@ -14,6 +14,7 @@
 #include "hawser/app/output_times.hpp"
 #include "hawser/app/run_parts.hpp"
 #include "hawser/app/touchdown.hpp"
+#include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
@@ -42,11 +43,6 @@ const io::ResultField kEnds[] = {{"force", "N", 3}, {"direction", "", 3}, {"mome
 
 // Beside those of the terms in a checkpoint.
 const std::string kClashRecords = "clash report";
-
-// Of a direction from end A to end B: 0 is straight up, 180 straight down.
-double degrees_from_vertical(const Vec3& along) {
-  return std::atan2(std::hypot(along.x(), along.y()), along.z()) * 180 / M_PI;
-}
 
 std::vector<double> touchdown_row(const Touchdown& t) {
   std::vector<double> row;
@@ -238,7 +234,7 @@ void Recorder::correct_ends(const Kinematics& at) {
     };
     put(before_, p.sides[0].tension()), put(after_, p.sides[1].tension());
     const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
-    put(declination_, degrees_from_vertical(p.end >= 0 ? p.at_end().direction : Vec3(first + second)));
+    put(declination_, degrees(declination(p.end >= 0 ? p.at_end().direction : Vec3(first + second))));
     const double tension = larger([](const SectionForce& s) { return s.tension(); });
     const double middle = put(tension_, tension);
     if (wall_ >= 0) values_[static_cast<size_t>(wall_)][n] += tension - middle;
@@ -260,7 +256,7 @@ void Recorder::correct_ends(const Kinematics& at) {
 
 void Recorder::start(const Kinematics& at, const Kinematics& shown) {
   start_ = sum_of(comm_, sim_.system().energy(at));
-  step({}, at, 0, &shown);
+  step({}, at, 0, shown);
   output(shown);
 }
 
@@ -281,8 +277,8 @@ std::vector<double> Recorder::point_row(const Point& p, const Kinematics& at) co
   vector(at.a[n]);
   if (p.end >= 0) {
     const Vec3 along(ends_[1].data() + 3 * p.end);
-    row.push_back(degrees_from_vertical(along));
-    row.push_back(std::atan2(along.y(), along.x()) * 180 / M_PI);
+    row.push_back(degrees(declination(along)));
+    row.push_back(degrees(std::atan2(along.y(), along.x())));
   }
   return row;
 }
@@ -307,12 +303,12 @@ std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
 }
 
 void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work) {
-  step(info, at, support_work, &at);
+  step(info, at, support_work, at);
 }
 
 void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work,
-                    const Kinematics* shown) {
-  fill(*shown, false);
+                    const Kinematics& shown) {
+  fill(shown, false);
   Energy share = sim_.system().energy(at);
   share.work += support_work;
   if (audit_.update(start_, sum_of(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);
@@ -321,7 +317,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   if (clashes_) clashes_->step(info.time);
   if (info.time < rows_from_ - 1e-9 * std::max(1.0, info.time)) return;
   if (rows_every_ > 0) rows_from_ = next_multiple(info.time, rows_every_);
-  append_rows(info, *shown);
+  append_rows(info, shown);
 }
 
 void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {

@@ -183,8 +183,7 @@ std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
   std::vector<std::string> notes;
   on_root(comm, [&] {
     const io::h5::Id file = io::h5::open_read(path);
-    const std::vector<std::string> names = io::h5::members(file, "/");
-    if (std::find(names.begin(), names.end(), "set") == names.end()) return;
+    if (!io::h5::exists(file, "set")) return;
     std::istringstream lines(io::h5::read_text(file, "set"));
     std::string there;
     for (std::string line; std::getline(lines, line);) there += " --set " + line;

@@ -12,6 +12,7 @@
 #include "hawser/app/touchdown.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
+#include "hawser/math/declination.hpp"
 #include "hawser/math/root_search.hpp"
 #include "hawser/model/check.hpp"
 
@@ -49,7 +50,7 @@ std::vector<double> ends_of(MPI_Comm comm, Simulation& sim, const Kinematics& at
     if (p.end < 0) continue;
     const SectionForce& s = p.at_end();
     out[2 * static_cast<size_t>(p.end)] = s.tension();
-    out[2 * static_cast<size_t>(p.end) + 1] = std::acos(std::clamp(s.direction.z(), -1.0, 1.0));
+    out[2 * static_cast<size_t>(p.end) + 1] = declination(s.direction);
   }
   MPI_Allreduce(MPI_IN_PLACE, out.data(), static_cast<int>(out.size()), MPI_DOUBLE, MPI_SUM, comm);
   return out;
@@ -72,7 +73,7 @@ std::string value_text(const LengthTarget& t, double value) {
     case Kind::tension:
       return fmt::format("{:.6g} N", value);
     case Kind::declination:
-      return fmt::format("{:.6g} deg", value * 180 / M_PI);
+      return fmt::format("{:.6g} deg", degrees(value));
     default:
       return fmt::format("{:.6g} m", value);
   }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/mesh/arc.hpp"
 #include "hawser/model/case.hpp"
@@ -364,16 +365,11 @@ void StructureTerm::fields(FieldRegistry& registry) const {
        at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.tension; },
                 [](const CableSection& s, const CableEnds& e) { return cable_stress(s, e).tension; })});
   // Of the line's direction, from end A to end B: 0 is straight up.
-  auto from_vertical = [](const Vec3& along) {
-    return std::atan2(along.head<2>().norm(), along.z()) * 180 / M_PI;
-  };
   registry.add(
       {"declination", "deg", 1,
-       at_nodes(
-           [from_vertical](const BeamStress&, const BeamEnds& e, int end) {
-             return from_vertical((end ? e.q2 : e.q1) * Vec3::UnitX());
-           },
-           [from_vertical](const CableSection&, const CableEnds& e) { return from_vertical(e.x2 - e.x1); })});
+       at_nodes([](const BeamStress&, const BeamEnds& e,
+                   int end) { return degrees(declination((end ? e.q2 : e.q1) * Vec3::UnitX())); },
+                [](const CableSection&, const CableEnds& e) { return degrees(declination(e.x2 - e.x1)); })});
   // Of the whole model, not of this rank: all ranks write the same fields.
   const auto& all = mesh_.mesh->elements;
   if (std::none_of(all.begin(), all.end(), [](const Element& e) { return e.beam; })) return;

@@ -66,7 +66,7 @@ class Recorder {
   void fill(const Kinematics& at, bool all);
   void find_worst(const Kinematics& at);
   void correct_ends(const Kinematics& at);
-  void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics* shown);
+  void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
   void append_rows(const StepInfo& info, const Kinematics& at);
   void write_statistics();
   bool shows_touchdowns() const;
