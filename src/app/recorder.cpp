@@ -15,9 +15,7 @@
 #include "hawser/app/run_parts.hpp"
 #include "hawser/app/touchdown.hpp"
 #include "hawser/math/declination.hpp"
-#include "hawser/math/so3.hpp"
 #include "hawser/terms/body_contact.hpp"
-#include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser::app {
 namespace {
@@ -25,15 +23,6 @@ namespace {
 // Both sides of a node, of the registry's field of that name.
 constexpr const char* kBefore = "effective_tension_before";
 constexpr const char* kAfter = "effective_tension_after";
-
-// Fields that a history of a point shows, in this order, when the run has them.
-const std::vector<std::string> kShown = {"effective_tension",    kBefore,          kAfter,
-                                         "shear_force",          "bending_moment", "bending_moment_2",
-                                         "bending_moment_3",     "torsion_moment", "curvature",
-                                         "contact_normal_force", "penetration"};
-// Likewise, after the columns of ends.
-const std::vector<std::string> kShownLast = {"wall_tension", "declination", "utilisation",
-                                             "bend_utilisation"};
 
 // What the bed, soil, volumes and other lines exert on a node.
 const char* const kCarriers[] = {"seabed_force", "soil_force", "contact_force", "line_contact_force"};
@@ -91,15 +80,14 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   for (const char* name : kCarriers)
     if (const int f = find(name); f >= 0) carriers_.push_back(f);
   ends_.resize(moment_ >= 0 ? 3 : 2);
-  const bool points = std::any_of(c.output.histories.begin(), c.output.histories.end(),
-                                  [](const auto& h) { return h.body.empty(); });
   const auto among = [](const auto& names, const std::string& name) {
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
   };
+  const bool points = std::any_of(c.output.histories.begin(), c.output.histories.end(),
+                                  [](const auto& h) { return h.body.empty(); });
   for (const FieldSource& s : registry_.sources())
     every_step_.push_back(s.name == "effective_tension" || among(kCarriers, s.name) ||
-                          (points && (among(kShown, s.name) || among(kShownLast, s.name))) ||
-                          LineExtremes::wants(s.name) ||
+                          (points && Histories::shows(s.name)) || LineExtremes::wants(s.name) ||
                           (c.output.statistics && NodeStatistics::wants(s.name)));
 
   io::ResultContents contents;
@@ -120,41 +108,9 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   if (ClashReport::wanted(sim_)) clashes_ = std::make_unique<ClashReport>(comm, sim_);
   contents.clashes = clashes_ != nullptr;
   contents.free_bodies = static_cast<int>(mesh.nodes.size()) - mesh.line_nodes();
-  for (const auto& h : c.output.histories) {
-    if (!h.body.empty()) {
-      points_.push_back({-1, c.body_index(h.body)});
-      contents.series.push_back({h.name,
-                                 {{"position", "m", 3},
-                                  {"rotation_vector", "rad", 3},
-                                  {"velocity", "m/s", 3},
-                                  {"angular_velocity", "rad/s", 3},
-                                  {"force", "N", 3},
-                                  {"moment", "N m", 3}}});
-      continue;
-    }
-    const int node = mesh.nearest_node(c.line_index(h.line), h.at);
-    Point p;
-    if (const int n = local.find(node); n < local.owned) p.owned = n;
-    const LineSpan& span = mesh.lines[static_cast<size_t>(c.line_index(h.line))];
-    const bool at_end = node == span.first_node || node == span.first_node + span.nodes - 1;
-    if (p.owned >= 0 && at_end) p.end = end_forces_.end_at(p.owned);
-    points_.push_back(p);
-    io::ResultSeries series{h.name, {{"position", "m", 3}, {"velocity", "m/s", 3}}};
-    const auto show = [&](const std::vector<std::string>& names) {
-      for (const std::string& name : names)
-        if (const int f = find(name); f >= 0) series.columns.push_back(fields_[static_cast<size_t>(f)]);
-    };
-    show(kShown);
-    if (at_end)
-      for (const io::ResultField& f : contents.end_fields)
-        series.columns.push_back({"end_" + f.name, f.unit, f.components});
-    show(kShownLast);
-    series.columns.push_back({"acceleration", "m/s2", 3});
-    if (at_end)
-      for (const char* angle : {"end_declination", "end_azimuth"})
-        series.columns.push_back({angle, "deg", 1});
-    contents.series.push_back(std::move(series));
-  }
+  histories_ =
+      std::make_unique<Histories>(comm, sim_, end_forces_, fields_, std::span(kEnds).first(ends_.size()));
+  contents.series = histories_->series();
   for (io::ResultSeries& s : clearances_.series()) contents.series.push_back(std::move(s));
   if (shows_touchdowns())
     for (const model::Line& line : c.lines)
@@ -260,46 +216,8 @@ void Recorder::start(const Kinematics& at, const Kinematics& shown) {
   output(shown);
 }
 
-std::vector<double> Recorder::point_row(const Point& p, const Kinematics& at) const {
-  const size_t n = static_cast<size_t>(p.owned);
-  std::vector<double> row;
-  const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
-  const auto show = [&](const std::vector<std::string>& names) {
-    for (const std::string& name : names)
-      for (size_t f = 2; f < fields_.size(); ++f)
-        if (fields_[f].name == name) row.push_back(values_[f][n]);
-  };
-  vector(at.x[n]), vector(at.v[n]);
-  show(kShown);
-  if (p.end >= 0)
-    for (const auto& of : ends_) vector(std::span(of).subspan(3 * static_cast<size_t>(p.end), 3));
-  show(kShownLast);
-  vector(at.a[n]);
-  if (p.end >= 0) {
-    const Vec3 along(ends_[1].data() + 3 * p.end);
-    row.push_back(degrees(declination(along)));
-    row.push_back(degrees(std::atan2(along.y(), along.x())));
-  }
-  return row;
-}
-
 bool Recorder::shows_touchdowns() const {
   return sim_.model().output.touchdowns && sim_.model().environment.seabed.present;
-}
-
-// Empty on ranks that do not own the body.
-std::vector<double> Recorder::body_row(int body, const Kinematics& at) const {
-  const auto p = sim_.body_pose(body, at);
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
-  if (!p || (!sim_.bodies().floats(body) && rank != 0)) return {};
-  std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
-  if (sim_.floating() && sim_.model().floats(body)) force = sim_.floating()->force_on(body, at);
-  std::vector<double> row;
-  for (const Vec3& x :
-       {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, force[0], force[1]})
-    row.insert(row.end(), x.begin(), x.end());
-  return row;
 }
 
 void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work) {
@@ -323,13 +241,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
 void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
   const Energy& e = audit_.now;
 
-  std::vector<std::vector<double>> rows;
-  for (const Point& p : points_) {
-    std::vector<double> row;
-    if (p.body >= 0) row = body_row(p.body, at);
-    if (p.owned >= 0) row = point_row(p, at);
-    rows.push_back(std::move(row));
-  }
+  std::vector<std::vector<double>> rows = histories_->rows(at, values_, ends_);
   if (!sim_.model().output.clearances.empty())
     for (std::vector<double>& row : clearances_.rows(at, body_poses(sim_, at)))
       rows.push_back(std::move(row));

@@ -11,6 +11,7 @@
 #include "hawser/app/clash_report.hpp"
 #include "hawser/app/clearances.hpp"
 #include "hawser/app/end_forces.hpp"
+#include "hawser/app/histories.hpp"
 #include "hawser/app/line_extremes.hpp"
 #include "hawser/app/node_statistics.hpp"
 #include "hawser/app/sharp_turns.hpp"
@@ -57,11 +58,6 @@ class Recorder {
   void save(io::Checkpoint& to);
 
  private:
-  struct Point {
-    int owned = -1;  // local node when this rank has it
-    int body = -1;   // of the case, when it is one
-    int end = -1;    // when it is one that this rank has: its place in ends_
-  };
   void restore(const io::Checkpoint& from);
   void fill(const Kinematics& at, bool all);
   void find_worst(const Kinematics& at);
@@ -70,8 +66,6 @@ class Recorder {
   void append_rows(const StepInfo& info, const Kinematics& at);
   void write_statistics();
   bool shows_touchdowns() const;
-  std::vector<double> point_row(const Point& p, const Kinematics& at) const;
-  std::vector<double> body_row(int body, const Kinematics& at) const;
 
   MPI_Comm comm_;
   Simulation& sim_;
@@ -87,7 +81,7 @@ class Recorder {
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
       moment_2_ = -1, moment_3_ = -1, pressed_ = -1, declination_ = -1;
   std::vector<int> carriers_;  // likewise
-  std::vector<Point> points_;
+  std::unique_ptr<Histories> histories_;
   std::unique_ptr<LineExtremes> extremes_;
   std::unique_ptr<NodeStatistics> statistics_;  // null: not wanted
   SharpTurns turns_;

@@ -1,0 +1,62 @@
+// Histories of a case: what is kept at every step of points of lines, which may lie between two nodes, and of
+// bodies.
+#pragma once
+
+#include <mpi.h>
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hawser/app/end_forces.hpp"
+#include "hawser/app/simulation.hpp"
+#include "hawser/io/results.hpp"
+
+namespace hawser::app {
+
+class Histories {
+ public:
+  // fields: those of nodes; position and velocity come first. end_fields: those of ends of lines. Collective.
+  Histories(MPI_Comm comm, Simulation& simulation, const EndForces& ends,
+            std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields);
+
+  // Whether points show the field of that name.
+  static bool shows(const std::string& field);
+
+  // One for each history of the case, in its order.
+  const std::vector<io::ResultSeries>& series() const { return series_; }
+
+  // A row for each series, empty on all ranks but one. values: of the owned nodes, by field; ends: of the
+  // owned ends, by field of ends. Collective where a point lies between the nodes of two ranks.
+  std::vector<std::vector<double>> rows(const Kinematics& at, const std::vector<std::vector<double>>& values,
+                                        const std::vector<std::vector<double>>& ends) const;
+
+ private:
+  // A point of a line between node `nodes[0]` and the next; at a node the second has no weight.
+  struct Point {
+    int body = -1;                     // of the case, when it is one
+    int end = -1;                      // its place among the owned ends, when it is one that this rank has
+    std::array<int, 2> nodes{-1, -1};  // local; -1: another rank's, or without weight
+    std::array<double, 2> weights{1, 0};
+    bool shared = false;  // its nodes belong to two ranks
+  };
+  Point point_of(int line, double arc) const;
+  void add_line_series(const std::string& name, bool at_end, std::span<const io::ResultField> end_fields);
+  std::vector<double> node_row(const Point& p, size_t side, const Kinematics& at,
+                               const std::vector<std::vector<double>>& values,
+                               const std::vector<std::vector<double>>& ends) const;
+  std::vector<double> line_row(const Point& p, const Kinematics& at,
+                               const std::vector<std::vector<double>>& values,
+                               const std::vector<std::vector<double>>& ends) const;
+  std::vector<double> body_row(int body, const Kinematics& at) const;
+
+  MPI_Comm comm_;
+  Simulation& sim_;
+  std::vector<size_t> shown_, shown_last_;  // fields of a point, before and after the columns of ends
+  int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1;  // among the fields; -1: not there
+  std::vector<Point> points_;
+  std::vector<io::ResultSeries> series_;
+};
+
+}  // namespace hawser::app

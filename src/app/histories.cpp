@@ -1,0 +1,215 @@
+// The class Histories: which nodes a point lies between, and the rows of points and bodies.
+#include "hawser/app/histories.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hawser/math/declination.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser::app {
+namespace {
+
+// Fields that a history of a point shows, in this order, when the run has them.
+const std::vector<std::string> kShown = {"effective_tension",
+                                         "effective_tension_before",
+                                         "effective_tension_after",
+                                         "shear_force",
+                                         "bending_moment",
+                                         "bending_moment_2",
+                                         "bending_moment_3",
+                                         "torsion_moment",
+                                         "curvature",
+                                         "contact_normal_force",
+                                         "penetration"};
+// Likewise, after the columns of ends.
+const std::vector<std::string> kShownLast = {"wall_tension", "declination", "utilisation",
+                                             "bend_utilisation"};
+
+const std::vector<io::ResultField> kBody = {{"position", "m", 3},   {"rotation_vector", "rad", 3},
+                                            {"velocity", "m/s", 3}, {"angular_velocity", "rad/s", 3},
+                                            {"force", "N", 3},      {"moment", "N m", 3}};
+
+// Two points are one when they are nearer to each other than this share of the line.
+constexpr double kSamePlace = 1e-9;
+
+}  // namespace
+
+bool Histories::shows(const std::string& field) {
+  return std::find(kShown.begin(), kShown.end(), field) != kShown.end() ||
+         std::find(kShownLast.begin(), kShownLast.end(), field) != kShownLast.end();
+}
+
+Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& ends,
+                     std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields)
+    : comm_(comm), sim_(simulation) {
+  const auto find = [&](const std::string& name) {
+    for (size_t f = 0; f < fields.size(); ++f)
+      if (fields[f].name == name) return static_cast<int>(f);
+    return -1;
+  };
+  for (const auto& [names, into] : {std::pair{&kShown, &shown_}, std::pair{&kShownLast, &shown_last_}})
+    for (const std::string& name : *names)
+      if (const int f = find(name); f >= 0) into->push_back(static_cast<size_t>(f));
+  tension_ = find("effective_tension"), wall_ = find("wall_tension");
+  before_ = find("effective_tension_before"), after_ = find("effective_tension_after");
+
+  const auto add = [&fields](io::ResultSeries& to, const std::vector<size_t>& which) {
+    for (const size_t f : which) to.columns.push_back(fields[f]);
+  };
+  const model::Case& c = sim_.model();
+  for (const auto& h : c.output.histories) {
+    io::ResultSeries series{h.name, kBody};
+    Point p;
+    if (!h.body.empty()) {
+      p.body = c.body_index(h.body);
+    } else {
+      const int line = c.line_index(h.line);
+      const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(line)];
+      p = point_of(line, h.at);
+      const double arc = std::clamp(h.at, 0.0, span.length);
+      const bool at_end = std::min(arc, span.length - arc) <= kSamePlace * span.length;
+      if (at_end && p.nodes[0] >= 0) p.end = ends.end_at(p.nodes[0]);
+      series.columns = {{"position", "m", 3}, {"velocity", "m/s", 3}};
+      add(series, shown_);
+      if (at_end)
+        for (const io::ResultField& f : end_fields)
+          series.columns.push_back({"end_" + f.name, f.unit, f.components});
+      add(series, shown_last_);
+      series.columns.push_back({"acceleration", "m/s2", 3});
+      if (at_end)
+        for (const char* angle : {"end_declination", "end_azimuth"})
+          series.columns.push_back({angle, "deg", 1});
+    }
+    points_.push_back(p);
+    series_.push_back(std::move(series));
+  }
+  std::vector<int> ranks;
+  for (const Point& p : points_) ranks.push_back(p.nodes[0] >= 0 || p.nodes[1] >= 0);
+  MPI_Allreduce(MPI_IN_PLACE, ranks.data(), static_cast<int>(ranks.size()), MPI_INT, MPI_SUM, comm_);
+  for (size_t i = 0; i < points_.size(); ++i) points_[i].shared = ranks[i] > 1;
+}
+
+Histories::Point Histories::point_of(int line, double arc) const {
+  const Mesh& mesh = sim_.mesh();
+  const LineSpan& span = mesh.lines[static_cast<size_t>(line)];
+  const auto first = mesh.nodes.begin() + span.first_node, last = first + span.nodes - 1;
+  const double same = kSamePlace * span.length;
+  // The last node that is not behind the point.
+  auto node =
+      std::upper_bound(first, last + 1, arc + same, [](double s, const Node& n) { return s < n.arc; });
+  node -= node != first;
+  Point p;
+  if (node != last && arc > node->arc + same) {
+    const double w = (arc - node->arc) / ((node + 1)->arc - node->arc);
+    p.weights = {1 - w, w};
+  }
+  const LocalMesh& local = sim_.local();
+  for (size_t k = 0; k < 2; ++k) {
+    if (p.weights[k] == 0) continue;
+    const int n = local.find(static_cast<int>(node - mesh.nodes.begin()) + static_cast<int>(k));
+    if (n >= 0 && n < local.owned) p.nodes[k] = n;
+  }
+  return p;
+}
+
+// What node `side` of a point contributes. Where the tension jumps at a node the point lies on one side of
+// it.
+std::vector<double> Histories::node_row(const Point& p, size_t side, const Kinematics& at,
+                                        const std::vector<std::vector<double>>& values,
+                                        const std::vector<std::vector<double>>& ends) const {
+  const size_t n = static_cast<size_t>(p.nodes[side]);
+  const bool between = p.weights[1] > 0;
+  const auto of = [&](int field) { return values[static_cast<size_t>(field)][n]; };
+  std::vector<double> row;
+  const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
+  const auto show = [&](const std::vector<size_t>& fields) {
+    for (const size_t field : fields) {
+      const int f = static_cast<int>(field);
+      const int facing = side == 0 ? after_ : before_;
+      if (between && (f == tension_ || f == before_ || f == after_))
+        row.push_back(of(facing));
+      else if (between && f == wall_)
+        row.push_back(of(wall_) + of(facing) - of(tension_));
+      else
+        row.push_back(of(f));
+    }
+  };
+  vector(at.x[n]), vector(at.v[n]);
+  show(shown_);
+  if (p.end >= 0)
+    for (const auto& e : ends) vector(std::span(e).subspan(3 * static_cast<size_t>(p.end), 3));
+  show(shown_last_);
+  vector(at.a[n]);
+  if (p.end >= 0) {
+    const Vec3 along(ends[1].data() + 3 * p.end);
+    row.push_back(degrees(declination(along)));
+    row.push_back(degrees(std::atan2(along.y(), along.x())));
+  }
+  for (double& v : row) v *= p.weights[side];
+  return row;
+}
+
+// Empty on ranks that own none of its nodes.
+std::vector<double> Histories::line_row(const Point& p, const Kinematics& at,
+                                        const std::vector<std::vector<double>>& values,
+                                        const std::vector<std::vector<double>>& ends) const {
+  std::vector<double> row;
+  for (size_t k = 0; k < 2; ++k) {
+    if (p.nodes[k] < 0) continue;
+    const std::vector<double> part = node_row(p, k, at, values, ends);
+    row.resize(part.size());
+    for (size_t i = 0; i < part.size(); ++i) row[i] += part[i];
+  }
+  return row;
+}
+
+// Empty on ranks that do not own the body.
+std::vector<double> Histories::body_row(int body, const Kinematics& at) const {
+  const auto p = sim_.body_pose(body, at);
+  int rank = 0;
+  MPI_Comm_rank(comm_, &rank);
+  if (!p || (!sim_.bodies().floats(body) && rank != 0)) return {};
+  std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
+  if (sim_.floating() && sim_.model().floats(body)) force = sim_.floating()->force_on(body, at);
+  std::vector<double> row;
+  for (const Vec3& x :
+       {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, force[0], force[1]})
+    row.insert(row.end(), x.begin(), x.end());
+  return row;
+}
+
+std::vector<std::vector<double>> Histories::rows(const Kinematics& at,
+                                                 const std::vector<std::vector<double>>& values,
+                                                 const std::vector<std::vector<double>>& ends) const {
+  std::vector<std::vector<double>> rows;
+  for (const Point& p : points_)
+    rows.push_back(p.body >= 0 ? body_row(p.body, at) : line_row(p, at, values, ends));
+
+  // Two ranks each have a part of a shared point's row; the first rank writes their sum.
+  std::vector<double> parts;
+  for (size_t i = 0; i < points_.size(); ++i) {
+    if (!points_[i].shared) continue;
+    size_t columns = 0;
+    for (const io::ResultField& f : series_[i].columns) columns += static_cast<size_t>(f.components);
+    rows[i].resize(columns);
+    parts.insert(parts.end(), rows[i].begin(), rows[i].end());
+  }
+  if (parts.empty()) return rows;
+  int rank = 0;
+  MPI_Comm_rank(comm_, &rank);
+  MPI_Reduce(rank == 0 ? MPI_IN_PLACE : parts.data(), parts.data(), static_cast<int>(parts.size()),
+             MPI_DOUBLE, MPI_SUM, 0, comm_);
+  auto part = parts.begin();
+  for (size_t i = 0; i < points_.size(); ++i) {
+    if (!points_[i].shared) continue;
+    std::copy_n(part, rows[i].size(), rows[i].begin());
+    part += static_cast<std::ptrdiff_t>(rows[i].size());
+    if (rank != 0) rows[i].clear();
+  }
+  return rows;
+}
+
+}  // namespace hawser::app

@@ -1,0 +1,80 @@
+// Histories of points between nodes, also between those of two ranks, against the fields of the same run.
+#include <fmt/format.h>
+
+#include "regression/runs.hpp"
+
+namespace hawser::runs::histories {
+namespace {
+
+constexpr int kElements = 20;
+constexpr double kLength = 100, kElement = kLength / kElements;
+constexpr int kWeight = 12;  // node that carries the clump weight
+
+// A point 0.3 of the way along every element, and the node with the weight itself.
+std::string case_text() {
+  std::string text = R"(hawser: 1
+title: A chain with a clump weight whose upper end surges
+environment:
+  water: {}
+  seabed: {depth: 90}
+line_types:
+  chain: {library: chain-studless, diameter: 0.06, grade: R4}
+bodies:
+  ship: {motion: {harmonic: {amplitude: [1, 0, 0], period: 6}, ramp: 2}}
+lines:
+  chain:
+    sections: [{type: chain, length: 100, elements: 20}]
+    end_a: {anchor: [0, 0, -60]}
+    end_b: {body: ship, at: [70, 0, -5]}
+    masses: [{at: 60, mass: 2000, volume: 0.2}]
+dynamics: {duration: 1}
+output:
+  every: 0.5
+  histories:
+)";
+  for (int e = 0; e < kElements; ++e)
+    text += fmt::format("    - {{line: chain, at: {}, name: p{}}}\n", (e + 0.3) * kElement, e);
+  return text + "    - {line: chain, at: 60, name: weight}\n    - {line: chain, at: end_b, name: ship end}\n";
+}
+
+TEST(Histories, PointsBetweenNodes) {
+  const std::string path = folder("histories"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, case_text());
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  ASSERT_EQ(r.step_times.back(), r.output_times.back());
+  const auto last = [&](const std::string& field, int node) {
+    const auto& all = r.fields.at(field);
+    return all.at(all.size() - static_cast<size_t>(kElements + 1 - node));
+  };
+  for (int e = 0; e < kElements; ++e) {
+    const auto shown = [&](const std::string& column) {
+      return named(file, r, "p" + std::to_string(e), column).back();
+    };
+    const auto between = [](double a, double b) { return 0.7 * a + 0.3 * b; };
+    const double tension =
+        between(last("effective_tension_after", e), last("effective_tension_before", e + 1));
+    for (const char* column : {"effective_tension", "effective_tension_before", "effective_tension_after"})
+      EXPECT_NEAR(shown(column), tension, 1e-9 * tension) << e << ' ' << column;
+    if (e != kWeight - 1 && e != kWeight) {
+      EXPECT_NEAR(shown("wall_tension"), between(last("wall_tension", e), last("wall_tension", e + 1)),
+                  1e-9 * tension);
+      EXPECT_NEAR(shown("declination"), between(last("declination", e), last("declination", e + 1)), 1e-9);
+    }
+    const auto& x = r.fields.at("position");
+    const size_t row = x.size() - 3 * static_cast<size_t>(kElements + 1 - e);
+    for (size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(shown(std::string("position_") + "xyz"[k]), between(x[row + k], x[row + 3 + k]), 1e-12);
+  }
+  // At the weight the sides differ, and the points beside it are on theirs.
+  const double before = named(file, r, "weight", "effective_tension_before").back(),
+               after = named(file, r, "weight", "effective_tension_after").back();
+  EXPECT_EQ(before, last("effective_tension_before", kWeight));
+  EXPECT_EQ(after, last("effective_tension_after", kWeight));
+  EXPECT_GT(after - before, 5e3);
+  EXPECT_EQ(r.columns.at("ship_end"), r.columns.at("p3") + 8);
+}
+
+}  // namespace
+}  // namespace hawser::runs::histories
