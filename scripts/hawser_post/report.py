@@ -205,7 +205,8 @@ def modes(page, results):
     page.text("Small vibrations about the static equilibrium.")
     page.table(["mode", "period [s]", "frequency [Hz]"],
                [[k + 1, float(series.column("period")[k]), float(series.column("frequency")[k])] for k in range(results.steps)])
-    page.text("Dashed: the equilibrium. The largest displacement is drawn as 5 % of the longest line.")
+    page.text("Dashed: the equilibrium. The largest displacement is drawn as 5 % of the longest line, "
+              "less where a body would turn by more than 0.3 rad.")
     for k in range(1, min(results.outputs, MOST_MODES + 1)):
         x = np.concatenate([np.abs(results.field("mode_shape", line, k)) for line in results.lines])
         view = "plan" if x[:, :2].max() > x[:, 2].max() and x[:, 1].max() > x[:, 0].max() else "elevation"

@@ -120,7 +120,7 @@ def axis_name(along):
 
 def title(results, view, shown):
     if results.modes:
-        at = f"mode {shown[-1]} (dashed: at rest)"
+        at = f"mode {shown[-1]}" + (" (dashed: at rest)" if view != "space" else "")
     else:
         at = f"t = {results.time[shown[-1]]:g} s"
         if len(shown) > 1:

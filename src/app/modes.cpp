@@ -14,14 +14,16 @@
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/solve/natural_modes.hpp"
 
 namespace hawser::app {
 namespace {
 
-// Of the longest line, as a mode is drawn: largest displacement of `position`.
-constexpr double kDrawn = 0.05;
+// As a mode is drawn: the largest displacement of `position`, of the longest line, where no body turns
+// farther than this.
+constexpr double kDrawn = 0.05, kTurned = 0.3;  // 1, rad
 
 // Where a mode has its largest translation or rotation, the same on all ranks.
 struct Place {
@@ -53,11 +55,13 @@ std::string row(const Mesh& mesh, int number, const NaturalMode& mode, const Pla
                      p.along.z(), mesh.place(p.node), turns ? ", turns in place" : "");
 }
 
-io::ResultContents contents(const Simulation& sim, const ModesOptions& o, int size, int found) {
+io::ResultContents contents(const Simulation& sim, const std::vector<LoadedVolume>& volumes,
+                            const ModesOptions& o, int size, int found) {
   const model::Case& c = sim.model();
   io::ResultContents out;
   out.run = run_info(c, o.options_text, size);
   out.lines = result_lines(c, sim.mesh());
+  out.volumes = volume_meshes(c, volumes);
   out.fields = {{"position", "m", 3}, {"mode_shape", "1", 3}};
   out.series = {{"modes", {{"period", "s", 1}, {"frequency", "Hz", 1}}}};
   for (const auto& b : c.bodies) out.bodies.push_back(b.name);
@@ -74,27 +78,47 @@ std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
   return out;
 }
 
-void write(MPI_Comm comm, Simulation& sim, const ModesOptions& o, const std::string& path,
-           const std::vector<NaturalMode>& found, const std::vector<std::string>& messages) {
+// What the translations [1] and rotations [rad] of a mode are multiplied by as it is drawn, m.
+double drawn_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode) {
+  double size = 0, turn = 0;
+  for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
+  for (int b = 0; b < sim.bodies().size(); ++b)
+    if (const int n = sim.bodies().local_node(b); n >= 0)
+      turn = std::max(turn, mode.rotation[static_cast<size_t>(n)].norm());
+  MPI_Allreduce(MPI_IN_PLACE, &turn, 1, MPI_DOUBLE, MPI_MAX, comm);
+  return size * turn > kTurned ? kTurned / turn : size;
+}
+
+// The state `at` moved by `size` of a mode.
+State moved(const State& at, const NaturalMode& mode, double size) {
+  State out = at;
+  for (size_t n = 0; n < out.x.size(); ++n) {
+    out.x[n] += size * mode.shape[n];
+    out.q[n] = exp_so3(size * mode.rotation[n]) * out.q[n];
+  }
+  return out;
+}
+
+void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volumes, const ModesOptions& o,
+           const std::string& path, const std::vector<NaturalMode>& found,
+           const std::vector<std::string>& messages) {
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank), MPI_Comm_size(comm, &size);
   const LocalMesh& local = sim.local();
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   io::ResultsFile file = io::ResultsFile::create(
-      comm, path, contents(sim, o, size, static_cast<int>(found.size())), std::move(owned));
-  double length = 0;
-  for (const auto& line : sim.model().lines) length = std::max(length, model::length_of(line));
-  const std::vector<io::BodyPose> poses = body_poses(sim, sim.state().view(0));
+      comm, path, contents(sim, volumes, o, size, static_cast<int>(found.size())), std::move(owned));
   const std::vector<Vec3> rest(static_cast<size_t>(local.owned), Vec3::Zero());
-  file.write_output(0, {flat(sim.state().x, local.owned), flat(rest, local.owned)}, poses);
+  file.write_output(0, {flat(sim.state().x, local.owned), flat(rest, local.owned)},
+                    body_poses(sim, sim.state().view(0)));
   double number = 0;
   for (const NaturalMode& mode : found) {
     ++number;
-    std::vector<Vec3> drawn = sim.state().x;
-    for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) drawn[n] += kDrawn * length * mode.shape[n];
+    const State drawn = moved(sim.state(), mode, drawn_size(comm, sim, mode));
     const double period = mode.squared > kFreeMotion ? period_of(mode) : HUGE_VAL;
     file.append_series(number, {rank == 0 ? std::vector<double>{period, 1 / period} : std::vector<double>{}});
-    file.write_output(number, {flat(drawn, local.owned), flat(mode.shape, local.owned)}, poses);
+    file.write_output(number, {flat(drawn.x, local.owned), flat(mode.shape, local.owned)},
+                      body_poses(sim, drawn.view(0)));
   }
   file.finish({}, {}, messages);
 }
@@ -136,7 +160,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   if (statics.negative_eigenvalues > unstable)
     table += fmt::format("and {} more directions in which the equilibrium is unstable, faster than these\n",
                          statics.negative_eigenvalues - unstable);
-  write(comm, sim, options, place.path(), found, progress.messages());
+  write(comm, sim, volumes, options, place.path(), found, progress.messages());
   if (rank == 0 && !options.quiet) {
     fmt::print("\n{}", table);
     if (found.size() < static_cast<size_t>(options.count))

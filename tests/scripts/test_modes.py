@@ -133,6 +133,22 @@ class Modes(unittest.TestCase):
             modes = results.series("modes")
             np.testing.assert_allclose(modes.column("frequency"), found, rtol=1e-4)
 
+    def test_bodies_move(self):
+        """A load on slings: pictures show it where the mode takes it, on any ranks; the bodies turn by no more than 0.3 rad."""
+        case, poses = str(ROOT / "cases/lifted-load/lifted-load.yaml"), []
+        for ranks in (1, 2):
+            told = run(*(["mpirun", "-n", "2"] if ranks == 2 else []), HAWSER, "modes", case, "-n", "6", "-o", "modes.h5", cwd=self.folder)
+            self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+            results = Results(self.folder / "modes.h5")
+            poses.append(np.concatenate([results.file["bodies/position"][:], results.file["bodies/rotation"][:]], axis=2))
+        # Mode 1 turns the hook freely; 3 and 4 are the pendulum along x and y, 5 % of the longest line, 20 m.
+        hook, module = poses[0][:, 1], poses[0][:, 2]
+        self.assertAlmostEqual(2 * np.arccos(hook[1, 3]), 0.3, delta=1e-6)
+        np.testing.assert_allclose(np.abs(module[3:5, :3] - module[0, :3]).max(axis=1), 0.05 * 20, rtol=0.05)
+        self.assertLess(np.abs(poses[0][3:5] - poses[1][3:5]).max(), 1e-6)
+        rest, third = (x.mean(axis=0) for mode in (0, 3) for name, x, _ in results.volumes(mode) if name == "module_walls")
+        np.testing.assert_allclose(third - rest, poses[1][3, 2, :3] - poses[1][0, 2, :3], atol=0.05)
+
     def test_refusals(self):
         write(self.folder, "case.yaml", STRING + "statics: false\ndynamics: {duration: 1}\n")
         told = run(HAWSER, "modes", "case.yaml", cwd=self.folder)
