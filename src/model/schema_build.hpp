@@ -78,14 +78,18 @@ inline Key arc(std::string name, std::string about) {
 
 inline constexpr const char* kZero = "[0, 0, 0]";
 
-Key volumes();                // with their shapes, contact laws and friction
-Key between_lines();          // of contact
+Key bodies();
+Key volumes();  // with their shapes, contact laws and friction
+Key joints();
+Key lines();
+Key contact();
+Key statics();
+Key dynamics();
 Key friction();               // coefficients and springs of it, of volumes and the seabed
 Key force_rows();             // `table` of force against penetration, of volumes and the seabed
 Key environment();            // the sea and its bed
 std::vector<Key> in_water();  // of line types
 Key line_types();
-Key target();  // of lines
 Key output();
 
 }  // namespace hawser::model::schema_build

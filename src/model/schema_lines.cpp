@@ -1,64 +1,38 @@
-// The keys of contact between lines, and of what the length of a line has to meet.
+// The keys of lines: sections, ends and joints, what they carry, what their length has to meet.
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {
 namespace {
 
-// How lines touch lines; `own`: keys of the pair it is about, which takes what it does not say from the
-// settings for all.
-std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
-  const auto otherwise = [&](Key k, const char* literal, const char* note) {
-    if (of_a_pair) return std::move(k).or_else_note("as for all lines");
-    return literal ? std::move(k).or_else(literal) : std::move(k).or_else_note(note);
-  };
-  own.push_back(otherwise(
-      one_of(
-          "normal_stiffness",
-          {word("", {"auto"}),
-           map("",
-               {number("per_length", line_stiffness, "per length of line in contact").above(0),
-                number("per_area", area_stiffness, "per projected area (length times mean contact diameter)")
-                    .above(0)},
-               "")
-               .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true)},
-          "penalty against penetration"),
-      "auto", nullptr));
-  own.push_back(
-      otherwise(number("friction", none, "Coulomb coefficient").at_least(0).at_most(10), "0", nullptr));
-  own.push_back(
-      otherwise(number("mobilisation_length", length, "slip at which friction is fully there").above(0),
-                nullptr, "1 % of the mean contact diameter"));
-  own.push_back(
-      otherwise(number("smoothing", length, "half width of the smooth start of the contact force").above(0),
-                nullptr, "0.1 % of the mean contact diameter"));
-  own.push_back(
-      otherwise(number("relative_damping", none, "damping of the contact spring over its critical damping")
-                    .at_least(0)
-                    .at_most(2),
-                "0", nullptr));
-  return own;
-}
-
-}  // namespace
-
-Key between_lines() {
-  const Key two = list("", reference("", "lines"), "two lines, or one twice for itself").items(2, 2);
-  Key pair = two;
-  pair.name = "lines";
-  return one_of("between_lines",
-                {boolean(""),
-                 map("",
-                     line_pair_keys(
-                         {boolean("self", "a line touches itself").or_else("true"),
-                          list("exclude", two, "pairs of lines that do not touch each other").or_else("[]"),
-                          list("pairs",
-                               map("", line_pair_keys({std::move(pair).is_required()}, true),
-                                   "settings of one pair of lines; what is not said is as for all"),
-                               "pairs of lines with settings of their own")
-                              .or_else("[]")}),
-                     "")},
-                "contact of the lines with each other and with themselves; `false`: none")
-      .or_else("true");
+Key line_end(std::string name, const std::string& about) {
+  return one_of(
+      std::move(name),
+      {word("", {"free"}),
+       map("",
+           {vec3("anchor", length,
+                 "fixed at this point in space; at the height of the seabed the line lies on it there"),
+            reference("body", "bodies", "tied to this body ..."),
+            vec3("at", length, "... at this point of its frame"),
+            reference("joint", "joints", "pinned to the other ends at this joint, which moves freely"),
+            vec3("direction", none,
+                 "tangent of the line from end A to end B, in space (anchor) or in the body's "
+                 "frame; its length does not matter")
+                .or_else_note("none: needed if clamped or with `rotational_stiffness`"),
+            boolean("clamped", "rotation tied as well").or_else("false"),
+            number("rotational_stiffness", turning_stiffness,
+                   "of a spring that turns the end towards `direction`: between free and clamped")
+                .above(0)
+                .or_else_note("none: the end turns freely, unless clamped"),
+            number("no_contact_within", length,
+                   "so much of the line, from this end on, has no contact with volumes; 0: all of it has")
+                .at_least(0)
+                .or_else_note(
+                    "of a held end that starts inside a volume: up to where the line is clear of it, "
+                    "with that volume")},
+           "")
+           .either({{{"anchor"}, {"anchor"}}, {{"body", "at"}, {"body", "at"}}, {{"joint"}, {"joint"}}},
+                   true)},
+      about);
 }
 
 Key target() {
@@ -87,6 +61,152 @@ Key target() {
                {{"touchdown"}, {"touchdown"}},
                {{"laid_length"}, {"laid_length"}}},
               true);
+}
+
+}  // namespace
+
+Key joints() {
+  return names(
+             "joints",
+             map("<joint>",
+                 {vec3("start", length, "roughly where it is at rest: statics starts from there")
+                      .is_required(),
+                  boolean(
+                      "rigid",
+                      "lines that resist bending are joined rigidly: they keep the angles between them that "
+                      "they start with (their `direction` there, or the tangents of their start shapes)")
+                      .or_else("false")},
+                 ""),
+             "Where ends of lines are joined to each other, by name: bridles, branches, frames. Of lines "
+             "that "
+             "resist bending a joint that is not rigid takes one.")
+      .or_else("{}");
+}
+
+Key lines() {
+  Key sections =
+      list("sections",
+           map("",
+               {reference("type", "line_types", "line type").is_required(),
+                number("length", length, "unstretched length").above(0).is_required(),
+                integer("elements", "number of elements").at_least(1).at_most(1e6),
+                number("element_length", length, "longest element wanted, instead of their number").above(0),
+                number("grading", none, "length of the last element over the first")
+                    .at_least(1e-3)
+                    .at_most(1e3)
+                    .or_else("1")},
+               "")
+               .either({{{"elements"}, {}}, {{"element_length"}, {}}}, true),
+           "from end A to end B")
+          .is_required()
+          .items(1);
+  Key buried =
+      list("buried",
+           map("",
+               {arc("from", "from this arc length ...").or_else_note("`end_a`"),
+                arc("to", "... to this one").or_else_note("`end_b`"),
+                map("resistance",
+                    {number("axial", force_per_length, "along the line").above(0).is_required(),
+                     number("normal", force_per_length, "across it, to all sides").above(0).is_required()},
+                    "of the soil at most, per length")
+                    .is_required(),
+                map("mobilisation_length",
+                    {number("axial", length, "along the line")
+                         .above(0)
+                         .or_else_note("1 % of the contact diameter"),
+                     number("normal", length, "across it")
+                         .above(0)
+                         .or_else_note("10 % of the contact diameter")},
+                    "after which the soil resists with all of it")
+                    .or_else("{}")},
+               ""),
+           "stretches in the soil, which holds them where they start until it yields: an anchor's end below "
+           "the "
+           "bed (a line that starts by itself goes straight from it to the bed), a pipe in a trench (`start` "
+           "says where); the bed does not act on them, nor water but for its buoyancy")
+          .or_else("[]");
+  Key loads =
+      list(
+          "loads",
+          map("",
+              {vec3("per_length", force_per_length, "distributed dead load per unstretched length ..."),
+               arc("from", "... from this arc length").or_else_note("`end_a`"),
+               arc("to", "... to this one").or_else_note("`end_b`"),
+               arc("at", "point load at this arc length"), vec3("force", force, "dead force of a point load"),
+               vec3("moment", moment, "dead moment of a point load, axes fixed in space"),
+               number("ramp", time, "starts smoothly over this time in dynamics; 0: acts in statics already")
+                   .at_least(0)
+                   .or_else("0")},
+              "")
+              .either({{{"per_length", "from", "to"}, {"per_length"}}, {{"at", "force", "moment"}, {"at"}}},
+                      true),
+          "loads besides weight")
+          .or_else("[]");
+  return names(
+             "lines",
+             map("<line>",
+                 {std::move(sections), line_end("end_a", "how end A is held").is_required(),
+                  line_end("end_b", "how end B is held").is_required(),
+                  one_of(
+                      "start",
+                      {word("", {"auto", "catenary", "hanging", "straight"}),
+                       map("",
+                           {list("points", vec3("", length),
+                                 "polyline from end A to end B that the line is laid "
+                                 "along")
+                                .items(2),
+                            text("from",
+                                 "results (.h5) of another run, beside the case: as it left the "
+                                 "line, by share of the length, its ends where they are now ..."),
+                            number("time", time, "... at this output").at_least(0).or_else_note("the last"),
+                            text("line", "... what the line is called there").or_else_note("as here")},
+                           "")
+                           .either({{{"points"}, {"points"}}, {{"from", "time", "line"}, {"from"}}}, true)},
+                      "shape from which statics starts; `auto`: catenary between two held ends, hanging "
+                      "from one")
+                      .or_else("auto"),
+                  list("masses",
+                       map("",
+                           {arc("at", "arc length from end A").is_required(),
+                            number("mass", mass, "point mass").above(0).is_required(),
+                            number("volume", volume,
+                                   "displaced by it: a buoy or a clump weight, taken for a ball")
+                                .at_least(0)
+                                .or_else("0"),
+                            number("drag_area", area, "drag coefficient times area").at_least(0).or_else("0"),
+                            number("Ca", none, "added mass over the mass of the displaced water")
+                                .at_least(0)
+                                .at_most(100)
+                                .or_else("0")},
+                           ""),
+                       "point masses, clump weights and buoys")
+                      .or_else("[]"),
+                  list("bend_stiffeners",
+                       map("",
+                           {arc("at", "arc length from end A of its root").is_required(),
+                            word("towards", {"end_a", "end_b"}, "where it goes to from its root")
+                                .or_else_note("`end_b`; from `end_b` on: `end_a`"),
+                            list("EI", list("", number("", none), "").items(2, 2),
+                                 "bending stiffness it adds to that of the line, `[[m from the root, N m²], "
+                                 "...]`, straight between the rows and nothing beyond")
+                                .is_required()
+                                .items(2)},
+                           ""),
+                       "bend stiffeners, and whatever else makes the bending stiffness vary along the line")
+                      .or_else("[]"),
+                  std::move(buried),
+                  one_of("temperature_change",
+                         {number("", temperature_change),
+                          list("", list("", number("", none), "").items(2, 2), "").items(2)},
+                         "what the line is warmer than when its sections had their `length`, or along it "
+                         "`[[m from end A, K], "
+                         "...]`, straight between the rows and constant beyond: types with "
+                         "`thermal_expansion` get longer; acts from statics on")
+                      .or_else("0"),
+                  std::move(loads), target()},
+                 ""),
+             "Lines, by name. Arc lengths are unstretched and count from end A.")
+      .or_else("{}");
 }
 
 }  // namespace hawser::model::schema_build

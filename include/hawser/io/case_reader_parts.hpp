@@ -94,6 +94,27 @@ model::LineType read_line_type(const std::string& name, const model::Value& v, c
 void read_bend_stiffener(const model::Value& v, const std::string& path, double at, double length,
                          const CaseSource& source, model::Line& line);
 
+// An entry of `bodies`. duration: of the motion, s. Of the case the environment is read already; its notes
+// get what is doubtful.
+model::Body read_body(const std::string& name, const model::Value& v, const CaseSource& source,
+                      double duration, model::Case& c);
+
+// An entry of `volumes`, and `contact`.
+model::Volume read_volume(const std::string& name, const model::Value& v, const CaseSource& source);
+void read_contact(const model::Value& v, const CaseSource& source, model::Contact& to);
+
+// An entry of `lines`. whole: `start` of the case, or null; lengths: of sections, in place of those given. Of
+// the case line types and joints are read already; its notes get what is doubtful.
+class OtherRuns;
+model::Line read_line(const std::string& name, const model::Value& v, const CaseSource& source,
+                      const model::Value* whole, const SectionLengths& lengths, OtherRuns& others,
+                      model::Case& c);
+
+void read_statics(const model::Value& v, model::Statics& to);
+model::Dynamics read_dynamics(const model::Value& v);
+// Of the case the lines are read already.
+void read_output(const model::Value& v, const CaseSource& source, model::Case& c);
+
 // `target` of a line of these `sections`.
 model::LengthTarget read_target(const model::Value& v, const std::string& key, const model::Value& sections,
                                 const CaseSource& source);

@@ -1,0 +1,25 @@
+// Values of keys that need not be given.
+#pragma once
+
+#include "hawser/io/case_reader_parts.hpp"
+
+namespace hawser::io {
+
+inline double number(const model::Value& v, const char* key, double otherwise = 0) {
+  const model::Value* x = v.find(key);
+  return x ? x->number : otherwise;
+}
+// Zero without.
+inline Vec3 vec(const model::Value& v, const char* key) {
+  const model::Value* x = v.find(key);
+  return x ? as_vec3(*x) : Vec3(Vec3::Zero());
+}
+// An arc length of a line of this length, m: a number or one of its ends.
+inline double arc(const model::Value* v, double otherwise, double length) {
+  if (!v) return otherwise;
+  if (v->is("end_a")) return 0;
+  if (v->is("end_b")) return length;
+  return v->number;
+}
+
+}  // namespace hawser::io

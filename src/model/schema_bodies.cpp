@@ -1,0 +1,140 @@
+// The keys of bodies: where they are, how they move, what they weigh.
+#include "schema_build.hpp"
+
+namespace hawser::model::schema_build {
+namespace {
+
+Key harmonic(std::string about) {
+  return map(
+      "harmonic",
+      {vec3("amplitude", length, "amplitudes of x, y, z: offset = amplitude sin(2 pi t / period + phase)")
+           .or_else(kZero),
+       vec3("rotation_amplitude_deg", angle, "amplitudes of the rotation vector").or_else(kZero),
+       number("period", time, "period").above(0).is_required(),
+       vec3("phase_deg", angle, "phases of x, y, z").or_else(kZero),
+       vec3("rotation_phase_deg", angle, "phases of the rotation vector").or_else(kZero)},
+      std::move(about));
+}
+
+Key table(std::string about) {
+  return map("table",
+             {text("file",
+                   "text file beside the case: columns t [s], x, y, z [m] and, if it turns, the rotation "
+                   "vector [deg]; blanks or commas between, `#` starts a comment"),
+              list("rows", list("", number("", none), "").items(4, 7),
+                   "the same, written here: "
+                   "`[[t, x, y, z], ...]`")
+                  .items(2),
+              word("interpolation", {"spline", "monotone", "linear"},
+                   "between rows: a cubic spline; a cubic that stays between them; straight lines, whose "
+                   "velocity jumps at the rows")
+                  .or_else("spline")},
+             std::move(about))
+      .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true);
+}
+
+// With `motion`, whatever that is.
+Key drift() {
+  return map("drift",
+             {vec3("offset", length, "away from `position`").or_else(kZero),
+              vec3("rotation_deg", angle, "rotation vector").or_else(kZero),
+              harmonic("slow sinusoidal motion on top of it"), table("slow motion against time on top of it"),
+              number("ramp", time, "the drift starts smoothly over this time; 0: it is there in statics")
+                  .at_least(0)
+                  .or_else("0")},
+             "slow drift that carries the body with its other motion; with `rao` the vessel meets the waves "
+             "where it has drifted to");
+}
+
+Key motion() {
+  return map("motion",
+             {vec3("velocity", velocity, "constant velocity"),
+              map("rotation",
+                  {vec3("axis", none,
+                        "direction of the axis through the body's position, fixed in space; its length "
+                        "does not matter")
+                       .is_required(),
+                   number("rate", angular_velocity, "turning rate, right-handed about the axis")
+                       .is_required()},
+                  "constant turning"),
+              harmonic("sinusoidal motion about the position at rest"),
+              table("offsets from `position` against time"),
+              map("rao",
+                  {text("file",
+                        "text file beside the case: columns period [s], direction [deg] the wave goes to as "
+                        "seen "
+                        "from the bow (0: from astern), then surge, sway, heave [m/m], roll, pitch, yaw "
+                        "[deg/m], each "
+                        "amplitude followed by its phase [deg]; every direction at the same periods"),
+                   list("rows", list("", number("", none), "").items(14, 14), "the same, written here")
+                       .items(1),
+                   word("phase", {"lag", "lead"},
+                        "what phases are: how far the motion comes after the crest at the body's origin, or "
+                        "before it")
+                       .or_else("lag"),
+                   word("symmetry", {"none", "port_starboard"},
+                        "of a table of one side (0 to 180 deg): `port_starboard` has the vessel answer waves "
+                        "from the other side as in a mirror, with sway, roll and yaw the other way")
+                       .or_else("none")},
+                  "moves in the waves by response amplitude operators, about `position`")
+                  .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true),
+              drift(),
+              number("ramp", time,
+                     "the motion starts smoothly over this time (quintic); of `rao`: that of the waves")
+                  .at_least(0)
+                  .or_else("0")},
+             "prescribed motion; without it the body stands still")
+      .either({{{"velocity", "rotation"}, {}},
+               {{"harmonic"}, {"harmonic"}},
+               {{"table"}, {"table"}},
+               {{"rao"}, {"rao"}}},
+              false);
+}
+
+Key floating() {
+  return map(
+      "floating",
+      {number("mass", mass, "mass").above(0).is_required(),
+       vec3("inertia", inertia, "moments of inertia about the centre of mass, along the body's axes")
+           .above(0)
+           .is_required(),
+       vec3("products_of_inertia", inertia, "Ixy, Iyz, Ixz: off the diagonal of the inertia").or_else(kZero),
+       vec3("centre_of_mass", length, "in the body's frame").or_else(kZero),
+       boolean("weight", "gravity acts on it; `false`: buoyancy that is not modelled carries its weight")
+           .or_else("false"),
+       vec3("velocity", velocity, "of the centre of mass at t = 0, axes of space").or_else(kZero),
+       vec3("angular_velocity", angular_velocity, "at t = 0, axes of the body").or_else(kZero),
+       vec3("stiffness", point_stiffness,
+            "springs in x, y, z that pull it to where `motion` (or `position`) wants it")
+           .at_least(0)
+           .or_else(kZero),
+       vec3("damping", point_damping, "dampers in x, y, z beside them").at_least(0).or_else(kZero),
+       vec3("turning_stiffness", turning_stiffness, "springs against turning, axes of the body")
+           .at_least(0)
+           .or_else(kZero),
+       vec3("turning_damping", turning_damping, "dampers beside them").at_least(0).or_else(kZero)},
+      "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
+      "prescribed");
+}
+
+}  // namespace
+
+Key bodies() {
+  return names("bodies",
+               map("<body>",
+                   {vec3("position", length, "of the body's origin at t = 0").or_else(kZero),
+                    vec3("rotation_deg", angle, "rotation vector at t = 0").or_else(kZero), motion(),
+                    floating(),
+                    map("on",
+                        {reference("line", "lines", "the line").is_required(),
+                         arc("at", "where on it: the nearest node, between elements that resist bending")
+                             .is_required()},
+                        "it rides on a line and turns with it; `position` and `rotation_deg` are then seen "
+                        "from "
+                        "there, with x along the line")},
+                   ""),
+               "Rigid bodies that carry volumes and line ends, by name.")
+      .or_else("{}");
+}
+
+}  // namespace hawser::model::schema_build

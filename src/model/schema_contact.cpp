@@ -1,0 +1,92 @@
+// The keys of contact of lines with volumes and with each other.
+#include "schema_build.hpp"
+
+namespace hawser::model::schema_build {
+namespace {
+
+// How lines touch lines; `own`: keys of the pair it is about, which takes what it does not say from the
+// settings for all.
+std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
+  const auto otherwise = [&](Key k, const char* literal, const char* note) {
+    if (of_a_pair) return std::move(k).or_else_note("as for all lines");
+    return literal ? std::move(k).or_else(literal) : std::move(k).or_else_note(note);
+  };
+  own.push_back(otherwise(
+      one_of(
+          "normal_stiffness",
+          {word("", {"auto"}),
+           map("",
+               {number("per_length", line_stiffness, "per length of line in contact").above(0),
+                number("per_area", area_stiffness, "per projected area (length times mean contact diameter)")
+                    .above(0)},
+               "")
+               .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true)},
+          "penalty against penetration"),
+      "auto", nullptr));
+  own.push_back(
+      otherwise(number("friction", none, "Coulomb coefficient").at_least(0).at_most(10), "0", nullptr));
+  own.push_back(
+      otherwise(number("mobilisation_length", length, "slip at which friction is fully there").above(0),
+                nullptr, "1 % of the mean contact diameter"));
+  own.push_back(
+      otherwise(number("smoothing", length, "half width of the smooth start of the contact force").above(0),
+                nullptr, "0.1 % of the mean contact diameter"));
+  own.push_back(
+      otherwise(number("relative_damping", none, "damping of the contact spring over its critical damping")
+                    .at_least(0)
+                    .at_most(2),
+                "0", nullptr));
+  return own;
+}
+
+Key between_lines() {
+  const Key two = list("", reference("", "lines"), "two lines, or one twice for itself").items(2, 2);
+  Key pair = two;
+  pair.name = "lines";
+  return one_of("between_lines",
+                {boolean(""),
+                 map("",
+                     line_pair_keys(
+                         {boolean("self", "a line touches itself").or_else("true"),
+                          list("exclude", two, "pairs of lines that do not touch each other").or_else("[]"),
+                          list("pairs",
+                               map("", line_pair_keys({std::move(pair).is_required()}, true),
+                                   "settings of one pair of lines; what is not said is as for all"),
+                               "pairs of lines with settings of their own")
+                              .or_else("[]")}),
+                     "")},
+                "contact of the lines with each other and with themselves; `false`: none")
+      .or_else("true");
+}
+
+Key all_or_names(std::string name, std::string to, std::string about) {
+  return one_of(std::move(name), {word("", {"all"}), list("", reference("", std::move(to)), "")},
+                std::move(about))
+      .or_else("all");
+}
+
+}  // namespace
+
+Key contact() {
+  return map("contact",
+             {all_or_names("lines", "lines", "lines that take part in contact"),
+              all_or_names("volumes", "volumes", "volumes that take part in contact"),
+              word("method", {"line", "nodes", "gap"},
+                   "where a line touches: anywhere along its elements (`line`) or at its nodes alone; to "
+                   "compare with, at the nodes: `gap` has a spring each, in the direction of the surface "
+                   "nearest at the start")
+                  .or_else("line"),
+              boolean("rolling",
+                      "friction acts at the lines' surface: it turns them about their axes, and a line that "
+                      "rolls does not slide (beams, method `line`)")
+                  .or_else("false"),
+              number("penetration_warning", none,
+                     "share of a line's radius above which a penetration is warned of")
+                  .above(0)
+                  .or_else("0.1"),
+              between_lines()},
+             "Contact of lines with volumes and with lines.")
+      .or_else("{}");
+}
+
+}  // namespace hawser::model::schema_build
