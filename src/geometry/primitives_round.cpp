@@ -1,4 +1,4 @@
-// Sphere, capsule, torus, box: distance with its derivatives.
+// Sphere, capsule, torus: distance with its derivatives.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

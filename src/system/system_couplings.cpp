@@ -58,17 +58,6 @@ Coupled System::couple(const Kinematics& committed, double h) {
   return fits ? Coupled::otherwise : Coupled::anew;
 }
 
-Verdict System::judge(const Kinematics& trial) const {
-  Verdict worst;
-  for (const LimitsSteps* t : limit_steps_)
-    if (Verdict v = t->judge(trial); v.kind > worst.kind) worst = std::move(v);
-  int kind = static_cast<int>(worst.kind);
-  MPI_Allreduce(MPI_IN_PLACE, &kind, 1, MPI_INT, MPI_MAX, comm_);
-  if (kind == static_cast<int>(Verdict::Kind::accept)) return {};
-  const bool mine = kind == static_cast<int>(worst.kind);
-  return {static_cast<Verdict::Kind>(kind), first_text(comm_, mine ? worst.because : std::string())};
-}
-
 void System::spread(State& s) const {
   for (auto* values : {&s.x, &s.v, &s.a, &s.w, &s.alpha}) exchange_.spread(*values);
   exchange_.spread(s.q);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "body_contact_sum.hpp"
-#include "hawser/kernels/line_contact.hpp"
+#include "hawser/kernels/contact_stretches.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/terms/contact_laws.hpp"
 

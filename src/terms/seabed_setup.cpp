@@ -1,4 +1,4 @@
-// What SeabedTerm is made from, what it shows and keeps.
+// What SeabedTerm is made from; what it shows and keeps is in seabed_records.cpp.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

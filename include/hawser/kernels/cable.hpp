@@ -39,7 +39,7 @@ struct CableStart {
   Vec3 chord = Vec3::Zero();  // m
   double length = 0;          // m, of the chord
   double strain = 0;          // beyond the free strain; negative: slack
-  double stretch = 0;  // by which the taut part of the strain grew in the step before, see cable_stretch
+  double stretch = 0;         // by which the taut part of the strain grew in the step before, see cable_loss
 };
 
 // What the integration makes of an element in a step.

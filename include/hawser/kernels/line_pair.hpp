@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hawser/kernels/axis_projection.hpp"
-#include "hawser/kernels/line_contact.hpp"
+#include "hawser/kernels/contact_stretches.hpp"
 #include "hawser/kernels/line_pair_law.hpp"
 
 namespace hawser {

@@ -15,7 +15,8 @@ struct Issue {
 
 // Everything found, lines first. An empty list: the case can be run.
 std::vector<Issue> check(const Case& c);
-// Its part that is about contact.
+// Its parts that are about one line by itself, and about contact.
+void check_line(const Case& c, const Line& line, std::vector<Issue>& issues);
 void check_contact(const Case& c, std::vector<Issue>& issues);
 
 // Unstretched length of a line [m].

@@ -1,4 +1,5 @@
-// The node fields that terms can show in a result file.
+// The node fields that terms can show in a result file. Those made of other fields (utilisation) are added in
+// app/utilisation.cpp; histories, statistics and extremes name the fields they show.
 #pragma once
 
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include "hawser/geometry/surface.hpp"
 #include "hawser/kernels/axis_shape.hpp"
-#include "hawser/kernels/line_contact.hpp"
+#include "hawser/kernels/contact_stretches.hpp"
 #include "hawser/kernels/motion.hpp"
 
 namespace hawser {

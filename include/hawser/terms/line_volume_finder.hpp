@@ -1,6 +1,6 @@
 // Finds where the axis of an element touches a volume: panels of the axis, and the places on them that stand
 // for them. Of the method `line` those are the Gauss points of the stretches that touch, of `nodes` and `gap`
-// the ends of the element, each for its half of it. See docs/theory/line-contact.md.
+// the ends of the element, each for its half of it. See docs/theory/line-volume-contact.md.
 #pragma once
 
 #include <memory>

@@ -10,8 +10,8 @@
 
 #include "hawser/geometry/surface.hpp"
 #include "hawser/kernels/axis_shape.hpp"
+#include "hawser/kernels/contact_stretches.hpp"
 #include "hawser/kernels/free_tube.hpp"
-#include "hawser/kernels/line_contact.hpp"
 #include "hawser/kernels/motion.hpp"
 #include "hawser/terms/contact_history.hpp"
 #include "hawser/terms/contact_volumes.hpp"
@@ -109,7 +109,7 @@ struct LineVolumePair {
   double touch = 0;                  // m, distance below which there is a force: radius + smoothing
   ContactShare part;                 // of the axis: the rest has no contact with this volume
   std::array<bool, 2> held{};        // ends
-  int levels = 1;                    // of the search, kernels/line_contact.hpp
+  int levels = 1;                    // of the search, kernels/contact_stretches.hpp
   std::array<ContactLaw, 2> laws;    // per length, of its halves: at nodes they may differ
   AxisBeside start;                  // at the start of the step
   std::vector<ContactPoint> points;  // that touch, of the last accepted state; by xi

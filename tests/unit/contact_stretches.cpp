@@ -1,5 +1,5 @@
 // Stretches of contact along an axis against gaps whose roots are known.
-#include "hawser/kernels/line_contact.hpp"
+#include "hawser/kernels/contact_stretches.hpp"
 
 #include <gtest/gtest.h>
 

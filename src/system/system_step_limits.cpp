@@ -1,7 +1,9 @@
-// The part of System that follows impacts: how long a step may be by what strikes, and whether one that was
-// taken resolved what struck.
+// The part of System that limits steps: how long one may be by what strikes, whether one that was taken
+// resolved what struck, and what the terms say of a trial.
 #include <algorithm>
+#include <utility>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/system/system.hpp"
 #include "logged.hpp"
 
@@ -68,6 +70,17 @@ bool System::resolves_impacts(const Kinematics& trial) {
   if (any[0]) return false;
   return !any[1] ||
          bearable_impacts(found.list, bearable_, [this](std::span<double> values) { sum(values); });
+}
+
+Verdict System::judge(const Kinematics& trial) const {
+  Verdict worst;
+  for (const LimitsSteps* t : limit_steps_)
+    if (Verdict v = t->judge(trial); v.kind > worst.kind) worst = std::move(v);
+  int kind = static_cast<int>(worst.kind);
+  MPI_Allreduce(MPI_IN_PLACE, &kind, 1, MPI_INT, MPI_MAX, comm_);
+  if (kind == static_cast<int>(Verdict::Kind::accept)) return {};
+  const bool mine = kind == static_cast<int>(worst.kind);
+  return {static_cast<Verdict::Kind>(kind), first_text(comm_, mine ? worst.because : std::string())};
 }
 
 }  // namespace hawser

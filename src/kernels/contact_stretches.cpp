@@ -1,6 +1,6 @@
 // The search along an element axis for stretches with a negative gap, where they are split and cut, and the
 // Gauss points of the integral over them.
-#include "hawser/kernels/line_contact.hpp"
+#include "hawser/kernels/contact_stretches.hpp"
 
 #include <algorithm>
 #include <cmath>

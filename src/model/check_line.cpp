@@ -1,0 +1,280 @@
+// Checks of a line by itself: ends, span, start shape, soil, temperature, loads.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/bed.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kLargestStrain = 0.10;     // to reach between held ends; more is a misprint, not a taut line
+constexpr double kLargestExpansion = 0.05;  // by heat; ropes and rubber stay below
+constexpr double kArcTolerance = 1e-9;      // of the line's length
+constexpr double kMostWeight = 100;  // of a line in air, in EA: soft rubber under water has 1 at the most
+
+class LineCheck {
+ public:
+  LineCheck(const Case& c, const Line& line, std::vector<Issue>& issues)
+      : c_(c), line_(line), key_("lines." + line.name), length_(length_of(line)), issues_(issues) {}
+
+  void run() {
+    check_weight();
+    check_end(line_.end_a, line_.sections.front(), "end_a");
+    check_end(line_.end_b, line_.sections.back(), "end_b");
+    check_start();
+    if (check_temperature()) check_span();
+    for (std::size_t i = 0; i < line_.masses.size(); ++i)
+      check_arc(line_.masses[i].at, fmt::format("masses[{}].at", i));
+    check_loads();
+    for (std::size_t i = 0; i < line_.bend_stiffeners.size(); ++i)
+      check_stiffener(line_.bend_stiffeners[i], fmt::format("bend_stiffeners[{}]", i));
+    for (std::size_t i = 0; i < line_.buried.size(); ++i) check_buried(i, fmt::format("buried[{}]", i));
+    if (line_.target) check_target(*line_.target);
+  }
+
+ private:
+  template <class... Args>
+  void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
+    issues_.push_back(
+        {key.empty() ? key_ : key_ + "." + key, fmt::format(text, std::forward<Args>(args)...)});
+  }
+
+  bool held(const End& e) const { return e.kind != EndKind::free; }
+
+  void check_weight() {
+    for (const Section& s : line_.sections) {
+      const LineType& type = c_.line_type(s.type);
+      const double weight = type.mass_per_length * s.length * c_.environment.gravity;
+      if (weight > kMostWeight * type.EA)
+        issue("",
+              "{:g} m of line type '{}' weigh {:.3g} N, which an EA of {:.3g} N cannot carry: check its "
+              "mass_per_length and EA",
+              s.length, s.type, weight, type.EA);
+    }
+  }
+
+  void check_end(const End& e, const Section& section, const std::string& key) {
+    if (e.kind == EndKind::joint && (e.clamped || e.rotational_stiffness > 0))
+      return issue(key + (e.clamped ? ".clamped" : ".rotational_stiffness"),
+                   "ends turn freely at a joint; remove it");
+    if (held(e) && e.rotational_stiffness > 0) check_spring(e, section, key);
+    if (!held(e) || !e.clamped) return;
+    if (c_.line_type(section.type).kind == LineKind::cable)
+      issue(key + ".clamped", "a line of type '{}' has no bending stiffness here and cannot be clamped",
+            section.type);
+    else if (!e.direction)
+      issue(key + ".clamped", "a clamped end needs a direction: the tangent from end A to end B");
+  }
+
+  void check_spring(const End& e, const Section& section, const std::string& key) {
+    if (e.clamped)
+      issue(key + ".rotational_stiffness", "a clamped end does not turn; remove one of them");
+    else if (c_.line_type(section.type).kind == LineKind::cable)
+      issue(key + ".rotational_stiffness",
+            "a line of type '{}' has no bending stiffness here to turn against", section.type);
+    else if (!e.direction)
+      issue(key + ".rotational_stiffness",
+            "needs a direction, which the spring turns the end to: the tangent from end A to end B");
+  }
+
+  void check_start() {
+    const int ends = held(line_.end_a) + held(line_.end_b);
+    const bool directed = line_.end_a.direction || line_.end_b.direction;
+    switch (line_.start) {
+      case Start::points:
+        return check_points();
+      case Start::catenary:
+        if (ends < 2) issue("start", "a catenary hangs between two held ends, but this line has {}", ends);
+        break;
+      case Start::hanging:
+        if (ends != 1) issue("start", "a hanging line has one held end, but this line has {}", ends);
+        break;
+      case Start::straight:
+        if (ends == 0 || (ends == 1 && !directed))
+          issue("start",
+                "a straight start needs two held ends, or one with a direction; give start: {{points: ...}}");
+        break;
+      case Start::other_run:
+        break;
+      case Start::automatic:
+        if (ends == 0)
+          issue("", "both ends are free: give start: {{points: [[x, y, z], ...]}} to say where it lies");
+    }
+    check_held();
+  }
+
+  void check_held() {
+    if (held(line_.end_a) || held(line_.end_b) || !c_.statics.enabled || held_by_friction(c_, line_)) return;
+    issue("",
+          "both ends are free, so there is no static equilibrium; give statics: false, or where it lies "
+          "('start') on a volume with friction and statics: {{contact_friction: true}}");
+  }
+
+  void check_points() {
+    double laid = 0;
+    for (std::size_t i = 1; i < line_.points.size(); ++i) {
+      const double d = (line_.points[i] - line_.points[i - 1]).norm();
+      if (d <= 0) issue(fmt::format("start.points[{}]", i), "is the same point as the one before it");
+      laid += d;
+    }
+    if (std::abs(laid - length_) > kLargestStrain * length_)
+      issue("start.points",
+            "this polyline is {:.6g} m long, but the line is {:.6g} m; they may differ by {:g} %", laid,
+            length_, 100 * kLargestStrain);
+    check_point(line_.end_a, line_.points.front(), 0);
+    check_point(line_.end_b, line_.points.back(), line_.points.size() - 1);
+    check_held();
+  }
+
+  void check_point(const End& e, const Vec3& p, std::size_t i) {
+    if (!held(e)) return;
+    const double gap = (end_position(c_, e) - p).norm();
+    if (gap > 1e-3 * length_)
+      issue(fmt::format("start.points[{}]", i), "is {:.4g} m away from the line's end, which is held", gap);
+  }
+
+  // A taut line may be a little shorter than its span; it stretches.
+  void check_span() {
+    if (!held(line_.end_a) || !held(line_.end_b)) return;
+    if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // it moves
+    const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
+    const double natural = length_ + expansion_of(c_, line_), strain = (span - natural) / natural;
+    if (!(strain < kLargestStrain))
+      issue("sections",
+            "the line is {:.6g} m long{} but its ends are {:.6g} m apart at t = 0; reaching that takes a "
+            "strain of {:.3g} %, and the limit is {:g} %",
+            natural, natural == length_ ? "" : " at its temperature", span, 100 * strain,
+            100 * kLargestStrain);
+  }
+
+  void check_arc(double s, const std::string& key) {
+    if (s > length_ * (1 + kArcTolerance))
+      issue(key, "arc length {:.6g} m is beyond the end of the line, which is {:.6g} m long", s, length_);
+  }
+
+  void check_stiffener(const BendStiffener& b, const std::string& key) {
+    check_arc(b.at, key + ".at");
+    const double tip = b.towards_a ? b.at - b.rows.back().first : b.at + b.rows.back().first;
+    double start = 0;
+    for (const Section& s : line_.sections) {
+      const double overlap =
+          std::min(start + s.length, std::max(b.at, tip)) - std::max(start, std::min(b.at, tip));
+      if (overlap > kArcTolerance * length_ && c_.line_type(s.type).kind == LineKind::cable)
+        return issue(key, "it is on a section of '{}', which does not resist bending", s.type);
+      start += s.length;
+    }
+  }
+
+  void check_buried(std::size_t i, const std::string& key) {
+    const Buried& b = line_.buried[i];
+    const double near = kArcTolerance * length_;
+    if (!c_.environment.seabed.present)
+      issue(key, "a line lies in the soil of a seabed, but there is no 'environment.seabed'");
+    check_arc(b.from, key + ".from");
+    check_arc(b.to, key + ".to");
+    if (b.to <= b.from)
+      issue(key + ".to", "a stretch from {:.6g} m to {:.6g} m is none; 'to' must be beyond 'from'", b.from,
+            b.to);
+    else if (i > 0 && b.from < line_.buried[i - 1].to - near)
+      issue(key + ".from", "{:.6g} m is within the stretch before, which goes to {:.6g} m", b.from,
+            line_.buried[i - 1].to);
+    if (line_.start != Start::automatic && line_.start != Start::catenary && line_.start != Start::hanging)
+      return;
+    const bool at_a = b.from <= near, at_b = b.to >= length_ - near;
+    if (!held(line_.end_a) || !held(line_.end_b) || line_.start == Start::hanging || at_a == at_b)
+      issue(
+          key,
+          "nothing says where this stretch lies: give 'start' as straight or as points, or two held ends of "
+          "which it begins at one");
+  }
+
+  void check_target(const LengthTarget& t) {
+    using Kind = LengthTarget::Kind;
+    const bool bed = t.kind == Kind::touchdown || t.kind == Kind::laid_length;
+    if (!c_.statics.enabled)
+      issue("target", "is met in static equilibrium, which this case leaves out ('statics: false')");
+    if (bed && !c_.environment.seabed.present)
+      issue("target", "is about the seabed, but there is no 'environment.seabed'");
+    if (!bed && !held(t.at_a ? line_.end_a : line_.end_b))
+      issue("target", "end {} is free: it has no tension and no angle to be met", t.at_a ? "A" : "B");
+  }
+
+  // K, the largest either way over the arc [from, to], m.
+  double most_change(double from, double to) const {
+    double most = 0;
+    for (const double s : {from, to}) most = std::max(most, std::abs(mean_temperature_change(line_, s, s)));
+    for (const auto& [s, change] : line_.temperature_change)
+      if (s > from && s < to) most = std::max(most, std::abs(change));
+    return most;
+  }
+
+  bool check_temperature() {
+    const auto& rows = line_.temperature_change;
+    if (rows.empty()) return true;
+    const std::size_t before = issues_.size();
+    const std::string key = "temperature_change";
+    if (rows.front().first < -kArcTolerance * length_)
+      issue(key + "[0]", "arc length {:.6g} m is before end A", rows.front().first);
+    for (std::size_t i = 0; i < rows.size(); ++i) check_arc(rows[i].first, fmt::format("{}[{}]", key, i));
+    bool expands = false;
+    double from = 0;
+    for (const Section& s : line_.sections) {
+      const double alpha = c_.line_type(s.type).thermal_expansion, most = most_change(from, from + s.length);
+      from += s.length;
+      expands |= alpha != 0;
+      if (std::abs(alpha) * most > kLargestExpansion) {
+        issue(key, "by {:g} K '{}' gets a strain of {:.3g} %; the limit is {:g} %", most, s.type,
+              100 * std::abs(alpha) * most, 100 * kLargestExpansion);
+        return false;
+      }
+    }
+    if (!expands)
+      issue(key, "none of the line's types has 'thermal_expansion', so nothing comes of it; give it to '{}'",
+            line_.sections.front().type);
+    return issues_.size() == before;
+  }
+
+  const LineType& type_at(double s) const {
+    double end = 0;
+    for (const Section& sec : line_.sections) {
+      end += sec.length;
+      if (s <= end) return c_.line_type(sec.type);
+    }
+    return c_.line_type(line_.sections.back().type);
+  }
+
+  void check_loads() {
+    // Keys count the loads in file order, which `order` keeps.
+    for (const DistributedLoad& q : line_.loads) {
+      const std::string key = fmt::format("loads[{}]", q.order);
+      check_arc(q.from, key + ".from");
+      check_arc(q.to, key + ".to");
+      if (q.to >= 0 && q.to <= q.from)
+        issue(key + ".to", "a load from {:.6g} m to {:.6g} m acts nowhere; 'to' must be beyond 'from'",
+              q.from, q.to);
+    }
+    for (const PointLoad& p : line_.point_loads) {
+      const std::string key = fmt::format("loads[{}]", p.order);
+      check_arc(p.at, key + ".at");
+      if (!p.moment.isZero(0) && type_at(p.at).kind == LineKind::cable)
+        issue(key + ".moment", "a line without bending stiffness cannot carry a moment");
+    }
+  }
+
+  const Case& c_;
+  const Line& line_;
+  std::string key_;
+  double length_;
+  std::vector<Issue>& issues_;
+};
+
+}  // namespace
+
+void check_line(const Case& c, const Line& line, std::vector<Issue>& issues) {
+  LineCheck(c, line, issues).run();
+}
+
+}  // namespace hawser::model
