@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "hawser/app/cost.hpp"
+#include "hawser/app/events.hpp"
 #include "hawser/app/output_place.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/app/progress.hpp"
@@ -125,7 +126,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
   Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes),
                     run_info(c, options.options_text, size), restarted ? &checkpoint : nullptr,
                     place.appends());
+  Events events(comm, sim);
   if (restarted) {
+    events.restore(checkpoint);
     restore(checkpoint, sim);
     // A new file begins with the state the run goes on from.
     if (!place.appends()) recorder.output(sim.dynamics().kinematics());
@@ -134,7 +137,10 @@ int run(MPI_Comm comm, const RunOptions& options) {
     // A start at rest is shown at rest: the velocities with which motions begin come after it.
     const Kinematics moving = sim.dynamics().kinematics();
     recorder.start(moving, c.statics.enabled ? sim.state().view(0) : moving);
-    recorder.checkpoint(make_checkpoint(sim, recorder));  // so that a run killed at once can go on too
+    events.begin();
+    for (const std::string& e : events.happen()) progress.say("note: " + e);
+    recorder.checkpoint(
+        make_checkpoint(sim, recorder, events));  // so that a run killed at once can go on too
   } else {
     recorder.start(sim.state().view(0), sim.state().view(0));
   }
@@ -151,11 +157,12 @@ int run(MPI_Comm comm, const RunOptions& options) {
     double checkpoint_at = next_multiple(d.committed().s.time, keep > 0 ? keep : every);
     ShareOfTime checkpoints(kCheckpoints);
     const auto save_state = [&] {
-      checkpoints.spend([&] { recorder.checkpoint(make_checkpoint(sim, recorder)); });
+      checkpoints.spend([&] { recorder.checkpoint(make_checkpoint(sim, recorder, events)); });
     };
     auto observer = [&](const StepInfo& info) {
       recorder.step(info, d.kinematics(), d.support_work());
       progress.step(info.time, info.h, info.iterations);
+      for (const std::string& e : events.happen()) progress.say("note: " + e);
       const double slack = 1e-9 * std::max(1.0, info.time);
       const bool last = info.time >= end - slack;
       const bool output = info.time >= output_at - slack || last;
@@ -188,6 +195,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     }
   }
   progress.end();
+  for (const std::string& e : events.missed()) progress.say("note: " + e);
   if (c.dynamics.enabled)
     for (const std::string& n :
          sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)))
@@ -264,7 +272,8 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
     tried = trial_run(sim, c, kTrial);
     fmt::print("{}\n", cost_sentence(tried));
     fmt::print("{}\n", memory_sentence(read, peak_memory()));
-    if (tried.moved) checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder));
+    if (tried.moved)
+      checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));
   }
   const io::ResultsSize size =
       io::results_size(recorder.contents(), expected_rows(c, tried, longest, checkpoint));

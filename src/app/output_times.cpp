@@ -13,7 +13,11 @@ double next_multiple(double t, double every) { return every * (std::floor(t / ev
 OutputTimes::OutputTimes(const model::Case& c)
     : every(c.output.every > 0 ? c.output.every : c.dynamics.duration / 100),
       keep(c.output.checkpoint_every),
-      jumps_(model::velocity_jumps(c.bodies)) {}
+      jumps_(model::velocity_jumps(c.bodies)) {
+  for (const model::Release& r : c.events)
+    if (r.time >= 0) jumps_.push_back(r.time);
+  std::sort(jumps_.begin(), jumps_.end());
+}
 
 double OutputTimes::next(double t) const {
   const double stop =

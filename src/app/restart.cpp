@@ -72,7 +72,7 @@ std::string damage(const io::Checkpoint& c) {
 
 }  // namespace
 
-io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
+io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const Events& events) {
   Dynamics& d = simulation.dynamics();
   const LocalMesh& m = simulation.local();
   AlphaState s = d.committed();
@@ -115,6 +115,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder) {
   for (int v = 0; contact && v < contact->volumes(); ++v)
     c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
   recorder.save(c);
+  events.save(c);
   return c;
 }
 

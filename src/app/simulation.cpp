@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "hawser/app/line_pairs.hpp"
 #include "hawser/app/share_nodes.hpp"
@@ -44,11 +45,18 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
   return out;
 }
 
-// Local nodes whose place is prescribed.
-std::vector<int> held_nodes(const std::vector<Support>& supports) {
+// Local nodes whose place is prescribed for as long as the run lasts.
+std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local,
+                            const std::vector<Support>& supports) {
+  std::set<int> let_go;  // nodes of the mesh
+  for (const model::Release& r : c.events) {
+    const LineSpan& span = local.mesh->lines[static_cast<size_t>(c.line_index(r.line))];
+    let_go.insert(span.first_node + (r.at_b ? span.nodes - 1 : 0));
+  }
   std::vector<int> held;
   for (const Support& s : supports)
-    if (s.position_mask != 0) held.push_back(s.node);
+    if (s.position_mask != 0 && !let_go.count(local.global[static_cast<size_t>(s.node)]))
+      held.push_back(s.node);
   return held;
 }
 
@@ -123,7 +131,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 
   StartShape start = start_shape(c, local, *bodies_);
   if (c.environment.seabed.present) {
-    const std::vector<int> held = held_nodes(start.supports);
+    const std::vector<int> held = held_nodes(c, local, start.supports);
     auto seabed = std::make_unique<SeabedTerm>(local, c, held);
     seabed_ = seabed.get();
     system_->add(std::move(seabed));
@@ -141,7 +149,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (!volumes.empty()) {
     std::vector<LineContactElement> elements = contact_elements(c, local);
     std::vector<bool> held(static_cast<size_t>(local.nodes()), false);
-    for (const int n : held_nodes(start.supports)) held[static_cast<size_t>(n)] = true;
+    for (const int n : held_nodes(c, local, start.supports)) held[static_cast<size_t>(n)] = true;
     for (size_t e = 0; e < elements.size(); ++e)
       elements[e].held = {held[static_cast<size_t>(local.elements[e].first)],
                           held[static_cast<size_t>(local.elements[e].second)]};

@@ -61,6 +61,7 @@ void read_all(const Value& root, const CaseSource& source, const SectionLengths&
   read_contact(root["contact"], source, c.contact);
   read_statics(root["statics"], c.statics);
   if (time) c.dynamics = read_dynamics(*time);
+  for (const Value& v : root["events"].items) c.events.push_back(read_event(v));
   read_output(root["output"], source, c);
 }
 

@@ -85,6 +85,7 @@ Key lines();
 Key contact();
 Key statics();
 Key dynamics();
+Key events();
 Key friction();               // coefficients and springs of it, of volumes and the seabed
 Key force_rows();             // `table` of force against penetration, of volumes and the seabed
 Key environment();            // the sea and its bed

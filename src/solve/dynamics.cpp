@@ -285,7 +285,7 @@ void Dynamics::start(const State& state) {
   const double h = control_.proposal();  // that it moves: dampers act from the start
   prepare(h);
   if (const std::string why = system_.lost_in_rounding(s.view(0)); !why.empty())
-    throw SolveError("at t = 0 " + why);
+    throw SolveError(fmt::format("at t = {:.6g} s {}", s.time, why));
   s.mean = {};
   system_.residual(s.view(h), r_.get());
   mean_.q = mean_.f = system_.mean_forces();
@@ -301,6 +301,12 @@ void Dynamics::start(const State& state) {
   alpha_start(committed_);
   system_.residual(s.view(h), r_.get());
   reactions_ = system_.reactions();
+}
+
+void Dynamics::release(std::vector<Support> supports) {
+  system_.support(std::move(supports), BodyMotion(system_.supports().motion()));
+  control_ = StepControl(settings_.step);
+  start(State(committed_.s));
 }
 
 void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried) {

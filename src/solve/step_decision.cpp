@@ -11,7 +11,7 @@ namespace hawser {
 
 // In this order: did Newton's iteration converge, does a rotation tell which way it went, is all that acts in
 // the step known (candidates, tunnelling, penetration), are impacts resolved, is the local error
-// small, is the result one that the lines can bear.
+// small, does no event happen within it, is the result one that the lines can bear.
 Verdict Dynamics::judge(double h, Attempt& a) {
   using Kind = Verdict::Kind;
   if (!a.solved)
@@ -39,6 +39,10 @@ Verdict Dynamics::judge(double h, Attempt& a) {
   }
   if (!control_.accurate(h, a.error))
     return {Kind::shorter, fmt::format("its local error of {:.3g} m is too large", a.error)};
+  if (beyond_ && control_.divides(h) && beyond_(trial)) {
+    a.solved = false;
+    return {Kind::shorter, "an event happens within it"};
+  }
   if (const std::string why = system_.overstretched(trial); !why.empty())
     return {Kind::stop,
             fmt::format("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?",

@@ -10,7 +10,7 @@ namespace hawser::app {
 // Multiples of `every` after t, as numbers that do not drift.
 double next_multiple(double t, double every);
 
-// Outputs, checkpoints, and jumps in the velocity of prescribed bodies.
+// Outputs, checkpoints, events, and jumps in the velocity of prescribed bodies.
 class OutputTimes {
  public:
   explicit OutputTimes(const model::Case& c);

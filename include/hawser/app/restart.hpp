@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "hawser/app/events.hpp"
 #include "hawser/app/recorder.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/io/checkpoint.hpp"
 
 namespace hawser::app {
 
-io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder);
+io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const Events& events);
 
 // The newest checkpoint of the results file `path`, this rank's share. Throws InputError when there is none
 // or its lines or volumes are not those of the simulation. Collective.

@@ -112,6 +112,7 @@ model::Line read_line(const std::string& name, const model::Value& v, const Case
 
 void read_statics(const model::Value& v, model::Statics& to);
 model::Dynamics read_dynamics(const model::Value& v);
+model::Release read_event(const model::Value& v);  // of `events`
 // Of the case the lines are read already.
 void read_output(const model::Value& v, const CaseSource& source, model::Case& c);
 

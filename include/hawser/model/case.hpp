@@ -307,6 +307,14 @@ struct Dynamics {
   double error_tolerance = 0;  // m, local error a step in automatic stepping; 0: default
 };
 
+// The end of a line lets go of what holds it: at a time, or when it pulls with a tension.
+struct Release {
+  std::string line;
+  bool at_b = false;
+  double time = -1;    // s; < 0: by tension
+  double tension = 0;  // N, effective
+};
+
 struct HistoryPoint {
   std::string line;  // or a body with mass:
   std::string body;
@@ -356,6 +364,7 @@ struct Case {
   Contact contact;
   Statics statics;
   Dynamics dynamics;
+  std::vector<Release> events;
   Output output;
   std::vector<std::string> notes;    // what the reader repaired or doubts, a sentence each
   std::vector<std::string> changes;  // KEY=VALUE of the command line, applied to the file's text

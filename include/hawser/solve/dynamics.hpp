@@ -35,10 +35,18 @@ class Dynamics {
   // Called after every accepted step; false stops the run.
   using Observer = std::function<bool(const StepInfo&)>;
 
+  // Whether a trial state lies beyond a condition at which something happens: its step is tried again,
+  // shorter, until it ends close enough. The same on all ranks.
+  using Beyond = std::function<bool(const Kinematics& trial)>;
+
   Dynamics(System& system, const DynamicsSettings& settings);
+  void watch(Beyond beyond) { beyond_ = std::move(beyond); }
 
   // Starts from positions, rotations and velocities; accelerations come from the mass matrix.
   void start(const State& state);
+  // Goes on with other supports: what they held before moves on from where it is, with accelerations that
+  // jump. supports: of the local nodes, among those there were. Collective.
+  void release(std::vector<Support> supports);
   // What a checkpoint carries beside the state.
   struct Carried {
     double step_proposal = 0;
@@ -119,6 +127,7 @@ class Dynamics {
   double support_work_ = 0;
   std::function<double(double)> next_stop_;
   Observer observer_;
+  Beyond beyond_;
   std::exception_ptr error_;  // carried through PETSc's C frames
 };
 

@@ -1,0 +1,126 @@
+// The class Events: which event happens at a state, and what it does to the supports.
+#include "hawser/app/events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser::app {
+namespace {
+
+// How far a step may go beyond the tension at which something happens, of that tension.
+constexpr double kNear = 1e-3;
+
+double slack(double time) { return 1e-9 * std::max(1.0, time); }
+
+}  // namespace
+
+Events::Events(MPI_Comm comm, Simulation& simulation)
+    : comm_(comm), sim_(simulation), ends_(simulation.system()) {
+  const model::Case& c = sim_.model();
+  bool by_tension = false;
+  for (const model::Release& r : c.events) {
+    const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(c.line_index(r.line))];
+    events_.push_back({r, span.first_node + (r.at_b ? span.nodes - 1 : 0),
+                       fmt::format("end {} of line {}", r.at_b ? 'B' : 'A', r.line)});
+    by_tension |= r.time < 0;
+  }
+  if (by_tension) sim_.dynamics().watch([this](const Kinematics& trial) { return beyond(trial); });
+}
+
+std::vector<double> Events::tensions(const Kinematics& at) {
+  const LocalMesh& local = sim_.local();
+  ends_.evaluate(at, std::vector<Vec3>(static_cast<size_t>(local.nodes()), Vec3::Zero()));
+  std::vector<double> out(events_.size(), 0);
+  for (const EndForces::Place& p : ends_.places())
+    for (size_t e = 0; e < events_.size(); ++e)
+      if (p.end >= 0 && local.global[static_cast<size_t>(p.node)] == events_[e].node)
+        out[e] = p.at_end().tension();
+  MPI_Allreduce(MPI_IN_PLACE, out.data(), static_cast<int>(out.size()), MPI_DOUBLE, MPI_MAX, comm_);
+  return out;
+}
+
+bool Events::beyond(const Kinematics& trial) {
+  const std::vector<double> now = tensions(trial);
+  for (size_t e = 0; e < events_.size(); ++e)
+    if (events_[e].happened < 0 && events_[e].what.time < 0 && now[e] > (1 + kNear) * events_[e].what.tension)
+      return true;
+  return false;
+}
+
+std::vector<Support> Events::left() const {
+  const LocalMesh& local = sim_.local();
+  std::vector<Support> out;
+  for (const Support& s : sim_.system().supports().list()) {
+    const int node = local.global[static_cast<size_t>(s.node)];
+    if (std::none_of(events_.begin(), events_.end(),
+                     [&](const Event& e) { return e.happened >= 0 && e.node == node; }))
+      out.push_back(s);
+  }
+  return out;
+}
+
+void Events::begin() {
+  if (events_.empty()) return;
+  const std::vector<double> pull = tensions(sim_.dynamics().kinematics());
+  for (size_t e = 0; e < events_.size(); ++e)
+    if (events_[e].what.time < 0 && pull[e] >= events_[e].what.tension)
+      sim_.model().refuse(fmt::format("events[{}].tension", e),
+                          fmt::format("{} pulls with {:.6g} N at the start already, and would be released "
+                                      "before anything moves; give a higher tension, or 'time: 0'",
+                                      events_[e].name, pull[e]));
+}
+
+std::vector<std::string> Events::happen() {
+  std::vector<std::string> told;
+  if (events_.empty()) return told;
+  const Kinematics at = sim_.dynamics().kinematics();
+  const std::vector<double> pull = tensions(at);
+  for (size_t i = 0; i < events_.size(); ++i) {
+    Event& e = events_[i];
+    const bool due =
+        e.what.time >= 0 ? at.time >= e.what.time - slack(e.what.time) : pull[i] >= e.what.tension;
+    if (e.happened >= 0 || !due) continue;
+    e.happened = at.time;
+    told.push_back(
+        fmt::format("t = {:.6g} s: {} is released, with a tension of {:.6g} N", at.time, e.name, pull[i]));
+  }
+  if (!told.empty()) sim_.dynamics().release(left());
+  return told;
+}
+
+std::vector<std::string> Events::missed() const {
+  std::vector<std::string> out;
+  for (const Event& e : events_)
+    if (e.happened < 0)
+      out.push_back(fmt::format("{} was not released: {}", e.name,
+                                e.what.time >= 0
+                                    ? fmt::format("the run ended before t = {:g} s", e.what.time)
+                                    : fmt::format("its tension did not reach {:g} N", e.what.tension)));
+  return out;
+}
+
+void Events::save(io::Checkpoint& to) const {
+  for (const Event& e : events_)
+    if (e.happened >= 0) to.scalars["event." + e.name] = e.happened;
+}
+
+void Events::restore(const io::Checkpoint& from) {
+  if (events_.empty()) return;
+  for (Event& e : events_) {
+    const auto there = from.scalars.find("event." + e.name);
+    if (there != from.scalars.end())
+      e.happened = there->second;
+    else if (e.what.time >= 0 && e.what.time < from.time - slack(from.time))
+      throw InputError(fmt::format(
+          "{}: events: {} was to be released at {:g} s, before t = {:g} s from which the run goes "
+          "on, and was not; give it a later time",
+          sim_.model().path, e.name, e.what.time, from.time));
+  }
+  System& system = sim_.system();
+  system.support(left(), BodyMotion(system.supports().motion()));
+}
+
+}  // namespace hawser::app

@@ -1,0 +1,162 @@
+// Ends of lines that let go during a run: free fall, the wave that runs along a line that parts, the tension
+// at which it does, and restarts around it.
+#include "regression/runs.hpp"
+
+namespace hawser::runs::release {
+namespace {
+
+constexpr double kGravity = 9.80665;
+
+// A chain that hangs in air from an anchor with a weight below, and is cast off.
+const char* const kFalling = R"(hawser: 1
+title: A chain with a weight that is cast off
+environment: {gravity: 9.80665}
+line_types:
+  chain: {outer_diameter: 0.1, mass_per_length: 50, EA: 1e8, bending: false}
+lines:
+  chain:
+    sections: [{type: chain, length: 20, elements: 10}]
+    end_a: free
+    end_b: {anchor: [0, 0, 100]}
+    masses: [{at: end_a, mass: 1000}]
+dynamics: {duration: 1.5}
+events:
+  - {release: {line: chain, end: end_b}, time: 0.5}
+output: {every: 0.25}
+contact: {between_lines: false}
+)";
+
+double centre_of_mass(const Results& r, size_t output) {
+  double sum = 0, mass = 0;
+  const auto& x = r.fields.at("position");
+  for (size_t n = 0; n <= 10; ++n) {
+    const double m = (n == 0 || n == 10 ? 50.0 : 100.0) + (n == 0 ? 1000.0 : 0.0);
+    sum += m * x.at(3 * (11 * output + n) + 2), mass += m;
+  }
+  return sum / mass;
+}
+
+TEST(Release, FallsFreely) {
+  const std::string path = folder("release-fall"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kFalling);
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  ASSERT_EQ(r.output_times.size(), 7u);
+  const double rest = centre_of_mass(r, 0);
+  EXPECT_NEAR(centre_of_mass(r, 2), rest, 1e-8);
+  for (size_t i = 3; i < 7; ++i) {
+    const double t = r.output_times[i] - 0.5;
+    EXPECT_NEAR(centre_of_mass(r, i), rest - 0.5 * kGravity * t * t, 1e-5 * kGravity * t * t) << t;
+  }
+}
+
+TEST(Release, GoesOnAfterARestart) {
+  const std::string path = folder("release-restart"), input = path + "/case.yaml";
+  write_case(input, kFalling);
+  run_on_all({input, path + "/whole.h5"});
+  for (const double stop : {0.25, 0.5, 1.0}) {
+    run_on_all({input, path + "/half.h5", "", stop});
+    run_on_all({input, path + "/rest.h5", path + "/half.h5"});
+    if (rank_of(MPI_COMM_WORLD) != 0) continue;
+    const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
+    EXPECT_NEAR(centre_of_mass(whole, 6), centre_of_mass(rest, rest.output_times.size() - 1), 1e-9) << stop;
+  }
+}
+
+// Before the wave is back from the other end, the end that parted moves with T/sqrt(EA m), and there is no
+// tension behind the wave (one-dimensional wave equation).
+TEST(Release, AWaveRunsAlongTheLine) {
+  const std::string path = folder("release-wave"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, R"(hawser: 1
+title: A rope that parts
+environment: {gravity: 0}
+line_types:
+  rope: {outer_diameter: 0.1, mass_per_length: 10, EA: 1e6, bending: false}
+lines:
+  rope:
+    sections: [{type: rope, length: 100, elements: 100}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: {anchor: [101, 0, 0]}
+dynamics: {duration: 0.25, max_step: 1e-3}
+events:
+  - {release: {line: rope, end: end_b}, time: 0.05}
+output: {every: 0.05, histories: [{line: rope, at: end_b, name: end}, {line: rope, at: end_a, name: anchor}]}
+contact: {between_lines: false}
+)");
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto x = named(file, r, "end", "position_x"), held = named(file, r, "anchor", "effective_tension");
+  const double T = 1e6 * 0.01, speed = T / std::sqrt(1e6 * 10.0);
+  for (size_t i = 0; i < x.size(); ++i)
+    if (r.step_times[i] > 0.1) EXPECT_NEAR(101 - x[i], speed * (r.step_times[i] - 0.05), 0.01);
+  // It runs 316 m/s; the anchor feels nothing of it until 0.05 s + 100 m / 316 m/s.
+  EXPECT_NEAR(held.back(), T, 1e-3 * T);
+}
+
+// A load that hangs on a rope, let go where the rope is tied to it.
+TEST(Release, ABodyFallsFreely) {
+  const std::string path = folder("release-body"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, R"(hawser: 1
+title: A load that is dropped
+environment: {gravity: 9.80665}
+line_types:
+  rope: {outer_diameter: 0.05, mass_per_length: 10, EA: 5e7, bending: false}
+bodies:
+  load: {position: [0, 0, 10], floating: {mass: 5000, inertia: [2e3, 2e3, 2e3], weight: true}}
+lines:
+  rope:
+    sections: [{type: rope, length: 19, elements: 8}]
+    end_a: {body: load, at: [0, 0, 1]}
+    end_b: {anchor: [0, 0, 30]}
+dynamics: {duration: 1}
+events:
+  - {release: {line: rope, end: end_a}, time: 0.25}
+output: {every: 0.25, histories: [{body: load}]}
+contact: {between_lines: false}
+)");
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto z = named(file, r, "load", "position_z");
+  EXPECT_LT(z.front() - z.back(), 0.51 * kGravity * 0.75 * 0.75);
+  for (size_t i = 0; i < z.size(); ++i) {
+    const double t = std::max(r.step_times[i] - 0.25, 0.0);
+    EXPECT_NEAR(z[i], z.front() - 0.5 * kGravity * t * t, 1e-5) << r.step_times[i];
+  }
+}
+
+// It parts at its tension to 0.1 %, at whatever step: its extreme is that tension.
+TEST(Release, AtATension) {
+  const std::string path = folder("release-tension"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, R"(hawser: 1
+title: A rope that is pulled until it parts
+environment: {gravity: 0}
+line_types:
+  rope: {outer_diameter: 0.1, mass_per_length: 1, EA: 1e6, bending: false}
+bodies:
+  tug: {position: [10.001, 0, 0], motion: {velocity: [0.1, 0, 0], ramp: 0.5}}
+lines:
+  rope:
+    sections: [{type: rope, length: 10, elements: 5}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: {body: tug, at: [0, 0, 0]}
+dynamics: {duration: 3}
+events:
+  - {release: {line: rope, end: end_b}, tension: 12 kN}
+output: {every: 0.5, histories: [{line: rope, at: end_b, name: end}]}
+contact: {between_lines: false}
+)");
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto T = named(file, r, "end", "effective_tension"), x = named(file, r, "end", "position_x");
+  const double most = *std::max_element(T.begin(), T.end());
+  EXPECT_GE(most, 12e3);
+  EXPECT_LE(most, 12e3 * 1.001);
+  EXPECT_LT(x.back(), 10.12);  // it stays behind: the tug is at 10.28 m
+}
+
+}  // namespace
+}  // namespace hawser::runs::release
