@@ -64,8 +64,8 @@ TEST(Release, GoesOnAfterARestart) {
   }
 }
 
-// Before the wave is back from the other end, the end that parted moves with T/sqrt(EA m), and there is no
-// tension behind the wave (one-dimensional wave equation).
+// Before the wave is back from the other end the anchor holds on with the tension there was, and the line's
+// momentum grows by it: its centre of mass moves as under that force alone.
 TEST(Release, AWaveRunsAlongTheLine) {
   const std::string path = folder("release-wave"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, R"(hawser: 1
@@ -81,18 +81,26 @@ lines:
 dynamics: {duration: 0.25, max_step: 1e-3}
 events:
   - {release: {line: rope, end: end_b}, time: 0.05}
-output: {every: 0.05, histories: [{line: rope, at: end_b, name: end}, {line: rope, at: end_a, name: anchor}]}
+output: {every: 0.05, histories: [{line: rope, at: end_a, name: anchor}]}
 contact: {between_lines: false}
 )");
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto x = named(file, r, "end", "position_x"), held = named(file, r, "anchor", "effective_tension");
-  const double T = 1e6 * 0.01, speed = T / std::sqrt(1e6 * 10.0);
-  for (size_t i = 0; i < x.size(); ++i)
-    if (r.step_times[i] > 0.1) EXPECT_NEAR(101 - x[i], speed * (r.step_times[i] - 0.05), 0.01);
+  const auto held = named(file, r, "anchor", "effective_tension");
+  const double T = 1e6 * 0.01, line = 1000;
   // It runs 316 m/s; the anchor feels nothing of it until 0.05 s + 100 m / 316 m/s.
-  EXPECT_NEAR(held.back(), T, 1e-3 * T);
+  for (const double value : held) EXPECT_NEAR(value, T, 1e-3 * T);
+  const auto centre = [&](size_t output) {
+    double sum = 0;
+    for (size_t n = 0; n <= 100; ++n)
+      sum += (n == 0 || n == 100 ? 0.5 : 1.0) * r.fields.at("position").at(3 * (101 * output + n)) / 100;
+    return sum;
+  };
+  for (size_t i = 2; i < r.output_times.size(); ++i) {
+    const double t = r.output_times[i] - 0.05;
+    EXPECT_NEAR(centre(0) - centre(i), 0.5 * T / line * t * t, 1e-3 * 0.5 * T / line * t * t) << t;
+  }
 }
 
 // A load that hangs on a rope, let go where the rope is tied to it.
