@@ -3,6 +3,8 @@ import sys
 from pathlib import Path
 
 try:
+    import numpy as np
+
     from . import charts, export, extremes_told, fatigue, report, scene, stress
     from .arguments import Parser, add_set
     from .given import history_of, modes_of, results_of
@@ -89,11 +91,18 @@ def sea_states(given, changes):
 def make_fatigue(options):
     curve = fatigue.CURVES[options.curve]
     needs = {"tension": ["breaking_load"], "area": ["area"], "pipe": ["outer_diameter", "wall"]}[curve.of]
-    for name in needs:
+    given = [name for name in ("breaking_load", "area", "outer_diameter", "wall") if getattr(options, name) is not None]
+    for name in given:
+        if name not in needs:
+            raise Refusal(f"the curve {options.curve} takes no --{name.replace('_', '-')}, but "
+                          + " and ".join(f"--{need.replace('_', '-')}" for need in needs))
+    for name in needs if curve.of != "pipe" or given else []:  # those of a pipe may be in the case
         if not (getattr(options, name) or 0) > 0:
             raise Refusal(f"the curve {options.curve} needs --{name.replace('_', '-')}, above 0")
-    if curve.of == "pipe" and options.wall > options.outer_diameter / 2:
+    if given and curve.of == "pipe" and options.wall > options.outer_diameter / 2:
         raise Refusal("--wall is more than half of --outer-diameter")
+    if not options.factor > 0:
+        raise Refusal(f"--factor {options.factor:g} is not above 0")
     states = sea_states(options.results, options.changes)
     line = states[0][0].line(options.line) if options.line else report.by_tension(states[0][0])[0]
     total = 0
@@ -108,11 +117,11 @@ def make_fatigue(options):
             print(f"warning: {results.path} has {outputs:.2g} outputs in a mean period of the tension: cycles are cut short; "
                   "set output.every to a tenth of it or less")
     total = total.max(axis=1)
-    worst = int(total.argmax())
+    worst = int(np.nanargmax(total))
     print(f"{line.name}, {curve.source}, {options.curve}: largest damage {total[worst]:.4g} a year at arc length "
           f"{line.arc[worst]:.6g} m" + (f", life {1 / total[worst]:.4g} years" if total[worst] > 0 else ""))
     path = Path(options.output) if options.output else states[0][0].path.with_name(f"{states[0][0].path.stem}-fatigue.csv")
-    export.write(path, ["arc_length [m]", "damage [1/year]"], zip(line.arc, total))
+    export.write(path, ["arc_length [m]", "damage [1/year]"], [(s, v) for s, v in zip(line.arc, total) if not np.isnan(v)])
     print(f"damage along the line: {path}")
 
 
@@ -171,8 +180,8 @@ def commands():
     p.add_argument("--line", help="default: that with the largest tension")
     p.add_argument("--breaking-load", type=float, metavar="N", help="N; API curves")
     p.add_argument("--area", type=float, metavar="A", help="m², of both bars of a chain or of a rope; curves of DNV-OS-E301")
-    p.add_argument("--outer-diameter", type=float, metavar="D", help="m; curves of DNV-RP-C203")
-    p.add_argument("--wall", type=float, metavar="W", help="m, thickness; curves of DNV-RP-C203")
+    p.add_argument("--outer-diameter", type=float, metavar="D", help="m; curves of DNV-RP-C203 (default: the case's)")
+    p.add_argument("--wall", type=float, metavar="W", help="m, thickness; curves of DNV-RP-C203 (default: the case's)")
     p.add_argument("--factor", type=float, default=1.0, help="stress concentration factor (default: 1)")
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="CSV file (default: <results>-fatigue.csv)")

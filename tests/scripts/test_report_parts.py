@@ -17,7 +17,7 @@ from synthetic import results_file
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post import __main__ as post  # noqa: E402
-from hawser_post import charts, envelopes, export, stress, tables  # noqa: E402
+from hawser_post import charts, envelopes, export, fatigue, stress, tables  # noqa: E402
 from hawser_post.results import Refusal, Results  # noqa: E402
 from hawser_post.sea import Sea  # noqa: E402
 
@@ -169,6 +169,34 @@ class Parts(unittest.TestCase):
         cables = Results(results_file(self.folder / "cables.h5"))
         with self.assertRaisesRegex(Refusal, "all lines are cables"):
             stress.along(cables, cables.lines[0])
+
+    def test_fatigue_takes_the_wall_of_the_case(self):
+        path = self.file()
+        with h5py.File(path, "a") as file:
+            file["fields/bending_moment_2"], file["fields/bending_moment_3"] = 0.6 * self.moment, 0.8 * self.moment
+        damages = []
+        for options in ([], ["--outer-diameter", "300e-3", "--wall", "0.02"]):
+            code, told, err = self.run_("fatigue", path, "--curve", "dnv-d-air", *options, "-o", self.folder / "damage.csv")
+            self.assertEqual(code, 0, err)
+            damages.append(np.loadtxt(self.folder / "damage.csv", delimiter=",", skiprows=1))
+        self.assertEqual(len(damages[1]), len(ARC))
+        pipe = ARC <= 60  # the bar has no wall
+        np.testing.assert_allclose(damages[0][:, 0], ARC[pipe])
+        self.assertGreater(damages[0][:, 1].min(), 0)
+        np.testing.assert_allclose(damages[0][:, 1], damages[1][pipe, 1], rtol=1e-6)
+        # The axial force is that of the wall: the same sum by hand, from effective tension and pressures.
+        k, depth = 5, 10 + ARC[5] / 5
+        tension = self.tension[:, k] + (10e6 + 8e3 * depth) * np.pi / 4 * 0.26**2 - 1e4 * depth * np.pi / 4 * 0.3**2
+        around = fatigue.wall_stress(tension[:, None], 0.6 * self.moment[:, [k]], 0.8 * self.moment[:, [k]], stress.Wall(0.3, 0.26))
+        by_hand = max(fatigue.damage(around[:, 0, p], fatigue.CURVES["dnv-d-air"]) for p in range(fatigue.PLACES))
+        self.assertAlmostEqual(damages[0][k, 1] / by_hand * (TIME[-1] - TIME[0]) / fatigue.YEAR, 1, places=6)
+
+    def test_walls_end_where_the_target_has_put_them(self):
+        # The wall is 40 m long in the file, and a target has made it 60 m of the 100 m that the results have.
+        found = Results(self.file(name="found.h5", case=CASE.replace("length: 60}", "length: 40}").replace(
+            "end_b: free}", "end_b: free, target: {tension: 1e5, at: end_a, section: 1}}")))
+        given = Results(self.file())
+        np.testing.assert_allclose(stress.along(found, found.lines[0]), stress.along(given, given.lines[0]))
 
     def test_utilisation(self):
         share = np.outer(0.5 + 0.1 * np.sin(TIME), 1 - ARC / 200)
