@@ -114,65 +114,6 @@ def clearances(results):
     return head, rows
 
 
-def line_types(results):
-    """The line types as the case file has them: a row for each key."""
-    types = results.keys.get("line_types")
-    types = {k: v for k, v in types.items() if isinstance(v, dict)} if isinstance(types, dict) else {}
-    keys = list(dict.fromkeys(key for values in types.values() for key in values))
-    def text(value):
-        if isinstance(value, bool):
-            return str(value).lower()
-        return "" if value is None else "table" if isinstance(value, (dict, list)) else str(value)
-    return ["key", *map(str, types)], [[str(key), *(text(values.get(key)) for values in types.values())] for key in keys]
-
-
-def sections(results):
-    """The lines as the case file has them: sections and ends."""
-    head, rows = ["line", "section", "length", "type", "end A", "end B"], []
-    lines = results.keys.get("lines")
-    for name, line in (lines.items() if isinstance(lines, dict) else ()):
-        if not isinstance(line, dict):
-            continue
-        ends = [end_words(line.get(key)) for key in ("end_a", "end_b")]
-        for k, section in enumerate(line.get("sections") or [], 1):
-            if isinstance(section, dict):
-                rows.append([str(name) if k == 1 else "", str(k), length_words(section.get("length", "")),
-                             str(section.get("type", "")), *(ends if k == 1 else ["", ""])])
-    return head, rows
-
-
-def length_words(value):
-    return f"{value} m" if isinstance(value, (int, float)) else str(value)
-
-
-def end_words(end):
-    """An end of a line in a few words."""
-    if not isinstance(end, dict):
-        return str(end or "")
-    clamped = ", clamped" if end.get("clamped") else ""
-    for key, before in (("anchor", "anchored at "), ("body", "on "), ("joint", "joint ")):
-        if key in end:
-            at = f" at {end['at']}" if "at" in end else ""
-            return f"{before}{end[key]}{at}{clamped}"
-    return ", ".join(map(str, end))
-
-
-def echo(results, part):
-    """A part of the case file, such as its environment: a row for each key, with its path."""
-    rows = []
-
-    def walk(value, path):
-        if isinstance(value, dict) and value:
-            for key, inner in value.items():
-                walk(inner, [*path, str(key)])
-        else:
-            text = "" if value is None or value == {} else str(value).lower() if isinstance(value, bool) else str(value).replace("'", "")
-            rows.append([".".join(path), text if len(text) <= 80 else text[:77] + "..."])
-
-    walk(results.keys.get(part) or {}, [])
-    return [part, "value"], [row for row in rows if row[0]]
-
-
 def statistics_of(results, since=0.0):
     """A row for each column of each history that is not zero throughout, over the steps from `since` on."""
     head = ["history", "quantity", "unit", "minimum", "at [s]", "maximum", "at [s]", "mean", "standard deviation",

@@ -17,7 +17,7 @@ from synthetic import results_file
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post import __main__ as post  # noqa: E402
-from hawser_post import charts, envelopes, export, fatigue, stress, tables  # noqa: E402
+from hawser_post import charts, envelopes, export, fatigue, inputs, stress, tables  # noqa: E402
 from hawser_post.results import Refusal, Results  # noqa: E402
 from hawser_post.sea import Sea  # noqa: E402
 
@@ -216,6 +216,24 @@ class Parts(unittest.TestCase):
         self.assertIn(f"to the hull {gap[k, 0]:.4g} {TIME[k]:.3f} {TIME[k]:.3f}", words)
         self.assertIn("environment value water.depth 50", words)
         self.assertIn("riser 1 60 m wall anchored at [0, 0, -10] free 2 40 m bar", words)
+
+    def test_input_spells_out_pipes_and_found_lengths(self):
+        case = CASE.replace("wall_thickness: 0.02}", "wall_thickness: 0.02, coatings: [{thickness: 3 mm, density: 900}, "
+                            "{thickness: 40 mm, density: 700}]}")
+        case = case.replace("length: 60}", "length: 45}").replace("end_b: free}", "end_b: free, target: {tension: 1e5, at: end_a}}")
+        results = Results(self.file(case=case))
+        head, rows = inputs.line_types(results)
+        self.assertEqual(head, ["key", "wall", "bar"])
+        table = {row[0]: row[1:] for row in rows}
+        self.assertEqual(table["pipe.outer_diameter"], ["300 mm", ""])
+        self.assertEqual(table["pipe.wall_thickness"], ["0.02", ""])
+        self.assertEqual(table["pipe.coatings"], ["thickness 3 mm, density 900; thickness 40 mm, density 700", ""])
+        self.assertEqual(table["contents.pressure"], ["10 MPa", ""])
+        self.assertEqual(table["EA"][0], "")
+        self.assertNotIn("table", str(rows))
+        _, rows = inputs.sections(results)
+        self.assertEqual([row[2] for row in rows], ["60 m found by the target (given: 45 m)", "40 m"])
+        self.assertIn("60 m found by the target", self.words(results.path))
 
     def test_modes_need_a_case(self):
         code, _, err = self.run_("report", self.file(), "--modes")
