@@ -286,6 +286,7 @@ std::string summary(const Case& c) {
                      c.dynamics.rho_infinity);
   s += "\n";
   s += fmt::format("results: {}{}\n", c.output.file, c.output.xdmf ? " and .xdmf" : "");
+  for (const std::string& n : c.change_notes) s += "note: " + n + "\n";
   for (const std::string& n : grouped_notes(c.notes)) s += "note: " + n + "\n";
   return s;
 }

@@ -140,6 +140,11 @@ output: {every: 5}
         self.refused(["run", "rod.yaml", "--fast"], "there is no option '--fast', but there are --help,")
         self.refused(["check", "rod.yaml", "--quik=1"], "there is no option '--quik'; did you mean '--quick'?")
         self.refused(["run", "rod.yaml", "-log_view"], "there is no option '-log_view'; options of PETSc follow a lone --: -- -log_view")
+        for arguments in (["run", "-set", "dynamics.step=0.1", "rod.yaml"], ["run", "rod.yaml", "-set", "dynamics.step=0.1"]):
+            self.refused(arguments, "there is no option '-set'; did you mean '--set'? (see hawser run --help)")
+        for arguments in (["run", "-n", "3", "rod.yaml"], ["run", "rod.yaml", "-np", "3"], ["run", "rod.yaml", "--ranks=3"],
+                          ["run", "-n3", "rod.yaml"], ["-n", "3", "rod.yaml"]):
+            self.refused(arguments, "the number of ranks is for mpirun to know: mpirun -n 3 hawser run rod.yaml (see")
         self.refused(["run", "rod.yaml", "--restart"], "a value is missing after --restart")
         self.refused(["modes", "rod.yaml", "-n", "two"], "--number: 'two' is no whole number from 1 to 10000")
         self.refused(["report", "rod.h5", "--sinse", "3"], "there is no option '--sinse'; did you mean '--since'?")
