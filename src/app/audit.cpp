@@ -32,7 +32,7 @@ const char* words(Audit::Step::Touch touch) {
 }
 
 // Steps from t = 0 on in which a blow at the start does its harm.
-constexpr double kBlow = 3;
+constexpr double kBlow = 6;
 
 // One that is surely short: a quarter of what was too long.
 std::string remedy(bool fixed, double step) {

@@ -116,6 +116,14 @@ output: {every: 5}
         self.assertRegex(result.stdout, r"warning: the steps lost \d+ J by t = [\d.]+ s, \d+\.?\d* % of the work done: they are "
                                         r"too long for what moves; give dynamics.step: 0.12 s. The results are not to be used")
 
+    def test_blow_at_the_start(self):
+        for ranks in (0, 2):
+            result = self.hawser("run", ROOT / "docs/tutorial/riser-3.yaml", "-o", f"blow{ranks}.h5", "--set", "dynamics.duration=0.3",
+                                 "--set", "bodies.vessel.motion.ramp=0", ranks=ranks)
+            self.assertEqual(result.returncode, 4, result.stderr)
+            self.assertRegex(result.stdout, r"warning: the steps created .*: bodies.vessel.motion begins with a velocity and strikes "
+                                            r"the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter step is no help")
+
     def test_help(self):
         for arguments, words in [(["--help"], ["run", "check", "schema", "Exit codes", "mpirun"]),
                                  (["run", "--help"], ["--restart", "--output", "--stop-at", "PETSc options", "--quiet"]),
