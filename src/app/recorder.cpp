@@ -15,6 +15,7 @@
 #include "hawser/app/run_parts.hpp"
 #include "hawser/app/touchdown.hpp"
 #include "hawser/math/declination.hpp"
+#include "hawser/model/doubts.hpp"
 #include "hawser/terms/body_contact.hpp"
 
 namespace hawser::app {
@@ -283,7 +284,14 @@ void Recorder::find_worst(const Kinematics& at) {
 
 std::string Recorder::audit_warning() const {
   const int node = audit_.worst.node;
-  return audit_.warning(sim_.model().dynamics.step > 0, node < 0 ? "a body" : sim_.mesh().place(node));
+  const model::Case& c = sim_.model();
+  std::string striking;
+  for (const model::Body& b : c.bodies) {
+    const model::StartSpeeds speed = model::start_speeds(c, b);
+    if (striking.empty() && speed.motion + speed.drift > 0)
+      striking = fmt::format("bodies.{}.{}", b.name, speed.motion > 0 ? "motion" : "motion.drift");
+  }
+  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : sim_.mesh().place(node), striking);
 }
 
 void Recorder::output(const Kinematics& at) {

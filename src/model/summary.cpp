@@ -290,6 +290,7 @@ std::string summary(const Case& c) {
                      r.time >= 0 ? fmt::format("at t = {:g} s", r.time)
                                  : fmt::format("when its effective tension reaches {:g} N", r.tension));
   s += fmt::format("results: {}{}\n", c.output.file, c.output.xdmf ? " and .xdmf" : "");
+  for (const std::string& n : c.change_notes) s += "note: " + n + "\n";
   for (const std::string& n : grouped_notes(c.notes)) s += "note: " + n + "\n";
   return s;
 }

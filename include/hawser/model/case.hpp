@@ -366,8 +366,9 @@ struct Case {
   Dynamics dynamics;
   std::vector<Release> events;
   Output output;
-  std::vector<std::string> notes;    // what the reader repaired or doubts, a sentence each
-  std::vector<std::string> changes;  // KEY=VALUE of the command line, applied to the file's text
+  std::vector<std::string> notes;         // what the reader repaired or doubts, a sentence each
+  std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
+  std::vector<std::string> change_notes;  // what each of them has changed, a sentence each
 
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
   int body_index(const std::string& name) const;             // -1: none (fixed in space)
