@@ -156,6 +156,10 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     contents.series.push_back(std::move(series));
   }
   for (io::ResultSeries& s : clearances_.series()) contents.series.push_back(std::move(s));
+  if (!c.supports.empty()) {
+    supports_ = std::make_unique<SupportLog>(comm, sim_);
+    for (io::ResultSeries& s : supports_->series()) contents.series.push_back(std::move(s));
+  }
   if (shows_touchdowns())
     for (const model::Line& line : c.lines)
       contents.series.push_back({line.name + " touchdown",
@@ -333,6 +337,8 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
   if (!sim_.model().output.clearances.empty())
     for (std::vector<double>& row : clearances_.rows(at, body_poses(sim_, at)))
       rows.push_back(std::move(row));
+  if (supports_)
+    for (std::vector<double>& row : supports_->rows(at, body_poses(sim_, at))) rows.push_back(std::move(row));
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
   if (shows_touchdowns())
@@ -416,6 +422,8 @@ std::string Recorder::finish(std::vector<std::string> messages) {
                 "automatic one is as high as the line's EA asks: is its tension more than it "
                 "bears?"));
   }
+  if (supports_)
+    for (const std::string& w : supports_->warnings()) warnings_.push_back(w);
   const bool moved = sim_.model().dynamics.enabled;
   if (const std::string n = audit_.note(); moved && !n.empty()) messages.push_back("note: " + n);
   if (const std::string w = audit_warning(); moved && !w.empty()) messages.push_back("warning: " + w);

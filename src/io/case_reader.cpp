@@ -51,6 +51,7 @@ class Reader {
       c_.joints.push_back({name, vec(v, "start"), v["rigid"].number != 0});
     });
     each("lines", [&](const std::string& name, const Value& v) { c_.lines.push_back(line(name, v)); });
+    read_supports(root_["supports"], source_, c_);
     for (model::Body& b : c_.bodies)
       if (b.on)
         b.on->at = arc((*root_.find("bodies"))[b.name]["on"].find("at"), 0,

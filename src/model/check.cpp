@@ -484,6 +484,7 @@ std::vector<Issue> check(const Case& c) {
   check_rides(c, issues);
   check_floating(c, issues);
   check_contact(c, issues);
+  check_supports(c, issues);
   return issues;
 }
 

@@ -345,7 +345,7 @@ const Key& case_schema() {
       "case",
       {integer("hawser", "version of the case format; must be 1").at_least(1).at_most(1).is_required(),
        text("title", "title, for pictures and reports").or_else(""), environment(), line_types(), bodies(),
-       volumes(), joints(), lines(),
+       volumes(), supports(), joints(), lines(),
        map("contact",
            {all_or_names("lines", "lines", "lines that take part in contact"),
             all_or_names("volumes", "volumes", "volumes that take part in contact"),

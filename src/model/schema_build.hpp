@@ -79,6 +79,7 @@ inline Key arc(std::string name, std::string about) {
 inline constexpr const char* kZero = "[0, 0, 0]";
 
 Key volumes();                // with their shapes, contact laws and friction
+Key supports();               // of laid pipes: roller boxes
 Key between_lines();          // of contact
 Key friction();               // coefficients and springs of it, of volumes and the seabed
 Key force_rows();             // `table` of force against penetration, of volumes and the seabed
