@@ -401,7 +401,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
   const auto rows = extremes_->table();
   warnings_.clear();
   for (const auto& r : rows) {
-    if (r.quantity == "max effective tension" && pressed_ >= 0)
+    if (r.quantity == "max effective tension" && r.value > 0 && pressed_ >= 0)
       if (const std::string w = turns_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
           !w.empty())
         warnings_.push_back(w);

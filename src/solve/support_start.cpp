@@ -79,12 +79,14 @@ class OverSupports {
       radius_ = std::max(radius_, 0.5 * c.line_type(s.type).contact_diameter);
     const model::SupportBox* first = nullptr;
     std::vector<Place> boxes;
+    size_t closed = 0;
     for (const model::SupportBox& b : c.supports) {
       if (b.line != line.name) continue;
       if (!first) first = &b;
       const int body = c.body_index(b.body);
       const RigidPose pose = body < 0 ? RigidPose{} : bodies.pose(body, 0);
       boxes.push_back({pose.to_space(b.at + kClear * radius_ * b.up), pose.rotation * b.along});
+      if (b.rollers.back() == "above") closed = boxes.size();
     }
     if (!first) return;
     const model::End* end = model::end_before(c, line, *first);
@@ -98,6 +100,7 @@ class OverSupports {
       add_cubic(way_, way_.places.back(), b);
       last_ = way_.places.size() - 1;
     }
+    first_ = std::max<size_t>(1, closed * kPieces);
     const model::End& other = a_ ? line.end_b : line.end_a;
     if (other.kind != model::EndKind::free) to_ = start_pose(c, bodies, other).to_space(other.at);
     known_ = true;
@@ -125,7 +128,7 @@ class OverSupports {
     if (!bed.present ||
         std::abs(model::height_above_bed(bed, *to_)) > 2 * radius_ + 1e-3 * std::abs(bed.depth))
       return false;
-    size_t i = 1;
+    size_t i = first_;
     while (i < last_ && !(lacking(dip(way_.places[i].along), rest(i)) >= 0)) ++i;
     const Rest r = rest(i);
     double down = dip(way_.places[i].along);
@@ -151,7 +154,7 @@ class OverSupports {
   }
   // Pulled straight from where it leaves the supports to its other end.
   void straight() {
-    size_t i = 1;
+    size_t i = first_;
     const auto to_end = [&](size_t k) { return Vec3((*to_ - way_.places[k].at).normalized()); };
     while (i < last_ && dip(way_.places[i].along) < dip(to_end(i))) ++i;
     cut(i);
@@ -189,7 +192,9 @@ class OverSupports {
   const double length_;
   double radius_ = 0;
   Chain way_;
-  size_t last_ = 0;  // place of the last box
+  // Places from which it may leave: of the last box that is closed above, or the first there is; of the last
+  // box.
+  size_t first_ = 1, last_ = 0;
   std::optional<Vec3> to_;
   bool a_ = true, known_ = false;
 };

@@ -58,7 +58,7 @@ def s_lay(seed):
     rise = 0.5 * roller + 0.5 * outer
     if kind == "V":
         rise /= math.cos(math.radians(float(re.search(r"[\d.]+", more.split(":")[1])[0])))
-    stiffness = rng.choice(["", f", normal_stiffness: {10 ** rng.uniform(6, 8):.4g}"])
+    stiffness = rng.choice(["", f", normal_stiffness: {10 ** rng.uniform(7, 8.5):.4g}"])
     return f"""hawser: 1
 environment:
   water: {{density: {WATER}}}
