@@ -43,6 +43,7 @@ def s_lay(seed):
     arc = radius * leaves
     laid = max(100.0, 0.3 * hanging)
     stinger = arc * rng.choice([rng.uniform(0.7, 1), rng.uniform(1, 1.4)])
+    stinger = min(stinger, math.radians(85) * radius)
     end_x = ramp + radius * math.sin(leaves) + scale * math.asinh(math.tan(leaves)) + laid
     over = ramp + max(arc, stinger) + 2 * spacing
     length = ramp + arc + hanging * (1 + rng.uniform(-0.002, 0.002)) + laid
