@@ -242,7 +242,9 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   progress.end();
   if (trial) c = with_targets_met(MPI_COMM_SELF, std::move(c), volumes, progress);
   fmt::print("{}", model::summary(c));
-  for (const auto& v : volumes) {
+  for (size_t i = 0; i < volumes.size(); ++i) {
+    const LoadedVolume& v = volumes[i];
+    if (c.volumes[i].roller) continue;
     fmt::print("volume {}: {}\n", v.name, v.report);
     for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
   }

@@ -19,6 +19,7 @@
 #include "hawser/model/bend_stiffener.hpp"
 #include "hawser/model/environment.hpp"
 #include "hawser/model/stiffness.hpp"
+#include "hawser/model/supports.hpp"
 #include "hawser/model/value.hpp"
 
 namespace hawser::model {
@@ -143,6 +144,7 @@ struct Volume {
   double smoothing = -1;                          // m, half width of the C1 ramp; 0: linear law; < 0: default
   double relative_damping = 0;                    // zeta of the contact spring
   Friction friction;
+  bool roller = false;  // of `supports`: touches lines only
 };
 
 struct Section {
@@ -359,6 +361,7 @@ struct Case {
   std::vector<LineType> line_types;
   std::vector<Body> bodies;
   std::vector<Volume> volumes;
+  std::vector<SupportBox> supports;  // in the order in which lines pass over them
   std::vector<Joint> joints;
   std::vector<Line> lines;
   Contact contact;
