@@ -1,6 +1,7 @@
 """Command lines in sentences: what is wrong in one of them, with the nearest valid word, and --set of a case."""
 import argparse
 import difflib
+import math
 import os
 import re
 import subprocess
@@ -29,6 +30,7 @@ class Parser(argparse.ArgumentParser):
             message = re.sub(r"the following arguments are required: ", "these are missing: ", message)
             message = re.sub(r"argument (\S+): expected one argument", r"a value is missing after \1", message)
             message = re.sub(r"argument (\S+): invalid float value: (.*)", r"\1: \2 is no number", message)
+            message = re.sub(r"^argument (\S+): ", r"\1: ", message)
         print(f"hawser: {message} (see {self.current or self.prog} --help)", file=sys.stderr)
         sys.exit(2)
 
@@ -44,6 +46,17 @@ class Parser(argparse.ArgumentParser):
 def near(word, known):
     found = difflib.get_close_matches(word, known, 1, 0.6)
     return f"; did you mean '{found[0]}'?" if found else ""
+
+
+def time_from(text):
+    """A time of --since, s."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not 0 <= value < math.inf:
+        raise argparse.ArgumentTypeError(f"'{text}' is no time from 0 on, in s")
+    return value
 
 
 def add_set(parser):

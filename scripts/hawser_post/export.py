@@ -26,14 +26,14 @@ def series(results, name):
     return head, np.column_stack([results.step_time, s.values])
 
 
-def ranges(results, line):
-    """Of each field along a line: least, mean and largest, over every step where the results have that, else over the
-    outputs."""
+def ranges(results, line, since=0.0):
+    """Of each field along a line: least, mean and largest from `since` on, over every step where the results have that,
+    else over the outputs."""
     head, columns = ["arc_length [m]"], [line.arc]
     for field in results.fields:
         if field in ("position", "velocity", "axis_1", "axis_2"):
             continue
-        unit, found = results.unit(field), envelope(results, line, field)
+        unit, found = results.unit(field), envelope(results, line, field, since)
         if found is None:
             found = only_one(results.magnitude(field, line, 0))
         for what, column in (("min", found.least), ("mean", found.mean), ("max", found.most)):
@@ -58,12 +58,13 @@ def modes(results, folder):
     return done + [write(folder / f"shape_{file_name(line.name)}.csv", *shapes(results, line)) for line in results.lines]
 
 
-def everything(results, folder):
+def everything(results, folder, since=0.0):
+    """`since`: s, from when on statistics and ranges count."""
     folder.mkdir(parents=True, exist_ok=True)
     if results.modes:
         return modes(results, folder)
     done = [write(folder / "lines.csv", *tables.of_lines(results)), write(folder / "ends.csv", *tables.at_ends(results))]
-    for name, (head, rows) in (("extremes", tables.extremes(results)), ("statistics", tables.statistics_of(results)),
+    for name, (head, rows) in (("extremes", tables.extremes(results)), ("statistics", tables.statistics_of(results, since)),
                                ("clashes", tables.clashes(results))):
         if rows:
             done.append(write(folder / f"{name}.csv", head, rows))
@@ -71,5 +72,5 @@ def everything(results, folder):
         kind = "history_" if name in results.histories else ""
         done.append(write(folder / f"{kind}{file_name(name)}.csv", *series(results, name)))
     for line in results.lines:
-        done.append(write(folder / f"range_{file_name(line.name)}.csv", *ranges(results, line)))
+        done.append(write(folder / f"range_{file_name(line.name)}.csv", *ranges(results, line, since)))
     return done

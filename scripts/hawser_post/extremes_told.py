@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from . import charts, export, extremes
-from .given import history_of, results_of, seconds, time_words
+from .given import history_of, refuse_since, results_of, seconds, time_words
 from .results import Refusal
 
 
@@ -14,12 +14,13 @@ def records_of(options):
     records, names = [], None
     for given in options.results:
         results = results_of(given, options.changes)
+        refuse_since(results, options.since)
         series, column = history_of(results, options.name if names is None else names[0], options.column)
         time, values = results.step_time, series.column(column)
         names = names or (series.name, column, series.unit(column))
-        keep = time >= options.since
+        keep = time >= (options.since or 0.0)
         if np.count_nonzero(keep) < 2:
-            raise Refusal(f"{results.path}: there are no two steps from t = {options.since:g} s on")
+            raise Refusal(f"{results.path}: there are no two steps from t = {options.since or 0:g} s on")
         if not np.all(np.isfinite(values[keep])):
             raise Refusal(f"{results.path}: '{series.name}' has no {charts.words(column)} at some steps")
         records.append(extremes.Record(time[keep], -values[keep] if options.minima else values[keep]))

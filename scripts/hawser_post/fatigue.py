@@ -3,6 +3,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from . import stress
 from .results import Refusal
 from .statistics import upcrossings
 
@@ -86,34 +87,40 @@ def damage(signal, curve, breaking_load=None):
     return float(np.sum(counts[keep] / curve.cycles(ranges[keep] / unit, np.mean(signal) / unit)))
 
 
-def wall_stress(tension, moment_2, moment_3, outer, wall):
-    """MPa in the outer fibre of a pipe at PLACES angles from axis 2: times x nodes -> times x nodes x places."""
-    inner = outer - 2 * wall
-    area, inertia = np.pi / 4 * (outer**2 - inner**2), np.pi / 64 * (outer**4 - inner**4)
+def wall_stress(tension, moment_2, moment_3, wall):
+    """MPa in the outer fibre of a pipe (stress.Wall) at PLACES angles from axis 2: times x nodes -> times x nodes x
+    places."""
     angle = np.arange(PLACES) * 2 * np.pi / PLACES
     # The outer fibre lies at y2 = r cos, y3 = r sin; N/A + (M2 y3 - M3 y2)/I.
-    bending = (moment_2[..., None] * np.sin(angle) - moment_3[..., None] * np.cos(angle)) * outer / (2 * inertia)
-    return 1e-6 * (tension[..., None] / area + bending)
+    moment = moment_2[..., None] * np.sin(angle) - moment_3[..., None] * np.cos(angle)
+    return 1e-6 * ((tension / wall.area)[..., None] + moment * np.atleast_1d(wall.outer / (2 * wall.inertia))[:, None])
 
 
 def along(results, line, curve, since, breaking_load=None, area=None, outer=None, wall=None, factor=1.0):
-    """Damage a second at each node of a line (rows) and each place around it (columns; one but for pipes), over the
-    outputs from `since` on. Several sea states add up place by place."""
+    """Damage a second at each node of a line (rows; NaN where the curve is of pipes and the line is none) and each place
+    around it (columns; one but for pipes), over the outputs from `since` on. Several sea states add up place by place.
+    outer, wall: of a pipe [m]; None: as the case has it, where two pipes meet the larger damage."""
     keep = results.time >= since
     if np.count_nonzero(keep) < 16:
         raise Refusal(f"{results.path}: {np.count_nonzero(keep)} outputs from t = {since:g} s on are too few for cycles")
     seconds = results.time[keep][-1] - results.time[keep][0]
     if curve.of == "pipe":
-        tension = "wall_tension" if results.has("wall_tension") else "effective_tension"
+        if not results.has("bending_moment_2"):
+            raise Refusal(f"{results.path}: there is no bending moment, as all lines are cables")
         moments = [results.field(f"bending_moment_{k}", line)[keep] for k in (2, 3)]
-        stress = factor * wall_stress(results.field(tension, line)[keep], *moments, outer, wall)
-        sums = [[damage(stress[:, n, p], curve) for p in range(PLACES)] for n in range(stress.shape[1])]
-    else:
-        tension = results.field("effective_tension", line)[keep] * factor
-        if curve.of == "area":
-            tension = 1e-6 * tension / area
-        sums = [[damage(tension[:, n], curve, breaking_load)] for n in range(tension.shape[1])]
-    return np.array(sums) / seconds
+        sums = np.full((len(line.arc), PLACES), np.nan)
+        known = []  # both sides of a node are mostly alike
+        for own, tension, _, _ in stress.walls_along(results, line, outer, wall):
+            around = factor * wall_stress(tension[keep], *moments, own)
+            for n in range(len(line.arc)):
+                if np.isfinite(around[:, n]).all() and not any(np.array_equal(around[:, n], k[:, n]) for k in known):
+                    sums[n] = np.fmax(sums[n], [damage(around[:, n, p], curve) for p in range(PLACES)])
+            known.append(around)
+        return sums / seconds
+    tension = results.field("effective_tension", line)[keep] * factor
+    if curve.of == "area":
+        tension = 1e-6 * tension / area
+    return np.array([[damage(tension[:, n], curve, breaking_load)] for n in range(tension.shape[1])]) / seconds
 
 
 def outputs_a_period(results, line, since):

@@ -44,6 +44,16 @@ def modes_of(given, changes=()):
     return Results(results)
 
 
+def refuse_since(results, since):
+    """What --since [s] leaves nothing of, or has nothing to leave out of."""
+    if since is None:
+        return
+    if results.modes:
+        raise Refusal(f"{results.path} holds natural modes, of which --since leaves out nothing")
+    if since > max(results.time[-1], results.step_time[-1] if results.steps else 0.0):
+        raise Refusal(f"{results.path}: there is nothing from t = {since:g} s on (the last output is at {results.time[-1]:g} s)")
+
+
 def history_of(results, name, column):
     """A history and the name of one of its columns: without names the first history, its tension or its first column."""
     if name is None and not results.histories:

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import charts, envelopes, scene, stress, tables
+from . import charts, envelopes, inputs, scene, stress, tables
 from .page import Page
 
 MOST_LINES = 8  # with figures of their own
@@ -45,8 +45,8 @@ def pictures(page, results):
 def given(page, results):
     page.section("Input")
     page.text("As in the case file, with its units (numbers without one are SI); all of it stands at the end.")
-    for head, rows in (tables.echo(results, "environment"), tables.line_types(results), tables.sections(results),
-                       tables.echo(results, "bodies"), tables.echo(results, "volumes"), tables.echo(results, "dynamics")):
+    for head, rows in (inputs.echo(results, "environment"), inputs.line_types(results), inputs.sections(results),
+                       inputs.echo(results, "bodies"), inputs.echo(results, "volumes"), inputs.echo(results, "dynamics")):
         page.table(head, rows[:MOST_ROWS])
         if len(rows) > MOST_ROWS:
             page.text(f"{len(rows) - MOST_ROWS} more rows are in the case file.")

@@ -181,11 +181,15 @@ class Results:
         """Names of what `output.histories` and `output.clearances` ask for."""
         return [n for n in self.series_names if n not in ("energy", "solver")]
 
+    def series_name(self, key):
+        """What the case calls the series with this place in the file."""
+        return text_of(self.file["series"][key].attrs.get("name", key))
+
     def series(self, name):
         for key in self.series_names:
             data = self.file["series"][key]
-            if name in (key, text_of(data.attrs.get("name", key))):
-                return Series(text_of(data.attrs.get("name", key)),
+            if name in (key, self.series_name(key)):
+                return Series(self.series_name(key),
                               [text_of(c) for c in data.attrs["columns"]],
                               [text_of(u) for u in data.attrs["units"]], data[: self.steps])
         raise Refusal(f"there is no history '{name}' (there are: {', '.join(self.series_names) or 'none'})")

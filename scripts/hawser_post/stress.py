@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .results import Refusal, metres
+from .sections import lengths, types_of
 
 THICKEST = 5.0  # m
 GRAVITY, SEAWATER = 9.80665, 1025.0  # m/s², kg/m³: what a case has that does not say
@@ -60,22 +61,17 @@ def of_type(values):
 
 def types_along(results, line):
     """What `of_type` gives at the nodes of a line on the side of end A and on that of end B: 2 x 4 x nodes."""
-    types, lines = (v if isinstance(v, dict) else {} for v in (results.keys.get("line_types"), results.keys.get("lines")))
-    sections = [s for s in ((lines.get(line.name) or {}).get("sections") or []) if isinstance(s, dict)]
-    ends = np.cumsum([metres(s.get("length"), np.nan) for s in sections])
+    ends = np.cumsum(lengths(results, line))
     if len(ends) == 0 or np.isnan(ends).any():
         return np.full((2, 4, len(line.arc)), np.nan)
-    sizes = np.array([of_type(types.get(s.get("type"))) for s in sections])
+    sizes = np.array([of_type(t) for t in types_of(results, line)])
     close = 1e-9 * max(ends[-1], 1.0)
     return np.array([sizes[np.clip(np.searchsorted(ends, line.arc + shift), 0, len(ends) - 1)].T for shift in (-close, close)])
 
 
 def is_pipe(results, line):
     """Whether the case says that a part of the line is a pipe with a wall."""
-    types, lines = (v if isinstance(v, dict) else {} for v in (results.keys.get("line_types"), results.keys.get("lines")))
-    sections = [s for s in ((lines.get(line.name) or {}).get("sections") or []) if isinstance(s, dict)]
-    found = [types.get(s.get("type")) for s in sections]
-    return results.has("bending_moment") and any(isinstance(t, dict) and "pipe" in t for t in found)
+    return results.has("bending_moment") and any(isinstance(t, dict) and "pipe" in t for t in types_of(results, line))
 
 
 def number(value, otherwise):
@@ -98,30 +94,37 @@ def outside_pressure(results, line):
     return density * number(environment.get("gravity"), GRAVITY) * np.maximum(level - position[:, :, 2], 0)
 
 
-def along(results, line, outer=None, thickness=None):
-    """Pa, outputs x nodes; NaN where the line is no pipe. The wall is as given [m], else as the case has it. The pressure
+def walls_along(results, line, outer=None, thickness=None):
+    """The wall [m] as given or as the case has it, on the side of end A and on that of end B of each node, with its axial
+    force [N] and the pressures outside and inside [Pa], outputs x nodes; NaN where the line is no pipe. The pressure
     inside is that of the results, whose wall tension is effective tension + p_i A_i - p_e A_e with all coatings
     (docs/theory/water.md); coatings hand the pressure outside on to the wall and carry no tension of their own."""
-    if not results.has("bending_moment"):
-        raise Refusal(f"{results.path}: there is no bending moment, as all lines are cables")
     if (outer is None) != (thickness is None) or outer is not None and not (outer > 0 and 0 < thickness <= outer / 2):
         raise Refusal("the stress of a pipe needs --outer-diameter and --wall, above 0, the wall at most half of the diameter")
     if outer is not None and outer > THICKEST:
         raise Refusal(f"--outer-diameter {outer:g} is in m: no pipe is as thick as that")
-    effective = results.field("effective_tension", line)
-    outside = outside_pressure(results, line)
-    moment, torsion = (results.field(f"{name}_moment", line) for name in ("bending", "torsion"))
-    largest = np.full(effective.shape, np.nan)
+    effective, outside = results.field("effective_tension", line), outside_pressure(results, line)
+    sides = []
     for own_outer, own_inner, bore, outermost in types_along(results, line):
         wall = Wall(own_outer, own_inner) if outer is None else Wall(outer, outer - 2 * thickness)
         inside = np.zeros(effective.shape)
         if results.has("wall_tension"):
             by_contents = results.field("wall_tension", line) - effective + outside * np.pi / 4 * outermost**2
             inside = np.where(np.isnan(bore), 0.0, by_contents / (np.pi / 4 * bore**2))  # without contents none
-        tension = effective + np.pi / 4 * (inside * wall.inner**2 - outside * wall.outer**2)
-        largest = np.fmax(largest, von_mises(wall, tension, moment, torsion, outside, inside))
-    if np.isnan(largest).all():
+        sides.append((wall, effective + np.pi / 4 * (inside * wall.inner**2 - outside * wall.outer**2), outside, inside))
+    if all(np.isnan(tension).all() for _, tension, _, _ in sides):
         raise Refusal(f"{results.path}: the case gives no wall of line '{line.name}': give --outer-diameter and --wall")
+    return sides
+
+
+def along(results, line, outer=None, thickness=None):
+    """Pa, outputs x nodes; NaN where the line is no pipe. The wall is as given [m], else as the case has it."""
+    if not results.has("bending_moment"):
+        raise Refusal(f"{results.path}: there is no bending moment, as all lines are cables")
+    moment, torsion = (results.field(f"{name}_moment", line) for name in ("bending", "torsion"))
+    largest = np.full(moment.shape, np.nan)
+    for wall, tension, outside, inside in walls_along(results, line, outer, thickness):
+        largest = np.fmax(largest, von_mises(wall, tension, moment, torsion, outside, inside))
     return largest
 
 

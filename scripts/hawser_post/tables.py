@@ -5,7 +5,8 @@ import re
 import numpy as np
 
 from .charts import shown
-from .envelopes import envelope
+from .envelopes import begin, envelope, of_every_step
+from .results import metres
 from .statistics import statistics
 
 UTILISATIONS = ("utilisation", "bend_utilisation")
@@ -53,22 +54,28 @@ def at_ends(results, output=0):
     return head, rows
 
 
-def lying(results, line, output=0):
-    """Stretches of the line that press on the seabed: (from, to) in m of arc length."""
+def laid(results, line, output):
+    """m of the line on the seabed at the first (0) or the last (-1) output: between its touchdown points where the results
+    have them, else between the nodes that press on the seabed; "" where nothing is known."""
+    name = f"{line.name} touchdown"
+    if results.steps > 0 and any(name == results.series_name(key) for key in results.series_names):
+        series = results.series(name)
+        if "laid_length" in series.columns:
+            return float(series.column("laid_length")[output])
     if not results.has("seabed_force"):
-        return []
+        return ""
     down = np.linalg.norm(results.field("seabed_force", line, output), axis=1) > 0
     change = np.flatnonzero(np.diff(np.concatenate([[0], down.astype(int), [0]])))
-    return [(float(line.arc[a]), float(line.arc[b - 1])) for a, b in zip(change[::2], change[1::2])]
+    return float(sum(line.arc[b - 1] - line.arc[a] for a, b in zip(change[::2], change[1::2])))
 
 
 def of_lines(results):
-    head = ["line", "length [m]", "nodes", "distance of the ends [m]", "on the seabed at the start [m]"]
+    head = ["line", "length [m]", "nodes", "distance of the ends [m]", "on the seabed at the start [m]", "at the end [m]"]
     rows = []
     for line in results.lines:
         x = results.field("position", line, 0)
         rows.append([line.name, line.length, len(line.arc), float(np.linalg.norm(x[-1] - x[0])),
-                     "; ".join(f"{a:.4g} to {b:.4g}" for a, b in lying(results, line))])
+                     laid(results, line, 0), laid(results, line, -1)])
     return head, rows
 
 
@@ -114,83 +121,44 @@ def clearances(results):
     return head, rows
 
 
-def line_types(results):
-    """The line types as the case file has them: a row for each key."""
-    types = results.keys.get("line_types")
-    types = {k: v for k, v in types.items() if isinstance(v, dict)} if isinstance(types, dict) else {}
-    keys = list(dict.fromkeys(key for values in types.values() for key in values))
-    def text(value):
-        if isinstance(value, bool):
-            return str(value).lower()
-        return "" if value is None else "table" if isinstance(value, (dict, list)) else str(value)
-    return ["key", *map(str, types)], [[str(key), *(text(values.get(key)) for values in types.values())] for key in keys]
-
-
-def sections(results):
-    """The lines as the case file has them: sections and ends."""
-    head, rows = ["line", "section", "length", "type", "end A", "end B"], []
-    lines = results.keys.get("lines")
-    for name, line in (lines.items() if isinstance(lines, dict) else ()):
-        if not isinstance(line, dict):
+def place_of(results, name):
+    """The line and the node of a history of a point, None where it is of something else or between two nodes."""
+    output = results.keys.get("output")
+    points = output.get("histories") if isinstance(output, dict) else None
+    for point in points if isinstance(points, list) else ():
+        if not isinstance(point, dict) or "line" not in point or point.get("name", f"{point['line']}@{point.get('at')}") != name:
             continue
-        ends = [end_words(line.get(key)) for key in ("end_a", "end_b")]
-        for k, section in enumerate(line.get("sections") or [], 1):
-            if isinstance(section, dict):
-                rows.append([str(name) if k == 1 else "", str(k), length_words(section.get("length", "")),
-                             str(section.get("type", "")), *(ends if k == 1 else ["", ""])])
-    return head, rows
-
-
-def length_words(value):
-    return f"{value} m" if isinstance(value, (int, float)) else str(value)
-
-
-def end_words(end):
-    """An end of a line in a few words."""
-    if not isinstance(end, dict):
-        return str(end or "")
-    clamped = ", clamped" if end.get("clamped") else ""
-    for key, before in (("anchor", "anchored at "), ("body", "on "), ("joint", "joint ")):
-        if key in end:
-            at = f" at {end['at']}" if "at" in end else ""
-            return f"{before}{end[key]}{at}{clamped}"
-    return ", ".join(map(str, end))
-
-
-def echo(results, part):
-    """A part of the case file, such as its environment: a row for each key, with its path."""
-    rows = []
-
-    def walk(value, path):
-        if isinstance(value, dict) and value:
-            for key, inner in value.items():
-                walk(inner, [*path, str(key)])
-        else:
-            text = "" if value is None or value == {} else str(value).lower() if isinstance(value, bool) else str(value).replace("'", "")
-            rows.append([".".join(path), text if len(text) <= 80 else text[:77] + "..."])
-
-    walk(results.keys.get(part) or {}, [])
-    return [part, "value"], [row for row in rows if row[0]]
+        for line in results.lines:
+            if line.name == point["line"]:
+                at = {"end_a": 0.0, "end_b": line.length}.get(point.get("at"), metres(point.get("at"), np.nan))
+                node = int(np.argmin(np.abs(line.arc - at)))
+                return (line, node) if abs(line.arc[node] - at) < 1e-6 * line.length else None
+    return None
 
 
 def statistics_of(results, since=0.0):
-    """A row for each column of each history that is not zero throughout, over the steps from `since` on."""
+    """A row for each column of each history that is not zero throughout, over the steps from `since` on; unless said, from
+    where the results' own statistics begin. Those count where they are of the same place from just then on: histories
+    may have fewer rows than steps."""
     head = ["history", "quantity", "unit", "minimum", "at [s]", "maximum", "at [s]", "mean", "standard deviation",
-            "mean period [s]"]
+            "mean period [s]", "from [s]"]
     rows = []
-    time = results.step_time
+    time, since = results.step_time, begin(results, since)
     keep = time >= since
     if np.count_nonzero(keep) < 2:
         return head, rows
     for name in results.histories:
-        series = results.series(name)
+        series, place = results.series(name), place_of(results, name)
         for column in series.columns:
             x = series.column(column)[keep]
             if not np.all(np.isfinite(x)) or not np.any(x):
                 continue
             s = statistics(time[keep], x)
-            rows.append([series.name, column.replace("_", " "), series.unit(column), s.least, s.least_time, s.most,
-                         s.most_time, s.mean, s.deviation, "" if np.isnan(s.period) else s.period])
+            numbers = [s.least, s.least_time, s.most, s.most_time, s.mean, s.deviation]
+            if place is not None and of_every_step(results, column, since):
+                numbers = [float(v) for v in results.statistics(column, place[0])[place[1]]]
+            rows.append([series.name, column.replace("_", " "), series.unit(column), *numbers,
+                         "" if np.isnan(s.period) else s.period, float(since)])
     return head, rows
 
 

@@ -31,6 +31,9 @@ const char* words(Audit::Step::Touch touch) {
   return "its motion changes faster than the time steps resolve";
 }
 
+// Steps from t = 0 on in which a blow at the start does its harm.
+constexpr double kBlow = 6;
+
 // One that is surely short: a quarter of what was too long.
 std::string remedy(bool fixed, double step) {
   return fmt::format("give dynamics.{}: {:.2g} s", fixed ? "step" : "max_step", step / 4);
@@ -74,12 +77,21 @@ bool Audit::wrong() const {
          lost.value > kLostWrong * size();
 }
 
-std::string Audit::warning(bool fixed, const std::string& where) const {
+std::string Audit::warning(bool fixed, const std::string& where, const std::string& striking) const {
   if (!std::isfinite(error)) return "the energy is no number. The results are not to be used";
   const double making = made.value / (kMadeTold * size()), losing = lost.value / (kLostTold * size());
   if (std::max(making, losing) <= 1 && !wrong()) return "";
   std::string text;
-  if (making > losing)
+  const bool blow = !striking.empty() && worst.time <= kBlow * worst.length;
+  if (making > losing && blow)
+    text = fmt::format(
+        "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} "
+        "s "
+        "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {} begins with a velocity and strikes "
+        "the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter step is no help",
+        made.value, made.time, 100 * made.value / size(), worst.length, worst.time, worst.value, where,
+        striking);
+  else if (making > losing)
     text = fmt::format(
         "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of "
         "{:.3g} s that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",

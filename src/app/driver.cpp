@@ -36,7 +36,7 @@ constexpr int kStopped = 130;              // exit code: by a signal
 constexpr int kWrongEnergy = 4;            // exit code: the run has ended, but its energy does not add up
 constexpr double kCheckpoints = 0.02;      // of the time, unless the case says when
 constexpr double kTrial = 4;               // CPU s, of the trial run of `hawser check`
-constexpr double kCheckpointNumbers = 61;  // of a node without contact (app/restart.cpp)
+constexpr double kCheckpointNumbers = 61;  // of a node without contact and statistics (app/restart.cpp)
 
 // Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
 // with everything on disk. Who cannot wait sends the signal again.
@@ -242,7 +242,9 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   progress.end();
   if (trial) c = with_targets_met(MPI_COMM_SELF, std::move(c), volumes, progress);
   fmt::print("{}", model::summary(c));
-  for (const auto& v : volumes) {
+  for (size_t i = 0; i < volumes.size(); ++i) {
+    const LoadedVolume& v = volumes[i];
+    if (c.volumes[i].roller) continue;
     fmt::print("volume {}: {}\n", v.name, v.report);
     for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
   }
@@ -268,6 +270,9 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
                     nullptr, false, false);
   TrialRun tried;
   double checkpoint = kCheckpointNumbers * static_cast<double>(sim.mesh().nodes.size());
+  io::Checkpoint recorded;  // statistics of the nodes, above all
+  recorder.save(recorded);
+  checkpoint += io::checkpoint_numbers(recorded);
   if (trial) {
     tried = trial_run(sim, c, kTrial);
     fmt::print("{}\n", cost_sentence(tried));

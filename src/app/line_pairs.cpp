@@ -120,9 +120,9 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
         most = std::max(most, automatic_stiffness(i.most, j.most, i.radius + j.radius));
       }
     notes.push_back(fmt::format(
-        "contact {}: normal stiffness {} N/m per m: the stiffer of two lines' "
-        "own (as for volumes: presses in by 0.5 % of the radius), and so much at least that 1 % of "
-        "the EA of the weaker one presses crossing lines into each other by a twentieth of their radii",
+        "contact {}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
+        "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false leaves such "
+        "contact out",
         lines == 1 ? fmt::format("of line {} with itself", c.lines.front().name)
         : b.self   ? "between lines and of lines with themselves"
                    : "between lines",

@@ -15,6 +15,7 @@
 #include "hawser/app/run_parts.hpp"
 #include "hawser/app/touchdown.hpp"
 #include "hawser/math/declination.hpp"
+#include "hawser/model/doubts.hpp"
 #include "hawser/terms/body_contact.hpp"
 
 namespace hawser::app {
@@ -112,6 +113,10 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       std::make_unique<Histories>(comm, sim_, end_forces_, fields_, std::span(kEnds).first(ends_.size()));
   contents.series = histories_->series();
   for (io::ResultSeries& s : clearances_.series()) contents.series.push_back(std::move(s));
+  if (!c.supports.empty()) {
+    supports_ = std::make_unique<SupportLog>(comm, sim_);
+    for (io::ResultSeries& s : supports_->series()) contents.series.push_back(std::move(s));
+  }
   if (shows_touchdowns())
     for (const model::Line& line : c.lines)
       contents.series.push_back({line.name + " touchdown",
@@ -245,6 +250,8 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
   if (!sim_.model().output.clearances.empty())
     for (std::vector<double>& row : clearances_.rows(at, body_poses(sim_, at)))
       rows.push_back(std::move(row));
+  if (supports_)
+    for (std::vector<double>& row : supports_->rows(at, body_poses(sim_, at))) rows.push_back(std::move(row));
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
   if (shows_touchdowns())
@@ -283,7 +290,14 @@ void Recorder::find_worst(const Kinematics& at) {
 
 std::string Recorder::audit_warning() const {
   const int node = audit_.worst.node;
-  return audit_.warning(sim_.model().dynamics.step > 0, node < 0 ? "a body" : sim_.mesh().place(node));
+  const model::Case& c = sim_.model();
+  std::string striking;
+  for (const model::Body& b : c.bodies) {
+    const model::StartSpeeds speed = model::start_speeds(c, b);
+    if (striking.empty() && speed.motion + speed.drift > 0)
+      striking = fmt::format("bodies.{}.{}", b.name, speed.motion > 0 ? "motion" : "motion.drift");
+  }
+  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : sim_.mesh().place(node), striking);
 }
 
 void Recorder::output(const Kinematics& at) {
@@ -307,7 +321,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
   const auto rows = extremes_->table();
   warnings_.clear();
   for (const auto& r : rows) {
-    if (r.quantity == "max effective tension" && pressed_ >= 0)
+    if (r.quantity == "max effective tension" && r.value > 0 && pressed_ >= 0)
       if (const std::string w = turns_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
           !w.empty())
         warnings_.push_back(w);
@@ -328,6 +342,8 @@ std::string Recorder::finish(std::vector<std::string> messages) {
                 "automatic one is as high as the line's EA asks: is its tension more than it "
                 "bears?"));
   }
+  if (supports_)
+    for (const std::string& w : supports_->warnings()) warnings_.push_back(w);
   const bool moved = sim_.model().dynamics.enabled;
   if (const std::string n = audit_.note(); moved && !n.empty()) messages.push_back("note: " + n);
   if (const std::string w = audit_warning(); moved && !w.empty()) messages.push_back("warning: " + w);

@@ -71,7 +71,8 @@ std::vector<io::BodyPose> body_poses(Simulation& sim, const Kinematics& at) {
 
 std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
                                    const std::vector<std::string>& chosen) {
-  std::vector<std::string> all = c.notes;
+  std::vector<std::string> all = c.change_notes;
+  all.insert(all.end(), c.notes.begin(), c.notes.end());
   for (const auto& v : volumes)
     for (const auto& n : v.notes) all.push_back("volumes." + v.name + ": " + n);
   all.insert(all.end(), chosen.begin(), chosen.end());

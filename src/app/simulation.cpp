@@ -9,6 +9,7 @@
 
 #include "hawser/app/line_pairs.hpp"
 #include "hawser/app/share_nodes.hpp"
+#include "hawser/app/support_log.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/mesh/partition.hpp"
@@ -146,6 +147,13 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   bodies_->tell(comm, start.state.view(0));
   start_contact_ = start_contact(comm, c, local, start.state.view(0), *bodies_, volumes_);
   notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
+  if (!c.supports.empty()) {
+    std::vector<RigidPose> poses;
+    for (int b = 0; b < bodies_->size(); ++b) poses.push_back(bodies_->pose(b, start.state.view(0)));
+    const std::string wrong =
+        beneath_supports(c, support_crossings(comm, c, local, start.state.view(0), poses));
+    if (!wrong.empty()) throw InputError(c.path + ": " + wrong);
+  }
   if (!volumes.empty()) {
     std::vector<LineContactElement> elements = contact_elements(c, local);
     std::vector<bool> held(static_cast<size_t>(local.nodes()), false);

@@ -190,14 +190,17 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
     const auto& [l, v] = key;
     const model::Line& line = c.lines[static_cast<size_t>(l)];
     const model::Volume& volume = volumes[static_cast<size_t>(v)].settings;
-    // A line goes off its own hull on any side; of what is inside the other sentences tell.
+    // A line goes off its own hull on any side, and over its rollers; of what is inside the other sentences
+    // tell.
     const auto own = [&](const model::End& e) {
       return e.kind == model::EndKind::body && e.body == volume.body;
     };
     const auto there = [&, line_of = l, volume_of = v](const Inside& s) {
       return s.line == line_of && s.volume == volume_of;
     };
-    if (own(line.end_a) || own(line.end_b) || std::any_of(inside.begin(), inside.end(), there)) continue;
+    if (volume.roller || own(line.end_a) || own(line.end_b) ||
+        std::any_of(inside.begin(), inside.end(), there))
+      continue;
     const Chord& chord = chords[static_cast<size_t>(l)];
     const double share = row[2] / mesh.mesh->lines[static_cast<size_t>(l)].length;
     const bool under = (chord.a + share * (chord.b - chord.a)).z() >= row[6];

@@ -54,6 +54,7 @@ void read_all(const Value& root, const CaseSource& source, const SectionLengths&
   each("lines", [&](const std::string& name, const Value& v) {
     c.lines.push_back(read_line(name, v, source, root.find("start"), lengths, others, c));
   });
+  read_supports(root["supports"], source, c);
   for (model::Body& b : c.bodies)
     if (b.on)
       b.on->at = arc((*root.find("bodies"))[b.name]["on"].find("at"), 0,
@@ -80,7 +81,7 @@ Case read_document(const std::string& text, const std::string& path, const Readi
   c.directory = fs::path(c.path).parent_path().string();
   const auto tree = std::make_shared<Value>(parse_yaml(text, path));
   const Value& root = *tree;
-  c.notes = change_document(*tree, changes, path);
+  c.change_notes = change_document(*tree, changes, path);
   model::check_structure(*tree, model::case_schema(), path);
   if (const Value* title = root.find("title"); news.title)
     news.title(title && !title->text.empty() ? title->text : c.path);
@@ -96,13 +97,10 @@ Case read_document(const std::string& text, const std::string& path, const Readi
 model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm comm) {
   Case out;
   out.text = c.text, out.file = c.file, out.path = c.path, out.directory = c.directory;
-  out.tree = c.tree, out.changes = c.changes;
+  out.tree = c.tree, out.changes = c.changes, out.change_notes = c.change_notes;
   const CaseSource source{c.file, c.directory, comm};
   read_all(*c.tree, source, lengths, out);
   examine(out);
-  // Of the command line; all others are of the lengths that were given.
-  for (const std::string& n : c.notes)
-    if (n.find("--set") != std::string::npos) out.notes.push_back(n);
   return out;
 }
 

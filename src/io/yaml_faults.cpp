@@ -166,6 +166,52 @@ const char* strange_begin(const Line& line) {
   return nullptr;
 }
 
+bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+// The end of the word at a place: letters, digits and '_', a letter first.
+std::size_t end_of_word(std::string_view text, std::size_t at) {
+  if (at >= text.size() || !letter(text[at])) return at;
+  while (at < text.size() && (letter(text[at]) || (text[at] >= '0' && text[at] <= '9'))) ++at;
+  return at;
+}
+
+std::string no_colon(std::string_view key) {
+  return fmt::format("a colon and a blank are missing after {}", model::quote(key));
+}
+
+// Of a line in which a bracket follows a key without a colon between them; empty: there is none.
+std::string bracket_without_colon(const Line& line) {
+  const std::string_view text = line.text;
+  std::size_t at = std::min(text.find_first_not_of(" -"), text.size());
+  int open = line.flow ? 1 : 0;
+  for (bool begin = true; at < text.size();) {
+    const std::size_t end = begin ? end_of_word(text, at) : at;
+    if (end > at) {
+      const std::size_t next = text.find_first_not_of(' ', end);
+      if (next > end && next != std::string_view::npos && (text[next] == '[' || text[next] == '{'))
+        return no_colon(text.substr(at, end - at));
+    }
+    begin = false;
+    for (at = end; at < text.size() && !begin; ++at) {
+      if (text[at] == '{' || text[at] == '[') ++open;
+      if (text[at] == '}' || text[at] == ']') --open;
+      begin = text[at] == '{' || (text[at] == ',' && open > 0);
+    }
+    at = std::min(text.find_first_not_of(' ', at), text.size());
+  }
+  return "";
+}
+
+// Of a line that is a key and perhaps its value, with no colon at all; empty: it is something else.
+std::string line_without_colon(const Line& line) {
+  if (line.empty() || line.flow || line.text.find(':') != std::string::npos) return "";
+  const std::size_t end = end_of_word(line.text, line.indent);
+  if (end == line.indent || (end < line.text.size() && line.text[end] != ' ')) return "";
+  return fmt::format(
+      "there is no colon in {}: a key ends with one, and a blank stands between that and the value",
+      model::quote(std::string_view(line.text).substr(line.indent)));
+}
+
 std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_t at) {
   struct Level {
     std::size_t indent, line;
@@ -233,12 +279,19 @@ std::optional<YamlFault> find_yaml_fault(const std::string& text, int line) {
   // The parser may notice at the key after.
   std::size_t before = last - 1;
   while (before > 0 && lines[before - 1].empty()) --before;
-  for (const std::size_t i : {last - 1, before > 0 ? before - 1 : before})
+  const std::size_t near[] = {last - 1, before > 0 ? before - 1 : before};
+  for (const std::size_t i : near)
     if (std::string said = unseparated(lines[i].text); !said.empty())
       return YamlFault{static_cast<int>(i) + 1, std::move(said)};
   for (std::size_t i = 0; i < last; ++i)
     if (const char* said = strange_begin(lines[i])) return YamlFault{static_cast<int>(i) + 1, said};
+  for (const std::size_t i : near)
+    if (std::string said = bracket_without_colon(lines[i]); !said.empty())
+      return YamlFault{number(i), std::move(said)};
   if (parts.unfit() && parts.unfit()->line <= line) return parts.unfit();
+  for (const std::size_t i : near)
+    if (std::string said = line_without_colon(lines[i]); !said.empty())
+      return YamlFault{number(i), std::move(said)};
   return wrong_indent(lines, last - 1);
 }
 

@@ -35,7 +35,7 @@ std::vector<BodyPair> body_pairs(const Case& c) {
   for (std::size_t i = 0; i < c.volumes.size(); ++i)
     for (std::size_t j = i + 1; j < c.volumes.size(); ++j) {
       const Volume &a = c.volumes[i], &b = c.volumes[j];
-      if (a.body == b.body || !c.contact.takes_part(a) || !c.contact.takes_part(b) ||
+      if (a.body == b.body || a.roller || b.roller || !c.contact.takes_part(a) || !c.contact.takes_part(b) ||
           (!floats(a) && !floats(b)) || c.rides(c.body_index(a.body)) || c.rides(c.body_index(b.body)))
         continue;
       const int ra = rank(a), rb = rank(b);

@@ -57,7 +57,9 @@ bool Contact::has_friction(const std::vector<Volume>& all) const {
 
 bool Contact::takes_part(const Line& line) const { return all_lines || holds(lines, line.name); }
 
-bool Contact::takes_part(const Volume& volume) const { return all_volumes || holds(volumes, volume.name); }
+bool Contact::takes_part(const Volume& volume) const {
+  return all_volumes || volume.roller || holds(volumes, volume.name);
+}
 
 const LineType& Case::line_type(const std::string& name) const {
   for (const LineType& t : line_types)

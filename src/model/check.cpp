@@ -248,6 +248,7 @@ std::vector<Issue> check(const Case& c) {
   check_rides(c, issues);
   check_floating(c, issues);
   check_contact(c, issues);
+  check_supports(c, issues);
   check_events(c, issues);
   return issues;
 }

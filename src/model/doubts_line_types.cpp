@@ -1,6 +1,6 @@
 // Whether mass, diameter and EA of a line type are those of one thing: by density and modulus. Steel: 7850
 // kg/m³ and 206 GPa (DNV-OS-E301); the diameter of a chain is that of a round bar of its volume, 1.8 times
-// that of its bar.
+// that of its bar. Whether the contents are as dense as what pipes carry, and coatings as thick as any.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,7 +13,9 @@ namespace {
 constexpr double kHeavy = 8500, kLight = 100;  // kg/m³, mean density of a line with its bore
 // In air the diameter may be nominal, that of a chain's bar: 25 t/m³.
 constexpr double kHeavyInAir = 30000;
-constexpr double kThick = 5;                   // m
+constexpr double kThick = 5;  // m
+// kg/m³ of contents: gas under pressure has 50 and more, the heaviest drilling mud 2400.
+constexpr double kLeastContents = 10, kMostContents = 5000;
 constexpr double kStiff = 250e9, kSoft = 1e5;  // Pa
 
 bool in_range(double x, double least, double most) { return x >= least && x <= most; }
@@ -30,11 +32,45 @@ std::string density_hint(double density, bool water) {
   return "; check both";
 }
 
+void doubt_contents(const LineType& t, std::vector<Doubt>& out) {
+  const double density = t.contents_density;
+  if (!(density > 0) || in_range(density, kLeastContents, kMostContents)) return;
+  std::string hint = "is it meant?";
+  if (in_range(density * 1000, kLeastContents, kMostContents))
+    hint = fmt::format("is it in t/m³ or g/cm³? ('{:g} kg/m3')", density * 1000);
+  out.push_back(
+      {fmt::format("line_types.{}.contents.density", t.name),
+       fmt::format("{:g} kg/m³ is {} than what pipes carry ({:g} to {:g}); {}", density,
+                   density < kLeastContents ? "lighter" : "heavier", kLeastContents, kMostContents, hint),
+       12});
+}
+
+// A coating that is thicker than half of the pipe in it, by the keys of the file: the type has but the sums.
+bool doubt_coatings(const Case& c, const LineType& t, std::vector<Doubt>& out) {
+  const Value* types = c.tree ? c.tree->find("line_types") : nullptr;
+  const Value* type = types ? types->find(t.name) : nullptr;
+  const Value* pipe = type ? type->find("pipe") : nullptr;
+  const Value* coatings = pipe ? pipe->find("coatings") : nullptr;
+  if (!coatings) return false;
+  const std::size_t before = out.size();
+  const double D = (*pipe)["outer_diameter"].number;
+  for (std::size_t i = 0; i < coatings->items.size(); ++i)
+    if (const double thickness = coatings->items[i]["thickness"].number; thickness > D / 2)
+      out.push_back({fmt::format("line_types.{}.pipe.coatings[{}].thickness", t.name, i),
+                     fmt::format("a coating of {:.4g} m is thicker than half of the pipe of {:.4g} m; is it "
+                                 "in mm? ('{:g} mm')",
+                                 thickness, D, thickness),
+                     13});
+  return out.size() > before;
+}
+
 }  // namespace
 
 void doubt_line_types(const Case& c, std::vector<Doubt>& out) {
   const bool water = c.environment.water.present;
   for (const LineType& t : c.line_types) {
+    doubt_contents(t, out);
+    if (doubt_coatings(c, t, out)) continue;  // all else follows from it
     const std::string key = "line_types." + t.name;
     const double d = t.displaced(), density = t.mass_per_length / (M_PI / 4 * d * d);
     if (density > (water ? kHeavy : kHeavyInAir) || density < kLight)

@@ -94,26 +94,54 @@ double speed_at(const Case& c, const Body& b, const RigidMotion& motion, double 
   return most;
 }
 
-void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
-  if (b.mass || b.on || b.ramp > 0 || !c.statics.enabled || b.motion.index() == 0) return;
-  // Straight lines between rows jump at all of them, and rows of waves are given with their ramp.
-  if (const auto* t = std::get_if<TableMotion>(&b.motion);
-      t && (t->between == BetweenRows::linear || t->of_waves))
-    return;
+// The speed with which a motion begins at t = 0 [m/s], 0 where that is little beside what follows.
+double jump(const Case& c, const Body& b) {
   const RigidMotion motion = rigid_motion(b);
   const double first = speed_at(c, b, motion, 0);
-  if (!(first > kLeastJump)) return;
+  if (!(first > kLeastJump)) return 0;
   constexpr int kLooks = 200;
   double most = 0;
   for (int i = 1; i <= kLooks; ++i)
     most = std::max(most, speed_at(c, b, motion, c.dynamics.duration * i / kLooks));
-  if (first > kJump * most)
-    out.push_back(
-        {"bodies." + b.name + ".motion",
-         fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: it strikes them; a "
-                     "'ramp' of some periods starts it smoothly",
-                     first),
-         11});
+  return first > kJump * most ? first : 0;
+}
+
+bool jumps_anyhow(const TableMotion& t) { return t.between == BetweenRows::linear && !t.time.empty(); }
+
+}  // namespace
+
+StartSpeeds start_speeds(const Case& c, const Body& b) {
+  StartSpeeds out;
+  if (b.mass || b.on || !c.statics.enabled) return out;
+  // Straight lines between rows jump at all of them, and rows of waves are given with their ramp.
+  const auto* table = std::get_if<TableMotion>(&b.motion);
+  if (b.motion.index() != 0 && b.ramp == 0 && !(table && (jumps_anyhow(*table) || table->of_waves))) {
+    Body alone = b;
+    alone.drift.reset();
+    out.motion = jump(c, alone);
+  }
+  if (b.drift && b.drift->ramp == 0 && !jumps_anyhow(b.drift->table)) {
+    Body alone = b;
+    alone.motion = {};
+    out.drift = jump(c, alone);
+  }
+  return out;
+}
+
+namespace {
+
+void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
+  const StartSpeeds speed = start_speeds(c, b);
+  const auto tell = [&](double first, const char* key) {
+    if (first > 0)
+      out.push_back(
+          {fmt::format("bodies.{}.{}", b.name, key),
+           fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: it strikes them; a "
+                       "'ramp' of some periods starts it smoothly",
+                       first),
+           11});
+  };
+  tell(speed.motion, "motion"), tell(speed.drift, "motion.drift");
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ inline constexpr const char* kZero = "[0, 0, 0]";
 
 Key bodies();
 Key volumes();  // with their shapes, contact laws and friction
+Key supports();               // of laid pipes: roller boxes
 Key joints();
 Key lines();
 Key contact();

@@ -250,7 +250,7 @@ class Checker {
   }
 
   void check_names(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::map) wrong_type(v, k, path, hint_of_no_keys(v));
+    if (v.kind != Kind::map) wrong_type(v, k, path, hint_of_no_keys(v, k));
     if (v.items.size() < k.min_items) bad(v, path, "is empty; at least one entry is needed");
     for (std::size_t i = 0; i < v.items.size(); ++i) {
       check_name_text(v.items[i], v.keys[i], path);
@@ -259,7 +259,7 @@ class Checker {
   }
 
   void check_map(Value& v, const Key& k, const std::string& path) {
-    if (v.kind != Kind::map) wrong_type(v, k, path, hint_of_no_keys(v));
+    if (v.kind != Kind::map) wrong_type(v, k, path, hint_of_no_keys(v, k));
     const std::string prefix = path.empty() ? "" : path + ".";
     std::vector<std::string> allowed;
     for (const Key& c : k.keys) allowed.push_back(c.name);

@@ -28,8 +28,10 @@ std::string misspelt_number(const std::string& unit) {
 // No list where there should be one.
 std::string hint_of_no_list(const Value& v) {
   if (v.kind == Kind::map) return "; entries of a list begin with '- ', or stand in brackets: [a, b]";
-  if (v.kind == Kind::scalar && v.text.starts_with('(')) return "; a list stands in brackets: [1, 2, 3]";
-  return "";
+  if (v.kind != Kind::scalar || (!v.text.starts_with('(') && v.text.find(',') == std::string::npos))
+    return "";
+  return v.line == kBySet ? "; a list stands in brackets, for the shell in quotes: --set 'KEY=[1, 2, 3]'"
+                          : "; a list stands in brackets: [1, 2, 3]";
 }
 // One entry where there should be several.
 std::string hint_of_no_commas(const Value& v) {
@@ -38,9 +40,21 @@ std::string hint_of_no_commas(const Value& v) {
   return one ? fmt::format("; there are commas between entries, not as in {}", quote(v.items[0].text)) : "";
 }
 
+// Of a key with something behind it; empty: it does not begin with one of the allowed.
+std::string hint_of_no_colon(const std::string& text, const std::vector<std::string>& allowed) {
+  const std::size_t blank = text.find(' ');
+  const std::string word = text.substr(0, blank);
+  if (blank == std::string::npos || std::find(allowed.begin(), allowed.end(), word) == allowed.end())
+    return "";
+  return fmt::format("; a colon is missing after '{}': '{}: ...'", word, word);
+}
+
 // No map where there should be one.
-std::string hint_of_no_keys(const Value& v) {
+std::string hint_of_no_keys(const Value& v, const Key& k) {
   if (v.kind == Kind::null) return "; its keys are those below it that are indented further";
+  std::vector<std::string> allowed;
+  for (const Key& c : k.keys) allowed.push_back(c.name);
+  if (const std::string hint = hint_of_no_colon(v.text, allowed); !hint.empty()) return hint;
   const std::string blank = v.kind == Kind::scalar ? missing_blank(v.text) : "";
   return blank.empty() ? "" : "; " + blank;
 }
@@ -54,6 +68,7 @@ std::string likely_key(const Value& v, std::size_t i, const Key& k, const std::v
     const std::string before = v.keys[i].substr(0, v.keys[i].find_last_not_of(" =", at) + 1);
     return fmt::format("; between a key and its value are a colon and a blank: '{}: ...'", before);
   }
+  if (const std::string hint = hint_of_no_colon(v.keys[i], allowed); !hint.empty()) return hint;
   // The rest of a number or a list in braces.
   if (i > 0 && v.items[i].kind == Kind::null && v.items[i - 1].kind == Kind::scalar &&
       v.keys[i].find_first_not_of("0123456789.-+ )") == std::string::npos) {

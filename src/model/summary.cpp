@@ -3,6 +3,7 @@
 #include "hawser/model/summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -232,6 +233,20 @@ void describe_sea(const Case& c, std::string& s) {
                      b.suction_length);
 }
 
+void describe_supports(const Case& c, std::string& s) {
+  if (c.supports.empty()) return;
+  s += fmt::format("supports: {}\n", c.supports.size());
+  for (const SupportBox& b : c.supports) {
+    const Volume& roller = c.volumes[b.first];
+    s += fmt::format(
+        "  {}: {} of radius {:g} m, {}, {}, {}; axis of line {} at {}, {:.3g} deg below the horizontal\n",
+        b.name, fmt::join(b.rollers, ", "), std::get<CylinderShape>(*roller.shape).radius,
+        b.body.empty() ? std::string("fixed in space") : "on " + b.body, stiffness_text(roller),
+        friction_text(roller.friction), b.line, point(b.at),
+        std::atan2(-b.along.z(), std::hypot(b.along.x(), b.along.y())) * 180 / M_PI + 0.0);
+  }
+}
+
 }  // namespace
 
 LineSize size_of(const Case& c, const Line& line) {
@@ -270,14 +285,20 @@ std::string summary(const Case& c) {
   s += fmt::format("bodies: {}\n", c.bodies.size());
   for (const Body& b : c.bodies)
     s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(b));
-  s += fmt::format("volumes: {}\n", c.volumes.size());
-  for (const Volume& v : c.volumes)
+  describe_supports(c, s);
+  const auto rollers =
+      std::count_if(c.volumes.begin(), c.volumes.end(), [](const Volume& v) { return v.roller; });
+  s += fmt::format("volumes: {}{}\n", c.volumes.size(),
+                   rollers > 0 ? fmt::format(", of which {} rollers of supports", rollers) : "");
+  for (const Volume& v : c.volumes) {
+    if (v.roller) continue;
     s += fmt::format("  {}: {}, {}, {}, {}{}\n", v.name, form_text(v),
                      v.body.empty() ? std::string("fixed in space") : "on " + v.body, stiffness_text(v),
                      friction_text(v.friction),
                      v.active_box            ? ", active in a box"
                      : v.active_part.empty() ? std::string()
                                              : ", active: " + v.active_part);
+  }
   describe_sea(c, s);
   s += fmt::format("gravity: {:g} m/s²\n", c.environment.gravity);
   s += fmt::format("run: {}", c.statics.enabled ? "statics" : "no statics");
@@ -290,6 +311,7 @@ std::string summary(const Case& c) {
                      r.time >= 0 ? fmt::format("at t = {:g} s", r.time)
                                  : fmt::format("when its effective tension reaches {:g} N", r.tension));
   s += fmt::format("results: {}{}\n", c.output.file, c.output.xdmf ? " and .xdmf" : "");
+  for (const std::string& n : c.change_notes) s += "note: " + n + "\n";
   for (const std::string& n : grouped_notes(c.notes)) s += "note: " + n + "\n";
   return s;
 }

@@ -14,6 +14,7 @@
 #include "hawser/model/bed.hpp"
 #include "hawser/solve/start_slack.hpp"
 #include "start_free_end.hpp"
+#include "support_start.hpp"
 
 namespace hawser {
 namespace {
@@ -238,6 +239,8 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
   if (line.start == Start::other_run)
     return as_left(*line.left, a ? std::optional(xa) : std::nullopt, b ? std::optional(xb) : std::nullopt,
                    mesh, span);
+  if (line.start == Start::automatic)
+    if (auto laid = line_over_supports(c, line, bodies, mesh, span)) return *std::move(laid);
   const auto straight = [&] {
     if (a && b) return along({xa, xb}, mesh, span);
     const model::End& e = a ? line.end_a : line.end_b;

@@ -63,6 +63,16 @@ void LineVolumeContact::touches(Touches& out) const {
   }
 }
 
+std::vector<Vec3> LineVolumeContact::forces_by_volume(const Kinematics& at) const {
+  std::vector<Vec3> out(static_cast<size_t>(volumes()), Vec3::Zero());
+  for (const Pair& pair : pairs_)
+    if (local(pair).counted)
+      for (const ContactPoint& p : pair.points) out[static_cast<size_t>(pair.volume)] += p.weight * p.force;
+  for (int v = 0; v < volumes(); ++v)
+    if (Vec3& f = out[static_cast<size_t>(v)]; !f.isZero(0)) f = volumes_.pose_of(v, at).rotation * f;
+  return out;
+}
+
 int LineVolumeContact::touching() const {
   int count = 0;
   const Pair* last = nullptr;  // walls of one volume count once

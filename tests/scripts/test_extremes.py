@@ -188,7 +188,7 @@ class Command(unittest.TestCase):
                                 (["one.h5", "--block", "1000"], "there are 4 blocks of 1000 s, and a fit needs 10"),
                                 (["one.h5", "--block", "4"], "shorter than the mean period"),
                                 (["one.h5", "--column", "x"], "has no column 'x'"),
-                                (["one.h5", "--since", "1e6"], "no two steps"),
+                                (["one.h5", "--since", "3999.9"], "no two steps"), (["one.h5", "--since", "1e6"], "there is nothing from"),
                                 (["one.h5", "-o", "x.txt"], "is a .json or .csv file")):
             told = self.extremes(*arguments)
             with self.subTest(arguments=arguments):

@@ -20,6 +20,7 @@ from hawser_post import __main__ as post  # noqa: E402
 from hawser_post.fatigue import CURVES, damage, rainflow, wall_stress  # noqa: E402
 from hawser_post.results import Results, metres  # noqa: E402
 from hawser_post.sea import Sea  # noqa: E402
+from hawser_post.stress import Wall  # noqa: E402
 from hawser_post.statistics import spectrum, statistics  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
@@ -221,7 +222,10 @@ class Report(unittest.TestCase):
         self.assertIn("largest damage", self.python("fatigue", "riser.h5", *pipe).stdout)
         for arguments, part in ((["riser.h5=0.7", "riser.h5=0.7", *pipe], "more than all of the time"),
                                 (["riser.h5=x", *pipe], "is no number"),
-                                (["riser.h5", "--curve", "dnv-d-air"], "needs --outer-diameter"),
+                                (["riser.h5", "--curve", "dnv-d-air"], "the case gives no wall of line"),
+                                (["riser.h5", "--curve", "dnv-d-air", "--wall", "0.02"], "needs --outer-diameter"),
+                                (["riser.h5", *pipe, "--area", "0.1"], "takes no --area, but --outer-diameter and --wall"),
+                                (["riser.h5", *pipe, "--factor", "0"], "--factor 0 is not above 0"),
                                 (["riser.h5", *pipe, "--since", "23"], "too few for cycles")):
             refused = self.python("fatigue", *arguments)
             self.assertEqual(refused.returncode, 2)
@@ -277,7 +281,7 @@ class Numbers(unittest.TestCase):
     def test_stress_of_a_pipe(self):
         outer, wall, moment = 0.5, 0.02, 2e5
         inner = outer - 2 * wall
-        stress = wall_stress(np.array([[1e6]]), np.array([[0.6 * moment]]), np.array([[0.8 * moment]]), outer, wall)
+        stress = wall_stress(np.array([[1e6]]), np.array([[0.6 * moment]]), np.array([[0.8 * moment]]), Wall(outer, inner))
         area, inertia = np.pi / 4 * (outer**2 - inner**2), np.pi / 64 * (outer**4 - inner**4)
         self.assertAlmostEqual(stress.mean(), 1.0 / area, places=9)
         bending = 1e-6 * moment * outer / 2 / inertia

@@ -1,6 +1,7 @@
 """Parts of a report on results files that were not computed: units, statistics of every step, stress of pipes, clearances,
 sea and seabed."""
 import contextlib
+import csv
 import io
 import re
 import shutil
@@ -17,7 +18,7 @@ from synthetic import results_file
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post import __main__ as post  # noqa: E402
-from hawser_post import charts, envelopes, export, stress, tables  # noqa: E402
+from hawser_post import charts, envelopes, export, fatigue, inputs, stress, tables  # noqa: E402
 from hawser_post.results import Refusal, Results  # noqa: E402
 from hawser_post.sea import Sea  # noqa: E402
 
@@ -61,7 +62,10 @@ class Parts(unittest.TestCase):
     def run_(self, *arguments):
         out, err = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-            code = post.main([str(a) for a in arguments])
+            try:
+                code = post.main([str(a) for a in arguments])
+            except SystemExit as stop:  # of the parser
+                code = stop.code
         return code, out.getvalue(), err.getvalue()
 
     def words(self, *arguments):
@@ -170,6 +174,34 @@ class Parts(unittest.TestCase):
         with self.assertRaisesRegex(Refusal, "all lines are cables"):
             stress.along(cables, cables.lines[0])
 
+    def test_fatigue_takes_the_wall_of_the_case(self):
+        path = self.file()
+        with h5py.File(path, "a") as file:
+            file["fields/bending_moment_2"], file["fields/bending_moment_3"] = 0.6 * self.moment, 0.8 * self.moment
+        damages = []
+        for options in ([], ["--outer-diameter", "300e-3", "--wall", "0.02"]):
+            code, told, err = self.run_("fatigue", path, "--curve", "dnv-d-air", *options, "-o", self.folder / "damage.csv")
+            self.assertEqual(code, 0, err)
+            damages.append(np.loadtxt(self.folder / "damage.csv", delimiter=",", skiprows=1))
+        self.assertEqual(len(damages[1]), len(ARC))
+        pipe = ARC <= 60  # the bar has no wall
+        np.testing.assert_allclose(damages[0][:, 0], ARC[pipe])
+        self.assertGreater(damages[0][:, 1].min(), 0)
+        np.testing.assert_allclose(damages[0][:, 1], damages[1][pipe, 1], rtol=1e-6)
+        # The axial force is that of the wall: the same sum by hand, from effective tension and pressures.
+        k, depth = 5, 10 + ARC[5] / 5
+        tension = self.tension[:, k] + (10e6 + 8e3 * depth) * np.pi / 4 * 0.26**2 - 1e4 * depth * np.pi / 4 * 0.3**2
+        around = fatigue.wall_stress(tension[:, None], 0.6 * self.moment[:, [k]], 0.8 * self.moment[:, [k]], stress.Wall(0.3, 0.26))
+        by_hand = max(fatigue.damage(around[:, 0, p], fatigue.CURVES["dnv-d-air"]) for p in range(fatigue.PLACES))
+        self.assertAlmostEqual(damages[0][k, 1] / by_hand * (TIME[-1] - TIME[0]) / fatigue.YEAR, 1, places=6)
+
+    def test_walls_end_where_the_target_has_put_them(self):
+        # The wall is 40 m long in the file, and a target has made it 60 m of the 100 m that the results have.
+        found = Results(self.file(name="found.h5", case=CASE.replace("length: 60}", "length: 40}").replace(
+            "end_b: free}", "end_b: free, target: {tension: 1e5, at: end_a, section: 1}}")))
+        given = Results(self.file())
+        np.testing.assert_allclose(stress.along(found, found.lines[0]), stress.along(given, given.lines[0]))
+
     def test_utilisation(self):
         share = np.outer(0.5 + 0.1 * np.sin(TIME), 1 - ARC / 200)
         path = results_file(self.folder / "u.h5", TIME, {"riser": ARC}, {
@@ -188,6 +220,92 @@ class Parts(unittest.TestCase):
         self.assertIn(f"to the hull {gap[k, 0]:.4g} {TIME[k]:.3f} {TIME[k]:.3f}", words)
         self.assertIn("environment value water.depth 50", words)
         self.assertIn("riser 1 60 m wall anchored at [0, 0, -10] free 2 40 m bar", words)
+
+    def test_input_spells_out_pipes_and_found_lengths(self):
+        case = CASE.replace("wall_thickness: 0.02}", "wall_thickness: 0.02, coatings: [{thickness: 3 mm, density: 900}, "
+                            "{thickness: 40 mm, density: 700}]}")
+        case = case.replace("length: 60}", "length: 45}").replace("end_b: free}", "end_b: free, target: {tension: 1e5, at: end_a}}")
+        results = Results(self.file(case=case))
+        head, rows = inputs.line_types(results)
+        self.assertEqual(head, ["key", "wall", "bar"])
+        table = {row[0]: row[1:] for row in rows}
+        self.assertEqual(table["pipe.outer_diameter"], ["300 mm", ""])
+        self.assertEqual(table["pipe.wall_thickness"], ["0.02", ""])
+        self.assertEqual(table["pipe.coatings"], ["thickness 3 mm, density 900; thickness 40 mm, density 700", ""])
+        self.assertEqual(table["contents.pressure"], ["10 MPa", ""])
+        self.assertEqual(table["EA"][0], "")
+        self.assertNotIn("table", str(rows))
+        _, rows = inputs.sections(results)
+        self.assertEqual([row[2] for row in rows], ["60 m found by the target (given: 45 m)", "40 m"])
+        self.assertIn("60 m found by the target", self.words(results.path))
+
+    def test_laid_lengths(self):
+        touchdown = {"riser touchdown": (["end_a_arc_length", "laid_length"], ["m", "m"], np.stack([TIME, 12.34 + TIME], axis=1))}
+        force = np.zeros((len(TIME), len(ARC), 3))
+        force[:, 3:8, 2] = 1  # nodes every 2 m
+        path = self.file(series=(TIME, touchdown))
+        with h5py.File(path, "a") as file:
+            file["fields/seabed_force"] = force
+        head, rows = tables.of_lines(Results(path))
+        self.assertEqual(dict(zip(head, rows[0]))["on the seabed at the start [m]"], 12.34)
+        self.assertEqual(dict(zip(head, rows[0]))["at the end [m]"], 12.34 + TIME[-1])
+        with h5py.File(path, "a") as file:
+            del file["series/riser touchdown"]
+        self.assertAlmostEqual(tables.of_lines(Results(path))[1][0][4], 8.0)
+
+    def test_statistics_say_from_when(self):
+        # A history at a node of which only every fourth step is kept: what the results have of every step counts.
+        case = CASE + "  histories: [{line: riser, at: 20, name: here}, {line: riser, at: 21, name: between}]\n"
+        case = case.replace("output: {statistics_from: 4 s}", "output:\n  statistics_from: 4 s")
+        few = TIME[::4]
+        columns = ["effective_tension", "position_z"]
+        values = np.stack([1e5 * (2 + np.sin(few)), np.cos(few)], axis=1)
+        path = self.file(case=case, series=(few, {name: (columns, ["N", "m"], values) for name in ("here", "between")}))
+        code, _, err = self.run_("export", path, "-o", self.folder / "csv")
+        self.assertEqual(code, 0, err)
+
+        def rows(folder):
+            with (self.folder / folder / "statistics.csv").open() as file:
+                return {(r["history"], r["quantity"]): r for r in csv.DictReader(file)}
+
+        found = rows("csv")
+        self.assertEqual({r["from [s]"] for r in found.values()}, {"4"})
+        self.assertEqual(float(found["here", "effective tension"]["maximum"]), float(f"{self.tension[:, 10].max() + 5e3:.9g}"))
+        self.assertEqual(float(found["here", "effective tension"]["mean"]), float(f"{self.tension[:, 10].mean():.9g}"))
+        late = few >= 4
+        for key, column in ((("between", "effective tension"), 0), (("here", "position z"), 1)):
+            self.assertAlmostEqual(float(found[key]["maximum"]) / values[late, column].max(), 1, places=7)
+        code, _, err = self.run_("export", path, "-o", self.folder / "later", "--since", "9")
+        self.assertEqual(code, 0, err)
+        found = rows("later")
+        self.assertEqual({r["from [s]"] for r in found.values()}, {"9"})
+        self.assertAlmostEqual(float(found["here", "effective tension"]["maximum"]) / values[few >= 9, 0].max(), 1, places=7)
+        with (self.folder / "later/range_riser.csv").open() as file:
+            most = [float(r["effective_tension_max [N]"]) for r in csv.DictReader(file)]
+        np.testing.assert_allclose(most, self.tension[TIME >= 9].max(axis=0), rtol=1e-8)
+
+    def test_options_that_would_be_ignored(self):
+        path = self.file(series=(TIME, {"here": (["effective_tension"], ["N"], TIME[:, None])}))
+        for arguments, part in ((["plot", path, "stress", "--time", "3"], "the figure 'stress' takes no --time (it takes --line, "
+                                 "--outer-diameter, --since, --wall)"),
+                                (["plot", path, "plan", "--since", "3"], "the figure 'plan' takes no --since (it takes --time)"),
+                                (["plot", path, "history", "--over", "x"], "takes no --over"),
+                                (["plot", path, "range", "--name", "here"], "takes no --name"),
+                                (["plot", path, "plan", "--time", "99"], "there is no output at --time 99 (there are from 0 to 19.5)"),
+                                (["plot", path, "range", "--since", "-5"], "--since: '-5' is no time from 0 on, in s (see hawser plot"),
+                                (["report", path, "--since", "-5"], "--since: '-5' is no time from 0 on"),
+                                (["report", path, "--since", "nan"], "--since: 'nan' is no time from 0 on"),
+                                (["report", path, "--since", "50"], "there is nothing from t = 50 s on (the last output is at 19.5 s)"),
+                                (["export", path, "--since", "50"], "there is nothing from t = 50 s on"),
+                                (["extremes", path, "--since", "50"], "there is nothing from t = 50 s on"),
+                                (["fatigue", path, "--curve", "dnv-d-air", "--since", "50"], "there is nothing from t = 50 s on")):
+            with self.subTest(arguments=arguments[0::2]):
+                output = self.folder / ("none.csv" if arguments[0] in ("extremes", "fatigue") else "none.svg")
+                code, out, err = self.run_(*arguments, "-o", output)
+                self.assertEqual((code, out), (2, ""))
+                self.assertEqual(len(err.splitlines()), 1, err)
+                self.assertIn(part, err)
+                self.assertFalse(output.exists())
 
     def test_modes_need_a_case(self):
         code, _, err = self.run_("report", self.file(), "--modes")

@@ -116,6 +116,14 @@ output: {every: 5}
         self.assertRegex(result.stdout, r"warning: the steps lost \d+ J by t = [\d.]+ s, \d+\.?\d* % of the work done: they are "
                                         r"too long for what moves; give dynamics.step: 0.12 s. The results are not to be used")
 
+    def test_blow_at_the_start(self):
+        for ranks in (0, 2):
+            result = self.hawser("run", ROOT / "docs/tutorial/riser-3.yaml", "-o", f"blow{ranks}.h5", "--set", "dynamics.duration=0.3",
+                                 "--set", "bodies.vessel.motion.ramp=0", ranks=ranks)
+            self.assertEqual(result.returncode, 4, result.stderr)
+            self.assertRegex(result.stdout, r"warning: the steps created .*: bodies.vessel.motion begins with a velocity and strikes "
+                                            r"the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter step is no help")
+
     def test_help(self):
         for arguments, words in [(["--help"], ["run", "check", "schema", "Exit codes", "mpirun"]),
                                  (["run", "--help"], ["--restart", "--output", "--stop-at", "PETSc options", "--quiet"]),
@@ -140,6 +148,11 @@ output: {every: 5}
         self.refused(["run", "rod.yaml", "--fast"], "there is no option '--fast', but there are --help,")
         self.refused(["check", "rod.yaml", "--quik=1"], "there is no option '--quik'; did you mean '--quick'?")
         self.refused(["run", "rod.yaml", "-log_view"], "there is no option '-log_view'; options of PETSc follow a lone --: -- -log_view")
+        for arguments in (["run", "-set", "dynamics.step=0.1", "rod.yaml"], ["run", "rod.yaml", "-set", "dynamics.step=0.1"]):
+            self.refused(arguments, "there is no option '-set'; did you mean '--set'? (see hawser run --help)")
+        for arguments in (["run", "-n", "3", "rod.yaml"], ["run", "rod.yaml", "-np", "3"], ["run", "rod.yaml", "--ranks=3"],
+                          ["run", "-n3", "rod.yaml"], ["-n", "3", "rod.yaml"]):
+            self.refused(arguments, "the number of ranks is for mpirun to know: mpirun -n 3 hawser run rod.yaml (see")
         self.refused(["run", "rod.yaml", "--restart"], "a value is missing after --restart")
         self.refused(["modes", "rod.yaml", "-n", "two"], "--number: 'two' is no whole number from 1 to 10000")
         self.refused(["report", "rod.h5", "--sinse", "3"], "there is no option '--sinse'; did you mean '--since'?")

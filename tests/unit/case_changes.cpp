@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -74,9 +75,23 @@ TEST(CaseChanges, AreMadeInTheDocument) {
       "--set statics=null (given in line 17 of the file)",
       "--set contact.between_lines.friction=0.2 (not in the file)",
       "--set dynamics.duration=0.75 (set before)"};
-  ASSERT_GE(c.notes.size(), notes.size());
-  EXPECT_EQ(std::vector<std::string>(c.notes.begin(), c.notes.begin() + static_cast<long>(notes.size())),
-            notes);
+  EXPECT_EQ(c.change_notes, notes);
+  for (const std::string& n : c.notes) EXPECT_FALSE(n.starts_with("--set")) << n;
+}
+
+// A case with other lengths says of its changes what it said, and once what it doubts of them.
+TEST(CaseChanges, AreToldOfACaseWithOtherLengths) {
+  const model::Case c = read({"dynamics.step=0.5"});
+  const auto doubts = [](const model::Case& of) {
+    return std::count_if(of.notes.begin(), of.notes.end(), [](const std::string& n) {
+      return n.starts_with("two.yaml with --set: dynamics.step: 0.5 s is 18 steps");
+    });
+  };
+  EXPECT_EQ(doubts(c), 1);
+  const model::Case other = io::with_lengths(c, {{"lines.other.sections[0]", 61}});
+  EXPECT_EQ(other.lines[1].sections[0].length, 61);
+  EXPECT_EQ(other.change_notes, std::vector<std::string>{"--set dynamics.step=0.5 (in the file 0.1)"});
+  EXPECT_EQ(doubts(other), 1);
 }
 
 TEST(CaseChanges, LeaveAllElseAsItIs) {
@@ -122,6 +137,10 @@ TEST(CaseChanges, ThatCannotBeMadeAreRefusedWithOneSentence) {
       {"dynamics.duration=10 kg", {"two.yaml with --set: dynamics.duration: wrong unit 'kg'"}},
       {"dynamics={durations: 3}",
        {"two.yaml with --set: dynamics.durations: unknown key; did you mean 'duration'?"}},
+      {"lines.other.end_a.anchor=1,2,3",
+       {"lines.other.end_a.anchor: expected a list of 3 numbers [m], found '1,2,3'; a list stands in "
+        "brackets, "
+        "for the shell in quotes: --set 'KEY=[1, 2, 3]'"}},
       {"dynamics.duration=null", {"dynamics.duration: required key is missing"}},
       {"environment.waves.regular={height: 1, period: 8}", {"'regular' and 'jonswap' exclude each other"}},
       {"lines.other.sections[0].length=4",

@@ -94,6 +94,52 @@ TEST(Doubts, MassDiameterAndStiffness) {
   expect_doubt(weightless("EA: 1.6e9", "EA: 1.6e3"), "less than that of rubber (1 to 10)");
 }
 
+TEST(Doubts, ContentsAndCoatings) {
+  const auto pipe = [](const std::string& more) {
+    return weightless(
+        "chain: {outer_diameter: 0.25, mass_per_length: 390, EA: 1.6e9, bending: false, breaking_load: "
+        "1.3e7}",
+        "chain: {pipe: {outer_diameter: 0.3, wall_thickness: 0.02" + more + "}");
+  };
+  const auto contents = [&](const std::string& density) {
+    return pipe("}, contents: {density: " + density + "}");
+  };
+  EXPECT_EQ(notes(contents("800")), std::vector<std::string>{});
+  EXPECT_EQ(notes(contents("0")), std::vector<std::string>{});  // empty
+  expect_doubt(
+      contents("0.8"),
+      "slips.yaml:6: line_types.chain.contents.density: 0.8 kg/m³ is lighter than what pipes carry (10 "
+      "to 5000); is it in t/m³ or g/cm³? ('800 kg/m3')");
+  expect_doubt(contents("8000"), "8000 kg/m³ is heavier than what pipes carry (10 to 5000); is it meant?");
+  const auto coating = [&](const std::string& thickness) {
+    return pipe(", coatings: [{thickness: 3 mm, density: 900}, {thickness: " + thickness +
+                ", density: 700}]}");
+  };
+  EXPECT_EQ(notes(coating("40 mm")), std::vector<std::string>{});
+  expect_doubt(
+      coating("4"),
+      "line_types.chain.pipe.coatings[1].thickness: a coating of 4 m is thicker than half of the pipe "
+      "of 0.3 m; is it in mm? ('4 mm')");
+}
+
+TEST(Doubts, StiffnessOfTheBed) {
+  const auto bed = [](const std::string& stiffness) {
+    return Changes{{"friction: 0.6", "friction: 0.6, normal_stiffness: " + stiffness}};
+  };
+  for (const char* soil :
+       {"{per_area: 100 kN/m3}", "{per_area: 5000}", "{per_length: 2 kN/m2}", "{per_length: 4200 kN/m2}"})
+    EXPECT_EQ(notes(bed(soil)), std::vector<std::string>{}) << soil;
+  expect_doubt(
+      bed("{per_area: 200}"),
+      "slips.yaml:4: environment.seabed.normal_stiffness: 200 N/m³ is softer than any soil, of which 50 "
+      "to 10000 kN/m³ are usual; is it in kN? ('200 kN/m3')");
+  expect_doubt(bed("{per_length: 100}"),
+               "100 N/m² is softer than any soil, of which 50 to 5000 kN/m² are usual; "
+               "is it in kN? ('100 kN/m2')");
+  expect_doubt(bed("{per_area: 1e11}"),
+               "1e+11 N/m³ is stiffer than any soil, of which 50 to 10000 kN/m³ are usual");
+}
+
 TEST(Doubts, TensionsOfLinesAndLengths) {
   expect_doubt(
       {{"length: 760", "length: 715"}},
@@ -150,6 +196,15 @@ TEST(Doubts, Times) {
   expect_doubt({{"{harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}",
                  "{table: {rows: [[0, 0, 0, 0], [30, 9, 0, 0], [60, 18, 0, 0]]}}"}},
                "starts at t = 0 with 0.3 m/s");
+  const auto drift = [](const std::string& of) {
+    return Changes{{"period: 10}, ramp: 10}", "period: 10}, ramp: 10, drift: {" + of + "}}"}};
+  };
+  expect_doubt(drift("harmonic: {amplitude: [9, 0, 0], period: 90}"),
+               "slips.yaml:10: bodies.vessel.motion.drift: starts at t = 0 with 0.628 m/s, while the lines "
+               "are at rest");
+  for (const char* smooth : {"harmonic: {amplitude: [9, 0, 0], period: 90}, ramp: 30", "offset: [9, 0, 0]",
+                             "harmonic: {amplitude: [9, 0, 0], period: 90, phase_deg: [90, 0, 0]}"})
+    EXPECT_EQ(notes(drift(smooth)), std::vector<std::string>{}) << smooth;
   EXPECT_TRUE(notes({{"{harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}",
                       "{table: {rows: [[0, 0, 0, 0], [1, 0, 0, 0], [30, 9, 0, 0], [60, 18, 0, 0]], "
                       "interpolation: monotone}}"}})

@@ -117,7 +117,13 @@ TEST(Notes, TellTheStiffnessOfALineWithItself) {
   const auto told = [](const std::string& between) {
     const Simulation sim(MPI_COMM_SELF, rod(10, between));
     for (const std::string& n : sim.notes())
-      if (n.starts_with("contact of line rod with itself: normal stiffness ")) return true;
+      if (n.starts_with("contact of line rod with itself: a normal stiffness of ")) {
+        EXPECT_TRUE(
+            n.find(" N/m per m, chosen by weight and EA. contact.between_lines.normal_stiffness sets ") !=
+            std::string::npos)
+            << n;
+        return true;
+      }
     return false;
   };
   EXPECT_TRUE(told("true"));

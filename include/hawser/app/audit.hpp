@@ -39,8 +39,8 @@ struct Audit {
   // %, of the error against size().
   double percent() const;
   // What a user must not overlook; empty: nothing. fixed: the user chose the step; where: words for
-  // worst.node.
-  std::string warning(bool fixed, const std::string& where) const;
+  // worst.node; striking: the key of the motion that begins with a velocity ("bodies.vessel.motion"), or "".
+  std::string warning(bool fixed, const std::string& where, const std::string& striking = "") const;
   // More was made or lost than any result can bear, or it is no number: the run has failed.
   bool wrong() const;
   // What a user may want to know of what the steps did not resolve; empty: it is little.

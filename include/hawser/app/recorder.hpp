@@ -16,6 +16,7 @@
 #include "hawser/app/node_statistics.hpp"
 #include "hawser/app/sharp_turns.hpp"
 #include "hawser/app/simulation.hpp"
+#include "hawser/app/support_log.hpp"
 #include "hawser/app/utilisation.hpp"
 #include "hawser/io/results.hpp"
 
@@ -87,6 +88,7 @@ class Recorder {
   SharpTurns turns_;
   Utilisation utilisation_;
   Clearances clearances_;
+  std::unique_ptr<SupportLog> supports_;   // null: the case has none
   double rows_every_ = 0, rows_from_ = 0;  // s, of the histories; 0: every step
   std::unique_ptr<ClashReport> clashes_;   // null: nothing can touch
   std::unique_ptr<io::ResultsFile> file_;

@@ -120,6 +120,9 @@ void read_output(const model::Value& v, const CaseSource& source, model::Case& c
 model::LengthTarget read_target(const model::Value& v, const std::string& key, const model::Value& sections,
                                 const CaseSource& source);
 
+// `supports`, after bodies, volumes and lines: boxes, and their rollers as volumes.
+void read_supports(const model::Value& supports, const CaseSource& source, model::Case& c);
+
 // `temperature_change` of a line.
 void read_temperature_change(const model::Value& v, const std::string& path, const CaseSource& source,
                              model::Line& line);

@@ -19,6 +19,7 @@
 #include "hawser/model/bend_stiffener.hpp"
 #include "hawser/model/environment.hpp"
 #include "hawser/model/stiffness.hpp"
+#include "hawser/model/supports.hpp"
 #include "hawser/model/value.hpp"
 
 namespace hawser::model {
@@ -143,6 +144,7 @@ struct Volume {
   double smoothing = -1;                          // m, half width of the C1 ramp; 0: linear law; < 0: default
   double relative_damping = 0;                    // zeta of the contact spring
   Friction friction;
+  bool roller = false;  // of `supports`: touches lines only
 };
 
 struct Section {
@@ -359,6 +361,7 @@ struct Case {
   std::vector<LineType> line_types;
   std::vector<Body> bodies;
   std::vector<Volume> volumes;
+  std::vector<SupportBox> supports;  // in the order in which lines pass over them
   std::vector<Joint> joints;
   std::vector<Line> lines;
   Contact contact;
@@ -366,8 +369,9 @@ struct Case {
   Dynamics dynamics;
   std::vector<Release> events;
   Output output;
-  std::vector<std::string> notes;    // what the reader repaired or doubts, a sentence each
-  std::vector<std::string> changes;  // KEY=VALUE of the command line, applied to the file's text
+  std::vector<std::string> notes;         // what the reader repaired or doubts, a sentence each
+  std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
+  std::vector<std::string> change_notes;  // what each of them has changed, a sentence each
 
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
   int body_index(const std::string& name) const;             // -1: none (fixed in space)

@@ -18,6 +18,13 @@ std::vector<Issue> check(const Case& c);
 // Its parts that are about one line by itself, and about contact.
 void check_line(const Case& c, const Line& line, std::vector<Issue>& issues);
 void check_contact(const Case& c, std::vector<Issue>& issues);
+// Its part that is about supports of laid lines.
+void check_supports(const Case& c, std::vector<Issue>& issues);
+// The end of the line that comes first on its way over these supports, its tensioner's: the held end that is
+// nearer to the first box; null: no end is held.
+const End* end_before(const Case& c, const Line& line, const SupportBox& first);
+// A point of a box's frame at t = 0 [m, space].
+Vec3 support_point(const Case& c, const SupportBox& box, const Vec3& x);
 
 // Unstretched length of a line [m].
 double length_of(const Line& line);

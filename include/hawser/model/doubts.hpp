@@ -21,15 +21,23 @@ std::vector<Doubt> doubts(const Case& c);
 // "file:line: key: text" each; of many of one kind the first three, and how many more there are.
 std::vector<std::string> doubt_notes(const Case& c);
 
-// Its parts. Weight, diameter and EA of each line type that do not fit each other.
+// Its parts. Weight, diameter and EA of each line type that do not fit each other, contents and coatings.
 void doubt_line_types(const Case& c, std::vector<Doubt>& out);
 // Strains and tensions that loads, weight and the distance of the ends mean, and lengths far beyond that
 // distance.
 void doubt_lines(const Case& c, std::vector<Doubt>& out);
-// Depths of water and bed, ends far from the bed, and currents that push aside what lies on it.
+// Depths of water and bed, soil that is none, ends far from the bed, and currents that push aside what lies
+// on it.
 void doubt_sea(const Case& c, std::vector<Doubt>& out);
 // Time steps, times between outputs, and motions that begin with a jump of velocity.
 void doubt_times(const Case& c, std::vector<Doubt>& out);
+
+// m/s with which the prescribed motion and the drift of a body begin at t = 0, where its lines are at rest;
+// 0: nothing that strikes them.
+struct StartSpeeds {
+  double motion = 0, drift = 0;
+};
+StartSpeeds start_speeds(const Case& c, const Body& body);
 
 // kg/m of a type less the water that it displaces, at a height z [m] below the surface; above it all.
 double mass_in_water(const Case& c, const LineType& type, double z);

@@ -68,6 +68,8 @@ class LineVolumeContact final : public ForceTerm,
   int candidates() const;
   // Adds what touches in the accepted state, of what this rank counts; volumes are those of volume_name().
   void touches(Touches& out) const;
+  // What each volume exerts on lines in the accepted state, of what this rank counts [N, space axes].
+  std::vector<Vec3> forces_by_volume(const Kinematics& at) const;
 
  private:
   using Pair = LineVolumePair;

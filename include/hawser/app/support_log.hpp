@@ -1,0 +1,47 @@
+// Reactions of the supports of laid lines and where the lines pass them, at every accepted step; and lines
+// that are off the end of a roller or start beneath one.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hawser/app/simulation.hpp"
+#include "hawser/io/results.hpp"
+
+namespace hawser::app {
+
+// Where the axis of a line goes through the plane across the path at a box, as the box sees it, m.
+struct SupportCrossing {
+  bool known = false;  // nothing of the line goes through it
+  double offset = 0;   // to the left of the middle
+  double height = 0;   // above where a line that just touches the roller below has its axis
+};
+// Of every box, of what is nearest to it. poses: of the bodies of the case. The same on all ranks.
+// Collective.
+std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                                               const Kinematics& at, const std::vector<RigidPose>& poses);
+
+// A line that starts beneath the rollers that it should lie on, in one sentence with the remedy; empty: none.
+std::string beneath_supports(const model::Case& c, const std::vector<SupportCrossing>& crossings);
+
+class SupportLog {
+ public:
+  SupportLog(MPI_Comm comm, Simulation& simulation);
+
+  // One for each box: `force` and `<roller>_force` on the line [N, space axes], `height` and `offset` of its
+  // crossing.
+  std::vector<io::ResultSeries> series() const;
+  // Their rows at a state, on rank 0 (elsewhere empty). Collective.
+  std::vector<std::vector<double>> rows(const Kinematics& at, const std::vector<io::BodyPose>& poses);
+  // Every box once off the end of whose rollers a line was, the first time it was.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  MPI_Comm comm_;
+  Simulation& sim_;
+  std::vector<int> first_;  // of each box, its first roller among the volumes of the contact term
+  std::vector<bool> off_;   // told of already
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace hawser::app

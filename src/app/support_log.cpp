@@ -1,0 +1,142 @@
+// The class SupportLog: forces of rollers summed over the ranks, the crossing of line and box by bisection
+// along the element that goes through the plane of the box, and what is told of it.
+#include "hawser/app/support_log.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hawser/terms/element_axis.hpp"
+
+namespace hawser::app {
+namespace {
+
+constexpr int kHalvings = 40;
+
+// The place of an element on the plane through `at` across `along`.
+Vec3 on_plane(const AxisShape& shape, const Vec3& at, const Vec3& along) {
+  double low = 0, high = 1;
+  const bool grows = (shape.point(1) - at).dot(along) > 0;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle = 0.5 * (low + high);
+    (((shape.point(middle) - at).dot(along) > 0) == grows ? high : low) = middle;
+  }
+  return shape.point(0.5 * (low + high));
+}
+
+}  // namespace
+
+std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                                               const Kinematics& at, const std::vector<RigidPose>& poses) {
+  const double far = std::numeric_limits<double>::max();
+  struct Ranked {
+    double distance;
+    int rank;
+  };
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  std::vector<Ranked> nearest;
+  std::vector<double> found(2 * c.supports.size(), 0);
+  for (size_t k = 0; k < c.supports.size(); ++k) {
+    const model::SupportBox& b = c.supports[k];
+    const int body = c.body_index(b.body), line = c.line_index(b.line);
+    const RigidPose pose = body < 0 ? RigidPose{} : poses[static_cast<size_t>(body)];
+    const Vec3 place = pose.to_space(b.at), along = pose.rotation * b.along;
+    Ranked best{far, rank};
+    for (const LocalElement& e : mesh.elements) {
+      const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+      if (!e.counted || g.line != line) continue;
+      const Vec3 &x1 = at.x[static_cast<size_t>(e.first)], &x2 = at.x[static_cast<size_t>(e.second)];
+      if (((x1 - place).dot(along) > 0) == ((x2 - place).dot(along) > 0)) continue;
+      const Vec3 x =
+          on_plane(AxisShape(element_axis(at, g, e.first, e.second, Vec3::UnitX())), place, along) - place;
+      if (!(x.norm() < best.distance)) continue;
+      best.distance = x.norm();
+      found[2 * k] = x.dot(pose.rotation * b.left()), found[2 * k + 1] = x.dot(pose.rotation * b.up);
+    }
+    nearest.push_back(best);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, nearest.data(), static_cast<int>(nearest.size()), MPI_DOUBLE_INT, MPI_MINLOC,
+                comm);
+  for (size_t k = 0; k < nearest.size(); ++k)
+    if (nearest[k].rank != rank) found[2 * k] = found[2 * k + 1] = 0;
+  MPI_Allreduce(MPI_IN_PLACE, found.data(), static_cast<int>(found.size()), MPI_DOUBLE, MPI_SUM, comm);
+  std::vector<SupportCrossing> out;
+  for (size_t k = 0; k < nearest.size(); ++k)
+    out.push_back({nearest[k].distance < far, found[2 * k], found[2 * k + 1]});
+  return out;
+}
+
+std::string beneath_supports(const model::Case& c, const std::vector<SupportCrossing>& crossings) {
+  for (size_t k = 0; k < crossings.size(); ++k) {
+    const model::SupportBox& b = c.supports[k];
+    const SupportCrossing& x = crossings[k];
+    if (!x.known || std::abs(x.offset) > b.half_width || x.height > -b.rise) continue;
+    return fmt::format(
+        "lines.{}: starts on the wrong side of support '{}', {:.3g} m below where it would lie on its "
+        "roller; give "
+        "it no 'start', so that it starts on its supports, or points above them",
+        b.line, b.name, -x.height);
+  }
+  return "";
+}
+
+SupportLog::SupportLog(MPI_Comm comm, Simulation& simulation)
+    : comm_(comm), sim_(simulation), off_(simulation.model().supports.size(), false) {
+  const model::Case& c = sim_.model();
+  for (const model::SupportBox& b : c.supports) {
+    int v = 0;
+    while (sim_.contact()->volume_name(v) != c.volumes[b.first].name) ++v;
+    first_.push_back(v);
+  }
+}
+
+std::vector<io::ResultSeries> SupportLog::series() const {
+  std::vector<io::ResultSeries> out;
+  for (const model::SupportBox& b : sim_.model().supports) {
+    io::ResultSeries& s = out.emplace_back(io::ResultSeries{b.name, {{"force", "N", 3}}});
+    for (const std::string& roller : b.rollers) s.columns.push_back({roller + "_force", "N", 3});
+    s.columns.push_back({"height", "m", 1}), s.columns.push_back({"offset", "m", 1});
+  }
+  return out;
+}
+
+std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
+                                                  const std::vector<io::BodyPose>& poses) {
+  const model::Case& c = sim_.model();
+  std::vector<RigidPose> frames;
+  for (const io::BodyPose& p : poses) {
+    RigidPose& frame = frames.emplace_back();
+    frame.position = p.position, frame.rotation = p.rotation;
+  }
+  const std::vector<SupportCrossing> crossings = support_crossings(comm_, c, sim_.local(), at, frames);
+  std::vector<Vec3> forces = sim_.contact()->forces_by_volume(at);
+  int rank = 0;
+  MPI_Comm_rank(comm_, &rank);
+  MPI_Reduce(rank == 0 ? MPI_IN_PLACE : forces.data(), forces.data(), 3 * static_cast<int>(forces.size()),
+             MPI_DOUBLE, MPI_SUM, 0, comm_);
+  std::vector<std::vector<double>> out(c.supports.size());
+  for (size_t k = 0; k < out.size() && rank == 0; ++k) {
+    const model::SupportBox& b = c.supports[k];
+    const SupportCrossing& x = crossings[k];
+    std::vector<double>& row = out[k];
+    const auto of = [&](size_t i) -> const Vec3& { return forces[static_cast<size_t>(first_[k]) + i]; };
+    Vec3 sum = Vec3::Zero();
+    for (size_t i = 0; i < b.rollers.size(); ++i) sum += of(i);
+    row.assign(sum.begin(), sum.end());
+    for (size_t i = 0; i < b.rollers.size(); ++i) row.insert(row.end(), of(i).begin(), of(i).end());
+    row.push_back(x.known ? x.height : std::nan("")), row.push_back(x.known ? x.offset : std::nan(""));
+    if (off_[k] || !x.known || std::abs(x.offset) <= b.half_width || x.height >= b.rise) continue;
+    off_[k] = true;
+    warnings_.push_back(fmt::format(
+        "line {} is off the end of the rollers of support {} at t = {:.6g} s: {:.3g} m to the {} of its "
+        "middle, and "
+        "they reach {:.3g} m",
+        b.line, b.name, at.time, std::abs(x.offset), x.offset > 0 ? "left" : "right", b.half_width));
+  }
+  return out;
+}
+
+}  // namespace hawser::app

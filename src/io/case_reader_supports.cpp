@@ -1,0 +1,239 @@
+// `supports`: where the boxes of a ramp or a stinger are, and the exact cylinders that their rollers are.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/kernels/support_path.hpp"
+#include "hawser/model/nearest.hpp"
+
+namespace hawser::io {
+namespace {
+
+using model::SupportBox;
+using model::Value;
+
+// Of the line's radius: the penetration that a stiffness of rollers is of.
+constexpr double kNominal = 0.01;
+
+// The stiffness per length of line that gives `stiffness` [N/m] of a roller at the penetration d: a line of
+// radius r that lies across a roller of radius R is within d of it over 2 sqrt(2 (R + r) d), as a parabola.
+double per_length(double stiffness, double roller, double line) {
+  const double d = kNominal * line;
+  return 0.75 * stiffness / std::sqrt(2 * (roller + line) * d);
+}
+
+class Group {
+ public:
+  Group(const std::string& name, const Value& v, const CaseSource& source, model::Case& c)
+      : name_(name), key_("supports." + name), v_(v), source_(source), c_(c), line_(the_line()) {
+    for (const model::Section& s : line_.sections)
+      radius_ = std::max(radius_, 0.5 * c.line_type(s.type).contact_diameter);
+  }
+
+  void read() {
+    const std::vector<Value>& entries = v_["boxes"].items;
+    for (size_t i = 0; i < entries.size(); ++i) places(entries[i], fmt::format("{}.boxes[{}]", key_, i));
+    std::stable_sort(places_.begin(), places_.end(),
+                     [](const Place& a, const Place& b) { return a.station < b.station; });
+    if (!v_.has("path")) turn_along_points();
+    for (const Place& p : places_) box(p);
+  }
+
+ private:
+  struct Place {
+    const Value* entry;
+    std::string key;
+    double station;  // m along the path; of points their number
+    PathPoint at;
+  };
+
+  const model::Line& the_line() const {
+    if (v_.has("line")) return c_.lines[static_cast<size_t>(c_.line_index(v_["line"].text))];
+    if (c_.lines.size() != 1)
+      source_.bad(
+          v_, key_ + ".line",
+          fmt::format("required key is missing: the case has {} lines; say which of them is laid over "
+                      "these supports",
+                      c_.lines.size()));
+    return c_.lines.front();
+  }
+
+  void places(const Value& e, const std::string& key) {
+    if (!places_.empty() && e.has("points") != places_.front().entry->has("points"))
+      source_.bad(e, key,
+                  "has 'points' where other boxes of the group have 'at', or the other way round; make "
+                  "it a group of its own");
+    if (const Value* points = e.find("points")) {
+      if (v_.has("path"))
+        source_.bad(
+            *points, key + ".points",
+            "the group has a 'path', along which boxes have their place by 'at'; remove one of the two");
+      for (const Value& p : points->items)
+        places_.push_back({&e, key, static_cast<double>(places_.size()), {as_vec3(p)}});
+      return;
+    }
+    const Value* path = v_.find("path");
+    if (!path)
+      source_.bad(e["at"], key + ".at",
+                  "is a length along 'path', which the group has not; give it, or 'points'");
+    std::vector<PathSegment> segments;
+    for (const Value& s : (*path)["segments"].items)
+      segments.push_back({s["length"].number, s.has("radius") ? s["radius"].number : 0});
+    const Vec3 direction = read_direction(*path, "direction", key_ + ".path", source_);
+    if (std::hypot(direction.x(), direction.y()) < 1e-6)
+      source_.bad((*path)["direction"], key_ + ".path.direction",
+                  "is vertical: a pipe does not lie on rollers there; give the way that it goes overboard");
+    const SupportPath along(as_vec3((*path)["from"]), direction, segments);
+    const Value& at = e["at"];
+    const auto add = [&](const Value& s) {
+      if (s.number > along.length() * (1 + 1e-9))
+        source_.bad(
+            s, key + ".at",
+            fmt::format("a box {:g} m along the path is beyond its end at {:g} m; lengthen the last of "
+                        "its segments or move the box",
+                        s.number, along.length()));
+      PathPoint p = along.at(s.number);
+      if (p.dip > 0.5 * std::numbers::pi * (1 - 1e-9))
+        source_.bad(
+            s, key + ".at",
+            fmt::format("the path has turned by {:.3g} degrees below the horizontal there, and must stay "
+                        "below 90; make its arcs shorter or their radius larger",
+                        p.dip * 180 / std::numbers::pi));
+      p.at += e["above_path"].number * p.up;
+      places_.push_back({&e, key, s.number, p});
+    };
+    if (at.kind == Value::Kind::list)
+      for (const Value& s : at.items) add(s);
+    else
+      add(at);
+  }
+
+  // Directions where only points are known: of the circle through a point and its neighbours.
+  void turn_along_points() {
+    std::vector<Vec3> points;
+    for (const Place& p : places_) points.push_back(p.at.at);
+    if (points.size() < 2)
+      source_.bad(
+          v_, key_,
+          "one point alone does not say which way the pipe goes; give two points or more, or a 'path' "
+          "and 'at'");
+    for (size_t i = 0; i < points.size(); ++i) {
+      Place& p = places_[i];
+      if (i > 0 && !((points[i] - points[i - 1]).norm() > 0))
+        source_.bad(*p.entry, p.key + ".points",
+                    fmt::format("point {} is the same as the one before it", i + 1));
+      p.at.along = direction_at(points, i);
+      if (std::hypot(p.at.along.x(), p.at.along.y()) < 1e-6)
+        source_.bad(*p.entry, p.key + ".points",
+                    fmt::format("the pipe would go straight up or down at point {}, where it does not lie on "
+                                "rollers",
+                                i + 1));
+      p.at.up = across(p.at.along);
+    }
+  }
+
+  void box(const Place& p) {
+    const Value& e = *p.entry;
+    const bool v = e["type"].is("V"), flat = e["type"].is("flat");
+    const auto only = [&](const char* key, bool wanted, const char* of) {
+      if (e.has(key) && !wanted)
+        source_.bad(
+            e[key], p.key + "." + key,
+            fmt::format("a support of type '{}' has none; remove it, or choose {}", e["type"].text, of));
+      if (!e.has(key) && wanted)
+        source_.bad(e, p.key + "." + key,
+                    fmt::format("required key is missing: a support of type '{}' needs it", e["type"].text));
+    };
+    only("angle_deg", v, "type 'V'");
+    only("side_height", !v && !flat, "type 'U' or 'box'");
+
+    SupportBox b;
+    b.name = fmt::format("{} {}", name_, ++count_);
+    b.key = p.key, b.line = line_.name;
+    if (v_.has("body")) b.body = v_["body"].text;
+    b.along = p.at.along, b.up = p.at.up;
+    const double r = 0.5 * e["roller_diameter"].number, length = e["roller_length"].number;
+    const double angle = v ? e["angle_deg"].number : 0;
+    b.rise = (r + radius_) / std::cos(angle);
+    b.at = p.at.at + b.rise * b.up;
+    b.half_width = v ? length * std::cos(angle) : 0.5 * length;
+    b.first = c_.volumes.size();
+    const Vec3 left = b.left(), base = p.at.at;
+    const auto roller = [&](const char* what, const Vec3& from, const Vec3& to) {
+      b.rollers.emplace_back(what);
+      c_.volumes.push_back(volume(b, e, CylinderShape{from, to, r}));
+    };
+    if (v) {
+      for (const double side : {1., -1.})
+        roller(side > 0 ? "left" : "right", base,
+               base + length * (std::cos(angle) * side * left + std::sin(angle) * b.up));
+    } else {
+      roller("below", base + 0.5 * length * left, base - 0.5 * length * left);
+      if (!flat) {
+        const bool closed = e["type"].is("box");
+        const double height = e["side_height"].number, top = height + 2 * r;
+        for (const double side : {1., -1.}) {
+          const Vec3 foot = base + side * (0.5 * length + r) * left;
+          roller(side > 0 ? "left" : "right", foot, foot + (closed ? top : r + height) * b.up);
+        }
+        if (closed && height < 2 * radius_)
+          source_.bad(
+              e["side_height"], p.key + ".side_height",
+              fmt::format("a clear height of {:g} m is less than the contact diameter of line '{}', {:g} m",
+                          height, line_.name, 2 * radius_));
+        if (closed)
+          roller("above", base + 0.5 * length * left + top * b.up, base - 0.5 * length * left + top * b.up);
+      }
+      if (!flat && length < 2 * radius_)
+        source_.bad(
+            e["roller_length"], p.key + ".roller_length",
+            fmt::format("a clear width of {:g} m is less than the contact diameter of line '{}', {:g} m",
+                        length, line_.name, 2 * radius_));
+    }
+    c_.supports.push_back(std::move(b));
+  }
+
+  model::Volume volume(const SupportBox& b, const Value& e, const CylinderShape& shape) const {
+    model::Volume o;
+    o.name = b.name + " " + b.rollers.back();
+    for (const model::Volume& other : c_.volumes)
+      if (other.name == o.name)
+        source_.bad(v_, key_,
+                    fmt::format("one of its rollers is called '{}' as another volume is; give the group "
+                                "another name",
+                                o.name));
+    o.shape = shape, o.body = b.body, o.roller = true;
+    if (const Value& k = e["normal_stiffness"]; !k.is("auto"))
+      o.basis = model::StiffnessBasis::per_length,
+      o.normal_stiffness = per_length(k.number, shape.radius, radius_);
+    o.relative_damping = e["relative_damping"].number;
+    const Value& f = e["friction"];
+    if (f.kind == Value::Kind::map)
+      o.friction = read_friction(f, b.key + ".friction", source_);
+    else
+      o.friction.axial = o.friction.lateral = f.number;
+    return o;
+  }
+
+  const std::string name_, key_;
+  const Value& v_;
+  const CaseSource& source_;
+  model::Case& c_;
+  const model::Line& line_;
+  double radius_ = 0;  // m, of the line
+  std::vector<Place> places_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+void read_supports(const Value& supports, const CaseSource& source, model::Case& c) {
+  for (size_t i = 0; i < supports.items.size(); ++i)
+    Group(supports.keys[i], supports.items[i], source, c).read();
+}
+
+}  // namespace hawser::io

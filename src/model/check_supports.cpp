@@ -1,0 +1,104 @@
+// Whether lines can lie on their supports as the case has them: boxes one after the other, the tensioner
+// before the first and on the side on which it holds.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "hawser/model/body_motion.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kSteep = 0.25;  // up to the first roller: the tangent of a turn that is no misprint
+
+RigidPose pose_of(const Case& c, const SupportBox& b) {
+  const int body = c.body_index(b.body);
+  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[static_cast<std::size_t>(body)]).at(0);
+}
+
+void check_names(const Case& c, std::vector<Issue>& issues) {
+  std::set<std::string> names;
+  for (const HistoryPoint& h : c.output.histories) names.insert(h.name);
+  for (const Clearance& k : c.output.clearances) names.insert(k.name);
+  for (const SupportBox& b : c.supports)
+    if (!names.insert(b.name).second)
+      issues.push_back(
+          {b.key, fmt::format("there is another history called '{}', and supports have one each; "
+                              "give the group or that history another name",
+                              b.name)});
+}
+
+void check_start(const Case& c, const Line& line, const SupportBox& first, std::vector<Issue>& issues) {
+  const End* end = end_before(c, line, first);
+  if (!end) return;
+  const RigidPose pose = pose_of(c, first);
+  const Vec3 to = pose.to_space(first.at) - end_position(c, *end), along = pose.rotation * first.along;
+  const std::string which = fmt::format("lines.{}.end_{}", line.name, end == &line.end_a ? "a" : "b");
+  const double ahead = to.dot(along), below = to.dot(pose.rotation * first.up);
+  if (!(ahead > 0))
+    return issues.push_back(
+        {first.key,
+         fmt::format("support '{}' lies {:.4g} m behind '{}', from which the line goes overboard over "
+                     "it; move the end back or the supports ahead, or turn the path round",
+                     first.name, -ahead, which)});
+  if (below > first.rise && below > kSteep * ahead)
+    issues.push_back(
+        {which, fmt::format("is {:.4g} m below where the line lies on support '{}', {:.4g} m further "
+                            "on: the line would start beneath its roller; raise the end or lower "
+                            "the support",
+                            below, first.name, ahead)});
+}
+
+}  // namespace
+
+Vec3 support_point(const Case& c, const SupportBox& box, const Vec3& x) {
+  return pose_of(c, box).to_space(x);
+}
+
+const End* end_before(const Case& c, const Line& line, const SupportBox& first) {
+  const Vec3 at = support_point(c, first, first.at);
+  const End* best = nullptr;
+  double nearest = HUGE_VAL;
+  for (const End* e : {&line.end_a, &line.end_b})
+    if (is_held(*e))
+      if (const double d = (end_position(c, *e) - at).norm(); d < nearest) best = e, nearest = d;
+  return best;
+}
+
+void check_supports(const Case& c, std::vector<Issue>& issues) {
+  check_names(c, issues);
+  for (const Line& line : c.lines) {
+    const SupportBox* before = nullptr;
+    for (const SupportBox& b : c.supports) {
+      if (b.line != line.name) continue;
+      if (!c.contact.takes_part(line)) {
+        issues.push_back(
+            {b.key, fmt::format("line '{}' takes no part in contact and cannot lie on supports; name it "
+                                "in 'contact.lines'",
+                                line.name)});
+        break;
+      }
+      if (c.rides(c.body_index(b.body))) {
+        issues.push_back({b.key, fmt::format("body '{}' rides on a line and carries no supports", b.body)});
+        break;
+      }
+      if (!before) {
+        check_start(c, line, b, issues);
+      } else {
+        const Vec3 way = support_point(c, b, b.at) - support_point(c, *before, before->at);
+        const Vec3 there = pose_of(c, *before).rotation * before->along,
+                   here = pose_of(c, b).rotation * b.along;
+        if (!(way.dot(there) > 0) || !(here.dot(there) > 0))
+          issues.push_back(
+              {b.key, fmt::format("support '{}' lies behind '{}', which the line passes before it; give "
+                                  "supports and groups in the order in which it passes them",
+                                  b.name, before->name)});
+      }
+      before = &b;
+    }
+  }
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,226 @@
+// The line as a string over its supports: the way over them as a smooth curve, where it leaves that, and the
+// rest of it.
+#include "support_start.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+#include "hawser/model/bed.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double kClear = 0.01;      // of the radius: so far above its rollers the line starts
+constexpr double kStretched = 0.02;  // what a line may lack of the shortest way, and stretch by
+constexpr int kPieces = 24;          // of the way between two boxes, and of a catenary ten times that
+constexpr double kSteepest = 1.55;   // rad, that a line goes down from its last support at the start
+
+struct Place {
+  Vec3 at, along;  // m; unit
+};
+
+double dip(const Vec3& along) { return -std::asin(std::clamp(along.z(), -1.0, 1.0)); }
+
+// A chain of places that grows, with the length so far.
+struct Chain {
+  std::vector<Place> places;
+  std::vector<double> arc;  // m
+  void add(const Place& p) {
+    arc.push_back(places.empty() ? 0 : arc.back() + (p.at - places.back().at).norm());
+    places.push_back(p);
+  }
+  double length() const { return arc.back(); }
+};
+
+// The cubic through two places in their directions.
+void add_cubic(Chain& chain, const Place from, const Place& to) {
+  const double d = (to.at - from.at).norm();
+  for (int i = 1; i <= kPieces; ++i) {
+    const double t = static_cast<double>(i) / kPieces, u = 1 - t;
+    const Vec3 x = u * u * (1 + 2 * t) * from.at + t * t * (3 - 2 * t) * to.at +
+                   t * u * d * (u * from.along - t * to.along);
+    const Vec3 v =
+        6 * t * u * (to.at - from.at) + d * (u * (1 - 3 * t) * from.along + t * (3 * t - 2) * to.along);
+    chain.add({x, v.normalized()});
+  }
+}
+
+struct Rest {
+  double deep = 0, wide = 0;  // m, down and over to the other end
+  double length = 0;          // m, of line that is left for it
+};
+
+// A catenary that leaves at the angle `down` and meets the bed along it: its horizontal way and its length.
+struct Sag {
+  double scale, wide, length;  // m; scale: horizontal force over weight per length
+  Sag(double down, double deep)
+      : scale(deep / (1 / std::cos(down) - 1)),
+        wide(scale * std::asinh(std::tan(down))),
+        length(scale * std::tan(down)) {}
+};
+
+// What the line lacks to leave at this angle [m]: a catenary, and along the bed to the other end. Grows with
+// the angle and with the way along the supports; at small angles the other end comes before the bed.
+double lacking(double down, const Rest& r) {
+  if (!(down > 1e-4)) return -HUGE_VAL;
+  const Sag sag(down, r.deep);
+  return sag.wide > r.wide ? -HUGE_VAL : sag.length + r.wide - sag.wide - r.length;
+}
+
+class OverSupports {
+ public:
+  OverSupports(const model::Case& c, const model::Line& line, const Bodies& bodies, double length)
+      : c_(c), line_(line), length_(length) {
+    for (const model::Section& s : line.sections)
+      radius_ = std::max(radius_, 0.5 * c.line_type(s.type).contact_diameter);
+    const model::SupportBox* first = nullptr;
+    std::vector<Place> boxes;
+    size_t closed = 0;
+    for (const model::SupportBox& b : c.supports) {
+      if (b.line != line.name) continue;
+      if (!first) first = &b;
+      const int body = c.body_index(b.body);
+      const RigidPose pose = body < 0 ? RigidPose{} : bodies.pose(body, 0);
+      boxes.push_back({pose.to_space(b.at + kClear * radius_ * b.up), pose.rotation * b.along});
+      if (b.rollers.back() == "above") closed = boxes.size();
+    }
+    if (!first) return;
+    const model::End* end = model::end_before(c, line, *first);
+    if (!end) return;
+    a_ = end == &line.end_a;
+    const RigidPose pose = start_pose(c, bodies, *end);
+    Place from{pose.to_space(end->at), (boxes.front().at - pose.to_space(end->at)).normalized()};
+    if (end->direction) from.along = pose.rotation * (a_ ? *end->direction : Vec3(-*end->direction));
+    way_.add(from);
+    for (const Place& b : boxes) {
+      add_cubic(way_, way_.places.back(), b);
+      last_ = way_.places.size() - 1;
+    }
+    first_ = std::max<size_t>(1, closed * kPieces);
+    const model::End& other = a_ ? line.end_b : line.end_a;
+    if (other.kind != model::EndKind::free) to_ = start_pose(c, bodies, other).to_space(other.at);
+    known_ = true;
+  }
+
+  bool known() const { return known_; }
+  // From the tensioner on; its length is about that of the line.
+  const Chain& find() {
+    if (!to_)
+      hang();
+    else if (!to_bed())
+      straight();
+    return way_;
+  }
+  bool from_a() const { return a_; }
+
+ private:
+  Rest rest(size_t i) const {
+    const Vec3& p = way_.places[i].at;
+    return {p.z() - to_->z(), std::hypot(to_->x() - p.x(), to_->y() - p.y()), length_ - way_.arc[i]};
+  }
+  // Down from place i to the bed in a catenary, and along it. Nothing when the other end is not on the bed.
+  bool to_bed() {
+    const model::Seabed& bed = c_.environment.seabed;
+    if (!bed.present ||
+        std::abs(model::height_above_bed(bed, *to_)) > 2 * radius_ + 1e-3 * std::abs(bed.depth))
+      return false;
+    size_t i = first_;
+    while (i < last_ && !(lacking(dip(way_.places[i].along), rest(i)) >= 0)) ++i;
+    const Rest r = rest(i);
+    double down = dip(way_.places[i].along);
+    if (!(r.deep > 0) || i == 1 || lacking(down, r) > kStretched * length_) return false;
+    if (!(lacking(down, r) >= 0)) {  // more line than leaves there along the supports goes down more steeply
+      double low = std::max(down, 1e-3), high = kSteepest;
+      for (int k = 0; k < 100; ++k) (lacking(0.5 * (low + high), r) >= 0 ? high : low) = 0.5 * (low + high);
+      down = high;
+    }
+    cut(i);
+    const Sag sag(down, r.deep);
+    const Vec3 p = way_.places.back().at;
+    const Vec3 over = Vec3(to_->x() - p.x(), to_->y() - p.y(), 0).normalized();
+    const int pieces = 10 * kPieces;
+    for (int k = 1; k <= pieces; ++k) {  // from the bed, where it is flat: x = a asinh(s / a)
+      const double s = sag.length * (1 - static_cast<double>(k) / pieces), t = std::asinh(s / sag.scale);
+      const Vec3 x = p + (sag.wide - sag.scale * t) * over;
+      way_.add({Vec3(x.x(), x.y(), to_->z() + sag.scale * (std::cosh(t) - 1)),
+                (over - std::sinh(t) * Vec3::UnitZ()).normalized()});
+    }
+    way_.add({*to_, over});
+    return true;
+  }
+  // Pulled straight from where it leaves the supports to its other end.
+  void straight() {
+    size_t i = first_;
+    const auto to_end = [&](size_t k) { return Vec3((*to_ - way_.places[k].at).normalized()); };
+    while (i < last_ && dip(way_.places[i].along) < dip(to_end(i))) ++i;
+    cut(i);
+    const Vec3 over = to_end(i);
+    way_.add({way_.places.back().at, over});
+    way_.add({*to_, over});
+    if (way_.length() > (1 + kStretched) * length_)
+      c_.refuse(
+          "lines." + line_.name + ".sections",
+          fmt::format("the line is {:.6g} m long, and the shortest way over its supports to its other end is "
+                      "{:.6g} m; make it {:.3g} m longer, or move the end",
+                      length_, way_.length(), way_.length() - length_));
+  }
+  // A free end: off the last support straight on, and along the bed.
+  void hang() {
+    if (way_.length() >= length_) return;
+    const model::Seabed& bed = c_.environment.seabed;
+    Place p = way_.places.back();
+    double left = length_ - way_.length();
+    const double high = bed.present ? model::height_above_bed(bed, p.at) - radius_ : HUGE_VAL;
+    if (p.along.z() < 0 && high < -p.along.z() * left) {
+      const double way = std::max(high, 0.0) / -p.along.z();
+      p.at += way * p.along;
+      way_.add(p);
+      left -= way;
+      p.along = Vec3(p.along.x(), p.along.y(), 0).normalized();
+      way_.add(p);
+    }
+    way_.add({p.at + left * p.along, p.along});
+  }
+  void cut(size_t last) { way_.places.resize(last + 1), way_.arc.resize(last + 1); }
+
+  const model::Case& c_;
+  const model::Line& line_;
+  const double length_;
+  double radius_ = 0;
+  Chain way_;
+  // Places from which it may leave: of the last box that is closed above, or the first there is; of the last
+  // box.
+  size_t first_ = 1, last_ = 0;
+  std::optional<Vec3> to_;
+  bool a_ = true, known_ = false;
+};
+
+}  // namespace
+
+std::optional<LineStart> line_over_supports(const model::Case& c, const model::Line& line,
+                                            const Bodies& bodies, const Mesh& mesh, const LineSpan& span) {
+  OverSupports over(c, line, bodies, span.length);
+  if (!over.known()) return {};
+  const Chain& way = over.find();
+  const double whole = line.end_a.kind == model::EndKind::free || line.end_b.kind == model::EndKind::free
+                           ? std::max(way.length(), span.length)
+                           : way.length();
+  LineStart out;
+  for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
+    const double share = mesh.nodes[static_cast<size_t>(n)].arc / span.length;
+    const double s = std::min((over.from_a() ? share : 1 - share) * whole, way.length());
+    size_t i = 1;
+    while (i + 1 < way.places.size() && s > way.arc[i]) ++i;
+    const double d = way.arc[i] - way.arc[i - 1], t = d > 0 ? (s - way.arc[i - 1]) / d : 1;
+    const Vec3 along = ((1 - t) * way.places[i - 1].along + t * way.places[i].along).normalized();
+    out.x.push_back((1 - t) * way.places[i - 1].at + t * way.places[i].at);
+    out.tangent.push_back(over.from_a() ? along : Vec3(-along));
+  }
+  return out;
+}
+
+}  // namespace hawser

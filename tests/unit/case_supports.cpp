@@ -1,0 +1,153 @@
+// Supports of laid pipes: where boxes and rollers are, and what is refused with a remedy.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "hawser/kernels/support_path.hpp"
+
+namespace hawser::case_supports_test {
+namespace {
+
+model::Case read(const std::string& boxes,
+                 const std::string& path =
+                     "from: [-30, 0, 9], direction: [-1, 0, 0], "
+                     "segments: [{length: 20}, {length: 100, radius: 150}]",
+                 const std::string& end = "[-30, 0, 10.325]", const std::string& more = "") {
+  return io::read_case_text(
+      "hawser: 1\nline_types: {pipe: {outer_diameter: 0.25, mass_per_length: 90, EA: 2e9, EI: 1.6e7, GJ: "
+      "1e7}}\n"
+      "bodies: {barge: {position: [50, 0, 0]}}\nsupports:\n  ramp:\n    body: barge\n" +
+          (path.empty() ? "" : "    path: {" + path + "}\n") + "    boxes: [" + boxes +
+          "]\nlines:\n  pipe: {sections: [{type: pipe, length: 595, elements: 200}], end_a: {body: barge, "
+          "at: " +
+          end + "}, end_b: {anchor: [-549.9, 0, -99.875]}}\n" + more,
+      "supports.yaml");
+}
+
+std::string wrong(const std::string& boxes,
+                  const std::string& path =
+                      "from: [-30, 0, 9], direction: [-1, 0, 0], "
+                      "segments: [{length: 20}]",
+                  const std::string& end = "[-30, 0, 10.325]", const std::string& more = "") {
+  try {
+    read(boxes, path, end, more);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+const std::string kRoller = ", roller_diameter: 0.4, roller_length: 2";
+
+void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT((a - b).norm(), 1e-9) << a.transpose(); }
+
+TEST(SupportPath, GoesStraightAndDownAnArc) {
+  const SupportPath path(Vec3(0, 0, 5), Vec3(0, 1, 0), {{10, 0}, {M_PI * 20, 40}, {7, 0}});
+  EXPECT_DOUBLE_EQ(path.length(), 17 + M_PI * 20);
+  expect_near(path.at(4).at, Vec3(0, 4, 5));
+  const double a = 0.3;
+  expect_near(path.at(10 + 40 * a).at, Vec3(0, 10 + 40 * std::sin(a), 5 - 40 * (1 - std::cos(a))));
+  expect_near(path.at(10 + 40 * a).along, Vec3(0, std::cos(a), -std::sin(a)));
+  expect_near(path.at(10 + 40 * a).up, Vec3(0, std::sin(a), std::cos(a)));
+  EXPECT_NEAR(path.at(10 + 40 * a).dip, a, 1e-12);
+  expect_near(path.at(path.length()).at, Vec3(0, 50, 5 - 47));
+}
+
+TEST(SupportPath, DirectionsOfPointsAreThoseOfTheirParabola) {
+  std::vector<Vec3> p;
+  for (const double a : {0., 0.05, 0.1, 0.15}) p.emplace_back(60 * std::sin(a), 0, 60 * std::cos(a));
+  for (size_t i = 0; i < p.size(); ++i) {
+    const Vec3 tangent(std::cos(0.05 * static_cast<double>(i)), 0, -std::sin(0.05 * static_cast<double>(i)));
+    EXPECT_LT((direction_at(p, i) - tangent).norm(), i % 3 ? 1e-9 : 1e-3) << i;
+  }
+}
+
+TEST(CaseSupports, BoxesOfEachType) {
+  const model::Case c = read("{at: [10, 5], above_path: 1, type: U, side_height: 1" + kRoller +
+                             "}, {at: 35, type: V, angle_deg: 30, normal_stiffness: 2e6" + kRoller +
+                             "}, {at: 60, type: box, side_height: 1" + kRoller + "}, {at: 80, type: flat" +
+                             kRoller + ", friction: 0.1}");
+  ASSERT_EQ(c.supports.size(), 5u);
+  ASSERT_EQ(c.volumes.size(), 3u + 3 + 2 + 4 + 1);
+  const auto& first = c.supports[0];
+  EXPECT_EQ(first.name, "ramp 1");
+  EXPECT_EQ(first.line, "pipe");
+  expect_near(first.at, Vec3(-35, 0, 10.325));  // a diameter of the roller and the pipe's half above the axis
+  expect_near(c.supports[1].at, Vec3(-40, 0, 10.325));
+  const auto cylinder = [&](const std::string& name) {
+    for (const model::Volume& v : c.volumes)
+      if (v.name == name) {
+        EXPECT_EQ(v.body, "barge");
+        return std::get<CylinderShape>(*v.shape);
+      }
+    ADD_FAILURE() << name;
+    return CylinderShape{};
+  };
+  // The way goes to -x, so that left is -y.
+  expect_near(cylinder("ramp 1 below").from, Vec3(-35, -1, 10));
+  expect_near(cylinder("ramp 1 below").to, Vec3(-35, 1, 10));
+  EXPECT_DOUBLE_EQ(cylinder("ramp 1 below").radius, 0.2);
+  expect_near(cylinder("ramp 1 left").from, Vec3(-35, -1.2, 10));
+  expect_near(cylinder("ramp 1 left").to, Vec3(-35, -1.2, 11.2));
+  const double a = 15. / 150;
+  const Vec3 v(-50 - 150 * std::sin(a), 0, 9 - 150 * (1 - std::cos(a))), up(-std::sin(a), 0, std::cos(a));
+  expect_near(cylinder("ramp 3 right").from, v);
+  expect_near(cylinder("ramp 3 right").to,
+              v + 2 * (std::cos(M_PI / 6) * Vec3::UnitY() + std::sin(M_PI / 6) * up));
+  expect_near(c.supports[2].at, v + 0.325 / std::cos(M_PI / 6) * up);
+  EXPECT_EQ(c.supports[3].rollers, (std::vector<std::string>{"below", "left", "right", "above"}));
+  EXPECT_NEAR((cylinder("ramp 4 above").from - cylinder("ramp 4 below").from).norm(), 1.4, 1e-12);
+  // A spring of 2e6 N/m where the pipe is pressed in by 1 % of its radius: 4/3 k d sqrt(2 r d) of a parabola.
+  const double d = 0.00125, k = c.volumes[6].normal_stiffness;
+  EXPECT_EQ(c.volumes[6].basis, model::StiffnessBasis::per_length);
+  EXPECT_NEAR(4. / 3 * k * d * std::sqrt(2 * 0.325 * d), 2e6 * d, 1e-6);
+  EXPECT_EQ(c.volumes[0].basis, model::StiffnessBasis::automatic);
+  EXPECT_EQ(c.volumes.back().friction.axial, 0.1);
+}
+
+TEST(CaseSupports, ByPoints) {
+  const model::Case c =
+      read("{points: [[-40, 0, 10], [-50, 0, 9.8], [-60, 0, 9.2]], type: flat" + kRoller + "}", "");
+  ASSERT_EQ(c.supports.size(), 3u);
+  EXPECT_NEAR(c.supports[1].along.x(), -1, 2e-3);
+  EXPECT_LT(c.supports[2].along.z(), c.supports[1].along.z());
+  expect_near(c.supports[0].at, Vec3(-40, 0, 10) + 0.325 * c.supports[0].up);
+}
+
+TEST(CaseSupports, WhatIsWrongIsToldWithItsRemedy) {
+  const auto told = [](const std::string& message, const std::string& part) {
+    EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  const std::string flat = ", type: flat" + kRoller + "}";
+  told(wrong("{at: 25" + flat), "a box 25 m along the path is beyond its end at 20 m");
+  told(wrong("{at: 5, type: V" + kRoller + "}"),
+       "angle_deg: required key is missing: a support of type 'V' needs it");
+  told(wrong("{at: 5, type: V, angle_deg: 85" + kRoller + "}"), "angle_deg");
+  told(wrong("{at: 5, type: U, angle_deg: 30, side_height: 1" + kRoller + "}"),
+       "a support of type 'U' has none");
+  told(wrong("{at: 5, type: box, side_height: 0.2" + kRoller + "}"), "a clear height of 0.2 m is less than");
+  told(wrong("{at: 5, type: U, side_height: 1, roller_diameter: 0.4, roller_length: 0.2}"),
+       "a clear width of 0.2 m");
+  told(wrong("{points: [[0, 0, 0]]" + flat), "has a 'path'");
+  told(wrong("{at: 5" + flat, ""), "is a length along 'path', which the group has not");
+  told(wrong("{points: [[0, 0, 0]]" + flat, ""), "one point alone");
+  told(wrong("{at: 5" + flat, "from: [0, 0, 9], direction: [0, 0, -1], segments: [{length: 20}]"),
+       "is vertical");
+  told(
+      wrong("{at: 95" + flat, "from: [0, 0, 9], direction: [-1, 0, 0], segments: [{length: 95, radius: 60}]"),
+      "must stay below 90");
+  told(wrong("{at: 5" + flat, "from: [-20, 0, 9], direction: [1, 0, 0], segments: [{length: 20}]",
+             "[-10, 0, 10]"),
+       "lies 5 m behind 'lines.pipe.end_a'");
+  told(wrong("{at: 5" + flat, "from: [-30, 0, 12], direction: [-1, 0, 0], segments: [{length: 20}]"),
+       "the line would start beneath its roller");
+  told(wrong("{points: [[-35, 0, 10], [-50, 0, 10], [-45, 0, 10]]" + flat, ""), "lies behind 'ramp 1'");
+  told(wrong("{at: 5" + flat, "from: [-30, 0, 9], direction: [-1, 0, 0], segments: [{length: 20}]",
+             "[-30, 0, 10.325]", "output: {histories: [{line: pipe, at: 5, name: ramp 1}]}\n"),
+       "there is another history called 'ramp 1'");
+}
+
+}  // namespace
+}  // namespace hawser::case_supports_test
