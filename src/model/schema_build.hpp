@@ -79,8 +79,8 @@ inline Key arc(std::string name, std::string about) {
 inline constexpr const char* kZero = "[0, 0, 0]";
 
 Key bodies();
-Key volumes();  // with their shapes, contact laws and friction
-Key supports();               // of laid pipes: roller boxes
+Key volumes();   // with their shapes, contact laws and friction
+Key supports();  // of laid pipes: roller boxes
 Key joints();
 Key lines();
 Key contact();
