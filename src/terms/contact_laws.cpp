@@ -24,22 +24,23 @@ NormalLaw normal_law(const model::Volume& v, double share, double smoothing, dou
   return law;
 }
 
+FrictionLaw friction_law(const model::Friction& f, double share, double diameter) {
+  FrictionLaw law;
+  law.axial = f.axial, law.lateral = f.lateral;
+  law.stiffness = f.shear_stiffness * share;
+  law.axial_length = f.mobilisation_length > 0 ? f.mobilisation_length : 0.01 * diameter;
+  law.lateral_length = f.lateral_mobilisation_length > 0 ? f.lateral_mobilisation_length : law.axial_length;
+  law.back = f.back, law.spring = f.spring;
+  law.axial_kinetic = f.axial_kinetic, law.lateral_kinetic = f.lateral_kinetic;
+  law.blend_speed = f.blend_speed;
+  return law;
+}
+
 ContactLaw contact_law(const model::Volume& v, double share, double diameter, double mass) {
   ContactLaw law;
   // A fifth of the penetration the automatic stiffness allows: the ramp stays small beside it.
   law.normal = normal_law(v, share, 0.001 * diameter, mass);
-  law.friction.axial = v.friction.axial;
-  law.friction.lateral = v.friction.lateral;
-  law.friction.stiffness = v.friction.shear_stiffness * share;
-  const double length = v.friction.mobilisation_length > 0 ? v.friction.mobilisation_length : 0.01 * diameter;
-  const double lateral = v.friction.lateral_mobilisation_length;
-  law.friction.axial_length = length;
-  law.friction.lateral_length = lateral > 0 ? lateral : length;
-  law.friction.back = v.friction.back;
-  law.friction.spring = v.friction.spring;
-  law.friction.axial_kinetic = v.friction.axial_kinetic;
-  law.friction.lateral_kinetic = v.friction.lateral_kinetic;
-  law.friction.blend_speed = v.friction.blend_speed;
+  law.friction = friction_law(v.friction, share, diameter);
   return law;
 }
 

@@ -27,8 +27,7 @@ void ContactVolumes::pose(const Kinematics& at, std::vector<RigidPose>& poses) c
 
 // Of a body that is met on this rank.
 RigidPose ContactVolumes::pose_of(int volume, const Kinematics& at) const {
-  const int body = this->at(volume).body;
-  return body < 0 ? RigidPose{} : bodies_->pose(body, at);
+  return bodies_->pose(this->at(volume).body, at);
 }
 
 bool ContactVolumes::still(int volume, const RigidPose& now) const {

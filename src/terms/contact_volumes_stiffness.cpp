@@ -95,13 +95,4 @@ double ContactVolumes::deepest(int volume, double radius) const {
   return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;
 }
 
-std::string ContactVolumes::too_soft(int volume, const std::string& place, double depth, double radius,
-                                     double time) const {
-  return too_soft_for_line(place, settings(volume), automatic(volume), depth, radius, time);
-}
-
-std::string ContactVolumes::in_the_way(int volume, const std::string& place, bool drawn) const {
-  return volume_in_the_way(place, settings(volume), drawn && !automatic(volume));
-}
-
 }  // namespace hawser

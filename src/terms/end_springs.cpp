@@ -56,7 +56,7 @@ EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodi
 }
 
 Vec3 EndSprings::direction(const EndSpring& s, const Kinematics& at) const {
-  return s.body < 0 ? s.direction : Vec3(bodies_->pose(s.body, at).rotation * s.direction);
+  return bodies_->pose(s.body, at).rotation * s.direction;
 }
 
 void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
@@ -99,7 +100,8 @@ std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) cons
   if (!in) return {};
   const LocalElement& e = local(*in);
   const int node = mesh_.global[static_cast<size_t>(xi < 0.5 ? e.first : e.second)];
-  return volumes_.too_soft(in->volume, mesh_.mesh->place(node), deepest, in->radius, trial.time);
+  return too_soft_for_line(mesh_.mesh->place(node), volumes_.settings(in->volume),
+                           volumes_.automatic(in->volume), deepest, in->radius, trial.time);
 }
 
 }  // namespace hawser

@@ -6,6 +6,7 @@
 #include "hawser/kernels/axis_sweep.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
@@ -58,7 +59,8 @@ Verdict LineVolumeContact::judge(const Kinematics& trial) const {
     if (!rests) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
     const Pair& pair = pairs_[g.first];
     const int node = mesh_.global[static_cast<size_t>(local(pair).first)];
-    return {Verdict::Kind::shorter, volumes_.in_the_way(pair.volume, mesh_.mesh->place(node), drawn)};
+    return {Verdict::Kind::shorter, volume_in_the_way(mesh_.mesh->place(node), volumes_.settings(pair.volume),
+                                                      drawn && !volumes_.automatic(pair.volume))};
   }
   return {};
 }

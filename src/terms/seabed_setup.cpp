@@ -6,6 +6,7 @@
 #include "hawser/model/bed.hpp"
 #include "hawser/model/bed_touch.hpp"
 #include "hawser/terms/buried.hpp"
+#include "hawser/terms/contact_laws.hpp"
 #include "hawser/terms/seabed.hpp"
 
 namespace hawser {
@@ -70,16 +71,7 @@ SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
   o.suction = {bed.suction * share, bed.suction_length};
   normal.table = bed.force_table.get(), normal.table_factor = share;
   normal.smoothing = model::bed_smoothing(bed, s.radius, s.weight, k);
-  const model::Friction& f = bed.friction;
-  FrictionLaw& friction = o.law.friction;
-  friction.axial = f.axial, friction.lateral = f.lateral;
-  friction.stiffness = f.shear_stiffness * share;
-  friction.axial_length = f.mobilisation_length > 0 ? f.mobilisation_length : 0.02 * s.radius;
-  friction.lateral_length =
-      f.lateral_mobilisation_length > 0 ? f.lateral_mobilisation_length : friction.axial_length;
-  friction.back = f.back, friction.spring = f.spring;
-  friction.axial_kinetic = f.axial_kinetic, friction.lateral_kinetic = f.lateral_kinetic;
-  friction.blend_speed = f.blend_speed;
+  o.law.friction = friction_law(bed.friction, share, 2 * s.radius);
   return o;
 }
 

@@ -11,13 +11,6 @@
 #include "hawser/terms/element_axis.hpp"
 
 namespace hawser {
-namespace {
-
-RigidPose pose_of(const Bodies& bodies, const ContactVolume& v, const Kinematics& at) {
-  return v.body < 0 ? RigidPose{} : bodies.pose(v.body, at);
-}
-
-}  // namespace
 
 void join(std::vector<Inside>& stretches, const Mesh& mesh) {
   std::sort(stretches.begin(), stretches.end(), [](const Inside& a, const Inside& b) {
@@ -46,7 +39,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
   for (size_t v = 0; v < volumes.size(); ++v) {
     const Surface& surface = *volumes[v].surface;
     const Box box = surface.bounds();
-    const RigidPose pose = pose_of(bodies, volumes[v], at);
+    const RigidPose pose = bodies.pose(volumes[v].body, at);
     for (size_t i = 0; i < mesh.elements.size(); ++i) {
       const LocalElement& e = mesh.elements[i];
       if (!e.counted || !(radius[i] > 0)) continue;
@@ -97,7 +90,7 @@ std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, cons
   for (size_t v = 0; v < volumes.size(); ++v) {
     const Surface& surface = *volumes[v].surface;
     const Box box = surface.bounds();
-    const RigidPose pose = pose_of(bodies, volumes[v], at);
+    const RigidPose pose = bodies.pose(volumes[v].body, at);
     for (int n = 0; n < mesh.owned; ++n) {
       const Node& node = mesh.mesh->nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])];
       if (node.body >= 0 || !chords[static_cast<size_t>(node.line)].known) continue;

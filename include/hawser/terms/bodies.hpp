@@ -34,7 +34,8 @@ class Bodies {
   int local_node(int body) const { return floats(body) ? mesh_->find(frame(body)) : -1; }
   // Tells all ranks where those bodies are: what a rank knows of one whose node it does not see. Collective.
   void tell(MPI_Comm comm, const Kinematics& at) const;
-  // Its pose in a state. Of a body of the state whose node this rank does not see: as it was told last.
+  // Its pose in a state, the identity where body < 0. Of a body of the state whose node this rank does not
+  // see: as it was told last.
   RigidPose pose(int body, const Kinematics& at) const;
   // The prescribed pose, or of a body that floats where its springs pull it to. body < 0: fixed in space, the
   // identity.

@@ -13,6 +13,8 @@ namespace hawser {
 // share: what turns the stiffness of the volume and its table into those of what touches (a node, a length);
 // smoothing [m]: unless the volume says; mass [kg in the same sense]: effective, of the damping.
 NormalLaw normal_law(const model::Volume& v, double share, double smoothing, double mass);
+// Of a line of that diameter [m], which says over what length friction mobilises unless the settings do.
+FrictionLaw friction_law(const model::Friction& f, double share, double diameter);
 // Of a line of that diameter [m].
 ContactLaw contact_law(const model::Volume& v, double share, double diameter, double mass);
 

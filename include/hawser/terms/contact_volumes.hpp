@@ -107,10 +107,6 @@ class ContactVolumes {
   bool has_back(int volume) const;
   // m, how deep a volume's law is for: the radius, or what its table tells.
   double deepest(int volume, double radius) const;
-  // That a place of a line is deeper than that, in words for the user.
-  std::string too_soft(int volume, const std::string& place, double depth, double radius, double time) const;
-  // That no step of statics leads past it; drawn: into contact that is too soft.
-  std::string in_the_way(int volume, const std::string& place, bool drawn) const;
 
  private:
   const ContactVolume& at(int volume) const { return volumes_[static_cast<size_t>(volume)]; }
