@@ -20,6 +20,7 @@ std::vector<Doubt> doubts(const Case& c) {
   std::vector<Doubt> out;
   doubt_line_types(c, out);
   doubt_lines(c, out);
+  doubt_supports(c, out);
   doubt_sea(c, out);
   doubt_times(c, out);
   return out;

@@ -149,5 +149,25 @@ TEST(CaseSupports, WhatIsWrongIsToldWithItsRemedy) {
        "there is another history called 'ramp 1'");
 }
 
+TEST(CaseSupports, SharpBendsAndLongElementsAreDoubted) {
+  const auto notes = [](double radius, const std::string& at) {
+    const model::Case c =
+        read("{at: " + at + ", type: flat" + kRoller + "}",
+             "from: [-30, 0, 9], direction: [-1, 0, 0], segments: [{length: 20}, {length: 30, radius: " +
+                 std::to_string(radius) + "}]",
+             "[-30, 0, 9.325]");
+    std::string all;
+    for (const std::string& n : c.notes) all += n + "\n";
+    return all;
+  };
+  // The elements are 3 m long, and a pipe of 0.25 m is bent to 0.125 / R.
+  EXPECT_EQ(notes(150, "[25, 35, 45]"), "");
+  EXPECT_NE(
+      notes(150, "[25, 30, 35]").find("elements are 2.98 m long between supports 'ramp 1' and 'ramp 2'"),
+      std::string::npos);
+  EXPECT_NE(notes(20, "[25, 35, 45]").find("bent to a radius of 20."), std::string::npos)
+      << notes(20, "[25, 35, 45]");
+}
+
 }  // namespace
 }  // namespace hawser::case_supports_test

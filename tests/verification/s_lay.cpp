@@ -143,8 +143,50 @@ TEST(SLay, OverRollers) {
   }
 }
 
-// The first roller has an infinite row beside it: the closed form of a row on a tensioned beam, with its
-// elements halved twice.
+// cases/s-lay: the mean of the overbend's moment is EI/R, and peaks on rollers in the middle of its short row
+// are about those of an endless one.
+TEST(SLay, TheCase) {
+  const model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/s-lay/simple.yaml");
+  const auto volumes = app::load_volumes(c);
+  app::Simulation sim(PETSC_COMM_SELF, c, app::surfaces(volumes));
+  const StaticsReport report = sim.solve_statics();
+  EXPECT_LE(report.iterations, 60);
+  EXPECT_LT(report.norms.relative(), 1e-8);
+  EXPECT_EQ(report.relaxation_steps, 0);
+  const Kinematics at = sim.state().view(0);
+  const std::vector<double> moment = test::NodeField(sim, "bending_moment").at(at),
+                            tension = test::NodeField(sim, "effective_tension").at(at);
+  const std::vector<Vec3> forces = sim.contact()->forces_by_volume(at);
+  const double EI = 1.62726e7, R = 151.325, s = 12 * R / 150, weight = 852.5;
+  const auto node = [&](size_t box) {
+    const Vec3 x = model::support_point(c, c.supports[box - 1], c.supports[box - 1].at);
+    size_t best = 0;
+    for (size_t n = 0; n < moment.size(); ++n)
+      if ((at.x[n] - x).norm() < (at.x[best] - x).norm()) best = n;
+    return best;
+  };
+  const auto arc = [&](size_t n) { return sim.mesh().nodes[n].arc; };
+  double mean = 0, both = 0, row = 0;
+  for (size_t n = node(6); n < node(9); ++n)
+    mean += 0.5 * (moment[n] + moment[n + 1]) * (arc(n + 1) - arc(n));
+  mean /= arc(node(9)) - arc(node(6));
+  EXPECT_LT(off(mean, EI / R), 0.5);
+  for (const size_t box : {7u, 8u}) {  // in the middle of the row, above the water
+    const size_t n = node(box);
+    const double w = weight * std::cos(0.08 * static_cast<double>(box - 4)), T = tension[n];
+    const double beta = 0.5 * s * std::sqrt(T / EI);
+    const double peak = EI * ((1 / R + w / T) * beta / std::tanh(beta) - w / T);
+    const double found = std::max({moment[n - 1], moment[n], moment[n + 1]});
+    printf("  roller %zu: moment %+.2f %% of an endless row's\n", box, 100 * (found / peak - 1));
+    EXPECT_LT(off(found, peak), 2);
+    both += forces[c.supports[box - 1].first].norm(), row += (T / R + w) * s;
+  }
+  printf("  mean %+.2f %%, reactions of both %+.2f %%, %d iterations\n", 100 * (mean * R / EI - 1),
+         100 * (both / row - 1), report.iterations);
+  EXPECT_LT(off(both, row), 2);
+}
+
+// With elements halved twice.
 TEST(SLay, RollersOfAFinerMesh) {
   std::vector<double> kappa;
   for (const int parts : {2, 4, 8}) {

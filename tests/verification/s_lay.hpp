@@ -7,6 +7,7 @@
 #include "hawser/app/touchdown.hpp"
 #include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/model/check.hpp"
 #include "verification/contact_rig.hpp"
 
 namespace hawser::s_lay_test {

@@ -12,14 +12,12 @@ constexpr double kWeight = 1000, kAngle = 25 * M_PI / 180;  // N/m
 // is turned round.
 std::string beam(const std::string& boxes, const std::string& more, double z = 0.325 / std::cos(kAngle)) {
   const std::string height = std::to_string(z);
-  return "hawser: 1\nenvironment: {gravity: 10}\nline_types: {pipe: {outer_diameter: 0.25, mass_per_length: "
-         "100, EA: "
-         "2e9, EI: 1.6e7, GJ: 1e7}}\nbodies: {barge: {position: [5, 0, 0], rotation_deg: [0, 0, 180], "
-         "motion: {harmonic: {amplitude: "
-         "[0, 0, 0.02], "
-         "period: 20}, ramp: 20}}}\nsupports: {ramp: {body: barge, path: {from: [-17, 0, 0], direction: [1, "
-         "0, 0], "
-         "segments: [{length: 24}]}, boxes: [" +
+  return "hawser: 1\nenvironment: {gravity: 10}\n"
+         "line_types: {pipe: {outer_diameter: 0.25, mass_per_length: 100, EA: 2e9, EI: 1.6e7, GJ: 1e7}}\n"
+         "bodies: {barge: {position: [5, 0, 0], rotation_deg: [0, 0, 180],\n"
+         "  motion: {harmonic: {amplitude: [0, 0, 0.02], period: 20}, ramp: 20}}}\n"
+         "supports: {ramp: {body: barge, path: {from: [22, 0, 0], direction: [-1, 0, 0],\n"
+         "  segments: [{length: 24}]}, boxes: [" +
          boxes +
          "]}}\nlines: {pipe: {sections: [{type: pipe, length: 40, elements: 80}], end_a: {anchor: [-20, 0, " +
          height + "]}, end_b: {anchor: [20, 0, " + height + "]}" + more +

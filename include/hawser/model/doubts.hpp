@@ -26,6 +26,8 @@ void doubt_line_types(const Case& c, std::vector<Doubt>& out);
 // Strains and tensions that loads, weight and the distance of the ends mean, and lengths far beyond that
 // distance.
 void doubt_lines(const Case& c, std::vector<Doubt>& out);
+// Supports that bend their line more than pipes bear, and elements too long to show what rollers do to it.
+void doubt_supports(const Case& c, std::vector<Doubt>& out);
 // Depths of water and bed, soil that is none, ends far from the bed, and currents that push aside what lies
 // on it.
 void doubt_sea(const Case& c, std::vector<Doubt>& out);

@@ -1,0 +1,77 @@
+// Supports that bend their line more than pipes bear, and elements too long to show what rollers do to it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/check.hpp"
+#include "hawser/model/doubts.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kStrain = 0.005;  // of the outer fibre; laying criteria of steel pipes are 0.2 to 0.35 %
+constexpr double kCoarse = 0.5;    // of the distance between boxes: peaks on rollers are 1.4 % too low
+
+struct Here {
+  double diameter = 0, element = 0;  // m; the longest of the section
+};
+
+// Of the section at `from` [m] of arc length from the end before the supports.
+Here section_at(const Case& c, const Line& line, bool from_a, double from) {
+  Here out;
+  for (std::size_t i = 0; i < line.sections.size(); ++i) {
+    const Section& s = line.sections[from_a ? i : line.sections.size() - 1 - i];
+    if (from < 0) break;
+    from -= s.length;
+    out = {c.line_type(s.type).outer_diameter, s.length / s.elements};
+  }
+  return out;
+}
+
+void doubt_line(const Case& c, const Line& line, std::vector<Doubt>& out) {
+  const SupportBox* before = nullptr;
+  const End* end = nullptr;
+  double arc = 0;
+  for (const SupportBox& b : c.supports) {
+    if (b.line != line.name) continue;
+    const Vec3 at = support_point(c, b, b.at);
+    if (!before) {
+      end = end_before(c, line, b);
+      if (!end) return;
+      arc = (at - end_position(c, *end)).norm();
+      before = &b;
+      continue;
+    }
+    const Vec3 there = support_point(c, *before, before->at);
+    const double apart = (at - there).norm();
+    const Here here = section_at(c, line, end == &line.end_a, arc + 0.5 * apart);
+    arc += apart;
+    const Vec3 turn = support_point(c, b, b.at + b.along) - at -
+                      support_point(c, *before, before->at + before->along) + there;
+    if (const double strain = 0.5 * here.diameter * turn.norm() / apart; strain > kStrain)
+      out.push_back(
+          {b.key,
+           fmt::format(
+               "between supports '{}' and '{}' line '{}' is bent to a radius of {:.4g} m, {:.3g} % of "
+               "strain; steel pipes are laid with less than 0.35 %",
+               before->name, b.name, line.name, apart / turn.norm(), 100 * strain),
+           20});
+    else if (here.element > kCoarse * apart)
+      out.push_back(
+          {"lines." + line.name + ".sections",
+           fmt::format("its elements are {:.3g} m long between supports '{}' and '{}', which are {:.3g} m "
+                       "apart: bending moments on rollers show with elements of a quarter of that",
+                       here.element, before->name, b.name, apart),
+           21});
+    before = &b;
+  }
+}
+
+}  // namespace
+
+void doubt_supports(const Case& c, std::vector<Doubt>& out) {
+  for (const Line& line : c.lines) doubt_line(c, line, out);
+}
+
+}  // namespace hawser::model
