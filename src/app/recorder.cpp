@@ -399,13 +399,14 @@ void Recorder::output(const Kinematics& at) {
                       ends_);
 }
 
-void Recorder::checkpoint(const io::Checkpoint& c) {
+void Recorder::checkpoint(io::Checkpoint c) {
   write_statistics();
-  file_->write_checkpoint(c);
+  file_->write_checkpoint(std::move(c));
 }
 
 void Recorder::write_statistics() {
-  if (statistics_) file_->write_statistics(statistics_->table());
+  for (size_t f = 0; statistics_ && f < statistics_->fields().size(); ++f)
+    file_->write_statistics(f, statistics_->table(f));
 }
 
 std::string Recorder::finish(std::vector<std::string> messages) {

@@ -40,7 +40,7 @@ class Recorder {
   // A picture of the state: all fields. Where there was a step, it is of the last one.
   void output(const Kinematics& at);
   // With it the statistics so far.
-  void checkpoint(const io::Checkpoint& c);
+  void checkpoint(io::Checkpoint c);
   // Writes the summary table into the file, with the notes and warnings that were told of the run and those
   // of its end; returns the table as text.
   std::string finish(std::vector<std::string> messages);
