@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -191,34 +192,39 @@ int main(int argc, char** argv) {
     return hawser::app::usage_error(cli, e, {mine.begin() + 1, mine.end() - 1});
   });
 
-  const Petsc petsc(static_cast<int>(theirs.size()) - 1, theirs.data());
+  // A question that the command line answers needs no MPI, but of several ranks one answers.
+  std::optional<Petsc> petsc;
+  const auto begin = [&] { petsc.emplace(static_cast<int>(theirs.size()) - 1, theirs.data()); };
+  if (hawser::launched()) begin();
+  const bool speaks = !petsc || petsc->rank == 0;
   try {
     cli.parse(static_cast<int>(mine.size()) - 1, mine.data());
   } catch (const CLI::ParseError& e) {
     std::ostringstream out, wrong;
     const bool failed = cli.exit(e, out, wrong) != 0;
-    if (petsc.rank == 0) std::fputs(out.str().c_str(), stdout), std::fputs(wrong.str().c_str(), stderr);
+    if (speaks) std::fputs(out.str().c_str(), stdout), std::fputs(wrong.str().c_str(), stderr);
     return failed ? hawser::kExitInput : 0;
   }
   if (*schema_command) {
-    if (petsc.rank == 0)
+    if (speaks)
       std::fputs((json ? hawser::model::schema_json() : hawser::model::schema_markdown()).c_str(), stdout);
     return 0;
   }
   if (*library_command) {
-    if (petsc.rank == 0) std::fputs(hawser::io::line_library_markdown().c_str(), stdout);
+    if (speaks) std::fputs(hawser::io::line_library_markdown().c_str(), stdout);
     return 0;
   }
   run.options_text = modes.options_text = options;
   run.changes = modes.changes = changes;
   modes.added_mass = !in_vacuum;
-  return guarded(petsc, [&] {
+  if (!petsc) begin();
+  return guarded(*petsc, [&] {
     if (!*run_command && !*modes_command)
       return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks, !quick, changes);
     const int code =
         *run_command ? hawser::app::run(PETSC_COMM_WORLD, run) : hawser::app::modes(PETSC_COMM_WORLD, modes);
     const auto left = unused(theirs);
-    if (petsc.rank == 0 && !run.quiet && !modes.quiet && !left.empty())
+    if (speaks && !run.quiet && !modes.quiet && !left.empty())
       fmt::print("\nwarning: nothing in this run has used the PETSc option{} {}\n",
                  left.size() > 1 ? "s" : "", fmt::join(left, ", "));
     return code;

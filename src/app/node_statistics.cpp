@@ -70,18 +70,18 @@ void NodeStatistics::add(double time, const std::vector<std::vector<double>>& va
   begun_ = true, latest_ = time;
 }
 
-std::vector<std::vector<double>> NodeStatistics::table() const {
-  std::vector<std::vector<double>> out(sums_.size());
-  for (std::size_t f = 0; f < sums_.size(); ++f)
-    for (const Sums& s : sums_[f]) {
-      if (!begun_) {
-        out[f].insert(out[f].end(), io::kStatistics, std::nan(""));
-        continue;
-      }
-      const double length = latest_ - since_;
-      const double deviation = length > 0 ? std::sqrt(s.squares / length) : 0;
-      out[f].insert(out[f].end(), {s.least, s.least_time, s.most, s.most_time, s.mean, deviation});
+std::vector<double> NodeStatistics::table(std::size_t field) const {
+  std::vector<double> out;
+  out.reserve(io::kStatistics * sums_[field].size());
+  for (const Sums& s : sums_[field]) {
+    if (!begun_) {
+      out.insert(out.end(), io::kStatistics, std::nan(""));
+      continue;
     }
+    const double length = latest_ - since_;
+    const double deviation = length > 0 ? std::sqrt(s.squares / length) : 0;
+    out.insert(out.end(), {s.least, s.least_time, s.most, s.most_time, s.mean, deviation});
+  }
   return out;
 }
 
@@ -90,6 +90,7 @@ void NodeStatistics::save(io::Checkpoint& to) const {
   for (std::size_t f = 0; f < sums_.size(); ++f) {
     io::CheckpointField& of = to.nodes[kPrefix + fields_[f].name];
     of.components = kNumbers * fields_[f].components;
+    of.values.reserve(kNumbers * sums_[f].size());
     for (const Sums& s : sums_[f])
       of.values.insert(of.values.end(),
                        {s.least, s.least_time, s.most, s.most_time, s.mean, s.squares, s.last});

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "hawser/app/audit_checkpoint.hpp"
+#include "hawser/app/cost.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/app/run_parts.hpp"
 #include "hawser/app/touchdown.hpp"
@@ -30,6 +31,9 @@ const char* const kCarriers[] = {"seabed_force", "soil_force", "contact_force", 
 
 // Of ends: the last is that of beams only.
 const io::ResultField kEnds[] = {{"force", "N", 3}, {"direction", "", 3}, {"moment", "N m", 3}};
+
+// Rows made at once.
+constexpr double kMostRoom = 1e6;
 
 // Beside those of the terms in a checkpoint.
 const std::string kClashRecords = "clash report";
@@ -90,6 +94,9 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     every_step_.push_back(s.name == "effective_tension" || among(kCarriers, s.name) ||
                           (points && Histories::shows(s.name)) || LineExtremes::wants(s.name) ||
                           (c.output.statistics && NodeStatistics::wants(s.name)));
+  const int corrected[] = {tension_, declination_, wall_, shear_, torsion_, moment_, moment_2_, moment_3_};
+  rest_apart_ = std::all_of(std::begin(corrected), std::end(corrected),
+                            [this](int f) { return f < 0 || every_step_[static_cast<size_t>(f) - 2]; });
 
   io::ResultContents contents;
   contents.run = run;
@@ -132,8 +139,10 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   contents.series.push_back(std::move(energy));
   contents.series.push_back(
       {"solver", {{"step", "s", 1}, {"newton_iterations", "1", 1}, {"rejected", "1", 1}}});
-  const double every = c.output.every > 0 ? c.output.every : std::max(c.dynamics.duration / 100, 1e-9);
-  contents.expected_outputs = c.dynamics.enabled ? static_cast<int>(c.dynamics.duration / every) + 3 : 2;
+  // Room for more steps than there are costs nothing; a file that must be made anew costs what is in it.
+  const io::ExpectedRows rows = expected_rows(c, {}, sim_.dynamics_settings().step.longest, 0);
+  contents.expected_outputs = static_cast<int>(std::min(rows.outputs + 2, kMostRoom));
+  contents.expected_steps = static_cast<int>(std::min(1.1 * rows.steps + 100, kMostRoom));
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   extremes_ = std::make_unique<LineExtremes>(comm, c, local, fields_);
   if (!write) {
@@ -148,7 +157,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
              : io::ResultsFile::create(comm, c.output.file, std::move(contents), std::move(owned)));
 }
 
-// Fields that neither histories nor extremes show are for outputs alone.
+// Fields that neither histories nor extremes nor statistics show are for outputs alone.
 void Recorder::fill(const Kinematics& at, bool all) {
   const size_t owned = static_cast<size_t>(sim_.local().owned);
   for (size_t n = 0; n < owned; ++n)
@@ -157,14 +166,16 @@ void Recorder::fill(const Kinematics& at, bool all) {
       values_[1][3 * n + k] = at.v[n][static_cast<Eigen::Index>(k)];
     }
   for (size_t f = 0; f < registry_.sources().size(); ++f)
-    if (all || every_step_[f]) {
-      if (onto_[f] >= 0) values_[f + 2] = values_[static_cast<size_t>(onto_[f])];
-      registry_.sources()[f].fill(at, values_[f + 2]);
-    }
+    if (all || every_step_[f]) fill_field(f, at);
   for (const int side : {before_, after_})
     if (side >= 0) values_[static_cast<size_t>(side)] = values_[static_cast<size_t>(tension_)];
   correct_ends(at);
   utilisation_.fill(values_);
+}
+
+void Recorder::fill_field(size_t f, const Kinematics& at) {
+  if (onto_[f] >= 0) values_[f + 2] = values_[static_cast<size_t>(onto_[f])];
+  registry_.sources()[f].fill(at, values_[f + 2]);
 }
 
 // An element's tension is that of its middle, its moments leave out the load along it. At the ends of a line,
@@ -232,6 +243,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
 void Recorder::step(const StepInfo& info, const Kinematics& at, double support_work,
                     const Kinematics& shown) {
   fill(shown, false);
+  stepped_ = true;
   Energy share = sim_.system().energy(at);
   share.work += support_work;
   if (audit_.update(start_, sum_of(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);
@@ -301,20 +313,26 @@ std::string Recorder::audit_warning() const {
 }
 
 void Recorder::output(const Kinematics& at) {
-  fill(at, true);
+  if (stepped_ && rest_apart_) {
+    for (size_t f = 0; f < every_step_.size(); ++f)
+      if (!every_step_[f]) fill_field(f, at);
+  } else {
+    fill(at, true);
+  }
   if (pressed_ >= 0)
     turns_.look(at, values_[static_cast<size_t>(tension_)], values_[static_cast<size_t>(pressed_)]);
   file_->write_output(at.time, values_, body_poses(sim_, at), clashes_ ? clashes_->take() : io::ClashTables{},
                       ends_);
 }
 
-void Recorder::checkpoint(const io::Checkpoint& c) {
+void Recorder::checkpoint(io::Checkpoint c) {
   write_statistics();
-  file_->write_checkpoint(c);
+  file_->write_checkpoint(std::move(c));
 }
 
 void Recorder::write_statistics() {
-  if (statistics_) file_->write_statistics(statistics_->table());
+  for (size_t f = 0; statistics_ && f < statistics_->fields().size(); ++f)
+    file_->write_statistics(f, statistics_->table(f));
 }
 
 std::string Recorder::finish(std::vector<std::string> messages) {

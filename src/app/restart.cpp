@@ -41,6 +41,7 @@ std::vector<Vec3>& vectors(AlphaState& s, size_t i) {
 io::CheckpointField field_of(const std::vector<Vec3>& values, size_t owned) {
   io::CheckpointField f;
   f.components = 3;
+  f.values.reserve(3 * owned);
   for (size_t n = 0; n < owned; ++n) f.values.insert(f.values.end(), values[n].data(), values[n].data() + 3);
   return f;
 }
@@ -81,18 +82,22 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
   const size_t owned = static_cast<size_t>(m.owned);
   for (size_t i = 0; i < std::size(kVectors); ++i) c.nodes[kVectors[i]] = field_of(vectors(s, i), owned);
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
+    if (!has_directors(m)) break;
     io::CheckpointField& f = c.nodes[name];
     f.components = 9;
+    f.values.reserve(9 * owned);
     for (size_t n = 0; n < owned; ++n)
       f.values.insert(f.values.end(), (*values)[n].data(), (*values)[n].data() + 9);
   }
   io::CheckpointField& q = c.nodes["rotation"];
   q.components = 4;
+  q.values.reserve(4 * owned);
   for (size_t n = 0; n < owned; ++n)
     for (double x : {s.s.q[n].w(), s.s.q[n].x(), s.s.q[n].y(), s.s.q[n].z()}) q.values.push_back(x);
   const auto rows = [&](const char* name, const std::vector<double>& of) {
     io::CheckpointField& r = c.nodes[name];
     r.components = 6;
+    r.values.reserve(6 * owned);
     for (size_t n = 0; n < owned; ++n)
       for (size_t k = 0; k < 6; ++k) {
         const size_t b = 3 * static_cast<size_t>(m.block[n]);
@@ -202,7 +207,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   AlphaState s;
   s.s.resize(m.nodes());
   s.s.time = c.time;
-  alpha_start(s);
+  alpha_start(m, s);
   const size_t owned = static_cast<size_t>(m.owned);
   const auto take = [&](const char* name, std::vector<Vec3>& to) {
     const auto& f = c.nodes.at(name);
@@ -212,11 +217,13 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   const auto& q = c.nodes.at("rotation").values;
   for (size_t n = 0; n < owned; ++n) s.s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
+    if (!has_directors(m)) break;
     const auto& f = c.nodes.at(name).values;
     for (size_t n = 0; n < owned; ++n) (*values)[n] = Eigen::Map<const Mat3>(f.data() + 9 * n);
   }
   system.spread(s.s);
-  system.spread(s.ax), system.spread(s.aw), system.spread(s.ad);
+  system.spread(s.ax), system.spread(s.aw);
+  if (!s.ad.empty()) system.spread(s.ad);
 
   const auto rows = [&](const char* name) {
     std::vector<double> out(3 * static_cast<size_t>(m.blocks()), 0);

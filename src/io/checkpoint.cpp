@@ -51,6 +51,7 @@ void agree(MPI_Comm comm, bool good, const std::string& names) {
 }
 
 constexpr double kMostKinds = 100;  // of records of a term
+constexpr int kRecordHead = 4;      // numbers of a record before its values
 
 struct Slot {
   std::string index;
@@ -133,69 +134,88 @@ bool fits(const CheckpointHistory& history, const HistoryRecord& r) {
 
 // The array: time, scalars, node fields (node after node), then for each term the number of doubles of
 // its records and the records by node: node, kind, key, length, values.
-PackedCheckpoint pack_checkpoint(MPI_Comm comm, const Checkpoint& c, int nodes_total,
-                                 const std::vector<int>& owned) {
+CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_total,
+                               const std::vector<int>& owned) {
   bool good = true;
   for (const auto& [name, field] : c.nodes)
     good = good && field.values.size() == owned.size() * static_cast<size_t>(field.components);
+  CheckpointRoom room;
   for (const auto& [name, history] : c.history)
-    for (const auto& r : history.records)
+    for (const auto& r : history.records) {
       good = good && std::binary_search(owned.begin(), owned.end(), r.node) && fits(history, r);
-  PackedCheckpoint p;
-  p.index = describe(c, nodes_total);
-  agree(comm, good, p.index);
+      room.size += kRecordHead + static_cast<long long>(r.values.size());
+    }
+  room.index = describe(c, nodes_total);
+  agree(comm, good, room.index);
+  MPI_Allreduce(MPI_IN_PLACE, &room.size, 1, MPI_LONG_LONG, MPI_SUM, comm);
+  room.size += 1 + std::ssize(c.scalars) + std::ssize(c.history);
+  for (const auto& [name, field] : c.nodes)
+    room.size += nodes_total * static_cast<long long>(field.components);
+  return room;
+}
 
+unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, const std::vector<int>& owned,
+                                  const PutNumbers& put) {
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
-  const auto put = [&](long long at, const double* values, size_t count) {
-    if (count == 0) return;
-    if (p.runs.empty() || p.runs.back().first + p.runs.back().count != at) p.runs.push_back({at, 0});
-    p.runs.back().count += static_cast<long long>(count);
-    p.values.insert(p.values.end(), values, values + count);
+  unsigned long long sum = 0;
+  const auto piece = [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
+    const double* from = values.data();
+    for (const RowRun& run : runs) {
+      sum += checkpoint_sum(run.first, from, run.count);
+      from += run.count;
+    }
+    put(runs, values);
   };
-  long long at = 0;
-  const auto put_root = [&](double value) {
-    if (rank == 0) put(at, &value, 1);
-    ++at;
-  };
-  put_root(c.time);
-  for (const auto& [name, value] : c.scalars) put_root(value);
-  for (const auto& [name, field] : c.nodes) {
-    const auto nc = static_cast<size_t>(field.components);
-    for (size_t i = 0; i < owned.size(); ++i)
-      put(at + owned[i] * static_cast<long long>(nc), &field.values[i * nc], nc);
-    at += nodes_total * static_cast<long long>(nc);
+  std::vector<double> values{c.time};
+  for (const auto& [name, value] : c.scalars) values.push_back(value);
+  long long at = std::ssize(values);
+  if (rank == 0)
+    piece({{0, at}}, values);
+  else
+    piece({}, {});
+
+  for (auto& [name, field] : c.nodes) {
+    std::vector<RowRun> runs = runs_of(owned);
+    for (RowRun& run : runs) run.first = at + run.first * field.components, run.count *= field.components;
+    piece(runs, field.values);
+    at += nodes_total * static_cast<long long>(field.components);
+    field = {};
   }
-  for (const auto& [name, history] : c.history) {
+
+  for (auto& [name, history] : c.history) {
     std::vector<const HistoryRecord*> sorted;
     for (const auto& r : history.records) sorted.push_back(&r);
     std::stable_sort(sorted.begin(), sorted.end(), [](const HistoryRecord* a, const HistoryRecord* b) {
       return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
     });
     std::vector<long long> start(static_cast<size_t>(nodes_total) + 1, 0);
-    for (const auto* r : sorted)
-      start[static_cast<size_t>(r->node) + 1] += 4 + static_cast<long long>(r->values.size());
+    size_t here = 1;
+    for (const auto* r : sorted) {
+      start[static_cast<size_t>(r->node) + 1] += kRecordHead + std::ssize(r->values);
+      here += kRecordHead + r->values.size();
+    }
     MPI_Allreduce(MPI_IN_PLACE, start.data(), nodes_total + 1, MPI_LONG_LONG, MPI_SUM, comm);
     for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    put_root(static_cast<double>(start.back()));
+    std::vector<RowRun> runs;
+    values.clear(), values.reserve(here);
+    if (rank == 0) runs.push_back({at, 1}), values.push_back(static_cast<double>(start.back()));
+    ++at;
     for (const auto* r : sorted) {
       long long& to = start[static_cast<size_t>(r->node)];
-      const double head[4] = {static_cast<double>(r->node), static_cast<double>(r->kind),
-                              static_cast<double>(r->key), static_cast<double>(r->values.size())};
-      put(at + to, head, 4);
-      put(at + to + 4, r->values.data(), r->values.size());
-      to += 4 + static_cast<long long>(r->values.size());
+      const long long length = kRecordHead + std::ssize(r->values);
+      if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
+      runs.back().count += length, to += length;
+      values.insert(values.end(), {static_cast<double>(r->node), static_cast<double>(r->kind),
+                                   static_cast<double>(r->key), static_cast<double>(r->values.size())});
+      values.insert(values.end(), r->values.begin(), r->values.end());
     }
+    piece(runs, values);
     at += start.back();
+    history = {};
   }
-  p.size = at;
-  const double* from = p.values.data();
-  for (const auto& run : p.runs) {
-    p.checksum += checkpoint_sum(run.first, from, run.count);
-    from += run.count;
-  }
-  MPI_Allreduce(MPI_IN_PLACE, &p.checksum, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, comm);
-  return p;
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, comm);
+  return sum;
 }
 
 Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>& values, int nodes_total,

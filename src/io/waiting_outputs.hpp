@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include "hawser/io/clash_rows.hpp"
@@ -24,8 +25,9 @@ struct WaitingOutputs {
   }
   // The first n outputs, which go.
   WaitingOutputs take(size_t n) {
-    WaitingOutputs out;
     const size_t of = times.size();
+    if (n == of) return std::exchange(*this, {});
+    WaitingOutputs out;
     const auto part = [&](auto& from, auto& to) {
       const auto end = from.begin() + static_cast<std::ptrdiff_t>(from.size() / of * n);
       to.assign(std::make_move_iterator(from.begin()), std::make_move_iterator(end));

@@ -2,11 +2,13 @@
 // file, and the names that both files share.
 #include "hawser/io/xdmf.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <set>
 
 #include "hawser/io/results.hpp"
@@ -34,8 +36,12 @@ struct Slab {
   std::string dataset;  // in the HDF5 file
   std::string type;     // NumberType and Precision
   std::vector<long long> start, count, shape;
-  long long row = -1;  // of a dataset with one row an output; the rest is then within the row
+  bool by_output = false;  // has one row an output; the rest is then within the row
 };
+
+// Stand for what differs from output to output: the number of its row, that of the next one, and its time. No
+// name has them: xml_text() replaces control characters.
+constexpr char kRow = 1, kNext = 2, kTime = 3;
 
 const std::string kDouble = "NumberType=\"Float\" Precision=\"8\"";
 const std::string kFloat = "NumberType=\"Float\" Precision=\"4\"";
@@ -48,16 +54,14 @@ const std::string kChar = "NumberType=\"Char\" Precision=\"1\"";
 // made anew with more room.
 std::string item(const std::string& h5, const Slab& s) {
   std::string text = h5 + ":/" + s.dataset;
-  if (s.row >= 0 || s.count != s.shape) {
+  if (s.by_output || s.count != s.shape) {
     const std::vector<long long> stride(s.start.size(), 1);
-    const auto part = [&](long long row, const std::vector<long long>& rest) {
-      std::vector<long long> all(rest);
-      if (s.row >= 0) all.insert(all.begin(), row);
-      return joined(all);
+    const auto part = [&](char row, const std::vector<long long>& rest) {
+      return (s.by_output ? std::string{row, ' '} : "") + joined(rest);
     };
     text += '|';
-    text += part(s.row, s.start) + ":" + part(1, stride) + ":" + part(1, s.count) + ":" +
-            part(s.row + 1, s.shape);
+    text +=
+        part(kRow, s.start) + ":" + part('1', stride) + ":" + part('1', s.count) + ":" + part(kNext, s.shape);
   }
   return "<DataItem Dimensions=\"" + joined(s.count) + "\" " + s.type + " Format=\"HDF\">" + text +
          "</DataItem>";
@@ -90,34 +94,39 @@ std::vector<std::string> safe_names(const std::vector<std::string>& names) {
 }
 
 XdmfWriter::XdmfWriter(const ResultContents& contents, const std::string& h5_name)
-    : contents_(&contents), h5_name_(xml_text(h5_name)), places_(volume_places(contents)) {
-  for (const auto& v : contents.volumes) {
-    const DrawnMesh d = drawn_mesh(v, contents.moving_vertices);
-    drawn_.push_back({static_cast<long long>(d.vertices.size()), static_cast<long long>(d.triangles.size()),
-                      d.moves, d.boxed});
+    : contents_(&contents), h5_name_(xml_text(h5_name)) {
+  std::string text =
+      "<Grid Name=\"output\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time Value=\"";
+  text += kTime;
+  text += "\"/>\n";
+  add_lines(text);
+  add_volumes(text);
+  text += "</Grid>\n";
+  for (size_t from = 0; from < text.size();) {
+    const size_t to = std::min(text.find_first_of({kRow, kNext, kTime}, from), text.size());
+    pieces_.push_back({text.substr(from, to - from), to < text.size() ? text[to] : '\0'});
+    from = to + 1;
   }
 }
 
-std::string XdmfWriter::output(long long row) const {
-  char number[32];
-  std::snprintf(number, sizeof number, "%.17g", times_[static_cast<size_t>(row)]);
-  std::string text =
-      "<Grid Name=\"output\" GridType=\"Collection\" CollectionType=\"Spatial\">\n<Time Value=\"";
-  text += number;
-  text += "\"/>\n";
-  add_lines(row, text);
-  add_volumes(row, text);
-  return text + "</Grid>\n";
+void XdmfWriter::add_output(size_t row, std::string& text) const {
+  char time[32];
+  std::snprintf(time, sizeof time, "%.17g", times_[row]);
+  const std::string here = std::to_string(row), next = std::to_string(row + 1);
+  for (const Piece& p : pieces_) {
+    text += p.text;
+    if (p.then) text += p.then == kTime ? time : p.then == kRow ? here : next;
+  }
 }
 
-void XdmfWriter::add_lines(long long row, std::string& text) const {
+void XdmfWriter::add_lines(std::string& text) const {
   const auto& c = *contents_;
   const long long total = c.nodes_total(), lines = static_cast<long long>(c.lines.size());
   const auto grid = [&](const std::string& name, long long first, long long nodes,
                         const std::string& topology) {
     text += "<Grid Name=\"" + xml_text(name) + "\" GridType=\"Uniform\">\n" + topology;
     for (const auto& f : c.fields) {
-      Slab s{"fields/" + safe_name(f.name), kDouble, {first}, {nodes}, {total}, row};
+      Slab s{"fields/" + safe_name(f.name), kDouble, {first}, {nodes}, {total}, true};
       if (f.components > 1)
         s.start.push_back(0), s.count.push_back(f.components), s.shape.push_back(f.components);
       const char* kind = f.components == 1 ? "Scalar" : f.components == 3 ? "Vector" : "Matrix";
@@ -146,22 +155,23 @@ void XdmfWriter::add_lines(long long row, std::string& text) const {
              item(h5_name_, {"nodes/number", kInt, {0}, {line.nodes}, {total}}) + "</Topology>\n");
 }
 
-void XdmfWriter::add_volumes(long long row, std::string& text) const {
-  for (size_t i = 0; i < drawn_.size(); ++i) {
+void XdmfWriter::add_volumes(std::string& text) const {
+  const auto places = volume_places(*contents_);
+  for (size_t i = 0; i < places.size(); ++i) {
     const auto& v = contents_->volumes[i];
-    const Drawn& d = drawn_[i];
-    const long long nv = d.vertices, nt = d.triangles;
+    const DrawnMesh d = drawn_mesh(v, contents_->moving_vertices);
+    const long long nv = std::ssize(d.vertices), nt = std::ssize(d.triangles);
     const Slab triangles{
-        places_[i] + (d.boxed ? "/box_triangles" : "/triangles"), kInt, {0, 0}, {nt, 3}, {nt, 3}};
-    const Slab points = d.moves ? Slab{places_[i] + "/moved", kFloat, {0, 0}, {nv, 3}, {nv, 3}, row}
-                                : Slab{places_[i] + "/vertices", kDouble, {0, 0}, {nv, 3}, {nv, 3}};
+        places[i] + (d.boxed ? "/box_triangles" : "/triangles"), kInt, {0, 0}, {nt, 3}, {nt, 3}};
+    const Slab points = d.moves ? Slab{places[i] + "/moved", kFloat, {0, 0}, {nv, 3}, {nv, 3}, true}
+                                : Slab{places[i] + "/vertices", kDouble, {0, 0}, {nv, 3}, {nv, 3}};
     text += "<Grid Name=\"" + xml_text(v.name) + "\" GridType=\"Uniform\">\n" +
             "<Topology TopologyType=\"Triangle\" NumberOfElements=\"" + std::to_string(nt) + "\">" +
             item(h5_name_, triangles) + "</Topology>\n<Geometry GeometryType=\"XYZ\">" +
             item(h5_name_, points) + "</Geometry>\n";
     if (!d.boxed && v.active.size() == v.triangles.size())
       text += attribute("active", "Scalar", "Cell",
-                        item(h5_name_, {places_[i] + "/active", kChar, {0}, {nt}, {nt}}));
+                        item(h5_name_, {places[i] + "/active", kChar, {0}, {nt}, {nt}}));
     text += "</Grid>\n";
   }
 }
@@ -172,7 +182,12 @@ void XdmfWriter::save(const std::string& path) const {
     std::ofstream out(made, std::ios::binary);
     out << kXdmfBegin << xml_text(contents_->run.case_path.empty() ? "hawser" : contents_->run.case_path)
         << "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-    for (size_t row = 0; row < times_.size(); ++row) out << output(static_cast<long long>(row));
+    std::string outputs;
+    for (size_t row = 0; row < times_.size(); ++row) {
+      outputs.clear();
+      add_output(row, outputs);
+      out << outputs;
+    }
     out << "</Grid>\n</Domain>\n</Xdmf>\n";
     out.flush();
     if (!out) {

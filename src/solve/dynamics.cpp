@@ -89,7 +89,8 @@ void Dynamics::prepare(double h, const State* end) {
       Coupled::anew) {
     build();
     system_.spread(committed_.s);
-    system_.spread(committed_.ax), system_.spread(committed_.aw), system_.spread(committed_.ad);
+    system_.spread(committed_.ax), system_.spread(committed_.aw);
+    if (!committed_.ad.empty()) system_.spread(committed_.ad);
     const size_t size = 3 * static_cast<size_t>(system_.mesh().blocks());
     for (auto* rows : {&reactions_, &mean_.q, &mean_.f}) rows->resize(size, 0);
   }
@@ -298,7 +299,7 @@ void Dynamics::start(const State& state) {
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
   system_.supports().follow(s);
-  alpha_start(committed_);
+  alpha_start(system_.mesh(), committed_);
   system_.residual(s.view(h), r_.get());
   reactions_ = system_.reactions();
 }

@@ -15,11 +15,17 @@ AlphaCoefficients::AlphaCoefficients(double rho)
 
 double alpha_stored(const AlphaCoefficients& c) { return (0.5 - c.af) * (0.5 - c.af); }
 
-void alpha_start(AlphaState& state) {
+bool has_directors(const LocalMesh& mesh) {
+  const auto& nodes = mesh.mesh->nodes;
+  return std::any_of(nodes.begin(), nodes.end(), [](const Node& n) { return n.rotates; });
+}
+
+void alpha_start(const LocalMesh& mesh, AlphaState& state) {
   State& s = state.s;
   state.ax = s.a, state.aw = s.alpha;
-  s.directors.resize(s.x.size());
-  for (size_t n = 0; n < s.x.size(); ++n) s.directors[n] = director_acceleration(s.q[n], s.w[n], s.alpha[n]);
+  s.directors.resize(has_directors(mesh) ? s.x.size() : 0);
+  for (size_t n = 0; n < s.directors.size(); ++n)
+    s.directors[n] = director_acceleration(s.q[n], s.w[n], s.alpha[n]);
   state.ad = s.directors;
 }
 
@@ -66,7 +72,7 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
       trial.ad[n] = trial.ad[f] * p.rotation.toRotationMatrix();
       continue;
     }
-    if (p.rotation_mask == 7)
+    if (p.rotation_mask == 7 && mesh.rotates(p.node))
       trial.ad[n] = s.directors[n] = director_acceleration(s.q[n], s.w[n], s.alpha[n]);
     for (int i = 0; i < 3; ++i) {
       if (p.position_mask >> i & 1) trial.ax[n][i] = s.a[n][i];

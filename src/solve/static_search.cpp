@@ -32,6 +32,7 @@ StaticsReport StaticSearch::run(bool again) {
     Weights weights;
     set_shift(kNegative, report.norms, weights);
     system_.tangent(state_.view(0), weights, zero_, false, J_.get());
+    check(KSPReset(ksp_.get()));  // its factors need not be in memory beside those of the inertia
     report.negative_eigenvalues = negative_eigenvalues(J_.get());
     // Friction's tangent is unsymmetric: the inertia of its symmetric part says nothing.
     if (settings_.near || report.negative_eigenvalues <= 0 || report.escapes == kMaxEscapes) break;

@@ -140,14 +140,15 @@ void Hydrodynamics::places(const Piece& p, const Kinematics& k, Vec3* out) const
 }
 
 // Cables, beams, balls: a force at one place.
-void Hydrodynamics::flow(const Kinematics& at, std::vector<Flow>& out) const {
+void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
   std::vector<Water>& water = seen_;
   look(at, water);
   out.clear();
   const auto put = [&](const Piece& p, const WaterForce& force) {
-    Flow& o = out.emplace_back();
-    o.force = force;
-    places(p, at, o.place);
+    Vec3 place[4];
+    places(p, at, place);
+    for (int j = 0; j < 4; j += p.beam ? 1 : 2)
+      out.force.push_back(force.force[j]), out.place.push_back(place[j]);
   };
   for (const Four& q : fours_) {
     WaterForce all[4];
@@ -172,9 +173,7 @@ void Hydrodynamics::flow(const Kinematics& at, std::vector<Flow>& out) const {
     ball_water(b.ball, at.x[n], at.v[n], at.a[n], water[n], f, nullptr, nullptr, nullptr);
     ball_water(floating, at.x[n], at.v[n], at.a[n], calm, up, nullptr, nullptr, nullptr);
     f -= up;
-    Flow& o = out.emplace_back();
-    for (int j = 0; j < 4; ++j) o.force.force[j].setZero(), o.place[j].setZero();
-    o.force.force[0] = -f, o.place[0] = at.x[n];
+    out.force.push_back(-f), out.place.push_back(at.x[n]);
   }
 }
 
@@ -186,14 +185,14 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
     speed_.assign(committed.v.begin(), committed.v.end());
     start_time_ = committed.time, wave_known_ = false;
   }
-  if (h <= 0 || flow_.empty()) flow(committed, flow_);
+  if (h <= 0 || flow_.place.empty()) flow(committed, flow_);
 }
 
 void Hydrodynamics::commit(const Kinematics& accepted) {
-  std::vector<Flow>& now = spare_;
+  Flow& now = spare_;
   flow(accepted, now);
-  if (accepted.step > 0 && flow_.size() == now.size()) work_ += work(flow_, now);
-  flow_.swap(now);
+  if (accepted.step > 0 && flow_.place.size() == now.place.size()) work_ += work(flow_, now);
+  std::swap(flow_, now);
   if (sea_.waves.none()) return;
   std::vector<Vec3> looked(accepted.x.size());
   for (size_t n = 0; n < looked.size(); ++n) looked[n] = wave_place(accepted, n);
@@ -214,8 +213,8 @@ Energy Hydrodynamics::energy(const Kinematics& at) const {
     const size_t n = static_cast<size_t>(b.node);
     e.potential += ball_potential(b.ball, at.x[n], water[n]);
   }
-  if (!(at.step > 0) && !flow_.empty()) {
-    std::vector<Flow> now;
+  if (!(at.step > 0) && !flow_.place.empty()) {
+    Flow now;
     flow(at, now);
     e.potential -= work(flow_, now);
   }
@@ -223,11 +222,10 @@ Energy Hydrodynamics::energy(const Kinematics& at) const {
   return e;
 }
 
-double Hydrodynamics::work(const std::vector<Flow>& from, const std::vector<Flow>& to) {
+double Hydrodynamics::work(const Flow& from, const Flow& to) {
   double sum = 0;
-  for (size_t i = 0; i < to.size(); ++i)
-    for (int j = 0; j < 4; ++j)
-      sum += 0.5 * (to[i].force.force[j] + from[i].force.force[j]).dot(to[i].place[j] - from[i].place[j]);
+  for (size_t i = 0; i < to.place.size(); ++i)
+    sum += 0.5 * (to.force[i] + from.force[i]).dot(to.place[i] - from.place[i]);
   return sum;
 }
 

@@ -50,12 +50,12 @@ double SeabedTerm::gap(const Vec3& x, double most) const {
 // Only what the soil held at the start of the step is pulled, and nothing in statics, which has no way back.
 // A little further, so that round-off does not keep what is let go.
 double SeabedTerm::reach(const Point& p, double step) const {
-  if (!(step > 0) || !p.history.held) return 0;
+  if (!(step > 0) || !suction_ || !p.history.held) return 0;
   return std::max(0.0, 1.01 * p.suction.length - p.history.deepest - p.law.normal.smoothing);
 }
 
 Pull SeabedTerm::pull(const Point& p, const ContactTrial& trial, double step) const {
-  if (!(step > 0) || !p.history.held) return {};
+  if (!(step > 0) || !suction_ || !p.history.held) return {};
   return pull_of(p.suction, p.history.deepest + trial.gap);
 }
 

@@ -34,8 +34,10 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
     if (law.radius < 0 || !(law.law.normal.stiffness > 0)) return nullptr;
     Point& p = points_.emplace_back();
     p.radius = law.radius, p.law = law.law, p.suction = law.suction;
+    suction_ |= law.suction.limit > 0;
     return &p;
   };
+  points_.reserve(owned + laws.middles.size());
   for (size_t n = 0; n < owned; ++n)
     if (Point* p = add(laws.nodes[n])) p->node = static_cast<int>(n);
   for (size_t i = 0; i < laws.middles.size(); ++i)

@@ -44,7 +44,7 @@ void newton(benchmark::State& state) {
   System& system = sim.system();
   AlphaState from, trial;
   from.s = sim.state();
-  alpha_start(from);
+  alpha_start(system.mesh(), from);
   trial = from;
   const AlphaCoefficients alpha(0.8);
   const double h = 0.05;

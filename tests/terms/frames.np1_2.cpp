@@ -98,7 +98,7 @@ void expect_step_tangent(model::ContactMethod method) {
   }
   system.supports().rates(0, from.s);
   system.supports().follow(from.s);
-  alpha_start(from);
+  alpha_start(mesh, from);
   system.prepare(from.s.view(h), h);
   const AlphaCoefficients alpha(0.8);
   std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0);

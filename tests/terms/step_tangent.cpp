@@ -10,7 +10,7 @@ namespace {
 AlphaState committed(const LocalMesh& mesh, const Trial& t) {
   AlphaState from;
   from.s = t.from;
-  alpha_start(from);
+  alpha_start(mesh, from);
   for (size_t i = 0; i < from.ax.size(); ++i) {
     const int g = mesh.global[i];
     from.s.a[i] = 3 * noise3(g, 31), from.ax[i] = 3 * noise3(g, 32);
@@ -80,7 +80,7 @@ TEST(StepTangent, DirectorsFollowTheirAccelerations) {
         w = Vec3(0.7, 3 * std::cos(t), 0.4), alpha = Vec3(0, -3 * std::sin(t), 0);
       };
       motion(0, from.s.w[0], from.s.alpha[0]);
-      alpha_start(from);
+      alpha_start(l, from);
       AlphaState to = from;
       double worst = 0, telescoped = 0, t = 0;
       for (int i = 0; i < steps; ++i) {

@@ -295,16 +295,22 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
 // On one rank: node 1 has the first records of "friction drum", of one value each.
 TEST(ResultsRanks, SpoiltCountersOfACheckpointAreTold) {
   const std::vector<int> owned{0, 1, 2};
-  const PackedCheckpoint p = pack_checkpoint(MPI_COMM_SELF, checkpoint(owned, 7), 3, owned);
+  const CheckpointRoom room = checkpoint_room(MPI_COMM_SELF, checkpoint(owned, 7), 3, owned);
+  std::vector<double> whole;
+  put_checkpoint(MPI_COMM_SELF, checkpoint(owned, 7), 3, owned,
+                 [&](const std::vector<RowRun>&, const std::vector<double>& values) {
+                   whole.insert(whole.end(), values.begin(), values.end());
+                 });
+  ASSERT_EQ(std::ssize(whole), room.size);
   const size_t records =
       3 + 3 * 3 + 3;  // after the time, two scalars and two fields: length; node, kind, key, length
-  ASSERT_EQ(p.values[records + 1], 1);
-  ASSERT_EQ(p.values[records + 4], 1);
+  ASSERT_EQ(whole[records + 1], 1);
+  ASSERT_EQ(whole[records + 4], 1);
   for (const size_t at : {records, records + 1, records + 2, records + 4})
     for (const double wrong : {-1.0, std::nan(""), 1e300}) {
-      auto values = p.values;
+      auto values = whole;
       values[at] = wrong;
-      EXPECT_THROW(unpack_checkpoint(p.index, values, 3, owned), InputError) << at << ": " << wrong;
+      EXPECT_THROW(unpack_checkpoint(room.index, values, 3, owned), InputError) << at << ": " << wrong;
     }
 }
 

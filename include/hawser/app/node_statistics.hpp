@@ -24,9 +24,9 @@ class NodeStatistics {
   const std::vector<io::ResultField>& fields() const { return fields_; }
   // An accepted step: values of all fields of the constructor, by field, nodes x components.
   void add(double time, const std::vector<std::vector<double>>& values);
-  // By field of fields(): nodes x components x io::kStatistics numbers; NaN before the first step that
+  // Of a field of fields(): nodes x components x io::kStatistics numbers; NaN before the first step that
   // counts.
-  std::vector<std::vector<double>> table() const;
+  std::vector<double> table(std::size_t field) const;
 
   void save(io::Checkpoint& to) const;
   // A file of an older version has none: they count from its time on.

@@ -39,10 +39,10 @@ class Recorder {
   void start(const Kinematics& at, const Kinematics& shown);
   // Every accepted step: histories, extremes, statistics, audit. Collective only in the audit.
   void step(const StepInfo& info, const Kinematics& at, double support_work);
-  // A picture of the state: all fields.
+  // A picture of the state: all fields. Where there was a step, it is of the last one.
   void output(const Kinematics& at);
   // With it the statistics so far.
-  void checkpoint(const io::Checkpoint& c);
+  void checkpoint(io::Checkpoint c);
   // Writes the summary table into the file, with the notes and warnings that were told of the run and those
   // of its end; returns the table as text.
   std::string finish(std::vector<std::string> messages);
@@ -61,6 +61,7 @@ class Recorder {
  private:
   void restore(const io::Checkpoint& from);
   void fill(const Kinematics& at, bool all);
+  void fill_field(size_t f, const Kinematics& at);
   void find_worst(const Kinematics& at);
   void correct_ends(const Kinematics& at);
   void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
@@ -72,6 +73,8 @@ class Recorder {
   Simulation& sim_;
   FieldRegistry registry_;
   std::vector<char> every_step_;  // by field of the registry: wanted at every step, not only at outputs
+  bool rest_apart_ = false;       // correct_ends() changes none but these
+  bool stepped_ = false;          // values_ have them of the last step
   std::vector<int> onto_;         // likewise: among values_, the field it is computed from; -1: none
   EndForces end_forces_;
   std::vector<std::vector<double>>

@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -44,17 +45,21 @@ long long checkpoint_sequence(const std::string& path);
 
 // --- What results.cpp stores: the checkpoint as one array of doubles with a text that says what is where.
 
-struct PackedCheckpoint {
-  std::string index;                // same on all ranks
-  long long size = 0;               // doubles in the whole array, same on all ranks
-  std::vector<RowRun> runs;         // this rank's share, ascending
-  std::vector<double> values;       // of the runs, one after the other
-  unsigned long long checksum = 0;  // of the whole array and the index, same on all ranks
+struct CheckpointRoom {
+  std::string index;   // same on all ranks
+  long long size = 0;  // doubles in the whole array, same on all ranks
 };
 
 // Collective. Throws std::logic_error when names differ between ranks or a record's node is not owned.
-PackedCheckpoint pack_checkpoint(MPI_Comm comm, const Checkpoint& checkpoint, int nodes_total,
-                                 const std::vector<int>& owned);
+CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& checkpoint, int nodes_total,
+                               const std::vector<int>& owned);
+
+// Hands the array over piece by piece, as many on every rank: this rank's share of it, ascending, and the
+// numbers there. What is handed over of the checkpoint is forgotten, so that it is not in memory twice.
+// Returns the checksum of the whole array, the same on all ranks. Collective.
+using PutNumbers = std::function<void(const std::vector<RowRun>& runs, const std::vector<double>& values)>;
+unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint checkpoint, int nodes_total,
+                                  const std::vector<int>& owned, const PutNumbers& put);
 // Inverse, from the whole array.
 Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>& values, int nodes_total,
                              const std::vector<int>& owned);

@@ -134,10 +134,10 @@ class ResultsFile {
                     const std::vector<std::vector<double>>& ends = {});
 
   // When it returns, read_checkpoint() gives this one; until then, the one before.
-  void write_checkpoint(const Checkpoint& checkpoint);
+  void write_checkpoint(Checkpoint checkpoint);
 
-  // Statistics so far: by field of contents.statistics, owned nodes x components x kStatistics.
-  void write_statistics(const std::vector<std::vector<double>>& values);
+  // Statistics so far of a field of contents.statistics: owned nodes x components x kStatistics.
+  void write_statistics(size_t field, const std::vector<double>& values);
 
   // End of the run, be it a good one or not: writes series rows still in memory, the table and the notes and
   // warnings of the run (those of rank 0), and cuts the file to what is used. Only the destructor may follow.

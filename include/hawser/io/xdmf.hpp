@@ -29,19 +29,18 @@ class XdmfWriter {
   void save(const std::string& path) const;
 
  private:
-  std::string output(long long row) const;
-  void add_lines(long long row, std::string& text) const;
-  void add_volumes(long long row, std::string& text) const;
+  void add_output(size_t row, std::string& text) const;
+  void add_lines(std::string& text) const;
+  void add_volumes(std::string& text) const;
 
-  struct Drawn {
-    long long vertices, triangles;
-    bool moves, boxed;
+  struct Piece {
+    std::string text;
+    char then;  // what follows it and differs from output to output; 0: the end
   };
   const ResultContents* contents_;
   std::string h5_name_;
-  std::vector<double> times_;        // of the outputs, s
-  std::vector<std::string> places_;  // of the volumes in the HDF5 file
-  std::vector<Drawn> drawn_;
+  std::vector<double> times_;  // of the outputs, s
+  std::vector<Piece> pieces_;  // of the text of an output
 };
 
 }  // namespace hawser::io

@@ -21,14 +21,17 @@ struct AlphaCoefficients {
 struct AlphaState {
   State s;
   std::vector<Vec3> ax, aw;  // algorithmic accelerations, m/s² and rad/s² (material)
-  std::vector<Mat3> ad;      // and of the directors, 1/s²
+  std::vector<Mat3> ad;      // and of the directors, 1/s²; empty where no node rotates
 };
+
+// Whether any node of the whole mesh rotates. Else states in time have no directors. The same on all ranks.
+bool has_directors(const LocalMesh& mesh);
 
 // delta²: the scheme holds the energy delta²/2 h² A.M A in its algorithmic accelerations.
 double alpha_stored(const AlphaCoefficients& c);
 
 // Gives a state whose accelerations are right those that the scheme carries.
-void alpha_start(AlphaState& state);
+void alpha_start(const LocalMesh& mesh, AlphaState& state);
 
 // The scheme's velocity and acceleration of a trial increment u (3 * local blocks, ghosts included) over a
 // step h from `from`; configuration by retraction; prescribed components from the supports; the weight of

@@ -64,10 +64,11 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:
-  // Forces of flow in generalised coordinates, and these coordinates, of a counted piece.
+  // Forces of flow in generalised coordinates, and these coordinates, of the counted pieces one after the
+  // other: four of a beam, two of a cable, one of a ball.
   struct Flow {
-    WaterForce force;
-    Vec3 place[4];
+    std::vector<Vec3> force, place;
+    void clear() { force.clear(), place.clear(); }
   };
   // Cables that are taken together, where they are wholly wet; in the last some lanes repeat its last.
   struct Four {
@@ -91,8 +92,8 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
     return ends(p, k, water[static_cast<size_t>(p.at.first)], water[static_cast<size_t>(p.at.second)]);
   }
   void places(const Piece& p, const Kinematics& k, Vec3* out) const;
-  void flow(const Kinematics& at, std::vector<Flow>& out) const;
-  static double work(const std::vector<Flow>& from, const std::vector<Flow>& to);
+  void flow(const Kinematics& at, Flow& out) const;
+  static double work(const Flow& from, const Flow& to);
 
   const LocalMesh& mesh_;
   Sea sea_;
@@ -108,9 +109,9 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   mutable std::vector<WaveMotion> wave_;  // cache: what they are at wave_time_
   mutable double wave_time_ = 0;
   mutable bool wave_known_ = false;
-  std::vector<Flow> spare_;          // for the next
+  Flow spare_;                       // for the next
   mutable std::vector<Water> seen_;  // for flow()
-  std::vector<Flow> flow_;           // of the last accepted state; in statics of the last iteration
+  Flow flow_;                        // of the last accepted state; in statics of the last iteration
   double work_ = 0;                  // J, done by drag and added mass on what this rank counts
 };
 

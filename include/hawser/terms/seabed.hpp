@@ -138,7 +138,7 @@ class SeabedTerm final : public ForceTerm {
   Full full(MPI_Comm comm, const Kinematics& at, const std::vector<double>& tension) const;
   // Off the bed's normal, from where the point was laid: what its spring is stretched by in the first stage
   // of statics. Nothing of other points and later.
-  bool kept(const Point& p, double step) const { return p.origin && !friction_on_ && !(step > 0); }
+  bool kept(const Point& p, double step) const { return !friction_on_ && !(step > 0) && p.origin; }
   static Vec3 strayed(const Point& p, const Vec3& x);
   double touch(const Point& p) const { return p.radius + p.law.normal.smoothing; }
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
@@ -159,6 +159,7 @@ class SeabedTerm final : public ForceTerm {
   std::shared_ptr<const ForceTable> table_;  // that laws point to; may be null
   Box bounds_ = Box::everything();           // of the surface
   std::vector<Point> points_;
+  bool suction_ = false;         // of some point. Most points are out of touch: the less is read of them the better
   std::vector<double> element_;  // m, longest at a local node
   std::vector<bool> buried_;     // by node of the mesh: the soil holds it (terms/buried.hpp), not the bed
   LineNeighbours line_;
