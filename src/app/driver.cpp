@@ -162,7 +162,6 @@ int run(MPI_Comm comm, const RunOptions& options) {
     auto observer = [&](const StepInfo& info) {
       recorder.step(info, d.kinematics(), d.support_work());
       progress.step(info.time, info.h, info.iterations);
-      for (const std::string& e : events.happen()) progress.say("note: " + e);
       const double slack = 1e-9 * std::max(1.0, info.time);
       const bool last = info.time >= end - slack;
       const bool output = info.time >= output_at - slack || last;
@@ -176,6 +175,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
       }
       const bool stop = agreed[0] != 0;
       if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
+      // What was shown is the state before it, what is saved the one after.
+      for (const std::string& e : events.happen()) progress.say("note: " + e);
       if (save || stop) {
         if (last || stop || keep > 0 || agreed[1]) save_state();
         checkpoint_at = keep > 0 ? next_multiple(info.time, keep) : output_at;
