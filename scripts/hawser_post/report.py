@@ -120,10 +120,11 @@ def stresses(page, results, lines, since):
 def histories(page, results, lines, since):
     page.section("Time histories")
     time = results.step_time
-    if len(results.histories) > MOST_HISTORIES:
-        page.text(f"Figures are of the first {MOST_HISTORIES} of {len(results.histories)} histories by name; hawser plot "
+    shown = [name for name in results.histories if not tables.is_support(results.series(name))]
+    if len(shown) > MOST_HISTORIES:
+        page.text(f"Figures are of the first {MOST_HISTORIES} of {len(shown)} histories by name; hawser plot "
                   "draws the others, and the table has the statistics of all.")
-    for name in results.histories[:MOST_HISTORIES]:
+    for name in shown[:MOST_HISTORIES]:
         series = results.series(name)
         for group in groups(series):
             curves = [(charts.words(c), series.column(c)) for c in group]
@@ -153,6 +154,16 @@ def groups(series):
         if stem not in ("velocity", "effective_tension_before", "effective_tension_after", "end_direction"):
             out.setdefault(stem, []).append(c)
     return list(out.values())
+
+
+def supports(page, results):
+    head, rows = tables.supports(results)
+    if not rows:
+        return
+    page.section("Supports")
+    page.text("Reactions of roller boxes on the line, over every step; the height is that of the line's axis above where it "
+              "just touches the roller below, negative where it is pressed in. hawser plot draws their histories.")
+    page.table(head, rows)
 
 
 def meetings(page, results):
@@ -269,6 +280,7 @@ def make(results, path, since, vibrations=None):
     stresses(page, results, lines, since)
     if moves(results) and results.steps > 0:
         histories(page, results, lines, since)
+    supports(page, results)
     meetings(page, results)
     energy(page, results)
     page.section("Case file")

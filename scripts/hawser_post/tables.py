@@ -121,6 +121,33 @@ def clearances(results):
     return head, rows
 
 
+def is_support(series):
+    return series.columns[:3] == ["force_x", "force_y", "force_z"] and "height" in series.columns
+
+
+def supports(results):
+    """The reactions of the boxes of `supports`: at the start, and the least and the largest over every step."""
+    head = ["support", "at the start [N]", "least [N]", "at [s]", "largest [N]", "at [s]", "largest of one roller [N]",
+            "that is", "highest above it [m]"]
+    rows = []
+    for name in results.histories:
+        series = results.series(name)
+        if not is_support(series):
+            continue
+        def size(stem):
+            return np.linalg.norm([series.column(f"{stem}force_{k}") for k in "xyz"], axis=0)
+        force, height = size(""), series.column("height")
+        rollers = {c[:-8]: size(c[:-7]).max() for c in series.columns if c.endswith("_force_x")}
+        most = max(rollers, key=rollers.get)
+        low, high = int(np.argmin(force)), int(np.argmax(force))
+        rows.append([series.name, float(force[0]), float(force[low]), float(results.step_time[low]), float(force[high]),
+                     float(results.step_time[high]), float(rollers[most]), most if rollers[most] > 0 else "none",
+                     "" if np.all(np.isnan(height)) else float(np.nanmax(height))])
+    def order(row):
+        return [int(part) if part.isdigit() else part for part in row[0].rsplit(" ", 1)]
+    return head, sorted(rows, key=order)
+
+
 def place_of(results, name):
     """The line and the node of a history of a point, None where it is of something else or between two nodes."""
     output = results.keys.get("output")

@@ -307,6 +307,26 @@ class Parts(unittest.TestCase):
                 self.assertIn(part, err)
                 self.assertFalse(output.exists())
 
+    def test_reactions_of_supports(self):
+        push = 1000 + 100 * np.sin(TIME)
+        columns = ["force_x", "force_y", "force_z"] + [f"{r}_force_{k}" for r in ("below", "left") for k in "xyz"] + ["height",
+                                                                                                                   "offset"]
+        rows = np.zeros((len(TIME), len(columns)))
+        rows[:, 2], rows[:, 5], rows[:, 6] = 0.8 * push, 0.8 * push, 0.6 * push
+        rows[:, 0], rows[:, 9] = 0.6 * push, -0.001 * push
+        units = ["N"] * 9 + ["m"] * 2
+        path = self.file(series=(TIME, {"ramp 10": (columns, units, rows), "ramp 9": (columns, units, 2 * rows)}))
+        head, table = tables.supports(Results(path))
+        self.assertEqual([row[0] for row in table], ["ramp 9", "ramp 10"])
+        low, high = int(np.argmin(push)), int(np.argmax(push))
+        for row, factor in zip(table, (2, 1)):
+            expected = [factor * push[0], factor * push[low], TIME[low], factor * push[high], TIME[high],
+                        0.8 * factor * push[high]]
+            np.testing.assert_allclose(row[1:7], expected)
+            self.assertEqual(row[7], "below")
+            self.assertAlmostEqual(row[8], -0.001 * factor * push[low])
+        self.assertIn("Reactions of roller boxes on the line", self.words(path))
+
     def test_modes_need_a_case(self):
         code, _, err = self.run_("report", self.file(), "--modes")
         self.assertEqual(code, 2)
