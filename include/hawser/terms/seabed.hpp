@@ -159,7 +159,7 @@ class SeabedTerm final : public ForceTerm {
   std::shared_ptr<const ForceTable> table_;  // that laws point to; may be null
   Box bounds_ = Box::everything();           // of the surface
   std::vector<Point> points_;
-  bool suction_ = false;         // of some point. Most points are out of touch: the less is read of them the better
+  bool suction_ = false;  // of some point. Most points are out of touch: the less is read of them the better
   std::vector<double> element_;  // m, longest at a local node
   std::vector<bool> buried_;     // by node of the mesh: the soil holds it (terms/buried.hpp), not the bed
   LineNeighbours line_;
