@@ -128,17 +128,17 @@ int run(MPI_Comm comm, const RunOptions& options) {
                     place.appends());
   Events events(comm, sim);
   if (restarted) {
-    events.restore(checkpoint);
+    for (const std::string& e : events.restore(checkpoint)) progress.say(e);
     restore(checkpoint, sim);
+    for (const std::string& e : events.happen()) progress.say(e);
     // A new file begins with the state the run goes on from.
     if (!place.appends()) recorder.output(sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
+    for (const std::string& e : events.begin()) progress.say(e);
     sim.dynamics().start(sim.state());
     // A start at rest is shown at rest: the velocities with which motions begin come after it.
     const Kinematics moving = sim.dynamics().kinematics();
     recorder.start(moving, c.statics.enabled ? sim.state().view(0) : moving);
-    events.begin();
-    for (const std::string& e : events.happen()) progress.say("note: " + e);
     recorder.checkpoint(
         make_checkpoint(sim, recorder, events));  // so that a run killed at once can go on too
   } else {
@@ -176,7 +176,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
       const bool stop = agreed[0] != 0;
       if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
       // What was shown is the state before it, what is saved the one after.
-      for (const std::string& e : events.happen()) progress.say("note: " + e);
+      for (const std::string& e : events.happen()) progress.say(e);
       if (save || stop) {
         if (last || stop || keep > 0 || agreed[1]) save_state();
         checkpoint_at = keep > 0 ? next_multiple(info.time, keep) : output_at;

@@ -13,6 +13,8 @@ namespace {
 // How far a step may go beyond the tension at which something happens, of that tension.
 constexpr double kNear = 1e-3;
 
+const std::string kHappened = "event.";  // in a checkpoint, before the name
+
 double slack(double time) { return 1e-9 * std::max(1.0, time); }
 
 }  // namespace
@@ -62,31 +64,53 @@ std::vector<Support> Events::left() const {
   return out;
 }
 
-void Events::begin() {
-  if (events_.empty()) return;
-  const std::vector<double> pull = tensions(sim_.dynamics().kinematics());
+void Events::refuse_reached(const std::vector<double>& pull) const {
   for (size_t e = 0; e < events_.size(); ++e)
-    if (events_[e].what.time < 0 && pull[e] >= events_[e].what.tension)
+    if (events_[e].happened < 0 && events_[e].what.time < 0 && pull[e] >= events_[e].what.tension)
       sim_.model().refuse(fmt::format("events[{}].tension", e),
                           fmt::format("{} pulls with {:.6g} N at the start already, and would be released "
                                       "before anything moves; give a higher tension, or 'time: 0'",
                                       events_[e].name, pull[e]));
 }
 
-std::vector<std::string> Events::happen() {
+// Marks what happens at a state, and tells it.
+std::vector<std::string> Events::release(const Kinematics& at, const std::vector<double>& pull) {
   std::vector<std::string> told;
-  if (events_.empty()) return told;
-  const Kinematics at = sim_.dynamics().kinematics();
-  const std::vector<double> pull = tensions(at);
   for (size_t i = 0; i < events_.size(); ++i) {
     Event& e = events_[i];
     const bool due =
         e.what.time >= 0 ? at.time >= e.what.time - slack(e.what.time) : pull[i] >= e.what.tension;
     if (e.happened >= 0 || !due) continue;
     e.happened = at.time;
-    told.push_back(
-        fmt::format("t = {:.6g} s: {} is released, with a tension of {:.6g} N", at.time, e.name, pull[i]));
+    told.push_back(fmt::format("note: t = {:.6g} s: {} is released, with a tension of {:.6g} N", at.time,
+                               e.name, pull[i]));
+    for (const LeftOut& out : sim_.left_out()) {
+      const double length = e.what.at_b ? out.end_b : out.end_a;
+      if (out.line == sim_.model().line_index(e.what.line) && length > 0)
+        told.push_back(
+            fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the "
+                        "line from there on go through it as if it were not there",
+                        e.name, sim_.contact()->volume_name(out.volume), length));
+    }
   }
+  return told;
+}
+
+std::vector<std::string> Events::begin() {
+  if (events_.empty()) return {};
+  const Kinematics at = sim_.state().view(0);
+  const std::vector<double> pull = tensions(at);
+  refuse_reached(pull);
+  std::vector<std::string> told = release(at, pull);
+  System& system = sim_.system();
+  if (!told.empty()) system.support(left(), BodyMotion(system.supports().motion()));
+  return told;
+}
+
+std::vector<std::string> Events::happen() {
+  if (events_.empty()) return {};
+  const Kinematics at = sim_.dynamics().kinematics();
+  std::vector<std::string> told = release(at, tensions(at));
   if (!told.empty()) sim_.dynamics().release(left());
   return told;
 }
@@ -104,23 +128,34 @@ std::vector<std::string> Events::missed() const {
 
 void Events::save(io::Checkpoint& to) const {
   for (const Event& e : events_)
-    if (e.happened >= 0) to.scalars["event." + e.name] = e.happened;
+    if (e.happened >= 0) to.scalars[kHappened + e.name] = e.happened;
 }
 
-void Events::restore(const io::Checkpoint& from) {
-  if (events_.empty()) return;
-  for (Event& e : events_) {
-    const auto there = from.scalars.find("event." + e.name);
-    if (there != from.scalars.end())
-      e.happened = there->second;
-    else if (e.what.time >= 0 && e.what.time < from.time - slack(from.time))
+std::vector<std::string> Events::restore(const io::Checkpoint& from) {
+  std::vector<std::string> told;
+  for (const auto& [key, time] : from.scalars) {
+    if (!key.starts_with(kHappened)) continue;
+    const std::string name = key.substr(kHappened.size());
+    const auto event =
+        std::find_if(events_.begin(), events_.end(), [&](const Event& e) { return e.name == name; });
+    if (event == events_.end())
+      throw InputError(
+          fmt::format("{}: events: {} was released at t = {:g} s of the run that this one goes on "
+                      "from, and no event says so; keep that event in the case",
+                      sim_.model().path, name, time));
+    event->happened = time;
+    told.push_back(fmt::format("note: {} was released at t = {:.6g} s", name, time));
+  }
+  for (const Event& e : events_)
+    if (e.happened < 0 && e.what.time >= 0 && e.what.time < from.time - slack(from.time))
       throw InputError(fmt::format(
           "{}: events: {} was to be released at {:g} s, before t = {:g} s from which the run goes "
           "on, and was not; give it a later time",
           sim_.model().path, e.name, e.what.time, from.time));
-  }
+  if (told.empty()) return told;
   System& system = sim_.system();
   system.support(left(), BodyMotion(system.supports().motion()));
+  return told;
 }
 
 }  // namespace hawser::app

@@ -44,7 +44,7 @@ bool Histories::shows(const std::string& field) {
 
 Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& ends,
                      std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields)
-    : comm_(comm), sim_(simulation) {
+    : comm_(comm), sim_(simulation), ends_(ends) {
   const auto find = [&](const std::string& name) {
     for (size_t f = 0; f < fields.size(); ++f)
       if (fields[f].name == name) return static_cast<int>(f);
@@ -55,6 +55,9 @@ Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& end
       if (const int f = find(name); f >= 0) into->push_back(static_cast<size_t>(f));
   tension_ = find("effective_tension"), wall_ = find("wall_tension");
   before_ = find("effective_tension_before"), after_ = find("effective_tension_after");
+
+  shear_ = find("shear_force"), torsion_ = find("torsion_moment"), moment_ = find("bending_moment");
+  moment_2_ = find("bending_moment_2"), moment_3_ = find("bending_moment_3");
 
   const auto add = [&fields](io::ResultSeries& to, const std::vector<size_t>& which) {
     for (const size_t f : which) to.columns.push_back(fields[f]);
@@ -110,29 +113,47 @@ Histories::Point Histories::point_of(int line, double arc) const {
   for (size_t k = 0; k < 2; ++k) {
     if (p.weights[k] == 0) continue;
     const int n = local.find(static_cast<int>(node - mesh.nodes.begin()) + static_cast<int>(k));
-    if (n >= 0 && n < local.owned) p.nodes[k] = n;
+    if (n < 0 || n >= local.owned) continue;
+    p.nodes[k] = n;
+    const auto& places = ends_.places();
+    for (size_t i = 0; i < places.size(); ++i)
+      if (places[i].node == n) p.places[k] = static_cast<int>(i);
   }
   return p;
 }
 
-// What node `side` of a point contributes. Where the tension jumps at a node the point lies on one side of
+double Histories::facing(int field, const SectionForce& s, const Quat& q, double otherwise) const {
+  if (field < 0 || !s.beam) return otherwise;
+  if (field == shear_) return s.shear();
+  if (field == torsion_) return s.moment.dot(q * Vec3::UnitX());
+  if (field == moment_) return s.moment.cross(q * Vec3::UnitX()).norm();
+  if (field == moment_2_) return s.moment.dot(q * Vec3::UnitY());
+  if (field == moment_3_) return s.moment.dot(q * Vec3::UnitZ());
+  return otherwise;
+}
+
+// What node `side` of a point contributes. Where section forces jump at a node the point lies on one side of
 // it.
 std::vector<double> Histories::node_row(const Point& p, size_t side, const Kinematics& at,
                                         const std::vector<std::vector<double>>& values,
                                         const std::vector<std::vector<double>>& ends) const {
   const size_t n = static_cast<size_t>(p.nodes[side]);
   const bool between = p.weights[1] > 0;
+  const EndForces::Place* place =
+      p.places[side] >= 0 ? &ends_.places()[static_cast<size_t>(p.places[side])] : nullptr;
   const auto of = [&](int field) { return values[static_cast<size_t>(field)][n]; };
   std::vector<double> row;
   const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
   const auto show = [&](const std::vector<size_t>& fields) {
     for (const size_t field : fields) {
       const int f = static_cast<int>(field);
-      const int facing = side == 0 ? after_ : before_;
+      const int near = side == 0 ? after_ : before_;
       if (between && (f == tension_ || f == before_ || f == after_))
-        row.push_back(of(facing));
+        row.push_back(of(near));
       else if (between && f == wall_)
-        row.push_back(of(wall_) + of(facing) - of(tension_));
+        row.push_back(of(wall_) + of(near) - of(tension_));
+      else if (between && place)
+        row.push_back(facing(f, place->sides[side == 0 ? 1 : 0], at.q[n], of(f)));
       else
         row.push_back(of(f));
     }

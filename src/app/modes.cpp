@@ -80,7 +80,7 @@ std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
 
 // What the translations [1] and rotations [rad] of a mode are multiplied by as it is drawn, m.
 double drawn_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode) {
-  double size = 0, turn = 0;
+  double size = sim.model().lines.empty() ? 1 : 0, turn = 0;  // m, rad
   for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
   for (int b = 0; b < sim.bodies().size(); ++b)
     if (const int n = sim.bodies().local_node(b); n >= 0)

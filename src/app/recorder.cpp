@@ -250,6 +250,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   extremes_->add(info.time, values_, utilisation_);
   if (statistics_) statistics_->add(info.time, values_);
   if (clashes_) clashes_->step(info.time);
+  if (supports_) support_rows_ = supports_->rows(shown, body_poses(sim_, shown));
   if (info.time < rows_from_ - 1e-9 * std::max(1.0, info.time)) return;
   if (rows_every_ > 0) rows_from_ = next_multiple(info.time, rows_every_);
   append_rows(info, shown);
@@ -263,7 +264,7 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
     for (std::vector<double>& row : clearances_.rows(at, body_poses(sim_, at)))
       rows.push_back(std::move(row));
   if (supports_)
-    for (std::vector<double>& row : supports_->rows(at, body_poses(sim_, at))) rows.push_back(std::move(row));
+    for (std::vector<double>& row : support_rows_) rows.push_back(std::move(row));
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
   if (shows_touchdowns())

@@ -158,6 +158,12 @@ class Group {
     b.along = p.at.along, b.up = p.at.up;
     const double r = 0.5 * e["roller_diameter"].number, length = e["roller_length"].number;
     const double angle = v ? e["angle_deg"].number : 0;
+    if (const double needed = (r + radius_) * std::tan(angle); length < needed)
+      source_.bad(
+          e["roller_length"], p.key + ".roller_length",
+          fmt::format("is {:g} m, but a line of radius {:g} m lies {:.3g} m along the rollers of a V of "
+                      "{:.3g} deg: it would hang between their ends; make them longer",
+                      length, radius_, needed, angle * 180 / M_PI));
     b.rise = (r + radius_) / std::cos(angle);
     b.at = p.at.at + b.rise * b.up;
     b.half_width = v ? length * std::cos(angle) : 0.5 * length;

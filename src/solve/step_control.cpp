@@ -40,8 +40,13 @@ void StepControl::follow_impact(double t, double period) {
   ringing_ = period, calm_ = t + kFollowed * period;
 }
 
+void StepControl::begin_anew() {
+  if (limited()) proposal_ = std::max(std::min(proposal_, s_.first), s_.shortest);
+  wait_ = 0;
+}
+
 bool StepControl::accurate(double h, double error) const {
-  if (s_.fixed > 0 || s_.error_tolerance <= 0 || h <= s_.shortest) return true;
+  if (s_.fixed > 0 || s_.error_tolerance <= 0 || shortest(h)) return true;
   return error <= 2 * s_.error_tolerance;
 }
 

@@ -39,7 +39,7 @@ Verdict Dynamics::judge(double h, Attempt& a) {
   }
   if (!control_.accurate(h, a.error))
     return {Kind::shorter, fmt::format("its local error of {:.3g} m is too large", a.error)};
-  if (beyond_ && control_.divides(h) && beyond_(trial)) {
+  if (beyond_ && !control_.shortest(h) && beyond_(trial)) {
     a.solved = false;
     return {Kind::shorter, "an event happens within it"};
   }

@@ -76,5 +76,34 @@ TEST(Histories, PointsBetweenNodes) {
   EXPECT_EQ(r.columns.at("ship_end"), r.columns.at("p3") + 8);
 }
 
+// A cantilever with a force and a torque at 5 m: beside them, on the side of its end, there is neither shear
+// nor torsion, on the other side all of both.
+TEST(Histories, PointsBesideALoad) {
+  const std::string path = folder("histories-beam"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, R"(hawser: 1
+title: A cantilever
+environment: {gravity: 0}
+line_types:
+  pipe: {outer_diameter: 0.1, mass_per_length: 10, EA: 1e8, EI: 1e7, GJ: 1e7}
+lines:
+  pipe:
+    sections: [{type: pipe, length: 10, elements: 10}]
+    end_a: {anchor: [0, 0, 0], direction: [1, 0, 0], clamped: true}
+    end_b: free
+    start: straight
+    loads: [{at: 5, force: [0, 0, -1 kN]}, {at: 5, moment: [500, 0, 0]}]
+output:
+  histories: [{line: pipe, at: 4.5, name: before}, {line: pipe, at: 5.5, name: behind}]
+)");
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  EXPECT_NEAR(named(file, r, "before", "shear_force").front(), 1000, 0.1);
+  EXPECT_NEAR(named(file, r, "before", "torsion_moment").front(), 500, 0.1);
+  EXPECT_NEAR(named(file, r, "before", "bending_moment").front(), 500, 0.5);
+  for (const char* none : {"shear_force", "torsion_moment", "bending_moment"})
+    EXPECT_NEAR(named(file, r, "behind", none).front(), 0, 0.2) << none;
+}
+
 }  // namespace
 }  // namespace hawser::runs::histories

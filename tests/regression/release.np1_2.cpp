@@ -1,5 +1,6 @@
 // Ends of lines that let go during a run: free fall, the wave that runs along a line that parts, the tension
 // at which it does, and restarts around it.
+#include "hawser/base/error.hpp"
 #include "regression/runs.hpp"
 
 namespace hawser::runs::release {
@@ -62,6 +63,52 @@ TEST(Release, GoesOnAfterARestart) {
     const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
     EXPECT_NEAR(centre_of_mass(whole, 6), centre_of_mass(rest, rest.output_times.size() - 1), 1e-9) << stop;
   }
+}
+
+// A run that goes on from one in which an end was released must say so, or the end would be held again.
+TEST(Release, ARestartWithoutTheEventIsRefused) {
+  const std::string path = folder("release-other"), input = path + "/case.yaml", other = path + "/other.yaml";
+  write_case(input, kFalling);
+  write_case(other, kFalling, {{"events:\n  - {release: {line: chain, end: end_b}, time: 0.5}\n", ""}});
+  run_on_all({input, path + "/half.h5", "", 0.75});
+  app::RunOptions o;
+  o.case_path = other, o.output = path + "/rest.h5", o.restart = path + "/half.h5", o.quiet = true;
+  try {
+    app::run(MPI_COMM_WORLD, o);
+    FAIL() << "it goes on";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("end B of line chain was released at t = 0.5 s"), std::string::npos)
+        << e.what();
+  }
+}
+
+// The velocity with which a body begins to move is not that of an end which it lets go at t = 0: the rope
+// recoils as from a body at rest.
+TEST(Release, AtTheStartFromABodyThatMovesAtOnce) {
+  const std::string path = folder("release-jerk"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, R"(hawser: 1
+title: A rope that is let go of
+environment: {gravity: 0}
+line_types:
+  rope: {outer_diameter: 0.05, mass_per_length: 10, EA: 1e5, bending: false}
+bodies:
+  tug: {position: [10.1, 0, 0], motion: {velocity: [5, 0, 0]}}
+lines:
+  rope:
+    sections: [{type: rope, length: 10, elements: 10}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: {body: tug, at: [0, 0, 0]}
+dynamics: {duration: 0.5}
+events:
+  - {release: {line: rope, end: end_b}, time: 0}
+output: {every: 0.01}
+contact: {between_lines: false}
+)");
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const auto& T = read(file).fields.at("effective_tension");
+  EXPECT_LT(*std::max_element(T.begin(), T.end()), 1050);  // 1000 N at rest
+  EXPECT_GT(*std::max_element(T.begin(), T.end()), 999);
 }
 
 // Before the wave is back from the other end the anchor holds on with the tension there was, and the line's

@@ -17,19 +17,20 @@ class Events {
   // Steps of the simulation will end where a tension is reached.
   Events(MPI_Comm comm, Simulation& simulation);
 
-  // At the start of a run. InputError where a tension is reached at rest already. Collective.
-  void begin();
+  // Before a run starts from the simulation's state: ends that are released at t = 0 are free in it. What is
+  // to be told, a sentence each; InputError where a tension is reached already. Collective.
+  std::vector<std::string> begin();
 
-  // After an accepted step, or the start: what happens there, a sentence each. Collective.
+  // After an accepted step, or when a run goes on: what happens there, likewise. Collective.
   std::vector<std::string> happen();
 
   // Of the end of a run: what has not happened, a sentence each.
   std::vector<std::string> missed() const;
 
   void save(io::Checkpoint& to) const;
-  // What had happened by then; before the state is restored. InputError when an event of the case would have
-  // happened by then and had not.
-  void restore(const io::Checkpoint& from);
+  // What had happened by then, a sentence each; before the state is restored. InputError when what happened
+  // and the events of the case contradict each other.
+  std::vector<std::string> restore(const io::Checkpoint& from);
 
  private:
   struct Event {
@@ -41,6 +42,8 @@ class Events {
   // Effective tension at the end of each event [N], on all ranks.
   std::vector<double> tensions(const Kinematics& at);
   bool beyond(const Kinematics& trial);
+  void refuse_reached(const std::vector<double>& pull) const;
+  std::vector<std::string> release(const Kinematics& at, const std::vector<double>& pull);
   std::vector<Support> left() const;  // of the supports there are, those of no event that has happened
 
   MPI_Comm comm_;

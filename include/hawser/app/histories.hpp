@@ -39,7 +39,8 @@ class Histories {
     int end = -1;                      // its place among the owned ends, when it is one that this rank has
     std::array<int, 2> nodes{-1, -1};  // local; -1: another rank's, or without weight
     std::array<double, 2> weights{1, 0};
-    bool shared = false;  // its nodes belong to two ranks
+    std::array<int, 2> places{-1, -1};  // of its nodes among those of the end forces; -1: none
+    bool shared = false;                // its nodes belong to two ranks
   };
   Point point_of(int line, double arc) const;
   void add_line_series(const std::string& name, bool at_end, std::span<const io::ResultField> end_fields);
@@ -51,10 +52,16 @@ class Histories {
                                const std::vector<std::vector<double>>& ends) const;
   std::vector<double> body_row(int body, const Kinematics& at) const;
 
+  // What a section force has of a field, on the side of a node that faces the point; `otherwise` of others.
+  double facing(int field, const SectionForce& s, const Quat& q, double otherwise) const;
+
   MPI_Comm comm_;
   Simulation& sim_;
+  const EndForces& ends_;
   std::vector<size_t> shown_, shown_last_;  // fields of a point, before and after the columns of ends
-  int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1;  // among the fields; -1: not there
+  // Among the fields; -1: not there.
+  int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
+      moment_2_ = -1, moment_3_ = -1;
   std::vector<Point> points_;
   std::vector<io::ResultSeries> series_;
 };

@@ -91,9 +91,10 @@ class Recorder {
   SharpTurns turns_;
   Utilisation utilisation_;
   Clearances clearances_;
-  std::unique_ptr<SupportLog> supports_;   // null: the case has none
-  double rows_every_ = 0, rows_from_ = 0;  // s, of the histories; 0: every step
-  std::unique_ptr<ClashReport> clashes_;   // null: nothing can touch
+  std::unique_ptr<SupportLog> supports_;           // null: the case has none
+  std::vector<std::vector<double>> support_rows_;  // of the last step
+  double rows_every_ = 0, rows_from_ = 0;          // s, of the histories; 0: every step
+  std::unique_ptr<ClashReport> clashes_;           // null: nothing can touch
   std::unique_ptr<io::ResultsFile> file_;
   io::ResultContents planned_;  // where there is no file
   Audit audit_;

@@ -57,6 +57,8 @@ class Simulation {
   // volume.
   std::vector<std::string> raised_stiffness(const std::string& when);
   int cut_elements() const { return cut_; }
+  // Stretches at ends of lines that have no contact with a volume in which they start.
+  const std::vector<LeftOut>& left_out() const { return start_contact_.left_out; }
 
   // InputError if what starts inside a volume is still there. Collective.
   void check_inside() const;

@@ -26,6 +26,9 @@ class StepControl {
   bool limited() const { return s_.fixed <= 0 || s_.resolve_impacts; }
   // Whether a step of h may be taken again, shorter, for what only its end tells.
   bool divides(double h) const { return limited() && !shortest(h); }
+  bool shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
+  // Accelerations have jumped: the next step is as short as the first one was.
+  void begin_anew();
   // At t something struck on a contact of this period [s]: for twenty of them steps stay below a third of it,
   // since what rings then decides the next blow, and double at most from then on.
   void follow_impact(double t, double period);
@@ -45,7 +48,6 @@ class StepControl {
   }
 
  private:
-  bool shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
   double followed(double t) const;
 
   StepSettings s_;
