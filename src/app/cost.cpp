@@ -90,6 +90,7 @@ double expected_cost(const TrialRun& t) {
 std::string cost_sentence(const TrialRun& t) {
   if (!t.failure.empty()) return "a trial run stops: " + t.failure;
   const double cost = expected_cost(t);
+  if (!std::isfinite(cost)) return "expected cost: the trial run did not get far enough to tell";
   const std::string by = t.iteration > 0 ? ", by the first iterations of statics"
                          : t.reached < t.duration
                              ? fmt::format(", by its first {:.2g} of {:.4g} s", t.reached, t.duration)

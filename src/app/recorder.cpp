@@ -345,6 +345,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
           !w.empty())
         warnings_.push_back(w);
     if (const std::string w = overused(r); !w.empty()) warnings_.push_back(w);
+    if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;
     double radius = 0;
     const model::Case& c = sim_.model();

@@ -83,6 +83,23 @@ std::string beneath_supports(const model::Case& c, const std::vector<SupportCros
   return "";
 }
 
+std::string overbent(const model::Case& c, const io::SummaryRow& row) {
+  constexpr double kYielded =
+      0.005;  // total strain at which the yield stress of pipe steel is defined (API 5L)
+  const auto lies = [&](const model::SupportBox& b) { return b.line == row.line; };
+  if (row.quantity != "max curvature" || std::none_of(c.supports.begin(), c.supports.end(), lies)) return "";
+  double diameter = 0;
+  for (const model::Section& s : c.lines[static_cast<size_t>(c.line_index(row.line))].sections)
+    diameter = std::max(diameter, c.line_type(s.type).outer_diameter);
+  const double strain = 0.5 * diameter * row.value;
+  if (!(strain > kYielded)) return "";
+  return fmt::format(
+      "line {} is bent to a radius of {:.3g} m at arc length {:.6g} m, t = {:.6g} s, {:.2g} % of strain: "
+      "steel "
+      "yields before, and this pipe is elastic; do the places and directions of its ends and supports fit?",
+      row.line, 1 / row.value, row.arc_length, row.time, 100 * strain);
+}
+
 SupportLog::SupportLog(MPI_Comm comm, Simulation& simulation)
     : comm_(comm), sim_(simulation), off_(simulation.model().supports.size(), false) {
   const model::Case& c = sim_.model();

@@ -13,6 +13,11 @@ namespace {
 
 constexpr double kSteep = 0.25;  // up to the first roller: the tangent of a turn that is no misprint
 
+RigidPose pose_of_end(const Case& c, const End& e) {
+  const int body = c.body_index(e.body);
+  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[static_cast<std::size_t>(body)]).at(0);
+}
+
 RigidPose pose_of(const Case& c, const SupportBox& b) {
   const int body = c.body_index(b.body);
   return body < 0 ? RigidPose{} : rigid_motion(c.bodies[static_cast<std::size_t>(body)]).at(0);
@@ -36,6 +41,17 @@ void check_start(const Case& c, const Line& line, const SupportBox& first, std::
   const RigidPose pose = pose_of(c, first);
   const Vec3 to = pose.to_space(first.at) - end_position(c, *end), along = pose.rotation * first.along;
   const std::string which = fmt::format("lines.{}.end_{}", line.name, end == &line.end_a ? "a" : "b");
+  if (end->direction) {  // of the line from end A to end B
+    const Vec3 given =
+        end->kind == EndKind::body ? pose_of_end(c, *end).rotation * *end->direction : *end->direction;
+    if (given.dot(along) * (end == &line.end_a ? 1 : -1) < 0)
+      return issues.push_back(
+          {which + ".direction",
+           fmt::format(
+               "points away from support '{}', over which the line goes overboard from there; turn it "
+               "round, or the path",
+               first.name)});
+  }
   const double ahead = to.dot(along), below = to.dot(pose.rotation * first.up);
   if (!(ahead > 0))
     return issues.push_back(
@@ -84,6 +100,11 @@ void check_supports(const Case& c, std::vector<Issue>& issues) {
         issues.push_back({b.key, fmt::format("body '{}' rides on a line and carries no supports", b.body)});
         break;
       }
+      if ((pose_of(c, b).rotation * b.up).z() <= 0)
+        issues.push_back(
+            {b.key, fmt::format("support '{}' faces downwards, so that its rollers are above the line; "
+                                "turn the body or the path of the supports round",
+                                b.name)});
       if (!before) {
         check_start(c, line, b, issues);
       } else {

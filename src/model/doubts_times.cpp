@@ -146,8 +146,25 @@ void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
 
 }  // namespace
 
+void doubt_releases(const Case& c, std::vector<Doubt>& out) {
+  for (std::size_t i = 0; i < c.events.size(); ++i) {
+    const Release& r = c.events[i];
+    const Line& line = c.lines[static_cast<std::size_t>(c.line_index(r.line))];
+    const Section& end = r.at_b ? line.sections.back() : line.sections.front();
+    if (c.line_type(end.type).stiffness_damping > 0) continue;
+    out.push_back(
+        {fmt::format("events[{}]", i),
+         fmt::format(
+             "line type {} has no 'stiffness_damping': what recoils rings on in the last elements, whose "
+             "speeds and forces then depend on the step; 0.001 s damps that",
+             end.type),
+         15});
+  }
+}
+
 void doubt_times(const Case& c, std::vector<Doubt>& out) {
   if (!c.dynamics.enabled) return;
+  doubt_releases(c, out);
   const Period drive = driving(c);
   doubt_step(c, drive, out);
   doubt_outputs(c, drive, out);

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "hawser/app/support_log.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/kernels/support_path.hpp"
@@ -147,6 +148,15 @@ TEST(CaseSupports, WhatIsWrongIsToldWithItsRemedy) {
   told(wrong("{at: 5" + flat, "from: [-30, 0, 9], direction: [-1, 0, 0], segments: [{length: 20}]",
              "[-30, 0, 10.325]", "output: {histories: [{line: pipe, at: 5, name: ramp 1}]}\n"),
        "there is another history called 'ramp 1'");
+}
+
+// The strain at which the yield stress of pipe steel is defined: what was bent farther is no elastic pipe.
+TEST(CaseSupports, WhatWasBentBeyondYieldIsWarnedOf) {
+  const model::Case c = read("{at: 5, type: flat" + kRoller + "}");
+  io::SummaryRow row{"max curvature", "pipe", 0.041, "1/m", 2, 12};
+  EXPECT_NE(app::overbent(c, row).find("0.51 % of strain"), std::string::npos) << app::overbent(c, row);
+  row.value = 0.039;
+  EXPECT_EQ(app::overbent(c, row), "");
 }
 
 TEST(CaseSupports, SharpBendsAndLongElementsAreDoubted) {

@@ -211,6 +211,15 @@ TEST(Doubts, Times) {
                   .empty());
 }
 
+TEST(Doubts, Releases) {
+  const Changes parts = {
+      {"output: {every: 1}", "events: [{release: {line: mooring, end: end_b}, time: 30}]"}};
+  expect_doubt(parts, "events[0]: line type chain has no 'stiffness_damping'");
+  Changes damped = parts;
+  damped.push_back({"bending: false,", "bending: false, stiffness_damping: 0.001,"});
+  EXPECT_TRUE(notes(damped).empty());
+}
+
 TEST(Doubts, ManyOfAKindAreCutShort) {
   std::string lines;
   for (int i = 0; i < 5; ++i)

@@ -24,6 +24,10 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
 // A line that starts beneath the rollers that it should lie on, in one sentence with the remedy; empty: none.
 std::string beneath_supports(const model::Case& c, const std::vector<SupportCrossing>& crossings);
 
+// That a line which is laid over supports was bent farther than steel stays elastic, of a row of the summary;
+// empty: it was not.
+std::string overbent(const model::Case& c, const io::SummaryRow& row);
+
 class SupportLog {
  public:
   SupportLog(MPI_Comm comm, Simulation& simulation);
