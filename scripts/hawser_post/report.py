@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import charts, envelopes, inputs, scene, stress, tables
+from . import charts, envelopes, inputs, pipe_checks, scene, stress, tables
 from .page import Page
 
 MOST_LINES = 8  # with figures of their own
@@ -115,6 +115,22 @@ def stresses(page, results, lines, since):
     for line in pipes:
         largest = stress.along(results, line)
         page.figure(charts.stress_graph(results, line, largest, since), stress.told(results, line, largest, since) + ".")
+
+
+def strength(page, results, lines, since):
+    """Code checks of pipes whose case says of which steel they are, with the defaults of hawser pipe."""
+    for line in lines:
+        found = pipe_checks.of_case(results, line) if stress.is_pipe(results, line) else None
+        if found is None:
+            continue
+        page.section(f"Strength of {line.name}")
+        page.text(f"{found.told()} Local buckling is that of DNV-ST-F101 (2021), combined loads, load controlled, the worse of "
+                  "the load combinations a and b; all by the defaults of hawser pipe, which tells more. A check is met up to 1.")
+        for head, rows in (pipe_checks.geometry(results, line, found, since),
+                           pipe_checks.for_reading(*pipe_checks.checks(results, line, found, since))):
+            page.table(head, rows)
+        for doubt in pipe_checks.doubts(found):
+            page.text(doubt, "warning")
 
 
 def histories(page, results, lines, since):
@@ -278,6 +294,7 @@ def make(results, path, since, vibrations=None):
         page.text(f"Figures below are of the {MOST_LINES} lines with the largest tensions of {len(results.lines)}.")
     ranges(page, results, lines, since)
     stresses(page, results, lines, since)
+    strength(page, results, lines, since)
     if moves(results) and results.steps > 0:
         histories(page, results, lines, since)
     supports(page, results)

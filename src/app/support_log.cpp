@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,15 +16,15 @@ namespace {
 
 constexpr int kHalvings = 40;
 
-// The place of an element on the plane through `at` across `along`.
-Vec3 on_plane(const AxisShape& shape, const Vec3& at, const Vec3& along) {
+// Where an element, from 0 to 1 along it, goes through the plane through `at` across `along`.
+double on_plane(const AxisShape& shape, const Vec3& at, const Vec3& along) {
   double low = 0, high = 1;
   const bool grows = (shape.point(1) - at).dot(along) > 0;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (low + high);
     (((shape.point(middle) - at).dot(along) > 0) == grows ? high : low) = middle;
   }
-  return shape.point(0.5 * (low + high));
+  return 0.5 * (low + high);
 }
 
 }  // namespace
@@ -38,7 +39,8 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
   int rank = 0;
   MPI_Comm_rank(comm, &rank);
   std::vector<Ranked> nearest;
-  std::vector<double> found(2 * c.supports.size(), 0);
+  std::vector<SupportCrossing> found(c.supports.size());
+  const auto numbers = [](SupportCrossing& x) { return std::array{&x.offset, &x.height, &x.arc}; };
   for (size_t k = 0; k < c.supports.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
     const int body = c.body_index(b.body), line = c.line_index(b.line);
@@ -50,23 +52,27 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
       if (!e.counted || g.line != line) continue;
       const Vec3 &x1 = at.x[static_cast<size_t>(e.first)], &x2 = at.x[static_cast<size_t>(e.second)];
       if (((x1 - place).dot(along) > 0) == ((x2 - place).dot(along) > 0)) continue;
-      const Vec3 x =
-          on_plane(AxisShape(element_axis(at, g, e.first, e.second, Vec3::UnitX())), place, along) - place;
+      const AxisShape shape(element_axis(at, g, e.first, e.second, Vec3::UnitX()));
+      const double xi = on_plane(shape, place, along);
+      const Vec3 x = shape.point(xi) - place;
       if (!(x.norm() < best.distance)) continue;
       best.distance = x.norm();
-      found[2 * k] = x.dot(pose.rotation * b.left()), found[2 * k + 1] = x.dot(pose.rotation * b.up);
+      found[k] = {true, x.dot(pose.rotation * b.left()), x.dot(pose.rotation * b.up),
+                  mesh.mesh->nodes[static_cast<size_t>(g.first)].arc + xi * g.length};
     }
     nearest.push_back(best);
   }
   MPI_Allreduce(MPI_IN_PLACE, nearest.data(), static_cast<int>(nearest.size()), MPI_DOUBLE_INT, MPI_MINLOC,
                 comm);
+  std::vector<double> sums;
   for (size_t k = 0; k < nearest.size(); ++k)
-    if (nearest[k].rank != rank) found[2 * k] = found[2 * k + 1] = 0;
-  MPI_Allreduce(MPI_IN_PLACE, found.data(), static_cast<int>(found.size()), MPI_DOUBLE, MPI_SUM, comm);
-  std::vector<SupportCrossing> out;
-  for (size_t k = 0; k < nearest.size(); ++k)
-    out.push_back({nearest[k].distance < far, found[2 * k], found[2 * k + 1]});
-  return out;
+    for (const double* number : numbers(found[k])) sums.push_back(nearest[k].rank == rank ? *number : 0);
+  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, comm);
+  for (size_t k = 0, i = 0; k < nearest.size(); ++k) {
+    found[k].known = nearest[k].distance < far;
+    for (double* number : numbers(found[k])) *number = sums[i++];
+  }
+  return found;
 }
 
 std::string beneath_supports(const model::Case& c, const std::vector<SupportCrossing>& crossings) {
@@ -115,7 +121,7 @@ std::vector<io::ResultSeries> SupportLog::series() const {
   for (const model::SupportBox& b : sim_.model().supports) {
     io::ResultSeries& s = out.emplace_back(io::ResultSeries{b.name, {{"force", "N", 3}}});
     for (const std::string& roller : b.rollers) s.columns.push_back({roller + "_force", "N", 3});
-    s.columns.push_back({"height", "m", 1}), s.columns.push_back({"offset", "m", 1});
+    for (const char* name : {"height", "offset", "arc_length"}) s.columns.push_back({name, "m", 1});
   }
   return out;
 }
@@ -144,7 +150,7 @@ std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
     for (size_t i = 0; i < b.rollers.size(); ++i) sum += of(i);
     row.assign(sum.begin(), sum.end());
     for (size_t i = 0; i < b.rollers.size(); ++i) row.insert(row.end(), of(i).begin(), of(i).end());
-    row.push_back(x.known ? x.height : std::nan("")), row.push_back(x.known ? x.offset : std::nan(""));
+    for (const double value : {x.height, x.offset, x.arc}) row.push_back(x.known ? value : std::nan(""));
     if (off_[k] || !x.known || std::abs(x.offset) <= b.half_width || x.height >= b.rise) continue;
     off_[k] = true;
     warnings_.push_back(fmt::format(

@@ -23,6 +23,9 @@ Key pipe() {
               "of the wall: one of those of the [guide](case-file.md#pipes-hoses-and-umbilicals), or its "
               "numbers")
            .or_else("steel"),
+       word("grade", {"X42", "X46", "X52", "X56", "X60", "X65", "X70", "X80"},
+            "of its steel, API 5L: the yield stress and the tensile strength that [`hawser pipe`]"
+            "(reports.md#strength-of-pipes) judges it by"),
        list("coatings",
             map("",
                 {number("thickness", length, "of the layer").above(0).is_required(),

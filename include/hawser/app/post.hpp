@@ -14,7 +14,8 @@ inline constexpr PostCommand kPostCommands[] = {
     {"plot", "Make one figure: range graph, history, spectrum, phase, plan, elevation, in space."},
     {"export", "Write the tables, histories and range graphs of a run as CSV files."},
     {"extremes", "Tell the extremes of a history in a duration, by distributions fitted to its maxima."},
-    {"fatigue", "Tell the damage along a line, by rainflow cycles and a published curve."}};
+    {"fatigue", "Tell the damage along a line, by rainflow cycles and a published curve."},
+    {"pipe", "Tell strain, stress and the code checks of a pipe on its supports and in its sagbend."}};
 
 bool is_post_command(std::string_view word);
 

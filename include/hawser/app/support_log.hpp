@@ -15,6 +15,7 @@ struct SupportCrossing {
   bool known = false;  // nothing of the line goes through it
   double offset = 0;   // to the left of the middle
   double height = 0;   // above where a line that just touches the roller below has its axis
+  double arc = 0;      // unstretched, of the line from its end A
 };
 // Of every box, of what is nearest to it. poses: of the bodies of the case. The same on all ranks.
 // Collective.
@@ -32,8 +33,8 @@ class SupportLog {
  public:
   SupportLog(MPI_Comm comm, Simulation& simulation);
 
-  // One for each box: `force` and `<roller>_force` on the line [N, space axes], `height` and `offset` of its
-  // crossing.
+  // One for each box: `force` and `<roller>_force` on the line [N, space axes], `height`, `offset` and
+  // `arc_length` of its crossing.
   std::vector<io::ResultSeries> series() const;
   // Their rows at a state, on rank 0 (elsewhere empty). Collective.
   std::vector<std::vector<double>> rows(const Kinematics& at, const std::vector<io::BodyPose>& poses);

@@ -1,0 +1,60 @@
+"""hawser pipe: strain, stress and the checks of codes of a pipe on its supports, in its sagbend and on the seabed."""
+from pathlib import Path
+
+import numpy as np
+
+from . import export, pipe_checks, pipe_codes, stress
+from .given import refuse_since, results_of
+from .results import Refusal
+
+
+def pipe_of(results, name):
+    pipes = [line for line in results.lines if stress.is_pipe(results, line)]
+    if name:
+        line = results.line(name)
+        if line not in pipes:
+            raise Refusal(f"{results.path}: line '{name}' has no type with 'pipe', whose wall could be checked")
+        return line
+    if not pipes:
+        raise Refusal(f"{results.path}: no line has a type with 'pipe', whose wall could be checked")
+    return pipes[0]
+
+
+def make(options):
+    results = results_of(options.results, options.changes)
+    refuse_since(results, options.since)
+    if results.modes:
+        raise Refusal(f"{results.path} holds natural modes, and their size means nothing")
+    since, line = options.since or 0.0, pipe_of(results, options.line)
+    grade = options.grade or pipe_checks.grade_of(results, line)
+    if grade is None:
+        raise Refusal(f"{results.path}: the case does not say of which steel '{line.name}' is: give --grade, or "
+                      "'grade' with the pipe of its line type")
+    if not 0.005 <= options.ovality <= 0.03:
+        raise Refusal(f"--ovality {options.ovality:g} is none that DNV-ST-F101 is for, 0.005 to 0.03")
+    for name in ("material_factor", "condition_factor"):
+        if not 0.5 <= getattr(options, name) <= 2:
+            raise Refusal(f"--{name.replace('_', '-')} {getattr(options, name):g} is no factor of DNV-ST-F101, which are near 1")
+    checked = pipe_checks.Checked(results, line, grade, pipe_checks.steel_of(
+        results, line, grade, safety_class=options.safety_class, fabrication=options.fabrication, ovality=options.ovality,
+        material_factor=options.material_factor, condition=options.condition_factor))
+    print(f"{line.name}: {checked.told()} {np.count_nonzero(results.since(since))} outputs to t = {results.time[-1]:g} s. "
+          "A check is met up to 1.")
+    for head, rows in (pipe_checks.geometry(results, line, checked, since), pipe_checks.for_reading(*pipe_checks.checks(results, line, checked, since))):
+        print_table(head, rows)
+    for doubt in pipe_checks.doubts(checked):
+        print(f"warning: {doubt}")
+    path = Path(options.output) if options.output else results.path.with_name(f"{results.path.stem}-pipe.csv")
+    keep = np.flatnonzero(results.since(since))
+    columns = [np.nanmax(np.where(np.isnan(v[keep]), -np.inf, v[keep]), axis=0) for v in checked.values.values()]
+    export.write(path, ["arc_length [m]", *checked.values], [row for row in zip(line.arc, *columns) if np.isfinite(row[1])])
+    print(f"largest values along the line: {path}")
+
+
+def print_table(head, rows):
+    text = [[f"{v:.4g}" if isinstance(v, float) else str(v) for v in row] for row in rows]
+    widths = [max(len(row[k]) for row in [head, *text]) for k in range(len(head))]
+    for row in [head, *text]:
+        print("  " + "  ".join(word.rjust(w) if k >= len(row) - 4 and head[0] == "part" or head[0] != "part" and k else word.ljust(w)
+                               for k, (word, w) in enumerate(zip(row, widths))).rstrip())
+    print()

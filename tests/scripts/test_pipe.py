@@ -1,0 +1,217 @@
+"""hawser pipe: formulas of codes against what others publish and against their definitions, and a lay as a user checks it."""
+import csv
+import os
+import re
+import shutil
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from scipy import optimize
+
+from support import ROOT, run
+from synthetic import results_file
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from hawser_post import laying, pipe_checks, pipe_codes  # noqa: E402
+from hawser_post.results import Results  # noqa: E402
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+
+
+class Codes(unittest.TestCase):
+    """A 16 in pipe of X65, wall 21 mm."""
+    outer, wall = 0.4064, 0.021
+
+    def steel(self, **more):
+        return pipe_codes.Steel(*pipe_codes.GRADES["X65"], **{"material_factor": 1.0, **more})
+
+    def test_moment_capacity(self):
+        # alpha_c M_p / (1.15 · 1.0 · 1.2 · 0.8) = 1379.9 kN m: an engineer's sheet for this pipe (DNV-ST-F101, 5.21 and
+        # 5.22), seamless, on a stinger (gamma_SC,LB 1, gamma_C 0.8).
+        steel = self.steel()
+        _, bending = pipe_codes.plastic(steel, self.outer, self.wall)
+        capacity = pipe_codes.flow_stress_factor(steel, self.outer / self.wall) * bending
+        self.assertAlmostEqual(capacity / (1.15 * 1.2 * 0.8) / 1e3, 1379.9, delta=0.05)
+        # What uses it up alone: the check is the square of the moment's share.
+        moment = capacity / (1.15 * 1.04)
+        self.assertAlmostEqual(float(pipe_codes.local_buckling(steel, self.outer, self.wall, moment, 0.0, 0.0, 0.0)), 1, 12)
+        self.assertAlmostEqual(
+            float(pipe_codes.local_buckling(steel, self.outer, self.wall, moment / 2, 0.0, 0.0, 0.0)), 0.25, 12)
+
+    def test_collapse_pressure(self):
+        for outer, wall in ((0.4064, 0.021), (0.9144, 0.02), (0.1524, 0.015)):
+            for kind, share in (("seamless", 1.0), ("UOE", 0.85)):
+                steel = self.steel(fabrication=kind, ovality=0.01)
+                elastic = 2 * 207e9 * (wall / outer) ** 3 / (1 - 0.09)
+                yields = 450e6 * share * 2 * wall / outer
+
+                def equation(p):
+                    return (p - elastic) * (p * p - yields * yields) - p * elastic * yields * 0.01 * outer / wall
+                expected = optimize.brentq(equation, 0, min(elastic, yields))
+                self.assertAlmostEqual(pipe_codes.collapse_pressure(steel, outer, wall) / expected, 1, 9)
+
+    def test_pressures_alone(self):
+        steel = self.steel()
+        collapse, burst = (f(steel, self.outer, self.wall) for f in (pipe_codes.collapse_pressure, pipe_codes.burst_pressure))
+        check = pipe_codes.local_buckling(steel, self.outer, self.wall, 0.0, 0.0, collapse / (1.15 * 1.04), 0.0)
+        self.assertAlmostEqual(float(check), 1, 12)
+        # 2 t / (D - t) min(f_y, f_u / 1.15) 2 / sqrt 3 = 0.042 / 0.3854 · 450 · 1.1547 MPa.
+        self.assertAlmostEqual(burst / 1e6, 56.627, delta=0.01)
+        slender = self.outer / self.wall
+        beta = (60 - slender) / 90
+        capacity = 1 - beta + beta * 535 / 450
+        for share, weaker in ((0.5, 1 - beta), (0.8, 1 - 3 * beta * 0.2)):
+            inside = pipe_codes.local_buckling(steel, self.outer, self.wall, 0.0, 0.0, 0.0, share * burst)
+            self.assertAlmostEqual(float(inside), (weaker * share / capacity) ** 2, 12)
+
+    def test_tension_alone(self):
+        steel = self.steel(safety_class="high")
+        axial, _ = pipe_codes.plastic(steel, self.outer, self.wall)
+        capacity = pipe_codes.flow_stress_factor(steel, self.outer / self.wall)
+        check = pipe_codes.local_buckling(steel, self.outer, self.wall, 0.0, 0.3 * axial, 0.0, 0.0)
+        self.assertAlmostEqual(float(check), (1.15 * 1.26 * 0.3 / capacity) ** 4, 12)
+        # API: 0.6 of the yield tension is all.
+        pulled = 450e6 * np.pi / 4 * (self.outer**2 - (self.outer - 2 * self.wall) ** 2)
+        api = pipe_codes.api_tension_and_pressure(steel, self.outer, self.wall, 0.6 * pulled, 0.0, 0.0)
+        self.assertAlmostEqual(float(api), 1, 12)
+
+    def test_api_bending(self):
+        steel = self.steel(ovality=0.01)
+        strain = self.wall / (2 * self.outer) / 3.33 / 1.1  # 1 / (1 + 20 · 0.005)
+        api = pipe_codes.api_bending_and_pressure(steel, self.outer, self.wall, strain, 0.0, 0.0)
+        self.assertAlmostEqual(float(api), 1, 12)
+        pressed = pipe_codes.api_bending_and_pressure(steel, self.outer, self.wall, 0.0, 1e6, 0.0)
+        elastic, yields = 2 * 207e9 * (self.wall / self.outer) ** 3 / 0.91, 2 * 450e6 * self.wall / self.outer
+        self.assertAlmostEqual(float(pressed), 1.1 * 1e6 / (0.6 * yields * elastic / np.hypot(yields, elastic)), 12)
+
+
+class Departing(unittest.TestCase):
+    def lay(self, forwards):
+        """Supports at 10 and 20 m of a line that dives from there to the bed; the second carries it at the first output."""
+        arc = np.linspace(0, 100, 101)
+        x = np.zeros((2, 101, 3))
+        way = arc if forwards else arc[::-1]
+        x[:, :, 0] = way
+        x[:, :, 2] = np.where(way < 50, -way**2 / 100, -25 - np.sqrt(np.maximum(way - 50, 0)) * 2)
+        columns = ["force_x", "force_y", "force_z", "below_force_x", "below_force_y", "below_force_z", "height", "offset",
+                   "arc_length"]
+        rows = {f"ramp {k + 1}": (columns, ["N"] * 6 + ["m"] * 3,
+                                  np.array([[0, 0, f, 0, 0, f, h, 0, s if forwards else 100 - s] for f, h in loads]))
+                for k, (s, loads) in enumerate(((10, ((1e3, 0), (2e3, 0))), (20, ((5e2, -0.01), (0, 0.3)))))}
+        folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        return Results(results_file(folder / "lay.h5", time=(0.0, 1.0), lines={"pipe": arc}, fields={"position": ("m", x)},
+                                    series=(np.array([0.0, 1.0]), rows)))
+
+    def test_lift_off(self):
+        for forwards in (True, False):
+            results = self.lay(forwards)
+            left = laying.departure(results, results.lines[0])
+            self.assertEqual((left.forwards, left.support, left.tip), (forwards, ["ramp 2", "ramp 1"], "ramp 2"))
+            np.testing.assert_allclose(left.arc, [20, 10] if forwards else [80, 90])
+            np.testing.assert_allclose(left.angle, np.degrees(np.arctan([0.4, 0.2])), atol=0.7)
+            np.testing.assert_allclose(left.tip_clearance, [-0.01, 0.3])
+            # It is steepest just behind 50 m.
+            bend = laying.inflection(results, results.lines[0], left, None)
+            np.testing.assert_allclose(bend, 50.5 if forwards else 49.5)
+
+    def test_no_supports(self):
+        folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        results = Results(results_file(folder / "none.h5"))
+        self.assertIsNone(laying.departure(results, results.lines[0]))
+
+
+class Lay(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        shutil.copy(ROOT / "cases/s-lay/simple.yaml", cls.folder)
+        cls.case = cls.folder / "simple.yaml"
+        made = run(HAWSER, "run", cls.case, "-q", "--set", "dynamics.duration=1")
+        assert made.returncode == 0, made.stderr
+        cls.path = cls.folder / "simple.h5"
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    def pipe(self, *words):
+        done = run(HAWSER, "pipe", self.path, *words)
+        return done.returncode, done.stdout, done.stderr
+
+    def test_at_rest(self):
+        code, out, err = self.pipe()
+        self.assertEqual((code, err), (0, ""))
+        def static(words):
+            return float(re.search(rf"{re.escape(words)}\s+(\S+)", out).group(1))
+        results = Results(self.path)
+        line = results.lines[0]
+        moment = results.field("bending_moment", line, 0)
+        # The row of equal rollers on a stinger of 151.325 m: cases/s-lay/README.md.
+        self.assertAlmostEqual(static("overbend  bending moment [kN m]"), moment.max() / 1e3, delta=0.1)
+        self.assertAlmostEqual(static("overbend  bending strain [%]"),
+                               100 * moment.max() / 16272.6e3 * 0.125, delta=1e-3 * 0.114)
+        # By hand at the most bent node: f_y 432 MPa, M_p 357.9 kN m, alpha_c 1.0909, S_p 4784 kN, combination a.
+        node = int(np.argmax(moment))
+        tension = results.field("effective_tension", line, 0)[node]
+        share = 1.196 * 1.2 / 1.0909 * np.array([moment[node] / 357.9e3, tension / 4784.0e3])
+        self.assertAlmostEqual(static("overbend  local buckling, DNV-ST-F101"), (share[0] + share[1] ** 2) ** 2, delta=2e-3)
+        self.assertAlmostEqual(static("overbend  overbend strain, static, DNV simplified I"),
+                               moment.max() / 16272.6e3 * 0.125 / 0.0025, delta=2e-3)
+        # Lift-off: the last of eleven boxes, where the line dives by the angle of the stinger there and a little more.
+        self.assertAlmostEqual(static("arc length of lift-off [m]"), 104.7, delta=0.3)
+        self.assertAlmostEqual(static("departure angle below the horizontal [deg]"), np.degrees(84 / 150), delta=0.6)
+        self.assertAlmostEqual(static("top tension [kN]"), 151.85, delta=0.1)
+        touch = results.series("pipe touchdown").column("end_a_arc_length")[0]
+        self.assertAlmostEqual(static("arc length of touchdown [m]"), touch, delta=0.1)
+        with open(self.folder / "simple-pipe.csv", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), len(line.arc))
+        largest = max(float(row["bending moment [N m]"]) for row in rows)
+        self.assertAlmostEqual(largest, results.field("bending_moment", line).max(), delta=1e-6 * largest)
+
+    def test_stronger_steel_and_higher_class(self):
+        def worst(*words):
+            return float(re.search(r"overbend  local buckling, DNV-ST-F101\s+\S+\s+(\S+)", self.pipe(*words)[1]).group(1))
+        self.assertLess(worst("--grade", "X70"), worst())
+        self.assertGreater(worst("--safety-class", "high"), worst())
+        self.assertLess(worst("--condition-factor", "0.8"), worst())
+
+    def test_in_the_report(self):
+        done = run(HAWSER, "report", self.path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        text = (self.folder / "simple.html").read_text("utf-8")
+        self.assertIn("Strength of pipe", text)
+        self.assertIn("local buckling, DNV-ST-F101", text)
+
+    def test_refusals(self):
+        plain = results_file(self.folder / "plain.h5")
+        for words, part in ((["--grade", "X6"], "--grade cannot be 'X6'; did you mean 'X65'?"),
+                            (["--ovality", "0.2"], "--ovality 0.2 is none that DNV-ST-F101 is for, 0.005 to 0.03"),
+                            (["--material-factor", "0"], "--material-factor 0 is no factor of DNV-ST-F101"),
+                            (["--line", "hose"], "there is no line 'hose' (there are: pipe)")):
+            code, out, err = self.pipe(*words)
+            self.assertEqual((code, out), (2, ""), err)
+            self.assertIn(part, err)
+            self.assertEqual(len(err.splitlines()), 1)
+        done = run(HAWSER, "pipe", plain)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no line has a type with 'pipe', whose wall could be checked", done.stderr)
+
+    def test_slender_pipes_are_told(self):
+        results = Results(self.path)
+        line = results.lines[0]
+        checked = pipe_checks.of_case(results, line)
+        self.assertEqual(pipe_checks.doubts(checked), [])
+        checked.slender, checked.pulled = 50.0, 0.5
+        told = pipe_checks.doubts(checked)
+        self.assertIn("D/t is 50: DNV-ST-F101's formulas for combined loads hold to 45", told[0])
+        self.assertIn("0.5 of that at yield", told[1])
+
+
+if __name__ == "__main__":
+    unittest.main()
