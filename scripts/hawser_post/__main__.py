@@ -1,9 +1,9 @@
-"""The commands that look at results: hawser report, plot, export, extremes, fatigue and pipe."""
+"""The commands that look at results: hawser report, plot, export, extremes, fatigue, pipe and lay."""
 import sys
 from pathlib import Path
 
 try:
-    from . import export, extremes_told, fatigue, fatigue_told, pipe_codes, pipe_told, plot, report, scene
+    from . import export, extremes_told, fatigue, fatigue_told, lay, pipe_codes, pipe_told, plot, report, scene
     from .arguments import Parser, add_set, time_from
     from .given import modes_of, refuse_since, results_of
     from .results import Refusal
@@ -105,6 +105,16 @@ def commands():
     p.add_argument("-o", "--output", help="CSV file (default: <results>-pipe.csv)")
     add_set(p)
     p.set_defaults(do=pipe_told.make)
+
+    p = sub.add_parser("lay", help="the smallest tension with which a pipe is laid in each of a list of depths")
+    p.add_argument("case", help="case file of a lay over supports")
+    p.add_argument("--depths", required=True, metavar="D,D,...", help="m")
+    p.add_argument("--clearance", type=float, default=0.3, metavar="C", help="of the last support, m (default: 0.3)")
+    p.add_argument("--utilisation", type=float, default=1.0, metavar="U",
+                   help="of the sagbend, local buckling by DNV-ST-F101 (default: 1)")
+    p.add_argument("-o", "--output", help="CSV file, with a figure beside it (default: <case>-lay.csv)")
+    add_set(p)
+    p.set_defaults(do=lay.make)
     return parser
 
 

@@ -32,8 +32,6 @@
 namespace hawser::app {
 namespace {
 
-constexpr int kStopped = 130;              // exit code: by a signal
-constexpr int kWrongEnergy = 4;            // exit code: the run has ended, but its energy does not add up
 constexpr double kCheckpoints = 0.02;      // of the time, unless the case says when
 constexpr double kTrial = 4;               // CPU s, of the trial run of `hawser check`
 constexpr double kCheckpointNumbers = 61;  // of a node without contact and statistics (app/restart.cpp)
@@ -130,7 +128,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (restarted) {
     for (const std::string& e : events.restore(checkpoint)) progress.say(e);
     restore(checkpoint, sim);
-    for (const std::string& e : events.happen()) progress.say(e);
+    for (const std::string& e : events.apply_due()) progress.say(e);
     // A new file begins with the state the run goes on from.
     if (!place.appends()) recorder.output(sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
@@ -176,7 +174,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
       const bool stop = agreed[0] != 0;
       if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
       // What was shown is the state before it, what is saved the one after.
-      for (const std::string& e : events.happen()) progress.say(e);
+      for (const std::string& e : events.apply_due()) progress.say(e);
       if (save || stop) {
         if (last || stop || keep > 0 || agreed[1]) save_state();
         checkpoint_at = keep > 0 ? next_multiple(info.time, keep) : output_at;
@@ -196,7 +194,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     }
   }
   progress.end();
-  for (const std::string& e : events.missed()) progress.say("note: " + e);
+  for (const std::string& e : events.not_happened()) progress.say("note: " + e);
   if (c.dynamics.enabled)
     for (const std::string& n :
          sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)))
@@ -224,11 +222,11 @@ int run(MPI_Comm comm, const RunOptions& options) {
     if (c.output.xdmf) fmt::print("view them: paraview {}\n", recorder.file().xdmf_path());
     std::fflush(stdout);
   }
-  if (stopped) return kStopped;
+  if (stopped) return kExitStopped;
   if (!c.dynamics.enabled || !recorder.audit().wrong()) return 0;
   // An exit code other than 0 never comes without its reason.
   if (rank == 0 && !speak) fmt::print(stderr, "hawser: {}\n", recorder.audit_warning());
-  return kWrongEnergy;
+  return kExitEnergy;
 }
 
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,

@@ -52,7 +52,7 @@ bool Events::beyond(const Kinematics& trial) {
   return false;
 }
 
-std::vector<Support> Events::left() const {
+std::vector<Support> Events::remaining_supports() const {
   const LocalMesh& local = sim_.local();
   std::vector<Support> out;
   for (const Support& s : sim_.system().supports().list()) {
@@ -103,19 +103,19 @@ std::vector<std::string> Events::begin() {
   refuse_reached(pull);
   std::vector<std::string> told = release(at, pull);
   System& system = sim_.system();
-  if (!told.empty()) system.support(left(), BodyMotion(system.supports().motion()));
+  if (!told.empty()) system.support(remaining_supports(), BodyMotion(system.supports().motion()));
   return told;
 }
 
-std::vector<std::string> Events::happen() {
+std::vector<std::string> Events::apply_due() {
   if (events_.empty()) return {};
   const Kinematics at = sim_.dynamics().kinematics();
   std::vector<std::string> told = release(at, tensions(at));
-  if (!told.empty()) sim_.dynamics().release(left());
+  if (!told.empty()) sim_.dynamics().release(remaining_supports());
   return told;
 }
 
-std::vector<std::string> Events::missed() const {
+std::vector<std::string> Events::not_happened() const {
   std::vector<std::string> out;
   for (const Event& e : events_)
     if (e.happened < 0)
@@ -154,7 +154,7 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
           sim_.model().path, e.name, e.what.time, from.time));
   if (told.empty()) return told;
   System& system = sim_.system();
-  system.support(left(), BodyMotion(system.supports().motion()));
+  system.support(remaining_supports(), BodyMotion(system.supports().motion()));
   return told;
 }
 

@@ -78,7 +78,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   } catch (const hawser::SolveError& e) {
     code = hawser::kExitSolve, text = e.what();
   } catch (const hawser::io::WriteError& e) {
-    code = hawser::io::kExitWrite, text = e.what();
+    code = hawser::kExitWrite, text = e.what();
   } catch (const std::exception& e) {
     // Not the user's doing, and perhaps only this rank's: the others must not wait for it.
     std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
@@ -88,7 +88,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
     return 1;
   }
   if (petsc.rank == 0) std::fputs(fmt::format("hawser: {}\n", text).c_str(), stderr);
-  if (code == hawser::io::kExitWrite) {
+  if (code == hawser::kExitWrite) {
     // All ranks are here. When MPI ends HDF5 would write once more what a full disk has refused, and crash.
     std::fflush(nullptr);
     MPI_Barrier(PETSC_COMM_WORLD);

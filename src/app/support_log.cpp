@@ -96,13 +96,16 @@ std::string overbent(const model::Case& c, const io::SummaryRow& row) {
   if (row.quantity != "max curvature" || std::none_of(c.supports.begin(), c.supports.end(), lies)) return "";
   double diameter = 0;
   for (const model::Section& s : c.lines[static_cast<size_t>(c.line_index(row.line))].sections)
-    diameter = std::max(diameter, c.line_type(s.type).outer_diameter);
+    if (const model::LineType& t = c.line_type(s.type); !t.plastic_bending)
+      diameter = std::max(diameter, t.outer_diameter);
   const double strain = 0.5 * diameter * row.value;
   if (!(strain > kYielded)) return "";
   return fmt::format(
       "line {} is bent to a radius of {:.3g} m at arc length {:.6g} m, t = {:.6g} s, {:.2g} % of strain: "
       "steel "
-      "yields before, and this pipe is elastic; do the places and directions of its ends and supports fit?",
+      "yields before, and this pipe is elastic; do the places and directions of its ends and supports fit, "
+      "or does it "
+      "need 'plasticity'?",
       row.line, 1 / row.value, row.arc_length, row.time, 100 * strain);
 }
 

@@ -24,9 +24,50 @@ std::shared_ptr<const StiffnessTable> read_stiffness_table(const Value& table, c
   }
 }
 
+void read_plasticity(const Value& v, const std::string& path, const CaseSource& source, model::LineType& t) {
+  constexpr double kStrain = 0.05;  // of the outer fibre: to where a curve is needed
+  constexpr int kRows = 21;         // 20 yield circles: within 0.5 % of the curve
+  if (!v.has("plasticity")) return;
+  const Value& p = v["plasticity"];
+  const std::string key = path + ".plasticity";
+  const bool curve = p.has("ramberg_osgood");
+  if (curve == p.has("table")) source.bad(p, key, "needs either 'ramberg_osgood' or 'table'");
+  if (t.moment_table || t.GA > 0 || t.EI2 != t.EI3)
+    source.bad(
+        p, key,
+        fmt::format("cannot be combined with {}; remove one of them", t.moment_table ? "a table of EI"
+                                                                      : t.GA > 0     ? "GA"
+                                                                                     : "two values of EI"));
+  std::vector<PlasticBending::Row> rows;
+  if (curve) {
+    const Value& c = p["ramberg_osgood"];
+    const double last = 2 * kStrain / t.outer_diameter, yield = c["yield_moment"].number / t.EI2;
+    if (!(last > yield))
+      source.bad(
+          c["yield_moment"], key + ".ramberg_osgood.yield_moment",
+          fmt::format("is reached at a curvature of {:.3g} 1/m only, beyond {:g} % of strain; is it in N m?",
+                      yield, 100 * kStrain));
+    rows = ramberg_osgood(t.EI2, c["yield_moment"].number, c["A"].number, c["B"].number, last, kRows);
+  } else {
+    for (const Value& r : p["table"].items) rows.emplace_back(r.items[0].number, r.items[1].number);
+  }
+  try {
+    t.plastic_bending = std::make_shared<const PlasticBending>(rows);
+  } catch (const std::invalid_argument& e) {
+    source.bad(p[curve ? "ramberg_osgood" : "table"], key + (curve ? ".ramberg_osgood" : ".table"), e.what());
+  }
+  const double slope = t.plastic_bending->initial();
+  if (!curve && std::abs(slope - t.EI2) > 0.05 * t.EI2)
+    source.bad(
+        p["table"], key + ".table",
+        fmt::format("its first row makes EI {:.4g} N m2, but the type has {:.4g}; they must agree to 5 %",
+                    slope, t.EI2));
+  t.EI2 = t.EI3 = slope;
+}
+
 void read_bending(const Value& v, const std::string& path, const CaseSource& source, model::LineType& t) {
   t.GA = v["GA"].number;
-  if (v.has("pipe")) return;
+  if (v.has("pipe")) return read_plasticity(v, path, source, t);
   for (const char* key : {"EI", "GJ"})
     if (!v.has(key))
       source.bad(
@@ -44,6 +85,7 @@ void read_bending(const Value& v, const std::string& path, const CaseSource& sou
     t.EI2 = EI.kind == Value::Kind::list ? EI.items[0].number : EI.number;
     t.EI3 = EI.kind == Value::Kind::list ? EI.items[1].number : EI.number;
   }
+  read_plasticity(v, path, source, t);
   const double round = t.mass_per_length * t.outer_diameter * t.outer_diameter / 8;  // m r² / 2
   t.rotary_inertia =
       v.has("rotary_inertia") ? as_vec3(v["rotary_inertia"]) : Vec3(round, round / 2, round / 2);
@@ -99,7 +141,7 @@ model::LineType read_line_type(const std::string& name, const Value& v, const Ca
     read_bending(v, path, source, t);
     return t;
   }
-  for (const char* key : {"EI", "GJ", "GA", "rotary_inertia"})
+  for (const char* key : {"EI", "GJ", "GA", "rotary_inertia", "plasticity"})
     if (v.has(key) && v[key].given)
       source.bad(
           v[key], path + "." + key,

@@ -2,6 +2,7 @@
 // an error on any rank is thrown on all.
 #include "hawser/io/once_a_host.hpp"
 
+#include <stdexcept>
 #include <string>
 
 #include "hawser/base/error.hpp"
@@ -10,14 +11,18 @@
 namespace hawser::io {
 
 void agreed(MPI_Comm comm, const std::function<void()>& work) {
-  std::string wrong;
+  std::string input, program;
   try {
     work();
+  } catch (const InputError& e) {
+    input = e.what();
   } catch (const std::exception& e) {
-    wrong = e.what();
+    program = e.what();
   }
-  wrong = first_text(comm, std::move(wrong));
-  if (!wrong.empty()) throw InputError(wrong);
+  program = first_text(comm, std::move(program));
+  if (!program.empty()) throw std::runtime_error(program);
+  input = first_text(comm, std::move(input));
+  if (!input.empty()) throw InputError(input);
 }
 
 std::shared_ptr<const MeshSurface> once_a_host(

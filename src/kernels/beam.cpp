@@ -1,5 +1,5 @@
 // The beam element: kinematics of the co-rotational frame, internal force and exact tangent,
-// stiffness-proportional damping, bending by a table, section moments, stress-free reference.
+// stiffness-proportional damping, bending by a table or with memory, section moments, stress-free reference.
 #include "hawser/kernels/beam.hpp"
 
 #include <algorithm>
@@ -55,23 +55,18 @@ void spins(const BeamReference& r, const BeamEnds& e, Row& w1, Row& w2) {
   if (!r.aligned) w1 = load(Vec3(r.axes.transpose() * e.w1)), w2 = load(Vec3(r.axes.transpose() * e.w2));
 }
 
-// Bending by a table: gradient and Hessian of its energy in (psi2, psi3, a3, a2).
+// Bending that is not linear: gradient and Hessian of its energy in (psi2, psi3, a3, a2).
 struct Bending {
   double energy = 0, g[4] = {}, H[4][4] = {};
 };
 
-// M and its tangent by the curvature vector (about 2 and 3).
-struct Moment {
-  double energy, m[2], K[2][2];
-};
-
-Moment moment_of(const BeamSection& s, double c2, double c3) {
+BendingMoment by_table(const BeamSection& s, double c2, double c3) {
   const double c = std::hypot(c2, c3), linear = s.EI2 - s.moment->initial();
   const StiffnessTable::Value v = s.moment->at(c);
   const double secant = c > 0 ? v.force / c : s.moment->initial();
   // Secant across the curvature, tangent along it.
   const double rest = c > 0 ? (v.slope - secant) / (c * c) : 0;
-  Moment o;
+  BendingMoment o;
   o.energy = v.energy + 0.5 * linear * c * c;
   o.m[0] = (secant + linear) * c2, o.m[1] = (secant + linear) * c3;
   o.K[0][0] = secant + linear + rest * c2 * c2, o.K[1][1] = secant + linear + rest * c3 * c3;
@@ -79,17 +74,38 @@ Moment moment_of(const BeamSection& s, double c2, double c3) {
   return o;
 }
 
+// On top of it what EI2 = EI3 is above its first slope, elastic: a bend stiffener.
+BendingMoment with_memory(const BeamSection& s, double c2, double c3, const double* set) {
+  BendingMoment o = s.plastic->at(c2, c3, set);
+  const double linear = s.EI2 - s.plastic->initial();
+  o.energy += 0.5 * linear * (c2 * c2 + c3 * c3);
+  o.m[0] += linear * c2, o.m[1] += linear * c3;
+  o.K[0][0] += linear, o.K[1][1] += linear;
+  return o;
+}
+
 // The curvature is linear along the element, (psi2 + 6 xi a3, psi3 - 6 xi a2)/L with xi from -1 to 1: what
 // the cubic deflection has, and for a constant EI the energy of the linear law.
-constexpr double kGauss[3] = {-0.7745966692414834, 0, 0.7745966692414834};
-constexpr double kWeight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+constexpr double kGauss[kBendingPlaces] = {-0.7745966692414834, 0, 0.7745966692414834};
+constexpr double kWeight[kBendingPlaces] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
-Bending bending_by_table(const BeamSection& s, const BeamReference& r, const Local& o) {
+struct Curvature {
+  double about2, about3;  // 1/m
+};
+Curvature curvature_at(const BeamSection& s, const BeamReference& r, const Local& o, double xi) {
+  const double z = 6 * xi, iL = 1 / s.length;
+  return {iL * (o.psi[1] - r.psi[1] + z * o.a3), iL * (o.psi[2] - r.psi[2] - z * o.a2)};
+}
+
+Bending bending_by_law(const BeamSection& s, const BeamReference& r, const Local& o) {
   Bending b;
-  const double p2 = o.psi[1] - r.psi[1], p3 = o.psi[2] - r.psi[2], iL = 1 / s.length;
-  for (int k = 0; k < 3; ++k) {
+  const double iL = 1 / s.length;
+  for (int k = 0; k < kBendingPlaces; ++k) {
     const double z = 6 * kGauss[k];
-    const Moment m = moment_of(s, iL * (p2 + z * o.a3), iL * (p3 - z * o.a2));
+    const Curvature c = curvature_at(s, r, o, kGauss[k]);
+    const double* set = r.set ? r.set + static_cast<size_t>(k) * s.plastic->memory() : nullptr;
+    const BendingMoment m =
+        s.plastic ? with_memory(s, c.about2, c.about3, set) : by_table(s, c.about2, c.about3);
     b.energy += kWeight[k] * s.length * m.energy;
     // By which of the two curvatures each variable is, and how much.
     const int of[4] = {0, 1, 0, 1};
@@ -151,8 +167,8 @@ inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamE
   o.m2 = o.k2 * o.a3;
   o.m3 = o.k3 * o.a2;
   o.mpsi = o.D * (o.psi - load(r.psi));
-  if (s.moment) {
-    const Bending b = bending_by_table(s, r, o);
+  if (s.bends_by_law()) {
+    const Bending b = bending_by_law(s, r, o);
     o.m2 = b.g[2], o.m3 = b.g[3];
     o.mpsi = Row{o.mpsi[0], b.g[0], b.g[1], 0};
   }
@@ -283,8 +299,8 @@ HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, co
   Mat Hyp = outer(EAL * o.eps_y, o.eps_psi);
   Mat Hpp = outer(EAL * o.eps_psi, o.eps_psi);
   Row diagonal = o.D + Row{0, NL / 12, NL / 12, 0};
-  if (s.moment) {
-    const Bending b = bending_by_table(s, r, o);
+  if (s.bends_by_law()) {
+    const Bending b = bending_by_law(s, r, o);
     const Row across[2] = {o.da3, o.da2};
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) {
@@ -361,8 +377,8 @@ HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& 
   const Row p = o.psi - load(r.psi);
   const double axial = s.tension ? 2 * o.axial_energy : s.EA * o.strain * o.strain;
   out.strain_energy = 0.5 * s.length * axial;
-  if (s.moment)
-    out.strain_energy += 0.5 * o.D[0] * p[0] * p[0] + bending_by_table(s, r, o).energy;
+  if (s.bends_by_law())
+    out.strain_energy += 0.5 * o.D[0] * p[0] * p[0] + bending_by_law(s, r, o).energy;
   else
     out.strain_energy += 0.5 * (o.k3 * o.a2 * o.a2 + o.k2 * o.a3 * o.a3 + dot(p, o.D * p));
   if (s.beta > 0) {
@@ -370,27 +386,53 @@ HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& 
     out.dissipation = s.beta * (s.EA * s.length * o.epsd * o.epsd + o.k3 * r2 * r2 + o.k2 * r3 * r3 +
                                 dot(o.psid, o.D * o.psid));
   }
+  const auto kinematic = [&](double xi) {
+    const Curvature c = curvature_at(s, r, o, xi);
+    return Vec3(p[0] / s.length, c.about2, c.about3);
+  };
   if (s.moment) {
-    const double iL = 1 / s.length;
-    const auto at = [&](double z, Vec3& moment, Vec3& curvature) {
-      curvature = Vec3(iL * p[0], iL * (p[1] + z * o.a3), iL * (p[2] - z * o.a2));
-      const Moment m = moment_of(s, curvature.y(), curvature.z());
+    const auto at = [&](double xi, Vec3& moment, Vec3& curvature) {
+      curvature = kinematic(xi);
+      const BendingMoment m = by_table(s, curvature.y(), curvature.z());
       moment = Vec3(o.mpsi[0], m.m[0], m.m[1]);
     };
-    at(-6, out.moment1, out.curvature1);
-    at(6, out.moment2, out.curvature2);
+    at(-1, out.moment1, out.curvature1);
+    at(1, out.moment2, out.curvature2);
     return out;
   }
-  // The chord turns by +y3/l about axis 2 and by -y2/l about axis 3 against the mean frame.
+  // The chord turns by +y3/l about axis 2 and by -y2/l about axis 3 against the mean frame. Of plastic
+  // bending, which is remembered inside the element, the linear moments that do the same work.
   const Vec3 bend(0, 0.5 * o.m2, -0.5 * o.m3), mean = vec(o.mpsi);
   out.moment1 = mean - bend;
   out.moment2 = mean + bend;
+  if (s.plastic) {
+    out.curvature1 = kinematic(-1), out.curvature2 = kinematic(1);
+    if (!r.set) return out;
+    const auto left = [&](size_t place) {
+      const auto [c2, c3] = s.plastic->residual(r.set + place * s.plastic->memory());
+      return std::hypot(c2, c3);
+    };
+    out.residual1 = left(0), out.residual2 = left(kBendingPlaces - 1);
+    return out;
+  }
   const Vec3 EI(s.GJ, s.EI2, s.EI3);
   for (int i = 0; i < 3; ++i) {
     out.curvature1[i] = EI[i] > 0 ? out.moment1[i] / EI[i] : 0;
     out.curvature2[i] = EI[i] > 0 ? out.moment2[i] / EI[i] : 0;
   }
   return out;
+}
+
+double beam_bend(const BeamSection& s, const BeamReference& r, const BeamEnds& e, double* set) {
+  Local o;
+  kinematics(s, r, e, false, o);
+  double dissipated = 0;
+  for (int k = 0; k < kBendingPlaces; ++k) {
+    const Curvature c = curvature_at(s, r, o, kGauss[k]);
+    dissipated += kWeight[k] * s.length *
+                  s.plastic->bend(c.about2, c.about3, set + static_cast<size_t>(k) * s.plastic->memory());
+  }
+  return dissipated;
 }
 
 BeamReference beam_reference(const BeamSection& s, const BeamEnds& e, const Mat3& axes) {

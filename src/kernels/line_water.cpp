@@ -2,12 +2,12 @@
 // tangents and the potential of buoyancy; and the same for balls (buoys, weights).
 #include "hawser/kernels/line_water.hpp"
 
-#include "water_points.hpp"
+#include "morison_points.hpp"
 
 namespace hawser {
 namespace {
 
-using namespace water_points;
+using namespace morison_points;
 
 template <int n>
 void put_water(const Water& first, const Water& second, Motion<n>& m) {

@@ -51,6 +51,23 @@ Key weight() {
       "follow");
 }
 
+Key plasticity() {
+  return map(
+      "plasticity",
+      {map("ramberg_osgood",
+           {number("yield_moment", moment, "M_y").above(0).is_required(),
+            number("A", none).above(0).is_required(), number("B", none, "above 1").above(1).is_required()},
+           "curvature over moment, κ/κ_y = M/M_y + A (M/M_y)^B with κ_y = M_y/EI, up to a bending strain of "
+           "5 %"),
+       list("table", list("", number("", none), "").items(2, 2),
+            "bending moment over curvature, `[[1/m, N m], ...]`, when bent for the first time: straight from "
+            "row to "
+            "row and beyond the last, never steeper than before; its first row makes `EI`")
+           .items(2)},
+      "bending that yields and remembers, the same in all directions "
+      "([theory](../theory/plastic-bending.md))");
+}
+
 }  // namespace
 
 Key line_types() {
@@ -95,6 +112,7 @@ Key line_types() {
                "")},
           "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
           .or_else_note(kStiffness),
+      plasticity(),
       number("GJ", bending_stiffness, "torsion stiffness").above(0).or_else_note(kStiffness),
       number("GA", force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)").at_least(0).or_else("0"),
       vec3("rotary_inertia", inertia_per_length,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hawser/base/handle.hpp"
-#include "shell.hpp"
+#include "pc_shell.hpp"
 
 namespace hawser {
 namespace {

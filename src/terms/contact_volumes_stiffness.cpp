@@ -9,7 +9,8 @@
 namespace hawser {
 namespace {
 
-// Of the radius, deeper than which an automatic stiffness is raised; how often that in motion; to what of it.
+// Of the radius, deeper than which an automatic stiffness is raised (below the 0.005 it is chosen for, so
+// that a raise begins before that is reached); how often that in motion; to what of it.
 constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
 // Of the radius: what a blow may take it in by, with all of its mass at all of its speed.
 constexpr double kBlow = 0.5;

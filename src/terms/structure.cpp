@@ -45,6 +45,16 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std
     b.blocks[0] = p, b.blocks[1] = p + 1, b.blocks[2] = q, b.blocks[3] = q + 1;
     damped_ |= b.section.beta > 0;
   }
+  size_t remembered = 0;
+  const auto memory = [](const Beam& b) {
+    return b.section.plastic ? kBendingPlaces * b.section.plastic->memory() : 0;
+  };
+  for (const Beam& b : beams_) remembered += memory(b);
+  set_.assign(remembered, 0), yields_ = remembered > 0;
+  for (double* next = set_.data(); Beam & b : beams_) {
+    if (memory(b) > 0) b.reference.set = next;
+    next += memory(b);
+  }
   for (Cable& c : cables_) {
     c.blocks[0] = block(c.at.first), c.blocks[1] = block(c.at.second);
     damped_ |= c.section.beta > 0;
@@ -66,7 +76,7 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
     out.push_back({e,
                    {},
                    {g.length, t.EA, EI2, EI3, t.GJ, t.GA, t.stiffness_damping, t.tension_table.get(),
-                    t.moment_table.get()},
+                    t.moment_table.get(), t.plastic_bending.get()},
                    {}});
     out.back().reference.strain = g.free_strain;
   }
@@ -87,7 +97,10 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
 }  // namespace
 
 StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
-    : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {}
+    : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
+  for (const Element& e : mesh.mesh->elements)
+    yields_ |= c.line_types[static_cast<size_t>(e.type)].plastic_bending != nullptr;
+}
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   const CableStep step{trial.step, trial.mean.filter};
@@ -227,7 +240,23 @@ double StructureTerm::beam_dissipation(const Kinematics& at) const {
   return p;
 }
 
-void StructureTerm::prepare(const Kinematics& committed, double) {
+// Brings what beams remember to where they are. What is dissipated on the way by those that this rank counts,
+// J.
+double StructureTerm::bend(const Kinematics& at) {
+  double dissipated = 0, *set = set_.data();
+  for (const Beam& b : beams_) {
+    if (!b.section.plastic) continue;
+    const double lost = beam_bend(b.section, b.reference, ends(b, at), set);
+    if (b.at.counted) dissipated += lost;
+    set += kBendingPlaces * b.section.plastic->memory();
+  }
+  return dissipated;
+}
+
+void StructureTerm::prepare(const Kinematics& committed, double h) {
+  // Statics takes every section to be bent there in one go: what that leaves is remembered when motion
+  // begins, and is no work of the motion. Later this finds everything remembered.
+  if (h > 0 && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
   for (Cable& c : cables_) {
@@ -246,6 +275,7 @@ void StructureTerm::commit(const Kinematics& accepted) {
       if (c.at.counted) damping_ += lost.damped, filtered_ += lost.filtered;
     }
   }
+  if (accepted.step > 0 && !set_.empty()) damping_ += bend(accepted);
   if (!damped_) return;
   const double before = power_ < 0 ? 0 : power_;
   power_ = beam_dissipation(accepted);
@@ -263,7 +293,7 @@ Energy StructureTerm::energy(const Kinematics& at) const {
 }
 
 namespace {
-enum Kind { kSums, kStretched };  // of the latter, keys are elements of the mesh
+enum Kind { kSums, kStretched, kBent };  // of the others, keys are elements of the mesh
 
 struct Sums {
   double power = 0, damping = 0, filtered = 0;
@@ -280,12 +310,21 @@ struct Stretched {
     each("stretch", "m", self.stretch);
   }
 };
+struct Bent {
+  double about2 = 0, about3 = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("plastic curvature about 2", "1/m", self.about2),
+        each("plastic curvature about 3", "1/m", self.about3);
+  }
+};
 }  // namespace
 
-// The sums at this rank's first node: over ranks they are what counts. How an element stretched, at each of
-// its nodes, for every rank that has it to find.
+// The sums at this rank's first node: over ranks they are what counts. How an element stretched and was bent,
+// at each of its nodes, for every rank that has it to find.
 std::vector<HistoryKind> StructureTerm::history() const {
-  return {history_kind<Sums>("sums of a rank"), history_kind<Stretched>("axial vibration")};
+  return {history_kind<Sums>("sums of a rank"), history_kind<Stretched>("axial vibration"),
+          history_kind<Bent>("plastic bending")};
 }
 
 std::vector<HistoryRecord> StructureTerm::save() const {
@@ -297,19 +336,40 @@ std::vector<HistoryRecord> StructureTerm::save() const {
       if (n < mesh_.owned && c.start.stretch != 0)
         out.push_back(record_of(mesh_.global[static_cast<size_t>(n)], c.at.global, Stretched{c.start.stretch},
                                 kStretched));
+  for (const Beam& b : beams_)
+    for (const int n : {b.at.first, b.at.second}) {
+      if (!b.reference.set || n >= mesh_.owned) continue;
+      HistoryRecord& r =
+          out.emplace_back(HistoryRecord{mesh_.global[static_cast<size_t>(n)], b.at.global, {}, kBent});
+      r.values.assign(b.reference.set, b.reference.set + kBendingPlaces * b.section.plastic->memory());
+    }
   return out;
 }
 
 void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
   power_ = 0, damping_ = 0, filtered_ = 0;
   std::map<int, double> stretch;
+  std::map<int, const std::vector<double>*> bent;
   for (const HistoryRecord& r : records) {
     if (r.kind == kSums) {
       const Sums s = entry<Sums>(r);
       power_ += s.power, damping_ += s.damping, filtered_ += s.filtered;
-    } else {
+    } else if (r.kind == kStretched) {
       stretch[r.key] = entry<Stretched>(r).stretch;
+    } else {
+      bent[r.key] = &r.values;
     }
+  }
+  double* set = set_.data();
+  for (const Beam& b : beams_) {
+    if (!b.section.plastic) continue;
+    const size_t size = kBendingPlaces * b.section.plastic->memory();
+    const auto it = bent.find(b.at.global);
+    if (it != bent.end() && it->second->size() == size)
+      std::copy(it->second->begin(), it->second->end(), set);
+    else
+      std::fill_n(set, size, 0.0);
+    set += size;
   }
   for (Cable& c : cables_) {
     const auto it = stretch.find(c.at.global);
@@ -407,6 +467,11 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                 at_nodes([](const BeamStress& s, const BeamEnds&,
                             int end) { return (end ? s.curvature2 : s.curvature1).tail<2>().norm(); },
                          nothing)});
+  if (yields_)
+    registry.add({"residual_curvature", "1/m", 1,
+                  at_nodes([](const BeamStress& s, const BeamEnds&,
+                              int end) { return end ? s.residual2 : s.residual1; },
+                           nothing)});
 }
 
 }  // namespace hawser

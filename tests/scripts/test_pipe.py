@@ -188,6 +188,40 @@ class Lay(unittest.TestCase):
         self.assertIn("Strength of pipe", text)
         self.assertIn("local buckling, DNV-ST-F101", text)
 
+    def test_a_lay_table(self):
+        table = self.folder / "table.csv"
+        done = run(HAWSER, "lay", self.case, "--depths", "90", "--clearance", "0.2", "-o", table)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(table, encoding="utf-8") as file:
+            row = {key: float(value) for key, value in next(csv.DictReader(file)).items()}
+        self.assertTrue(table.with_suffix(".png").is_file())
+        # The smallest: the pipe clears the tip by what was asked, and hardly more.
+        self.assertGreaterEqual(row["tip clearance [m]"], 0.2)
+        self.assertLess(row["tip clearance [m]"], 0.23)
+        # The bed is flat: the tension falls by the weight under water of the height that the pipe comes down.
+        self.assertAlmostEqual(row["tension [N]"] - row["tension at touchdown [N]"], 359.09 * (90 - 0.125 + 10.325),
+                               delta=0.05 * 359 * 100)
+        # The same lay, with that tension as a target of the case's own.
+        anchor = -549.9 - (row["layback [m]"] - 329.7)
+        again = self.folder / "again.h5"
+        made = run(HAWSER, "run", self.case, "-q", "-o", again, "--set", "dynamics=null", "--set", "environment.seabed.depth=90",
+                   "--set", f"lines.pipe.end_b.anchor=[{anchor}, 0, -89.875]", "--set",
+                   f"lines.pipe.target={{tension: {row['tension [N]']:.9g}, at: end_a, section: 2, between: [50, 800]}}")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        results = Results(again)
+        self.assertAlmostEqual(float(results.series("stinger 11").column("height")[0]), row["tip clearance [m]"], delta=0.01)
+
+    def test_lays_that_cannot_be(self):
+        for words, part in ((["--depths", "50;60"], "--depths '50;60' are no numbers with commas between them"),
+                            (["--depths", "-5"], "depths are above 0, in m"),
+                            (["--depths", "90", "--utilisation", "2"], "--utilisation 2 is not above 0 and up to 1")):
+            done = run(HAWSER, "lay", self.case, f"{words[0]}={words[1]}", *words[2:])
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(part, done.stderr)
+        moored = run(HAWSER, "lay", ROOT / "cases/mooring-line/mooring-line.yaml", "--depths=50")
+        self.assertEqual(moored.returncode, 2, moored.stderr)
+        self.assertIn("no line has a type with 'pipe'", moored.stderr)
+
     def test_refusals(self):
         plain = results_file(self.folder / "plain.h5")
         for words, part in ((["--grade", "X6"], "--grade cannot be 'X6'; did you mean 'X65'?"),

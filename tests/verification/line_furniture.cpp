@@ -124,5 +124,26 @@ TEST(LineFurniture, MomentByATable) {
   }
 }
 
+// Plastic bending: the same arc by its curve. It is soft where it has yielded: the load is at most on the
+// last row.
+TEST(LineFurniture, MomentByAPlasticCurve) {
+  const auto law = std::make_shared<const PlasticBending>(
+      std::vector<PlasticBending::Row>{{0.1, 4e3}, {0.2, 6e3}, {0.5, 7e3}});
+  for (const double M : {1e3, 5e3, 6.5e3}) {
+    double low = 0, high = 0.5;
+    while (high - low > 1e-14)
+      (law->at(0.5 * (low + high), 0, nullptr).m[0] < M ? low : high) = 0.5 * (low + high);
+    model::LineType t = beam_type(1e8, law->initial(), 1e4);
+    t.plastic_bending = law;
+    model::Case c = cantilever(t, 4, 16, clamp({0, 0, 0}, {1, 0, 0}));
+    load(c, Vec3::Zero(), M * Vec3(0, -0.6, 0.8));
+    Simulation sim(PETSC_COMM_SELF, c);
+    sim.solve_statics();
+    const double turned = log_so3(sim.state().q.front().conjugate() * sim.state().q.back()).norm();
+    printf("  moment %.0f N m: turned by %.6f rad, curvature times length %.6f\n", M, turned, 4 * low);
+    EXPECT_NEAR(turned, 4 * low, 2e-5 * 4 * low) << M;
+  }
+}
+
 }  // namespace
 }  // namespace hawser::test::line_furniture_test

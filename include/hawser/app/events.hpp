@@ -22,10 +22,10 @@ class Events {
   std::vector<std::string> begin();
 
   // After an accepted step, or when a run goes on: what happens there, likewise. Collective.
-  std::vector<std::string> happen();
+  std::vector<std::string> apply_due();
 
   // Of the end of a run: what has not happened, a sentence each.
-  std::vector<std::string> missed() const;
+  std::vector<std::string> not_happened() const;
 
   void save(io::Checkpoint& to) const;
   // What had happened by then, a sentence each; before the state is restored. InputError when what happened
@@ -44,7 +44,8 @@ class Events {
   bool beyond(const Kinematics& trial);
   void refuse_reached(const std::vector<double>& pull) const;
   std::vector<std::string> release(const Kinematics& at, const std::vector<double>& pull);
-  std::vector<Support> left() const;  // of the supports there are, those of no event that has happened
+  std::vector<Support> remaining_supports()
+      const;  // of the supports there are, those of no event that has happened
 
   MPI_Comm comm_;
   Simulation& sim_;

@@ -15,7 +15,8 @@ inline constexpr PostCommand kPostCommands[] = {
     {"export", "Write the tables, histories and range graphs of a run as CSV files."},
     {"extremes", "Tell the extremes of a history in a duration, by distributions fitted to its maxima."},
     {"fatigue", "Tell the damage along a line, by rainflow cycles and a published curve."},
-    {"pipe", "Tell strain, stress and the code checks of a pipe on its supports and in its sagbend."}};
+    {"pipe", "Tell strain, stress and the code checks of a pipe on its supports and in its sagbend."},
+    {"lay", "Tell the smallest tension with which a pipe is laid in each of a list of depths."}};
 
 bool is_post_command(std::string_view word);
 

@@ -1,4 +1,5 @@
-// The two ways a run can end badly, each with the exit code a script can test.
+// Exit codes of the program, which scripts can test, and the exceptions behind two of them. Results that
+// cannot be written: io/write_error.hpp. Energy that does not add up: app/audit.hpp.
 #pragma once
 
 #include <stdexcept>
@@ -16,7 +17,10 @@ struct SolveError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+inline constexpr int kExitWrite = 1;  // or an error of the program
 inline constexpr int kExitInput = 2;
 inline constexpr int kExitSolve = 3;
+inline constexpr int kExitEnergy = 4;     // the run has ended, but its energy does not add up
+inline constexpr int kExitStopped = 130;  // by a signal
 
 }  // namespace hawser

@@ -4,8 +4,9 @@
 // positive outside and negative inside, its gradient is the outward unit normal, and the shape behind
 // it is closed (or a half-space). query() is const and pure: any number of threads may call it.
 //
-// Kinds: PlaneSurface, CylinderSurface here; MeshSurface in mesh_surface.hpp. Box, sphere, capsule,
-// torus and extruded roller have their place here too.
+// Kinds: PlaneSurface and CylinderSurface here; other exact shapes in primitives.hpp; meshes in
+// mesh_surface.hpp, with an inside test of their own in tested_surface.hpp; beds in height_grid.hpp and
+// ground.hpp.
 #pragma once
 
 #include <optional>

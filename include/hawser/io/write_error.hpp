@@ -11,8 +11,6 @@ struct WriteError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-inline constexpr int kExitWrite = 1;
-
 // That sentence for `path`, when the system or a library says `why`. They don't always hand on that the disk
 // is full; it is asked.
 std::string cannot_write(const std::string& path, const std::string& why);

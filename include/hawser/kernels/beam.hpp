@@ -12,6 +12,7 @@
 // with P = 12 EI/(GA L^2) for shear. The derivation is in docs/theory/beam.md.
 #pragma once
 
+#include "hawser/kernels/plastic_bending.hpp"
 #include "hawser/kernels/stiffness_table.hpp"
 #include "hawser/math/types.hpp"
 
@@ -30,7 +31,14 @@ struct BeamSection {
   // Bending moment over curvature, in the direction of the curvature, and on top of it what EI2 = EI3 is
   // above its slope at zero, linear; null: linear. GA is not heeded then, and damping stays that of EI.
   const StiffnessTable* moment = nullptr;
+  // Bending that yields and remembers, instead; null: elastic. The same of EI2, EI3, GA and damping.
+  const PlasticBending* plastic = nullptr;
+
+  bool bends_by_law() const { return moment || plastic; }
 };
+
+// Places along an element at which it remembers how it was bent.
+inline constexpr int kBendingPlaces = 3;
 
 struct BeamReference {
   // Element axes in the material axes of its nodes (columns; first along the line) and the stress-free
@@ -39,6 +47,8 @@ struct BeamReference {
   bool aligned = true;      // axes is the identity
   Vec3 psi = Vec3::Zero();  // rad, in element axes
   double strain = 0;
+  // Of plastic bending: PlasticBending::memory() numbers for each of kBendingPlaces; null: never bent.
+  const double* set = nullptr;
 };
 
 struct BeamEnds {
@@ -56,6 +66,8 @@ struct BeamStress {
   double dissipation = 0;       // W
   Vec3 moment1, moment2;        // N m, (torsion, about 2, about 3)
   Vec3 curvature1, curvature2;  // 1/m, (twist, about 2, about 3), from the stress-free shape
+  // 1/m, that stays where a section is unloaded elastically; of plastic bending, nearest to the ends.
+  double residual1 = 0, residual2 = 0;
 };
 
 // Internal force f[12] = (x1, theta1, x2, theta2): forces in space axes, moments in material axes.
@@ -68,6 +80,10 @@ void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& 
                   double* K, double* C);
 
 BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamEnds& e);
+
+// Of plastic bending: makes `set`, laid out as BeamReference::set, what the element remembers when it has
+// come to where `e` has it. What was dissipated on the way, J.
+double beam_bend(const BeamSection& s, const BeamReference& r, const BeamEnds& e, double* set);
 
 // The stress-free reference of an element whose ends are placed as in `e`, with its axes given in node 1's
 // material axes; for lines that are curved when free of stress.

@@ -1,4 +1,5 @@
-// Cable element: a straight bar that carries tension only.
+// Cable element: a straight bar that carries tension only. Two forces: cable_pull at a state (statics,
+// output), cable_mean over a time step, which keeps the energy.
 #pragma once
 
 #include "hawser/kernels/stiffness_table.hpp"

@@ -4,7 +4,7 @@
 // Along the element position, velocity and virtual displacement are those of its distributed loads: linear
 // for a cable (two Gauss points), Hermite's cubic for a beam (three). The direction that splits normal from
 // axial is the chord's. What the water does is given at the nodes and linear between. All per unstretched
-// length. At a point: src/kernels/water_points.hpp. Cables that are wholly wet are computed by
+// length. At a point: src/kernels/morison_points.hpp. Cables that are wholly wet are computed by
 // submerged_cables.hpp, by the same formulas; a change of one is one of both (tests/unit/submerged_cables.cpp
 // compares them).
 #pragma once

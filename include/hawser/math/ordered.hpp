@@ -1,3 +1,4 @@
+// Two values in their order.
 #pragma once
 
 #include <utility>

@@ -14,6 +14,7 @@
 #include "hawser/geometry/primitive_shape.hpp"
 #include "hawser/kernels/force_table.hpp"
 #include "hawser/kernels/motion.hpp"
+#include "hawser/kernels/plastic_bending.hpp"
 #include "hawser/kernels/stiffness_table.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/model/bend_stiffener.hpp"
@@ -35,6 +36,7 @@ struct LineType {
   double EA = 0;                   // N; of a table its slope at no strain
   double EI2 = 0, EI3 = 0;         // N m², about the section's axes 2 and 3; of a table: at no curvature
   std::shared_ptr<const StiffnessTable> tension_table, moment_table;  // over strain, curvature; null: linear
+  std::shared_ptr<const PlasticBending> plastic_bending;              // null: elastic
   double GJ = 0;                                                      // N m²
   double GA = 0;                       // N, shear stiffness; 0: rigid in shear (Euler-Bernoulli)
   Vec3 rotary_inertia = Vec3::Zero();  // kg m (per length), about axes 1 (along), 2, 3

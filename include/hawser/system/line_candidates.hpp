@@ -6,10 +6,10 @@
 // time, whatever the elements' shape. See docs/theory/line-candidates.md.
 //
 // How a term uses it:
-//   bool recouple(k, h) { return candidates.update(k, h); }       // collective; the pairs are not the old
-//   ones void couple(Couplings& c) const { candidates.couple(c); }      // then ghosts and matrix are made
-//   void reghost() { candidates.locate(); }                        // now segments() know their local nodes
-//   bool covers(k) const { return candidates.covers(k); }          // no pair was missed by the accepted step
+//   recouple(k, h):   candidates.update(k, h), collective; true: the pairs have changed
+//   couple(c):        candidates.couple(c); then ghosts and matrix are made
+//   update_ghosts():  candidates.locate(): now segments() know their local nodes
+//   judge(k):         candidates.covers(k): no pair was missed by the step
 // History is to be kept by ContactSegment::global: indices of segments change with the list.
 #pragma once
 

@@ -1,5 +1,6 @@
 // What a force term may be beside a force. A term that takes a role on inherits it as well; System keeps a
-// list of those who have it, and the order in which terms were added means nothing.
+// list of those who have it. The order in which terms were added means nothing but to fields, which may build
+// on those of a term before (FieldSource::onto).
 #pragma once
 
 #include <span>

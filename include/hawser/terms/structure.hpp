@@ -57,11 +57,13 @@ class StructureTerm final : public ForceTerm,
 
  private:
   double beam_dissipation(const Kinematics& at) const;
+  double bend(const Kinematics& at);
 
   const LocalMesh& mesh_;
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
-  bool damped_ = false;
+  bool damped_ = false, yields_ = false;  // any type of the model bends plastically
+  std::vector<double> set_;      // of all beams, see BeamReference::set; nothing but zeros in statics
   std::vector<double> true_EA_;  // N, of beams, then cables, while they are softened
   double power_ = -1;            // W, dissipated by beams at the committed state; < 0: not known yet
   double damping_ = 0;           // J, dissipated so far

@@ -1,5 +1,6 @@
-// Forces of water at the Gauss points of an element, in generalised coordinates: (x1, x2) of a cable,
-// (x1, L t1, x2, L t2) of a beam. Internal to the kernel.
+// Buoyancy, Morison drag and added mass at the Gauss points of an element with all derivatives, in
+// generalised coordinates: (x1, x2) of a cable, (x1, L t1, x2, L t2) of a beam. The formula is evaluate().
+// Internal to the kernel.
 #pragma once
 
 #include <cmath>
@@ -8,7 +9,7 @@
 #include "hawser/kernels/wetting.hpp"
 #include "hawser/math/wide3.hpp"
 
-namespace hawser::water_points {
+namespace hawser::morison_points {
 
 using namespace wide;
 
@@ -215,4 +216,4 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
   }
 }
 
-}  // namespace hawser::water_points
+}  // namespace hawser::morison_points

@@ -1,4 +1,4 @@
-// A preconditioner of our own, as PETSc takes one.
+// Wraps an object of ours as a PETSc preconditioner of type PCSHELL.
 #pragma once
 
 #include <petscksp.h>
