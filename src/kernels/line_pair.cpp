@@ -42,19 +42,6 @@ LinePairForces::LinePairForces(int slave_count, int master_count) : slave(slave_
   for (auto& row : C) row.fill(Mat3::Zero());
 }
 
-// The gap along the slave less the smoothing.
-class LinePairSide::Gap final : public AxisGapFunction {
- public:
-  explicit Gap(const LinePairSide& side) : side_(side) {}
-  AxisGap at(double xi, double) override {
-    const AxisProjection f = projection(side_.master_.now, side_.part_, side_.slave_.now.point(xi));
-    return {f.distance - side_.touch(), f.normal.dot(side_.slave_.now.slope(xi))};
-  }
-
- private:
-  const LinePairSide& side_;
-};
-
 LinePairSide::LinePairSide(const PairAxis& slave, const PairAxis& master, ProjectOn part,
                            const Settings& settings, const std::vector<LinePairHistory>& history)
     : slave_(slave), master_(master), part_(part), set_(settings), history_(history) {
@@ -96,7 +83,11 @@ std::vector<double> LinePairSide::kinks(int levels) const {
 }
 
 std::vector<LinePairSide::Panel> LinePairSide::panels() const {
-  Gap gap(*this);
+  // Along the slave, less the smoothing.
+  const auto gap = [this](double xi, double) -> AxisGap {
+    const AxisProjection f = projection(master_.now, part_, slave_.now.point(xi));
+    return {f.distance - touch(), f.normal.dot(slave_.now.slope(xi))};
+  };
   const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
   std::vector<Panel> out;
   for (const ContactStretch& s :

@@ -19,25 +19,6 @@ constexpr double kMostSmoothing = 0.01;  // m
 constexpr double kRoom = 0.05;           // of that size, m/m; less where it would get through something thin
 constexpr int kEdgeLevels = 5;           // an edge is looked at in pieces of 1/32
 
-// The gap along an edge of A to the surface of B.
-class EdgeGap final : public AxisGapFunction {
- public:
-  EdgeGap(const BodyFrame& A, const BodyFrame& B, const SkeletonEdge& e, const Surface& surface, double touch)
-      : A_(A), B_(B), e_(e), surface_(surface), touch_(touch) {}
-  AxisGap at(double xi, double within) override {
-    const Vec3 y = e_.from + xi * (e_.to - e_.from);
-    const auto s = surface_.query(B_.to_body(A_.to_space(y)), touch_ + within);
-    if (!s) return {within, 0};
-    return {s->distance - touch_, (B_.R * s->normal).dot(A_.R * (e_.to - e_.from))};
-  }
-
- private:
-  const BodyFrame &A_, &B_;
-  const SkeletonEdge& e_;
-  const Surface& surface_;
-  double touch_;
-};
-
 // Places and weights of the Gauss points of a panel follow its ends, and these the bodies, where they are
 // roots of the gap: what that adds to the tangent. length [m]: of the edge, times the share of the force.
 void add_moving_ends(const BodyFrame& A, const SkeletonEdge& e, const BodyFrame& B, const BodyFrame& Bs,
@@ -211,7 +192,12 @@ BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Both& at, bo
         SkeletonEdge e = skeleton.edges[static_cast<size_t>(i)];
         e.from -= ca, e.to -= ca;
         const double length = (e.to - e.from).norm();
-        EdgeGap gap(A, Bs, e, surface, e.radius + d);
+        const auto gap = [&, touch = e.radius + d](double xi, double within) -> AxisGap {
+          const Vec3 y = e.from + xi * (e.to - e.from);
+          const auto s = surface.query(Bs.to_body(A.to_space(y)), touch + within);
+          if (!s) return {within, 0};
+          return {s->distance - touch, (Bs.R * s->normal).dot(A.R * (e.to - e.from))};
+        };
         const auto panels = cut_stretches(contact_stretches(gap, {length}, kEdgeLevels), kEdgeLevels);
         for (const ContactStretch& s : panels) {
           for (size_t k = 0; k < ContactRule::kPoints; ++k) {

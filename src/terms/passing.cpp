@@ -87,12 +87,12 @@ bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const Group& g) con
 // last row of a table of forces.
 bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (!volumes_.has_back(pair.volume)) return false;
-  AxisDistance axis(volumes_.surface(pair.volume), pose, shape,
-                    pair.radius - volumes_.deepest(pair.volume, pair.radius));
+  const AxisGapFunction gap = axis_distance(volumes_.surface(pair.volume), pose, shape,
+                                            pair.radius - volumes_.deepest(pair.volume, pair.radius));
   if (finder_.at_nodes())
     return std::any_of(kEnds.begin(), kEnds.end(),
-                       [&](double xi) { return finder_.takes_part(pair, xi) && axis.at(xi, 0).gap < 0; });
-  const auto stretches = contact_stretches(axis, {shape.reach(), 0, shape.bend_bound()}, pair.levels);
+                       [&](double xi) { return finder_.takes_part(pair, xi) && gap(xi, 0).gap < 0; });
+  const auto stretches = contact_stretches(gap, {shape.reach(), 0, shape.bend_bound()}, pair.levels);
   return std::any_of(stretches.begin(), stretches.end(),
                      [&](const ContactStretch& s) { return s.from < pair.part.to && pair.part.from < s.to; });
 }

@@ -100,7 +100,6 @@ class LinePairSide {
  private:
   struct Start;
   struct Point;
-  class Gap;
   Point point(double xi) const;
   Start start(const Point& p, bool derivatives) const;
   void close(const Point& p, bool derivatives, Start& s) const;
