@@ -20,11 +20,7 @@ constexpr double kWatched = 4000;  // places
 
 using Triangle = std::array<Vec3, 3>;
 
-Triangle corners(const MeshView& m, size_t t) {
-  const auto& i = m.triangles[t];
-  const auto v = [&](size_t k) { return m.vertices[static_cast<size_t>(i[k])]; };
-  return {v(0), v(1), v(2)};
-}
+Triangle corners(const MeshView& m, size_t t) { return {m.corner(t, 0), m.corner(t, 1), m.corner(t, 2)}; }
 
 // Edges of the active part, and their ends.
 void sharp(const MeshView& m, const std::vector<bool>& active, std::vector<SkeletonEdge>& edges,
