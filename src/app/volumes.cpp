@@ -23,23 +23,6 @@
 namespace hawser::app {
 namespace {
 
-std::optional<SignBy> sign_by(model::SignTest sign) {
-  switch (sign) {
-    case model::SignTest::winding:
-      return SignBy::winding;
-    case model::SignTest::tetrahedra:
-      return SignBy::tetrahedra;
-    case model::SignTest::ray:
-      return SignBy::ray;
-    case model::SignTest::solid_angle:
-      return SignBy::solid_angle;
-    case model::SignTest::automatic:
-    case model::SignTest::pseudonormal:
-      break;
-  }
-  return std::nullopt;
-}
-
 // A surface and a view of its triangles.
 void set_surface(LoadedVolume& l, const model::Volume& v, std::shared_ptr<const MeshSurface> surface) {
   struct Kept {
@@ -50,7 +33,8 @@ void set_surface(LoadedVolume& l, const model::Volume& v, std::shared_ptr<const 
   l.facets = {kept, &kept->view};
   l.surface = surface;
   const bool partial = std::find(l.active.begin(), l.active.end(), false) != l.active.end();
-  if (const auto by = sign_by(v.sign)) l.surface = std::make_shared<TestedSurface>(surface, *by, partial);
+  if (v.sign != SignTest::automatic && v.sign != SignTest::pseudonormal)
+    l.surface = std::make_shared<TestedSurface>(surface, v.sign, partial);
 }
 
 bool same_file(const model::Volume& a, const model::Volume& b) {
@@ -89,7 +73,7 @@ class Meshes {
       l.report += fmt::format(" {} facets are curved, by up to {:.3g} m; {} edges are sharp.",
                               surface->curved(), surface->bulge(), surface->sharp_edges());
     }
-    if (const auto by = sign_by(v.sign); by && *by != SignBy::winding)
+    if (v.sign == SignTest::tetrahedra || v.sign == SignTest::ray || v.sign == SignTest::solid_angle)
       l.notes.push_back(
           fmt::format("the inside test visits all {} triangles at every query; `sign: automatic` is faster",
                       surface->mesh().triangles.size()));

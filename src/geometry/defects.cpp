@@ -1,18 +1,16 @@
+// The search for holes of a mesh, overlapping pieces and facets within it: where its nearest facet alone does
+// not tell inside from outside.
 #include "defects.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "edge_uses.hpp"
 #include "hawser/geometry/closest_point.hpp"
-#include "hawser/math/ordered.hpp"
 
 namespace hawser::detail {
 namespace {
-
-const Vec3& corner(const TriangleMesh& mesh, std::size_t t, std::size_t i) {
-  return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][i])];
-}
 
 struct Edge {
   int from, to;
@@ -20,32 +18,21 @@ struct Edge {
 };
 
 // Edges that do not run equally often each way, as often and the way they are in excess.
-std::vector<Edge> boundary(const TriangleMesh& mesh) {
-  struct Use {
-    int a, b, way;
-  };
-  std::vector<Use> uses;
-  uses.reserve(3 * mesh.triangles.size());
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [lo, hi] = ordered(t[i], t[(i + 1) % 3]);
-      uses.push_back({lo, hi, t[i] == lo ? 1 : -1});
-    }
-  std::sort(uses.begin(), uses.end(),
-            [](const Use& x, const Use& y) { return x.a != y.a ? x.a < y.a : x.b < y.b; });
+std::vector<Edge> boundary(const MeshView& mesh) {
+  const std::vector<EdgeUse> uses = edge_uses(mesh);
   std::vector<Edge> out;
   for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
     int sum = 0;
-    for (j = i; j < uses.size() && uses[j].a == uses[i].a && uses[j].b == uses[i].b; ++j) sum += uses[j].way;
+    for (j = i; j < uses.size() && uses[j].same_edge(uses[i]); ++j) sum += uses[j].forward ? 1 : -1;
     for (int k = 0; k < std::abs(sum); ++k)
-      out.push_back(sum > 0 ? Edge{uses[i].a, uses[i].b} : Edge{uses[i].b, uses[i].a});
+      out.push_back(sum > 0 ? Edge{uses[i].low, uses[i].high} : Edge{uses[i].high, uses[i].low});
   }
   return out;
 }
 
 // As many edges leave each vertex as come to it. A walk that turns back as sharply as it can goes there and
 // back along cracks; where it comes to a vertex it has been to, a closed way is done.
-std::vector<std::vector<int>> closed_ways(const TriangleMesh& mesh, std::vector<Edge>& edges) {
+std::vector<std::vector<int>> closed_ways(const MeshView& mesh, std::vector<Edge>& edges) {
   const auto x = [&](int v) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(v)]; };
   std::vector<std::vector<std::size_t>> leaving(mesh.vertices.size());
   for (std::size_t e = 0; e < edges.size(); ++e)
@@ -85,7 +72,7 @@ std::vector<std::vector<int>> closed_ways(const TriangleMesh& mesh, std::vector<
   return ways;
 }
 
-Defects::Hole around(const TriangleMesh& mesh, const std::vector<int>& way) {
+Defects::Hole around(const MeshView& mesh, const std::vector<int>& way) {
   const auto x = [&](int v) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(v)]; };
   // Along the two corners farthest from each other, about.
   const auto farthest = [&](const Vec3& from) {
@@ -107,7 +94,7 @@ double Defects::Hole::distance(const Vec3& y) const {
   return std::max(0.0, std::sqrt(closest_point_on_segment(y, from, to).squared_distance) - radius);
 }
 
-Defects find_defects(const TriangleMesh& mesh, const Topology& topo, const WindingTree& tree) {
+Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTree& tree) {
   Defects out;
   std::vector<Edge> edges = boundary(mesh);
   out.boundary_edges = static_cast<int>(edges.size());
@@ -125,17 +112,17 @@ Defects find_defects(const TriangleMesh& mesh, const Topology& topo, const Windi
   std::vector<Box> piece(static_cast<std::size_t>(topo.components));
   for (std::size_t t = 0; t < n; ++t)
     for (std::size_t i = 0; i < 3; ++i)
-      piece[static_cast<std::size_t>(topo.component[t])].add(corner(mesh, t, i));
+      piece[static_cast<std::size_t>(topo.component[t])].add(mesh.corner(t, i));
   const bool few = piece.size() <= 1000;
   for (std::size_t t = 0; t < n; ++t) {
     Box own;
-    for (std::size_t i = 0; i < 3; ++i) own.add(corner(mesh, t, i));
+    for (std::size_t i = 0; i < 3; ++i) own.add(mesh.corner(t, i));
     for (std::size_t p = 0; p < piece.size() && few && !out.unsure[t]; ++p)
       out.unsure[t] = p != static_cast<std::size_t>(topo.component[t]) && piece[p].overlaps(own);
     if (!few) out.unsure[t] = true;
-    const Vec3 c = (corner(mesh, t, 0) + corner(mesh, t, 1) + corner(mesh, t, 2)) / 3;
+    const Vec3 c = mesh.centroid(t);
     double reach = 0;
-    for (std::size_t i = 0; i < 3; ++i) reach = std::max(reach, (corner(mesh, t, i) - c).norm());
+    for (std::size_t i = 0; i < 3; ++i) reach = std::max(reach, (mesh.corner(t, i) - c).norm());
     for (const Defects::Hole& h : out.holes)
       if (h.distance(c) <= 2 * std::min(2 * h.radius, 0.5 * (h.to - h.from).norm()) + reach) {
         out.unsure[t] = true;
@@ -148,7 +135,7 @@ Defects find_defects(const TriangleMesh& mesh, const Topology& topo, const Windi
     bool internal = middle > 1.05;
     for (std::size_t i = 0; i < 6 && internal; ++i) {
       const Vec3 at =
-          i < 3 ? corner(mesh, t, i) : Vec3(0.5 * (corner(mesh, t, i - 3) + corner(mesh, t, (i - 2) % 3)));
+          i < 3 ? mesh.corner(t, i) : Vec3(0.5 * (mesh.corner(t, i - 3) + mesh.corner(t, (i - 2) % 3)));
       internal = tree.winding_number(mesh, c + 0.98 * (at - c), 3, static_cast<int>(t)) > 1.05;
     }
     if (internal) {

@@ -32,6 +32,6 @@ struct Defects {
 // radius of any ball that holds it, and, where the way goes there and back along a crack, twice its width. So
 // the line from a point to its nearest facet passes through a hole only if the facet is that near to the
 // hull: else the hole's edge would be nearer. Facets within twice this are unsure.
-Defects find_defects(const TriangleMesh& mesh, const Topology& topo, const WindingTree& tree);
+Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTree& tree);
 
 }  // namespace hawser::detail

@@ -1,3 +1,5 @@
+// Which of the triangles that a mesh lists more than once belong to its surface, by what their patches
+// enclose, and which pieces are flat.
 #include "hawser/geometry/mesh_duplicates.hpp"
 
 #include <algorithm>
@@ -221,21 +223,20 @@ DuplicateResult drop_duplicates(TriangleMesh& mesh) {
 int drop_flat_pieces(TriangleMesh& mesh, double thickness) {
   const Topology topo = topology(mesh);
   const auto n = static_cast<std::size_t>(topo.components);
-  const auto corner = [&](std::size_t t, std::size_t i) -> const Vec3& {
-    return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][i])];
-  };
+  const MeshView view(mesh);
   const auto piece = [&](std::size_t t) { return static_cast<std::size_t>(topo.component[t]); };
   std::vector<bool> drop(n, true);
   std::vector<Vec3> normal(n, Vec3::Zero()), at(n);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Vec3 a = (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
-    if (a.squaredNorm() > normal[piece(t)].squaredNorm()) normal[piece(t)] = a, at[piece(t)] = corner(t, 0);
+    const Vec3 a = view.area_vector(t);
+    if (a.squaredNorm() > normal[piece(t)].squaredNorm())
+      normal[piece(t)] = a, at[piece(t)] = view.corner(t, 0);
     for (const int other : topo.neighbours[t])
       if (other == kOpenEdge) drop[piece(t)] = false;
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i)
-      if (std::abs(normal[piece(t)].normalized().dot(corner(t, i) - at[piece(t)])) > thickness)
+      if (std::abs(normal[piece(t)].normalized().dot(view.corner(t, i) - at[piece(t)])) > thickness)
         drop[piece(t)] = false;
   const int pieces = static_cast<int>(std::count(drop.begin(), drop.end(), true));
   if (pieces == 0) return 0;

@@ -1,46 +1,17 @@
+// The turning of the patches of a faulty mesh: triangles of a patch agree, and its front sees the outside.
 #include "hawser/geometry/mesh_repair.hpp"
 
 #include <numeric>
 #include <utility>
 
 #include "hawser/geometry/winding_tree.hpp"
+#include "nesting.hpp"
 #include "patch_sight.hpp"
 
 namespace hawser {
 namespace {
 
 void flip(std::array<int, 3>& t) { std::swap(t[1], t[2]); }
-
-bool same_way(const std::array<int, 3>& other, int a, int b) {
-  for (std::size_t i = 0; i < 3; ++i)
-    if (other[i] == a && other[(i + 1) % 3] == b) return true;
-  return false;
-}
-
-// The patch that holds `first`, its members' wish to be turned so that they agree with it in `turn`.
-bool grow(const TriangleMesh& mesh, const Topology& topo, int first, std::vector<signed char>& turn,
-          std::vector<int>& patch) {
-  bool two_sided = true;
-  turn[static_cast<std::size_t>(first)] = 0;
-  patch.assign(1, first);
-  for (std::size_t k = 0; k < patch.size(); ++k) {
-    const auto t = static_cast<std::size_t>(patch[k]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int other = topo.neighbours[t][i];
-      if (other < 0) continue;
-      const auto u = static_cast<std::size_t>(other);
-      const bool agree = !same_way(mesh.triangles[u], mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
-      const auto wanted = static_cast<signed char>(agree ? turn[t] : 1 - turn[t]);
-      if (turn[u] < 0) {
-        turn[u] = wanted;
-        patch.push_back(other);
-      } else if (turn[u] != wanted) {
-        two_sided = false;
-      }
-    }
-  }
-  return two_sided;
-}
 
 }  // namespace
 
@@ -53,7 +24,7 @@ RepairResult repair(TriangleMesh& mesh) {
   std::vector<int> patch;
   for (int first = 0; first < static_cast<int>(turn.size()); ++first) {
     if (turn[static_cast<std::size_t>(first)] >= 0) continue;
-    const bool two_sided = grow(mesh, topo, first, turn, patch);
+    const bool two_sided = detail::grow_patch(mesh, topo, first, turn, patch);
     if (!two_sided) {
       ++out.one_sided;
       for (const int t : patch) turn[static_cast<std::size_t>(t)] = 0;

@@ -1,4 +1,5 @@
-// Which pieces of a mesh lie inside which: shared by the report and the repair of orientation.
+// Pieces of a mesh: which way the triangles of one face, and which lie inside which. Shared by the report and
+// the repairs of orientation.
 #pragma once
 
 #include <vector>
@@ -7,10 +8,15 @@
 
 namespace hawser::detail {
 
+// The triangles joined to `first` across edges of two, and in `turn` (-1: not seen yet) 1 for those that are
+// to be turned over so that all agree with it. False: the surface has one side only.
+bool grow_patch(const MeshView& mesh, const Topology& topo, int first, std::vector<signed char>& turn,
+                std::vector<int>& patch);
+
 // Signed volume [m³] of each component.
-std::vector<double> component_volumes(const TriangleMesh& mesh, const Topology& topo);
+std::vector<double> component_volumes(const MeshView& mesh, const Topology& topo);
 
 // In how many other components each one lies (whatever their orientation).
-std::vector<int> nesting_depth(const TriangleMesh& mesh, const Topology& topo);
+std::vector<int> nesting_depth(const MeshView& mesh, const Topology& topo);
 
 }  // namespace hawser::detail

@@ -1,5 +1,6 @@
+// Which triangles of a mesh face which way: patches that agree, the nesting of pieces, and the turning of a
+// closed mesh outward.
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "hawser/geometry/point_in_polyhedron.hpp"
@@ -9,10 +10,6 @@
 namespace hawser {
 namespace {
 
-const Vec3& corner(const TriangleMesh& mesh, std::size_t t, std::size_t i) {
-  return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][i])];
-}
-
 // Whether edge (a, b) of `other` runs from a to b as well.
 bool same_way(const std::array<int, 3>& other, int a, int b) {
   for (std::size_t i = 0; i < 3; ++i)
@@ -20,39 +17,35 @@ bool same_way(const std::array<int, 3>& other, int a, int b) {
   return false;
 }
 
-// Which triangles to turn so that neighbours agree with the first of their piece; false: one-sided.
-bool find_turns(const TriangleMesh& mesh, const Topology& topo, std::vector<int>& turn) {
-  std::vector<int> seen(mesh.triangles.size(), 0);
-  std::vector<std::size_t> todo;
-  for (std::size_t first = 0; first < seen.size(); ++first) {
-    if (seen[first]) continue;
-    seen[first] = 1;
-    todo.assign(1, first);
-    while (!todo.empty()) {
-      const std::size_t t = todo.back();
-      todo.pop_back();
-      for (std::size_t i = 0; i < 3; ++i) {
-        const auto u = static_cast<std::size_t>(topo.neighbours[t][i]);
-        const bool agree = !same_way(mesh.triangles[u], mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
-        const int wanted = agree ? turn[t] : 1 - turn[t];
-        if (seen[u]) {
-          if (turn[u] != wanted) return false;
-          continue;
-        }
-        seen[u] = 1;
-        turn[u] = wanted;
-        todo.push_back(u);
-      }
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 namespace detail {
 
-std::vector<double> component_volumes(const TriangleMesh& mesh, const Topology& topo) {
+bool grow_patch(const MeshView& mesh, const Topology& topo, int first, std::vector<signed char>& turn,
+                std::vector<int>& patch) {
+  bool two_sided = true;
+  turn[static_cast<std::size_t>(first)] = 0;
+  patch.assign(1, first);
+  for (std::size_t k = 0; k < patch.size(); ++k) {
+    const auto t = static_cast<std::size_t>(patch[k]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int other = topo.neighbours[t][i];
+      if (other < 0) continue;
+      const auto u = static_cast<std::size_t>(other);
+      const bool agree = !same_way(mesh.triangles[u], mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3]);
+      const auto wanted = static_cast<signed char>(agree ? turn[t] : 1 - turn[t]);
+      if (turn[u] < 0) {
+        turn[u] = wanted;
+        patch.push_back(other);
+      } else if (turn[u] != wanted) {
+        two_sided = false;
+      }
+    }
+  }
+  return two_sided;
+}
+
+std::vector<double> component_volumes(const MeshView& mesh, const Topology& topo) {
   std::vector<double> volume(static_cast<std::size_t>(topo.components), 0);
   // From a vertex of the piece itself, so that far-off pieces lose nothing.
   std::vector<int> origin(volume.size(), -1);
@@ -60,12 +53,12 @@ std::vector<double> component_volumes(const TriangleMesh& mesh, const Topology& 
     const auto c = static_cast<std::size_t>(topo.component[t]);
     if (origin[c] < 0) origin[c] = mesh.triangles[t][0];
     const Vec3& o = mesh.vertices[static_cast<std::size_t>(origin[c])];
-    volume[c] += (corner(mesh, t, 0) - o).dot((corner(mesh, t, 1) - o).cross(corner(mesh, t, 2) - o)) / 6;
+    volume[c] += (mesh.corner(t, 0) - o).dot((mesh.corner(t, 1) - o).cross(mesh.corner(t, 2) - o)) / 6;
   }
   return volume;
 }
 
-std::vector<int> nesting_depth(const TriangleMesh& mesh, const Topology& topo) {
+std::vector<int> nesting_depth(const MeshView& mesh, const Topology& topo) {
   const auto n = static_cast<std::size_t>(topo.components);
   std::vector<int> depth(n, 0);
   if (n < 2) return depth;
@@ -74,16 +67,16 @@ std::vector<int> nesting_depth(const TriangleMesh& mesh, const Topology& topo) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto c = static_cast<std::size_t>(topo.component[t]);
     members[c].push_back(t);
-    for (std::size_t i = 0; i < 3; ++i) box[c].add(corner(mesh, t, i));
+    for (std::size_t i = 0; i < 3; ++i) box[c].add(mesh.corner(t, i));
   }
   for (std::size_t c = 0; c < n; ++c) {
     const std::size_t t = members[c].front();
-    const Vec3 p = (corner(mesh, t, 0) + corner(mesh, t, 1) + corner(mesh, t, 2)) / 3;
+    const Vec3 p = mesh.centroid(t);
     for (std::size_t o = 0; o < n; ++o) {
       if (o == c || !box[o].contains(p)) continue;
       double angle = 0;
       for (const std::size_t u : members[o])
-        angle += solid_angle(p, corner(mesh, u, 0), corner(mesh, u, 1), corner(mesh, u, 2));
+        angle += solid_angle(p, mesh.corner(u, 0), mesh.corner(u, 1), mesh.corner(u, 2));
       if (std::abs(angle) > 2 * M_PI) ++depth[c];
     }
   }
@@ -101,8 +94,10 @@ OrientationResult orient(TriangleMesh& mesh) {
         "an edge.";
     return result;
   }
-  std::vector<int> turn(mesh.triangles.size(), 0);
-  if (!find_turns(mesh, topo, turn)) {
+  std::vector<signed char> turn(mesh.triangles.size(), -1);
+  std::vector<int> patch;
+  for (std::size_t first = 0; first < turn.size(); ++first) {
+    if (turn[first] >= 0 || detail::grow_patch(mesh, topo, static_cast<int>(first), turn, patch)) continue;
     result.sentence =
         "The triangles were left as they are: the surface has one side only, like a Möbius band.";
     return result;
@@ -119,7 +114,7 @@ OrientationResult orient(TriangleMesh& mesh) {
     const auto c = static_cast<std::size_t>(topo.component[t]);
     if (inside_out[c]) {
       flip(t);
-      turn[t] = 1 - turn[t];
+      turn[t] ^= 1;
     }
     ++size[c];
     turned[c] += turn[t];

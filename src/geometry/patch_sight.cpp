@@ -1,3 +1,4 @@
+// Rays from the triangles of a patch that tell its outside, and winding numbers that tell what it encloses.
 #include "patch_sight.hpp"
 
 #include <algorithm>
@@ -5,17 +6,6 @@
 
 namespace hawser::detail {
 namespace {
-
-const Vec3& corner(const TriangleMesh& mesh, int t, int i) {
-  return mesh.vertices[static_cast<std::size_t>(
-      mesh.triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(i % 3)])];
-}
-Vec3 area_vector(const TriangleMesh& mesh, int t) {
-  return 0.5 * (corner(mesh, t, 1) - corner(mesh, t, 0)).cross(corner(mesh, t, 2) - corner(mesh, t, 0));
-}
-Vec3 centroid(const TriangleMesh& mesh, int t) {
-  return (corner(mesh, t, 0) + corner(mesh, t, 1) + corner(mesh, t, 2)) / 3;
-}
 
 // Directions spread over the sphere (Fibonacci), so turned that none runs along an axis.
 Vec3 direction(int i, int n) {
@@ -28,16 +18,16 @@ constexpr int kRays = 9, kVoters = 15;
 // Rays both ways from the largest triangles of the patch: `tell` is told what each meets and whether it
 // leaves from the front.
 template <class F>
-void each_ray(const TriangleMesh& mesh, const WindingTree& tree, std::vector<int>& patch, F tell) {
+void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& patch, F tell) {
   const auto larger = [&](int a, int b) {
-    const double x = area_vector(mesh, a).squaredNorm(), y = area_vector(mesh, b).squaredNorm();
+    const double x = mesh.area_vector(a).squaredNorm(), y = mesh.area_vector(b).squaredNorm();
     return x != y ? x > y : a < b;
   };
   const auto voters = std::min<std::size_t>(kVoters, patch.size());
   std::partial_sort(patch.begin(), patch.begin() + static_cast<long>(voters), patch.end(), larger);
   for (std::size_t k = 0; k < voters; ++k) {
     const int t = patch[k];
-    const Vec3 n = area_vector(mesh, t), c = centroid(mesh, t);
+    const Vec3 n = mesh.area_vector(t), c = mesh.centroid(t);
     if (n.isZero(0)) continue;
     for (int i = 0; i < kRays; ++i) {
       const Vec3 u = direction(i, kRays);
@@ -50,14 +40,14 @@ void each_ray(const TriangleMesh& mesh, const WindingTree& tree, std::vector<int
 
 }  // namespace
 
-int front_sees_outside(const TriangleMesh& mesh, const WindingTree& tree, std::vector<int> patch) {
+int front_sees_outside(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch) {
   int sum = 0;
   each_ray(mesh, tree, patch,
            [&](int crossings, bool front) { sum += (crossings % 2 == 0) == front ? 1 : -1; });
   return sum;
 }
 
-double one_sided_sight(const TriangleMesh& mesh, const WindingTree& tree, std::vector<int> patch) {
+double one_sided_sight(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch) {
   int rays[2] = {0, 0}, free[2] = {0, 0};
   each_ray(mesh, tree, patch,
            [&](int crossings, bool front) { ++rays[front], free[front] += crossings == 0; });
@@ -65,14 +55,14 @@ double one_sided_sight(const TriangleMesh& mesh, const WindingTree& tree, std::v
   return std::abs(static_cast<double>(free[0]) / rays[0] - static_cast<double>(free[1]) / rays[1]);
 }
 
-double enclosing(const TriangleMesh& mesh, const WindingTree& tree, std::span<const int> triangles,
+double enclosing(const MeshView& mesh, const WindingTree& tree, std::span<const int> triangles,
                  double margin) {
   double area = 0, good = 0;
   const std::size_t step = triangles.size() / 20000 + 1;
   for (std::size_t k = 0; k < triangles.size(); k += step) {
     const int t = triangles[k];
-    const double a = area_vector(mesh, t).norm();
-    const double middle = tree.winding_number(mesh, centroid(mesh, t), 3, t);
+    const double a = mesh.area_vector(t).norm();
+    const double middle = tree.winding_number(mesh, mesh.centroid(t), 3, t);
     area += a;
     if (middle > margin && middle < 1 - margin) good += a;
   }

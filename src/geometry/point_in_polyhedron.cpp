@@ -1,8 +1,9 @@
+// Three classical tests of a point in a closed mesh, of which that by a ray decides by exact signs, and
+// whether a mesh is convex.
 #include "hawser/geometry/point_in_polyhedron.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hawser/geometry/closest_point.hpp"
 #include "hawser/geometry/wide.hpp"
@@ -10,24 +11,8 @@
 namespace hawser {
 namespace {
 
-const Vec3& corner(const MeshView& mesh, const std::array<int, 3>& t, std::size_t i) {
-  return mesh.vertices[static_cast<std::size_t>(t[i])];
-}
-
-// Bounding box first, then the surface itself: true when `where` is decided.
-bool easy(const MeshView& mesh, const Vec3& p, double tolerance, Location& where) {
-  Box box;
-  for (const Vec3& v : mesh.vertices) box.add(v);
-  where = Location::outside;
-  if (!box.grown(tolerance).contains(p)) return true;
-  const double limit = tolerance * tolerance;
-  for (const auto& t : mesh.triangles)
-    if (closest_point_on_triangle(p, corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2))
-            .squared_distance <= limit) {
-      where = Location::boundary;
-      return true;
-    }
-  return false;
+Vec3 facet_normal(const MeshView& mesh, std::size_t t) {
+  return triangle_normal(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
 }
 
 int sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
@@ -86,58 +71,34 @@ int below(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
 
 }  // namespace
 
-Location locate(const MeshView& mesh, const Vec3& p, InsideTest test, double tolerance) {
-  switch (test) {
-    case InsideTest::tetrahedra:
-      return locate_by_tetrahedra(mesh, p, tolerance);
-    case InsideTest::ray:
-      return locate_by_ray(mesh, p, tolerance);
-    case InsideTest::solid_angle:
-      return locate_by_solid_angle(mesh, p, tolerance);
-  }
-  return Location::outside;
-}
-
-Location locate_by_tetrahedra(const MeshView& mesh, const Vec3& p, double tolerance, double shift) {
+bool inside_by_tetrahedra(const MeshView& mesh, const Vec3& p) {
   // Six times the volume over twice the area is the height of p above the face.
-  double highest = -std::numeric_limits<double>::infinity();
-  for (const auto& t : mesh.triangles) {
-    const Vec3& a = corner(mesh, t, 0);
-    const Vec3 n = triangle_normal(a, corner(mesh, t, 1), corner(mesh, t, 2));
-    if (n.isZero(0)) continue;
-    highest = std::max(highest, n.dot(p - a) - shift);
-    if (highest > tolerance) return Location::outside;
-  }
-  return highest < -tolerance ? Location::inside : Location::boundary;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (facet_normal(mesh, t).dot(p - mesh.corner(t, 0)) > 0) return false;
+  return true;
 }
 
-Location locate_by_ray(const MeshView& mesh, const Vec3& p, double tolerance, int axis) {
-  Location where;
-  if (easy(mesh, p, tolerance, where)) return where;
+bool inside_by_ray(const MeshView& mesh, const Vec3& p, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const double o[2] = {p[u], p[v]};
   int crossings = 0;
-  for (const auto& t : mesh.triangles) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     double q[3][2];
     for (std::size_t i = 0; i < 3; ++i) {
-      q[i][0] = corner(mesh, t, i)[u];
-      q[i][1] = corner(mesh, t, i)[v];
+      q[i][0] = mesh.corner(t, i)[u];
+      q[i][1] = mesh.corner(t, i)[v];
     }
     // The sign of an edge must come out the same for both its triangles: exact up to reversal.
     const int s0 = side(o, q[0], q[1]), s1 = side(o, q[1], q[2]), s2 = side(o, q[2], q[0]);
     if (s0 == 0 || s0 != s1 || s1 != s2) continue;
     // Seen along the axis the face points forward (s = 1) or back; the crossing is ahead when p is on the
     // matching side of its plane.
-    if (below(p, corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2)) == s0) crossings += s0;
+    if (below(p, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) == s0) crossings += s0;
   }
-  return crossings > 0 ? Location::inside : Location::outside;
+  return crossings > 0;
 }
 
-Location locate_by_solid_angle(const MeshView& mesh, const Vec3& p, double tolerance) {
-  Location where;
-  if (easy(mesh, p, tolerance, where)) return where;
-  return winding_number(mesh, p) > 0.5 ? Location::inside : Location::outside;
-}
+bool inside_by_solid_angle(const MeshView& mesh, const Vec3& p) { return winding_number(mesh, p) > 0.5; }
 
 double solid_angle(const Vec3& p, const Vec3& v0, const Vec3& v1, const Vec3& v2) {
   const Vec3 a = v0 - p, b = v1 - p, c = v2 - p;
@@ -148,23 +109,22 @@ double solid_angle(const Vec3& p, const Vec3& v0, const Vec3& v1, const Vec3& v2
 
 double winding_number(const MeshView& mesh, const Vec3& p) {
   double sum = 0;
-  for (const auto& t : mesh.triangles)
-    sum += solid_angle(p, corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    sum += solid_angle(p, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
   return sum / (4 * M_PI);
 }
 
 bool is_convex(const TriangleMesh& mesh, double tolerance) {
+  const MeshView view(mesh);
   const Topology topo = topology(mesh);
   if (topo.components != 1 || topo.odd_edges > 0 || topo.non_manifold_edges > 0) return false;
   // Locally convex everywhere and closed is convex (van Heijenoort 1952), unless it winds twice, which a
   // surface without self-intersection cannot.
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const auto& tri = mesh.triangles[t];
-    const Vec3 n = triangle_normal(corner(mesh, tri, 0), corner(mesh, tri, 1), corner(mesh, tri, 2));
+    const Vec3 n = facet_normal(view, t);
     for (const int neighbour : topo.neighbours[t])
       for (const int v : mesh.triangles[static_cast<std::size_t>(neighbour)])
-        if (n.dot(mesh.vertices[static_cast<std::size_t>(v)] - corner(mesh, tri, 0)) > tolerance)
-          return false;
+        if (n.dot(mesh.vertices[static_cast<std::size_t>(v)] - view.corner(t, 0)) > tolerance) return false;
   }
   return true;
 }

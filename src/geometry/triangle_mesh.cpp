@@ -1,3 +1,5 @@
+// The topology of a mesh by its sorted edges, what is wrong with it in words, and the merging of equal
+// corners.
 #include "hawser/geometry/triangle_mesh.hpp"
 
 #include <algorithm>
@@ -7,37 +9,17 @@
 #include <limits>
 #include <numeric>
 #include <sstream>
+#include <tuple>
 #include <unordered_map>
 
+#include "edge_uses.hpp"
 #include "groups.hpp"
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/math/ordered.hpp"
 #include "nesting.hpp"
 
 namespace hawser {
 namespace {
-
-// One triangle's use of an edge.
-struct Use {
-  std::uint64_t edge;   // (low vertex, high vertex)
-  std::uint32_t where;  // 3 * triangle + edge
-  bool forward;         // from low to high
-};
-
-std::vector<Use> edge_uses(const TriangleMesh& mesh) {
-  std::vector<Use> uses;
-  uses.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto a = static_cast<std::uint32_t>(mesh.triangles[t][i]);
-      const auto b = static_cast<std::uint32_t>(mesh.triangles[t][(i + 1) % 3]);
-      uses.push_back({std::uint64_t{std::min(a, b)} << 32 | std::max(a, b),
-                      static_cast<std::uint32_t>(3 * t + i), a < b});
-    }
-  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b) {
-    return a.edge != b.edge ? a.edge < b.edge : a.where < b.where;
-  });
-  return uses;
-}
 
 // Coordinates, or the cube of the grid that holds them, as a key.
 struct KeyHash {
@@ -91,18 +73,33 @@ std::vector<int> representatives(const std::vector<Vec3>& vertices, double toler
 
 }  // namespace
 
+std::vector<detail::EdgeUse> detail::edge_uses(const MeshView& mesh) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int from = mesh.triangles[t][i], to = mesh.triangles[t][(i + 1) % 3];
+      const auto [low, high] = ordered(from, to);
+      uses.push_back({low, high, static_cast<int>(t), static_cast<int>(i), from < to});
+    }
+  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
+    return std::tie(a.low, a.high, a.triangle, a.i) < std::tie(b.low, b.high, b.triangle, b.i);
+  });
+  return uses;
+}
+
 Topology topology(const TriangleMesh& mesh) {
   Topology out;
   const std::size_t n = mesh.triangles.size();
   out.neighbours.assign(n, {kOpenEdge, kOpenEdge, kOpenEdge});
   std::vector<int> group;
   detail::separate(group, n);
-  const auto uses = edge_uses(mesh);
+  const auto uses = detail::edge_uses(mesh);
   for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
     int balance = 0;
-    for (j = i; j < uses.size() && uses[j].edge == uses[i].edge; ++j) {
+    for (j = i; j < uses.size() && uses[j].same_edge(uses[i]); ++j) {
       balance += uses[j].forward ? 1 : -1;
-      detail::unite(group, static_cast<int>(uses[i].where / 3), static_cast<int>(uses[j].where / 3));
+      detail::unite(group, uses[i].triangle, uses[j].triangle);
     }
     const std::size_t count = j - i;
     if (count == 1) ++out.open_edges;
@@ -112,8 +109,9 @@ Topology topology(const TriangleMesh& mesh) {
     else if (balance != 0)
       ++out.flipped_edges;
     for (std::size_t k = i; k < j; ++k) {
-      int& neighbour = out.neighbours[uses[k].where / 3][uses[k].where % 3];
-      if (count == 2) neighbour = static_cast<int>(uses[k == i ? j - 1 : i].where / 3);
+      int& neighbour =
+          out.neighbours[static_cast<std::size_t>(uses[k].triangle)][static_cast<std::size_t>(uses[k].i)];
+      if (count == 2) neighbour = uses[k == i ? j - 1 : i].triangle;
       if (count > 2) neighbour = kNonManifoldEdge;
     }
   }
@@ -140,17 +138,16 @@ MeshReport inspect(const TriangleMesh& mesh) {
   r.closed = r.triangles > 0 && topo.odd_edges == 0;
   r.consistently_oriented = topo.flipped_edges == 0;
   double shortest2 = std::numeric_limits<double>::infinity(), longest2 = 0;
-  for (const auto& t : mesh.triangles) {
-    const Vec3* v[3];
-    for (std::size_t i = 0; i < 3; ++i) v[i] = &mesh.vertices[static_cast<std::size_t>(t[i])];
+  const MeshView view(mesh);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (int i = 0; i < 3; ++i) {
-      r.box.add(*v[i]);
-      const double l2 = (*v[(i + 1) % 3] - *v[i]).squaredNorm();
+      r.box.add(view.corner(t, i));
+      const double l2 = (view.corner(t, (i + 1) % 3) - view.corner(t, i)).squaredNorm();
       shortest2 = std::min(shortest2, l2);
       longest2 = std::max(longest2, l2);
     }
-    if (triangle_normal(*v[0], *v[1], *v[2]).isZero(0)) ++r.degenerate;
-    r.area += 0.5 * (*v[1] - *v[0]).cross(*v[2] - *v[0]).norm();
+    if (triangle_normal(view.corner(t, 0), view.corner(t, 1), view.corner(t, 2)).isZero(0)) ++r.degenerate;
+    r.area += view.area_vector(t).norm();
   }
   if (r.triangles > 0) {
     r.shortest_edge = std::sqrt(shortest2);

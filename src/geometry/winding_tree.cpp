@@ -1,3 +1,4 @@
+// Winding numbers and crossings of rays by a tree of clusters of triangles, far ones taken as dipoles.
 #include "hawser/geometry/winding_tree.hpp"
 
 #include <algorithm>
@@ -12,16 +13,12 @@ namespace {
 
 constexpr int kLeaf = 8;
 
-const Vec3& corner(const MeshView& mesh, int t, std::size_t i) {
-  return mesh.vertices[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][i])];
-}
-
 }  // namespace
 
 WindingTree::WindingTree(const MeshView& mesh) {
   std::vector<Box> boxes(mesh.triangles.size());
   for (int t = 0; t < static_cast<int>(boxes.size()); ++t)
-    for (std::size_t i = 0; i < 3; ++i) boxes[static_cast<std::size_t>(t)].add(corner(mesh, t, i));
+    for (std::size_t i = 0; i < 3; ++i) boxes[static_cast<std::size_t>(t)].add(mesh.corner(t, i));
   tree_ = BoxTree(boxes, {}, kLeaf);
   std::vector<Cluster> clusters;
   for (const BoxTree::Node& n : tree_.nodes()) clusters.push_back(cluster(mesh, tree_.below(n)));
@@ -33,10 +30,7 @@ WindingTree::Cluster WindingTree::cluster(const MeshView& mesh, std::span<const 
   Box box;
   double weight = 0;
   const auto each = [&](auto&& f) {
-    for (const int t : triangles) {
-      const Vec3 &p = corner(mesh, t, 0), &q = corner(mesh, t, 1), &r = corner(mesh, t, 2);
-      f(t, Vec3(0.5 * (q - p).cross(r - p)), Vec3((p + q + r) / 3));
-    }
+    for (const int t : triangles) f(t, mesh.area_vector(t), mesh.centroid(t));
   };
   each([&](int, const Vec3& area, const Vec3& centroid) {
     c.area += area;
@@ -47,7 +41,7 @@ WindingTree::Cluster WindingTree::cluster(const MeshView& mesh, std::span<const 
   c.centre = weight > 0 ? Vec3(c.centre / weight) : box.centre();
   each([&](int t, const Vec3& area, const Vec3& centroid) {
     c.moment += area * (centroid - c.centre).transpose();
-    for (std::size_t i = 0; i < 3; ++i) c.radius = std::max(c.radius, (corner(mesh, t, i) - c.centre).norm());
+    for (std::size_t i = 0; i < 3; ++i) c.radius = std::max(c.radius, (mesh.corner(t, i) - c.centre).norm());
   });
   return c;
 }
@@ -66,7 +60,7 @@ double WindingTree::winding_number(const MeshView& mesh, const Vec3& p, double a
         return false;
       },
       [&](int t) {
-        if (t != without) angle += solid_angle(p, corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));
+        if (t != without) angle += solid_angle(p, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2));
       });
   return angle / (4 * M_PI);
 }
@@ -93,7 +87,7 @@ int WindingTree::crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, i
       },
       [&](int t) {
         if (t == without) return;
-        const Vec3 a = corner(mesh, t, 0) - p, b = corner(mesh, t, 1) - p, c = corner(mesh, t, 2) - p;
+        const Vec3 a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p, c = mesh.corner(t, 2) - p;
         const double x = u.dot(a.cross(b)), y = u.dot(b.cross(c)), z = u.dot(c.cross(a));
         if (!((x > 0 && y > 0 && z > 0) || (x < 0 && y < 0 && z < 0))) return;
         // Ahead when the volume and the side of passing agree.

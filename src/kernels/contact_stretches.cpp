@@ -16,7 +16,7 @@ constexpr int kFiner = 4;  // further halvings where contact is not excluded
 
 class Scan {
  public:
-  Scan(AxisGapFunction& gap, const AxisBounds& bounds, std::vector<ContactStretch>& out)
+  Scan(const AxisGapFunction& gap, const AxisBounds& bounds, std::vector<ContactStretch>& out)
       : gap_(gap), bounds_(bounds), reach_(bounds.reach), out_(out) {}
 
   void piece(double a, const AxisGap& A, double b, const AxisGap& B, int levels) {
@@ -26,7 +26,7 @@ class Scan {
     const bool both = in_a && in_b;
     if (levels > 0 || (levels > -kFiner && ((bounds_.touch > 0 && !both) || mixed(b - a, A, B)))) {
       const double m = 0.5 * (a + b);
-      const AxisGap M = gap_.at(m, span);
+      const AxisGap M = gap_(m, span);
       piece(a, A, m, M, levels - 1);
       piece(m, M, b, B, levels - 1);
     } else if (both) {
@@ -94,7 +94,7 @@ class Scan {
       }
       if (!(most > 0)) break;
       const double edge = 1e-3 * w, m = a + std::clamp(x, edge, w - edge);
-      const AxisGap M = gap_.at(m, wide);
+      const AxisGap M = gap_(m, wide);
       if (M.gap >= 0) {
         add({first, root(a, from, m, M), false, true});
         add({root(b, to, m, M), last, true, false});
@@ -119,7 +119,7 @@ class Scan {
       if (i % 3 == 2) m = 0.5 * (a + b);
       const double edge = 1e-3 * (b - a);
       m = std::clamp(m, a + edge, b - edge);
-      const AxisGap M = gap_.at(m, reach_ * (last - first));
+      const AxisGap M = gap_(m, reach_ * (last - first));
       if (M.gap < 0) {
         add({root(m, M, first, F), root(m, M, last, L), true, true});
         return;
@@ -141,7 +141,7 @@ class Scan {
     if (const double newton = out - O.gap / O.slope; (newton - in) * (newton - out) < 0) x = newton;
     double last = std::abs(out - in);
     for (int i = 0; i < kMost; ++i) {
-      const AxisGap X = gap_.at(x, wide);
+      const AxisGap X = gap_(x, wide);
       (X.gap < 0 ? in : out) = x;
       double next = x - X.gap / X.slope;
       // Newton must stay inside and at least halve its step; else the bracket is halved.
@@ -155,7 +155,7 @@ class Scan {
     return x;
   }
 
-  AxisGapFunction& gap_;
+  const AxisGapFunction& gap_;
   AxisBounds bounds_;
   double reach_;
   std::vector<ContactStretch>& out_;
@@ -176,18 +176,18 @@ std::vector<ContactHollow> hollows(const std::vector<ContactStretch>& stretches)
   return out;
 }
 
-std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels,
-                                              const std::vector<double>& places) {
+std::vector<ContactStretch> contact_stretches(const AxisGapFunction& gap, const AxisBounds& bounds,
+                                              int levels, const std::vector<double>& places) {
   std::vector<ContactStretch> out;
   const double half = 0.5 * bounds.reach;
-  const AxisGap M = gap.at(0.5, half);
+  const AxisGap M = gap(0.5, half);
   if (M.gap >= half) return out;
-  const AxisGap A = gap.at(0, half), B = gap.at(1, half);
+  const AxisGap A = gap(0, half), B = gap(1, half);
   Scan scan(gap, bounds, out);
   const auto piece = [&](double a, AxisGap from, double b, const AxisGap& to) {
     for (const double m : places) {
       if (!(a < m && m < b)) continue;
-      const AxisGap at = gap.at(m, half);
+      const AxisGap at = gap(m, half);
       scan.piece(a, from, m, at, levels - 1);
       a = m, from = at;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace hawser {
@@ -40,7 +41,7 @@ AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose) {
 }
 
 // The gap along the axis less the smoothing, as the search for stretches sees it, and how far the volume is.
-class LineVolumeFinder::Gap final : public AxisGapFunction {
+class LineVolumeFinder::Gap {
  public:
   Gap(const LineVolumeFinder& finder, LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
       std::vector<FreePlace>& places)
@@ -63,7 +64,7 @@ class LineVolumeFinder::Gap final : public AxisGapFunction {
     middle_ = {p ? p->distance - pair_.touch : within, p ? slope(0.5, *p) : 0};
     return middle_->gap < 0.5 * shape_.reach();
   }
-  AxisGap at(double xi, double within) override {
+  AxisGap operator()(double xi, double within) {
     if (xi == 0.5 && middle_) return *middle_;
     const auto p = see(xi, within);
     return p ? AxisGap{p->distance - pair_.touch, slope(xi, *p)} : AxisGap{within, 0};
@@ -125,8 +126,8 @@ const std::vector<ContactStretch>& LineVolumeFinder::touched_before(LineVolumePa
   const AxisShape& start = pair.start.shape;
   std::vector<FreePlace> places;
   Gap gap(*this, pair, start, pair.start.pose, places);
-  *pair.before =
-      contact_stretches(gap, {start.reach(), pair.touch, start.bend_bound()}, pair.levels + kCloser);
+  *pair.before = contact_stretches(std::ref(gap), {start.reach(), pair.touch, start.bend_bound()},
+                                   pair.levels + kCloser);
   return *pair.before;
 }
 
@@ -137,7 +138,7 @@ std::vector<ContactStretch> LineVolumeFinder::locate(LineVolumePair& pair, const
   const std::vector<ContactStretch>& before = touched_before(pair);
   std::vector<ContactStretch> stretches;
   if (near)
-    stretches = contact_stretches(gap, {shape.reach(), pair.touch, shape.bend_bound()}, pair.levels,
+    stretches = contact_stretches(std::ref(gap), {shape.reach(), pair.touch, shape.bend_bound()}, pair.levels,
                                   middles(hollows(before)));
   // Of one wall alone it says nothing of the others.
   if (stretches.empty() && !pair.wall()) keep_free(pair, shape, pose, places_);

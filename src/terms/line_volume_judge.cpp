@@ -87,12 +87,12 @@ bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const Group& g) con
 // last row of a table of forces.
 bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (!volumes_.has_back(pair.volume)) return false;
-  AxisDistance axis(volumes_.surface(pair.volume), pose, shape,
-                    pair.radius - volumes_.deepest(pair.volume, pair.radius));
+  const AxisGapFunction gap = axis_distance(volumes_.surface(pair.volume), pose, shape,
+                                            pair.radius - volumes_.deepest(pair.volume, pair.radius));
   if (finder_.at_nodes())
     return std::any_of(kEnds.begin(), kEnds.end(),
-                       [&](double xi) { return finder_.takes_part(pair, xi) && axis.at(xi, 0).gap < 0; });
-  const auto stretches = contact_stretches(axis, {shape.reach(), 0, shape.bend_bound()}, pair.levels);
+                       [&](double xi) { return finder_.takes_part(pair, xi) && gap(xi, 0).gap < 0; });
+  const auto stretches = contact_stretches(gap, {shape.reach(), 0, shape.bend_bound()}, pair.levels);
   return std::any_of(stretches.begin(), stretches.end(),
                      [&](const ContactStretch& s) { return s.from < pair.part.to && pair.part.from < s.to; });
 }
@@ -137,7 +137,7 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
   const Surface& surface = *volumes_[pair.b].surface;
   const Box& box = boxes_[pair.b];
   const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
-  const auto near = [&](const BodySkeleton::Bundle& b) {
+  const auto near = [&](const auto& b) {
     const Vec3 from = before(b.centre), to = after(b.centre), middle = 0.5 * (from + to);
     const double reach = b.radius + 0.5 * (to - from).norm() + pair.law.smoothing;
     return squared_distance(box, middle) <= reach * reach && surface.query(middle, reach);
@@ -147,16 +147,13 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
                         BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing),
                         true);
   };
-  const auto any = [&](const auto& bundles, const auto& list, const auto& passes) {
-    for (const BodySkeleton::Bundle& b : bundles)
-      if (near(b) && std::any_of(list.begin() + b.first, list.begin() + b.first + b.count, passes))
-        return true;
-    return false;
+  const auto any = [&](const auto& bundles, const auto& passes) {
+    return std::any_of(bundles.begin(), bundles.end(), [&](const auto& b) {
+      return near(b) && std::any_of(b.items.begin(), b.items.end(), passes);
+    });
   };
-  return any(skeleton.point_bundles, skeleton.points,
-             [&](const SkeletonPoint& p) { return meets(p.at, p.at, p.radius); }) ||
-         any(skeleton.edge_bundles, skeleton.edges,
-             [&](const SkeletonEdge& e) { return meets(e.from, e.to, e.radius); });
+  return any(skeleton.points, [&](const SkeletonPoint& p) { return meets(p.at, p.at, p.radius); }) ||
+         any(skeleton.edges, [&](const SkeletonEdge& e) { return meets(e.from, e.to, e.radius); });
 }
 
 Verdict BodyContactTerm::judge(const Kinematics& trial) const {

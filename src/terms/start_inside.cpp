@@ -47,10 +47,10 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       const AxisShape shape(element_axis(at, g, e.first, e.second, Vec3::UnitX()));
       if (distance(box, pose.to_body(shape.point(0.5))) > 0.5 * shape.reach() + radius[i]) continue;
       const auto point = [&](double xi) { return pose.to_body(shape.point(xi)); };
-      AxisDistance along(surface, pose, shape);
       // Twice as close as contact looks: what goes through a thin plate is short.
-      const auto stretches = contact_stretches(along, {shape.reach(), 0, shape.bend_bound()},
-                                               contact_levels(g.length, radius[i]) + 1);
+      const auto stretches =
+          contact_stretches(axis_distance(surface, pose, shape), {shape.reach(), 0, shape.bend_bound()},
+                            contact_levels(g.length, radius[i]) + 1);
       const auto rise = [&](double xi) {
         const auto p = surface.query(point(xi), radius[i]);
         const Vec3 slope = shape.slope(xi);

@@ -12,7 +12,7 @@ namespace {
 using namespace hawser::test;
 
 // Near the surface, deep inside and far away, with and without a limit of distance.
-void compare(const TriangleMesh& mesh, SignBy test) {
+void compare(const TriangleMesh& mesh, SignTest test) {
   const auto plain = std::make_shared<MeshSurface>(mesh);
   const TestedSurface tested(plain, test);
   std::mt19937 random(5);
@@ -35,14 +35,15 @@ void compare(const TriangleMesh& mesh, SignBy test) {
 }
 
 TEST(TestedSurface, ConvexBodiesByAnyTest) {
-  for (const SignBy test : {SignBy::tetrahedra, SignBy::ray, SignBy::solid_angle, SignBy::winding}) {
+  for (const SignTest test :
+       {SignTest::tetrahedra, SignTest::ray, SignTest::solid_angle, SignTest::winding}) {
     compare(box_mesh(Vec3(-1, 0, 2), Vec3(3, 1, 4)), test);
     compare(drum_mesh(24, 1, 3), test);
   }
 }
 
 TEST(TestedSurface, BodiesThatAreNotConvex) {
-  for (const SignBy test : {SignBy::ray, SignBy::solid_angle, SignBy::winding})
+  for (const SignTest test : {SignTest::ray, SignTest::solid_angle, SignTest::winding})
     for (const TriangleMesh& mesh : {l_prism_mesh(), u_channel_mesh(), hollow_cube_mesh()})
       compare(mesh, test);
 }
@@ -51,7 +52,7 @@ TEST(TestedSurface, BodiesThatAreNotConvex) {
 // bodies, takes it for outside; it is the test that decides.
 TEST(TestedSurface, TheTestDecides) {
   const auto plain = std::make_shared<MeshSurface>(l_prism_mesh());
-  const TestedSurface tested(plain, SignBy::tetrahedra);
+  const TestedSurface tested(plain, SignTest::tetrahedra);
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0, 1);
   const Box box = plain->bounds();
@@ -71,9 +72,9 @@ TEST(TestedSurface, TheTestDecides) {
 TEST(TestedSurface, CurvedFacetsAreRefused) {
   MeshSurfaceOptions smooth;
   smooth.smooth = true;
-  EXPECT_THROW(
-      TestedSurface(std::make_shared<MeshSurface>(sphere_mesh(2), std::vector<bool>{}, smooth), SignBy::ray),
-      std::invalid_argument);
+  EXPECT_THROW(TestedSurface(std::make_shared<MeshSurface>(sphere_mesh(2), std::vector<bool>{}, smooth),
+                             SignTest::ray),
+               std::invalid_argument);
 }
 
 }  // namespace

@@ -7,25 +7,18 @@
 //   solid_angle  sum of the solid angles of the faces (van Oosterom & Strackee 1983, IEEE Trans. Biomed.
 //                Eng. 30(2)): 4 pi inside, 0 outside
 //
-// A point within `tolerance` [m] of the surface is on the boundary.
+// Whatever they answer for a point of the surface itself is right.
 #pragma once
 
 #include "hawser/geometry/triangle_mesh.hpp"
 
 namespace hawser {
 
-enum class Location { outside, boundary, inside };
-enum class InsideTest { tetrahedra, ray, solid_angle };
-
 // The mesh is closed and outward (MeshReport::valid), and for `tetrahedra` convex: not checked here.
-Location locate(const MeshView& mesh, const Vec3& p, InsideTest test, double tolerance = 0);
-
-// `tetrahedra` with every face moved out by `shift` [m] (in if negative): with a line's radius the test
-// of its centreline. Convex meshes only.
-Location locate_by_tetrahedra(const MeshView& mesh, const Vec3& p, double tolerance = 0, double shift = 0);
-// `ray` along +axis (0, 1, 2).
-Location locate_by_ray(const MeshView& mesh, const Vec3& p, double tolerance = 0, int axis = 0);
-Location locate_by_solid_angle(const MeshView& mesh, const Vec3& p, double tolerance = 0);
+bool inside_by_tetrahedra(const MeshView& mesh, const Vec3& p);
+// Along +axis (0, 1, 2).
+bool inside_by_ray(const MeshView& mesh, const Vec3& p, int axis = 0);
+bool inside_by_solid_angle(const MeshView& mesh, const Vec3& p);
 
 // Solid angle [rad²] of a triangle seen from p: positive when p sees its back (is inside); in [-2pi, 2pi].
 double solid_angle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);

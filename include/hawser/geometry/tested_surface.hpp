@@ -6,18 +6,17 @@
 #include <memory>
 
 #include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/geometry/sign_test.hpp"
 #include "hawser/geometry/winding_tree.hpp"
 
 namespace hawser {
 
-enum class SignBy { tetrahedra, ray, solid_angle, winding };
-
 class TestedSurface final : public Surface {
  public:
-  // partial: not all of the mesh is active. tetrahedra: the mesh is closed and convex, of one piece; ray and
-  // solid_angle: closed and outward; neither is checked. The first three look at every triangle in each
-  // query in the box of the mesh. std::invalid_argument where facets are curved.
-  TestedSurface(std::shared_ptr<const MeshSurface> mesh, SignBy test, bool partial = false);
+  // test: winding, or one of the three, which look at every triangle in each query in the box of the mesh and
+  // need it as they say there: not checked. partial: not all of the mesh is active. std::invalid_argument
+  // where facets are curved.
+  TestedSurface(std::shared_ptr<const MeshSurface> mesh, SignTest test, bool partial = false);
 
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   double free_radius(const Vec3& y, double distance) const override {
@@ -26,8 +25,10 @@ class TestedSurface final : public Surface {
   Box bounds() const override { return mesh_->bounds(); }
 
  private:
+  bool inside(const Vec3& y) const;
+
   std::shared_ptr<const MeshSurface> mesh_;
-  SignBy test_;
+  SignTest test_;
   bool partial_;
   WindingTree winding_;
 };

@@ -45,6 +45,16 @@ struct MeshView {
   MeshView() = default;
   MeshView(std::span<const Vec3> v, std::span<const std::array<int, 3>> t) : vertices(v), triangles(t) {}
   MeshView(const TriangleMesh& m) : vertices(m.vertices), triangles(m.triangles) {}
+  // Corner i of triangle t.
+  const Vec3& corner(auto t, auto i) const {
+    return vertices[static_cast<std::size_t>(
+        triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)])];
+  }
+  // m², half the cross product of two edges: along the normal, as long as the area.
+  Vec3 area_vector(auto t) const {
+    return 0.5 * (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
+  }
+  Vec3 centroid(auto t) const { return (corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3; }
   TriangleMesh copy() const {
     return {{vertices.begin(), vertices.end()}, {triangles.begin(), triangles.end()}, {}, {}};
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace hawser {
@@ -12,13 +13,9 @@ struct AxisGap {
   double slope = 0;  // m, d gap / d xi
 };
 
-// The gap along the axis. 1-Lipschitz in space: |d gap / d xi| <= |dx / d xi|.
-class AxisGapFunction {
- public:
-  virtual ~AxisGapFunction() = default;
-  // May answer {within, 0} where the gap is larger than `within` [m, >= 0].
-  virtual AxisGap at(double xi, double within) = 0;
-};
+// The gap along the axis. 1-Lipschitz in space: |d gap / d xi| <= |dx / d xi|. May answer {within, 0} where
+// the gap is larger than `within` [m, >= 0].
+using AxisGapFunction = std::function<AxisGap(double xi, double within)>;
 
 struct ContactStretch {
   double from = 0, to = 1;
@@ -46,8 +43,8 @@ std::vector<double> middles(const std::vector<ContactHollow>& of);
 // facets of a mesh the gap goes up and down, and a contact that was overlooked would vanish when its end
 // passes from one piece into the next. On the pieces that are left the gap has one minimum or one maximum at
 // most. Ends are roots to 1e-14. At `places`, ascending, the gap is asked first.
-std::vector<ContactStretch> contact_stretches(AxisGapFunction& gap, const AxisBounds& bounds, int levels,
-                                              const std::vector<double>& places = {});
+std::vector<ContactStretch> contact_stretches(const AxisGapFunction& gap, const AxisBounds& bounds,
+                                              int levels, const std::vector<double>& places = {});
 
 // Where a stretch parts in two, or two grow together, the sum over the Gauss points jumps by the rule's
 // error; were it to jump within a step, there might be no equilibrium on either side of the jump. So in a

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hawser/geometry/primitive_shape.hpp"
+#include "hawser/geometry/sign_test.hpp"
 #include "hawser/kernels/force_table.hpp"
 #include "hawser/kernels/motion.hpp"
 #include "hawser/kernels/plastic_bending.hpp"
@@ -123,9 +124,7 @@ struct Box {
   Vec3 lower, upper;  // m, body frame
 };
 
-// How the sign of the distance to a mesh is found; automatic: pseudonormals where the mesh is in order,
-// winding numbers where it is not. The last three are those of OMAE2006-92155.
-enum class SignTest { automatic, pseudonormal, winding, tetrahedra, ray, solid_angle };
+using hawser::SignTest;
 
 struct Volume {
   std::string name;

@@ -8,24 +8,16 @@
 
 namespace hawser {
 
-// Less `most` [m]: contact_stretches() finds where it is nearer than that, or deeper inside than -most.
-class AxisDistance final : public AxisGapFunction {
- public:
-  AxisDistance(const Surface& surface, const RigidPose& pose, const AxisShape& shape, double most = 0)
-      : surface_(surface), pose_(pose), shape_(shape), most_(most) {}
-  AxisGap at(double xi, double within) override {
-    const auto p = surface_.query(pose_.to_body(shape_.point(xi)), within + most_, hint_);
+// Less `most` [m]: contact_stretches() finds where it is nearer than that, or deeper inside than -most. The
+// surface, its pose and the axis outlive the function.
+inline AxisGapFunction axis_distance(const Surface& surface, const RigidPose& pose, const AxisShape& shape,
+                                     double most = 0) {
+  return [&, most, hint = -1](double xi, double within) mutable -> AxisGap {
+    const auto p = surface.query(pose.to_body(shape.point(xi)), within + most, hint);
     if (!p) return {within, 0};
-    hint_ = p->triangle;
-    return {p->distance - most_, (pose_.rotation * p->normal).dot(shape_.slope(xi))};
-  }
-
- private:
-  const Surface& surface_;
-  const RigidPose& pose_;
-  const AxisShape& shape_;
-  double most_;
-  int hint_ = -1;
-};
+    hint = p->triangle;
+    return {p->distance - most, (pose.rotation * p->normal).dot(shape.slope(xi))};
+  };
+}
 
 }  // namespace hawser

@@ -1,0 +1,10 @@
+// How it is told whether a point is inside a mesh.
+#pragma once
+
+namespace hawser {
+
+// automatic: pseudonormals where the mesh is in order, winding numbers where it is not. The last three are
+// those of OMAE2006-92155.
+enum class SignTest { automatic, pseudonormal, winding, tetrahedra, ray, solid_angle };
+
+}  // namespace hawser
