@@ -9,7 +9,7 @@ compiled against it. Without it the table has the rows of hawser and the publish
 Errors are those of standard deviation and peak of the tension at the first fairlead, and of the largest curvature where a
 case has bending: against published figures of OrcaFlex where a case has them, otherwise against the converged run of the
 same program. For each goal that mesh and step of least CPU time is taken with which, and with all finer meshes, every error
-is within the goal; of lines that do not influence each other the first is searched alone. The choices are timed in turn,
+is within the goal; MoorDyn's steps are those with which the first line is stable. The choices are timed in turn,
 five times (once where a run takes more than 20 s): CPU seconds (user and system) of the whole process, and those of a
 simulated second by the difference from a run of a quarter of the duration. MoorDyn's tension is its force on the fairlead
 or, "FairTen", that of the last segment, which is what its output has. --quick: one case on coarse meshes, for the test of
@@ -105,7 +105,7 @@ class Bench:
         found = {"hawser": []}
         exact = {} if c.reference else self.run_hawser(c, c.lines[:1], *c.finest[:2], c.seconds)[1]
         for step in c.steps:
-            rows = [(mesh, step, *self.run_hawser(c, c.lines[:1], mesh, step, c.seconds)) for mesh in c.meshes]
+            rows = [(mesh, step, *self.run_hawser(c, c.lines, mesh, step, c.seconds)) for mesh in c.meshes]
             found["hawser"] += [row for row in rows if row[3]]
         if self.driver:
             if not c.reference and c.window == c.seconds:
@@ -119,11 +119,11 @@ class Bench:
 
     def choose(self, c, program, rows, goal):
         """The cheapest of the candidates that is within a goal with all that are finer; the finest where none is."""
-        def same(a, b):
+        def finer(a, b):
             return b[0] >= a[0] and (program != "hawser" or b[1] == a[1])
         def within(row):
             return all(e is None or abs(e) <= goal for e in row[3])
-        good = [row for row in rows if all(within(other) for other in rows if same(row, other))]
+        good = [row for row in rows if all(within(other) for other in rows if finer(row, other))]
         mesh, step, _, seen = min(good, key=lambda row: row[2]) if good else rows[-1]
         first = program == "hawser"
         return SimpleNamespace(program=program, mesh=mesh, step=step, errors=seen, run=self.run_hawser if first else
@@ -135,7 +135,10 @@ class Bench:
         for _ in range(5):
             for o, rows in zip(choices, taken):
                 if not rows or rows[0][0] < LONG:
-                    rows.append([o.run(c, c.lines, o.mesh, o.step, seconds)[0] for seconds in (o.seconds, o.seconds / 4)])
+                    runs = [o.run(c, c.lines, o.mesh, o.step, seconds) for seconds in (o.seconds, o.seconds / 4)]
+                    if not all(seen for _, seen in runs):
+                        sys.exit(f"{o.program}: a step of {o.step} s is too long with {o.mesh} elements of all lines")
+                    rows.append([used for used, _ in runs])
         for o, rows in zip(choices, taken):
             o.whole = statistics.median(whole for whole, _ in rows)
             o.second = statistics.median(whole - part for whole, part in rows) / (0.75 * o.seconds)
