@@ -105,10 +105,13 @@ void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const 
   const Vec3 half = 0.5 * residual;
   const double f[6] = {half[0], half[1], half[2], half[0], half[1], half[2]};
   const int blocks[2] = {first, mesh_.block[static_cast<size_t>(p.second)]};
-  double k[36], c[36];
-  for (const auto& [from, to] : {std::pair(K, k), std::pair(C, c)})
-    for (int i = 0; i < 36 && from; ++i) to[i] = 0.25 * (*from)(i / 6 % 3, i % 3);
-  assembler.add(blocks, f, K ? k : nullptr, C ? c : nullptr, nullptr);
+  Eigen::Matrix<double, 6, 6, Eigen::RowMajor> k, c;
+  for (const auto& [from, to] : {std::pair(K, &k), std::pair(C, &c)}) {
+    if (!from) continue;
+    const Mat3 quarter = 0.25 * *from;
+    *to << quarter, quarter, quarter, quarter;
+  }
+  assembler.add(blocks, f, K ? k.data() : nullptr, C ? c.data() : nullptr, nullptr);
 }
 
 void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
