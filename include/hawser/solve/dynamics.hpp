@@ -6,7 +6,9 @@
 
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "hawser/solve/generalized_alpha.hpp"
 #include "hawser/solve/linear_solver.hpp"
@@ -47,6 +49,16 @@ class Dynamics {
   // Goes on with other supports: what they held before moves on from where it is, with accelerations that
   // jump. supports: of the local nodes, among those there were. Collective.
   void release(std::vector<Support> supports);
+  // How a node of a cable goes on (x, v, a in m and s), of the mesh.
+  struct Moved {
+    int node = 0;
+    Vec3 x, v, a;
+  };
+  // Goes on with other supports, of which one has gone over from a node of the mesh to its neighbour, as a
+  // feeder takes hold of a line elsewhere: `moved`, known to the ranks that have what it follows from, moves
+  // so from now on, all else as it did. Collective.
+  void hand_over(std::vector<Support> supports, const std::optional<Moved>& moved,
+                 std::pair<int, int> from_to);
   // What a checkpoint carries beside the state.
   struct Carried {
     double step_proposal = 0;
