@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "hawser/app/output_times.hpp"
 #include "hawser/app/feeding.hpp"
+#include "hawser/app/output_times.hpp"
 
 namespace hawser::app {
 namespace {

@@ -13,8 +13,8 @@ namespace hawser::app {
 namespace {
 
 // Of the length of the element behind it in the stock, how long the mouth's element is when a node has just
-// left; of its own length, how short it gets before a node is caught. Apart, so that a feeder that goes to and
-// fro does not let a node out and catch it in turn.
+// left; of its own length, how short it gets before a node is caught. Apart, so that a feeder that goes to
+// and fro does not let a node out and catch it in turn.
 constexpr double kLeft = 0.5, kCaught = 0.4;
 
 std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.{}.{}", f.name, what); }
@@ -61,14 +61,20 @@ void Feeding::hand_over() {
   }
 }
 
-void Feeding::change(Feeder& f, int mouth, double length) {
-  f.mouth = mouth, f.length = length;
-  if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
-  sim_.feeders()->see_mouth(f);
+void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional<Dynamics::Moved>& moved) {
+  sim_.dynamics().hand_over(
+      [&] {
+        f.mouth = mouth, f.length = length;
+        if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
+        sim_.feeders()->see_mouth(f);
+        return moved;
+      },
+      [&] { return sim_.feeders()->with_held(sim_.system().supports().list()); });
 }
 
-// The node that was held leaves with the material that is there: on the chord, where the free part has its
-// own unstretched length and the strain of the whole; velocity and acceleration between those of the ends.
+// The node that was held leaves with the material that is there: where the free part has its own unstretched
+// length and the strain of the whole, and from there to where it is in balance; velocity and acceleration are
+// between those of the ends.
 void Feeding::let_out(Feeder& f) {
   Feeders& all = *sim_.feeders();
   const int node = all.node(f, f.mouth);
@@ -82,11 +88,9 @@ void Feeding::let_out(Feeder& f) {
     const Feeders::Flow flow = all.flow(all.mouth(f, k, true), k, *e, f.at_b);
     const Vec3 a = k.a[i] + flow.acceleration;
     moved = {node, k.x[j] - share * flow.chord, k.v[j] + share * (flow.velocity - k.v[j]),
-             k.a[j] + share * (a - k.a[j])};
+             k.a[j] + share * (a - k.a[j]), true};
   }
-  change(f, f.mouth - 1, f.length - whole);
-  sim_.dynamics().hand_over(all.with_held(sim_.system().supports().list()), moved,
-                            {node, all.node(f, f.mouth)});
+  hand_over(f, f.mouth - 1, f.length - whole, moved);
 }
 
 // The first free node goes into the feeder. What was bent there is straight now: the unstretched length is
@@ -106,10 +110,9 @@ void Feeding::haul_in(Feeder& f) {
     const double before = (x(j) - x(i)).norm(), now = (x(n) - x(i)).norm();
     const bool taut = before > f.length * (1 + f.section.free_strain);
     length = taut ? std::clamp(now / before * f.length, 0.98 * sum, 1.02 * sum) : sum;
-    moved = {caught, x(i), k.v[static_cast<size_t>(i)], k.a[static_cast<size_t>(i)]};
+    moved = {caught, x(i), k.v[static_cast<size_t>(i)], k.a[static_cast<size_t>(i)], false};
   }
-  change(f, f.mouth + 1, of_all(sim_.system().comm(), known, length));
-  sim_.dynamics().hand_over(all.with_held(sim_.system().supports().list()), moved, {held, caught});
+  hand_over(f, f.mouth + 1, of_all(sim_.system().comm(), known, length), moved);
 }
 
 void Feeding::save(io::Checkpoint& to) const {
@@ -132,9 +135,11 @@ void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
     return InputError(fmt::format("cannot go on from {}: {}", path, why));
   };
   size_t there = 0, here = sim_.feeders() ? sim_.feeders()->list().size() : 0;
-  for (const auto& [name, value] : from.scalars) there += name.starts_with("feeder.") && name.ends_with(".mouth");
+  for (const auto& [name, value] : from.scalars)
+    there += name.starts_with("feeder.") && name.ends_with(".mouth");
   if (there != here)
-    throw refuse(fmt::format("{} of its lines' ends {} fed, and {} in this case", there, there == 1 ? "is" : "are", here));
+    throw refuse(fmt::format("{} of its lines' ends {} fed, and {} in this case", there,
+                             there == 1 ? "is" : "are", here));
   if (!sim_.feeders()) return;
   int rank = 0;
   MPI_Comm_rank(sim_.system().comm(), &rank);

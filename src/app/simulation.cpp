@@ -124,7 +124,8 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   system_->add(std::move(structure));
   auto mass = std::make_unique<LineMassTerm>(local, c);
   std::unique_ptr<Feeders> feeders;
-  if (std::any_of(c.lines.begin(), c.lines.end(), [](const auto& l) { return l.end_a.feed || l.end_b.feed; })) {
+  if (std::any_of(c.lines.begin(), c.lines.end(),
+                  [](const auto& l) { return l.end_a.feed || l.end_b.feed; })) {
     feeders = std::make_unique<Feeders>(local, case_);
     feeders_ = feeders.get();
     structure_->fed_by(feeders_), mass->fed_by(feeders_);

@@ -22,7 +22,7 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   o.t = o.l > 0 ? Vec3(d / o.l) : Vec3(0, 0, 0);
   o.strain = (o.l - s.length) / s.length - s.free_strain;
   o.dv = e.v2 - e.v1;
-  o.rate = o.t.dot(o.dv) / s.length;
+  o.rate = (o.t.dot(o.dv) - s.grows * o.l / s.length) / s.length;
   o.tension = 0;
   o.damped = false;
   if (o.strain > 0) {
@@ -127,16 +127,17 @@ void cable_mean(const CableSection& s, const CableStart& from, const CableStep& 
 CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                      const Vec3& x2) {
   const Mean m = mean_of(s, from, step, x2 - x1);
-  // Of a changed unstretched length the ends' way is the mean length times the growth of the strain, which the
-  // forces of the material work on, and the mean stretch times what was let out
+  // Of a changed unstretched length the ends' way is the mean length times the growth of the strain, which
+  // the forces of the material work on, and the mean stretch times what was let out
   // (docs/theory/feeders.md#energy).
   const double let_out = s.length - from.rest,
-               stretch = 1 + s.free_strain +
-                         0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
+               stretch =
+                   1 + s.free_strain + 0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
   const double way = m.l - from.length - stretch * let_out;
-  const double energy =
-      let_out == 0 ? 0 : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
-                                s.axial(std::max(m.l / s.length - 1 - s.free_strain, 0.0)).energy);
+  const double energy = let_out == 0
+                            ? 0
+                            : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
+                                     s.axial(std::max(m.l / s.length - 1 - s.free_strain, 0.0)).energy);
   const double fed = (energy - m.tension * stretch) * let_out;
   // Where it would push, the spring has worked against what holds it back alone.
   if (m.tension == 0) {
@@ -158,8 +159,9 @@ void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePul
   const double ea = s.EA / s.length, across = taut ? o.tension / o.l : 0;
   const double stiff = taut ? o.axial.slope / s.length : ea;
   Vec3 along = (taut || convex ? stiff : 0.0) * o.t - across * o.t;
-  // rate = t.dv/L turns with the chord: its gradient is (dv - t (t.dv))/(l L)
-  if (o.damped) along += (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv));
+  // rate = (t.dv - L' l/L)/L turns with the chord: its gradient is (dv - t (t.dv))/(l L) - L' t/L²
+  if (o.damped)
+    along += (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv)) - (ea * s.beta * s.grows / s.length) * o.t;
   const Vec3 damped = (o.damped ? ea * s.beta : 0.0) * o.t;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) {

@@ -1,5 +1,5 @@
-// The implicit speed law of a winch: a scalar equation that grows with its unknown, by Newton's method between
-// bounds.
+// The implicit speed law of a winch: a scalar equation that grows with its unknown, by Newton's method
+// between bounds.
 #include "hawser/kernels/feed.hpp"
 
 #include <algorithm>

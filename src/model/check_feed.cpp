@@ -36,19 +36,23 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
   if (end.kind == EndKind::joint)
     return issue("", "a joint cannot feed a line; the end must be at an anchor or a body");
   if (end.kind == EndKind::body && (c.floats(c.body_index(end.body)) || c.rides(c.body_index(end.body))))
-    return issue("", fmt::format("body '{}' moves by its own equations or rides on a line, and a line can be fed "
-                                 "only from an anchor or a body whose motion is prescribed",
-                                 end.body));
+    return issue("",
+                 fmt::format("body '{}' moves by its own equations or rides on a line, and a line can be fed "
+                             "only from an anchor or a body whose motion is prescribed",
+                             end.body));
   for (const Section& s : line.sections)
     if (c.line_type(s.type).kind != LineKind::cable)
-      return issue("", fmt::format("line type '{}' resists bending, and only lines that do not can be fed; give "
-                                   "it 'bending: false'",
-                                   s.type));
-  double at = 0, other = (at_b ? line.end_a : line.end_b).feed ? (at_b ? line.end_a : line.end_b).feed->stock : 0;
+      return issue("",
+                   fmt::format("line type '{}' resists bending, and only lines that do not can be fed; give "
+                               "it 'bending: false'",
+                               s.type));
+  double at = 0,
+         other = (at_b ? line.end_a : line.end_b).feed ? (at_b ? line.end_a : line.end_b).feed->stock : 0;
   int inside = 0, outside = 0;  // elements
   for (const Section& s : line.sections)
     for (int i = 0; i < s.elements; ++i) {
-      const double middle = at + (i + 0.5) / s.elements * s.length, from = at_b ? length_of(line) - middle : middle;
+      const double middle = at + (i + 0.5) / s.elements * s.length,
+                   from = at_b ? length_of(line) - middle : middle;
       if (from < f.stock)
         ++inside;
       else if (length_of(line) - from > other)
@@ -57,26 +61,31 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
     }
   constexpr int kLeastInside = 2, kLeastOutside = 3;
   if (inside < kLeastInside)
-    issue("stock", fmt::format("{:g} m are {} element{} of this line, and a stock needs {} at least: make it longer "
-                               "or the elements shorter",
-                               f.stock, inside, inside == 1 ? "" : "s", kLeastInside));
+    issue("stock",
+          fmt::format("{:g} m are {} element{} of this line, and a stock needs {} at least: make it longer "
+                      "or the elements shorter",
+                      f.stock, inside, inside == 1 ? "" : "s", kLeastInside));
   if (outside < kLeastOutside)
-    issue("stock", fmt::format("leaves {} elements of the line, which is {:g} m long, outside; {} are the least",
-                               outside, length_of(line), kLeastOutside));
+    issue("stock",
+          fmt::format("leaves {} elements of the line, which is {:g} m long, outside; {} are the least",
+                      outside, length_of(line), kLeastOutside));
   for (std::size_t i = 0; i < f.speed.size(); ++i) {
     if (f.speed[i].first < 0)
-      issue(fmt::format("speed_table[{}]", i), fmt::format("the time {:g} s is before the start of the run", f.speed[i].first));
+      issue(fmt::format("speed_table[{}]", i),
+            fmt::format("the time {:g} s is before the start of the run", f.speed[i].first));
     if (i > 0 && !(f.speed[i].first > f.speed[i - 1].first))
       issue(fmt::format("speed_table[{}]", i),
-            fmt::format("the time {:g} s does not follow {:g} s; times must grow from row to row", f.speed[i].first,
-                        f.speed[i - 1].first));
+            fmt::format("the time {:g} s does not follow {:g} s; times must grow from row to row",
+                        f.speed[i].first, f.speed[i - 1].first));
   }
   if (f.most > 0 || f.least > 0) {
     if (!(f.least < f.most))
-      issue("dead_band", fmt::format("from {:g} N to {:g} N is no band; the first must be the smaller", f.least, f.most));
+      issue("dead_band",
+            fmt::format("from {:g} N to {:g} N is no band; the first must be the smaller", f.least, f.most));
     else if (!(f.least < f.tension && f.tension < f.most))
-      issue("dead_band", fmt::format("from {:g} N to {:g} N does not hold the 'tension' of {:g} N between its ends",
-                                     f.least, f.most, f.tension));
+      issue("dead_band",
+            fmt::format("from {:g} N to {:g} N does not hold the 'tension' of {:g} N between its ends",
+                        f.least, f.most, f.tension));
     if (!(f.speed_per_tension > 0))
       issue("dead_band", "needs 'speed_per_tension', by which the feeder comes back to its 'tension'");
   }
@@ -91,8 +100,9 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
                           line.name));
   for (const Release& r : c.events)
     if (r.line == line.name && r.at_b == at_b)
-      issue("", fmt::format("an event releases this end of line {}, and an end that is fed cannot be released",
-                            line.name));
+      issue("",
+            fmt::format("an event releases this end of line {}, and an end that is fed cannot be released",
+                        line.name));
 }
 
 }  // namespace hawser::model

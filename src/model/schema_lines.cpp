@@ -6,9 +6,10 @@ namespace {
 
 Key feed() {
   return map("feed",
-             {number("stock", length,
-                     "of the line, counted from this end on, is inside the feeder at t = 0: held at it, without "
-                     "weight and forces; begins and ends at the node that is nearest")
+             {number(
+                  "stock", length,
+                  "of the line, counted from this end on, is inside the feeder at t = 0: held at it, without "
+                  "weight and forces; begins and ends at the node that is nearest")
                   .above(0)
                   .is_required(),
               number("speed", velocity, "constant, from t = 0 on; above 0 pays out, below 0 hauls in"),
@@ -20,8 +21,9 @@ Key feed() {
                    "tensions between which the feeder rests, once it has reached `tension`")
                   .items(2, 2)
                   .or_else_note("none: it never rests"),
-              number("speed_per_tension", none,
-                     "m/s for each N by which the tension is above `tension` (pays out) or below it (hauls in)")
+              number(
+                  "speed_per_tension", none,
+                  "m/s for each N by which the tension is above `tension` (pays out) or below it (hauls in)")
                   .above(0)
                   .or_else_note("none: it keeps the tension exactly"),
               number("max_speed", velocity, "of a feeder that keeps to a tension, either way")

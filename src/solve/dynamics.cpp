@@ -314,31 +314,6 @@ void Dynamics::release(std::vector<Support> supports) {
   start(s);
 }
 
-void Dynamics::hand_over(std::vector<Support> supports, const std::optional<Moved>& moved,
-                         std::pair<int, int> from_to) {
-  const LocalMesh& m = system_.mesh();
-  // What is known of the node's force goes to where it is held now: of the neighbours of a node every rank
-  // that owns it knows.
-  const int from = m.find(from_to.first), to = m.find(from_to.second);
-  for (std::vector<double>* rows : {&reactions_, &mean_.q, &mean_.f}) {
-    std::vector<Vec3> of_nodes(static_cast<size_t>(m.nodes()));
-    const auto row = [&](int n) { return Eigen::Map<Vec3>(rows->data() + 3 * m.block[static_cast<size_t>(n)]); };
-    for (int n = 0; n < m.owned; ++n) of_nodes[static_cast<size_t>(n)] = row(n);
-    system_.spread(of_nodes);
-    if (to >= 0 && from >= 0) row(to) = of_nodes[static_cast<size_t>(from)];
-    if (from >= 0) row(from).setZero();
-  }
-  if (const int n = moved ? m.find(moved->node) : -1; n >= 0) {
-    const size_t i = static_cast<size_t>(n);
-    State& s = committed_.s;
-    s.x[i] = moved->x, s.v[i] = moved->v, s.a[i] = committed_.ax[i] = moved->a;
-  }
-  system_.spread(committed_.s);
-  system_.spread(committed_.ax);
-  system_.support(std::move(supports), BodyMotion(system_.supports().motion()));
-  copied_ = loaded_ = false, expected_ = -1;
-}
-
 void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried) {
   committed_ = state;
   copied_ = false;

@@ -31,8 +31,8 @@ struct LineStretch {
 LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan& span, int first, int last);
 
 // A line that is fed at an end or at both, and is no longer than what is outside.
-LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
-                         const LineSpan& span);
+LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
+                         const Mesh& mesh, const LineSpan& span);
 
 // Ends in the soil go straight out of it; between them the line is one that starts on the bed. What is buried
 // ends at a node here.

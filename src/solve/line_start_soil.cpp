@@ -60,17 +60,21 @@ LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan
 }
 
 // What is inside a feeder is at its mouth; the rest is a line of its own.
-LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
-                         const LineSpan& span) {
-  const auto length = [&](int e) { return mesh.elements[static_cast<size_t>(span.first_element + e)].length; };
+LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
+                         const Mesh& mesh, const LineSpan& span) {
+  const auto length = [&](int e) {
+    return mesh.elements[static_cast<size_t>(span.first_element + e)].length;
+  };
   // Elements whose middle is inside, as Feeders takes them.
   int first = 0, last = span.nodes - 1;
   double inside = 0;
   if (line.end_a.feed)
-    while (first + 1 < last && length(first) < 2 * (line.end_a.feed->stock - inside)) inside += length(first++);
+    while (first + 1 < last && length(first) < 2 * (line.end_a.feed->stock - inside))
+      inside += length(first++);
   inside = 0;
   if (line.end_b.feed)
-    while (last - 1 > first && length(last - 1) < 2 * (line.end_b.feed->stock - inside)) inside += length(--last);
+    while (last - 1 > first && length(last - 1) < 2 * (line.end_b.feed->stock - inside))
+      inside += length(--last);
   const LineStretch rest = stretch_of(line, mesh, span, first, last);
   const LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
   LineStart out;

@@ -41,7 +41,9 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
   power_.assign(feeders_.size(), 0);
 }
 
-int Feeders::elements(const Feeder& f) const { return mesh_.mesh->lines[static_cast<size_t>(f.line)].elements; }
+int Feeders::elements(const Feeder& f) const {
+  return mesh_.mesh->lines[static_cast<size_t>(f.line)].elements;
+}
 
 int Feeders::node(const Feeder& f, int i) const {
   const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
@@ -89,10 +91,9 @@ Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
   const LocalElement* e = at_mouth(f);
   if (!e) return {f.length, f.speed, 0, 0};
   const double chord = (at.x[static_cast<size_t>(e->second)] - at.x[static_cast<size_t>(e->first)]).norm();
-  const FedElement fed =
-      feed_step(f.section, {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting}, f.length, h,
-                chord);
-  return {fed.length, f.speed, 0, fed.by_chord};
+  const FedElement fed = feed_step(
+      f.section, {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting}, f.length, h, chord);
+  return {fed.length, (fed.length - f.length) / h, 0, fed.by_chord};
 }
 
 std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now) const {
@@ -100,13 +101,13 @@ std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now
   std::optional<Rest> out;
   for (const Feeder& f : feeders_) {
     if (f.line != g.line) continue;
-    if (!out) out = Rest{false, g.length, 0, g.length};
+    if (!out) out = Rest{false, g.length, 0, 0, g.length};
     const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
     const int i = f.at_b ? span.first_element + span.elements - 1 - e : e - span.first_element;
     if (i < f.mouth) out->idle = true;
     if (i != f.mouth) continue;
     const Mouth m = mouth(f, at, now);
-    out->length = m.length, out->follows = m.by_chord, out->before = f.length;
+    out->length = m.length, out->follows = m.by_chord, out->grows = m.speed, out->before = f.length;
   }
   return out;
 }
@@ -115,7 +116,8 @@ std::vector<Support> Feeders::with_held(const std::vector<Support>& supports) co
   std::vector<int> fed = fed_nodes();
   std::vector<Support> out;
   for (const Support& s : supports)
-    if (!std::binary_search(fed.begin(), fed.end(), mesh_.global[static_cast<size_t>(s.node)])) out.push_back(s);
+    if (!std::binary_search(fed.begin(), fed.end(), mesh_.global[static_cast<size_t>(s.node)]))
+      out.push_back(s);
   for (const Feeder& f : feeders_)
     for (int i = 0; i <= f.mouth; ++i)
       if (const int here = mesh_.find(node(f, i)); here >= 0) {
@@ -245,8 +247,8 @@ void Feeders::commit(const Kinematics& accepted) {
       if (f.feed.most > 0 && f.resting)
         f.resting = T >= f.feed.least && T <= f.feed.most;
       else if (f.feed.most > 0)
-        f.resting = last * f.speed < 0 ||
-                    std::abs(off) < kThere * (off > 0 ? f.feed.most - f.feed.tension : f.feed.tension - f.feed.least);
+        f.resting = last * f.speed < 0 || std::abs(off) < kThere * (off > 0 ? f.feed.most - f.feed.tension
+                                                                            : f.feed.tension - f.feed.least);
       if (f.resting) f.speed = 0;
     }
     if (!e || !e->counted || !(h > 0)) continue;
@@ -254,8 +256,8 @@ void Feeders::commit(const Kinematics& accepted) {
     work_ += 0.5 * h * (power_[k] + now);
     const size_t i = static_cast<size_t>(e->first), j = static_cast<size_t>(e->second);
     if (before_.size() == accepted.x.size())
-      work_ -= 0.25 * (f.length - before) *
-               f.weight.dot(before_[i] + before_[j] + accepted.x[i] + accepted.x[j]);
+      work_ -=
+          0.25 * (f.length - before) * f.weight.dot(before_[i] + before_[j] + accepted.x[i] + accepted.x[j]);
   }
 }
 
@@ -280,7 +282,8 @@ Verdict Feeders::judge(const Kinematics& trial) const {
   for (const Feeder& f : feeders_) {
     if (!f.feed.speed.empty() || at_mouth(f)) {
       const double length = mouth(f, trial, true).length, whole = element_length(f, f.mouth);
-      if (length < kShortest * whole || length > whole + kLonger * element_length(f, std::max(f.mouth - 1, 0)))
+      if (length < kShortest * whole ||
+          length > whole + kLonger * element_length(f, std::max(f.mouth - 1, 0)))
         return {Verdict::Kind::shorter,
                 fmt::format("{} is paid out or hauled in by more than half an element in it", f.name)};
     }

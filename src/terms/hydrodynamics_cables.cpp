@@ -28,7 +28,8 @@ void Hydrodynamics::group() {
 void Hydrodynamics::see_feeders(const Kinematics& at, bool now) {
   if (!feeders_) return;
   for (Piece& p : pieces_)
-    if (const auto rest = feeders_->rest(p.at.global, at, now)) p.idle = rest->idle, p.section.length = rest->length;
+    if (const auto rest = feeders_->rest(p.at.global, at, now))
+      p.idle = rest->idle, p.section.length = rest->length;
   for (Four& q : fours_)
     for (int lane = 0; lane < 4; ++lane) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[lane])];

@@ -95,7 +95,8 @@ void StructureTerm::see_feeders(const Kinematics& at) {
   if (!feeders_) return;
   for (Cable& c : cables_)
     if (const auto rest = feeders_->rest(c.at.global, at, true))
-      c.idle = rest->idle, c.section.length = rest->length, c.section.follows = rest->follows;
+      c.idle = rest->idle, c.section.length = rest->length, c.section.follows = rest->follows,
+      c.section.grows = rest->grows;
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {

@@ -41,7 +41,8 @@ TEST(Feeders, LowerAndRaiseAWeight) {
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto out = named(file, r, "rope_end_a_feed", "paid_out"), T = named(file, r, "rope_end_a_feed", "tension"),
+  const auto out = named(file, r, "rope_end_a_feed", "paid_out"),
+             T = named(file, r, "rope_end_a_feed", "tension"),
              end = named(file, r, "winch", "effective_tension");
   const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
   double off = 0, worst = 0;
@@ -93,7 +94,8 @@ TEST(Feeders, ALineThatRunsKeepsItsShape) {
   double mean = 0, most = 0, least = HUGE_VAL, lowest_first = 0, lowest_last = 0;
   int count = 0;
   for (size_t i = 0; i < T.size(); ++i)
-    if (r.step_times[i] > 50) mean += T[i], ++count, most = std::max(most, T[i]), least = std::min(least, T[i]);
+    if (r.step_times[i] > 50)
+      mean += T[i], ++count, most = std::max(most, T[i]), least = std::min(least, T[i]);
   mean /= count;
   const auto& x = r.fields.at("position");
   const size_t nodes = 311;
@@ -101,8 +103,8 @@ TEST(Feeders, ALineThatRunsKeepsItsShape) {
     lowest_first = std::min(lowest_first, x.at(3 * n + 2));
     lowest_last = std::min(lowest_last, x.at(3 * (nodes * (r.output_times.size() - 1) + n) + 2));
   }
-  printf("  T at rest %.2f, with 10 m/s %.2f (%.2f to %.2f), lowest point %.4f, %.4f\n", T[0], mean, least, most,
-         lowest_first, lowest_last);
+  printf("  T at rest %.2f, with 10 m/s %.2f (%.2f to %.2f), lowest point %.4f, %.4f\n", T[0], mean, least,
+         most, lowest_first, lowest_last);
   EXPECT_NEAR(mean, T[0] + 10 * 100, 1e-3 * T[0]);
   EXPECT_NEAR(lowest_last, lowest_first, 2e-3 * std::abs(lowest_first));
 }
@@ -133,7 +135,8 @@ TEST(Feeders, KeepATension) {
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto T = named(file, r, "rope_end_a_feed", "tension"), out = named(file, r, "rope_end_a_feed", "paid_out");
+  const auto T = named(file, r, "rope_end_a_feed", "tension"),
+             out = named(file, r, "rope_end_a_feed", "paid_out");
   double off = 0;
   for (size_t i = 1; i < T.size(); ++i) off = std::max(off, std::abs(T[i] - 1e4));
   const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
@@ -152,7 +155,8 @@ TEST(Feeders, RestWithinTheirBand) {
   run_on_all({input, file});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
-  const auto T = named(file, r, "rope_end_a_feed", "tension"), v = named(file, r, "rope_end_a_feed", "feed_speed");
+  const auto T = named(file, r, "rope_end_a_feed", "tension"),
+             v = named(file, r, "rope_end_a_feed", "feed_speed");
   int starts = 0;
   double off = 0;
   for (size_t i = 1; i < T.size(); ++i) {
@@ -172,7 +176,8 @@ void expect_same(const std::string& a, const std::string& b, double tolerance) {
   const Results whole = read(a), rest = read(b);
   const auto x = tail(whole.fields.at("position"), rest.fields.at("position"));
   EXPECT_LT(largest_difference(x, rest.fields.at("position")), tolerance) << b;
-  const auto T = named(a, whole, "rope_end_a_feed", "tension"), U = named(b, rest, "rope_end_a_feed", "tension");
+  const auto T = named(a, whole, "rope_end_a_feed", "tension"),
+             U = named(b, rest, "rope_end_a_feed", "tension");
   ASSERT_FALSE(U.empty());
   EXPECT_NEAR(T.back(), U.back(), 1e-6 * T.back());
   const auto e = named(a, whole, "energy", "error"), f = named(b, rest, "energy", "error");
@@ -182,9 +187,10 @@ void expect_same(const std::string& a, const std::string& b, double tolerance) {
 // In the middle of an element.
 TEST(Feeders, GoOnAfterARestart) {
   const std::string path = folder("feeders-restart");
-  for (const auto& [name, text, edits] : {std::tuple{"weight", kWeight, Edits{{"duration: 40", "duration: 30"}}},
-                                          {"band", kTug, kBand},
-                                          {"kept", kTug, Edits{}}}) {
+  for (const auto& [name, text, edits] :
+       {std::tuple{"weight", kWeight, Edits{{"duration: 40", "duration: 30"}}},
+        {"band", kTug, kBand},
+        {"kept", kTug, Edits{}}}) {
     const std::string input = path + "/" + name + ".yaml", whole = path + "/" + name + ".h5",
                       half = path + "/" + name + "-half.h5", rest = path + "/" + name + "-rest.h5";
     write_case(input, text, edits);

@@ -13,7 +13,8 @@ model::Case fed(const model::Feed& a, const model::Feed& b) {
   model::Case c;
   c.environment.gravity = 9.81;
   model::LineType t;
-  t.name = "rope", t.kind = model::LineKind::cable, t.mass_per_length = 2, t.EA = 300, t.stiffness_damping = 0.05;
+  t.name = "rope", t.kind = model::LineKind::cable, t.mass_per_length = 2, t.EA = 300,
+  t.stiffness_damping = 0.05;
   c.line_types.push_back(t);
   model::Line l;
   l.name = "rope";

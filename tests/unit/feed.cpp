@@ -113,8 +113,7 @@ TEST(Feed, ItsLengthIsTheIntegralOfItsSpeed) {
     if (i % 5000 == 0) {
       const model::Fed at = model::fed_by(f, (i + 1) * h);
       EXPECT_NEAR(at.length, sum, 1e-6);
-      EXPECT_NEAR(at.acceleration,
-                  (model::fed_by(f, (i + 1) * h + 1e-6).speed - at.speed) / 1e-6, 1e-6);
+      EXPECT_NEAR(at.acceleration, (model::fed_by(f, (i + 1) * h + 1e-6).speed - at.speed) / 1e-6, 1e-6);
     }
   }
   EXPECT_EQ(model::fed_by(f, 0.5).speed, 0.5);

@@ -2,6 +2,7 @@
 // caught by it, checkpoints keep where they are.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,8 @@ class Feeding {
 
   // After a step was accepted, before it is shown. Collective.
   void agree();
-  // After it was shown: nodes that leave or are caught. SolveError where a stock has run out, or all of a line
-  // is hauled in. Collective.
+  // After it was shown: nodes that leave or are caught. SolveError where a stock has run out, or all of a
+  // line is hauled in. Collective.
   void hand_over();
 
   void save(io::Checkpoint& to) const;
@@ -28,7 +29,7 @@ class Feeding {
  private:
   void let_out(Feeder& f);
   void haul_in(Feeder& f);
-  void change(Feeder& f, int mouth, double length);
+  void hand_over(Feeder& f, int mouth, double length, const std::optional<Dynamics::Moved>& moved);
 
   Simulation& sim_;
 };

@@ -48,7 +48,7 @@ class Simulation {
   const RigidBodies* floating() const { return floating_; }              // null: no body has mass
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
-  Feeders* feeders() { return feeders_; }          // of lines' ends; null: there are none
+  Feeders* feeders() { return feeders_; }  // of lines' ends; null: there are none
   const Feeders* feeders() const { return feeders_; }
   SeabedTerm* seabed() { return seabed_; }         // null: there is none
   LinePairs* line_pairs() { return line_pairs_; }  // null: lines do not touch lines

@@ -8,7 +8,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "hawser/solve/generalized_alpha.hpp"
 #include "hawser/solve/linear_solver.hpp"
@@ -53,12 +52,13 @@ class Dynamics {
   struct Moved {
     int node = 0;
     Vec3 x, v, a;
+    bool free = false;  // it settles where the forces on it are in balance with its acceleration
   };
-  // Goes on with other supports, of which one has gone over from a node of the mesh to its neighbour, as a
-  // feeder takes hold of a line elsewhere: `moved`, known to the ranks that have what it follows from, moves
-  // so from now on, all else as it did. Collective.
-  void hand_over(std::vector<Support> supports, const std::optional<Moved>& moved,
-                 std::pair<int, int> from_to);
+  // A feeder lets go of a node or takes hold of one: `change` is what it changes and returns how that node
+  // goes on, on ranks that know. Mean forces and reactions change by as much as the forces of the state do;
+  // all else goes on as it did. Collective.
+  void hand_over(const std::function<std::optional<Moved>()>& change,
+                 const std::function<std::vector<Support>()>& supports);
   // What a checkpoint carries beside the state.
   struct Carried {
     double step_proposal = 0;
@@ -115,6 +115,7 @@ class Dynamics {
   void solve_once(Attempt& a);
   void put(const std::vector<double>& u);
   void solve_masses();
+  void settle(int node);
 
   System& system_;
   DynamicsSettings settings_;

@@ -26,9 +26,9 @@ struct Feeder {
   model::Feed feed;
   Support support;  // of a node that is held at the feeder
   CableSection section;
-  double mass_per_length = 0;       // kg/m
-  Vec3 weight = Vec3::Zero();       // N/m
-  double outside_at_start = 0;      // m, unstretched
+  double mass_per_length = 0;   // kg/m
+  Vec3 weight = Vec3::Zero();   // N/m
+  double outside_at_start = 0;  // m, unstretched
 
   // Committed, the same on all ranks.
   int mouth = 0;         // the element at the mouth, counted from the fed end; those before it are the stock
@@ -67,10 +67,11 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   Mouth mouth(const Feeder& f, const Kinematics& at, bool now) const;
   // Of an element of the mesh; nullopt: no feeder has to do with it.
   struct Rest {
-    bool idle = false;    // inside a feeder
-    double length = 0;    // m, unstretched
-    double follows = 0;   // derivative by the chord
-    double before = 0;    // m, unstretched at the start of the step, of the one at a mouth; else `length`
+    bool idle = false;   // inside a feeder
+    double length = 0;   // m, unstretched
+    double follows = 0;  // derivative by the chord
+    double grows = 0;    // m/s, its rate
+    double before = 0;   // m, unstretched at the start of the step, of the one at a mouth; else `length`
   };
   std::optional<Rest> rest(int element, const Kinematics& at, bool now) const;
   // Where the ends of an element were at the start of the step.
