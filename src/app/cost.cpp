@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/app/feeding.hpp"
 #include "hawser/app/output_times.hpp"
 
 namespace hawser::app {
@@ -57,10 +58,12 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
       const OutputTimes times(c);
       Dynamics& d = sim.dynamics();
       d.start(sim.state());
+      Feeding feeding(sim);
       const double at_rest = cpu_time();
       d.run(
           trial.duration, [&](double t) { return times.next(t); },
           [&](const StepInfo& info) {
+            feeding.agree(), feeding.hand_over();
             way.push_back({cpu_time() - at_rest, info.time});
             return !over();
           });

@@ -12,6 +12,7 @@
 
 #include "hawser/app/cost.hpp"
 #include "hawser/app/events.hpp"
+#include "hawser/app/feeding.hpp"
 #include "hawser/app/output_place.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/app/progress.hpp"
@@ -125,8 +126,10 @@ int run(MPI_Comm comm, const RunOptions& options) {
                     run_info(c, options.options_text, size), restarted ? &checkpoint : nullptr,
                     place.appends());
   Events events(comm, sim);
+  Feeding feeding(sim);
   if (restarted) {
     for (const std::string& e : events.restore(checkpoint)) progress.say(e);
+    feeding.restore(checkpoint, options.restart);
     restore(checkpoint, sim);
     for (const std::string& e : events.apply_due()) progress.say(e);
     // A new file begins with the state the run goes on from.
@@ -158,6 +161,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
       checkpoints.spend([&] { recorder.checkpoint(make_checkpoint(sim, recorder, events)); });
     };
     auto observer = [&](const StepInfo& info) {
+      feeding.agree();
       recorder.step(info, d.kinematics(), d.support_work());
       progress.step(info.time, info.h, info.iterations);
       const double slack = 1e-9 * std::max(1.0, info.time);
@@ -175,6 +179,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
       if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
       // What was shown is the state before it, what is saved the one after.
       for (const std::string& e : events.apply_due()) progress.say(e);
+      feeding.hand_over();
       if (save || stop) {
         if (last || stop || keep > 0 || agreed[1]) save_state();
         checkpoint_at = keep > 0 ? next_multiple(info.time, keep) : output_at;

@@ -3,6 +3,7 @@
 #include "hawser/app/end_forces.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hawser::app {
 
@@ -11,7 +12,7 @@ double SectionForce::tension() const {
   return beam ? along : std::max(along, 0.0);
 }
 
-EndForces::EndForces(const System& system) : system_(system) {
+EndForces::EndForces(const System& system, const Feeders* feeders) : system_(system), feeders_(feeders) {
   const LocalMesh& local = system.mesh();
   const Mesh& mesh = *local.mesh;
   std::vector<int> at(static_cast<size_t>(local.owned), -1);
@@ -51,6 +52,25 @@ void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
     if (p.after >= 0) p.sides[1] = section(at, p.after, false, carried);
     if (p.before < 0) p.sides[0] = p.sides[1];
     if (p.after < 0) p.sides[1] = p.sides[0];
+  }
+  if (feeders_) look_at_mouths(at, carried);
+}
+
+// The ends of what is inside feeders have what is at the mouth.
+void EndForces::look_at_mouths(const Kinematics& at, std::span<const Vec3> carried) {
+  const auto& elements = system_.mesh().elements;
+  mouths_.assign(feeders_->list().size(), {});
+  for (size_t k = 0; k < mouths_.size(); ++k) {
+    const Feeder& f = feeders_->list()[k];
+    Vec3 known[2] = {Vec3::Constant(-HUGE_VAL), Vec3::Constant(-HUGE_VAL)};
+    if (const LocalElement* e = feeders_->at_mouth(f); e && e->counted) {
+      const SectionForce s = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
+      known[0] = s.force, known[1] = s.direction;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, known, 6, MPI_DOUBLE, MPI_MAX, system_.comm());
+    mouths_[k].force = known[0], mouths_[k].direction = known[1];
+    for (Place& p : places_)
+      if (p.end == 2 * f.line + f.at_b) p.sides = {mouths_[k], mouths_[k]};
   }
 }
 

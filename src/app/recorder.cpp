@@ -18,6 +18,7 @@
 #include "hawser/math/declination.hpp"
 #include "hawser/model/doubts.hpp"
 #include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/feeders.hpp"
 
 namespace hawser::app {
 namespace {
@@ -56,7 +57,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     : comm_(comm),
       sim_(simulation),
       registry_(simulation.system().fields()),
-      end_forces_(simulation.system()),
+      end_forces_(simulation.system(), simulation.feeders()),
       turns_(simulation.local()),
       utilisation_(simulation.model(), simulation.local()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)),
@@ -132,6 +133,11 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
                                   {"end_b_arc_length", "m", 1},
                                   {"end_b_position", "m", 3},
                                   {"laid_length", "m", 1}}});
+  if (const Feeders* feeders = sim_.feeders())
+    for (const Feeder& f : feeders->list())
+      contents.series.push_back(
+          {fmt::format("{} {} feed", c.lines[static_cast<size_t>(f.line)].name, f.at_b ? "end_b" : "end_a"),
+           {{"paid_out", "m", 1}, {"feed_speed", "m/s", 1}, {"tension", "N", 1}, {"mouth_length", "m", 1}}});
   io::ResultSeries energy{"energy", {}};
   for (const char* name :
        {"kinetic", "strain", "potential", "friction", "damping", "brought_in", "error", "unresolved"})
@@ -270,6 +276,13 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
   if (shows_touchdowns())
     for (const Touchdown& t : touchdowns(comm_, sim_.model(), sim_.local(), at))
       rows.push_back(rank == 0 ? touchdown_row(t) : std::vector<double>{});
+  if (const Feeders* feeders = sim_.feeders())
+    for (size_t k = 0; k < feeders->list().size(); ++k) {
+      const Feeder& f = feeders->list()[k];
+      std::vector<double> row{feeders->outside(f) - f.outside_at_start, f.speed,
+                              end_forces_.at_mouths()[k].tension(), f.length};
+      rows.push_back(rank == 0 ? std::move(row) : std::vector<double>{});
+    }
   if (rank == 0) {
     rows.push_back({e.kinetic, e.strain, e.potential, e.friction, e.damping, audit_.brought_in, audit_.error,
                     e.unresolved});

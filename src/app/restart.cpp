@@ -9,6 +9,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "hawser/app/feeding.hpp"
 #include "hawser/app/files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
@@ -121,6 +122,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
     c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
   recorder.save(c);
   events.save(c);
+  Feeding(simulation).save(c);
   return c;
 }
 

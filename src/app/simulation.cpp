@@ -22,6 +22,7 @@
 #include "hawser/terms/buried.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/end_springs.hpp"
+#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/point_loads.hpp"
@@ -47,9 +48,13 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
 }
 
 // Local nodes whose place is prescribed for as long as the run lasts.
-std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local,
+std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const Feeders* feeders,
                             const std::vector<Support>& supports) {
   std::set<int> let_go;  // nodes of the mesh
+  if (feeders) {
+    const std::vector<int> fed = feeders->fed_nodes();
+    let_go.insert(fed.begin(), fed.end());
+  }
   for (const model::Release& r : c.events) {
     const LineSpan& span = local.mesh->lines[static_cast<size_t>(c.line_index(r.line))];
     let_go.insert(span.first_node + (r.at_b ? span.nodes - 1 : 0));
@@ -117,7 +122,15 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   auto structure = std::make_unique<StructureTerm>(local, c);
   structure_ = structure.get();
   system_->add(std::move(structure));
-  system_->add(std::make_unique<LineMassTerm>(local, c));
+  auto mass = std::make_unique<LineMassTerm>(local, c);
+  std::unique_ptr<Feeders> feeders;
+  if (std::any_of(c.lines.begin(), c.lines.end(),
+                  [](const auto& l) { return l.end_a.feed || l.end_b.feed; })) {
+    feeders = std::make_unique<Feeders>(local, case_);
+    feeders_ = feeders.get();
+    structure_->fed_by(feeders_), mass->fed_by(feeders_);
+  }
+  system_->add(std::move(mass));
   bool loads = false, masses = false;
   for (const auto& line : c.lines) loads |= !line.point_loads.empty(), masses |= !line.masses.empty();
   if (loads) system_->add(std::make_unique<PointLoads>(local, point_loads(c, local)));
@@ -128,11 +141,18 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   for (const auto& line : c.lines)
     springs |= line.end_a.rotational_stiffness > 0 || line.end_b.rotational_stiffness > 0;
   if (springs) system_->add(std::make_unique<EndSprings>(local, bodies_, end_springs(c, local)));
-  if (c.environment.water.present) system_->add(std::make_unique<Hydrodynamics>(local, c));
+  if (c.environment.water.present) {
+    auto water = std::make_unique<Hydrodynamics>(local, c);
+    water->fed_by(feeders_);
+    system_->add(std::move(water));
+  }
+  // After those it tells lengths to: it commits last.
+  if (feeders) system_->add(std::move(feeders));
 
   StartShape start = start_shape(c, local, *bodies_);
+  if (feeders_) start.supports = feeders_->with_held(start.supports);
   if (c.environment.seabed.present) {
-    const std::vector<int> held = held_nodes(c, local, start.supports);
+    const std::vector<int> held = held_nodes(c, local, feeders_, start.supports);
     auto seabed = std::make_unique<SeabedTerm>(local, c, held);
     seabed_ = seabed.get();
     system_->add(std::move(seabed));
@@ -157,7 +177,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (!volumes.empty()) {
     std::vector<LineContactElement> elements = contact_elements(c, local);
     std::vector<bool> held(static_cast<size_t>(local.nodes()), false);
-    for (const int n : held_nodes(c, local, start.supports)) held[static_cast<size_t>(n)] = true;
+    for (const int n : held_nodes(c, local, feeders_, start.supports)) held[static_cast<size_t>(n)] = true;
     for (size_t e = 0; e < elements.size(); ++e)
       elements[e].held = {held[static_cast<size_t>(local.elements[e].first)],
                           held[static_cast<size_t>(local.elements[e].second)]};

@@ -13,6 +13,19 @@ using model::Value;
 
 namespace {
 
+model::Feed feed(const Value& v) {
+  model::Feed f;
+  f.stock = v["stock"].number;
+  if (v.has("speed")) f.speed = {{0.0, v["speed"].number}};
+  if (v.has("speed_table"))
+    for (const Value& row : v["speed_table"].items)
+      f.speed.emplace_back(row.items[0].number, row.items[1].number);
+  f.tension = number(v, "tension");
+  if (v.has("dead_band")) f.least = v["dead_band"].items[0].number, f.most = v["dead_band"].items[1].number;
+  f.speed_per_tension = number(v, "speed_per_tension"), f.max_speed = number(v, "max_speed");
+  return f;
+}
+
 model::End end(const Value& v, const std::string& path, const CaseSource& source, const model::Case& c) {
   model::End e;
   if (v.kind != Value::Kind::map) return e;
@@ -26,6 +39,7 @@ model::End end(const Value& v, const std::string& path, const CaseSource& source
   e.clamped = v["clamped"].number != 0;
   e.rotational_stiffness = number(v, "rotational_stiffness");
   if (v.has("no_contact_within")) e.no_contact_within = v["no_contact_within"].number;
+  if (v.has("feed")) e.feed = feed(v["feed"]);
   return e;
 }
 

@@ -22,7 +22,7 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   o.t = o.l > 0 ? Vec3(d / o.l) : Vec3(0, 0, 0);
   o.strain = (o.l - s.length) / s.length - s.free_strain;
   o.dv = e.v2 - e.v1;
-  o.rate = o.t.dot(o.dv) / s.length;
+  o.rate = (o.t.dot(o.dv) - s.grows * o.l / s.length) / s.length;
   o.tension = 0;
   o.damped = false;
   if (o.strain > 0) {
@@ -102,6 +102,7 @@ CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, do
   o.length = o.chord.norm();
   o.strain = (o.length - s.length) / s.length - s.free_strain;
   o.stretch = stretch;
+  o.rest = s.length;
   return o;
 }
 
@@ -116,7 +117,8 @@ void cable_mean(const CableSection& s, const CableStart& from, const CableStep& 
   const Mean m = mean_of(s, from, step, x2 - x1);
   const double across = m.tension > 0 ? m.tension / (from.length + m.l) : 0;
   out.force = m.tension * m.n;
-  const Vec3 along = (m.slope / s.length) * m.t;
+  // d strain = (dl - (l/L) dL) / L
+  const Vec3 along = (m.slope / s.length * (1 - m.l / s.length * s.follows)) * m.t;
   out.k = m.n * along.transpose() - (across * m.n) * m.t.transpose();
   out.k.diagonal().array() += across;
   out.c.setZero();
@@ -125,13 +127,24 @@ void cable_mean(const CableSection& s, const CableStart& from, const CableStep& 
 CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                      const Vec3& x2) {
   const Mean m = mean_of(s, from, step, x2 - x1);
-  const double way = m.l - from.length;
+  // Of a changed unstretched length the ends' way is the mean length times the growth of the strain, which
+  // the forces of the material work on, and the mean stretch times what was let out
+  // (docs/theory/feeders.md#energy).
+  const double let_out = s.length - from.rest,
+               stretch =
+                   1 + s.free_strain + 0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
+  const double way = m.l - from.length - stretch * let_out;
+  const double energy = let_out == 0
+                            ? 0
+                            : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
+                                     s.axial(std::max(m.l / s.length - 1 - s.free_strain, 0.0)).energy);
+  const double fed = (energy - m.tension * stretch) * let_out;
   // Where it would push, the spring has worked against what holds it back alone.
   if (m.tension == 0) {
     const double spent = -m.elastic * way;
-    return s.beta > 0 ? CableLoss{spent, 0, 0} : CableLoss{0, spent, 0};
+    return s.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
   }
-  return {m.damper * way, m.filter * way, m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0};
+  return {m.damper * way, m.filter * way, m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0, fed};
 }
 
 Vec3 cable_pull(const CableSection& s, const CableEnds& e) {
@@ -146,8 +159,9 @@ void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePul
   const double ea = s.EA / s.length, across = taut ? o.tension / o.l : 0;
   const double stiff = taut ? o.axial.slope / s.length : ea;
   Vec3 along = (taut || convex ? stiff : 0.0) * o.t - across * o.t;
-  // rate = t.dv/L turns with the chord: its gradient is (dv - t (t.dv))/(l L)
-  if (o.damped) along += (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv));
+  // rate = (t.dv - L' l/L)/L turns with the chord: its gradient is (dv - t (t.dv))/(l L) - L' t/L²
+  if (o.damped)
+    along += (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv)) - (ea * s.beta * s.grows / s.length) * o.t;
   const Vec3 damped = (o.damped ? ea * s.beta : 0.0) * o.t;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) {

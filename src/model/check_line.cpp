@@ -44,6 +44,14 @@ class LineCheck {
 
   bool held(const End& e) const { return e.kind != EndKind::free; }
 
+  // m, of what is not inside a feeder at the start.
+  double outside() const {
+    double sum = length_;
+    for (const End* e : {&line_.end_a, &line_.end_b})
+      if (e->feed) sum -= e->feed->stock;
+    return sum;
+  }
+
   void check_weight() {
     for (const Section& s : line_.sections) {
       const LineType& type = c_.line_type(s.type);
@@ -120,10 +128,10 @@ class LineCheck {
       if (d <= 0) issue(fmt::format("start.points[{}]", i), "is the same point as the one before it");
       laid += d;
     }
-    if (std::abs(laid - length_) > kLargestStrain * length_)
+    if (std::abs(laid - outside()) > kLargestStrain * outside())
       issue("start.points",
             "this polyline is {:.6g} m long, but the line is {:.6g} m; they may differ by {:g} %", laid,
-            length_, 100 * kLargestStrain);
+            outside(), 100 * kLargestStrain);
     check_point(line_.end_a, line_.points.front(), 0);
     check_point(line_.end_b, line_.points.back(), line_.points.size() - 1);
     check_held();
@@ -141,12 +149,12 @@ class LineCheck {
     if (!held(line_.end_a) || !held(line_.end_b)) return;
     if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // it moves
     const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
-    const double natural = length_ + expansion_of(c_, line_), strain = (span - natural) / natural;
+    const double natural = outside() + expansion_of(c_, line_), strain = (span - natural) / natural;
     if (!(strain < kLargestStrain))
       issue("sections",
             "the line is {:.6g} m long{} but its ends are {:.6g} m apart at t = 0; reaching that takes a "
             "strain of {:.3g} %, and the limit is {:g} %",
-            natural, natural == length_ ? "" : " at its temperature", span, 100 * strain,
+            natural, natural == outside() ? "" : " at its temperature", span, 100 * strain,
             100 * kLargestStrain);
   }
 
@@ -275,6 +283,7 @@ class LineCheck {
 
 void check_line(const Case& c, const Line& line, std::vector<Issue>& issues) {
   LineCheck(c, line, issues).run();
+  for (const bool at_b : {false, true}) check_feed(c, line, at_b, issues);
 }
 
 }  // namespace hawser::model

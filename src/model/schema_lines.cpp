@@ -4,6 +4,39 @@
 namespace hawser::model::schema_build {
 namespace {
 
+Key feed() {
+  return map("feed",
+             {number(
+                  "stock", length,
+                  "of the line, counted from this end on, is inside the feeder at t = 0: held at it, without "
+                  "weight and forces; begins and ends at the node that is nearest")
+                  .above(0)
+                  .is_required(),
+              number("speed", velocity, "constant, from t = 0 on; above 0 pays out, below 0 hauls in"),
+              list("speed_table", list("", number("", none), "").items(2, 2),
+                   "`[[s, m/s], ...]`: straight between the rows, constant before and beyond")
+                  .items(1),
+              number("tension", force, "that the feeder keeps to, at its mouth").above(0),
+              list("dead_band", number("", force).at_least(0),
+                   "tensions between which the feeder rests, once it has reached `tension`")
+                  .items(2, 2)
+                  .or_else_note("none: it never rests"),
+              number(
+                  "speed_per_tension", none,
+                  "m/s for each N by which the tension is above `tension` (pays out) or below it (hauls in)")
+                  .above(0)
+                  .or_else_note("none: it keeps the tension exactly"),
+              number("max_speed", velocity, "of a feeder that keeps to a tension, either way")
+                  .above(0)
+                  .or_else_note("none")},
+             "pays the line out here and hauls it in (winch, tensioner, reel), in dynamics; of lines without "
+             "bending stiffness, at an anchor or a body whose motion is prescribed")
+      .either({{{"speed"}, {"speed"}},
+               {{"speed_table"}, {"speed_table"}},
+               {{"tension", "dead_band", "speed_per_tension", "max_speed"}, {"tension"}}},
+              true);
+}
+
 Key line_end(std::string name, const std::string& about) {
   return one_of(
       std::move(name),
@@ -28,7 +61,8 @@ Key line_end(std::string name, const std::string& about) {
                 .at_least(0)
                 .or_else_note(
                     "of a held end that starts inside a volume: up to where the line is clear of it, "
-                    "with that volume")},
+                    "with that volume"),
+            feed()},
            "")
            .either({{{"anchor"}, {"anchor"}}, {{"body", "at"}, {"body", "at"}}, {{"joint"}, {"joint"}}},
                    true)},

@@ -22,6 +22,18 @@ RigidPose start_pose(const model::Case& c, const Bodies& bodies, const model::En
 LineStart line_start(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
                      const LineSpan& span);
 
+// The nodes from `first` to `last` of a line, as a line of its own with the same ends.
+struct LineStretch {
+  model::Line line;
+  Mesh mesh;
+  LineSpan span;
+};
+LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan& span, int first, int last);
+
+// A line that is fed at an end or at both, and is no longer than what is outside.
+LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
+                         const Mesh& mesh, const LineSpan& span);
+
 // Ends in the soil go straight out of it; between them the line is one that starts on the bed. What is buried
 // ends at a node here.
 LineStart line_start_from_soil(const model::Case& c, const model::Line& line, const Bodies& bodies,

@@ -31,32 +31,12 @@ Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, do
 
 }  // namespace
 
-LineStart line_start_from_soil(const model::Case& c, const model::Line& line, const Bodies& bodies,
-                               const Mesh& mesh, const LineSpan& span) {
+LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan& span, int first, int last) {
   const double near = 1e-9 * span.length;
   const auto arc = [&](int i) { return mesh.nodes[static_cast<size_t>(span.first_node + i)].arc; };
-  int first = 0, last = span.nodes - 1;  // of what is not buried
-  for (const model::Buried& b : line.buried) {
-    if (b.from <= near)
-      while (first + 1 < span.nodes && arc(first + 1) <= b.to + near) ++first;
-    else
-      while (last > 0 && arc(last - 1) >= b.from - near) --last;
-  }
-  const model::Seabed& bed = c.environment.seabed;
-  const Vec3 xa = start_pose(c, bodies, line.end_a).to_space(line.end_a.at),
-             xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
-  model::Line rest = line;
-  rest.buried.clear();
-  Mesh part = mesh;
-  LineSpan between = span;
+  LineStretch out{line, mesh, span};
+  model::Line& rest = out.line;
   const double from = arc(first), to = arc(last);
-  const auto anchor = [](const Vec3& at) {
-    model::End e;
-    e.kind = model::EndKind::anchor, e.at = at;
-    return e;
-  };
-  if (first > 0) rest.end_a = anchor(exit_of_soil(bed, xa, xb, from));
-  if (last < span.nodes - 1) rest.end_b = anchor(exit_of_soil(bed, xb, xa, span.length - to));
   rest.sections.clear();
   double start = 0;
   for (model::Section s : line.sections) {
@@ -72,11 +52,64 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
   for (auto& row : rest.temperature_change) row.first -= from;
   for (auto& p : rest.point_loads) p.at -= from;
   for (auto& q : rest.loads) q.from = std::max(0.0, q.from - from), q.to = q.to < 0 ? q.to : q.to - from;
-  for (int i = first; i <= last; ++i) part.nodes[static_cast<size_t>(span.first_node + i)].arc -= from;
-  between.first_node += first, between.nodes = last - first + 1;
-  between.first_element += first, between.elements = last - first;
-  between.length = to - from;
-  LineStart free = line_start(c, rest, bodies, part, between);
+  for (int i = first; i <= last; ++i) out.mesh.nodes[static_cast<size_t>(span.first_node + i)].arc -= from;
+  out.span.first_node += first, out.span.nodes = last - first + 1;
+  out.span.first_element += first, out.span.elements = last - first;
+  out.span.length = to - from;
+  return out;
+}
+
+// What is inside a feeder is at its mouth; the rest is a line of its own.
+LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
+                         const Mesh& mesh, const LineSpan& span) {
+  const auto length = [&](int e) {
+    return mesh.elements[static_cast<size_t>(span.first_element + e)].length;
+  };
+  // Elements whose middle is inside, as Feeders takes them.
+  int first = 0, last = span.nodes - 1;
+  double inside = 0;
+  if (line.end_a.feed)
+    while (first + 1 < last && length(first) < 2 * (line.end_a.feed->stock - inside))
+      inside += length(first++);
+  inside = 0;
+  if (line.end_b.feed)
+    while (last - 1 > first && length(last - 1) < 2 * (line.end_b.feed->stock - inside))
+      inside += length(--last);
+  const LineStretch rest = stretch_of(line, mesh, span, first, last);
+  const LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
+  LineStart out;
+  for (int i = 0; i < span.nodes; ++i) {
+    const size_t k = static_cast<size_t>(std::clamp(i, first, last) - first);
+    out.x.push_back(free.x[k]), out.tangent.push_back(free.tangent[k]);
+  }
+  return out;
+}
+
+LineStart line_start_from_soil(const model::Case& c, const model::Line& line, const Bodies& bodies,
+                               const Mesh& mesh, const LineSpan& span) {
+  const double near = 1e-9 * span.length;
+  const auto arc = [&](int i) { return mesh.nodes[static_cast<size_t>(span.first_node + i)].arc; };
+  int first = 0, last = span.nodes - 1;  // of what is not buried
+  for (const model::Buried& b : line.buried) {
+    if (b.from <= near)
+      while (first + 1 < span.nodes && arc(first + 1) <= b.to + near) ++first;
+    else
+      while (last > 0 && arc(last - 1) >= b.from - near) --last;
+  }
+  const model::Seabed& bed = c.environment.seabed;
+  const Vec3 xa = start_pose(c, bodies, line.end_a).to_space(line.end_a.at),
+             xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
+  LineStretch rest = stretch_of(line, mesh, span, first, last);
+  const double from = arc(first), to = arc(last);
+  rest.line.buried.clear();
+  const auto anchor = [](const Vec3& at) {
+    model::End e;
+    e.kind = model::EndKind::anchor, e.at = at;
+    return e;
+  };
+  if (first > 0) rest.line.end_a = anchor(exit_of_soil(bed, xa, xb, from));
+  if (last < span.nodes - 1) rest.line.end_b = anchor(exit_of_soil(bed, xb, xa, span.length - to));
+  LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
   lift(bed, free);
   LineStart out;
   for (int i = 0; i < span.nodes; ++i) {
@@ -85,9 +118,9 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
       out.tangent.push_back((b - a).normalized());
     };
     if (i < first) {
-      straight(xa, rest.end_a.at, arc(i) / from);
+      straight(xa, rest.line.end_a.at, arc(i) / from);
     } else if (i > last) {
-      straight(rest.end_b.at, xb, (arc(i) - to) / (span.length - to));
+      straight(rest.line.end_b.at, xb, (arc(i) - to) / (span.length - to));
     } else {
       const size_t k = static_cast<size_t>(i - first);
       out.x.push_back(free.x[k]), out.tangent.push_back(free.tangent[k]);

@@ -42,8 +42,9 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
     const model::Line& line = c.lines[l];
     const LineSpan& span = g.lines[l];
     const bool by_itself = line.start == model::Start::automatic || line.start == model::Start::catenary;
-    LineStart shape = by_itself && !line.buried.empty() ? line_start_from_soil(c, line, bodies, g, span)
-                                                        : line_start(c, line, bodies, g, span);
+    LineStart shape = line.end_a.feed || line.end_b.feed  ? line_start_fed(c, line, bodies, g, span)
+                      : by_itself && !line.buried.empty() ? line_start_from_soil(c, line, bodies, g, span)
+                                                          : line_start(c, line, bodies, g, span);
     mend(shape);
     if (by_itself && line.buried.empty()) lift(c.environment.seabed, shape);
     const auto rigid = [&](const model::End& e) {

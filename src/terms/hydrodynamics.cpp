@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/kernels/motion.hpp"
+#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/inertia_round_off.hpp"
 
 namespace hawser {
@@ -86,6 +87,7 @@ WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& 
 }
 
 void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const {
+  if (p.idle) return;
   double f[12], K[144], C[144], M[144];
   const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
   const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
@@ -111,6 +113,7 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
 }
 
 void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
+  see_feeders(trial, false);
   look(trial, water_);
   const bool tangent = assembler.wants_tangent();
   for (const Four& q : fours_) evaluate(q, trial, assembler);
@@ -156,7 +159,12 @@ void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
     for (int i = 0; i < q.count; ++i) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
       if (!p.at.counted) continue;
-      put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at, water), false, sea_.surface));
+      WaterForce none;
+      for (Vec3& force : none.force) force.setZero();
+      if (p.idle)
+        put(p, none);
+      else
+        put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at, water), false, sea_.surface));
     }
   }
   for (const int b : beams_) {
@@ -185,10 +193,13 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
     speed_.assign(committed.v.begin(), committed.v.end());
     start_time_ = committed.time, wave_known_ = false;
   }
-  if (h <= 0 || flow_.place.empty()) flow(committed, flow_);
+  see_feeders(committed, true);
+  if (h <= 0 || flow_.place.empty() || feeders_) flow(committed, flow_);
 }
 
 void Hydrodynamics::commit(const Kinematics& accepted) {
+  see_feeders(accepted, true);
+  if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
   Flow& now = spare_;
   flow(accepted, now);
   if (accepted.step > 0 && flow_.place.size() == now.place.size()) work_ += work(flow_, now);
@@ -208,7 +219,7 @@ Energy Hydrodynamics::energy(const Kinematics& at) const {
   calm.surface = sea_.surface;
   const std::vector<Water> water(at.x.size(), calm);
   for (const Piece& p : pieces_)
-    if (p.at.counted) e.potential += water_potential(p.section, ends(p, at, water), p.beam);
+    if (p.at.counted && !p.idle) e.potential += water_potential(p.section, ends(p, at, water), p.beam);
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
     e.potential += ball_potential(b.ball, at.x[n], water[n]);
@@ -232,7 +243,7 @@ double Hydrodynamics::work(const Flow& from, const Flow& to) {
 double Hydrodynamics::dead_load() const {
   double sum = 0;
   for (const Piece& p : pieces_)
-    if (p.at.counted) sum += p.section.length * p.section.buoyancy;
+    if (p.at.counted && !p.idle) sum += p.section.length * p.section.buoyancy;
   for (const Ball& b : balls_) sum += b.ball.buoyancy;
   return sum;
 }
@@ -247,7 +258,7 @@ double Hydrodynamics::round_off(const Kinematics& at, double h) const {
 
 void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
   const Piece* p = of_element(pieces_, e);
-  if (!p) return;
+  if (!p || p->idle) return;
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
   const Water first = water(at, i), second = water(at, j);
   double own[12];

@@ -1,6 +1,8 @@
 // Cables wholly under water, four at a time.
 #include <algorithm>
 
+#include "hawser/kernels/line_water.hpp"
+#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 
 namespace hawser {
@@ -20,6 +22,45 @@ void Hydrodynamics::group() {
     }
     ++q.count;
   }
+}
+
+// An idle element has no length for what is computed in fours.
+void Hydrodynamics::see_feeders(const Kinematics& at, bool now) {
+  if (!feeders_) return;
+  for (Piece& p : pieces_)
+    if (const auto rest = feeders_->rest(p.at.global, at, now))
+      p.idle = rest->idle, p.section.length = rest->length;
+  for (Four& q : fours_)
+    for (int lane = 0; lane < 4; ++lane) {
+      const Piece& p = pieces_[static_cast<size_t>(q.piece[lane])];
+      WaterSection s = p.section;
+      if (p.idle) s.length = 0;
+      q.sections.set(lane, s);
+    }
+}
+
+// J, by which feeders change the potential of buoyancy: by a longer element where it was and where it is, the
+// mean.
+double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
+  Water calm;
+  calm.surface = sea_.surface;
+  double sum = 0;
+  const std::vector<Vec3>& x = feeders_->before();
+  if (x.size() != at.x.size()) return 0;
+  Kinematics before = at;
+  before.x = x;
+  for (const Piece& p : pieces_) {
+    if (!p.at.counted || p.idle || p.beam) continue;
+    const auto rest = feeders_->rest(p.at.global, at, true);
+    if (!rest || rest->before == rest->length) continue;
+    WaterSection s = p.section;
+    s.length = rest->before;
+    for (const Kinematics& k : {before, at}) {
+      const WaterEnds e = ends(p, k, calm, calm);
+      sum += 0.5 * (water_potential(p.section, e, false) - water_potential(s, e, false));
+    }
+  }
+  return sum;
 }
 
 CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k,
@@ -61,6 +102,7 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& 
     submerged_force(q.sections, m, moving(), f);
   for (int i = 0; i < q.count; ++i) {
     const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
+    if (p.idle) continue;
     // Of a tied end the derivatives are asked one by one.
     if (wet >> i & 1 && !(assembler.tied(p.blocks[0]) || assembler.tied(p.blocks[1])))
       assembler.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);

@@ -7,6 +7,7 @@
 
 #include "hawser/kernels/motion.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/inertia_round_off.hpp"
 
 namespace hawser {
@@ -93,9 +94,18 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
   return sum;
 }
 
+void LineMassTerm::see_feeders(const Kinematics& at, bool now) {
+  if (!feeders_) return;
+  for (Piece& p : pieces_)
+    if (const auto rest = feeders_->rest(p.at.global, at, now))
+      p.idle = rest->idle, p.section.length = rest->length;
+}
+
 void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+  see_feeders(trial, false);
   double f[12], K[144], C[144], M[144];
   for (const Piece& p : pieces_) {
+    if (p.idle) continue;
     const Vec3 w = load(p, trial.time);
     const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
     if (!p.beam) {
@@ -115,7 +125,7 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 
 void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
   const Piece* p = of_element(pieces_, e);
-  if (!p) return;
+  if (!p || p->idle) return;
   double own[12];
   if (p->beam)
     beam_mass_force(p->section, ends(*p, at), load(*p, at.time), own);
@@ -126,6 +136,7 @@ void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, do
 }
 
 void LineMassTerm::prepare(const Kinematics& committed, double) {
+  see_feeders(committed, true);
   if (ramped_.empty()) return;
   committed_.x.assign(committed.x.begin(), committed.x.end());
   committed_.q.assign(committed.q.begin(), committed.q.end());
@@ -133,6 +144,7 @@ void LineMassTerm::prepare(const Kinematics& committed, double) {
 }
 
 void LineMassTerm::commit(const Kinematics& accepted) {
+  see_feeders(accepted, true);
   if (ramped_.empty() || committed_.x.size() != accepted.x.size()) return;
   Kinematics before;
   before.x = committed_.x, before.q = committed_.q;
@@ -165,7 +177,7 @@ double LineMassTerm::round_off(const Kinematics& at, double h) const {
 
 void LineMassTerm::motion(const Kinematics& at, std::span<LineMotion> lines) const {
   for (const Piece& p : pieces_) {
-    if (!p.at.counted) continue;
+    if (!p.at.counted || p.idle) continue;
     LineMotion& line =
         lines[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(p.at.global)].line)];
     const double half = 0.5 * p.section.mass_per_length * p.section.length;
@@ -177,14 +189,14 @@ void LineMassTerm::motion(const Kinematics& at, std::span<LineMotion> lines) con
 double LineMassTerm::dead_load() const {
   double sum = 0;
   for (const Piece& p : pieces_)
-    if (p.at.counted) sum += p.section.length * p.load.norm();
+    if (p.at.counted && !p.idle) sum += p.section.length * p.load.norm();
   return sum;
 }
 
 Energy LineMassTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Piece& p : pieces_) {
-    if (!p.at.counted) continue;
+    if (!p.at.counted || p.idle) continue;
     const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
     e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, at))
                         : cable_kinetic_energy(p.section, at.v[i], at.v[j]);

@@ -11,6 +11,7 @@
 #include "hawser/math/so3.hpp"
 #include "hawser/mesh/arc.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/terms/feeders.hpp"
 
 namespace hawser {
 namespace {
@@ -102,7 +103,17 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     yields_ |= c.line_types[static_cast<size_t>(e.type)].plastic_bending != nullptr;
 }
 
+// Unstretched lengths where a feeder changes them.
+void StructureTerm::see_feeders(const Kinematics& at) {
+  if (!feeders_) return;
+  for (Cable& c : cables_)
+    if (const auto rest = feeders_->rest(c.at.global, at, true))
+      c.idle = rest->idle, c.section.length = rest->length, c.section.follows = rest->follows,
+      c.section.grows = rest->grows;
+}
+
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
+  see_feeders(trial);
   const CableStep step{trial.step, trial.mean.filter};
   const bool in_step = trial.mean.weight != 1;
   if (assembler.wants_tangent()) {
@@ -259,6 +270,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
   if (h > 0 && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
+  see_feeders(committed);
   for (Cable& c : cables_) {
     const CableEnds e = ends(c, committed);
     c.start = cable_start(c.section, e.x1, e.x2, c.start.stretch);
@@ -266,6 +278,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
 }
 
 void StructureTerm::commit(const Kinematics& accepted) {
+  see_feeders(accepted);
   if (accepted.step > 0) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
@@ -273,6 +286,7 @@ void StructureTerm::commit(const Kinematics& accepted) {
       const CableLoss lost = cable_loss(c.section, started(c, accepted.step, last_step_), step, e.x1, e.x2);
       c.start.stretch = lost.stretch;
       if (c.at.counted) damping_ += lost.damped, filtered_ += lost.filtered;
+      if (c.at.counted && feeders_) feeders_->add_work(lost.fed);
     }
   }
   if (accepted.step > 0 && !set_.empty()) damping_ += bend(accepted);
@@ -412,6 +426,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
         put(b.at.second, of_beam(s, e, 1), b.section.length);
       }
       for (const Cable& c : cables_) {
+        if (c.idle) continue;
         const double value = of_cable(c.section, ends(c, k));
         put(c.at.first, value, c.section.length), put(c.at.second, value, c.section.length);
       }

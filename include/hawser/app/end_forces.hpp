@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/system/system.hpp"
+#include "hawser/terms/feeders.hpp"
 
 namespace hawser::app {
 
@@ -37,20 +38,27 @@ class EndForces {
     double sign() const { return after >= 0 ? 1 : -1; }
   };
 
-  explicit EndForces(const System& system);
+  // An end that is fed has the force at the feeder's mouth; null: none is.
+  explicit EndForces(const System& system, const Feeders* feeders = nullptr);
 
   // From an accepted state. carried: what bed, soil, volumes and other lines exert on the local nodes, N:
-  // where it is not zero the line does not hang freely. No communication.
+  // where it is not zero the line does not hang freely. No communication, unless ends are fed.
   void evaluate(const Kinematics& at, std::span<const Vec3> carried);
 
   const std::vector<Place>& places() const { return places_; }  // in the order of nodes
+  // At the mouth of each feeder, in their order, on all ranks.
+  const std::vector<SectionForce>& at_mouths() const { return mouths_; }
   // Which of the owned ends is at a local node, counted in that order; -1: none.
   int end_at(int node) const;
 
  private:
   SectionForce section(const Kinematics& at, int element, bool second, std::span<const Vec3> carried) const;
 
+  void look_at_mouths(const Kinematics& at, std::span<const Vec3> carried);
+
   const System& system_;
+  const Feeders* feeders_;
+  std::vector<SectionForce> mouths_;
   std::vector<Place> places_;
 };
 

@@ -23,6 +23,7 @@
 
 namespace hawser {
 class BodyContactTerm;
+class Feeders;
 class RigidBodies;
 class SeabedTerm;
 }  // namespace hawser
@@ -47,6 +48,8 @@ class Simulation {
   const RigidBodies* floating() const { return floating_; }              // null: no body has mass
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
+  Feeders* feeders() { return feeders_; }  // of lines' ends; null: there are none
+  const Feeders* feeders() const { return feeders_; }
   SeabedTerm* seabed() { return seabed_; }         // null: there is none
   LinePairs* line_pairs() { return line_pairs_; }  // null: lines do not touch lines
   State& state() { return state_; }
@@ -88,6 +91,7 @@ class Simulation {
   RigidBodies* floating_ = nullptr;
   BodyContactTerm* body_contact_ = nullptr;
   LinePairs* line_pairs_ = nullptr;
+  Feeders* feeders_ = nullptr;
   SeabedTerm* seabed_ = nullptr;
 };
 

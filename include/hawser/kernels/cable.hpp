@@ -14,6 +14,9 @@ struct CableSection {
   // Tension over strain, times EA over its slope at zero; null: linear. Damping stays that of EA.
   const StiffnessTable* tension = nullptr;
   double free_strain = 0;  // at which there is no tension: thermal expansion
+  // Derivative of `length` by that of the chord: of what a winch that keeps to a tension pays out.
+  double follows = 0;
+  double grows = 0;  // m/s, rate of `length`: what is paid out does not stretch the material
 
   // Tension [N] of a strain, its slope and its energy a unit of length.
   StiffnessTable::Value axial(double strain) const {
@@ -40,6 +43,7 @@ struct CableStart {
   Vec3 chord = Vec3::Zero();  // m
   double length = 0;          // m, of the chord
   double strain = 0;          // beyond the free strain; negative: slack
+  double rest = 0;            // m, unstretched; that at the end of the step differs where line is paid out
   double stretch = 0;         // by which the taut part of the strain grew in the step before, see cable_loss
 };
 
@@ -78,6 +82,7 @@ struct CableLoss {
   double damped = 0;    // J, taken by the damping of the line type
   double filtered = 0;  // J, taken by the filter; negative where it gives back what it held
   double stretch = 0;   // for the start of the next step
+  double fed = 0;       // J, work of what changed the unstretched length
 };
 CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                      const Vec3& x2);

@@ -20,6 +20,7 @@
 #include "hawser/math/types.hpp"
 #include "hawser/model/bend_stiffener.hpp"
 #include "hawser/model/environment.hpp"
+#include "hawser/model/feed.hpp"
 #include "hawser/model/stiffness.hpp"
 #include "hawser/model/supports.hpp"
 #include "hawser/model/value.hpp"
@@ -167,6 +168,7 @@ struct End {
   // m of line from this end on without contact with volumes; none: what is inside one at the start has none
   // with that.
   std::optional<double> no_contact_within;
+  std::optional<Feed> feed;  // pays the line out here or hauls it in
 };
 
 // Where ends of lines are joined to each other, free to move: pinned, or what bends rigidly.

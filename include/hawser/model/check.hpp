@@ -15,8 +15,9 @@ struct Issue {
 
 // Everything found, lines first. An empty list: the case can be run.
 std::vector<Issue> check(const Case& c);
-// Its parts that are about one line by itself, and about contact.
+// Its parts that are about one line by itself, about what feeds it at an end, and about contact.
 void check_line(const Case& c, const Line& line, std::vector<Issue>& issues);
+void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& issues);
 void check_contact(const Case& c, std::vector<Issue>& issues);
 // Its part that is about supports of laid lines.
 void check_supports(const Case& c, std::vector<Issue>& issues);

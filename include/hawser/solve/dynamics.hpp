@@ -6,6 +6,7 @@
 
 #include <exception>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "hawser/solve/generalized_alpha.hpp"
@@ -47,6 +48,17 @@ class Dynamics {
   // Goes on with other supports: what they held before moves on from where it is, with accelerations that
   // jump. supports: of the local nodes, among those there were. Collective.
   void release(std::vector<Support> supports);
+  // How a node of a cable goes on (x, v, a in m and s), of the mesh.
+  struct Moved {
+    int node = 0;
+    Vec3 x, v, a;
+    bool free = false;  // it settles where the forces on it are in balance with its acceleration
+  };
+  // A feeder lets go of a node or takes hold of one: `change` is what it changes and returns how that node
+  // goes on, on ranks that know. Mean forces and reactions change by as much as the forces of the state do;
+  // all else goes on as it did. Collective.
+  void hand_over(const std::function<std::optional<Moved>()>& change,
+                 const std::function<std::vector<Support>()>& supports);
   // What a checkpoint carries beside the state.
   struct Carried {
     double step_proposal = 0;
@@ -103,6 +115,7 @@ class Dynamics {
   void solve_once(Attempt& a);
   void put(const std::vector<double>& u);
   void solve_masses();
+  void settle(int node);
 
   System& system_;
   DynamicsSettings settings_;

@@ -17,6 +17,7 @@ namespace model {
 struct Case;
 struct Water;
 }  // namespace model
+class Feeders;
 
 // The sea, wherever one looks.
 struct Sea {
@@ -38,6 +39,7 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
     bool beam = true;
     int blocks[4] = {};
     WaterSection section;
+    bool idle = false;  // inside a feeder: no water
     // For the wall tension: areas of the bore and of the bare pipe, density and pressure of the contents.
     double inside = 0, outside = 0;     // m²
     double contents = 0, pressure = 0;  // kg/m³, Pa at the still water level
@@ -49,6 +51,9 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
 
   Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces, std::vector<Ball> balls = {});
   Hydrodynamics(const LocalMesh& mesh, const model::Case& c);
+
+  // Pays lines out and hauls them in; null: nothing does.
+  void fed_by(Feeders* feeders) { feeders_ = feeders; }
 
   std::string_view name() const override { return "hydrodynamics"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -78,6 +83,8 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
     WaterSections4 sections;
   };
   void group();
+  void see_feeders(const Kinematics& at, bool now);
+  double fed_buoyancy(const Kinematics& at) const;
   CablesInWater4 motion(const Four& q, const Kinematics& k, const std::vector<Water>& water) const;
   void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;
   void evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const;
@@ -96,6 +103,7 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   static double work(const Flow& from, const Flow& to);
 
   const LocalMesh& mesh_;
+  Feeders* feeders_ = nullptr;
   Sea sea_;
   std::vector<Piece> pieces_;
   std::vector<Ball> balls_;

@@ -13,6 +13,7 @@ namespace hawser {
 namespace model {
 struct Case;
 }
+class Feeders;
 
 class LineMassTerm final : public ForceTerm,
                            public ActsOnElements,
@@ -30,12 +31,16 @@ class LineMassTerm final : public ForceTerm,
     MassSection section;
     Vec3 load = Vec3::Zero();          // N/m, weight and lasting loads
     int first_ramped = 0, ramped = 0;  // into the list of ramped loads
+    bool idle = false;                 // inside a feeder: neither mass nor weight
   };
 
   LineMassTerm(const LocalMesh& mesh, std::vector<Piece> pieces, std::vector<Load> ramped_loads);
 
   // Masses and distributed loads of the case; gravity along -z.
   LineMassTerm(const LocalMesh& mesh, const model::Case& c);
+
+  // Pays lines out and hauls them in; null: nothing does.
+  void fed_by(const Feeders* feeders) { feeders_ = feeders; }
 
   std::string_view name() const override { return "mass"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
@@ -58,10 +63,12 @@ class LineMassTerm final : public ForceTerm,
   static Built build(const LocalMesh& mesh, const model::Case& c);
   LineMassTerm(const LocalMesh& mesh, Built built);
 
+  void see_feeders(const Kinematics& at, bool now);
   Vec3 ramped_load(const Piece& p, double t) const;
   Vec3 load(const Piece& p, double t) const { return p.ramped ? Vec3(p.load + ramped_load(p, t)) : p.load; }
 
   const LocalMesh& mesh_;
+  const Feeders* feeders_ = nullptr;
   std::vector<Piece> pieces_;
   std::vector<Load> ramped_;
   State committed_;  // for the work of ramped loads only

@@ -13,6 +13,7 @@ namespace hawser {
 namespace model {
 struct Case;
 }
+class Feeders;
 
 class StructureTerm final : public ForceTerm,
                             public ActsOnElements,
@@ -30,6 +31,7 @@ class StructureTerm final : public ForceTerm,
     int blocks[2] = {};
     CableSection section;
     CableStart start = {};  // of the step
+    bool idle = false;      // inside a feeder
   };
 
   StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
@@ -54,12 +56,16 @@ class StructureTerm final : public ForceTerm,
   void restore(const std::vector<HistoryRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }
+  // Pays lines out and hauls them in; null: nothing does.
+  void fed_by(Feeders* feeders) { feeders_ = feeders; }
 
  private:
+  void see_feeders(const Kinematics& at);
   double beam_dissipation(const Kinematics& at) const;
   double bend(const Kinematics& at);
 
   const LocalMesh& mesh_;
+  Feeders* feeders_ = nullptr;
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
   bool damped_ = false, yields_ = false;  // any type of the model bends plastically

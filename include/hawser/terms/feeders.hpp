@@ -1,0 +1,118 @@
+// Winches, tensioners and reels: what pays a line out at one of its ends and hauls it in. The line's elements
+// from that end on are a stock that is held at the feeder and idle; the one that leaves it, at the mouth, has
+// an unstretched length of its own. See docs/theory/feeders.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hawser/kernels/cable.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/feed.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/system/supports.hpp"
+
+namespace hawser {
+
+namespace model {
+struct Case;
+}
+
+struct Feeder {
+  int line = 0;
+  bool at_b = false;
+  std::string name;  // "end A of line mooring"
+  model::Feed feed;
+  Support support;  // of a node that is held at the feeder
+  CableSection section;
+  double mass_per_length = 0;   // kg/m
+  Vec3 weight = Vec3::Zero();   // N/m
+  double outside_at_start = 0;  // m, unstretched
+
+  // Committed, the same on all ranks.
+  int mouth = 0;         // the element at the mouth, counted from the fed end; those before it are the stock
+  double length = 0;     // m, unstretched, of that element
+  double speed = 0;      // m/s
+  bool resting = false;  // within its dead band
+  double offset = 0;     // m: of a feeder that goes by speed the length is this and what it has paid out
+  double time = 0;       // s
+};
+
+// The element at the mouth in a trial.
+struct Mouth {
+  double length = 0, speed = 0, acceleration = 0;  // m, m/s, m/s²: unstretched length and its rates
+  double by_chord = 0;                             // derivative of the length by the chord
+};
+
+class Feeders final : public ForceTerm, public ActsOnElements, public LimitsSteps {
+ public:
+  Feeders(const LocalMesh& mesh, const model::Case& c);
+
+  const std::vector<Feeder>& list() const { return feeders_; }
+  std::vector<Feeder>& list() { return feeders_; }
+
+  // Of the mesh, counted from the fed end: element i lies between nodes i and i + 1.
+  int node(const Feeder& f, int i) const;
+  int element(const Feeder& f, int i) const;
+  double element_length(const Feeder& f, int i) const;  // m, of a free one
+  int elements(const Feeder& f) const;
+  double outside(const Feeder& f) const;  // m, unstretched, that has left the feeder
+  // The feeder has another element at its mouth: takes over what that is made of.
+  void see_mouth(Feeder& f) const;
+  // Local element at the mouth; null: not on this rank.
+  const LocalElement* at_mouth(const Feeder& f) const;
+
+  // What masses and water see of the mouth is that of the speed at the start of the step, unless `now`.
+  Mouth mouth(const Feeder& f, const Kinematics& at, bool now) const;
+  // Of an element of the mesh; nullopt: no feeder has to do with it.
+  struct Rest {
+    bool idle = false;   // inside a feeder
+    double length = 0;   // m, unstretched
+    double follows = 0;  // derivative by the chord
+    double grows = 0;    // m/s, its rate
+    double before = 0;   // m, unstretched at the start of the step, of the one at a mouth; else `length`
+  };
+  std::optional<Rest> rest(int element, const Kinematics& at, bool now) const;
+  // Where the ends of an element were at the start of the step.
+  const std::vector<Vec3>& before() const { return before_; }
+
+  // The supports with those of what is inside feeders, of the local nodes.
+  std::vector<Support> with_held(const std::vector<Support>& supports) const;
+  // Nodes of the mesh that are held at a feeder or may once be.
+  std::vector<int> fed_nodes() const;
+
+  // Work of the feeders that another term knows of, J, of what this rank counts.
+  void add_work(double work) { work_ += work; }
+  double work() const { return work_; }
+  void set_work(double work) { work_ = work; }
+
+  std::string_view name() const override { return "feeders"; }
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
+  void limit_step(const Kinematics&, ImpactEvents&) const override {}
+  Verdict judge(const Kinematics& trial) const override;
+
+  // Of the material at the mouth, at the feeder's end of the element: velocity, and what its acceleration is
+  // beyond that of the feeder.
+  struct Flow {
+    Vec3 chord, velocity, acceleration;  // m, m/s, m/s²
+  };
+  Flow flow(const Mouth& m, const Kinematics& at, const LocalElement& e, bool at_b) const;
+
+ private:
+  double power(const Feeder& f, const Kinematics& at, const LocalElement& e) const;
+  void force(const Feeder& f, const Mouth& m, const Kinematics& at, const LocalElement& e, Vec3* out) const;
+
+  const LocalMesh& mesh_;
+  const model::Case& case_;
+  std::vector<Feeder> feeders_;
+  std::vector<double> power_;  // W, of the committed state, by feeder
+  std::vector<Vec3> before_;   // m, committed positions
+  double work_ = 0;            // J
+};
+
+}  // namespace hawser

@@ -1,0 +1,165 @@
+// The class Feeding: when the element at a feeder's mouth is divided or joined with the next one, and how the
+// node between them moves then (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
+#include "hawser/app/feeding.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+
+namespace hawser::app {
+namespace {
+
+// Of the length of the element behind it in the stock, how long the mouth's element is when a node has just
+// left; of its own length, how short it gets before a node is caught. Apart, so that a feeder that goes to
+// and fro does not let a node out and catch it in turn.
+constexpr double kLeft = 0.5, kCaught = 0.4;
+
+std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.{}.{}", f.name, what); }
+
+// On every rank what the ranks that know it have.
+double of_all(MPI_Comm comm, bool known, double value) {
+  double out = known ? value : -HUGE_VAL;
+  MPI_Allreduce(MPI_IN_PLACE, &out, 1, MPI_DOUBLE, MPI_MAX, comm);
+  return out;
+}
+
+}  // namespace
+
+void Feeding::agree() {
+  if (!sim_.feeders()) return;
+  const MPI_Comm comm = sim_.system().comm();
+  for (Feeder& f : sim_.feeders()->list()) {
+    if (!f.feed.speed.empty()) continue;
+    const bool known = sim_.feeders()->at_mouth(f) != nullptr;
+    f.length = of_all(comm, known, f.length);
+    f.speed = of_all(comm, known, f.speed);
+    f.resting = of_all(comm, known, f.resting) > 0.5;
+  }
+}
+
+void Feeding::hand_over() {
+  Feeders* all = sim_.feeders();
+  if (!all) return;
+  const double time = sim_.dynamics().committed().s.time;
+  for (Feeder& f : all->list()) {
+    const double whole = all->element_length(f, f.mouth);
+    if (f.mouth == 0 && f.length >= whole)
+      throw SolveError(fmt::format("the stock at {} runs out at t = {:.6g} s", f.name, time));
+    if (f.mouth > 0 && f.length >= whole + kLeft * all->element_length(f, f.mouth - 1)) {
+      let_out(f);
+    } else if (f.length <= kCaught * whole) {
+      int others = 0;  // elements that another feeder of the line has
+      for (const Feeder& o : all->list())
+        if (o.line == f.line && o.at_b != f.at_b) others = o.mouth;
+      if (f.mouth + 2 + others >= all->elements(f))
+        throw SolveError(fmt::format("at t = {:.6g} s all of the line is hauled in at {}", time, f.name));
+      haul_in(f);
+    }
+  }
+}
+
+void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional<Dynamics::Moved>& moved) {
+  sim_.dynamics().hand_over(
+      [&] {
+        f.mouth = mouth, f.length = length;
+        if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
+        sim_.feeders()->see_mouth(f);
+        return moved;
+      },
+      [&] { return sim_.feeders()->with_held(sim_.system().supports().list()); });
+}
+
+// The node that was held leaves with the material that is there: where the free part has its own unstretched
+// length and the strain of the whole, and from there to where it is in balance; velocity and acceleration are
+// between those of the ends.
+void Feeding::let_out(Feeder& f) {
+  Feeders& all = *sim_.feeders();
+  const int node = all.node(f, f.mouth);
+  const double whole = all.element_length(f, f.mouth);
+  const double share = whole / f.length;  // from the free end
+  std::optional<Dynamics::Moved> moved;
+  if (const LocalElement* e = all.at_mouth(f)) {
+    const Kinematics k = sim_.dynamics().kinematics();
+    const size_t i = static_cast<size_t>(f.at_b ? e->second : e->first),
+                 j = static_cast<size_t>(f.at_b ? e->first : e->second);
+    const Feeders::Flow flow = all.flow(all.mouth(f, k, true), k, *e, f.at_b);
+    const Vec3 a = k.a[i] + flow.acceleration;
+    moved = {node, k.x[j] - share * flow.chord, k.v[j] + share * (flow.velocity - k.v[j]),
+             k.a[j] + share * (a - k.a[j]), true};
+  }
+  hand_over(f, f.mouth - 1, f.length - whole, moved);
+}
+
+// The first free node goes into the feeder. What was bent there is straight now: the unstretched length is
+// that with which the strain stays.
+void Feeding::haul_in(Feeder& f) {
+  Feeders& all = *sim_.feeders();
+  const int held = all.node(f, f.mouth), caught = all.node(f, f.mouth + 1);
+  const LocalMesh& local = sim_.local();
+  const int i = local.find(held), j = local.find(caught), n = local.find(all.node(f, f.mouth + 2));
+  const double sum = f.length + all.element_length(f, f.mouth + 1);
+  std::optional<Dynamics::Moved> moved;
+  double length = 0;
+  const bool known = i >= 0 && j >= 0 && n >= 0;
+  if (known) {
+    const Kinematics k = sim_.dynamics().kinematics();
+    const auto x = [&k](int of) { return k.x[static_cast<size_t>(of)]; };
+    const double before = (x(j) - x(i)).norm(), now = (x(n) - x(i)).norm();
+    const bool taut = before > f.length * (1 + f.section.free_strain);
+    length = taut ? std::clamp(now / before * f.length, 0.98 * sum, 1.02 * sum) : sum;
+    moved = {caught, x(i), k.v[static_cast<size_t>(i)], k.a[static_cast<size_t>(i)], false};
+  }
+  hand_over(f, f.mouth + 1, of_all(sim_.system().comm(), known, length), moved);
+}
+
+void Feeding::save(io::Checkpoint& to) const {
+  if (!sim_.feeders()) return;
+  double work = sim_.feeders()->work();
+  MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, sim_.system().comm());
+  to.scalars["feeders.work"] = work;
+  for (const Feeder& f : sim_.feeders()->list()) {
+    to.scalars[key(f, "mouth")] = f.mouth;
+    to.scalars[key(f, "length")] = f.length;
+    to.scalars[key(f, "speed")] = f.speed;
+    to.scalars[key(f, "resting")] = f.resting;
+    // Exactly where it was: a table of another run may pay out otherwise from here on, but not before.
+    to.scalars[key(f, "offset")] = f.offset;
+  }
+}
+
+void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
+  const auto refuse = [&](const std::string& why) {
+    return InputError(fmt::format("cannot go on from {}: {}", path, why));
+  };
+  size_t there = 0, here = sim_.feeders() ? sim_.feeders()->list().size() : 0;
+  for (const auto& [name, value] : from.scalars)
+    there += name.starts_with("feeder.") && name.ends_with(".mouth");
+  if (there != here)
+    throw refuse(fmt::format("{} of its lines' ends {} fed, and {} in this case", there,
+                             there == 1 ? "is" : "are", here));
+  if (!sim_.feeders()) return;
+  int rank = 0;
+  MPI_Comm_rank(sim_.system().comm(), &rank);
+  sim_.feeders()->set_work(rank == 0 ? from.scalars.at("feeders.work") : 0);
+  for (Feeder& f : sim_.feeders()->list()) {
+    if (!from.scalars.count(key(f, "mouth"))) throw refuse(f.name + " is not fed there");
+    const auto take = [&](const char* what) { return from.scalars.at(key(f, what)); };
+    const double mouth = take("mouth");
+    if (!(mouth >= 0 && mouth < sim_.feeders()->elements(f)) || !(take("length") > 0))
+      throw refuse(fmt::format("its checkpoint is damaged: the mouth at {} is {:g}", f.name, mouth));
+    f.mouth = static_cast<int>(mouth), f.length = take("length"), f.speed = take("speed");
+    f.resting = take("resting") > 0, f.time = from.time;
+    // A table that was changed goes on from the length there is.
+    f.offset = take("offset");
+    if (!f.feed.speed.empty() && std::abs(f.offset + model::fed_by(f.feed, f.time).length - f.length) > 1e-9)
+      f.offset = f.length - model::fed_by(f.feed, f.time).length;
+    sim_.feeders()->see_mouth(f);
+  }
+  System& system = sim_.system();
+  system.support(sim_.feeders()->with_held(system.supports().list()), BodyMotion(system.supports().motion()));
+}
+
+}  // namespace hawser::app

@@ -1,0 +1,294 @@
+// The class Feeders: which elements are inside a feeder, the length of the one at its mouth, the momentum of
+// the line that flows through it, and the work of the feeder.
+#include "hawser/terms/feeders.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/kernels/feed.hpp"
+#include "hawser/kernels/line_mass.hpp"
+#include "hawser/model/case.hpp"
+
+namespace hawser {
+namespace {
+
+// How short the mouth's element may get in a step, of its own length, and how much longer than that, of the
+// length of the next one in the stock: a good way beyond where a node is caught or leaves.
+constexpr double kShortest = 0.1, kLonger = 0.9;
+
+}  // namespace
+
+Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), case_(c) {
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    for (const bool at_b : {false, true}) {
+      const model::End& end = at_b ? c.lines[l].end_b : c.lines[l].end_a;
+      if (!end.feed) continue;
+      Feeder f;
+      f.line = static_cast<int>(l), f.at_b = at_b, f.feed = *end.feed;
+      f.name = fmt::format("end {} of line {}", at_b ? 'B' : 'A', c.lines[l].name);
+      f.support.body = end.kind == model::EndKind::body ? c.body_index(end.body) : -1;
+      f.support.at = end.at;
+      while (element_length(f, f.mouth) < 2 * (f.feed.stock - f.offset) && f.mouth + 1 < elements(f))
+        f.offset += element_length(f, f.mouth++);
+      f.length = f.offset = element_length(f, f.mouth);
+      see_mouth(f);
+      f.outside_at_start = outside(f);
+      f.resting = f.feed.most > 0;
+      feeders_.push_back(std::move(f));
+    }
+  power_.assign(feeders_.size(), 0);
+}
+
+int Feeders::elements(const Feeder& f) const {
+  return mesh_.mesh->lines[static_cast<size_t>(f.line)].elements;
+}
+
+int Feeders::node(const Feeder& f, int i) const {
+  const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
+  return span.first_node + (f.at_b ? span.nodes - 1 - i : i);
+}
+
+int Feeders::element(const Feeder& f, int i) const {
+  const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
+  return span.first_element + (f.at_b ? span.elements - 1 - i : i);
+}
+
+double Feeders::element_length(const Feeder& f, int i) const {
+  return mesh_.mesh->elements[static_cast<size_t>(element(f, i))].length;
+}
+
+double Feeders::outside(const Feeder& f) const {
+  const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
+  const double arc = mesh_.mesh->nodes[static_cast<size_t>(node(f, f.mouth + 1))].arc;
+  return f.length + (f.at_b ? arc : span.length - arc);
+}
+
+void Feeders::see_mouth(Feeder& f) const {
+  const Element& g = mesh_.mesh->elements[static_cast<size_t>(element(f, f.mouth))];
+  const auto& t = case_.line_types[static_cast<size_t>(g.type)];
+  f.section = {g.length, t.EA, t.stiffness_damping, t.tension_table.get(), g.free_strain};
+  f.mass_per_length = t.mass_per_length;
+  f.weight = Vec3(0, 0, -case_.environment.gravity * t.mass_per_length);
+}
+
+const LocalElement* Feeders::at_mouth(const Feeder& f) const {
+  const int wanted = element(f, f.mouth);
+  const auto at = std::lower_bound(mesh_.elements.begin(), mesh_.elements.end(), wanted,
+                                   [](const LocalElement& e, int g) { return e.global < g; });
+  return at != mesh_.elements.end() && at->global == wanted ? &*at : nullptr;
+}
+
+Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
+  if (!f.feed.speed.empty()) {
+    const model::Fed fed = model::fed_by(f.feed, at.time);
+    return {f.offset + fed.length, fed.speed, fed.acceleration, 0};
+  }
+  const double h = at.time - f.time;
+  if (!(h > 0)) return {f.length, f.speed, 0, 0};
+  if (!now) return {f.length + h * f.speed, f.speed, 0, 0};
+  const LocalElement* e = at_mouth(f);
+  if (!e) return {f.length, f.speed, 0, 0};
+  const double chord = (at.x[static_cast<size_t>(e->second)] - at.x[static_cast<size_t>(e->first)]).norm();
+  const FedElement fed = feed_step(
+      f.section, {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting}, f.length, h, chord);
+  return {fed.length, (fed.length - f.length) / h, 0, fed.by_chord};
+}
+
+std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now) const {
+  const Element& g = mesh_.mesh->elements[static_cast<size_t>(e)];
+  std::optional<Rest> out;
+  for (const Feeder& f : feeders_) {
+    if (f.line != g.line) continue;
+    if (!out) out = Rest{false, g.length, 0, 0, g.length};
+    const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
+    const int i = f.at_b ? span.first_element + span.elements - 1 - e : e - span.first_element;
+    if (i < f.mouth) out->idle = true;
+    if (i != f.mouth) continue;
+    const Mouth m = mouth(f, at, now);
+    out->length = m.length, out->follows = m.by_chord, out->grows = m.speed, out->before = f.length;
+  }
+  return out;
+}
+
+std::vector<Support> Feeders::with_held(const std::vector<Support>& supports) const {
+  std::vector<int> fed = fed_nodes();
+  std::vector<Support> out;
+  for (const Support& s : supports)
+    if (!std::binary_search(fed.begin(), fed.end(), mesh_.global[static_cast<size_t>(s.node)]))
+      out.push_back(s);
+  for (const Feeder& f : feeders_)
+    for (int i = 0; i <= f.mouth; ++i)
+      if (const int here = mesh_.find(node(f, i)); here >= 0) {
+        out.push_back(f.support);
+        out.back().node = here;
+      }
+  return out;
+}
+
+// All of the line but an end that is held otherwise.
+std::vector<int> Feeders::fed_nodes() const {
+  std::vector<int> out;
+  for (const Feeder& f : feeders_)
+    for (int i = 0; i < elements(f); ++i) out.push_back(node(f, i));
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+Feeders::Flow Feeders::flow(const Mouth& m, const Kinematics& at, const LocalElement& e, bool at_b) const {
+  const size_t i = static_cast<size_t>(at_b ? e.second : e.first),
+               j = static_cast<size_t>(at_b ? e.first : e.second);
+  Flow o;
+  const double rate = m.speed / m.length;
+  o.chord = at.x[j] - at.x[i];
+  o.velocity = at.v[i] + rate * o.chord;
+  o.acceleration = (m.acceleration / m.length) * o.chord + 2 * rate * (at.v[j] - o.velocity);
+  return o;
+}
+
+// At the feeder and at the free node.
+void Feeders::force(const Feeder& f, const Mouth& m, const Kinematics& at, const LocalElement& e,
+                    Vec3* out) const {
+  const Flow o = flow(m, at, e, f.at_b);
+  const double shared = cable_mass({m.length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()}).shared;
+  out[0] = 5 * shared * o.acceleration + (f.mass_per_length * m.speed * m.speed / m.length) * o.chord;
+  out[1] = shared * o.acceleration;
+}
+
+void Feeders::prepare(const Kinematics& committed, double) {
+  before_.assign(committed.x.begin(), committed.x.end());
+  for (size_t k = 0; k < feeders_.size(); ++k) {
+    const LocalElement* e = at_mouth(feeders_[k]);
+    power_[k] = e && e->counted ? power(feeders_[k], committed, *e) : 0;
+  }
+}
+
+void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
+  if (!(trial.step > 0)) return;
+  using Six = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  for (const Feeder& f : feeders_) {
+    const LocalElement* e = at_mouth(f);
+    if (!e) continue;
+    const Mouth m = mouth(f, trial, false);
+    Vec3 out[2];
+    force(f, m, trial, *e, out);
+    const int blocks[2] = {mesh_.block[static_cast<size_t>(f.at_b ? e->second : e->first)],
+                           mesh_.block[static_cast<size_t>(f.at_b ? e->first : e->second)]};
+    const double r[6] = {out[0].x(), out[0].y(), out[0].z(), out[1].x(), out[1].y(), out[1].z()};
+    if (!assembler.wants_tangent()) {
+      assembler.add(blocks, r, nullptr, nullptr, nullptr);
+      continue;
+    }
+    const double rate = m.speed / m.length,
+                 shared = cable_mass({m.length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()}).shared;
+    // Derivatives of the acceleration by position and velocity of the free node; by those of the other minus.
+    const double by_x = m.acceleration / m.length - 2 * rate * rate, by_v = 2 * rate;
+    const double own = f.mass_per_length * m.speed * rate;
+    Six K = Six::Zero(), C = Six::Zero(), M = Six::Zero();
+    const auto put = [](Six& to, int i, double value) {
+      to.block<3, 3>(3 * i, 3).diagonal().array() = value;
+      to.block<3, 3>(3 * i, 0).diagonal().array() = -value;
+    };
+    put(K, 0, 5 * shared * by_x + own), put(K, 1, shared * by_x);
+    put(C, 0, 5 * shared * by_v), put(C, 1, shared * by_v);
+    assembler.add(blocks, r, K.data(), C.data(), M.data());
+  }
+}
+
+void Feeders::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+  if (!(at.step > 0)) return;
+  for (const Feeder& feeder : feeders_) {
+    if (element(feeder, feeder.mouth) != e.global) continue;
+    Vec3 out[2];
+    force(feeder, mouth(feeder, at, false), at, e, out);
+    // The momentum of what is set in motion is the feeder's, not the line's.
+    const Flow o = flow(mouth(feeder, at, false), at, e, feeder.at_b);
+    out[0] -= (feeder.mass_per_length * feeder.speed * feeder.speed / feeder.length) * o.chord;
+    for (int i = 0; i < 3; ++i) f[i] += out[feeder.at_b ? 1 : 0][i], f[6 + i] += out[feeder.at_b ? 0 : 1][i];
+  }
+}
+
+// Of the material that comes out: what the feeder does on its way beyond holding the line, and the kinetic
+// energy that comes with it.
+double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement& e) const {
+  const Mouth m = mouth(f, at, true);
+  if (m.speed == 0) return 0;
+  const size_t i = static_cast<size_t>(f.at_b ? e.second : e.first),
+               j = static_cast<size_t>(f.at_b ? e.first : e.second);
+  const Flow o = flow(m, at, e, f.at_b);
+  const double mass = f.mass_per_length, rate = m.speed / m.length;
+  const Vec3 inertia = mass * m.length / 12 * (5 * (at.a[i] + o.acceleration) + at.a[j]);
+  const Vec3 &v = o.velocity, &w = at.v[j];
+  return rate * o.chord.dot(inertia) +
+         mass * m.speed / 8 * (5 * v.squaredNorm() - 2 * v.dot(w) + w.squaredNorm()) -
+         mass * m.speed * at.v[i].dot(v - at.v[i]);
+}
+
+void Feeders::commit(const Kinematics& accepted) {
+  for (size_t k = 0; k < feeders_.size(); ++k) {
+    Feeder& f = feeders_[k];
+    const Mouth m = mouth(f, accepted, true);
+    const double h = accepted.time - f.time, before = f.length;
+    const LocalElement* e = at_mouth(f);
+    f.length = m.length, f.time = accepted.time;
+    if (!f.feed.speed.empty())
+      f.speed = m.speed;
+    else if (h > 0 && e) {
+      const double last = f.speed;
+      f.speed = (m.length - before) / h;
+      const double chord =
+          (accepted.x[static_cast<size_t>(e->second)] - accepted.x[static_cast<size_t>(e->first)]).norm();
+      const double strain = chord / f.length - 1 - f.section.free_strain,
+                   T = strain > 0 ? f.section.axial(strain).force : 0;
+      constexpr double kThere = 0.01;  // of the band on this side
+      const double off = T - f.feed.tension;
+      if (f.feed.most > 0 && f.resting)
+        f.resting = T >= f.feed.least && T <= f.feed.most;
+      else if (f.feed.most > 0)
+        f.resting = last * f.speed < 0 || std::abs(off) < kThere * (off > 0 ? f.feed.most - f.feed.tension
+                                                                            : f.feed.tension - f.feed.least);
+      if (f.resting) f.speed = 0;
+    }
+    if (!e || !e->counted || !(h > 0)) continue;
+    const double now = power(f, accepted, *e);
+    work_ += 0.5 * h * (power_[k] + now);
+    const size_t i = static_cast<size_t>(e->first), j = static_cast<size_t>(e->second);
+    if (before_.size() == accepted.x.size())
+      work_ -=
+          0.25 * (f.length - before) * f.weight.dot(before_[i] + before_[j] + accepted.x[i] + accepted.x[j]);
+  }
+}
+
+Energy Feeders::energy(const Kinematics& at) const {
+  Energy out;
+  out.work = work_;
+  if (!(at.step > 0)) return out;
+  for (const Feeder& f : feeders_) {
+    const LocalElement* e = at_mouth(f);
+    if (!e || !e->counted) continue;
+    const Mouth m = mouth(f, at, true);
+    const size_t i = static_cast<size_t>(f.at_b ? e->second : e->first),
+                 j = static_cast<size_t>(f.at_b ? e->first : e->second);
+    const MassSection s{m.length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()};
+    out.kinetic += cable_kinetic_energy(s, flow(m, at, *e, f.at_b).velocity, at.v[j]) -
+                   cable_kinetic_energy(s, at.v[i], at.v[j]);
+  }
+  return out;
+}
+
+Verdict Feeders::judge(const Kinematics& trial) const {
+  for (const Feeder& f : feeders_) {
+    if (!f.feed.speed.empty() || at_mouth(f)) {
+      const double length = mouth(f, trial, true).length, whole = element_length(f, f.mouth);
+      if (length < kShortest * whole ||
+          length > whole + kLonger * element_length(f, std::max(f.mouth - 1, 0)))
+        return {Verdict::Kind::shorter,
+                fmt::format("{} is paid out or hauled in by more than half an element in it", f.name)};
+    }
+  }
+  return {};
+}
+
+}  // namespace hawser

@@ -1,0 +1,262 @@
+// Lines that are paid out and hauled in: a line that runs from one winch to another, a weight that is lowered
+// and raised, tensions that are kept, restarts, and what is refused.
+#include "hawser/base/error.hpp"
+#include "regression/runs.hpp"
+
+namespace hawser::runs::feeders {
+namespace {
+
+constexpr double kGravity = 9.80665;
+
+const char* const kWeight = R"(hawser: 1
+title: A weight that is lowered and hauled up again
+environment: {gravity: 9.80665}
+line_types:
+  rope: {outer_diameter: 0.05, mass_per_length: 10, EA: 1e7, bending: false, stiffness_damping: 0.02}
+lines:
+  rope:
+    sections: [{type: rope, length: 60, elements: 30}]
+    end_a:
+      anchor: [0, 0, 100]
+      feed: {stock: 40, speed_table: [[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]}
+    end_b: free
+    masses: [{at: end_b, mass: 1000}]
+dynamics: {duration: 40}
+output: {every: 1, histories: [{line: rope, at: end_b, name: weight}, {line: rope, at: end_a, name: winch}]}
+contact: {between_lines: false}
+)";
+
+// By the rows of the table.
+double paid(double t) {
+  if (t < 2) return 0.25 * t * t;
+  if (t < 20) return t - 1;
+  if (t < 24) return 19 + (t - 20) - 0.25 * (t - 20) * (t - 20);
+  return 19 - (t - 24);
+}
+double acceleration(double t) { return t < 2 ? 0.5 : t < 20 ? 0 : t < 24 ? -0.5 : 0; }
+
+TEST(Feeders, LowerAndRaiseAWeight) {
+  const std::string path = folder("feeders-weight"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kWeight);
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto out = named(file, r, "rope_end_a_feed", "paid_out"),
+             T = named(file, r, "rope_end_a_feed", "tension"),
+             end = named(file, r, "winch", "effective_tension");
+  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  double off = 0, worst = 0;
+  for (size_t i = 0; i < out.size(); ++i) {
+    const double t = r.step_times[i];
+    EXPECT_NEAR(out[i], paid(t), 1e-9) << t;
+    EXPECT_EQ(end[i], T[i]);
+    // All of the line falls as fast as it leaves; near the corners of the table it vibrates.
+    bool corner = t < 0.5;
+    for (const double c : {2.0, 20.0, 24.0}) corner |= t >= c - 0.05 && t < c + 0.5;
+    const double still = (1000 + 10 * (20 + paid(t))) * (kGravity - acceleration(t));
+    if (!corner) off = std::max(off, std::abs(T[i] - still) / still);
+    worst = std::max(worst, std::abs(error[i]));
+  }
+  printf("  tension off by %.1e, energy by %.1e of what was brought in\n", off, worst / largest(brought));
+  EXPECT_LT(off, 1e-3);
+  EXPECT_LT(worst, 1e-3 * largest(brought));
+}
+
+// A line that runs with V between two winches keeps the shape of its catenary, and has m V² more tension
+// (Routh 1884: of any line that moves along itself).
+const char* const kRunning = R"(hawser: 1
+title: A catenary that runs from one winch to another
+environment: {gravity: 9.80665}
+line_types:
+  rope: {outer_diameter: 0.05, mass_per_length: 10, EA: 1e7, bending: false, stiffness_damping: 0.02}
+lines:
+  rope:
+    sections: [{type: rope, length: 620, elements: 310}]
+    end_a:
+      anchor: [0, 0, 0]
+      feed: {stock: 420, speed_table: [[0, 0], [40, 10]]}
+    end_b:
+      anchor: [100, 0, 0]
+      feed: {stock: 90, speed_table: [[0, 0], [40, -10]]}
+    start: catenary
+dynamics: {duration: 60}
+output: {every: 2, histories: [{line: rope, at: end_a, name: winch}]}
+contact: {between_lines: false}
+)";
+
+TEST(Feeders, ALineThatRunsKeepsItsShape) {
+  const std::string path = folder("feeders-running"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kRunning);
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto T = named(file, r, "rope_end_a_feed", "tension");
+  double mean = 0, most = 0, least = HUGE_VAL, lowest_first = 0, lowest_last = 0;
+  int count = 0;
+  for (size_t i = 0; i < T.size(); ++i)
+    if (r.step_times[i] > 50)
+      mean += T[i], ++count, most = std::max(most, T[i]), least = std::min(least, T[i]);
+  mean /= count;
+  const auto& x = r.fields.at("position");
+  const size_t nodes = 311;
+  for (size_t n = 0; n < nodes; ++n) {
+    lowest_first = std::min(lowest_first, x.at(3 * n + 2));
+    lowest_last = std::min(lowest_last, x.at(3 * (nodes * (r.output_times.size() - 1) + n) + 2));
+  }
+  printf("  T at rest %.2f, with 10 m/s %.2f (%.2f to %.2f), lowest point %.4f, %.4f\n", T[0], mean, least,
+         most, lowest_first, lowest_last);
+  EXPECT_NEAR(mean, T[0] + 10 * 100, 1e-3 * T[0]);
+  EXPECT_NEAR(lowest_last, lowest_first, 2e-3 * std::abs(lowest_first));
+}
+
+// A tug pulls a rope to and fro that a winch keeps at its tension, exactly or within a band.
+const char* const kTug = R"(hawser: 1
+title: A winch that keeps a tension
+environment: {gravity: 0}
+line_types:
+  rope: {outer_diameter: 0.05, mass_per_length: 1, EA: 1e6, bending: false, stiffness_damping: 0.02}
+bodies:
+  tug: {position: [101, 0, 0], motion: {harmonic: {amplitude: [6, 0, 0], period: 60}, ramp: 20}}
+lines:
+  rope:
+    sections: [{type: rope, length: 160, elements: 80}]
+    end_a:
+      anchor: [0, 0, 0]
+      feed: {stock: 60, tension: 10 kN}
+    end_b: {body: tug, at: [0, 0, 0]}
+dynamics: {duration: 100}
+output: {every: 1, histories: [{line: rope, at: end_a, name: winch}]}
+contact: {between_lines: false}
+)";
+
+TEST(Feeders, KeepATension) {
+  const std::string path = folder("feeders-kept"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kTug);
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto T = named(file, r, "rope_end_a_feed", "tension"),
+             out = named(file, r, "rope_end_a_feed", "paid_out");
+  double off = 0;
+  for (size_t i = 1; i < T.size(); ++i) off = std::max(off, std::abs(T[i] - 1e4));
+  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  printf("  off by %.2g N, paid out %.3f m, energy %.1e\n", off, largest(out),
+         largest(error) / largest(brought));
+  EXPECT_LT(off, 10);  // inertia of the element at the mouth
+  EXPECT_NEAR(largest(out), 6 / 1.01, 0.05);
+  EXPECT_LT(largest(error), 1e-2 * largest(brought));
+}
+
+const Edits kBand{{"tension: 10 kN}", "tension: 10 kN, dead_band: [8 kN, 12 kN], speed_per_tension: 2e-4"}};
+
+TEST(Feeders, RestWithinTheirBand) {
+  const std::string path = folder("feeders-band"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kTug, kBand);
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto T = named(file, r, "rope_end_a_feed", "tension"),
+             v = named(file, r, "rope_end_a_feed", "feed_speed");
+  int starts = 0;
+  double off = 0;
+  for (size_t i = 1; i < T.size(); ++i) {
+    if (v[i] != 0 && v[i - 1] == 0) {
+      ++starts;
+      EXPECT_TRUE(T[i - 1] > 12e3 || T[i - 1] < 8e3) << r.step_times[i] << ' ' << T[i - 1];
+    }
+    if (v[i] != 0) off = std::max(off, std::abs(v[i] - 2e-4 * (T[i] - 1e4)));
+  }
+  printf("  begins %d times, law off by %.1e m/s\n", starts, off);
+  EXPECT_GE(starts, 4);
+  EXPECT_LE(starts, 30);
+  EXPECT_LT(off, 0.01 * 2e-4 * 2e3);
+}
+
+void expect_same(const std::string& a, const std::string& b, double tolerance) {
+  const Results whole = read(a), rest = read(b);
+  const auto x = tail(whole.fields.at("position"), rest.fields.at("position"));
+  EXPECT_LT(largest_difference(x, rest.fields.at("position")), tolerance) << b;
+  const auto T = named(a, whole, "rope_end_a_feed", "tension"),
+             U = named(b, rest, "rope_end_a_feed", "tension");
+  ASSERT_FALSE(U.empty());
+  EXPECT_NEAR(T.back(), U.back(), 1e-6 * T.back());
+  const auto e = named(a, whole, "energy", "error"), f = named(b, rest, "energy", "error");
+  EXPECT_NEAR(e.back(), f.back(), 1e-3 + 1e-6 * largest(named(a, whole, "energy", "brought_in")));
+}
+
+// In the middle of an element.
+TEST(Feeders, GoOnAfterARestart) {
+  const std::string path = folder("feeders-restart");
+  for (const auto& [name, text, edits] :
+       {std::tuple{"weight", kWeight, Edits{{"duration: 40", "duration: 30"}}},
+        {"band", kTug, kBand},
+        {"kept", kTug, Edits{}}}) {
+    const std::string input = path + "/" + name + ".yaml", whole = path + "/" + name + ".h5",
+                      half = path + "/" + name + "-half.h5", rest = path + "/" + name + "-rest.h5";
+    write_case(input, text, edits);
+    run_on_all({input, whole});
+    run_on_all({input, half, "", 17});
+    run_on_all({input, rest, half});
+    if (rank_of(MPI_COMM_WORLD) == 0) expect_same(whole, rest, 1e-7);
+  }
+}
+
+TEST(Feeders, AreTheSameOnAllRanks) {
+  const std::string path = folder("feeders-ranks");
+  if (size_of(MPI_COMM_WORLD) == 1) GTEST_SKIP() << "one rank";
+  for (const auto& [name, text, edits] :
+       {std::tuple{"weight", kWeight, Edits{}}, {"band", kTug, kBand}, {"kept", kTug, Edits{}}}) {
+    const std::string input = path + "/" + name + ".yaml", all = path + "/" + name + "-all.h5",
+                      one = path + "/" + name + "-one.h5";
+    write_case(input, text, edits);
+    run_on_all({input, all});
+    run_on_one({input, one});
+    if (rank_of(MPI_COMM_WORLD) == 0) expect_same(one, all, 1e-7);
+  }
+}
+
+std::string refusal(const std::string& input, const std::string& output) {
+  app::RunOptions o;
+  o.case_path = input, o.output = output, o.quiet = true;
+  try {
+    app::run(MPI_COMM_WORLD, o);
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Feeders, StopWhereTheStockRunsOut) {
+  const std::string path = folder("feeders-out"), input = path + "/case.yaml";
+  write_case(input, kWeight, {{"[20, 1], [24, -1], [40, -1]", "[60, 1]"}, {"duration: 40", "duration: 60"}});
+  EXPECT_NE(refusal(input, path + "/out.h5").find("the stock at end A of line rope runs out at t = 41"),
+            std::string::npos);
+  write_case(input, kWeight, {{"[[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]", "[[0, 0], [2, -1]]"}});
+  EXPECT_NE(refusal(input, path + "/in.h5").find("all of the line is hauled in at end A of line rope"),
+            std::string::npos);
+}
+
+TEST(Feeders, RefuseWhatTheyCannotDo) {
+  const std::string path = folder("feeders-bad"), input = path + "/case.yaml";
+  const std::string table = "speed_table: [[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]";
+  const std::vector<std::pair<Edits, std::string>> bad{
+      {{{"stock: 40", "stock: 0"}}, "must be above 0"},
+      {{{"stock: 40", "stock: 3"}}, "a stock needs 2 at least"},
+      {{{"stock: 40", "stock: 58"}}, "3 are the least"},
+      {{{"[20, 1], [24", "[20, 1], [19"}}, "times must grow"},
+      {{{table, "tension: 10 kN, dead_band: [12 kN, 8 kN], speed_per_tension: 1e-4"}}, "is no band"},
+      {{{table, "tension: 20 kN, dead_band: [8 kN, 12 kN], speed_per_tension: 1e-4"}}, "does not hold"},
+      {{{table, "tension: 10 kN, dead_band: [8 kN, 12 kN]"}}, "needs 'speed_per_tension'"},
+      {{{table, "tension: 10 kN, speed: 1"}}, "speed"},
+      {{{"contact: {between_lines: false}\n", ""}}, "would touch itself"},
+      {{{"bending: false, ", "EI: 1e3, GJ: 1e3, "}}, "resists bending"},
+  };
+  for (const auto& [edits, text] : bad) {
+    write_case(input, kWeight, edits);
+    const std::string told = refusal(input, path + "/bad.h5");
+    EXPECT_NE(told.find(text), std::string::npos) << text << ": " << told;
+  }
+}
+
+}  // namespace
+}  // namespace hawser::runs::feeders
