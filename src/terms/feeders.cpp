@@ -93,13 +93,13 @@ Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
   const size_t first = static_cast<size_t>(e->first), second = static_cast<size_t>(e->second);
   const Vec3 d = at.x[second] - at.x[first];
   const double chord = d.norm();
-  const FedElement fed =
-      feed_step(f.section, {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting}, f.length, h,
-                chord);
+  const FedElement fed = feed_step(
+      f.section, {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting}, f.length, h, chord);
   // Of a tension that is kept exactly the speed at the end of the step is that at which its end moves; else
   // that of the law, which is the mean of the step.
   const bool kept = f.feed.speed_per_tension == 0 && fed.by_chord > 0 && chord > 0;
-  const double speed = kept ? fed.by_chord * d.dot(at.v[second] - at.v[first]) / chord : (fed.length - f.length) / h;
+  const double speed =
+      kept ? fed.by_chord * d.dot(at.v[second] - at.v[first]) / chord : (fed.length - f.length) / h;
   return {fed.length, speed, 0, fed.by_chord};
 }
 
