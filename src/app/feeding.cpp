@@ -94,7 +94,7 @@ void Feeding::let_out(Feeder& f) {
 }
 
 // The first free node goes into the feeder. What was bent there is straight now: the unstretched length is
-// that with which the strain stays.
+// that with which the mean strain of the two elements stays.
 void Feeding::haul_in(Feeder& f) {
   Feeders& all = *sim_.feeders();
   const int held = all.node(f, f.mouth), caught = all.node(f, f.mouth + 1);
@@ -107,9 +107,7 @@ void Feeding::haul_in(Feeder& f) {
   if (known) {
     const Kinematics k = sim_.dynamics().kinematics();
     const auto x = [&k](int of) { return k.x[static_cast<size_t>(of)]; };
-    const double before = (x(j) - x(i)).norm(), now = (x(n) - x(i)).norm();
-    const bool taut = before > f.length * (1 + f.section.free_strain);
-    length = taut ? std::clamp(now / before * f.length, 0.98 * sum, 1.02 * sum) : sum;
+    length = sum * (x(n) - x(i)).norm() / ((x(j) - x(i)).norm() + (x(n) - x(j)).norm());
     moved = {caught, x(i), k.v[static_cast<size_t>(i)], k.a[static_cast<size_t>(i)], false};
   }
   hand_over(f, f.mouth + 1, of_all(sim_.system().comm(), known, length), moved);

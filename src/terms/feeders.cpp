@@ -90,10 +90,17 @@ Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
   if (!now) return {f.length + h * f.speed, f.speed, 0, 0};
   const LocalElement* e = at_mouth(f);
   if (!e) return {f.length, f.speed, 0, 0};
-  const double chord = (at.x[static_cast<size_t>(e->second)] - at.x[static_cast<size_t>(e->first)]).norm();
+  const size_t first = static_cast<size_t>(e->first), second = static_cast<size_t>(e->second);
+  const Vec3 d = at.x[second] - at.x[first];
+  const double chord = d.norm();
   const FedElement fed = feed_step(
       f.section, {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting}, f.length, h, chord);
-  return {fed.length, (fed.length - f.length) / h, 0, fed.by_chord};
+  // Of a tension that is kept exactly the speed at the end of the step is that at which its end moves; else
+  // that of the law, which is the mean of the step.
+  const bool kept = f.feed.speed_per_tension == 0 && fed.by_chord > 0 && chord > 0;
+  const double speed =
+      kept ? fed.by_chord * d.dot(at.v[second] - at.v[first]) / chord : (fed.length - f.length) / h;
+  return {fed.length, speed, 0, fed.by_chord};
 }
 
 std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now) const {
@@ -237,7 +244,7 @@ void Feeders::commit(const Kinematics& accepted) {
       f.speed = m.speed;
     else if (h > 0 && e) {
       const double last = f.speed;
-      f.speed = (m.length - before) / h;
+      f.speed = m.speed;
       const double chord =
           (accepted.x[static_cast<size_t>(e->second)] - accepted.x[static_cast<size_t>(e->first)]).norm();
       const double strain = chord / f.length - 1 - f.section.free_strain,
