@@ -18,9 +18,10 @@ class BesideMoorDyn(unittest.TestCase):
         library = os.environ.get("HAWSER_MOORDYN")
         result = run("tests/bench/beside_moordyn.py", HAWSER, "--quick", *(("--moordyn", library) if library else ()))
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        head, rule, *rows = [line.strip("| ").split(" | ") for line in result.stdout.splitlines()]
+        lines = result.stdout.splitlines()
+        self.assertEqual({line.count("|") for line in lines}, {lines[0].count("|")})
+        rows = [line.strip("| ").split(" | ") for line in lines[2:]]
         self.assertEqual([row[2] for row in rows], ["hawser", "MoorDyn"] if library else ["hawser"])
-        self.assertEqual(len(head), result.stdout.splitlines()[1].count("---"), rule)
         deviation, peak, _ = rows[0][5].split(" / ")
         self.assertLess(max(abs(float(deviation)), abs(float(peak))), 3)
         self.assertGreater(float(rows[0][7]), 0)

@@ -61,7 +61,7 @@ A = VOLTURNUS | dict(lines=[spread(a) for a in (0, 120, 240)], motion=[(4, 0, 0,
                      ramp=12, damping=2.5e7, meshes=(15, 20, 30, 40, 50, 70, 100, 140), steps=STEPS, finest=(280, 0.025, 280),
                      moordyn_meshes=(20, 30, 40, 50, 70, 100, 140, 200), columns={"MoorDyn": 1, "MoorDyn, FairTen": 2})
 CASES = {
-    "chain": case(**SURGE, timed=1000, goals=(0.5, 0.3, 0.1), meshes=(20, 30, 40, 50, 70, 100, 140, 200),
+    "chain": case(**SURGE | dict(seconds=300), timed=1000, goals=(0.5, 0.3, 0.1), meshes=(20, 30, 40, 50, 70, 100, 140, 200),
                   steps=("auto", 0.4, 0.25, 0.2, 0.1, 0.05, 0.025)),
     "farm": case(**SURGE | dict(lines=[chain((0, y, 0), (700, y, -200), 760) for y in range(0, 5000, 50)]), goals=(1,),
                  meshes=(50,), steps=("auto", 0.4, 0.2)),
@@ -83,7 +83,8 @@ CASES = {
                        moordyn_meshes=(232,), reference=(None, 82963.2, 0.03881),
                        published="CableDyn 7.38, OrcaFlex 23.2, MoorDyn-F 243"),
     "A1": case(**A, published="at 1 %: CableDyn 2.17, MoorDyn-C 93.2 (200 segments); at 2 %: 0.94, 1.33"),
-    "A2": case(**A | dict(finest=(280, 0.025, 200), moordyn_meshes=(20, 30, 40, 50, 70, 100)), sea=jonswap(6, 12, 80),
+    "A2": case(**A | dict(meshes=(30, 40, 50, 70, 100), steps=("auto", 0.4, 0.2, 0.1), finest=(200, 0.05, None), goals=(1,),
+                          moordyn_meshes=(50,), columns={"MoorDyn": 1}), sea=jonswap(6, 12, 80), window=30,
                published="at 1 %: CableDyn 1.64, MoorDyn-C 605; at 2 %: 1.64, 4.08"),
     "B": case(**cable((5, 0, -14), (125, 0, -80), 0.29, 59.53, (68.114, 50, 52.101), [(36.5, 0, -60.4), (76.6, 0, -70.5)]),
               depth=80, seconds=96, bed=1e5, damping=2e5, meshes=(20, 28, 40, 56, 80, 113, 160), steps=STEPS,
