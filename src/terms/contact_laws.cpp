@@ -1,19 +1,8 @@
-// From the settings of a volume to the normal and friction laws of contact with it, and the limits that a
-// contact spring sets to the time step.
+// From the settings of a volume to the normal and friction laws of contact with it, and how deep a step may
+// go.
 #include "hawser/terms/contact_laws.hpp"
 
-#include <cmath>
-
 namespace hawser {
-namespace {
-
-// s, period over 2 pi.
-double slowness(const ContactSpring& s) { return std::sqrt(s.mass / s.law.stiffness); }
-// m. The default ramp is as wide; a linear spring has none.
-double width(const ContactSpring& s) { return std::max(s.law.smoothing, 0.002 * s.radius); }
-
-}  // namespace
-
 NormalLaw normal_law(const model::Volume& v, double share, double smoothing, double mass) {
   NormalLaw law;
   law.stiffness = v.normal_stiffness * share;
@@ -42,21 +31,6 @@ ContactLaw contact_law(const model::Volume& v, double share, double diameter, do
   law.normal = normal_law(v, share, 0.001 * diameter, mass);
   law.friction = friction_law(v.friction, share, diameter);
   return law;
-}
-
-std::optional<ImpactEvent> ContactSpring::impact(double share, const Approach& at) const {
-  return impact_event(slowness(*this), width(*this), mass * share, at);
-}
-
-bool ContactSpring::may_impact(double speed, double acceleration) const {
-  return hawser::may_impact(slowness(*this), width(*this), speed, acceleration);
-}
-
-bool ContactSpring::follows(double h) const { return hawser::follows(slowness(*this), h); }
-
-double ContactSpring::crossing_error(double share, double force, double potential, double path,
-                                     double speed) const {
-  return share * hawser::crossing_error(slowness(*this), width(*this), force, potential, path, speed);
 }
 
 void limit_depth(double radius, const Approach& at, ImpactEvents& to) {

@@ -42,7 +42,9 @@ void LineVolumeContact::strike_at(const Pair& pair, const Kinematics& committed,
              acceleration = back * along(committed.a, local(pair), xi);
   const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
   limit_depth(pair.radius, at, to);
-  if (local(pair).counted && share > 0) to.add(spring(pair, xi).impact(share, at), element(pair).line);
+  const ContactSpring s = spring(pair, xi);
+  if (local(pair).counted && share > 0)
+    to.add(impact_event(s.slowness, s.seen, settings(pair).mass_per_length * share, at), element(pair).line);
 }
 
 void LineVolumeContact::limit_by_touch(const Pair& pair, const Kinematics& committed,
@@ -96,8 +98,9 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
     const double xi = kPlaces[i], speed = velocity_at_start(pair, xi).norm();
     // Look ahead as far as it gets in half a second.
     const double far = 0.5 * (start.reach() + speed), within = pair.touch + far;
+    const ContactSpring s = spring(pair, xi);
     const bool matters = may_limit_depth(pair.radius, room, speed, to) ||
-                         spring(pair, xi).may_impact(speed, along(committed.a, local(pair), xi).norm());
+                         may_impact(s.slowness, s.seen, speed, along(committed.a, local(pair), xi).norm());
     if (room > far || !matters || !finder_.takes_part(pair, xi)) continue;
     const Vec3 y = pair.start.pose.to_body(start.point(xi));
     const bool by_gap = finder_.by_gap();
@@ -127,9 +130,12 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     for (const ContactPlace& p : found.places) deepest = std::max(deepest, pair.radius - p.at.distance);
     for (const ContactPoint& p : pair.past()) was = std::max(was, -p.gap);
     to.too_deep = to.too_deep || sinks_too_far(pair.radius, was, deepest);
-    if (spring(pair, 0).follows(trial.step) && spring(pair, 1).follows(trial.step)) continue;
+    if (follows(spring(pair, 0).slowness, trial.step) && follows(spring(pair, 1).slowness, trial.step))
+      continue;
 
-    const auto add = [&](double error) {
+    const auto add = [&](double xi, double share, double force, double potential, double path, double speed) {
+      const ContactSpring s = spring(pair, xi);
+      const double error = share * crossing_error(s.slowness, s.seen, force, potential, path, speed);
       if (error > 0) to.list.push_back({element(pair).line, -1, error});
     };
     const auto moved = [&](double xi) -> Vec3 {
@@ -141,9 +147,8 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
           std::none_of(found.filled.begin(), found.filled.end(), holds))
         continue;
       const Vec3 x = shape.point(p.xi), leaves = shape.velocity(p.xi) - pose.velocity_at(x);
-      add(spring(pair, p.xi)
-              .crossing_error(p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
-                              (pose.rotation * p.normal).dot(leaves)));
+      add(p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
+          (pose.rotation * p.normal).dot(leaves));
     }
     for (const ContactPlace& p : found.places) {
       const auto holds = [&](const ContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
@@ -153,9 +158,8 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
       const double came = -p.at.normal.dot(way);
       if (!(came > pair.touch - p.at.distance)) continue;
-      const ContactSpring s = spring(pair, p.xi);
-      const NormalForce f = normal_force(s.law, p.at.distance - pair.radius, 0);
-      add(s.crossing_error(p.weight, f.elastic, f.potential, came, came / trial.step));
+      const NormalForce f = normal_force(pair.law(p.xi).normal, p.at.distance - pair.radius, 0);
+      add(p.xi, p.weight, f.elastic, f.potential, came, came / trial.step);
     }
   }
 }

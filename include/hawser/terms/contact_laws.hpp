@@ -2,7 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
 #include "hawser/kernels/impact.hpp"
 #include "hawser/model/case.hpp"
@@ -18,23 +18,15 @@ FrictionLaw friction_law(const model::Friction& f, double share, double diameter
 // Of a line of that diameter [m].
 ContactLaw contact_law(const model::Volume& v, double share, double diameter, double mass);
 
-// A place of a line on the spring of a volume, as the length of a step has to do with it
-// (kernels/impact.hpp).
+// What the functions of kernels/impact.hpp ask of a place of a line on the spring of a volume.
 struct ContactSpring {
-  const NormalLaw& law;
-  double mass = 0, radius = 0;  // kg in the sense of the law; m, of the line
-
-  // Whether it strikes: what inertia takes deeper than the ramp of the law and 0.2 % of the radius. share:
-  // what turns mass into kg.
-  std::optional<ImpactEvent> impact(double share, const Approach& at) const;
-  // Whether it can, at that speed [m/s] and acceleration [m/s²].
-  bool may_impact(double speed, double acceleration) const;
-  // Whether a step of h [s] is too short to be asked for its crossings.
-  bool follows(double h) const;
-  // J, made or lost where it begins or ends in a step in which it moved along the normal by `path` [m], at
-  // that speed [m/s]; force and potential in the sense of the law, where it touches.
-  double crossing_error(double share, double force, double potential, double path, double speed) const;
+  double slowness = 0;  // s, the period over 2 pi
+  double seen = 0;      // m; what inertia takes deeper strikes: the ramp of the law, or 0.2 % of the radius
 };
+// mass: kg in the sense of the law; radius of the line, m.
+inline ContactSpring contact_spring(const NormalLaw& law, double mass, double radius) {
+  return {std::sqrt(mass / law.stiffness), std::max(law.smoothing, 0.002 * radius)};
+}
 
 // A step is not to get a place of a line deeper into a surface than half its radius [m].
 void limit_depth(double radius, const Approach& at, ImpactEvents& to);

@@ -118,7 +118,7 @@ class LineVolumeContact final : public ForceTerm,
     return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
   }
   ContactSpring spring(const Pair& p, double xi) const {
-    return {p.law(xi).normal, settings(p).mass_per_length, p.radius};
+    return contact_spring(p.law(xi).normal, settings(p).mass_per_length, p.radius);
   }
 
   // Pairs of an element and a volume at the start of a step, with what is known of them.
