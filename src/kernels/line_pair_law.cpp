@@ -42,7 +42,7 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   if (v.closing > deep) slip *= S((deep + ramp) / (v.closing + ramp));
   slip += b * v.slip[0] + l * v.slip[1];
   const Friction<S> f = friction<S>(law.friction, Coulomb<double>{law.friction.axial, law.friction.lateral},
-                                    v.force, slip, n, Vec3::UnitX());
+                                    v.force, slip, n, Vec3(Vec3::UnitX()));
   Tangential<S> r;
   r.force = f.force;
   r.couple = f.force.cross(v.away);

@@ -4,6 +4,8 @@
 
 #include <unsupported/Eigen/AutoDiff>
 
+#include "point_friction.hpp"
+
 namespace hawser {
 namespace {
 
@@ -13,24 +15,15 @@ using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
 using Dual1 = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
 using Dual6 = Eigen::AutoDiffScalar<Eigen::Matrix<double, 6, 1>>;
 
-// Gap, normal and normal force as the scalar S sees them.
-template <class S>
-struct Local {
-  S gap, force;
-  S roll = S(0);
-  double lever = 0;
-  Vector3<S> point, normal, velocity;  // velocity: only where friction depends on it
-};
-
-Local<double> plain(const ContactTrial& t, const NormalForce& n) {
+PointState<double> plain(const ContactTrial& t, const NormalForce& n) {
   return {t.gap, n.force, t.roll, t.lever, t.point, t.normal, t.velocity};
 }
 
-Local<Dual> dual(const ContactTrial& t, const NormalForce& n) {
+PointState<Dual> dual(const ContactTrial& t, const NormalForce& n) {
   const auto made = [](double value, const Vec3& by_point, double by_rate) {
     return Dual(value, Eigen::Vector4d(by_point.x(), by_point.y(), by_point.z(), by_rate));
   };
-  Local<Dual> l;
+  PointState<Dual> l;
   l.gap = made(t.gap, t.normal, 0);
   l.force = made(n.force, n.by_gap * t.normal, n.by_rate);
   for (int c = 0; c < 3; ++c) {
@@ -41,14 +34,14 @@ Local<Dual> dual(const ContactTrial& t, const NormalForce& n) {
   return l;
 }
 
-Local<Dual6> dual6(const ContactTrial& t, const NormalForce& n) {
+PointState<Dual6> dual6(const ContactTrial& t, const NormalForce& n) {
   const auto made = [](double value, const Vec3& by_point, const Vec3& by_velocity) {
     Eigen::Matrix<double, 6, 1> d;
     d << by_point, by_velocity;
     return Dual6(value, d);
   };
   const Vec3 none = Vec3::Zero();
-  Local<Dual6> l;
+  PointState<Dual6> l;
   l.gap = made(t.gap, t.normal, none);
   l.force = made(n.force, n.by_gap * t.normal + n.by_rate * (t.curvature * t.velocity), n.by_rate * t.normal);
   for (int c = 0; c < 3; ++c) {
@@ -61,37 +54,12 @@ Local<Dual6> dual6(const ContactTrial& t, const NormalForce& n) {
 }
 
 // Only the roll changes.
-Local<Dual1> rolling(const ContactTrial& t, const NormalForce& n) {
-  Local<Dual1> l;
+PointState<Dual1> rolling(const ContactTrial& t, const NormalForce& n) {
+  PointState<Dual1> l;
   l.gap = Dual1(t.gap), l.force = Dual1(n.force);
   l.roll = Dual1(t.roll, Eigen::Matrix<double, 1, 1>(1.0)), l.lever = t.lever;
   l.point = t.point.cast<Dual1>(), l.normal = t.normal.cast<Dual1>(), l.velocity = t.velocity.cast<Dual1>();
   return l;
-}
-
-template <class S>
-Vector3<S> trial_slip(const ContactLaw& law, const ContactStart& start, const Local<S>& t) {
-  Vector3<S> moved = t.point - start.point.cast<S>();
-  moved -= t.normal * S(t.normal.dot(moved));
-  if (t.lever > 0) moved -= start.tangent.cast<S>().cross(t.normal) * S(t.roll * t.lever);
-  const double touch = law.normal.smoothing;
-  if (start.gap > touch) moved *= S((S(touch) - t.gap) / (S(start.gap) - t.gap));
-  Vector3<S> slip = moved;
-  if (!start.slip.isZero(0)) slip += transport_slip<S>(start.slip, start.normal, t.normal);
-  return slip;
-}
-
-template <class S>
-Friction<S> tangential(const ContactLaw& law, const ContactStart& start, const Local<S>& t) {
-  return friction<S>(law.friction, t.force, trial_slip(law, start, t), t.normal, start.tangent);
-}
-
-// With coefficients that depend on the speed along the surface.
-template <class S>
-Friction<S> blended(const ContactLaw& law, const ContactStart& start, const Local<S>& t) {
-  const Vector3<S> along = t.velocity - t.normal * S(t.normal.dot(t.velocity));
-  const Coulomb<S> mu = coulomb_at<S>(law.friction, along.squaredNorm());
-  return friction<S, S>(law.friction, mu, t.force, trial_slip(law, start, t), t.normal, start.tangent);
 }
 
 template <class S>
@@ -115,14 +83,14 @@ PointContact volume_contact(const ContactLaw& law, const ContactStart& start, co
                  r.normal.force * trial.curvature;
     r.by_velocity = r.normal.by_rate * n * n.transpose();
     if (law.friction.active() && law.friction.blends()) {
-      const Friction<Dual6> f = blended<Dual6>(law, start, dual6(trial, r.normal));
+      const Friction<Dual6> f = point_friction(law, start, dual6(trial, r.normal));
       put(f, r);
       for (int c = 0; c < 3; ++c) {
         r.by_point.row(c) += f.force[c].derivatives().head<3>().transpose();
         r.by_velocity.row(c) += f.force[c].derivatives().tail<3>().transpose();
       }
     } else if (law.friction.active()) {
-      const Friction<Dual> f = tangential<Dual>(law, start, dual(trial, r.normal));
+      const Friction<Dual> f = point_friction(law, start, dual(trial, r.normal));
       put(f, r);
       Vec3 by_rate;
       for (int c = 0; c < 3; ++c) {
@@ -133,15 +101,11 @@ PointContact volume_contact(const ContactLaw& law, const ContactStart& start, co
       r.by_velocity += by_rate * n.transpose();
     }
     if (law.friction.active() && trial.lever > 0) {
-      const Local<Dual1> l = rolling(trial, r.normal);
-      const Friction<Dual1> f =
-          law.friction.blends() ? blended<Dual1>(law, start, l) : tangential<Dual1>(law, start, l);
+      const Friction<Dual1> f = point_friction(law, start, rolling(trial, r.normal));
       for (int c = 0; c < 3; ++c) r.by_roll[c] = f.force[c].derivatives()[0];
     }
   } else if (law.friction.active()) {
-    const Local<double> local = plain(trial, r.normal);
-    const Friction<double> f =
-        law.friction.blends() ? blended<double>(law, start, local) : tangential<double>(law, start, local);
+    const Friction<double> f = point_friction(law, start, plain(trial, r.normal));
     r.friction = f.force;
     r.slip = f.slip;
     r.slides = f.slides;

@@ -49,9 +49,9 @@ struct Friction {
 };
 
 // The tangent vector `slip` at the normal `from`, turned by the smallest rotation that takes `from` to `to`.
-template <class S>
-Vector3<S> transport_slip(const Vec3& slip, const Vec3& from, const Vector3<S>& to) {
-  const Vector3<S> s = slip.cast<S>(), f = from.cast<S>();
+template <class S, class U = double>
+Vector3<S> transport_slip(const Vector3<U>& slip, const Vector3<U>& from, const Vector3<S>& to) {
+  const Vector3<S> s = slip.template cast<S>(), f = from.template cast<S>();
   const S along = s.dot(to), opening = S(1) + f.dot(to);
   if (opening < 1e-9) return s - to * along;  // normals turned over: no rotation is smallest
   const Vector3<S> sum = f + to;
@@ -76,12 +76,12 @@ Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
 // stiffness k: f = -k s, cut to the slip surface (f_a/mu_a)² + (f_l/mu_l)² <= N². Mobilisation lengths:
 // FrictionSpring, cut to (s_a/d_a)² + (s_l/d_l)² <= 1, which is the same surface. What is beyond comes back
 // as FrictionReturn says. A direction without friction holds nothing.
-template <class S, class M>
+template <class S, class M, class U = double>
 Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const Vector3<S>& slip,
-                     const Vector3<S>& normal, const Vec3& tangent) {
+                     const Vector3<S>& normal, const Vector3<U>& tangent) {
   Friction<S> r;
   if (!(N > 0.0)) return r;
-  using std::sqrt;
+  using std::abs, std::sqrt;
   if (law.isotropic()) {
     const S s2 = slip.squaredNorm();
     const S limit = law.stiffness > 0 ? S(N * M(mu.axial / law.stiffness)) : S(law.axial_length);
@@ -95,10 +95,10 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
     r.force = r.slip * S(-stiffness);
     return r;
   }
-  Vector3<S> a = tangent.cast<S>();
+  Vector3<S> a = tangent.template cast<S>();
   a -= normal * S(a.dot(normal));
   if (!(a.squaredNorm() > 1e-12)) {  // the line stands on the surface
-    a = Vec3::Unit(std::abs(tangent.x()) < 0.9 ? 0 : 1).cast<S>();
+    a = Vec3::Unit(abs(tangent.x()) < 0.9 ? 0 : 1).template cast<S>();
     a -= normal * S(a.dot(normal));
   }
   a /= S(sqrt(S(a.squaredNorm())));
@@ -135,9 +135,9 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
 }
 
 // With the coefficients at rest.
-template <class S>
+template <class S, class U = double>
 Friction<S> friction(const FrictionLaw& law, const S& N, const Vector3<S>& slip, const Vector3<S>& normal,
-                     const Vec3& tangent) {
+                     const Vector3<U>& tangent) {
   return friction<S, double>(law, {law.axial, law.lateral}, N, slip, normal, tangent);
 }
 

@@ -13,14 +13,16 @@ struct ContactLaw {
   FrictionLaw friction;
 };
 
-// At the start of the step, body frame.
-struct ContactStart {
-  Vec3 point = Vec3::Zero();     // m, the point of the line
-  double gap = 0;                // m
-  Vec3 tangent = Vec3::UnitX();  // of the line, unit
-  Vec3 slip = Vec3::Zero();      // m, elastic slip; zero when it did not touch
-  Vec3 normal = Vec3::UnitZ();   // at which the slip was left
+// At the start of the step, body frame. Of another scalar where that changes along the line.
+template <class U>
+struct ContactStartOf {
+  Vector3<U> point = Vector3<U>::Zero();     // m, the point of the line
+  U gap = U(0);                              // m
+  Vector3<U> tangent = Vector3<U>::UnitX();  // of the line, unit
+  Vector3<U> slip = Vector3<U>::Zero();      // m, elastic slip; zero when it did not touch
+  Vector3<U> normal = Vector3<U>::UnitZ();   // at which the slip was left
 };
+using ContactStart = ContactStartOf<double>;
 
 // The trial, body frame: distance field of the surface less the radius of the line.
 struct ContactTrial {

@@ -1,0 +1,37 @@
+// Trial slip and friction of a point of a line against a volume or the seabed for any scalars, so that the
+// derivatives by the point and those along the line come from the same lines.
+#pragma once
+
+#include "hawser/kernels/volume_contact.hpp"
+
+namespace hawser {
+
+// What a ContactTrial has of the scalar S, and the normal force there [N].
+template <class S>
+struct PointState {
+  S gap, force;
+  S roll = S(0);
+  double lever = 0;
+  Vector3<S> point, normal, velocity;  // velocity: only where friction depends on it
+};
+
+template <class S, class U>
+Vector3<S> trial_slip(const ContactLaw& law, const ContactStartOf<U>& start, const PointState<S>& t) {
+  Vector3<S> moved = t.point - start.point.template cast<S>();
+  moved -= t.normal * S(t.normal.dot(moved));
+  if (t.lever > 0) moved -= start.tangent.template cast<S>().cross(t.normal) * S(t.roll * t.lever);
+  const double touch = law.normal.smoothing;
+  if (start.gap > touch) moved *= S((S(touch) - t.gap) / (S(start.gap) - t.gap));
+  return moved + transport_slip(start.slip, start.normal, t.normal);
+}
+
+template <class S, class U>
+Friction<S> point_friction(const ContactLaw& law, const ContactStartOf<U>& start, const PointState<S>& t) {
+  const Vector3<S> slip = trial_slip(law, start, t);
+  if (!law.friction.blends()) return friction(law.friction, t.force, slip, t.normal, start.tangent);
+  const Vector3<S> along = t.velocity - t.normal * S(t.normal.dot(t.velocity));
+  const Coulomb<S> mu = coulomb_at<S>(law.friction, along.squaredNorm());
+  return friction(law.friction, mu, t.force, slip, t.normal, start.tangent);
+}
+
+}  // namespace hawser
