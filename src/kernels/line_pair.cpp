@@ -1,12 +1,11 @@
-// The class LinePairSide: where an element touches another, elastic slip from the start of the step, forces
-// and couples at the Gauss points, their exact tangent, and the history kept.
-#include "hawser/kernels/line_pair.hpp"
-
+// The part of LinePairSide that finds where an element touches another and what a point of it brings from the
+// start of the step, and keeps the history; forces and tangent are in line_pair_forces.cpp.
 #include <algorithm>
 #include <cmath>
 
 #include "hawser/kernels/line_pair_closing.hpp"
 #include "hawser/math/so3.hpp"
+#include "line_pair_point.hpp"
 
 namespace hawser {
 namespace {
@@ -122,24 +121,6 @@ void LinePairSide::split(const Panel& panel, std::vector<Panel>& out) const {
   out.push_back(rest);
 }
 
-struct LinePairSide::Point {
-  double xi = 0;
-  AxisProjection foot;
-  AxisShape::Weights H, G;  // slave's at xi, master's at eta
-  Vec3 slope, along;        // x', y', m
-  Vec3 velocity;            // m/s, of x relative to y
-  Mat3 Ta, Tb;              // turns of the sections
-  Vec3 was;                 // m, x - y of the same material at the start
-};
-
-// What a material point of the slave brings from the start of the step. Derivatives along the slave, along
-// the master, and by the generalised positions at these places.
-struct LinePairSide::Start {
-  double slip[2] = {0, 0}, slip_slope[2] = {0, 0};
-  double closing = 0, closing_xi = 0, closing_eta = 0;
-  std::array<Vec3, LinePairForces::kPositions> closing_by;
-};
-
 // Of material that did not touch.
 void LinePairSide::close(const Point& p, bool derivatives, Start& s) const {
   using C = LinePairClosing;
@@ -249,215 +230,6 @@ double LinePairSide::potential(const std::vector<Panel>& panels) const {
              normal_force(set_.law.normal, d - set_.law.reach, 0).potential;
     }
   return sum;
-}
-
-// The tangent is exact. With the slave's place xi given, everything depends on D = x - y and T = y' at a
-// given eta, on the sections' turns and on eta, which follows from D . y' = 0:
-//   d eta = ((dx - dy) . y' + D . dy') / (y' . y' - D . y'').
-// Moving ends of panels take the Gauss points along: the derivative along xi does the rest.
-void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, LinePairForces& g) const {
-  using Six = Eigen::Matrix<double, 6, 3>;
-  using Column = Eigen::Matrix<double, 6, 1>;
-  using F = LinePairForce;
-  const bool rubs = set_.law.friction.active();
-  const int na = g.slave, nb = g.master, n = na + nb;
-  g.rotates = g.rotates || rubs;
-  const double L = set_.share * slave_.ends.length;
-  // Index of generalised position j of the master: na + j; of the rotations: kPositions + 0..3.
-  constexpr int kTurns = LinePairForces::kPositions;
-  const bool turns[4] = {rubs && slave_.beam(), rubs && slave_.beam(), rubs && master_.beam(),
-                         rubs && master_.beam()};
-
-  for (const Panel& s : panels) {
-    const double span = s.to - s.from;
-    // Ends that move: ds/dZ.
-    struct Moving {
-      bool on = false;
-      std::array<Vec3, kTurns> by;
-      std::array<Vec3, LinePairForces::kMost> force;
-    } moving[2];
-    for (size_t i = 0; i < 2 && derivatives && !set_.convex; ++i) {
-      const End end = i ? s.at_to : s.at_from;
-      if (end == End::fixed) continue;
-      Moving& m = moving[i];
-      const double xi = i ? s.to : s.from;
-      const Vec3 x = slave_.now.point(xi), x1 = slave_.now.slope(xi);
-      const AxisShape::Weights H = slave_.now.functions(xi);
-      m.force.fill(Vec3::Zero());
-      if (end == End::gap) {
-        const AxisProjection f = projection(master_.now, part_, x);
-        const double slope = f.normal.dot(x1);
-        if (std::abs(slope) < 1e-9 * slave_.now.reach()) continue;
-        const AxisShape::Weights G = master_.now.functions(f.eta);
-        for (int j = 0; j < na; ++j)
-          m.by[static_cast<size_t>(j)] = -H[static_cast<size_t>(j)] / slope * f.normal;
-        for (int k = 0; k < nb; ++k)
-          m.by[static_cast<size_t>(na + k)] = G[static_cast<size_t>(k)] / slope * f.normal;
-      } else {
-        const double eta = end == End::first_joint ? 0 : 1;
-        const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
-        const double slope = x1.dot(t);
-        const AxisShape::Weights G = master_.now.functions(eta), dG = master_.now.derivatives(eta);
-        for (int j = 0; j < na; ++j) m.by[static_cast<size_t>(j)] = -H[static_cast<size_t>(j)] / slope * t;
-        for (int k = 0; k < nb; ++k) {
-          const size_t c = static_cast<size_t>(k);
-          m.by[static_cast<size_t>(na + k)] = (G[c] * t - dG[c] * (x - V)) / slope;
-        }
-      }
-      m.on = true;
-    }
-
-    for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-      const double place = ContactRule::place()[q], weight = ContactRule::weight()[q];
-      const double xi = s.from + span * place, w = L * span * weight;
-      const Point p = point(xi);
-      const Start from = rubs ? start(p, derivatives && !set_.convex) : Start{};
-      const F c = line_pair_force(set_.law, local(p, from), derivatives);
-      if (!(c.normal.force > 0)) continue;
-      const double eta = p.foot.eta;
-      const double Na[2] = {1 - xi, xi}, Nb[2] = {1 - eta, eta};
-      // Rows: weight h of the vector (force or couple) that a row of F gets.
-      std::array<double, LinePairForces::kMost> h{};
-      for (int j = 0; j < na; ++j) h[static_cast<size_t>(j)] = p.H[static_cast<size_t>(j)];
-      for (int k = 0; k < nb; ++k) h[static_cast<size_t>(na + k)] = -p.G[static_cast<size_t>(k)];
-      for (size_t i = 0; i < 2; ++i) {
-        if (turns[i]) h[kTurns + i] = wa_ * Na[i];
-        if (turns[2 + i]) h[kTurns + 2 + i] = wb_ * Nb[i];
-      }
-      const auto used = [&](int r) { return r < n || (r >= kTurns && turns[r - kTurns]); };
-      const auto vector = [&](int r) -> const Vec3& { return r < kTurns ? c.force : c.couple; };
-      // The residual is internal minus external: -force.
-      for (int r = 0; r < LinePairForces::kMost; ++r)
-        if (used(r)) g.F[static_cast<size_t>(r)] -= w * h[static_cast<size_t>(r)] * vector(r);
-      if (!derivatives) continue;
-
-      const Vec3& nrm = p.foot.normal;
-      const Vec3& y1 = p.along;
-      const AxisShape::Weights dH = slave_.now.derivatives(xi), dG = master_.now.derivatives(eta);
-      const Vec3 y2 = master_.now.bend(eta);
-      const double curve = y1.squaredNorm() - p.foot.away.dot(y2);
-      const bool slides_on = p.foot.inside && curve > 0;
-      const auto by = [&](int column) { return c.by.block<6, 3>(0, column); };
-      const Six by_moved = by(F::kMoved);
-      if (set_.convex) {
-        const Six flat = by_moved;
-        for (int r = 0; r < n; ++r)
-          for (int m = 0; m < n; ++m) {
-            const double hh = w * h[static_cast<size_t>(r)] * h[static_cast<size_t>(m)];
-            g.K[static_cast<size_t>(r)][static_cast<size_t>(m)] -=
-                hh * (c.normal.by_gap * nrm * nrm.transpose() + flat.topRows<3>());
-          }
-        continue;
-      }
-      const Column by_rate = c.by.col(F::kRate);
-      const Mat3 P = (Mat3::Identity() - nrm * nrm.transpose()) / p.foot.distance;
-      const Six QD = by(F::kAway) + by_moved + by_rate * (P * p.velocity).transpose();
-
-      Column q_eta = -QD * y1 + by(F::kAlong) * y2;
-      Column q_xi = QD * p.slope;
-      if (set_.moves) {
-        q_eta -= by_rate * nrm.dot(master_.now.velocity_slope(eta));
-        q_xi += by_rate * nrm.dot(slave_.now.velocity_slope(xi));
-      }
-      if (rubs) {
-        const Mat3 T = wa_ * p.Ta + wb_ * p.Tb;
-        q_eta +=
-            by_moved * (T * master_.start.slope(eta) - wb_ * ((master_.turn[1] - master_.turn[0]) * p.was));
-        q_xi += by_moved * (-T * slave_.start.slope(xi) - wa_ * ((slave_.turn[1] - slave_.turn[0]) * p.was));
-        q_eta += c.by.col(F::kClosing) * from.closing_eta;
-        q_xi += c.by.col(F::kClosing) * from.closing_xi + c.by.col(F::kSlip) * from.slip_slope[0] +
-                c.by.col(F::kSlip + 1) * from.slip_slope[1];
-      }
-      // d eta / dZ and / d xi.
-      std::array<Vec3, kTurns> e;
-      double e_xi = 0;
-      if (slides_on) {
-        for (int j = 0; j < na; ++j) e[static_cast<size_t>(j)] = p.H[static_cast<size_t>(j)] / curve * y1;
-        for (int k = 0; k < nb; ++k) {
-          const size_t b = static_cast<size_t>(k);
-          e[static_cast<size_t>(na + k)] = (dG[b] * p.foot.away - p.G[b] * y1) / curve;
-        }
-        e_xi = p.slope.dot(y1) / curve;
-      } else {
-        e.fill(Vec3::Zero());
-      }
-      q_xi += q_eta * e_xi;
-
-      // Derivatives of (force, couple) by each column.
-      std::array<Six, LinePairForces::kMost> J;
-      for (int m = 0; m < n; ++m) {
-        const size_t b = static_cast<size_t>(m);
-        J[b] = (m < na ? p.H[b] : -p.G[b - static_cast<size_t>(na)]) * QD;
-        if (m >= na && rubs) J[b] += dG[b - static_cast<size_t>(na)] * by(F::kAlong);
-        if (rubs) J[b] += c.by.col(F::kClosing) * from.closing_by[b].transpose();
-        if (slides_on) J[b] += q_eta * e[b].transpose();
-      }
-      for (size_t i = 0; i < 2; ++i) {
-        // - w N d(turn was), with d(turn) v = dphi x (turn v)
-        if (turns[i]) J[kTurns + i] = wa_ * Na[i] * by_moved * hat(slave_.turn[i] * p.was);
-        if (turns[2 + i]) J[kTurns + 2 + i] = wb_ * Nb[i] * by_moved * hat(master_.turn[i] * p.was);
-      }
-      if (rubs)
-        for (int line = 0; line < 2; ++line) {
-          const PairAxis& axis = line ? master_ : slave_;
-          if (axis.beam()) continue;
-          // Sections of a cable turn by the smallest rotation from f to t, its axis then and now:
-          // v - (f + t)(t . v + f . v)/(1 + f . t) + 2 t (f . v).
-          const Vec3 chord = axis.now.slope(0), t = chord.normalized(), f = axis.start.slope(0).normalized(),
-                     sum = f + t;
-          const double opening = 1 + f.dot(t), a = sum.dot(p.was);
-          const Mat3 by_t = -(a / opening) * Mat3::Identity() - sum * p.was.transpose() / opening +
-                            sum * f.transpose() * (a / (opening * opening)) +
-                            2 * f.dot(p.was) * Mat3::Identity();
-          const Six turned =
-              (line ? wb_ : wa_) * by_moved * by_t * ((Mat3::Identity() - t * t.transpose()) / chord.norm());
-          const size_t first = line ? static_cast<size_t>(na) : 0;
-          J[first] += turned, J[first + 1] -= turned;
-        }
-
-      for (int r = 0; r < LinePairForces::kMost; ++r) {
-        if (!used(r)) continue;
-        const size_t b = static_cast<size_t>(r);
-        const int part = r < kTurns ? 0 : 3;
-        // How the row's weight moves with eta and xi.
-        double h_eta = 0, h_xi = 0;
-        if (r < na)
-          h_xi = dH[b];
-        else if (r < n)
-          h_eta = -dG[b - static_cast<size_t>(na)];
-        else if (r < kTurns + 2)
-          h_xi = r == kTurns ? -wa_ : wa_;
-        else
-          h_eta = r == kTurns + 2 ? -wb_ : wb_;
-        const Vec3 v = vector(r);
-        for (int m = 0; m < LinePairForces::kMost; ++m) {
-          if (!used(m)) continue;
-          const size_t d = static_cast<size_t>(m);
-          g.K[b][d] -= w * h[b] * J[d].middleRows<3>(part);
-          if (m >= n) continue;
-          if (slides_on && h_eta != 0) g.K[b][d] -= w * h_eta * v * e[d].transpose();
-          if (set_.moves)
-            g.C[b][d] -= w * h[b] * (m < na ? p.H[d] : -p.G[d - static_cast<size_t>(na)]) *
-                         by_rate.segment<3>(part) * nrm.transpose();
-        }
-        const Vec3 along = (h_xi + h_eta * e_xi) * v + h[b] * q_xi.segment<3>(part);
-        for (size_t i = 0; i < 2; ++i) {
-          if (!moving[i].on) continue;
-          const double stretch = i ? weight : -weight, shift = span * weight * (i ? place : 1 - place);
-          moving[i].force[b] -= L * (stretch * h[b] * v + shift * along);
-        }
-      }
-    }
-    for (const Moving& m : moving) {
-      if (!m.on) continue;
-      for (int r = 0; r < LinePairForces::kMost; ++r) {
-        if (r >= n && !(r >= kTurns && turns[r - kTurns])) continue;
-        for (int k = 0; k < n; ++k)
-          g.K[static_cast<size_t>(r)][static_cast<size_t>(k)] +=
-              m.force[static_cast<size_t>(r)] * m.by[static_cast<size_t>(k)].transpose();
-      }
-    }
-  }
 }
 
 }  // namespace hawser

@@ -100,6 +100,9 @@ class LinePairSide {
  private:
   struct Start;
   struct Point;
+  struct Rows;
+  struct Slopes;
+  struct MovingEnd;
   Point point(double xi) const;
   Start start(const Point& p, bool derivatives) const;
   void close(const Point& p, bool derivatives, Start& s) const;
@@ -108,6 +111,11 @@ class LinePairSide {
   std::vector<double> kinks(int levels) const;
   void split(const Panel& panel, std::vector<Panel>& out) const;
   LinePairPoint local(const Point& p, const Start& s) const;
+  Rows rows(const Point& p) const;
+  Slopes slopes(const Point& p, const Start& from, const LinePairForce& c, const Rows& rows) const;
+  MovingEnd moving_end(double xi, End end) const;
+  void add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
+                  LinePairForces& g) const;
 
   const PairAxis &slave_, &master_;
   ProjectOn part_;

@@ -1,0 +1,228 @@
+// The part of LinePairSide that sums forces and couples over the Gauss points, with their exact tangent.
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/math/so3.hpp"
+#include "line_pair_point.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr size_t kTurns = LinePairForces::kPositions, kMost = LinePairForces::kMost;
+using Column = Eigen::Matrix<double, 6, 1>;  // of force and couple
+using Six = Eigen::Matrix<double, 6, 3>;
+
+// d(turn v) by the chord of a cable, whose sections turn by the smallest rotation from f to t, its axis then
+// and now: v - (f + t)(t . v + f . v)/(1 + f . t) + 2 t (f . v).
+Mat3 section_turn_by_chord(const PairAxis& cable, const Vec3& v) {
+  const Vec3 chord = cable.now.slope(0), t = chord.normalized(), f = cable.start.slope(0).normalized(),
+             sum = f + t;
+  const double opening = 1 + f.dot(t), a = sum.dot(v);
+  const Mat3 by_t = -(a / opening) * Mat3::Identity() - sum * v.transpose() / opening +
+                    sum * f.transpose() * (a / (opening * opening)) + 2 * f.dot(v) * Mat3::Identity();
+  return by_t * ((Mat3::Identity() - t * t.transpose()) / chord.norm());
+}
+
+}  // namespace
+
+// The rows of F that there are, and which share of the force or of the couple at a point each gets.
+struct LinePairSide::Rows {
+  std::array<size_t, kMost> used;
+  size_t count = 0;
+  std::array<double, kMost> share{}, by_xi{}, by_eta{};  // and how the share moves along slave and master
+
+  void add(size_t row, double s, double along_slave, double along_master) {
+    used[count++] = row;
+    share[row] = s, by_xi[row] = along_slave, by_eta[row] = along_master;
+  }
+  auto begin() const { return used.begin(); }
+  auto end() const { return used.begin() + static_cast<std::ptrdiff_t>(count); }
+};
+
+LinePairSide::Rows LinePairSide::rows(const Point& p) const {
+  Rows r;
+  const double xi = p.xi, eta = p.foot.eta;
+  const AxisShape::Weights dH = slave_.now.derivatives(xi), dG = master_.now.derivatives(eta);
+  const size_t na = static_cast<size_t>(slave_.now.count()), nb = static_cast<size_t>(master_.now.count());
+  for (size_t j = 0; j < na; ++j) r.add(j, p.H[j], dH[j], 0);
+  for (size_t k = 0; k < nb; ++k) r.add(na + k, -p.G[k], 0, -dG[k]);
+  if (!set_.law.friction.active()) return r;
+  if (slave_.beam()) r.add(kTurns, wa_ * (1 - xi), -wa_, 0), r.add(kTurns + 1, wa_ * xi, wa_, 0);
+  if (master_.beam()) r.add(kTurns + 2, wb_ * (1 - eta), 0, -wb_), r.add(kTurns + 3, wb_ * eta, 0, wb_);
+  return r;
+}
+
+// The derivatives of force and couple at a point.
+struct LinePairSide::Slopes {
+  std::array<Six, kMost> by;        // of what the rows are conjugate to
+  Column by_xi, by_rate;            // by the place on the slave, and by the rate of the gap
+  bool slides_on = false;           // the nearest point moves along the master:
+  std::array<Vec3, kTurns> eta_by;  // d eta by the positions
+  double eta_by_xi = 0;
+};
+
+// With the slave's place xi given, everything depends on D = x - y and T = y' at a given eta, on the
+// sections' turns and on eta, which follows from D . y' = 0:
+//   d eta = ((dx - dy) . y' + D . dy') / (y' . y' - D . y'').
+LinePairSide::Slopes LinePairSide::slopes(const Point& p, const Start& from, const LinePairForce& c,
+                                          const Rows& rows) const {
+  using F = LinePairForce;
+  const bool rubs = set_.law.friction.active();
+  const size_t na = static_cast<size_t>(slave_.now.count()),
+               n = na + static_cast<size_t>(master_.now.count());
+  const double xi = p.xi, eta = p.foot.eta;
+  const Vec3 &nrm = p.foot.normal, &y1 = p.along;
+  const Vec3 y2 = master_.now.bend(eta);
+  const auto by = [&](int column) { return c.by.block<6, 3>(0, column); };
+  const Six by_moved = by(F::kMoved);
+  Slopes s;
+  s.by_rate = c.by.col(F::kRate);
+  const Mat3 P = (Mat3::Identity() - nrm * nrm.transpose()) / p.foot.distance;
+  const Six by_away = by(F::kAway) + by_moved + s.by_rate * (P * p.velocity).transpose();
+
+  Column by_eta = -by_away * y1 + by(F::kAlong) * y2;
+  s.by_xi = by_away * p.slope;
+  if (set_.moves) {
+    by_eta -= s.by_rate * nrm.dot(master_.now.velocity_slope(eta));
+    s.by_xi += s.by_rate * nrm.dot(slave_.now.velocity_slope(xi));
+  }
+  if (rubs) {
+    const Mat3 T = wa_ * p.Ta + wb_ * p.Tb;
+    by_eta += by_moved * (T * master_.start.slope(eta) - wb_ * ((master_.turn[1] - master_.turn[0]) * p.was));
+    s.by_xi += by_moved * (-T * slave_.start.slope(xi) - wa_ * ((slave_.turn[1] - slave_.turn[0]) * p.was));
+    by_eta += c.by.col(F::kClosing) * from.closing_eta;
+    s.by_xi += c.by.col(F::kClosing) * from.closing_xi + c.by.col(F::kSlip) * from.slip_slope[0] +
+               c.by.col(F::kSlip + 1) * from.slip_slope[1];
+  }
+
+  s.eta_by.fill(Vec3::Zero());
+  const double curve = y1.squaredNorm() - p.foot.away.dot(y2);
+  s.slides_on = p.foot.inside && curve > 0;
+  if (s.slides_on) {
+    for (size_t j = 0; j < na; ++j) s.eta_by[j] = p.H[j] / curve * y1;
+    for (size_t m = na; m < n; ++m) s.eta_by[m] = (-rows.by_eta[m] * p.foot.away - p.G[m - na] * y1) / curve;
+    s.eta_by_xi = p.slope.dot(y1) / curve;
+  }
+  s.by_xi += by_eta * s.eta_by_xi;
+
+  for (size_t m = 0; m < n; ++m) {
+    s.by[m] = rows.share[m] * by_away;
+    if (m >= na && rubs) s.by[m] -= rows.by_eta[m] * by(F::kAlong);
+    if (rubs) s.by[m] += c.by.col(F::kClosing) * from.closing_by[m].transpose();
+    if (s.slides_on) s.by[m] += by_eta * s.eta_by[m].transpose();
+  }
+  if (!rubs) return s;
+  for (const bool of_master : {false, true}) {
+    const PairAxis& axis = of_master ? master_ : slave_;
+    const size_t turn = kTurns + (of_master ? 2 : 0), position = of_master ? na : 0;
+    if (axis.beam()) {
+      // - w N d(turn was), with d(turn) v = dphi x (turn v)
+      for (size_t i = 0; i < 2; ++i)
+        s.by[turn + i] = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.was);
+    } else {
+      const Six turned = (of_master ? wb_ : wa_) * by_moved * section_turn_by_chord(axis, p.was);
+      s.by[position] += turned, s.by[position + 1] -= turned;
+    }
+  }
+  return s;
+}
+
+// An end of a panel that moves, and what the forces of the panel change by as it takes the Gauss points
+// along.
+struct LinePairSide::MovingEnd {
+  bool moves = false;
+  std::array<Vec3, kTurns> by;    // of its place, by the positions
+  std::array<Vec3, kMost> force;  // of the rows, by its place
+};
+
+LinePairSide::MovingEnd LinePairSide::moving_end(double xi, End end) const {
+  MovingEnd m;
+  if (end == End::fixed) return m;
+  const size_t na = static_cast<size_t>(slave_.now.count()), nb = static_cast<size_t>(master_.now.count());
+  const Vec3 x = slave_.now.point(xi), x1 = slave_.now.slope(xi);
+  const AxisShape::Weights H = slave_.now.functions(xi);
+  if (end == End::gap) {
+    const AxisProjection f = projection(master_.now, part_, x);
+    const double slope = f.normal.dot(x1);
+    if (std::abs(slope) < 1e-9 * slave_.now.reach()) return m;
+    const AxisShape::Weights G = master_.now.functions(f.eta);
+    for (size_t j = 0; j < na; ++j) m.by[j] = -H[j] / slope * f.normal;
+    for (size_t k = 0; k < nb; ++k) m.by[na + k] = G[k] / slope * f.normal;
+  } else {
+    const double eta = end == End::first_joint ? 0 : 1;
+    const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
+    const double slope = x1.dot(t);
+    const AxisShape::Weights G = master_.now.functions(eta), dG = master_.now.derivatives(eta);
+    for (size_t j = 0; j < na; ++j) m.by[j] = -H[j] / slope * t;
+    for (size_t k = 0; k < nb; ++k) m.by[na + k] = (G[k] * t - dG[k] * (x - V)) / slope;
+  }
+  m.force.fill(Vec3::Zero());
+  m.moves = true;
+  return m;
+}
+
+// Where negative stiffness is left out: as if nearest points and normals stayed.
+void LinePairSide::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
+                              LinePairForces& g) const {
+  const Vec3& nrm = p.foot.normal;
+  const Six by_moved = c.by.block<6, 3>(0, LinePairForce::kMoved);
+  const size_t n = static_cast<size_t>(g.slave + g.master);
+  for (size_t r = 0; r < n; ++r)
+    for (size_t m = 0; m < n; ++m)
+      g.K[r][m] -= weight * rows.share[r] * rows.share[m] *
+                   (c.normal.by_gap * nrm * nrm.transpose() + by_moved.topRows<3>());
+}
+
+// The tangent is exact.
+void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, LinePairForces& g) const {
+  const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
+  const size_t n = static_cast<size_t>(g.slave + g.master);
+  const double L = set_.share * slave_.ends.length;
+  g.rotates = g.rotates || rubs;
+  for (const Panel& panel : panels) {
+    const double span = panel.to - panel.from;
+    std::array<MovingEnd, 2> ends;
+    if (exact) ends = {moving_end(panel.from, panel.at_from), moving_end(panel.to, panel.at_to)};
+    for (size_t q = 0; q < ContactRule::kPoints; ++q) {
+      const double place = ContactRule::place()[q], part = ContactRule::weight()[q], w = L * span * part;
+      const Point p = point(panel.from + span * place);
+      const Start from = rubs ? start(p, exact) : Start{};
+      const LinePairForce c = line_pair_force(set_.law, local(p, from), derivatives);
+      if (!(c.normal.force > 0)) continue;
+      const Rows rows = this->rows(p);
+      const auto vector = [&c](size_t r) -> const Vec3& { return r < kTurns ? c.force : c.couple; };
+      // The residual is internal minus external: -force.
+      for (const size_t r : rows) g.F[r] -= w * rows.share[r] * vector(r);
+      if (derivatives && !exact) add_convex(p, c, rows, w, g);
+      if (!exact) continue;
+
+      const Slopes s = slopes(p, from, c, rows);
+      for (const size_t r : rows) {
+        const Vec3& v = vector(r);
+        const int first = r < kTurns ? 0 : 3;
+        for (const size_t m : rows) {
+          g.K[r][m] -= w * rows.share[r] * s.by[m].middleRows<3>(first);
+          if (m >= n) continue;
+          if (s.slides_on && rows.by_eta[r] != 0)
+            g.K[r][m] -= w * rows.by_eta[r] * v * s.eta_by[m].transpose();
+          if (set_.moves)
+            g.C[r][m] -=
+                w * rows.share[r] * rows.share[m] * s.by_rate.segment<3>(first) * p.foot.normal.transpose();
+        }
+        // Moving ends take the Gauss points along: the derivative along xi does the rest.
+        const Vec3 along =
+            (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.share[r] * s.by_xi.segment<3>(first);
+        for (const bool last : {false, true}) {
+          if (!ends[last].moves) continue;
+          const double stretch = last ? part : -part, shift = span * part * (last ? place : 1 - place);
+          ends[last].force[r] -= L * (stretch * rows.share[r] * v + shift * along);
+        }
+      }
+    }
+    for (const MovingEnd& end : ends)
+      for (size_t r = 0; r < kMost && end.moves; ++r)
+        for (size_t m = 0; m < n; ++m) g.K[r][m] += end.force[r] * end.by[m].transpose();
+  }
+}
+
+}  // namespace hawser
