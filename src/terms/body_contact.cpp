@@ -74,12 +74,14 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     pair.a = p.a, pair.b = p.b, pair.share = p.share, pair.hides = p.hides;
     pair.mass = 1 / (1 / sides_[p.a].mass + 1 / sides_[p.b].mass);
     Box around;
-    for (const auto* list : {&volumes_[p.a].skeleton.point_bundles, &volumes_[p.a].skeleton.edge_bundles})
-      for (const auto& b : *list) {
-        pair.size = std::max(pair.size, 2 * b.radius);
-        around.add(Box{b.centre, b.centre}.grown(b.radius));
-      }
-    if (!volumes_[p.a].skeleton.point_bundles.empty() || !volumes_[p.a].skeleton.edge_bundles.empty())
+    const auto add = [&](const auto& b) {
+      pair.size = std::max(pair.size, 2 * b.radius);
+      around.add(Box{b.centre, b.centre}.grown(b.radius));
+    };
+    const BodySkeleton& leads = volumes_[p.a].skeleton;
+    std::for_each(leads.points.begin(), leads.points.end(), add);
+    std::for_each(leads.edges.begin(), leads.edges.end(), add);
+    if (!around.empty())
       pair.middle = around.centre() - sides_[p.a].centre, pair.radius = 0.5 * around.extent().norm();
     const Vec3 extent = boxes_[p.a].extent();
     if (extent.allFinite()) pair.size = extent.maxCoeff();
@@ -103,7 +105,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
   }
   for (const TouchingVolume& v : volumes_) {
     Box around;
-    for (const auto& b : v.skeleton.face_bundles) around.add(Box{b.centre, b.centre}.grown(b.radius));
+    for (const auto& b : v.skeleton.faces) around.add(Box{b.centre, b.centre}.grown(b.radius));
     faces_.push_back(around);
   }
   update_ghosts();
@@ -169,7 +171,7 @@ BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Both& at, bo
   const Box& box = boxes_[pair.b];
   const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
   const double d = pair.law.smoothing;
-  const auto near = [&](const BodySkeleton::Bundle& b) {
+  const auto near = [&](const auto& b) {
     const Vec3 z = Bs.to_body(A.to_space(b.centre - ca));
     const double reach = b.radius + d;
     return squared_distance(box, z) <= reach * reach && surface.query(z, reach);
@@ -180,16 +182,12 @@ BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Both& at, bo
     // The kernel's z counts from B's centre of mass; distance and derivatives are the same.
     sum.add(body_contact(A, y, radius, B, *s, pair.law, weight, tangent, sum.contact), weight);
   };
-  for (const auto& b : skeleton.point_bundles)
+  for (const auto& b : skeleton.points)
     if (near(b))
-      for (int i = b.first; i < b.first + b.count; ++i) {
-        const SkeletonPoint& p = skeleton.points[static_cast<size_t>(i)];
-        meet(p.at - ca, p.radius, pair.share * p.weight);
-      }
-  for (const auto& b : skeleton.edge_bundles)
+      for (const SkeletonPoint& p : b.items) meet(p.at - ca, p.radius, pair.share * p.weight);
+  for (const auto& b : skeleton.edges)
     if (near(b))
-      for (int i = b.first; i < b.first + b.count; ++i) {
-        SkeletonEdge e = skeleton.edges[static_cast<size_t>(i)];
+      for (SkeletonEdge e : b.items) {
         e.from -= ca, e.to -= ca;
         const double length = (e.to - e.from).norm();
         const auto gap = [&, touch = e.radius + d](double xi, double within) -> AxisGap {

@@ -90,28 +90,24 @@ std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pai
   const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
   Nearest best;
   best.gap = within;
-  const auto near = [&](const BodySkeleton::Bundle& b) {
+  const auto near = [&](const auto& b) {
     const Vec3 z = at.Bs.to_body(at.A.to_space(b.centre - ca));
     const double reach = b.radius + std::max(best.gap, 0.0);
     if (squared_distance(boxes_[pair.b], z) > reach * reach) return false;
     const auto s = surface.query(z, reach);
     return s && s->distance - b.radius < best.gap;
   };
-  for (const auto& b : skeleton.point_bundles)
+  for (const auto& b : skeleton.points)
     if (near(b))
-      for (int i = b.first; i < b.first + b.count; ++i) {
-        const SkeletonPoint& p = skeleton.points[static_cast<size_t>(i)];
+      for (const SkeletonPoint& p : b.items) {
         const Vec3 y = p.at - ca;
         const auto s = surface.query(at.Bs.to_body(at.A.to_space(y)), std::max(best.gap, 0.0) + p.radius);
         if (s && s->distance - p.radius < best.gap)
           best = {s->distance - p.radius, body_gap_gradient(at.A, y, at.B, *s)};
       }
-  for (const auto& b : skeleton.edge_bundles)
+  for (const auto& b : skeleton.edges)
     if (near(b))
-      for (int i = b.first; i < b.first + b.count; ++i) {
-        const SkeletonEdge& e = skeleton.edges[static_cast<size_t>(i)];
-        look_along(at, e.from - ca, e.to - ca, e.radius, surface, best);
-      }
+      for (const SkeletonEdge& e : b.items) look_along(at, e.from - ca, e.to - ca, e.radius, surface, best);
   if (!(best.gap < within)) return std::nullopt;
   return best;
 }

@@ -22,18 +22,17 @@ double BodyContactTerm::deepest(size_t volume, const BodyFrame& of, size_t in, c
   if (all.empty()) return 0;
   const double radius = 0.5 * all.extent().norm();
   if (squared_distance(boxes_[in], there.to_body(of.to_space(all.centre()))) > radius * radius) return 0;
-  const BodySkeleton& skeleton = volumes_[volume].skeleton;
   const Surface& surface = *volumes_[in].surface;
   double depth = 0;
-  for (const auto& b : skeleton.face_bundles) {
+  for (const auto& b : volumes_[volume].skeleton.faces) {
     const Vec3 centre = there.to_body(of.to_space(b.centre));
     const double reach = b.radius - depth;  // no nearer is deeper
     if (reach < 0 ? !boxes_[in].contains(centre) : squared_distance(boxes_[in], centre) > reach * reach)
       continue;
     const auto near = surface.query(centre, std::max(reach, 0.0));
     if (!near || near->distance > reach) continue;
-    for (int i = b.first; i < b.first + b.count; ++i) {
-      const auto s = surface.query(there.to_body(of.to_space(skeleton.faces[static_cast<size_t>(i)])), 0);
+    for (const Vec3& x : b.items) {
+      const auto s = surface.query(there.to_body(of.to_space(x)), 0);
       if (s) depth = std::max(depth, -s->distance);
     }
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include "hawser/geometry/sharp_edges.hpp"
 
@@ -58,79 +59,71 @@ void ring(const TorusShape& s, std::vector<SkeletonEdge>& edges) {
   for (int i = 0; i < kRing; ++i) edges.push_back({at(i), at(i + 1), s.tube_radius});
 }
 
-// Neighbours beside each other: by halves along the longest side of their box.
+// How far an item gets from a place, m.
+double reach(const SkeletonPoint& p, const Vec3& from) { return (p.at - from).norm() + p.radius; }
+double reach(const SkeletonEdge& e, const Vec3& from) {
+  return std::max((e.from - from).norm() + e.radius, (e.to - from).norm() + e.radius);
+}
+double reach(const Vec3& x, const Vec3& from) { return (x - from).norm(); }
+
+// By halves along the longest side of the box of their places.
 template <class T, class Place>
-void bundle(std::vector<T>& items, size_t first, size_t last, const Place& place,
-            std::vector<BodySkeleton::Bundle>& out) {
+std::vector<Bundle<T>> bundles(std::span<T> items, const Place& place) {
+  if (items.empty()) return {};
   Box box;
-  for (size_t i = first; i < last; ++i) box.add(place(items[i]));
-  if (last - first <= kBundle) {
-    BodySkeleton::Bundle b{box.centre(), 0, static_cast<int>(first), static_cast<int>(last - first)};
-    out.push_back(b);
-    return;
+  for (const T& i : items) box.add(place(i));
+  if (items.size() <= kBundle) {
+    Bundle<T> b{box.centre(), 0, std::vector<T>(items.begin(), items.end())};
+    for (const T& i : items) b.radius = std::max(b.radius, reach(i, b.centre));
+    return {b};
   }
   Eigen::Index k = 0;
   (box.hi - box.lo).maxCoeff(&k);
-  const size_t middle = first + (last - first) / 2;
-  const auto at = [&](size_t i) { return items.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(at(first), at(middle), at(last),
+  const size_t middle = items.size() / 2;
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle), items.end(),
                    [&](const T& a, const T& b) { return place(a)[k] < place(b)[k]; });
-  bundle(items, first, middle, place, out);
-  bundle(items, middle, last, place, out);
+  std::vector<Bundle<T>> out = bundles(items.first(middle), place);
+  for (auto& b : bundles(items.subspan(middle), place)) out.push_back(std::move(b));
+  return out;
 }
 
 }  // namespace
 
 BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const std::vector<bool>& active,
                            double piece) {
-  BodySkeleton s;
+  std::vector<SkeletonPoint> points;
+  std::vector<SkeletonEdge> bars;
   const auto* sphere = v.shape ? std::get_if<SphereShape>(&*v.shape) : nullptr;
   const auto* capsule = v.shape ? std::get_if<CapsuleShape>(&*v.shape) : nullptr;
   const auto* torus = v.shape ? std::get_if<TorusShape>(&*v.shape) : nullptr;
-  if (v.shape && std::holds_alternative<PlaneShape>(*v.shape)) return s;
+  if (v.shape && std::holds_alternative<PlaneShape>(*v.shape)) return {};
   if (v.basis == model::StiffnessBasis::per_area) {
     Box box;
     for (const Vec3& x : mesh.vertices) box.add(x);
     const double size = piece > 0 ? piece : 0.01 * (box.hi - box.lo).maxCoeff();
     for (size_t t = 0; t < mesh.triangles.size(); ++t)
-      if (active.empty() || active[t]) faces(corners(mesh, t), size, s.points);
+      if (active.empty() || active[t]) faces(corners(mesh, t), size, points);
   } else {
     const bool edges = v.basis == model::StiffnessBasis::per_length;
     if (sphere) {
-      if (!edges) s.points.push_back({sphere->centre, sphere->radius, 1});
+      if (!edges) points.push_back({sphere->centre, sphere->radius, 1});
     } else if (capsule) {
       if (edges)
-        s.edges.push_back({capsule->from, capsule->to, capsule->radius});
+        bars.push_back({capsule->from, capsule->to, capsule->radius});
       else
-        s.points = {{capsule->from, capsule->radius, 1}, {capsule->to, capsule->radius, 1}};
+        points = {{capsule->from, capsule->radius, 1}, {capsule->to, capsule->radius, 1}};
     } else if (torus) {
-      ring(*torus, s.edges);
+      ring(*torus, bars);
       if (!edges)
-        for (const SkeletonEdge& e : s.edges) s.points.push_back({e.from, e.radius, 1});
+        for (const SkeletonEdge& e : bars) points.push_back({e.from, e.radius, 1});
     } else {
-      sharp(mesh, active, s.edges, s.points);
+      sharp(mesh, active, bars, points);
     }
-    edges ? s.points.clear() : s.edges.clear();
+    edges ? points.clear() : bars.clear();
   }
-  if (!s.points.empty())
-    bundle(
-        s.points, 0, s.points.size(), [](const SkeletonPoint& p) { return p.at; }, s.point_bundles);
-  if (!s.edges.empty())
-    bundle(
-        s.edges, 0, s.edges.size(), [](const SkeletonEdge& e) { return Vec3(0.5 * (e.from + e.to)); },
-        s.edge_bundles);
-  for (auto& b : s.point_bundles)
-    for (int i = b.first; i < b.first + b.count; ++i) {
-      const SkeletonPoint& p = s.points[static_cast<size_t>(i)];
-      b.radius = std::max(b.radius, (p.at - b.centre).norm() + p.radius);
-    }
-  for (auto& b : s.edge_bundles)
-    for (int i = b.first; i < b.first + b.count; ++i) {
-      const SkeletonEdge& e = s.edges[static_cast<size_t>(i)];
-      b.radius =
-          std::max({b.radius, (e.from - b.centre).norm() + e.radius, (e.to - b.centre).norm() + e.radius});
-    }
-  return s;
+  return {bundles(std::span(points), [](const SkeletonPoint& p) { return p.at; }),
+          bundles(std::span(bars), [](const SkeletonEdge& e) { return Vec3(0.5 * (e.from + e.to)); }),
+          {}};
 }
 
 void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkeleton& skeleton) {
@@ -145,20 +138,17 @@ void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkel
   const double piece = std::sqrt(area / kWatched);
   std::set<std::array<long, 3>> taken;
   std::vector<SkeletonPoint> points;
+  std::vector<Vec3> places;
   each([&](const Triangle& t) {
     points.clear();
     faces(t, piece, points);
     for (const SkeletonPoint& p : points) {
       const std::array<long, 3> cell{std::lround(p.at.x() / piece), std::lround(p.at.y() / piece),
                                      std::lround(p.at.z() / piece)};
-      if (taken.insert(cell).second) skeleton.faces.push_back(p.at);
+      if (taken.insert(cell).second) places.push_back(p.at);
     }
   });
-  bundle(
-      skeleton.faces, 0, skeleton.faces.size(), [](const Vec3& x) { return x; }, skeleton.face_bundles);
-  for (auto& b : skeleton.face_bundles)
-    for (int i = b.first; i < b.first + b.count; ++i)
-      b.radius = std::max(b.radius, (skeleton.faces[static_cast<size_t>(i)] - b.centre).norm());
+  skeleton.faces = bundles(std::span(places), [](const Vec3& x) { return x; });
 }
 
 }  // namespace hawser

@@ -137,7 +137,7 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
   const Surface& surface = *volumes_[pair.b].surface;
   const Box& box = boxes_[pair.b];
   const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
-  const auto near = [&](const BodySkeleton::Bundle& b) {
+  const auto near = [&](const auto& b) {
     const Vec3 from = before(b.centre), to = after(b.centre), middle = 0.5 * (from + to);
     const double reach = b.radius + 0.5 * (to - from).norm() + pair.law.smoothing;
     return squared_distance(box, middle) <= reach * reach && surface.query(middle, reach);
@@ -147,16 +147,13 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
                         BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing),
                         true);
   };
-  const auto any = [&](const auto& bundles, const auto& list, const auto& passes) {
-    for (const BodySkeleton::Bundle& b : bundles)
-      if (near(b) && std::any_of(list.begin() + b.first, list.begin() + b.first + b.count, passes))
-        return true;
-    return false;
+  const auto any = [&](const auto& bundles, const auto& passes) {
+    return std::any_of(bundles.begin(), bundles.end(), [&](const auto& b) {
+      return near(b) && std::any_of(b.items.begin(), b.items.end(), passes);
+    });
   };
-  return any(skeleton.point_bundles, skeleton.points,
-             [&](const SkeletonPoint& p) { return meets(p.at, p.at, p.radius); }) ||
-         any(skeleton.edge_bundles, skeleton.edges,
-             [&](const SkeletonEdge& e) { return meets(e.from, e.to, e.radius); });
+  return any(skeleton.points, [&](const SkeletonPoint& p) { return meets(p.at, p.at, p.radius); }) ||
+         any(skeleton.edges, [&](const SkeletonEdge& e) { return meets(e.from, e.to, e.radius); });
 }
 
 Verdict BodyContactTerm::judge(const Kinematics& trial) const {

@@ -19,19 +19,17 @@ struct SkeletonEdge {
   double radius = 0;  // m, of a round bar
 };
 
-// In bundles of neighbours, so that most of it is left out at once.
+// Neighbours beside each other: most of a body is left out a bundle at a time.
+template <class T>
+struct Bundle {
+  Vec3 centre = Vec3::Zero();
+  double radius = 0;  // m, of a ball around all of it
+  std::vector<T> items;
+};
 struct BodySkeleton {
-  struct Bundle {
-    Vec3 centre = Vec3::Zero();
-    double radius = 0;  // m, of a ball around all of it
-    int first = 0, count = 0;
-  };
-  std::vector<SkeletonPoint> points;
-  std::vector<SkeletonEdge> edges;
-  std::vector<Bundle> point_bundles, edge_bundles;
-  // Places all over the faces, where they are watched.
-  std::vector<Vec3> faces;
-  std::vector<Bundle> face_bundles;
+  std::vector<Bundle<SkeletonPoint>> points;
+  std::vector<Bundle<SkeletonEdge>> edges;
+  std::vector<Bundle<Vec3>> faces;  // places all over them, where they are watched
 };
 
 // By the basis of the stiffness: per_point: the corners of a mesh or box, balls (sphere); per_length: edges
