@@ -40,11 +40,10 @@ void LinePairs::update_ghosts() {
   for (Pair& p : pairs_)
     if (p.history) kept_[p.key] = std::move(p.history);
   pairs_.clear();
-  const auto& segments = candidates_.segments();
   for (const CandidatePair& c : candidates_.pairs()) {
     Pair& p = pairs_.emplace_back();
     p.a = c.a, p.b = c.b, p.counted = c.counted;
-    p.key = {segments[static_cast<size_t>(c.a)].global, segments[static_cast<size_t>(c.b)].global};
+    p.key = {segment(c.a).global, segment(c.b).global};
     p.law = law(p.key.first, p.key.second);
     if (const auto k = kept_.find(p.key); k != kept_.end()) p.history = std::move(k->second);
   }
@@ -101,8 +100,8 @@ void LinePairs::sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bo
     const int master = swapped ? pair.key.first : pair.key.second;
     if (part != ProjectOn::element && !joint(master, part == ProjectOn::second_end)) continue;
     const int slave = swapped ? pair.key.second : pair.key.first;
-    s.slave_radius = elements_[static_cast<size_t>(slave)].radius;
-    s.share = slave_share(s.slave_radius, elements_[static_cast<size_t>(master)].radius);
+    s.slave_radius = settings(slave).radius;
+    s.share = slave_share(s.slave_radius, settings(master).radius);
     if (!(s.share > 0)) continue;
     what(k, LinePairSide(swapped ? B : A, swapped ? A : B, part, s,
                          pair.history ? (*pair.history)[k] : nothing));
@@ -115,8 +114,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
   const std::vector<Rod> is = rods(trial);
   for (Pair& pair : pairs_) {
     if (!near(pair, is)) continue;
-    const size_t i = static_cast<size_t>(pair.a), j = static_cast<size_t>(pair.b);
-    const PairAxis A(ends(trial, pair.a), start_[i]), B(ends(trial, pair.b), start_[j]);
+    const PairAxis A(ends(trial, pair.a), start(pair.a)), B(ends(trial, pair.b), start(pair.b));
     for (const bool swapped : {false, true}) {
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
       LinePairForces g(slave.now.count(), master.now.count());
@@ -140,8 +138,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
       }
       int blocks[8], n = 0;
       for (const bool second : {false, true}) {
-        const ContactSegment& s =
-            candidates_.segments()[static_cast<size_t>(second != swapped ? pair.b : pair.a)];
+        const ContactSegment& s = segment(second != swapped ? pair.b : pair.a);
         for (const int node : {s.first, s.second}) {
           const int b = mesh_.block[static_cast<size_t>(node)];
           blocks[n++] = b;
@@ -158,8 +155,7 @@ void LinePairs::commit(const Kinematics& accepted) {
   const std::vector<Rod> is = rods(accepted);
   for (Pair& pair : pairs_) {
     if (!near(pair, is) && !pair.history) continue;
-    const size_t i = static_cast<size_t>(pair.a), j = static_cast<size_t>(pair.b);
-    const PairAxis A(ends(accepted, pair.a), start_[i]), B(ends(accepted, pair.b), start_[j]);
+    const PairAxis A(ends(accepted, pair.a), start(pair.a)), B(ends(accepted, pair.b), start(pair.b));
     auto next = std::make_unique<History>();
     bool any = false;
     sides(pair, A, B, accepted.step > 0, false, [&](size_t part, const LinePairSide& side) {
@@ -183,16 +179,14 @@ void LinePairs::commit(const Kinematics& accepted) {
 // pair that turns as one body none; a cable has no sections that its part of the couple could turn. The gap
 // is what changes along the normal: far along the other line it is no distance.
 void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next) {
-  const ContactSegment& first = candidates_.segments()[static_cast<size_t>(pair.a)];
-  Account& sum = accounts_[static_cast<size_t>(first.first)];
+  Account& sum = accounts_[static_cast<size_t>(segment(pair.a).first)];
   const auto turn = [](const PairAxis& axis, double xi) -> Mat3 {
     return axis.beam() ? axis.turn_at(xi) : Mat3::Identity();
   };
   for (size_t k = 0; k < kParts; ++k) {
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
-    const double share =
-        elements_[static_cast<size_t>(swapped ? pair.key.second : pair.key.first)].radius / pair.law.reach;
+    const double share = settings(swapped ? pair.key.second : pair.key.first).radius / pair.law.reach;
     const auto add = [&](const LinePairHistory& h, bool at_end) {
       const Vec3 was = slave.start.point(h.xi) - master.start.point(h.eta),
                  is = slave.now.point(h.xi) - master.now.point(h.eta);
@@ -221,8 +215,7 @@ Energy LinePairs::energy(const Kinematics& at) const {
       continue;
     }
     if (!near(p, is)) continue;
-    const PairAxis A(ends(at, p.a), start_[static_cast<size_t>(p.a)]),
-        B(ends(at, p.b), start_[static_cast<size_t>(p.b)]);
+    const PairAxis A(ends(at, p.a), start(p.a)), B(ends(at, p.b), start(p.b));
     sides(p, A, B, false, false,
           [&](size_t, const LinePairSide& side) { e.strain += side.potential(side.panels()); });
   }

@@ -23,6 +23,8 @@ struct PairPoint {
   }
 };
 
+constexpr auto all = [](const auto&) { return true; };
+
 std::vector<double> radii(const std::vector<LineContactElement>& elements) {
   std::vector<double> r;
   for (const LineContactElement& e : elements) r.push_back(e.radius);
@@ -84,9 +86,8 @@ LinePairLaw LinePairs::law(int a, int b) const {
 }
 
 AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
-  const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
-  const Element& e = mesh_.mesh->elements[static_cast<size_t>(s.global)];
-  return element_axis(at, e, s.first, s.second, elements_[static_cast<size_t>(s.global)].tangent);
+  const ContactSegment& s = this->segment(segment);
+  return element_axis(at, element(s.global), s.first, s.second, settings(s.global).tangent);
 }
 
 LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
@@ -95,8 +96,7 @@ LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
 }
 
 bool LinePairs::joint(int element, int end) const {
-  const LineSpan& l =
-      mesh_.mesh->lines[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(element)].line)];
+  const LineSpan& l = mesh_.mesh->lines[static_cast<size_t>(this->element(element).line)];
   return end ? element + 1 < l.first_element + l.elements : element > l.first_element;
 }
 
@@ -106,34 +106,23 @@ int LinePairs::touching() const {
 }
 
 double LinePairs::normal_force() const {
-  double sum = 0;
-  for (const Pair& p : pairs_)
-    if (p.counted && p.history)
-      for (const auto& part : *p.history)
-        for (const LinePairHistory& h : part) sum += h.weight * h.normal_force;
-  return sum;
+  return sum(all, [](const LinePairHistory& h) { return h.normal_force; });
 }
 
 double LinePairs::friction_force() const {
-  double sum = 0;
-  for (const Pair& p : pairs_)
-    if (p.counted && p.history)
-      for (const auto& part : *p.history)
-        for (const LinePairHistory& h : part) sum += h.weight * h.friction.norm();
-  return sum;
+  return sum(all, [](const LinePairHistory& h) { return h.friction.norm(); });
 }
 
 // The share of each Gauss point at the owned nodes: what(node, share, sign, point), sign -1 on the master.
 template <class What>
 void LinePairs::shared(const What& what) const {
   const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairHistory& h) {
-    share_at_ends(mesh_.mesh->elements[static_cast<size_t>(s.global)], s.first, s.second, mesh_.owned, xi,
+    share_at_ends(element(s.global), s.first, s.second, mesh_.owned, xi,
                   [&](int node, double share) { what(node, share, sign, h); });
   };
   for (const Pair& p : pairs_) {
     if (!p.history) continue;
-    const ContactSegment &a = candidates_.segments()[static_cast<size_t>(p.a)],
-                         &b = candidates_.segments()[static_cast<size_t>(p.b)];
+    const ContactSegment &a = segment(p.a), &b = segment(p.b);
     for (size_t k = 0; k < kParts; ++k)
       for (const LinePairHistory& h : (*p.history)[k]) {
         put(k < 3 ? a : b, h.xi, 1, h);
@@ -183,9 +172,7 @@ std::vector<HistoryRecord> LinePairs::save() const {
     if (a.friction != 0 || a.damping != 0)
       records.push_back(record_of(mesh_.global[static_cast<size_t>(n)], 0, a, kSums));
   }
-  if (deepest_.first >= 0)
-    records.push_back(
-        record_of(mesh_.mesh->elements[static_cast<size_t>(deepest_.first)].first, 0, deepest_, kDeepest));
+  if (deepest_.first >= 0) records.push_back(record_of(element(deepest_.first).first, 0, deepest_, kDeepest));
   std::map<int, int> number;  // of records at a node
   for (const Pair& p : pairs_) {
     if (!p.history) continue;
@@ -195,15 +182,13 @@ std::vector<HistoryRecord> LinePairs::save() const {
       for (const LinePairHistory& h : points) put(PairPoint{p.key.first, p.key.second, part, h}, r.values);
       ++part;
     }
-    for (const int segment : {p.a, p.b}) {
-      const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
-      for (const int node : {s.first, s.second}) {
+    for (const ContactSegment* s : {&segment(p.a), &segment(p.b)})
+      for (const int node : {s->first, s->second}) {
         if (node >= mesh_.owned) continue;
         r.node = mesh_.global[static_cast<size_t>(node)];
         r.key = number[r.node]++;
         records.push_back(r);
       }
-    }
   }
   return records;
 }

@@ -43,7 +43,7 @@ Verdict LinePairs::judge(const Kinematics& trial) const {
   double least = HUGE_VAL;
   for (const Pair& p : pairs_) {
     if (!met(p, is) || !passes(p, trial)) continue;
-    const double gap = nearest(p, start_[static_cast<size_t>(p.a)], start_[static_cast<size_t>(p.b)]).gap;
+    const double gap = nearest(p, start(p.a), start(p.b)).gap;
     if (!through || gap < least) through = &p, least = gap;
   }
   if (through)
@@ -54,8 +54,7 @@ Verdict LinePairs::judge(const Kinematics& trial) const {
 
 // Whether an axis comes through the other, or nearly, on the way from the start of the step.
 bool LinePairs::passes(const Pair& p, const Kinematics& trial) const {
-  const AxisShape a0(start_[static_cast<size_t>(p.a)]), b0(start_[static_cast<size_t>(p.b)]),
-      a1(ends(trial, p.a)), b1(ends(trial, p.b));
+  const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
   ApproachLimits limits;
   if (trial.step > 0) {
     limits.most = kThrough * p.law.reach, limits.part = 0.5, limits.floor = kPressed * p.law.reach;
@@ -79,28 +78,28 @@ LinePairs::Nearest LinePairs::nearest(const Pair& p, const AxisEnds& a, const Ax
 // there is no speed.
 double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
   const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
-    const ContactSegment& s = candidates_.segments()[static_cast<size_t>(segment)];
+    const ContactSegment& s = this->segment(segment);
     return 0.5 * (v[static_cast<size_t>(s.first)] + v[static_cast<size_t>(s.second)]);
   };
-  const AxisEnds &a = start_[static_cast<size_t>(p.a)], &b = start_[static_cast<size_t>(p.b)];
+  const AxisEnds &a = start(p.a), &b = start(p.b);
   const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
   return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
 }
 
-// 1/omega of the two masses on the contact, s.
-double LinePairs::slowness(const Pair& p) const {
-  const double ma = elements_[static_cast<size_t>(p.key.first)].mass_per_length,
-               mb = elements_[static_cast<size_t>(p.key.second)].mass_per_length;
-  return std::sqrt(ma * mb / (ma + mb) / p.law.normal.stiffness);
+// kg/m, of the two on their contact.
+double LinePairs::mass_per_length(const Pair& p) const {
+  const double a = settings(p.key.first).mass_per_length, b = settings(p.key.second).mass_per_length;
+  return a * b / (a + b);
 }
 
-// kg, of the two on their contact. The stretch that touches is at most one of the elements.
+// 1/omega of the two masses on the contact, s.
+double LinePairs::slowness(const Pair& p) const {
+  return std::sqrt(mass_per_length(p) / p.law.normal.stiffness);
+}
+
+// kg. The stretch that touches is at most one of the elements.
 double LinePairs::mass(const Pair& p) const {
-  const auto [i, j] = p.key;
-  const double ma = elements_[static_cast<size_t>(i)].mass_per_length,
-               mb = elements_[static_cast<size_t>(j)].mass_per_length;
-  const auto& e = mesh_.mesh->elements;
-  return ma * mb / (ma + mb) * std::min(e[static_cast<size_t>(i)].length, e[static_cast<size_t>(j)].length);
+  return mass_per_length(p) * std::min(element(p.key.first).length, element(p.key.second).length);
 }
 
 // All of the energy of two that meet or part is in doubt in a step of more than a third of the contact's
@@ -110,7 +109,7 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   for (const Pair& p : pairs_) {
     const double slow = slowness(p), ramp = p.law.normal.smoothing;
     if (!p.counted || follows(slow, trial.step) || (!p.history && !near(p, is))) continue;
-    const Nearest before = nearest(p, start_[static_cast<size_t>(p.a)], start_[static_cast<size_t>(p.b)]),
+    const Nearest before = nearest(p, start(p.a), start(p.b)),
                   after = nearest(p, ends(trial, p.a), ends(trial, p.b));
     const double speed = std::max(std::abs(before.speed), std::abs(after.speed));
     if (!(speed * slow > 2 * ramp)) continue;
@@ -121,10 +120,7 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
         trial.step > kUnresolved * 2 * M_PI * slow
             ? 0.5 * m * speed * speed
             : crossing_error(slow, 2 * ramp, k * depth, 0.5 * k * depth * depth, path, speed);
-    const auto& e = mesh_.mesh->elements;
-    if (error > 0)
-      to.list.push_back(
-          {e[static_cast<size_t>(p.key.first)].line, e[static_cast<size_t>(p.key.second)].line, error});
+    if (error > 0) to.list.push_back({element(p.key.first).line, element(p.key.second).line, error});
   }
 }
 
@@ -141,26 +137,25 @@ double LinePairs::deepest(const Pair& p) const {
 void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
   for (const Pair& p : pairs_) {
     const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
-    const Nearest c = nearest(p, start_[i], start_[j]);
+    const Nearest c = nearest(p, start(p.a), start(p.b));
     const double ramp = p.law.normal.smoothing,
                  apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
     if (c.speed < 0) to.limit((apart + kDeep * p.law.reach) / -c.speed);
     if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
     if (p.history) a.gap = -ramp - deepest(p);
-    const auto& e = mesh_.mesh->elements;
-    to.add(impact_event(slowness(p), 2 * ramp, mass(p), a), e[static_cast<size_t>(p.key.first)].line,
-           e[static_cast<size_t>(p.key.second)].line);
+    to.add(impact_event(slowness(p), 2 * ramp, mass(p), a), element(p.key.first).line,
+           element(p.key.second).line);
   }
 }
 
 // Where two lines are nearest in the accepted state, in words.
 std::string LinePairs::where(const Pair& p) const {
-  const AxisEnds &a = start_[static_cast<size_t>(p.a)], &b = start_[static_cast<size_t>(p.b)];
+  const AxisEnds &a = start(p.a), &b = start(p.b);
   const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
   const Mesh& m = *mesh_.mesh;
   const auto place = [&](int element, double xi) {
-    const Element& e = m.elements[static_cast<size_t>(element)];
+    const Element& e = this->element(element);
     return fmt::format("{} (arc length {:.6g} m)", m.lines[static_cast<size_t>(e.line)].name,
                        m.nodes[static_cast<size_t>(e.first)].arc + xi * e.length);
   };
@@ -170,29 +165,22 @@ std::string LinePairs::where(const Pair& p) const {
 // J, in the springs of the contact of the two lines, of what this rank counts.
 double LinePairs::stored(const Pair& of) const {
   const auto lines = [&](const Pair& p) {
-    const auto& e = mesh_.mesh->elements;
-    return ordered(e[static_cast<size_t>(p.key.first)].line, e[static_cast<size_t>(p.key.second)].line);
+    return ordered(element(p.key.first).line, element(p.key.second).line);
   };
-  double sum = 0;
-  for (const Pair& p : pairs_)
-    if (p.counted && p.history && lines(p) == lines(of))
-      for (const auto& part : *p.history)
-        for (const LinePairHistory& h : part) sum += h.weight * h.potential;
-  return sum;
+  return sum([&](const Pair& p) { return lines(p) == lines(of); },
+             [](const LinePairHistory& h) { return h.potential; });
 }
 
 // A crossing holds energy with the depth to the power 5/2.
 std::string LinePairs::too_soft(const Pair& p) const {
-  const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
   const double reach = p.law.reach, k = p.law.normal.stiffness,
-               speed = -nearest(p, start_[i], start_[j]).speed, depth = deepest(p);
+               speed = -nearest(p, start(p.a), start(p.b)).speed, depth = deepest(p);
   if (!(depth > kProposed * reach))
     return where(p) + " would pass through each other: from the start they are nearer than their radii allow";
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
   const double wanted = k * std::pow(depth / (kProposed * reach), 2.5) * (1 + more / has);
   const Mesh& m = *mesh_.mesh;
-  const auto line = [&](int element) { return m.elements[static_cast<size_t>(element)].line; };
-  const auto [one, other] = ordered(line(p.key.first), line(p.key.second));
+  const auto [one, other] = ordered(element(p.key.first).line, element(p.key.second).line);
   const std::string stiffness = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(wanted));
   const std::string advice =
       options_.tuned.count({one, other})

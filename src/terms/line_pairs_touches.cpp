@@ -16,8 +16,7 @@ void LinePairs::touches(Touches& out) const {
   const Mesh& mesh = *mesh_.mesh;
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.history) continue;
-    const Element &a = mesh.elements[static_cast<size_t>(pair.key.first)],
-                  &b = mesh.elements[static_cast<size_t>(pair.key.second)];
+    const Element &a = element(pair.key.first), &b = element(pair.key.second);
     Touch t;
     t.line = a.line, t.other_line = b.line;
     t.from = t.other_from = HUGE_VAL, t.to = t.other_to = -HUGE_VAL;

@@ -115,6 +115,20 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
     }
   };
 
+  const ContactSegment& segment(int i) const { return candidates_.segments()[static_cast<size_t>(i)]; }
+  const Element& element(int i) const { return mesh_.mesh->elements[static_cast<size_t>(i)]; }
+  const LineContactElement& settings(int element) const { return elements_[static_cast<size_t>(element)]; }
+  const AxisEnds& start(int segment) const { return start_[static_cast<size_t>(segment)]; }
+  // Over the points that touch of the pairs this rank counts; of those that which(pair) says.
+  template <class Which, class Value>
+  double sum(const Which& which, const Value& value) const {
+    double sum = 0;
+    for (const Pair& p : pairs_)
+      if (p.counted && p.history && which(p))
+        for (const auto& part : *p.history)
+          for (const LinePairHistory& h : part) sum += h.weight * value(h);
+    return sum;
+  }
   AxisEnds ends(const Kinematics& at, int segment) const;
   Rod rod(const Kinematics& at, int segment) const;
   LinePairLaw law(int a, int b) const;
@@ -131,6 +145,7 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   };
   Nearest nearest(const Pair& pair, const AxisEnds& a, const AxisEnds& b) const;
   double acceleration(const Pair& pair, const Kinematics& at) const;
+  double mass_per_length(const Pair& pair) const;
   double slowness(const Pair& pair) const;
   double mass(const Pair& pair) const;
   bool passes(const Pair& pair, const Kinematics& trial) const;
