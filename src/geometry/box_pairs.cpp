@@ -1,3 +1,4 @@
+// Boxes of a list that overlap, found by walking the tree of all of them once for each.
 #include "hawser/geometry/box_pairs.hpp"
 
 #include "hawser/geometry/box_tree.hpp"

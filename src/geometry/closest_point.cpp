@@ -1,3 +1,4 @@
+// The nearest point of a segment and of a triangle, in wider numbers where the triangle is a needle or a cap.
 #include "hawser/geometry/closest_point.hpp"
 
 #include <algorithm>

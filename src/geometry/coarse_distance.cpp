@@ -1,3 +1,4 @@
+// The grid of coarse distances over a mesh: how large its cells are, and what a cell tells of a point in it.
 #include "coarse_distance.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The search for holes of a mesh, overlapping pieces and facets within it: where its nearest facet alone does
+// not tell inside from outside.
 #include "defects.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Nearest points of single facets, and the search among many by the spatial hash or the tree of boxes.
 #include "facets.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The closing of an open sheet of triangles by walls and a floor, so that what is below it counts as inside.
 #include "hawser/geometry/ground.hpp"
 
 #include <algorithm>

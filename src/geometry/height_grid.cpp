@@ -1,3 +1,4 @@
+// The bicubic spline through a grid of heights and the signed distance to it by a Newton iteration.
 #include "hawser/geometry/height_grid.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,3 +1,5 @@
+// Which edges of a mesh are sharp, the common normals of its smooth corners, and the bends of its facets from
+// these.
 #include "hawser/geometry/mesh_bends.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Which of the triangles that a mesh lists more than once belong to its surface, by what their patches
+// enclose, and which pieces are flat.
 #include "hawser/geometry/mesh_duplicates.hpp"
 
 #include <algorithm>

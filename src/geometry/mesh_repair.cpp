@@ -1,3 +1,4 @@
+// The turning of the patches of a faulty mesh: triangles of a patch agree, and its front sees the outside.
 #include "hawser/geometry/mesh_repair.hpp"
 
 #include <numeric>

@@ -1,3 +1,5 @@
+// Signed distance to a mesh: the sign by pseudonormals or the winding number, and normal and curvature on
+// facets, edges and corners.
 #include "hawser/geometry/mesh_surface.hpp"
 
 #include <algorithm>

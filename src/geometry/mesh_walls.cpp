@@ -1,3 +1,4 @@
+// How the facets of a mesh near a place are sorted into walls, and the nearest point of one wall.
 #include "mesh_walls.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// The merging of corners along open edges whose distance is small beside the edges there.
 #include "hawser/geometry/mesh_weld.hpp"
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// Which triangles of a mesh face which way: patches that agree, the nesting of pieces, and the turning of a
+// closed mesh outward.
 #include <cmath>
 #include <utility>
 

@@ -1,3 +1,4 @@
+// Rays from the triangles of a patch that tell its outside, and winding numbers that tell what it encloses.
 #include "patch_sight.hpp"
 
 #include <algorithm>

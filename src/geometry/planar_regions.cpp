@@ -1,3 +1,4 @@
+// Planar regions of a mesh grown from triangle to triangle, and their least width.
 #include "planar_regions.hpp"
 
 #include <Eigen/Eigenvalues>

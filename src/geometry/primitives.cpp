@@ -1,3 +1,4 @@
+// Plane and cylinder: distance with its derivatives.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// Angle-weighted normals at the corners and edges of a mesh, and where they do not tell inside from outside.
 #include "pseudonormals.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// The nearest points of two segments, with the same answer in whichever order they are given.
 #include "hawser/geometry/segment_distance.hpp"
 
 #include <algorithm>

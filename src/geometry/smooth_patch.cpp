@@ -1,3 +1,5 @@
+// The nearest point of a quadratic patch by a Newton iteration inside and along its edges, and the curvature
+// of the distance there.
 #include "hawser/geometry/smooth_patch.hpp"
 
 #include <algorithm>

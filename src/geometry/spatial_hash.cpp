@@ -1,3 +1,4 @@
+// The building of a spatial hash: the size of its cubes, and which items come into each.
 #include "hawser/geometry/spatial_hash.hpp"
 
 #include <bit>

@@ -1,3 +1,5 @@
+// The topology of a mesh by its sorted edges, what is wrong with it in words, and the merging of equal
+// corners.
 #include "hawser/geometry/triangle_mesh.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Winding numbers and crossings of rays by a tree of clusters of triangles, far ones taken as dipoles.
 #include "hawser/geometry/winding_tree.hpp"
 
 #include <algorithm>

@@ -15,6 +15,23 @@ Vec3 random_in(const Box& b, std::mt19937& gen) {
   return b.lo + b.extent().cwiseProduct(Vec3(u(gen), u(gen), u(gen)));
 }
 
+// The nearest point of each wall within max_distance [m] of y, the nearest of all first; of a wall that is
+// behind y none. One at most where the surface is convex or smooth.
+std::vector<SurfacePoint> nearest_on_walls(const Surface& surface, const Vec3& y, double max_distance) {
+  SurfaceWalls walls;
+  if (!surface.one_wall({&y, 1}, max_distance)) surface.walls({&y, 1}, max_distance, walls);
+  std::vector<SurfacePoint> out;
+  if (!walls.several()) {
+    if (const auto p = surface.query(y, max_distance)) out.push_back(*p);
+    return out;
+  }
+  for (const SurfaceWall& w : walls.of)
+    if (const auto p = surface.query_wall(w, y, max_distance)) out.push_back(*p);
+  std::stable_sort(out.begin(), out.end(),
+                   [](const SurfacePoint& a, const SurfacePoint& b) { return a.distance < b.distance; });
+  return out;
+}
+
 // The L of l_prism_mesh: walls x = 1 and y = 1 meet in a reentrant edge at (1, 1).
 TEST(SurfaceWalls, BothSidesOfACorner) {
   const MeshSurface s(l_prism_mesh());

@@ -50,18 +50,16 @@ class Surface {
   // Walls that can be touched together, see surface_walls.hpp; only meshes that are not convex have several.
   // Of those within `reach` [m] of a polyline (one point or more): none where query() says all there is. What
   // is one wall and what are two depends on the place and on nothing else.
-  virtual void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const;
+  virtual void walls(std::span<const Vec3>, double /*reach*/, SurfaceWalls& out) const { out.of.clear(); }
   // Whether no more than one is known to be there; quicker.
-  virtual bool one_wall(std::span<const Vec3> axis, double reach) const;
+  virtual bool one_wall(std::span<const Vec3>, double /*reach*/) const { return true; }
   // query() of a wall alone. What is behind it gets no answer unless it is inside and the wall is the nearest
   // of all; either_side: it does, with its distance from the wall, negative there.
-  virtual std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,
-                                                 bool either_side = false) const;
+  virtual std::optional<SurfacePoint> query_wall(const SurfaceWall&, const Vec3& y, double max_distance,
+                                                 bool /*either_side*/ = false) const {
+    return query(y, max_distance);
+  }
 };
-
-// The nearest point of each wall within max_distance [m] of y, the nearest of all first; of a wall that is
-// behind y none. One at most where the surface is convex or smooth.
-std::vector<SurfacePoint> nearest_on_walls(const Surface& surface, const Vec3& y, double max_distance);
 
 // The half-space below a plane through `point` with outward `normal` (need not be unit, not zero).
 class PlaneSurface final : public Surface {
