@@ -56,7 +56,10 @@ Key plasticity() {
       "plasticity",
       {map("ramberg_osgood",
            {number("yield_moment", moment, "M_y").above(0).is_required(),
-            number("A", none).above(0).is_required(), number("B", none, "above 1").above(1).is_required()},
+            number("A", none, "of the curvature at M_y, what is plastic over what is elastic")
+                .above(0)
+                .is_required(),
+            number("B", none, "power of the plastic part, above 1").above(1).is_required()},
            "curvature over moment, κ/κ_y = M/M_y + A (M/M_y)^B with κ_y = M_y/EI, up to a bending strain of "
            "5 %"),
        list("table", list("", number("", none), "").items(2, 2),

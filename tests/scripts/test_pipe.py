@@ -205,7 +205,7 @@ class Lay(unittest.TestCase):
         anchor = -549.9 - (row["layback [m]"] - 329.7)
         again = self.folder / "again.h5"
         made = run(HAWSER, "run", self.case, "-q", "-o", again, "--set", "dynamics=null", "--set", "environment.seabed.depth=90",
-                   "--set", f"lines.pipe.end_b.anchor=[{anchor}, 0, -89.875]", "--set",
+                   "--set", f"lines.pipe.end_b.anchor=[{anchor}, 0, -89.875]", "--set", "lines.pipe.sections[1].length=260", "--set",
                    f"lines.pipe.target={{tension: {row['tension [N]']:.9g}, at: end_a, section: 2, between: [50, 800]}}")
         self.assertEqual(made.returncode, 0, made.stderr)
         results = Results(again)
