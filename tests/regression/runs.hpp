@@ -49,6 +49,7 @@ inline void write_case(const std::string& path, std::string text, const Edits& e
     if (at == std::string::npos) throw std::logic_error("the case holds no '" + from + "'");
     text.replace(at, from.size(), to);
   }
+  MPI_Barrier(MPI_COMM_WORLD);  // another rank may still be reading what was there
   if (rank_of(MPI_COMM_WORLD) == 0) std::ofstream(path) << text;
   MPI_Barrier(MPI_COMM_WORLD);
 }
