@@ -5,6 +5,7 @@ import numpy as np
 
 from . import charts, envelopes, inputs, pipe_checks, scene, stress, tables
 from .page import Page
+from .results import Refusal
 
 MOST_LINES = 8  # with figures of their own
 MOST_MODES = 12
@@ -120,7 +121,10 @@ def stresses(page, results, lines, since):
 def strength(page, results, lines, since):
     """Code checks of pipes whose case says of which steel they are, with the defaults of hawser pipe."""
     for line in lines:
-        found = pipe_checks.of_case(results, line) if stress.is_pipe(results, line) else None
+        try:
+            found = pipe_checks.of_case(results, line) if stress.is_pipe(results, line) else None
+        except Refusal:  # more than one wall: hawser pipe says so
+            found = None
         if found is None:
             continue
         page.section(f"Strength of {line.name}")

@@ -123,6 +123,7 @@ void Feeding::save(io::Checkpoint& to) const {
     to.scalars[key(f, "length")] = f.length;
     to.scalars[key(f, "speed")] = f.speed;
     to.scalars[key(f, "resting")] = f.resting;
+    to.scalars[key(f, "outside at the start")] = f.outside_at_start;
     // Exactly where it was: a table of another run may pay out otherwise from here on, but not before.
     to.scalars[key(f, "offset")] = f.offset;
   }
@@ -150,6 +151,7 @@ void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
       throw refuse(fmt::format("its checkpoint is damaged: the mouth at {} is {:g}", f.name, mouth));
     f.mouth = static_cast<int>(mouth), f.length = take("length"), f.speed = take("speed");
     f.resting = take("resting") > 0, f.time = from.time;
+    f.outside_at_start = take("outside at the start");
     // A table that was changed goes on from the length there is.
     f.offset = take("offset");
     if (!f.feed.speed.empty() && std::abs(f.offset + model::fed_by(f.feed, f.time).length - f.length) > 1e-9)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::model {
@@ -89,6 +90,17 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
     if (!(f.speed_per_tension > 0))
       issue("dead_band", "needs 'speed_per_tension', by which the feeder comes back to its 'tension'");
   }
+  for (const PointMass& m : line.masses)
+    if ((at_b ? length_of(line) - m.at : m.at) < f.stock)
+      issue(
+          "stock",
+          fmt::format("a mass or buoy at arc length {:g} m is inside the feeder at the start, and only those "
+                      "outside can be; they must not be hauled in either",
+                      m.at));
+  const Vec3 place = end_position(c, end);
+  if (c.environment.seabed.present &&
+      height_above_bed(c.environment.seabed, place) < c.line_type(line.sections.front().type).outer_diameter)
+    issue("", "the feeder is on the seabed or below it, where what is inside would lie; put it above");
   if (!line.buried.empty()) issue("", "a line with 'buried' stretches cannot be fed");
   if (line.target) issue("", "a line with a 'target' cannot be fed: give the length that meets it");
   if (line.start == Start::other_run) issue("", "a line that starts from another run cannot be fed");

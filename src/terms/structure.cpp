@@ -110,7 +110,7 @@ void StructureTerm::see_feeders(const Kinematics& at) {
   for (Cable& c : cables_)
     if (const auto rest = feeders_->rest(c.at.global, at, true))
       c.idle = rest->idle, c.section.length = rest->length, c.section.follows = rest->follows,
-      c.section.grows = rest->grows;
+      c.section.grows = at.step > 0 ? rest->grows : 0;  // statics holds the feeder
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
