@@ -52,6 +52,10 @@ std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
   double& beams = out["case.rotating nodes"];
   for (const Node& n : simulation.mesh().nodes) beams += n.rotates;
+  double& yields = out["case.plastic bending"];  // moments that tell one curve from another
+  for (const model::LineType& t : simulation.model().line_types)
+    if (const PlasticBending* p = t.plastic_bending.get())
+      yields += p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
   return out;
@@ -159,7 +163,9 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   for (const auto& [name, value] : here) {
     const auto there = c.scalars.find(name);
     if (there == c.scalars.end() || there->second != value)
-      throw refuse(name == "case.rotating nodes" ? "other nodes are of beams" : "other volumes");
+      throw refuse(name == "case.rotating nodes"    ? "other nodes are of beams"
+                   : name == "case.plastic bending" ? "another 'plasticity' of line types"
+                                                    : "other volumes");
   }
   const auto more = std::count_if(c.scalars.begin(), c.scalars.end(),
                                   [](const auto& s) { return s.first.starts_with("case."); });

@@ -7,7 +7,6 @@
 #include <limits>
 #include <map>
 
-#include "hawser/base/error.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/mesh/arc.hpp"
@@ -380,16 +379,10 @@ void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
     if (!b.section.plastic) continue;
     const size_t size = kBendingPlaces * b.section.plastic->memory();
     const auto it = bent.find(b.at.global);
-    if (it == bent.end()) {
-      std::fill_n(set, size, 0.0);  // elastic in the run before
-    } else {
-      if (it->second->size() != size)
-        throw InputError(
-            "what the pipes of the checkpoint remember of their bends is for another 'plasticity'; keep that "
-            "of the "
-            "run that this one goes on from");
+    if (it != bent.end() && it->second->size() == size)
       std::copy(it->second->begin(), it->second->end(), set);
-    }
+    else
+      std::fill_n(set, size, 0.0);
     set += size;
   }
   for (Cable& c : cables_) {
