@@ -242,6 +242,21 @@ std::string refusal(const std::string& input, const std::string& output) {
   return "";
 }
 
+// Statics holds the feeder: with damping too, the start is that of a table that begins at 0.
+TEST(Feeders, StaticsDoesNotFeed) {
+  const std::string path = folder("feeders-statics"), input = path + "/case.yaml";
+  const std::string table = "speed_table: [[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]";
+  write_case(input, kWeight, {{"duration: 40", "duration: 1"}});
+  run_on_all({input, path + "/slow.h5"});
+  write_case(input, kWeight, {{"duration: 40", "duration: 1"}, {table, "speed: -2"}});
+  run_on_all({input, path + "/fast.h5"});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results slow = read(path + "/slow.h5"), fast = read(path + "/fast.h5");
+  const auto &a = slow.fields.at("position"), &b = fast.fields.at("position");
+  const size_t first = a.size() / slow.output_times.size();
+  for (size_t i = 0; i < first; ++i) EXPECT_NEAR(a[i], b[i], 1e-9) << i;
+}
+
 TEST(Feeders, StopWhereTheStockRunsOut) {
   const std::string path = folder("feeders-out"), input = path + "/case.yaml";
   write_case(input, kWeight, {{"[20, 1], [24, -1], [40, -1]", "[60, 1]"}, {"duration: 40", "duration: 60"}});
