@@ -77,8 +77,7 @@ class Rig:
         """The static equilibrium of the case with changes; None where there is none."""
         path = self.folder / "lay.h5"
         path.unlink(missing_ok=True)
-        changes = [c for c in self.changes + list(more)]
-        code = run_case("run", self.case, [*changes, "dynamics=null"], "-q", "-o", str(path))
+        code = run_case("run", self.case, [*self.changes, *more, "dynamics=null"], "-q", "-o", str(path))
         if code not in (0, 3, 4):
             raise Refusal(f"{self.case}: the equilibrium of a lay could not be computed" if not more else
                           f"{self.case}: the lay with {', '.join(more)} could not be computed")

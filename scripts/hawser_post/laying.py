@@ -80,7 +80,7 @@ def touchdown(results, line, forwards=True):
     """Arc length and place [m] at each output of the first touchdown point on the way from the supports; None where the
     results have none."""
     name = f"{line.name} touchdown"
-    if results.steps == 0 or not any(name == results.series_name(key) for key in results.series_names):
+    if results.steps == 0 or not results.has_series(name):
         return None
     series, steps, end = results.series(name), step_of(results), "end_a" if forwards else "end_b"
     place = np.array([series.column(f"{end}_position_{k}")[steps] for k in "xyz"]).T

@@ -2,7 +2,7 @@
 import numpy as np
 
 from . import laying, pipe_codes, stress
-from .results import Refusal
+from .results import Refusal, pascals
 from .sections import types_of
 
 PARTS = ("overbend", "sagbend", "seabed")
@@ -12,12 +12,6 @@ def grade_of(results, line):
     """The grade of steel that the case gives the line's pipe; None."""
     found = {t["pipe"].get("grade") for t in types_of(results, line) if isinstance(t, dict) and isinstance(t.get("pipe"), dict)}
     return found.pop() if len(found) == 1 else None
-
-
-def pascals(value, otherwise):
-    """A modulus of a case file, which may be a text with its unit."""
-    size, unit = stress.number(value, None), str(value).rstrip()[-3:].lstrip(" 0123456789.")
-    return otherwise if size is None else size * {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3}.get(unit, 1.0)
 
 
 def steel_of(results, line, grade, **judged):

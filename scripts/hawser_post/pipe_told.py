@@ -40,8 +40,8 @@ def make(options):
         material_factor=options.material_factor, condition=options.condition_factor))
     print(f"{line.name}: {checked.told()} {np.count_nonzero(results.since(since))} outputs to t = {results.time[-1]:g} s. "
           "A check is met up to 1.")
-    for head, rows in (pipe_checks.geometry(results, line, checked, since), pipe_checks.for_reading(*pipe_checks.checks(results, line, checked, since))):
-        print_table(head, rows)
+    print_table(*pipe_checks.geometry(results, line, checked, since))
+    print_table(*pipe_checks.for_reading(*pipe_checks.checks(results, line, checked, since)))
     for doubt in pipe_checks.doubts(checked):
         print(f"warning: {doubt}")
     path = Path(options.output) if options.output else results.path.with_name(f"{results.path.stem}-pipe.csv")
@@ -52,9 +52,11 @@ def make(options):
 
 
 def print_table(head, rows):
+    """Columns of words to the left, those with numbers to the right."""
     text = [[f"{v:.4g}" if isinstance(v, float) else str(v) for v in row] for row in rows]
     widths = [max(len(row[k]) for row in [head, *text]) for k in range(len(head))]
+    numbers = [any(isinstance(row[k], float) for row in rows) for k in range(len(head))]
     for row in [head, *text]:
-        print("  " + "  ".join(word.rjust(w) if k >= len(row) - 4 and head[0] == "part" or head[0] != "part" and k else word.ljust(w)
-                               for k, (word, w) in enumerate(zip(row, widths))).rstrip())
+        cells = [word.rjust(w) if number else word.ljust(w) for word, w, number in zip(row, widths, numbers)]
+        print("  " + "  ".join(cells).rstrip())
     print()

@@ -185,6 +185,9 @@ class Results:
         """What the case calls the series with this place in the file."""
         return text_of(self.file["series"][key].attrs.get("name", key))
 
+    def has_series(self, name):
+        return any(name == self.series_name(key) for key in self.series_names)
+
     def series(self, name):
         for key in self.series_names:
             data = self.file["series"][key]
@@ -254,11 +257,18 @@ class Results:
                          [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
-def metres(value, otherwise):
-    """A length of a case file, which may be a text with its unit."""
-    found = re.fullmatch(r"\s*([-+.\deE]+)\s*(m|mm|cm|km|ft|in)?\s*", str(value))
+def quantity(value, units, otherwise):
+    """A number of a case file, which may be a text with one of these units, in SI units."""
+    found = re.fullmatch(r"\s*([-+.\deE]+)\s*([A-Za-z]*)\s*", str(value))
     try:
-        size = float(found.group(1))
-    except (AttributeError, ValueError):  # no number
+        return float(found.group(1)) * {"": 1.0, **units}[found.group(2)]
+    except (AttributeError, ValueError, KeyError):  # no number, or of another unit
         return otherwise
-    return size * {"mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254}.get(found.group(2), 1.0)
+
+
+def metres(value, otherwise):
+    return quantity(value, {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254}, otherwise)
+
+
+def pascals(value, otherwise):
+    return quantity(value, {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9}, otherwise)

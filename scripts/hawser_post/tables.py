@@ -58,7 +58,7 @@ def laid(results, line, output):
     """m of the line on the seabed at the first (0) or the last (-1) output: between its touchdown points where the results
     have them, else between the nodes that press on the seabed; "" where nothing is known."""
     name = f"{line.name} touchdown"
-    if results.steps > 0 and any(name == results.series_name(key) for key in results.series_names):
+    if results.steps > 0 and results.has_series(name):
         series = results.series(name)
         if "laid_length" in series.columns:
             return float(series.column("laid_length")[output])

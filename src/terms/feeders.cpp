@@ -21,10 +21,12 @@ constexpr double kShortest = 0.1, kLonger = 0.9;
 }  // namespace
 
 Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), case_(c) {
+  of_line_.assign(c.lines.size(), {-1, -1});
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool at_b : {false, true}) {
       const model::End& end = at_b ? c.lines[l].end_b : c.lines[l].end_a;
       if (!end.feed) continue;
+      of_line_[l][at_b] = static_cast<int>(feeders_.size());
       Feeder f;
       f.line = static_cast<int>(l), f.at_b = at_b, f.feed = *end.feed;
       f.name = fmt::format("end {} of line {}", at_b ? 'B' : 'A', c.lines[l].name);
@@ -106,8 +108,9 @@ Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
 std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now) const {
   const Element& g = mesh_.mesh->elements[static_cast<size_t>(e)];
   std::optional<Rest> out;
-  for (const Feeder& f : feeders_) {
-    if (f.line != g.line) continue;
+  for (const int k : of_line_[static_cast<size_t>(g.line)]) {
+    if (k < 0) continue;
+    const Feeder& f = feeders_[static_cast<size_t>(k)];
     if (!out) out = Rest{false, g.length, 0, 0, g.length};
     const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
     const int i = f.at_b ? span.first_element + span.elements - 1 - e : e - span.first_element;

@@ -27,9 +27,7 @@ void Hydrodynamics::group() {
 // An idle element has no length for what is computed in fours.
 void Hydrodynamics::see_feeders(const Kinematics& at, bool now) {
   if (!feeders_) return;
-  for (Piece& p : pieces_)
-    if (const auto rest = feeders_->rest(p.at.global, at, now))
-      p.idle = rest->idle, p.section.length = rest->length;
+  feeders_->tell(pieces_, at, now);
   for (Four& q : fours_)
     for (int lane = 0; lane < 4; ++lane) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[lane])];

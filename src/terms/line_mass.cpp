@@ -95,10 +95,7 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
 }
 
 void LineMassTerm::see_feeders(const Kinematics& at, bool now) {
-  if (!feeders_) return;
-  for (Piece& p : pieces_)
-    if (const auto rest = feeders_->rest(p.at.global, at, now))
-      p.idle = rest->idle, p.section.length = rest->length;
+  if (feeders_) feeders_->tell(pieces_, at, now);
 }
 
 void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {

@@ -36,6 +36,11 @@ CableStart started(const StructureTerm::Cable& c, double step, double last) {
   return s;
 }
 
+// Numbers that a beam remembers of its bends.
+size_t remembered(const StructureTerm::Beam& b) {
+  return b.section.plastic ? kBendingPlaces * b.section.plastic->memory() : 0;
+}
+
 }  // namespace
 
 StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
@@ -46,15 +51,12 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std
     b.blocks[0] = p, b.blocks[1] = p + 1, b.blocks[2] = q, b.blocks[3] = q + 1;
     damped_ |= b.section.beta > 0;
   }
-  size_t remembered = 0;
-  const auto memory = [](const Beam& b) {
-    return b.section.plastic ? kBendingPlaces * b.section.plastic->memory() : 0;
-  };
-  for (const Beam& b : beams_) remembered += memory(b);
-  set_.assign(remembered, 0), yields_ = remembered > 0;
-  for (double* next = set_.data(); Beam & b : beams_) {
-    if (memory(b) > 0) b.reference.set = next;
-    next += memory(b);
+  size_t all = 0;
+  for (const Beam& b : beams_) all += remembered(b);
+  set_.assign(all, 0), yields_ = all > 0;
+  for (double* set = set_.data(); Beam & b : beams_) {
+    if (b.section.plastic) b.reference.set = set;
+    set += remembered(b);
   }
   for (Cable& c : cables_) {
     c.blocks[0] = block(c.at.first), c.blocks[1] = block(c.at.second);
@@ -259,7 +261,7 @@ double StructureTerm::bend(const Kinematics& at) {
     if (!b.section.plastic) continue;
     const double lost = beam_bend(b.section, b.reference, ends(b, at), set);
     if (b.at.counted) dissipated += lost;
-    set += kBendingPlaces * b.section.plastic->memory();
+    set += remembered(b);
   }
   return dissipated;
 }
@@ -355,7 +357,7 @@ std::vector<HistoryRecord> StructureTerm::save() const {
       if (!b.reference.set || n >= mesh_.owned) continue;
       HistoryRecord& r =
           out.emplace_back(HistoryRecord{mesh_.global[static_cast<size_t>(n)], b.at.global, {}, kBent});
-      r.values.assign(b.reference.set, b.reference.set + kBendingPlaces * b.section.plastic->memory());
+      r.values.assign(b.reference.set, b.reference.set + remembered(b));
     }
   return out;
 }
@@ -377,7 +379,7 @@ void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
   double* set = set_.data();
   for (const Beam& b : beams_) {
     if (!b.section.plastic) continue;
-    const size_t size = kBendingPlaces * b.section.plastic->memory();
+    const size_t size = remembered(b);
     const auto it = bent.find(b.at.global);
     if (it != bent.end() && it->second->size() == size)
       std::copy(it->second->begin(), it->second->end(), set);

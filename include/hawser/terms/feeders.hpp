@@ -3,6 +3,7 @@
 // an unstretched length of its own. See docs/theory/feeders.md.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -74,6 +75,12 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
     double before = 0;   // m, unstretched at the start of the step, of the one at a mouth; else `length`
   };
   std::optional<Rest> rest(int element, const Kinematics& at, bool now) const;
+  // Tells what a term keeps of its elements whether they are idle, and their unstretched length.
+  template <class Kept>
+  void tell(std::vector<Kept>& kept, const Kinematics& at, bool now) const {
+    for (Kept& k : kept)
+      if (const auto r = rest(k.at.global, at, now)) k.idle = r->idle, k.section.length = r->length;
+  }
   // Where the ends of an element were at the start of the step.
   const std::vector<Vec3>& before() const { return before_; }
 
@@ -110,9 +117,10 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   const LocalMesh& mesh_;
   const model::Case& case_;
   std::vector<Feeder> feeders_;
-  std::vector<double> power_;  // W, of the committed state, by feeder
-  std::vector<Vec3> before_;   // m, committed positions
-  double work_ = 0;            // J
+  std::vector<std::array<int, 2>> of_line_;  // which of them are at end A and end B of a line; -1: none
+  std::vector<double> power_;                // W, of the committed state, by feeder
+  std::vector<Vec3> before_;                 // m, committed positions
+  double work_ = 0;                          // J
 };
 
 }  // namespace hawser
