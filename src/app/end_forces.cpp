@@ -60,15 +60,24 @@ void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
 void EndForces::look_at_mouths(const Kinematics& at, std::span<const Vec3> carried) {
   const auto& elements = system_.mesh().elements;
   mouths_.assign(feeders_->list().size(), {});
+  felt_.assign(mouths_.size(), 0);
   for (size_t k = 0; k < mouths_.size(); ++k) {
     const Feeder& f = feeders_->list()[k];
-    Vec3 known[2] = {Vec3::Constant(-HUGE_VAL), Vec3::Constant(-HUGE_VAL)};
+    SectionForce& m = mouths_[k];
+    double felt = -HUGE_VAL;
+    m.force = m.moment = m.direction = Vec3::Constant(-HUGE_VAL);
     if (const LocalElement* e = feeders_->at_mouth(f); e && e->counted) {
-      const SectionForce s = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
-      known[0] = s.force, known[1] = s.direction;
+      m = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
+      felt = m.tension();
+      if (f.beam) {
+        const Vec3 own = at.q[static_cast<size_t>(f.at_b ? e->second : e->first)].conjugate() * m.moment;
+        felt += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
+      }
     }
-    MPI_Allreduce(MPI_IN_PLACE, known, 6, MPI_DOUBLE, MPI_MAX, system_.comm());
-    mouths_[k].force = known[0], mouths_[k].direction = known[1];
+    for (Vec3* v : {&m.force, &m.moment, &m.direction})
+      MPI_Allreduce(MPI_IN_PLACE, v->data(), 3, MPI_DOUBLE, MPI_MAX, system_.comm());
+    MPI_Allreduce(MPI_IN_PLACE, &felt, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+    m.beam = f.beam, felt_[k] = felt;
     for (Place& p : places_)
       if (p.end == 2 * f.line + f.at_b) p.sides = {mouths_[k], mouths_[k]};
   }

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/app/end_forces.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/math/so3.hpp"
 
 namespace hawser::app {
 namespace {
@@ -73,8 +75,8 @@ void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional
 }
 
 // The node that was held leaves with the material that is there: where the free part has its own unstretched
-// length and the strain of the whole, and from there to where it is in balance; velocity and acceleration are
-// between those of the ends.
+// length and the strain of the whole, of a beam on the cubic between its ends, and from there to where it is
+// in balance; velocity and acceleration are between those of the ends.
 void Feeding::let_out(Feeder& f) {
   Feeders& all = *sim_.feeders();
   const int node = all.node(f, f.mouth);
@@ -85,30 +87,75 @@ void Feeding::let_out(Feeder& f) {
     const Kinematics k = sim_.dynamics().kinematics();
     const size_t i = static_cast<size_t>(f.at_b ? e->second : e->first),
                  j = static_cast<size_t>(f.at_b ? e->first : e->second);
-    const Feeders::Flow flow = all.flow(all.mouth(f, k, true), k, *e, f.at_b);
+    const Mouth mouth = all.mouth(f, k, true);
+    const Feeders::Flow flow = all.flow(mouth, k, *e, f.at_b);
     const Vec3 a = k.a[i] + flow.acceleration;
-    moved = {node, k.x[j] - share * flow.chord, k.v[j] + share * (flow.velocity - k.v[j]),
-             k.a[j] + share * (a - k.a[j]), true};
+    Dynamics::Moved& m = moved.emplace();
+    m.node = node, m.free = true;
+    m.x = k.x[j] - share * flow.chord;
+    m.v = k.v[j] + share * (flow.velocity - k.v[j]);
+    m.a = k.a[j] + share * (a - k.a[j]);
+    if (f.beam) {
+      // Of the material: the frames turn along the line as it is bent, and what leaves goes along that.
+      const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]), flows = -(mouth.speed / mouth.length) * turn;
+      const double towards = (f.at_b ? 1 : -1) * flow.chord.norm();
+      const Vec3 from = towards * (k.q[j] * Vec3::UnitX()), to = towards * (k.q[i] * Vec3::UnitX());
+      const double s = share, r = 1 - share;
+      m.x = r * r * (1 + 2 * s) * k.x[j] + s * s * (1 + 2 * r) * k.x[i] + s * r * (r * from - s * to);
+      const Vec3 along = 6 * s * r * (k.x[i] - k.x[j]) + r * (r - 2 * s) * from + s * (s - 2 * r) * to;
+      const Quat q = k.q[j] * exp_so3(share * turn);
+      m.q = (minimal_rotation(q * Vec3::UnitX(), (f.at_b ? along : Vec3(-along)).normalized()) * q)
+                .normalized();
+      m.w = r * k.w[j] + s * (k.w[i] + flows);
+      m.alpha = r * k.alpha[j] + s * k.alpha[i];
+    }
   }
+  if (!f.beam) return hand_over(f, f.mouth - 1, f.length - whole, moved);
+  const double before = felt(f);
   hand_over(f, f.mouth - 1, f.length - whole, moved);
+  // Two elements follow a bent line more closely than one, and its length along them is another, by some 1e-7
+  // of it: what is unstretched takes that, and the force on the feeder goes on.
+  const double more = (before - felt(f)) * (f.length + whole) / f.bar.EA;
+  if (moved) {
+    const Kinematics k = sim_.dynamics().kinematics();
+    const size_t n = static_cast<size_t>(sim_.local().find(node));
+    moved->x = k.x[n], moved->q = k.q[n];
+  }
+  hand_over(f, f.mouth, f.length - more, moved);
+}
+
+// N, on all ranks.
+double Feeding::felt(const Feeder& f) {
+  EndForces ends(sim_.system(), sim_.feeders());
+  ends.evaluate(sim_.dynamics().kinematics(),
+                std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
+  return ends.at_feeders()[static_cast<size_t>(&f - sim_.feeders()->list().data())];
 }
 
 // The first free node goes into the feeder. What was bent there is straight now: the unstretched length is
 // that with which the mean strain of the two elements stays.
 void Feeding::haul_in(Feeder& f) {
   Feeders& all = *sim_.feeders();
-  const int held = all.node(f, f.mouth), caught = all.node(f, f.mouth + 1);
+  const int held = all.node(f, f.mouth), caught = all.node(f, f.mouth + 1), next = all.node(f, f.mouth + 2);
   const LocalMesh& local = sim_.local();
-  const int i = local.find(held), j = local.find(caught), n = local.find(all.node(f, f.mouth + 2));
-  const double sum = f.length + all.element_length(f, f.mouth + 1);
+  const double own[2] = {f.length, all.element_length(f, f.mouth + 1)}, sum = own[0] + own[1];
   std::optional<Dynamics::Moved> moved;
   double length = 0;
-  const bool known = i >= 0 && j >= 0 && n >= 0;
+  const int at[3] = {local.find(held), local.find(caught), local.find(next)};
+  const bool known = at[0] >= 0 && at[1] >= 0 && at[2] >= 0;
   if (known) {
     const Kinematics k = sim_.dynamics().kinematics();
-    const auto x = [&k](int of) { return k.x[static_cast<size_t>(of)]; };
-    length = sum * (x(n) - x(i)).norm() / ((x(j) - x(i)).norm() + (x(n) - x(j)).norm());
-    moved = {caught, x(i), k.v[static_cast<size_t>(i)], k.a[static_cast<size_t>(i)], false};
+    const size_t i = static_cast<size_t>(at[0]), j = static_cast<size_t>(at[1]),
+                 n = static_cast<size_t>(at[2]);
+    // What bending adds to the strain of an element's chord.
+    const auto bow = [&](size_t a, size_t b) {
+      if (f.at_b) std::swap(a, b);
+      return f.beam ? beam_bow({}, {k.x[a], k.x[b], k.q[a], k.q[b]}) : 0.0;
+    };
+    const double strain =
+        ((k.x[j] - k.x[i]).norm() + own[0] * bow(i, j) + (k.x[n] - k.x[j]).norm() + own[1] * bow(j, n)) / sum;
+    length = (k.x[n] - k.x[i]).norm() / (strain - bow(i, n));
+    moved = {caught, k.x[i], k.v[i], k.a[i], k.q[i], k.w[i], k.alpha[i], false};
   }
   hand_over(f, f.mouth + 1, of_all(sim_.system().comm(), known, length), moved);
 }

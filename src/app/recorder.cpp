@@ -279,8 +279,8 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
   if (const Feeders* feeders = sim_.feeders())
     for (size_t k = 0; k < feeders->list().size(); ++k) {
       const Feeder& f = feeders->list()[k];
-      std::vector<double> row{feeders->outside(f) - f.outside_at_start, f.speed,
-                              end_forces_.at_mouths()[k].tension(), f.length};
+      std::vector<double> row{feeders->outside(f) - f.outside_at_start, f.speed, end_forces_.at_feeders()[k],
+                              f.length};
       rows.push_back(rank == 0 ? std::move(row) : std::vector<double>{});
     }
   if (rank == 0) {

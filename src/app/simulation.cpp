@@ -150,7 +150,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (feeders) system_->add(std::move(feeders));
 
   StartShape start = start_shape(c, local, *bodies_);
-  if (feeders_) start.supports = feeders_->with_held(start.supports);
+  if (feeders_) feeders_->clamp(start.ends), start.supports = feeders_->with_held(start.supports);
   if (c.environment.seabed.present) {
     const std::vector<int> held = held_nodes(c, local, feeders_, start.supports);
     auto seabed = std::make_unique<SeabedTerm>(local, c, held);

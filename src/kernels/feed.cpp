@@ -6,58 +6,48 @@
 #include <cmath>
 
 namespace hawser {
-namespace {
 
-constexpr int kMost = 200;  // iterations
-
-// Strain at which the elastic tension is T.
-double strain_at(const CableSection& s, double T) {
-  double low = 0, high = T / s.EA;
-  if (!s.tension) return high;
-  while (s.axial(high).force < T && high < 1e3) high *= 2;
-  for (int i = 0; i < kMost && high - low > 1e-16 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (s.axial(middle).force < T ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-}  // namespace
-
-FedElement feed_step(const CableSection& s, const FeedLaw& law, double from, double h, double chord) {
+// g(L) = (L - from) / (h k) - (T(L) - T0), without the first part where the tension is kept exactly, grows
+// with L.
+FedElement feed_step(const std::function<FedPull(double)>& pull, const FeedLaw& law, double from, double h) {
+  constexpr int kMost = 200;          // iterations
+  constexpr double kShortest = 1e-6;  // of the length at the start
   if (law.resting || !(h > 0)) return {from, 0};
-  const double reach = law.max_speed > 0 ? h * law.max_speed : HUGE_VAL;
-  if (law.per_tension == 0) {
-    const double stretch = 1 + s.free_strain + strain_at(s, law.tension), L = chord / stretch;
-    if (std::abs(L - from) > reach) return {from + std::copysign(reach, L - from), 0};
-    return {L, 1 / stretch};
-  }
-  // g(L) = L - from - h v: the tension falls and g grows with L.
-  const double k = h * law.per_tension;
+  const double resists = law.per_tension > 0 ? 1 / (h * law.per_tension) : 0;  // N/m
   struct At {
-    double g, slope, by_chord;
+    double g, slope;
   };
   const auto at = [&](double L) {
-    const double strain = chord / L - 1 - s.free_strain;
-    const StiffnessTable::Value axial = strain > 0 ? s.axial(strain) : StiffnessTable::Value{0, 0, 0};
-    const double out = k * (axial.force - law.tension);
-    if (std::abs(out) > reach) return At{L - from - std::copysign(reach, out), 1, 0};
-    return At{L - from - out, 1 + k * axial.slope * chord / (L * L), k * axial.slope / L};
+    const FedPull p = pull(L);
+    return At{resists * (L - from) - (p.force - law.tension), resists - p.slope};
   };
-  double low = std::max(1e-6 * from, from - std::min(k * law.tension, reach));
-  double high = std::max(from, low);
-  while (at(high).g < 0) high += std::max(0.1 * from, std::min(reach, from));
+  const double reach = law.max_speed > 0 ? h * law.max_speed : HUGE_VAL;
+  double low = std::max(kShortest * from, from - reach), high = std::max(from, low);
+  if (at(low).g >= 0) return {low, 0};
+  while (high < from + reach && at(high).g < 0) high = std::min(2 * high, from + reach);
+  if (at(high).g < 0) return {high, 0};
   double L = std::clamp(from, low, high);
   At here = at(L);
-  for (int i = 0; i < kMost && high - low > 2e-16 * high; ++i) {
-    if (here.g == 0) break;
+  for (int i = 0; i < kMost && here.g != 0 && high - low > 2e-16 * high; ++i) {
     (here.g > 0 ? high : low) = L;
     const double newton = L - here.g / here.slope;
     const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
     if (std::abs(next - L) <= 1e-16 * L) break;
     L = next, here = at(L);
   }
-  return {L, here.by_chord / here.slope};
+  return {L, 1 / here.slope};
+}
+
+FedPull cable_feed(const CableSection& s, double chord, double length) {
+  const double strain = chord / length - 1 - s.free_strain;
+  if (!(strain > 0)) return {};
+  const StiffnessTable::Value axial = s.axial(strain);
+  return {axial.force, -axial.slope * chord / (length * length)};
+}
+
+double cable_feed_by_chord(const CableSection& s, double chord, double length) {
+  const double strain = chord / length - 1 - s.free_strain;
+  return strain > 0 ? s.axial(strain).slope / length : 0;
 }
 
 }  // namespace hawser

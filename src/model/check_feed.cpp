@@ -42,11 +42,23 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
                              "only from an anchor or a body whose motion is prescribed",
                              end.body));
   for (const Section& s : line.sections)
-    if (c.line_type(s.type).kind != LineKind::cable)
-      return issue("",
-                   fmt::format("line type '{}' resists bending, and only lines that do not can be fed; give "
-                               "it 'bending: false'",
-                               s.type));
+    if (const LineType& t = c.line_type(s.type); t.kind != LineKind::cable) {
+      if (!end.clamped)
+        return issue(
+            "",
+            fmt::format("line type '{}' resists bending, and a feeder holds such a line clamped: give the "
+                        "end 'clamped: true' and a 'direction', or the line type 'bending: false'",
+                        s.type));
+      const char* cannot = t.plastic_bending         ? "yields ('plasticity')"
+                           : t.moment_table          ? "bends by a table"
+                           : t.stiffness_damping > 0 ? "has 'stiffness_damping'"
+                                                     : nullptr;
+      if (cannot)
+        return issue("",
+                     fmt::format("line type '{}' {}, and what resists bending can be fed only where it bends "
+                                 "linearly and without damping",
+                                 s.type, cannot));
+    }
   double at = 0,
          other = (at_b ? line.end_a : line.end_b).feed ? (at_b ? line.end_a : line.end_b).feed->stock : 0;
   int inside = 0, outside = 0;  // elements
@@ -104,7 +116,6 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
   if (!line.buried.empty()) issue("", "a line with 'buried' stretches cannot be fed");
   if (line.target) issue("", "a line with a 'target' cannot be fed: give the length that meets it");
   if (line.start == Start::other_run) issue("", "a line that starts from another run cannot be fed");
-  if (!c.supports.empty()) issue("", "a line cannot be fed in a case with 'supports'");
   if (!line.loads.empty()) issue("", "a line with distributed loads cannot be fed");
   if (touches_lines(c, line))
     issue("", fmt::format("what is inside the feeder would touch itself there: leave line {} out of contact "

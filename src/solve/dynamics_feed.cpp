@@ -1,14 +1,16 @@
 // The part of the class Dynamics that goes on after a feeder has let go of a node or taken hold of one.
+#include <Eigen/LU>
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/math/so3.hpp"
 #include "hawser/solve/dynamics.hpp"
 
 namespace hawser {
 namespace {
 
 constexpr int kMostSettling = 8;   // iterations
-constexpr double kFarthest = 0.1;  // m that a node may settle by in one; where a line is slack it stays
+constexpr double kFarthest = 0.1;  // m and rad that a node may settle by; where a line is slack it stays
 
 }  // namespace
 
@@ -28,11 +30,16 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
     const size_t i = static_cast<size_t>(n);
     State& s = committed_.s;
     s.x[i] = moved->x, s.v[i] = moved->v, s.a[i] = committed_.ax[i] = moved->a;
+    if (m.rotates(n)) {
+      s.q[i] = moved->q, s.w[i] = moved->w, s.alpha[i] = committed_.aw[i] = moved->alpha;
+      s.directors[i] = committed_.ad[i] = director_acceleration(moved->q, moved->w, moved->alpha);
+    }
     if (moved->free) settles = moved->node;
   }
   MPI_Allreduce(MPI_IN_PLACE, &settles, 1, MPI_INT, MPI_MAX, system_.comm());
   system_.spread(committed_.s);
   system_.spread(committed_.ax);
+  if (has_directors(m)) system_.spread(committed_.aw), system_.spread(committed_.ad);
   system_.support(supports(), BodyMotion(system_.supports().motion()));
   if (settles >= 0) settle(settles);
   forces();
@@ -45,7 +52,7 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
   copied_ = loaded_ = false, expected_ = -1;
 }
 
-// Newton's method for its position alone: the sag of the element that it divides, and the part of the tension
+// Newton's method for its place alone: the sag of the element that it divides, and the part of the tension
 // that is its own weight's.
 void Dynamics::settle(int node) {
   const LocalMesh& m = system_.mesh();
@@ -59,19 +66,22 @@ void Dynamics::settle(int node) {
     system_.tangent(s.view(last_step_), {1, 0, 0}, zero, false, J_.get());
     double going = 0;
     if (own) {
-      const int block = m.block[static_cast<size_t>(n)];
-      const PetscInt first = 3 * m.global_block[static_cast<size_t>(block)];
-      const PetscInt rows[3] = {first, first + 1, first + 2};
-      PetscScalar k[9];
-      check(MatGetValues(J_.get(), 3, rows, 3, rows, k));
+      const int block = m.block[static_cast<size_t>(n)], size = m.rotates(n) ? 6 : 3;
+      PetscInt rows[6];
+      for (int k = 0; k < size; ++k) rows[k] = 3 * m.global_block[static_cast<size_t>(block + k / 3)] + k % 3;
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 6, 6> K(size, size);
+      check(MatGetValues(J_.get(), size, rows, size, rows, K.data()));
       const PetscScalar* r = nullptr;
       check(VecGetArrayRead(r_.get(), &r));
-      const Vec3 force(r[3 * block], r[3 * block + 1], r[3 * block + 2]);
+      const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1> force =
+          Eigen::Map<const Eigen::VectorXd>(r + 3 * block, size);
       check(VecRestoreArrayRead(r_.get(), &r));
-      const Mat3 K = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(k);
-      const Vec3 step = -K.inverse() * force;
-      if (step.allFinite() && step.norm() < kFarthest)
-        committed_.s.x[static_cast<size_t>(n)] += step, going = step.norm();
+      const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1> step = -K.partialPivLu().solve(force);
+      if (step.allFinite() && step.norm() < kFarthest) {
+        committed_.s.x[static_cast<size_t>(n)] += step.head<3>(), going = step.norm();
+        Quat& q = committed_.s.q[static_cast<size_t>(n)];
+        if (size == 6) q = (q * exp_so3(step.tail<3>())).normalized();
+      }
     }
     MPI_Allreduce(MPI_IN_PLACE, &going, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
     system_.spread(committed_.s);

@@ -76,7 +76,12 @@ LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bo
     while (last - 1 > first && length(last - 1) < 2 * (line.end_b.feed->stock - inside))
       inside += length(--last);
   const LineStretch rest = stretch_of(line, mesh, span, first, last);
-  const LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
+  LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
+  const auto clamp = [&](const model::End& e, Vec3& tangent) {
+    if (e.feed && e.clamped && e.direction)
+      tangent = start_pose(c, bodies, e).rotation * e.direction->normalized();
+  };
+  clamp(line.end_a, free.tangent.front()), clamp(line.end_b, free.tangent.back());
   LineStart out;
   for (int i = 0; i < span.nodes; ++i) {
     const size_t k = static_cast<size_t>(std::clamp(i, first, last) - first);

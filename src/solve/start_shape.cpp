@@ -36,7 +36,7 @@ Quat axes_along(const Vec3& t) {
 
 StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies) {
   const Mesh& g = *mesh.mesh;
-  StartShape out{State(mesh.nodes()), {}};
+  StartShape out{State(mesh.nodes()), {}, {}};
 
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
@@ -65,6 +65,8 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       for (size_t i = 0; i < q.size(); ++i)
         q[i] = (minimal_rotation(q[i] * Vec3::UnitX(), shape.tangent[i]) * q[i]).normalized();
     }
+    out.ends.push_back({start_pose(c, bodies, line.end_a).rotation.conjugate() * q.front(),
+                        start_pose(c, bodies, line.end_b).rotation.conjugate() * q.back()});
 
     for (int i = 0; i < span.nodes; ++i) {
       const int here = mesh.find(span.first_node + i);
@@ -105,7 +107,7 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       if (g.nodes[static_cast<size_t>(node)].rotates) {
         if (e.clamped) {
           s.rotation_mask = 7;
-          s.rotation = start_pose(c, bodies, e).rotation.conjugate() * q[end ? q.size() - 1 : 0];
+          s.rotation = out.ends.back()[static_cast<size_t>(end)];
         } else if (!twist_held) {
           s.rotation_mask = 1;
           twist_held = true;

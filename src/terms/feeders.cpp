@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/kernels/feed.hpp"
 #include "hawser/kernels/line_mass.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/terms/line_sections.hpp"
 
 namespace hawser {
 namespace {
@@ -17,6 +17,19 @@ namespace {
 // How short the mouth's element may get in a step, of its own length, and how much longer than that, of the
 // length of the next one in the stock: a good way beyond where a node is caught or leaves.
 constexpr double kShortest = 0.1, kLonger = 0.9;
+
+double chord(const Kinematics& at, const LocalElement& e) {
+  return (at.x[static_cast<size_t>(e.second)] - at.x[static_cast<size_t>(e.first)]).norm();
+}
+
+BeamFeed feed_of_beam(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) {
+  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  BeamSection s = f.bar;
+  s.length = length;
+  BeamReference r;
+  r.strain = f.free_strain;
+  return beam_feed(s, r, {at.x[i], at.x[j], at.q[i], at.q[j]});
+}
 
 }  // namespace
 
@@ -41,6 +54,11 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
       feeders_.push_back(std::move(f));
     }
   power_.assign(feeders_.size(), 0);
+  pulls_.assign(feeders_.size(), 0);
+}
+
+void Feeders::clamp(const std::vector<std::array<Quat, 2>>& ends) {
+  for (Feeder& f : feeders_) f.support.rotation = ends[static_cast<size_t>(f.line)][f.at_b];
 }
 
 int Feeders::elements(const Feeder& f) const {
@@ -70,7 +88,11 @@ double Feeders::outside(const Feeder& f) const {
 void Feeders::see_mouth(Feeder& f) const {
   const Element& g = mesh_.mesh->elements[static_cast<size_t>(element(f, f.mouth))];
   const auto& t = case_.line_types[static_cast<size_t>(g.type)];
-  f.section = {g.length, t.EA, t.stiffness_damping, t.tension_table.get(), g.free_strain};
+  f.beam = g.beam, f.free_strain = g.free_strain;
+  if (f.beam)
+    f.bar = beam_section(*mesh_.mesh, case_, g);
+  else
+    f.cable = cable_section(case_, g);
   f.mass_per_length = t.mass_per_length;
   f.weight = Vec3(0, 0, -case_.environment.gravity * t.mass_per_length);
 }
@@ -92,17 +114,26 @@ Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
   if (!now) return {f.length + h * f.speed, f.speed, 0, 0};
   const LocalElement* e = at_mouth(f);
   if (!e) return {f.length, f.speed, 0, 0};
-  const size_t first = static_cast<size_t>(e->first), second = static_cast<size_t>(e->second);
-  const Vec3 d = at.x[second] - at.x[first];
-  const double chord = d.norm();
-  const FedElement fed = feed_step(
-      f.section, {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting}, f.length, h, chord);
+  const FedElement fed =
+      feed_step([&](double length) { return pull(f, at, *e, length); },
+                {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting}, f.length, h);
+  Mouth m{fed.length, (fed.length - f.length) / h, 0, 0, fed.gives};
+  const double l = chord(at, *e);
+  m.by_chord = fed.gives * (f.beam ? feed_of_beam(f, at, *e, m.length).by_chord
+                                   : cable_feed_by_chord(f.cable, l, m.length));
   // Of a tension that is kept exactly the speed at the end of the step is that at which its end moves; else
   // that of the law, which is the mean of the step.
-  const bool kept = f.feed.speed_per_tension == 0 && fed.by_chord > 0 && chord > 0;
-  const double speed =
-      kept ? fed.by_chord * d.dot(at.v[second] - at.v[first]) / chord : (fed.length - f.length) / h;
-  return {fed.length, speed, 0, fed.by_chord};
+  if (f.feed.speed_per_tension == 0 && m.by_chord > 0 && l > 0) {
+    const size_t i = static_cast<size_t>(e->first), j = static_cast<size_t>(e->second);
+    m.speed = m.by_chord * (at.x[j] - at.x[i]).dot(at.v[j] - at.v[i]) / l;
+  }
+  return m;
+}
+
+FedPull Feeders::pull(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
+  if (!f.beam) return cable_feed(f.cable, chord(at, e), length);
+  const BeamFeed of = feed_of_beam(f, at, e, length);
+  return {of.force, of.slope};
 }
 
 std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now) const {
@@ -111,13 +142,14 @@ std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now
   for (const int k : of_line_[static_cast<size_t>(g.line)]) {
     if (k < 0) continue;
     const Feeder& f = feeders_[static_cast<size_t>(k)];
-    if (!out) out = Rest{false, g.length, 0, 0, g.length};
+    if (!out) out = Rest{false, g.length, 0, 0, 0, g.length};
     const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
     const int i = f.at_b ? span.first_element + span.elements - 1 - e : e - span.first_element;
     if (i < f.mouth) out->idle = true;
     if (i != f.mouth) continue;
     const Mouth m = mouth(f, at, now);
-    out->length = m.length, out->follows = m.by_chord, out->grows = m.speed, out->before = f.length;
+    out->length = m.length, out->follows = m.by_chord, out->gives = m.gives, out->grows = m.speed;
+    out->before = f.length;
   }
   return out;
 }
@@ -133,6 +165,7 @@ std::vector<Support> Feeders::with_held(const std::vector<Support>& supports) co
       if (const int here = mesh_.find(node(f, i)); here >= 0) {
         out.push_back(f.support);
         out.back().node = here;
+        if (mesh_.rotates(here)) out.back().rotation_mask = 7;
       }
   return out;
 }
@@ -168,10 +201,12 @@ void Feeders::force(const Feeder& f, const Mouth& m, const Kinematics& at, const
 }
 
 void Feeders::prepare(const Kinematics& committed, double) {
-  before_.assign(committed.x.begin(), committed.x.end());
+  before_.x.assign(committed.x.begin(), committed.x.end());
+  before_.q.assign(committed.q.begin(), committed.q.end());
   for (size_t k = 0; k < feeders_.size(); ++k) {
     const LocalElement* e = at_mouth(feeders_[k]);
     power_[k] = e && e->counted ? power(feeders_[k], committed, *e) : 0;
+    pulls_[k] = e && feeders_[k].beam ? pull(feeders_[k], committed, *e, feeders_[k].length).force : 0;
   }
 }
 
@@ -248,10 +283,7 @@ void Feeders::commit(const Kinematics& accepted) {
     else if (h > 0 && e) {
       const double last = f.speed;
       f.speed = m.speed;
-      const double chord =
-          (accepted.x[static_cast<size_t>(e->second)] - accepted.x[static_cast<size_t>(e->first)]).norm();
-      const double strain = chord / f.length - 1 - f.section.free_strain,
-                   T = strain > 0 ? f.section.axial(strain).force : 0;
+      const double T = pull(f, accepted, *e, f.length).force;
       constexpr double kThere = 0.01;  // of the band on this side
       const double off = T - f.feed.tension;
       if (f.feed.most > 0 && f.resting)
@@ -264,11 +296,20 @@ void Feeders::commit(const Kinematics& accepted) {
     if (!e || !e->counted || !(h > 0)) continue;
     const double now = power(f, accepted, *e);
     work_ += 0.5 * h * (power_[k] + now);
-    const size_t i = static_cast<size_t>(e->first), j = static_cast<size_t>(e->second);
-    if (before_.size() == accepted.x.size())
-      work_ -=
-          0.25 * (f.length - before) * f.weight.dot(before_[i] + before_[j] + accepted.x[i] + accepted.x[j]);
+    // Of a cable StructureTerm knows it, for the mean force of the step.
+    if (f.beam) work_ -= 0.5 * (f.length - before) * (pulls_[k] + pull(f, accepted, *e, f.length).force);
+    if (before_.x.size() != accepted.x.size()) continue;
+    for (const Kinematics& at : {before_.view(0), accepted})
+      work_ -= 0.5 * (load_work(f, at, *e, f.length) - load_work(f, at, *e, before));
   }
+}
+
+// Of the weight of the element at the mouth, J.
+double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
+  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  if (!f.beam) return 0.5 * length * f.weight.dot(at.x[i] + at.x[j]);
+  const MassSection s{length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()};
+  return beam_load_work(s, at.x[i], at.q[i], at.x[j], at.q[j], f.weight);
 }
 
 Energy Feeders::energy(const Kinematics& at) const {

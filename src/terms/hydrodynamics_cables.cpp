@@ -43,19 +43,19 @@ double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
   Water calm;
   calm.surface = sea_.surface;
   double sum = 0;
-  const std::vector<Vec3>& x = feeders_->before();
-  if (x.size() != at.x.size()) return 0;
+  const State& was = feeders_->before();
+  if (was.x.size() != at.x.size()) return 0;
   Kinematics before = at;
-  before.x = x;
+  before.x = was.x, before.q = was.q;
   for (const Piece& p : pieces_) {
-    if (!p.at.counted || p.idle || p.beam) continue;
+    if (!p.at.counted || p.idle) continue;
     const auto rest = feeders_->rest(p.at.global, at, true);
     if (!rest || rest->before == rest->length) continue;
     WaterSection s = p.section;
     s.length = rest->before;
     for (const Kinematics& k : {before, at}) {
       const WaterEnds e = ends(p, k, calm, calm);
-      sum += 0.5 * (water_potential(p.section, e, false) - water_potential(s, e, false));
+      sum += 0.5 * (water_potential(p.section, e, p.beam) - water_potential(s, e, p.beam));
     }
   }
   return sum;

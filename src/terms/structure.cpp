@@ -9,9 +9,9 @@
 
 #include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
-#include "hawser/mesh/arc.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/terms/feeders.hpp"
+#include "hawser/terms/line_sections.hpp"
 
 namespace hawser {
 namespace {
@@ -70,18 +70,9 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
   std::vector<StructureTerm::Beam> out;
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
-    const auto& t = c.line_types[static_cast<size_t>(g.type)];
     if (!g.beam) continue;
-    const auto& stiffeners = c.lines[static_cast<size_t>(g.line)].bend_stiffeners;
-    const double from = arc_at(*mesh.mesh, g, 0), to = arc_at(*mesh.mesh, g, 1);
-    const double EI2 = model::stiffened_EI(stiffeners, from, to, t.EI2),
-                 EI3 = model::stiffened_EI(stiffeners, from, to, t.EI3);
-    out.push_back({e,
-                   {},
-                   {g.length, t.EA, EI2, EI3, t.GJ, t.GA, t.stiffness_damping, t.tension_table.get(),
-                    t.moment_table.get(), t.plastic_bending.get()},
-                   {}});
-    out.back().reference.strain = g.free_strain;
+    StructureTerm::Beam& b = out.emplace_back();
+    b.at = e, b.section = beam_section(*mesh.mesh, c, g), b.reference.strain = g.free_strain;
   }
   return out;
 }
@@ -90,9 +81,7 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
   std::vector<StructureTerm::Cable> out;
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
-    const auto& t = c.line_types[static_cast<size_t>(g.type)];
-    if (!g.beam)
-      out.push_back({e, {}, {g.length, t.EA, t.stiffness_damping, t.tension_table.get(), g.free_strain}});
+    if (!g.beam) out.push_back({e, {}, cable_section(c, g)});
   }
   return out;
 }
@@ -112,6 +101,9 @@ void StructureTerm::see_feeders(const Kinematics& at) {
     if (const auto rest = feeders_->rest(c.at.global, at, true))
       c.idle = rest->idle, c.section.length = rest->length, c.section.follows = rest->follows,
       c.section.grows = at.step > 0 ? rest->grows : 0;  // statics holds the feeder
+  for (Beam& b : beams_)
+    if (const auto rest = feeders_->rest(b.at.global, at, true))
+      b.idle = rest->idle, b.section.length = rest->length, b.section.gives = rest->gives;
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
@@ -121,6 +113,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   if (assembler.wants_tangent()) {
     double f[12], K[144], C[144];
     for (const Beam& b : beams_) {
+      if (b.idle) continue;
       beam_tangent(b.section, b.reference, ends(b, trial), assembler.convex(), f, K, C);
       assembler.add(b.blocks, f, K, b.section.beta > 0 ? C : nullptr, nullptr);
     }
@@ -139,6 +132,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
   double f[12];
   for (const Beam& b : beams_) {
+    if (b.idle) continue;
     beam_force(b.section, b.reference, ends(b, trial), f);
     assembler.add(b.blocks, f, nullptr, nullptr, nullptr);
   }
@@ -178,6 +172,7 @@ double StructureTerm::round_off(const Kinematics& at, double) const {
     if (e.at.counted) sum += std::pow(pull_round_off(at, e), 2);
   };
   for (const Beam& b : beams_) {
+    if (b.idle) continue;
     pull(b);
     if (!b.at.counted) continue;
     // A curvature is a difference of the nodes' directions, known to a few eps, and the chord's, which has
@@ -209,7 +204,7 @@ Overstretch StructureTerm::overstretched(const Kinematics& at) const {
              e.section.EA};
   };
   for (const Beam& b : beams_)
-    if (b.at.counted) look(b, chord_strain(at, b, b.reference.strain));
+    if (b.at.counted && !b.idle) look(b, chord_strain(at, b, b.reference.strain));
   for (const Cable& c : cables_)
     if (c.at.counted) look(c, std::max(chord_strain(at, c, c.section.free_strain), 0.0));
   return worst;
@@ -223,7 +218,8 @@ void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines)
     line.round_off = std::max(line.round_off, pull_round_off(at, e));
     line.EA = std::max(line.EA, e.section.EA);
   };
-  for (const Beam& b : beams_) look(b, beam_stress(b.section, b.reference, ends(b, at)).tension);
+  for (const Beam& b : beams_)
+    if (!b.idle) look(b, beam_stress(b.section, b.reference, ends(b, at)).tension);
   for (const Cable& c : cables_) look(c, cable_stress(c.section, ends(c, at)).tension);
 }
 
@@ -301,7 +297,7 @@ void StructureTerm::commit(const Kinematics& accepted) {
 Energy StructureTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Beam& b : beams_)
-    if (b.at.counted) e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
+    if (b.at.counted && !b.idle) e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
   for (const Cable& c : cables_)
     if (c.at.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
   e.damping = damping_, e.unresolved = filtered_;
@@ -396,6 +392,7 @@ void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
 // Both lists are in the order of the mesh.
 void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
   if (const Beam* b = of_element(beams_, e)) {
+    if (b->idle) return;
     double own[12];
     beam_force(b->section, b->reference, ends(*b, at), own);
     for (int i = 0; i < 12; ++i) f[i] += own[i];
@@ -422,6 +419,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
         weights[n] += 1 / length, out[n] += value / length;
       };
       for (const Beam& b : beams_) {
+        if (b.idle) continue;
         const BeamEnds e = ends(b, k);
         const BeamStress s = beam_stress(b.section, b.reference, e);
         put(b.at.first, of_beam(s, e, 0), b.section.length);

@@ -1,6 +1,7 @@
 // The tangent of a time step with feeders: by speed, by a tension that is kept exactly, by a dead band.
 #include "hawser/terms/feeders.hpp"
 
+#include "hawser/math/so3.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/solve/generalized_alpha.hpp"
@@ -9,12 +10,13 @@
 namespace hawser::test::feeders_test {
 namespace {
 
-model::Case fed(const model::Feed& a, const model::Feed& b) {
+model::Case fed(const model::Feed& a, const model::Feed& b, bool beam) {
   model::Case c;
   c.environment.gravity = 9.81;
   model::LineType t;
   t.name = "rope", t.kind = model::LineKind::cable, t.mass_per_length = 2, t.EA = 300,
   t.stiffness_damping = 0.05;
+  if (beam) t.kind = model::LineKind::beam, t.EI2 = 9, t.EI3 = 12, t.GJ = 8, t.stiffness_damping = 0;
   c.line_types.push_back(t);
   model::Line l;
   l.name = "rope";
@@ -52,8 +54,18 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
   exact.tension = 30;
   band.tension = 30, band.least = 20, band.most = 40, band.speed_per_tension = 0.02;
   limited = band, limited.max_speed = 0.01;
-  for (const model::Feed& a : {speed, exact, band, limited}) {
-    Rig r(fed(a, speed));
+  const Vec3 towards(4, 1, 0.5);
+  const Quat along = minimal_rotation(Vec3::UnitX(), towards.normalized());
+  for (const auto& [a, beam] : {std::pair(speed, false),
+                                {exact, false},
+                                {band, false},
+                                {limited, false},
+                                {speed, true},
+                                {exact, true},
+                                {band, true},
+                                {limited, true}}) {
+    Rig r(fed(a, speed, beam));
+    r.feeders->clamp({{along, along}});
     const LocalMesh& mesh = r.system->mesh();
     const AlphaCoefficients alpha(0.8);
     constexpr double h = 0.1;
@@ -63,9 +75,13 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
       const size_t i = static_cast<size_t>(n);
       // Nodes 0 to 2 are inside the one, 7 to 9 inside the other.
       const double s = std::clamp(n - 2, 0, 5) / 5.0;
-      from.s.x[i] = s * Vec3(4, 1, 0.5);
+      from.s.x[i] = s * towards;
+      if (beam) from.s.q[i] = along;
       if (n <= 2 || n >= 7) continue;
       from.s.x[i] += 0.1 * noise3(n, 1), from.s.v[i] = noise3(n, 2), from.s.a[i] = 3 * noise3(n, 3);
+      if (!beam) continue;
+      from.s.q[i] = along * exp_so3(0.2 * noise3(n, 6));
+      from.s.w[i] = noise3(n, 7), from.s.alpha[i] = 3 * noise3(n, 8);
     }
     // So long that it pulls: the chord is beyond the unstretched length of 5 m.
     for (Vec3& x : from.s.x) x *= 1.4;
@@ -75,10 +91,11 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     r.system->prepare(from.s.view(h), h);
     AlphaState to = from;
     std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0), d = u;
+    const int components = beam ? 6 : 3;
     for (int n = 3; n < 7; ++n)
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < components; ++k) {
         const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)]) + static_cast<size_t>(k);
-        u[i] = 0.05 * noise3(n, 4)[k], d[i] = noise3(n, 5)[k];
+        u[i] = 0.05 * noise3(n, k < 3 ? 4 : 9)[k % 3], d[i] = noise3(n, k < 3 ? 5 : 10)[k % 3];
       }
     VecHandle x = r.system->create_vector(), y = r.system->create_vector(), res = r.system->create_vector();
     const auto at = [&](double step) {
@@ -108,13 +125,14 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     const auto b1 = at(e), b2 = at(-e), c1 = at(2 * e), c2 = at(-2 * e);
     double off = 0, size = 0;
     for (int n = 3; n < 7; ++n)
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k < components; ++k) {
         const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)]) + static_cast<size_t>(k);
         off = std::max(off, std::abs((8 * (b1[i] - b2[i]) - (c1[i] - c2[i])) / (12 * e) - Jd[i]));
         size = std::max(size, std::abs(Jd[i]));
       }
-    EXPECT_LT(off, 1e-8 * size) << a.tension << ' ' << a.max_speed;
-    printf("  tension %g, at most %g m/s: error %.1e\n", a.tension, a.max_speed, off / size);
+    EXPECT_LT(off, 1e-8 * size) << a.tension << ' ' << a.max_speed << ' ' << beam;
+    printf("  %s, tension %g, at most %g m/s: error %.1e\n", beam ? "beam" : "cable", a.tension, a.max_speed,
+           off / size);
   }
 }
 

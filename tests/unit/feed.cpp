@@ -6,6 +6,8 @@
 
 #include <random>
 
+#include "hawser/kernels/beam.hpp"
+#include "hawser/math/so3.hpp"
 #include "hawser/model/feed.hpp"
 
 namespace hawser::test::feed_test {
@@ -20,6 +22,14 @@ double tension(const CableSection& s, double chord, double length) {
   return strain > 0 ? s.axial(strain).force : 0;
 }
 
+struct Fed {
+  double length = 0, by_chord = 0;
+};
+Fed step(const CableSection& s, const FeedLaw& law, double from, double h, double chord) {
+  const FedElement e = feed_step([&](double length) { return cable_feed(s, chord, length); }, law, from, h);
+  return {e.length, e.gives * cable_feed_by_chord(s, chord, e.length)};
+}
+
 TEST(Feed, SolvesItsSpeedLaw) {
   const StiffnessTable table = rope();
   for (const StiffnessTable* t : {static_cast<const StiffnessTable*>(nullptr), &table})
@@ -30,7 +40,7 @@ TEST(Feed, SolvesItsSpeedLaw) {
         for (const double chord : {0.3, 0.9, 1.0, 1.05, 1.1, 1.2, 1.8})
           for (const double h : {1e-3, 0.1, 10.0}) {
             const double from = 1.02;
-            const FedElement e = feed_step(s, law, from, h, chord);
+            const Fed e = step(s, law, from, h, chord);
             const double T = tension(s, chord, e.length), v = (e.length - from) / h;
             EXPECT_GT(e.length, 0);
             if (most > 0) {
@@ -44,13 +54,12 @@ TEST(Feed, SolvesItsSpeedLaw) {
               }
             }
             constexpr double d = 1e-6;
-            const double slope = (feed_step(s, law, from, h, chord + d).length -
-                                  feed_step(s, law, from, h, chord - d).length) /
-                                 (2 * d);
+            const double slope =
+                (step(s, law, from, h, chord + d).length - step(s, law, from, h, chord - d).length) / (2 * d);
             EXPECT_NEAR(slope, e.by_chord, 1e-6 * (1 + std::abs(slope))) << k << ' ' << chord << ' ' << h;
           }
       }
-  EXPECT_EQ(feed_step({1, 300}, {20, 1, 0, true}, 1.02, 0.1, 1.5).length, 1.02);
+  EXPECT_EQ(step({1, 300}, {20, 1, 0, true}, 1.02, 0.1, 1.5).length, 1.02);
 }
 
 TEST(Feed, TheForceFollowsTheLength) {
@@ -60,13 +69,13 @@ TEST(Feed, TheForceFollowsTheLength) {
       const FeedLaw law{20, k, 0, false};
       const CableSection before{1, 300, 0.02, t, 0.01};
       const CableStart from = cable_start(before, Vec3::Zero(), Vec3(0.9, 0.5, -0.3), 0.01);
-      const CableStep step{0.1, 0.06};
+      const CableStep in{0.1, 0.06};
       const auto mean = [&](const Vec3& x, CablePull* out) {
         CableSection s = before;
-        const FedElement e = feed_step(s, law, 1, step.h, x.norm());
+        const Fed e = step(s, law, 1, in.h, x.norm());
         s.length = e.length, s.follows = e.by_chord;
-        if (out) cable_mean(s, from, step, Vec3::Zero(), x, *out);
-        return cable_mean(s, from, step, Vec3::Zero(), x);
+        if (out) cable_mean(s, from, in, Vec3::Zero(), x, *out);
+        return cable_mean(s, from, in, Vec3::Zero(), x);
       };
       const Vec3 x(0.95, 0.52, -0.25), d(0.3, -0.4, 0.6);
       CablePull pull;
@@ -101,6 +110,99 @@ TEST(Feed, WorkAndEnergyAgree) {
       EXPECT_NEAR(work, energy(s1, d1) - energy(s0, d0) + lost.damped + lost.filtered, 1e-9);
       EXPECT_GE(lost.damped, 0);
     }
+}
+
+// A beam in some bent state; GA as given.
+struct Bar {
+  BeamSection s;
+  BeamEnds e;
+};
+Bar bent(std::mt19937& g, double GA, const StiffnessTable* table) {
+  std::uniform_real_distribution<double> u(-1, 1);
+  const auto vec = [&] { return Vec3(u(g), u(g), u(g)); };
+  Bar b;
+  b.s.length = 1.3, b.s.EA = 2e3, b.s.EI2 = 15, b.s.EI3 = 40, b.s.GJ = 23, b.s.GA = GA, b.s.tension = table;
+  b.e.q1 = exp_so3(vec()), b.e.q2 = b.e.q1 * exp_so3(0.5 * vec());
+  b.e.x1 = vec(), b.e.x2 = b.e.x1 + b.e.q1 * (1.35 * (Vec3::UnitX() + 0.15 * vec()));
+  return b;
+}
+
+// The force at a feeder is what the strain energy falls by with the unstretched length.
+TEST(Feed, ABeamPullsByItsEnergy) {
+  std::mt19937 g(3);
+  const StiffnessTable table = rope();
+  for (int i = 0; i < 40; ++i) {
+    const Bar b = bent(g, i % 2 ? 900 : 0, i % 3 ? nullptr : &table);
+    BeamReference r;
+    r.strain = -0.01;
+    const auto of = [&](double length, const Vec3& pulled) {
+      BeamSection s = b.s;
+      s.length = length;
+      BeamEnds e = b.e;
+      e.x2 += pulled;
+      return std::pair(beam_feed(s, r, e), beam_stress(s, r, e).strain_energy);
+    };
+    constexpr double d = 1e-4;
+    const auto by = [&](auto&& value) {
+      return (8 * (value(d) - value(-d)) - (value(2 * d) - value(-2 * d))) / (12 * d);
+    };
+    const BeamFeed f = of(b.s.length, Vec3::Zero()).first;
+    EXPECT_NEAR(-by([&](double x) { return of(b.s.length + x, Vec3::Zero()).second; }), f.force,
+                1e-8 * b.s.EA);
+    EXPECT_NEAR(by([&](double x) { return of(b.s.length + x, Vec3::Zero()).first.force; }), f.slope,
+                1e-8 * b.s.EA);
+    EXPECT_LT(f.slope, 0);
+  }
+  // Straight: the tension, and of what it is stretched by the energy.
+  Bar b = bent(g, 0, nullptr);
+  b.e.q1 = b.e.q2 = Quat::Identity(), b.e.x2 = b.e.x1 + 1.3013 * Vec3::UnitX();
+  const BeamFeed f = beam_feed(b.s, {}, b.e);
+  EXPECT_NEAR(f.force, 2e3 * 0.001 * (1.001 - 0.0005), 1e-9);
+  EXPECT_NEAR(f.by_chord, 2e3 * 1.001 / 1.3, 1e-9);
+}
+
+TEST(Feed, TheForceOfABeamFollowsTheLength) {
+  using Vec12 = Eigen::Matrix<double, 12, 1>;
+  std::mt19937 g(5);
+  std::uniform_real_distribution<double> u(-1, 1);
+  for (int i = 0; i < 40; ++i) {
+    const Bar b = bent(g, i % 2 ? 900 : 0, nullptr);
+    for (const double k : {0.0, 0.01}) {
+      const FeedLaw law{60, k, 0, false};
+      const auto force = [&](const BeamEnds& e, double* K) {
+        BeamSection s = b.s;
+        const FedElement fed = feed_step(
+            [&](double length) {
+              BeamSection at = b.s;
+              at.length = length;
+              const BeamFeed f = beam_feed(at, {}, e);
+              return FedPull{f.force, f.slope};
+            },
+            law, 1.3, 0.1);
+        s.length = fed.length, s.gives = fed.gives;
+        Vec12 f;
+        if (K)
+          beam_tangent(s, {}, e, false, f.data(), K, nullptr);
+        else
+          beam_force(s, {}, e, f.data());
+        return f;
+      };
+      Eigen::Matrix<double, 12, 12, Eigen::RowMajor> K;
+      force(b.e, K.data());
+      Vec12 d;
+      for (double& x : d) x = u(g);
+      const auto at = [&](double step) {
+        const Vec12 m = step * d;
+        BeamEnds e = b.e;
+        e.x1 += m.segment<3>(0), e.x2 += m.segment<3>(6);
+        e.q1 = e.q1 * exp_so3(m.segment<3>(3)), e.q2 = e.q2 * exp_so3(m.segment<3>(9));
+        return force(e, nullptr);
+      };
+      constexpr double e = 1e-3;
+      const Vec12 slope = (8 * (at(e) - at(-e)) - (at(2 * e) - at(-2 * e))) / (12 * e);
+      EXPECT_LT((slope - K * d).norm(), 1e-6 * slope.norm()) << k;
+    }
+  }
 }
 
 TEST(Feed, ItsLengthIsTheIntegralOfItsSpeed) {

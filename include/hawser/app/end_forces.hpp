@@ -48,6 +48,8 @@ class EndForces {
   const std::vector<Place>& places() const { return places_; }  // in the order of nodes
   // At the mouth of each feeder, in their order, on all ranks.
   const std::vector<SectionForce>& at_mouths() const { return mouths_; }
+  // N, what each feeder feels: the tension at its mouth and, of a line that resists bending, M²/2EI.
+  const std::vector<double>& at_feeders() const { return felt_; }
   // Which of the owned ends is at a local node, counted in that order; -1: none.
   int end_at(int node) const;
 
@@ -59,6 +61,7 @@ class EndForces {
   const System& system_;
   const Feeders* feeders_;
   std::vector<SectionForce> mouths_;
+  std::vector<double> felt_;
   std::vector<Place> places_;
 };
 

@@ -29,6 +29,7 @@ class Feeding {
  private:
   void let_out(Feeder& f);
   void haul_in(Feeder& f);
+  double felt(const Feeder& f);
   void hand_over(Feeder& f, int mouth, double length, const std::optional<Dynamics::Moved>& moved);
 
   Simulation& sim_;

@@ -33,6 +33,9 @@ struct BeamSection {
   const StiffnessTable* moment = nullptr;
   // Bending that yields and remembers, instead; null: elastic. The same of EI2, EI3, GA and damping.
   const PlasticBending* plastic = nullptr;
+  // Of an element whose length follows the force that a feeder feels of it (beam_feed): the derivative of the
+  // length by that force, m/N.
+  double gives = 0;
 
   bool bends_by_law() const { return moment || plastic; }
 };
@@ -80,6 +83,19 @@ void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& 
                   double* K, double* C);
 
 BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamEnds& e);
+
+// The force with which an element pulls material out of a feeder at one of its ends: minus the derivative of
+// the strain energy by the unstretched length, the configurational force (Eshelby 1951). That is the tension
+// and M²/2EI of what is bent. Of elements without damping whose bending is linear.
+struct BeamFeed {
+  double force = 0;     // N
+  double slope = 0;     // N/m, its derivative by the unstretched length: never positive
+  double by_chord = 0;  // N/m, by the distance of the ends
+};
+BeamFeed beam_feed(const BeamSection& s, const BeamReference& r, const BeamEnds& e);
+
+// What bending adds to the strain of the chord, |x2 - x1|/L - 1, of any L.
+double beam_bow(const BeamReference& r, const BeamEnds& e);
 
 // Of plastic bending: makes `set`, laid out as BeamReference::set, what the element remembers when it has
 // come to where `e` has it. What was dissipated on the way, J.

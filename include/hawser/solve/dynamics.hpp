@@ -48,10 +48,13 @@ class Dynamics {
   // Goes on with other supports: what they held before moves on from where it is, with accelerations that
   // jump. supports: of the local nodes, among those there were. Collective.
   void release(std::vector<Support> supports);
-  // How a node of a cable goes on (x, v, a in m and s), of the mesh.
+  // How a node of the mesh goes on: position, velocity and acceleration in m and s, node axes and their rates
+  // where it rotates (material, rad and s).
   struct Moved {
     int node = 0;
     Vec3 x, v, a;
+    Quat q = Quat::Identity();
+    Vec3 w = Vec3::Zero(), alpha = Vec3::Zero();
     bool free = false;  // it settles where the forces on it are in balance with its acceleration
   };
   // A feeder lets go of a node or takes hold of one: `change` is what it changes and returns how that node

@@ -1,6 +1,9 @@
 // Where the nodes of all lines start: catenaries, straight or given shapes, with rotations along the line.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/state.hpp"
@@ -12,6 +15,8 @@ namespace hawser {
 struct StartShape {
   State state;                    // of this rank's local nodes, at t = 0, at rest
   std::vector<Support> supports;  // of this rank's local nodes
+  // Of all lines: node axes at ends A and B, in the frame of the body there (or space).
+  std::vector<std::array<Quat, 2>> ends;
 };
 
 // Nodes are placed by line (Start of the case); rotations follow the tangent with least twist from end A,

@@ -8,9 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "hawser/kernels/beam.hpp"
 #include "hawser/kernels/cable.hpp"
+#include "hawser/kernels/feed.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/feed.hpp"
+#include "hawser/state/state.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/supports.hpp"
 
@@ -26,7 +29,10 @@ struct Feeder {
   std::string name;  // "end A of line mooring"
   model::Feed feed;
   Support support;  // of a node that is held at the feeder
-  CableSection section;
+  bool beam = false;
+  CableSection cable;  // of the element at the mouth, of its own length
+  BeamSection bar;     // likewise, of a line that resists bending
+  double free_strain = 0;
   double mass_per_length = 0;   // kg/m
   Vec3 weight = Vec3::Zero();   // N/m
   double outside_at_start = 0;  // m, unstretched
@@ -44,6 +50,7 @@ struct Feeder {
 struct Mouth {
   double length = 0, speed = 0, acceleration = 0;  // m, m/s, m/s²: unstretched length and its rates
   double by_chord = 0;                             // derivative of the length by the chord
+  double gives = 0;                                // m/N, by the force of a beam on its feeder
 };
 
 class Feeders final : public ForceTerm, public ActsOnElements, public LimitsSteps {
@@ -61,6 +68,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   double outside(const Feeder& f) const;  // m, unstretched, that has left the feeder
   // The feeder has another element at its mouth: takes over what that is made of.
   void see_mouth(Feeder& f) const;
+  // Node axes of a fed end that is clamped, in its body's frame (or space), by line and end.
+  void clamp(const std::vector<std::array<Quat, 2>>& ends);
   // Local element at the mouth; null: not on this rank.
   const LocalElement* at_mouth(const Feeder& f) const;
 
@@ -71,6 +80,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
     bool idle = false;   // inside a feeder
     double length = 0;   // m, unstretched
     double follows = 0;  // derivative by the chord
+    double gives = 0;    // m/N, by the force of a beam on its feeder
     double grows = 0;    // m/s, its rate
     double before = 0;   // m, unstretched at the start of the step, of the one at a mouth; else `length`
   };
@@ -81,8 +91,12 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
     for (Kept& k : kept)
       if (const auto r = rest(k.at.global, at, now)) k.idle = r->idle, k.section.length = r->length;
   }
-  // Where the ends of an element were at the start of the step.
-  const std::vector<Vec3>& before() const { return before_; }
+  // Where all was at the start of the step; nothing before the first.
+  const State& before() const { return before_; }
+
+  // N, that a feeder feels of the element at its mouth, of an unstretched length [m]: its elastic tension,
+  // and of a beam M²/2EI.
+  FedPull pull(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
 
   // The supports with those of what is inside feeders, of the local nodes.
   std::vector<Support> with_held(const std::vector<Support>& supports) const;
@@ -112,6 +126,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
 
  private:
   double power(const Feeder& f, const Kinematics& at, const LocalElement& e) const;
+  double load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
   void force(const Feeder& f, const Mouth& m, const Kinematics& at, const LocalElement& e, Vec3* out) const;
 
   const LocalMesh& mesh_;
@@ -119,7 +134,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   std::vector<Feeder> feeders_;
   std::vector<std::array<int, 2>> of_line_;  // which of them are at end A and end B of a line; -1: none
   std::vector<double> power_;                // W, of the committed state, by feeder
-  std::vector<Vec3> before_;                 // m, committed positions
+  std::vector<double> pulls_;                // N, likewise, what beams pull with
+  State before_;                             // committed positions and rotations
   double work_ = 0;                          // J
 };
 

@@ -24,7 +24,8 @@ class StructureTerm final : public ForceTerm,
     LocalElement at;
     int blocks[4] = {};  // x1, theta1, x2, theta2
     BeamSection section;
-    BeamReference reference;
+    BeamReference reference = {};
+    bool idle = false;  // inside a feeder
   };
   struct Cable {
     LocalElement at;

@@ -1,0 +1,190 @@
+// Pipes that are paid out of a clamp and hauled in: what the clamp feels of the bend, energy, a tension that
+// is kept on a heaving barge, restarts, ranks, and what is refused.
+#include "hawser/base/error.hpp"
+#include "regression/runs.hpp"
+
+namespace hawser::runs::fed_pipes {
+namespace {
+
+constexpr double kEI = 2e5;
+
+const char* const kCantilever = R"(hawser: 1
+title: A pipe that leaves a clamp horizontally and hangs freely
+environment: {gravity: 9.80665}
+line_types:
+  pipe: {outer_diameter: 0.1, mass_per_length: 20, EA: 5e8, EI: 2e5, GJ: 1.5e5}
+lines:
+  pipe:
+    sections: [{type: pipe, length: 30, elements: 30}]
+    end_a:
+      anchor: [0, 0, 100]
+      direction: [1, 0, 0]
+      clamped: true
+      feed: {stock: 20, speed_table: [[0, 0], [10, 0.1], [40, 0.1], [60, -0.1], [80, -0.1]]}
+    end_b: free
+dynamics: {duration: 80}
+output: {every: 5, histories: [{line: pipe, at: end_b, name: tip}, {line: pipe, at: end_a, name: clamp}]}
+contact: {between_lines: false}
+)";
+
+// A tensioner on a barge that heaves keeps to the weight of the pipe, which leaves it along a slope and goes
+// over the rollers of a ramp.
+const char* const kRamp = R"(hawser: 1
+title: A pipe over a ramp that heaves, held by a tensioner
+environment: {gravity: 9.80665}
+line_types:
+  pipe: {outer_diameter: 0.1, mass_per_length: 20, EA: 5e7, EI: 2e5, GJ: 1.5e5}
+bodies:
+  barge: {motion: {harmonic: {amplitude: [0.4, 0, 0], period: 8}, ramp: 8}}
+supports:
+  ramp:
+    body: barge
+    path: {from: [0, 0, 10], direction: [1, 0, 0], segments: [{length: 4}, {length: 16, radius: 40}]}
+    boxes:
+      - {at: [2, 5, 8, 11, 14, 17], above_path: 0.5, type: U, roller_diameter: 0.3, roller_length: 1, side_height: 0.5,
+         normal_stiffness: 1.0e6}
+lines:
+  pipe:
+    sections: [{type: pipe, length: 60, elements: 60}]
+    end_a:
+      body: barge
+      at: [0, 0, 10.7]
+      direction: [1, 0, 0]
+      clamped: true
+      feed: {stock: 20, tension: 40 kN, speed_per_tension: 5e-5}
+    end_b: {anchor: [38.25, 0, 0.5]}
+dynamics: {duration: 24, step: 0.02}
+output: {every: 2, histories: [{line: pipe, at: end_a, name: tensioner}]}
+contact: {between_lines: false}
+)";
+
+double work(const std::vector<double>& brought) {
+  double sum = 0;
+  for (size_t i = 1; i < brought.size(); ++i) sum += std::abs(brought[i] - brought[i - 1]);
+  return sum;
+}
+
+TEST(FedPipes, AClampFeelsTheBend) {
+  const std::string path = folder("fed-pipes-clamp"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kCantilever);
+  run_on_all({input, file});
+  // The same length outside at rest.
+  write_case(input, kCantilever, {{"stock: 20", "stock: 17"}, {"dynamics: {duration: 80}\n", ""}});
+  run_on_all({input, path + "/still.h5"});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file), still = read(path + "/still.h5");
+  const auto F = named(file, r, "pipe_end_a_feed", "tension"),
+             out = named(file, r, "pipe_end_a_feed", "paid_out"),
+             M = named(file, r, "clamp", "bending_moment"), z = named(file, r, "tip", "position_z");
+  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  // It hangs from a horizontal clamp: what pulls the material out is the bend alone, but for the inertia of
+  // what is sped up.
+  double off = 0, jump = 0;
+  for (size_t i = 0; i < F.size(); ++i) {
+    off += (F[i] - M[i] * M[i] / (2 * kEI)) / F[i] / static_cast<double>(F.size());
+    if (i > 0) jump = std::max(jump, std::abs(error[i] - error[i - 1]));
+  }
+  double lowest = HUGE_VAL;
+  for (const double h : z) lowest = std::min(lowest, h);
+  const double there = named(path + "/still.h5", still, "tip", "position_z").front();
+  double middle = 0;  // where 3 m are out, on the way out and back
+  for (size_t i = 1; i < z.size(); ++i)
+    if ((out[i] - 3) * (out[i - 1] - 3) <= 0 && out[i] != out[i - 1])
+      middle = std::max(
+          middle, std::abs(z[i - 1] + (z[i] - z[i - 1]) * (3 - out[i - 1]) / (out[i] - out[i - 1]) - there));
+  printf(
+      "  force of the clamp off by %.1e in the mean, tip %.1e m from rest, energy %.1e of the work, jumps "
+      "%.2g J\n",
+      off, middle, largest(error) / work(brought), jump);
+  EXPECT_LT(std::abs(off), 0.005);
+  EXPECT_GT(lowest, 95);
+  EXPECT_GT(middle, 0);
+  EXPECT_LT(middle, 0.002);
+  EXPECT_LT(largest(error), 5e-4 * work(brought));
+}
+
+TEST(FedPipes, ATensionIsKeptOverRollers) {
+  const std::string path = folder("fed-pipes-ramp"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kRamp);
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto F = named(file, r, "pipe_end_a_feed", "tension"),
+             v = named(file, r, "pipe_end_a_feed", "feed_speed"),
+             out = named(file, r, "pipe_end_a_feed", "paid_out");
+  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  double law = 0, most = -HUGE_VAL, least = HUGE_VAL;
+  for (size_t i = 1; i < F.size(); ++i) {
+    if (r.step_times[i] < 10) continue;
+    law = std::max(law, std::abs(F[i] - 40e3 - v[i] / 5e-5));
+    most = std::max(most, out[i]), least = std::min(least, out[i]);
+  }
+  printf("  off its law by %.2g N, paid out from %.3f to %.3f m, energy %.1e\n", law, least, most,
+         largest(error) / work(brought));
+  EXPECT_LT(law, 400);  // weight and inertia between the feeder and the middle of its element
+  EXPECT_NEAR(most - least, 0.8, 0.1);
+  EXPECT_LT(largest(error), 0.01 * work(brought));
+}
+
+void expect_same(const std::string& a, const std::string& b, double tolerance) {
+  const Results whole = read(a), rest = read(b);
+  const auto x = tail(whole.fields.at("position"), rest.fields.at("position"));
+  EXPECT_LT(largest_difference(x, rest.fields.at("position")), tolerance) << b;
+  const auto F = named(a, whole, "pipe_end_a_feed", "tension"),
+             G = named(b, rest, "pipe_end_a_feed", "tension");
+  ASSERT_FALSE(G.empty());
+  EXPECT_NEAR(F.back(), G.back(), 1e-4 * F.back());
+}
+
+const Edits kShort{{"duration: 80", "duration: 24"}};
+
+TEST(FedPipes, GoOnAfterARestart) {
+  const std::string path = folder("fed-pipes-restart");
+  for (const auto& [name, text, edits] :
+       {std::tuple{"clamp", kCantilever, kShort}, {"ramp", kRamp, Edits{}}}) {
+    const std::string input = path + "/" + name + ".yaml", whole = path + "/" + name + ".h5",
+                      half = path + "/" + name + "-half.h5", rest = path + "/" + name + "-rest.h5";
+    write_case(input, text, edits);
+    run_on_all({input, whole});
+    run_on_all({input, half, "", 14});
+    run_on_all({input, rest, half});
+    if (rank_of(MPI_COMM_WORLD) == 0) expect_same(whole, rest, 1e-6);
+  }
+}
+
+TEST(FedPipes, AreTheSameOnAllRanks) {
+  const std::string path = folder("fed-pipes-ranks");
+  if (size_of(MPI_COMM_WORLD) == 1) GTEST_SKIP() << "one rank";
+  for (const auto& [name, text, edits] :
+       {std::tuple{"clamp", kCantilever, kShort}, {"ramp", kRamp, Edits{}}}) {
+    const std::string input = path + "/" + name + ".yaml", all = path + "/" + name + "-all.h5",
+                      one = path + "/" + name + "-one.h5";
+    write_case(input, text, edits);
+    run_on_all({input, all});
+    run_on_one({input, one});
+    if (rank_of(MPI_COMM_WORLD) == 0) expect_same(one, all, 1e-5);
+  }
+}
+
+TEST(FedPipes, RefuseWhatTheyCannotDo) {
+  const std::string path = folder("fed-pipes-bad"), input = path + "/case.yaml";
+  const std::vector<std::pair<Edits, std::string>> bad{
+      {{{"      clamped: true\n", ""}}, "a feeder holds such a line clamped"},
+      {{{"GJ: 1.5e5", "GJ: 1.5e5, stiffness_damping: 0.01"}}, "has 'stiffness_damping'"},
+  };
+  for (const auto& [edits, text] : bad) {
+    write_case(input, kCantilever, edits);
+    app::RunOptions o;
+    o.case_path = input, o.output = path + "/bad.h5", o.quiet = true;
+    std::string told;
+    try {
+      app::run(MPI_COMM_WORLD, o);
+    } catch (const std::exception& e) {
+      told = e.what();
+    }
+    EXPECT_NE(told.find(text), std::string::npos) << text << ": " << told;
+  }
+}
+
+}  // namespace
+}  // namespace hawser::runs::fed_pipes
