@@ -23,7 +23,7 @@ lines:
       feed: {stock: 20, speed_table: [[0, 0], [10, 0.1], [40, 0.1], [60, -0.1], [80, -0.1]]}
     end_b: free
 dynamics: {duration: 80}
-output: {every: 5, histories: [{line: pipe, at: end_b, name: tip}, {line: pipe, at: end_a, name: clamp}]}
+output: {every: 2, histories: [{line: pipe, at: end_b, name: tip}, {line: pipe, at: end_a, name: clamp}]}
 contact: {between_lines: false}
 )";
 
