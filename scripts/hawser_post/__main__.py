@@ -100,7 +100,9 @@ def commands():
     p.add_argument("--fabrication", choices=list(pipe_codes.FABRICATION), default="UOE", help="DNV-ST-F101 (default: UOE)")
     p.add_argument("--ovality", type=float, default=0.015, help="(D_max - D_min) / D (default: 0.015)")
     p.add_argument("--material-factor", type=float, default=0.96, metavar="A", help="alpha_U of DNV-ST-F101 (default: 0.96)")
-    p.add_argument("--condition-factor", type=float, default=1.0, metavar="C", help="gamma_C of DNV-ST-F101 (default: 1)")
+    p.add_argument("--condition-factor", metavar="C", help="gamma_C of DNV-ST-F101, of all parts or as overbend=0.82,seabed=1.07 "
+                   "(default: 1, on a measured seabed 1.07)")
+    p.add_argument("--static", metavar="RESULTS", help="results whose first output is at rest, where these have none (restarts)")
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="CSV file (default: <results>-pipe.csv)")
     add_set(p)

@@ -1,34 +1,22 @@
 """hawser lay: the smallest tension with which a pipe is laid in each of a list of depths, so that it clears the tip of its
 stinger and is not used up in the sagbend."""
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from scipy import optimize
 
-from . import export, pipe_checks, tables
+from . import export, pipe_checks, pipe_tables, stress, tables
 from .arguments import run_case
 from .charts import legend, sheet
+from .lay_search import CLOSE, Asked, Lay, smallest
 from .pipe_told import pipe_of, print_table
 from .results import Refusal, Results, metres
-from .sections import part, sections_of
+from .sections import lengths, part, sections_of
 
-CLOSE = 0.005  # of the tension
-MOST_STRAINED = 0.004  # bending strain of a catenary with the least tension that is tried
-MOST_DOUBLINGS = 8
+MOST_STRAINED = 0.004  # bending strain of a catenary with the tension that is tried first
 HEAD = ["depth [m]", "tension [N]", "tip clearance [m]", "departure angle [deg]", "layback [m]", "tension at touchdown [N]",
         "overbend strain [%]", "overbend local buckling [-]", "sagbend strain [%]", "sagbend local buckling [-]",
         "largest reaction [N]"]
-
-
-@dataclass
-class Lay:
-    """What comes out of one tension."""
-    tension: float  # N, at the upper end
-    row: list  # as HEAD, without the depth
-    clearance: float  # m
-    sagbend: float  # local buckling
 
 
 class Rig:
@@ -52,6 +40,9 @@ class Rig:
         seabed = (results.keys.get("environment") or {}).get("seabed")
         if not isinstance(anchor, list) or not isinstance(seabed, dict) or "depth" not in seabed:
             raise Refusal(f"{case}: a lay over depths needs a far end with 'anchor' and a seabed with 'depth'")
+        if stress.number(seabed.get("slope_deg"), 0.0) != 0:
+            raise Refusal(f"{case}: a lay over depths is for a level seabed: 'slope_deg' of this one is "
+                          f"{seabed['slope_deg']}; leave it out by --set environment.seabed.slope_deg=0")
         self.anchor, self.depth = np.array([metres(x, np.nan) for x in anchor]), metres(seabed["depth"], np.nan)
         x, (arc, place) = results.field("position", line, 0), checked.down
         self.top = x[0 if self.forwards else -1]
@@ -63,10 +54,11 @@ class Rig:
         # N/m: of the catenary of this height and length with this tension at touchdown.
         self.weight = tension * 2 * self.rise / (self.span**2 - self.rise**2)
         self.reach = self.width(tension, self.rise)
-        self.outer = checked.outer
-        ends = np.cumsum([metres(s.get("length"), np.nan) for s in sections_of(results, self.name)])
-        self.section = int(np.searchsorted(ends, (arc[0] + checked.left.arc[0]) / 2))
-        self.length = float(np.diff(np.concatenate([[0], ends]))[self.section])
+        self.outer, self.doubts = checked.outer, pipe_checks.doubts(checked)
+        found = lengths(results, line)  # a length that a target has found is kept, and the target left out
+        self.section = int(np.searchsorted(np.cumsum(found), (arc[0] + checked.left.arc[0]) / 2))
+        self.length, self.elements = float(found[self.section]), sections_of(results, self.name)[self.section].get("elements")
+        self.kept = [f"lines.{self.name}.target=null"] if keys.get("target") else []
 
     def width(self, tension, rise):
         """m, of a catenary from its lowest point, with this tension there."""
@@ -83,23 +75,32 @@ class Rig:
                           f"{self.case}: the lay with {', '.join(more)} could not be computed")
         return Results(path) if code == 0 and path.is_file() else None
 
-    def least_tension(self, depth):
-        bottom = self.weight * self.outer / 2 / MOST_STRAINED
-        return bottom + self.weight * (self.drop + depth - self.depth)
+    def rise_of_tension(self, depth):
+        """N, of a catenary from its lowest point to the upper end."""
+        return self.weight * (self.drop + depth - self.depth)
 
-    def at(self, depth, tension):
-        """The lay at a depth, its line as long as that of a catenary with this tension at the upper end is longer than the
-        case's: the tension is about that. None where statics finds none."""
-        bottom, rise = tension - self.weight * (self.drop + depth - self.depth), self.rise + depth - self.depth
+    def first_tension(self):
+        """N, at the lowest point of a catenary that is bent as much there as none is laid."""
+        return self.weight * self.outer / 2 / MOST_STRAINED
+
+    def changes_at(self, depth, bottom):
+        """The case at a depth, its line as long as that of a catenary with this tension at its lowest point is longer than
+        the case's, in elements as long as those of the case."""
+        rise = self.rise + depth - self.depth
         span = np.sqrt(rise * (rise + 2 * bottom / self.weight))
         length = max(self.length + span - self.span, 0.2 * self.length)
         way = (self.anchor - self.top)[:2]
         anchor = self.anchor.copy()
         anchor[:2] += way / np.linalg.norm(way) * (self.width(bottom, rise) - self.reach)
         anchor[2] -= depth - self.depth
-        results = self.run([f"environment.seabed.depth={depth:.9g}",
-                            f"lines.{self.name}.sections[{self.section}].length={length:.9g}",
-                            f"{self.far}=[{', '.join(f'{v:.9g}' for v in anchor)}]"])
+        section = f"lines.{self.name}.sections[{self.section}]"
+        count = [] if self.elements is None else [f"{section}.elements={int(np.ceil(self.elements * length / self.length))}"]
+        return [*self.kept, f"environment.seabed.depth={depth:.9g}", f"{section}.length={length:.9g}", *count,
+                f"{self.far}=[{', '.join(f'{v:.9g}' for v in anchor)}]"]
+
+    def at(self, depth, bottom):
+        """The lay; None where statics finds none."""
+        results = self.run(self.changes_at(depth, bottom))
         return None if results is None else self.read(results)
 
     def read(self, results):
@@ -109,8 +110,8 @@ class Rig:
 
         def most(quantity, where):
             return pipe_checks.largest(checked.values[quantity][:1], part_of[where][:1])[0]
-        strain, buckling = "bending strain [%]", "local buckling, DNV-ST-F101 [-]"
-        geometry = {row[0]: row[1] for row in pipe_checks.geometry(results, line, checked, 0.0)[1]}
+        strain, buckling = pipe_checks.STRAIN, pipe_checks.BUCKLING
+        geometry = {row[0]: row[1] for row in pipe_tables.geometry(checked, 0.0)[1]}
         clearance = float(checked.left.tip_clearance[0])
         reactions = [row[1] for row in tables.supports(results)[1]]
         tension = 1e3 * geometry["top tension [kN]"]
@@ -120,30 +121,23 @@ class Rig:
         return Lay(tension, row, clearance, most(buckling, "sagbend"))
 
 
-def smallest_tension(rig, depth, clearance, utilisation, told):
-    """The lay with the smallest tension that clears the tip by `clearance` [m] and uses up `utilisation` of the sagbend."""
-    known = {}
-
-    def spare(tension):
-        """Of what is asked, how much is left: rises with the tension of the catenary."""
-        if tension not in known:
-            known[tension] = rig.at(depth, tension)
-            told(depth, known[tension])
-        lay = known[tension]
-        return -1.0 if lay is None or np.isnan(lay.clearance) else min(lay.clearance - clearance, utilisation - lay.sagbend)
-    low = rig.least_tension(depth)
-    if spare(low) >= 0:
-        return known[low]
-    high = low
-    for _ in range(MOST_DOUBLINGS):
-        low, high = high, 1.5 * high
-        if spare(high) >= 0:
-            break
-    else:
-        raise Refusal(f"{rig.case}: in {depth:g} m of water no tension up to {high / 1e3:.4g} kN clears the tip by {clearance:g} m "
-                      f"with a sagbend used up to {utilisation:g}; a longer or more curved stinger would")
-    optimize.brentq(spare, low, high, xtol=CLOSE * low, rtol=1e-3)
-    return min((lay for tension, lay in known.items() if lay and spare(tension) >= 0), key=lambda lay: lay.tension)
+def smallest_tension(rig, depth, asked):
+    """The lay at a depth with the smallest tension that keeps to what is asked; tells what is tried."""
+    def lay_at(bottom):
+        lay = rig.at(depth, bottom)
+        print(f"  depth {depth:g} m: " + ("" if lay is None else f"tension {lay.tension / 1e3:.4g} kN, clearance "
+              f"{lay.clearance:.3f} m, sagbend {lay.sagbend:.3f}: ") + (asked.missed(lay) or "met"), flush=True)
+        return lay
+    height = rig.rise_of_tension(depth)
+    keeps, fails = smallest(lay_at, asked, rig.first_tension(), height)
+    wanted = f"the tip by {asked.clearance:g} m with a sagbend used up to {asked.utilisation:g}"
+    if keeps is None:
+        raise Refusal(f"{rig.case}: in {depth:g} m of water no tension up to {(fails[0] + height) / 1e3:.4g} kN clears {wanted}; "
+                      "a longer or more curved stinger would")
+    if fails is None:
+        raise Refusal(f"{rig.case}: in {depth:g} m of water every tension down to {(keeps[0] + height) / 1e3:.4g} kN clears "
+                      f"{wanted}, so that none is the smallest; ask for more")
+    return keeps[1]
 
 
 def depths_of(text):
@@ -180,18 +174,30 @@ def make(options):
     if path.suffix not in (".yaml", ".yml"):
         raise Refusal(f"{path}: a lay is that of a case file (.yaml)")
 
-    def told(depth, lay):
-        print(f"  depth {depth:g} m: " + ("no equilibrium" if lay is None else f"tension {lay.tension / 1e3:.4g} kN, "
-              f"clearance {lay.clearance:.3f} m, sagbend {lay.sagbend:.3f}"), flush=True)
     with tempfile.TemporaryDirectory() as folder:
         rig = Rig(path, options.changes, folder)
-        rows = []
-        for depth in depths:
-            rows.append([depth, *smallest_tension(rig, depth, options.clearance, options.utilisation, told).row])
+        asked = Asked(options.clearance, options.utilisation)
+        rows = [[depth, *smallest_tension(rig, depth, asked).row] for depth in depths]
     table = path.with_name(f"{path.stem}-lay.csv") if not options.output else Path(options.output)
     export.write(table, HEAD, rows)
     picture = table.with_suffix(".png")
     draw(rows, picture)
-    shown = [[row[0], row[1] / 1e3, *row[2:5], row[5] / 1e3, *row[6:10], row[10] / 1e3] for row in rows]
-    print_table([h.replace("[N]", "[kN]").replace(" [-]", "") for h in HEAD], shown)
+    show(rows)
+    for doubt in [*doubts(rows), *rig.doubts]:
+        print(f"warning: {doubt}")
     print(f"lay table: {table}\nfigure: {picture}")
+
+
+def show(rows):
+    """Quantities below each other, depths side by side."""
+    print()
+    shown = [[name.replace("[N]", "[kN]").replace(" [-]", ""), *(v / 1e3 if name.endswith("[N]") else float(v) for v in values)]
+             for name, values in zip(HEAD, zip(*rows))]
+    print_table([shown[0][0], *(f"{v:g}" for v in shown[0][1:])], shown[1:])
+    print(f"Smallest tensions, found to {100 * CLOSE:g} %, at rest; a check is met up to 1.")
+
+
+def doubts(rows):
+    over = [f"{row[0]:g} m" for row in rows if row[HEAD.index("overbend local buckling [-]")] > 1]
+    return [f"the overbend is used up by more than 1 in {', '.join(over)} of water, of which no tension is asked: larger tensions "
+            "bend it more; a longer or less curved stinger bends it less"] if over else []

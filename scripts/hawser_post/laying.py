@@ -87,22 +87,30 @@ def touchdown(results, line, forwards=True):
     return series.column(f"{end}_arc_length")[steps], place
 
 
+def from_end_a(results, line, left):
+    """Whether the way to the seabed is from end A to end B: as the line leaves its supports; without, from its higher end."""
+    if left is not None:
+        return left.forwards
+    height = results.field("position", line, 0)[:, 2]
+    return bool(height[0] >= height[-1])
+
+
 def inflection(results, line, left, down):
     """Arc length [m] at each output of the steepest place between lift-off and touchdown, where the overbend goes over into
-    the sagbend; of the end on the barge where the line has no supports."""
-    forwards = left.forwards if left else True
-    start = 0.0 if forwards else line.length
+    the sagbend; where no support carries the line, between its end on the barge and touchdown. NaN where the line has no
+    supports and so no overbend."""
     if left is None:
-        return np.full(results.outputs, start)
+        return np.full(results.outputs, np.nan)
+    forwards = left.forwards
+    start = 0.0 if forwards else line.length
     x, middle = results.field("position", line), (line.arc[1:] + line.arc[:-1]) / 2
     along = np.diff(x, axis=1) * (1 if forwards else -1)
     dive = np.arctan2(-along[:, :, 2], np.hypot(along[:, :, 0], along[:, :, 1]))
     end = np.full(results.outputs, np.nan) if down is None else down[0]
     out = np.full(results.outputs, start)
     for k in range(results.outputs):
-        if np.isnan(left.arc[k]):
-            continue
+        first = start if np.isnan(left.arc[k]) else left.arc[k]
         last = end[k] if not np.isnan(end[k]) else (line.length if forwards else 0.0)
-        between = np.flatnonzero((middle > min(left.arc[k], last)) & (middle < max(left.arc[k], last)))
-        out[k] = middle[between[np.argmax(dive[k, between])]] if len(between) else left.arc[k]
+        between = np.flatnonzero((middle > min(first, last)) & (middle < max(first, last)))
+        out[k] = middle[between[np.argmax(dive[k, between])]] if len(between) else first
     return out

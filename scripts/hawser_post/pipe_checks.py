@@ -3,9 +3,11 @@ import numpy as np
 
 from . import laying, pipe_codes, stress
 from .results import Refusal, pascals
+from .sections import part as part_of_case
 from .sections import types_of
 
 PARTS = ("overbend", "sagbend", "seabed")
+BUCKLING, STRESS, STRAIN = "local buckling, DNV-ST-F101 [-]", "von Mises stress [Pa]", "bending strain [%]"
 
 
 def grade_of(results, line):
@@ -31,20 +33,28 @@ def of_case(results, line):
     return None if grade not in pipe_codes.GRADES else Checked(results, line, grade, steel_of(results, line, grade))
 
 
-def local_buckling(results, line, steel, sides):
-    """Unity check, outputs x nodes: the larger of combinations a and b. Functional loads are those of the first output,
-    environmental what later ones differ by, component by component of the moment."""
-    components = np.stack([results.field(f"bending_moment_{k}", line) for k in (2, 3)], axis=-1)
-    tension, worst = results.field("effective_tension", line), 0.0
-    for functional, environmental in pipe_codes.COMBINATIONS.values():
-        def design(x):
-            return functional * steel.condition * x[0] + environmental * (x - x[0])
-        moment = np.linalg.norm(design(components), axis=-1)
-        for wall, _, outside, inside in sides:
-            check = pipe_codes.local_buckling(steel, one_size(wall.outer), one_size((wall.outer - wall.inner) / 2), moment,
-                                              design(tension), outside, inside)
-            worst = np.fmax(worst, np.where(np.isnan(wall.outer), np.nan, check))
-    return worst
+def is_uneven(results):
+    """Whether the seabed is measured: a grid or a mesh."""
+    seabed = part_of_case(results, "environment").get("seabed")
+    return isinstance(seabed, dict) and bool({"grid", "mesh"} & set(seabed))
+
+
+def conditions_of(results, given):
+    """gamma_C by part, of which `given` has some."""
+    usual = dict.fromkeys(PARTS, 1.0)
+    if is_uneven(results):
+        usual["seabed"] = pipe_codes.UNEVEN_SEABED
+    return {**usual, **(given or {})}
+
+
+def refuse_in_motion(results):
+    """Functional loads are those at rest, which only the first output of a run with statics has."""
+    statics = results.keys.get("statics")
+    skipped = statics is False or isinstance(statics, dict) and statics.get("enabled") is False
+    if skipped or results.time[0] > 0:
+        why = "the case has no statics" if skipped else f"the first is at t = {results.time[0]:g} s, after a restart"
+        raise Refusal(f"{results.path}: no output is at rest ({why}), from which the functional loads of DNV-ST-F101 would be: "
+                      "give --static RESULTS, a run of the same lines whose first output is")
 
 
 def one_size(values):
@@ -55,131 +65,125 @@ def one_size(values):
     return float(found[0])
 
 
-class Checked:
-    """A pipe's checks, each outputs x nodes; NaN where the line is no pipe."""
+def moments(results, line):
+    return np.stack([results.field(f"bending_moment_{k}", line) for k in (2, 3)], axis=-1)
 
-    def __init__(self, results, line, grade, steel):
+
+class Checked:
+    """A pipe's checks, each outputs x nodes; NaN where the line is no pipe. `static` holds results whose first output is at
+    rest, where these have none; `conditions` gamma_C by part where it is not the usual."""
+
+    def __init__(self, results, line, grade, steel, conditions=None, static=None):
+        refuse_in_motion(static or results)
+        if static:
+            same = next((other for other in static.lines if other.name == line.name), None)
+            if same is None or not np.array_equal(same.arc, line.arc):
+                raise Refusal(f"{static.path}: has no line '{line.name}' with the nodes of that in {results.path}")
+        self.results, self.line = results, line
+        self.rest = Checked(static, same, grade, steel, conditions) if static else self
         sides = stress.walls_along(results, line)
         wall = sides[0][0] if not np.isnan(sides[0][0].outer).all() else sides[1][0]
-        outer, thick = one_size(wall.outer), one_size((wall.outer - wall.inner) / 2)
-        self.outer, self.wall, self.steel, self.grade = outer, thick, steel, grade
-        is_pipe = ~np.isnan(wall.outer)
-        moment, tension = results.field("bending_moment", line), results.field("effective_tension", line)
+        self.outer, self.wall = one_size(wall.outer), one_size((wall.outer - wall.inner) / 2)
+        self.steel, self.grade, self.slender = steel, grade, round(self.outer / self.wall, 6)
+        self.conditions = conditions_of(results, conditions)
+        self.yields = any(isinstance(t, dict) and "plasticity" in t for t in types_of(results, line))
+        self.find_parts(results, line)
+        self.moments, self.tension = moments(results, line), results.field("effective_tension", line)
         outside, inside = sides[0][2], sides[0][3]
-        strain = results.field("curvature", line) * outer / 2
-        equivalent = stress.along(results, line)
-        self.values = {"bending moment [N m]": moment, "bending strain [%]": 100 * strain,
-                       "von Mises stress [Pa]": equivalent,
-                       "local buckling, DNV-ST-F101 [-]": local_buckling(results, line, steel, sides),
+        strain = results.field("curvature", line) * self.outer / 2
+        self.values = {"bending moment [N m]": results.field("bending_moment", line), STRAIN: 100 * strain,
+                       STRESS: stress.along(results, line), BUCKLING: self.local_buckling(sides),
                        "bending and pressure, API RP 1111 [-]":
-                           pipe_codes.api_bending_and_pressure(steel, outer, thick, strain, outside, inside),
+                           pipe_codes.api_bending_and_pressure(steel, self.outer, self.wall, strain, outside, inside),
                        "tension and pressure, API RP 1111 [-]":
-                           pipe_codes.api_tension_and_pressure(steel, outer, thick, tension, outside, inside)}
+                           pipe_codes.api_tension_and_pressure(steel, self.outer, self.wall, self.tension, outside, inside)}
         for name in self.values:
-            self.values[name] = np.where(is_pipe, self.values[name], np.nan)
-        self.slender = outer / thick
-        axial, _ = pipe_codes.plastic(steel, outer, thick)
-        self.pulled = float(np.nanmax(np.abs(tension)) / axial)
+            self.values[name] = np.where(np.isnan(wall.outer), np.nan, self.values[name])
+
+    def find_parts(self, results, line):
+        """Which part of the line each node is in, at each output: the overbend ends where the line is steepest."""
         self.left = laying.departure(results, line)
-        forwards = self.left.forwards if self.left else True
-        self.down = laying.touchdown(results, line, forwards)
-        # Which part of the line each node is in, at each output: the overbend ends where the line is steepest.
+        self.forwards = laying.from_end_a(results, line, self.left)
+        self.down = laying.touchdown(results, line, self.forwards)
         bends = laying.inflection(results, line, self.left, self.down)
         down = self.down[0] if self.down else np.full(results.outputs, np.nan)
-        way = line.arc if forwards else line.length - line.arc
-        bends, down = (x if forwards else line.length - x for x in (bends, down))
-        self.part = (way > bends[:, None]).astype(int) + (way > np.nan_to_num(down, nan=np.inf)[:, None])
+        way, bends, down = (x if self.forwards else line.length - x for x in (line.arc, bends, down))
+        self.part = ((way > np.nan_to_num(bends, nan=-np.inf)[:, None]).astype(int) +
+                     (way > np.nan_to_num(down, nan=np.inf)[:, None]))
+
+    def local_buckling(self, sides):
+        """Unity check: the larger of combinations a and b. Functional loads are those at rest, environmental what others
+        differ by; moments by components."""
+        condition = np.array([self.conditions[name] for name in PARTS])[self.part][:, :, None]
+        worst, self.pulled = 0.0, 0.0  # the largest tension over S_p
+        axial, _ = pipe_codes.plastic(self.steel, self.outer, self.wall)
+        for combination in pipe_codes.COMBINATIONS.values():
+            moment, tension = (pipe_codes.design_load(combination, still, now - still, condition) for now, still in (
+                (self.moments, self.rest.moments[0]), (self.tension[:, :, None], self.rest.tension[0, :, None])))
+            self.pulled = max(self.pulled, float(np.nanmax(tension)) / axial)
+            for wall, _, outside, inside in sides:
+                check = pipe_codes.local_buckling(self.steel, self.outer, self.wall, moment, tension, outside, inside)
+                worst = np.fmax(worst, np.where(np.isnan(wall.outer), np.nan, check))
+        return worst
 
     def told(self):
-        return (f"{self.outer * 1e3:.4g} mm x {self.wall * 1e3:.4g} mm, {self.grade}, safety class {self.steel.safety_class}, "
-                f"{self.steel.fabrication}, ovality {100 * self.steel.ovality:g} %.")
+        """What the checks are by, in sentences."""
+        parts = ", ".join(f"{name} {value:g}" for name, value in self.conditions.items())
+        why = "; uneven seabed" if is_uneven(self.results) and self.conditions["seabed"] == pipe_codes.UNEVEN_SEABED else ""
+        return [f"{self.outer * 1e3:.4g} mm x {self.wall * 1e3:.4g} mm, {self.grade}, {self.steel.fabrication}, ovality "
+                f"{100 * self.steel.ovality:g} %.",
+                f"DNV-ST-F101: safety class {self.steel.safety_class}, alpha_U {self.steel.material_factor:g}, gamma_C of "
+                f"functional loads: {parts} (--condition-factor{why})."]
 
     def criteria(self, part, keep):
-        """Rows (check, value, limit) of the simplified criteria for laying."""
-        strain, equivalent = self.values["bending strain [%]"] / 100, self.values["von Mises stress [Pa]"]
-        inside = self.part == PARTS.index(part)
-        rows = []
+        """Rows (check, value at rest, largest, its output and node) of the simplified criteria for laying."""
+        k, rows = PARTS.index(part), []
+
+        def row(name, quantity, limit, still, moving):
+            most, *place = largest(self.values[quantity][keep], self.part[keep] == k) if moving else (np.nan, None, None)
+            rest = largest(self.rest.values[quantity][:1], self.rest.part[:1] == k)[0] if still else np.nan
+            rows.append((name, rest / limit, most / limit, *place))
         if part == "overbend" and self.grade in pipe_codes.OVERBEND_STRAIN:
             still, moving = pipe_codes.OVERBEND_STRAIN[self.grade]
-            rows.append(("overbend strain, static, DNV simplified I", largest(strain[:1], inside[:1])[0] / still))
-            rows.append(("overbend strain, in motion, DNV simplified II", largest(strain[keep], inside[keep])[0] / moving))
+            row("overbend strain at rest, DNV simplified I", STRAIN, 100 * still, True, False)
+            row("overbend strain in motion, DNV simplified II", STRAIN, 100 * moving, False, True)
         if part == "sagbend":
-            limit = pipe_codes.SAGBEND_STRESS * self.steel.yields
-            rows.append(("sagbend stress, DNV simplified", largest(equivalent[keep], inside[keep])[0] / limit))
+            row("sagbend stress, DNV simplified", STRESS, pipe_codes.SAGBEND_STRESS * self.steel.yields, True, True)
         return rows
 
 
 def largest(values, where):
-    """The largest of outputs x nodes, with its output and node."""
+    """The largest of outputs x nodes, with its output and node; NaN where there is none."""
     masked = np.where(where, values, -np.inf)
     masked[np.isnan(masked)] = -np.inf
     place = np.unravel_index(np.argmax(masked), masked.shape)
     return (float(masked[place]) if np.isfinite(masked[place]) else np.nan, *place)
 
 
-def checks(results, line, checked, since):
-    """A table: part of the line, quantity, static value, largest, its time and arc length."""
-    head = ["part", "quantity", "static", "largest", "at [s]", "at [m]"]
-    keep = np.flatnonzero(results.since(since))
-    rows = []
-    for k, part in enumerate(PARTS):
-        inside = checked.part == k
-        for name, values in checked.values.items():
-            most, output, node = largest(values[keep], inside[keep])
-            if np.isnan(most):
-                continue
-            rows.append([part, name, largest(values[:1], inside[:1])[0], most, float(results.time[keep][output]),
-                         float(line.arc[node])])
-        for name, value in checked.criteria(part, keep):
-            rows.append([part, name + " [-]", "", value, "", ""])
-    return head, rows
-
-
-def geometry(results, line, checked, since):
-    """A table of what is watched while a pipe is laid: static value, least and largest over the outputs."""
-    keep, rows = results.since(since), []
-
-    def row(name, values, static=None, chosen=None):
-        chosen = values[keep] if chosen is None else chosen
-        if not np.isnan(chosen).all():
-            rows.append([name, float(values[0]) if static is None else static, float(np.nanmin(chosen)), float(np.nanmax(chosen))])
-    tension = results.field("effective_tension", line)
-    forwards = checked.left.forwards if checked.left else True
-    row("top tension [kN]", tension[:, 0 if forwards else -1] / 1e3)
-    if checked.left:
-        left = checked.left
-        row("departure angle below the horizontal [deg]", left.angle)
-        row("arc length of lift-off [m]", left.arc)
-        row(f"clearance at the tip, {left.tip} [m]", left.tip_clearance,
-            chosen=left.tip_clearance[results.step_time >= since])
-    if checked.down is not None:
-        arc, place = checked.down
-        row("arc length of touchdown [m]", arc)
-        top = results.field("position", line)[:, 0 if forwards else -1]
-        row("layback, from the end to touchdown [m]", np.hypot(*(place - top)[:, :2].T))
-        on_bed = [np.nan if np.isnan(s) else np.interp(s, line.arc, t) for s, t in zip(arc, tension)]
-        row("tension at touchdown [kN]", np.array(on_bed) / 1e3)
-    return ["quantity", "static", "least", "largest"], rows
-
-
 def doubts(checked):
-    out = []
-    if checked.slender > pipe_codes.MOST_SLENDER:
-        out.append(f"D/t is {checked.slender:.3g}: DNV-ST-F101's formulas for combined loads hold to {pipe_codes.MOST_SLENDER}; "
-                   "choose a thicker wall")
+    """What the formulas are not for, a sentence each."""
+    low, high = pipe_codes.SLENDER
+    out, slender = [], f"D/t is {checked.slender:.3g}"
+    if checked.slender > high:
+        out.append(f"{slender}: DNV-ST-F101's formulas for combined loads hold to {high}; choose a thicker wall")
+    if checked.slender < low:
+        out.append(f"{slender}: DNV-ST-F101's formulas for combined loads are for {low} to {high}; so thick a wall is outside "
+                   "of what they were fitted to")
+    if checked.slender > pipe_codes.API_MOST_SLENDER:
+        out.append(f"{slender}: API RP 1111's formula for bending with pressure holds to {pipe_codes.API_MOST_SLENDER}")
     if checked.pulled > pipe_codes.MOST_PULLED:
-        out.append(f"the tension is {checked.pulled:.2g} of that at yield: DNV-ST-F101's formulas for combined loads hold to "
-                   f"{pipe_codes.MOST_PULLED:g}")
-    return out
+        out.append(f"the design tension is {checked.pulled:.2g} of that at yield: DNV-ST-F101's formulas for combined loads hold "
+                   f"to {pipe_codes.MOST_PULLED:g}")
+    return out + stress_doubts(checked)
 
 
-def for_reading(head, rows):
-    """Moments in kN m and stresses in MPa, the unit in the name of the quantity."""
-    out = []
-    for row in rows:
-        name, factor = row[1], 1.0
-        for unit, shown, size in (("[N m]", "[kN m]", 1e3), ("[Pa]", "[MPa]", 1e6)):
-            if name.endswith(unit):
-                name, factor = name.replace(unit, shown), size
-        out.append([row[0], name.replace(" [-]", "")] + [v / factor if isinstance(v, float) else v for v in row[2:4]] + row[4:])
-    return head, out
+def stress_doubts(checked):
+    """Where the von Mises stress, which is that of an elastic section, is none of the pipe's."""
+    most = np.nanmax(checked.values[STRESS])
+    if checked.yields:
+        return ["the pipe has 'plasticity': its von Mises stress is that of an elastic section with the same moment, and knows "
+                "nothing of what earlier bends left; judge it by strain where it has yielded"]
+    if most > checked.steel.smys:
+        return [f"the von Mises stress is {most / 1e6:.4g} MPa, above the yield stress of {checked.steel.smys / 1e6:g} MPa, but "
+                "the pipe is elastic: moments there are too large and strains too small; give it 'plasticity'"]
+    return []

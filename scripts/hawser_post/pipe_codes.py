@@ -11,10 +11,14 @@ GRADES = {f"X{name}": (smys * 1e6, smts * 1e6) for name, smys, smts in
            (80, 555, 625))}
 # Load effect factors of the ultimate limit state, combinations a (system) and b (local): functional, environmental.
 COMBINATIONS = {"a": (1.2, 0.7), "b": (1.1, 1.3)}
+RELIEVING = 1 / 1.1  # the functional factor where functional loads make the sum smaller
+# gamma_C of functional loads; what is neither, on a stinger and in a free span, has 1.
+UNEVEN_SEABED = 1.07
 RESISTANCE = 1.15  # gamma_m
 SAFETY_CLASSES = {"low": 1.04, "medium": 1.14, "high": 1.26}  # gamma_SC,LB
 FABRICATION = {"seamless": 1.0, "UO": 0.93, "UOE": 0.85}  # alpha_fab
-MOST_SLENDER, MOST_PULLED = 45, 0.4  # D/t, and |S| of S_p, to which the formulas for combined loads hold
+SLENDER, MOST_PULLED = (15, 45), 0.4  # D/t, and |S_Sd| of S_p, of which the formulas for combined loads are
+API_MOST_SLENDER = 50  # D/t, of bending with external pressure
 # Strain of the overbend by the simplified criteria: static (I), and with motion (II).
 OVERBEND_STRAIN = {"X52": (0.00205, 0.0026), "X60": (0.0023, 0.0029), "X65": (0.0025, 0.00305), "X70": (0.0027, 0.00325)}
 SAGBEND_STRESS = 0.87  # of the yield stress, equivalent, with motion
@@ -31,7 +35,6 @@ class Steel:
     fabrication: str = "UOE"
     ovality: float = 0.015  # (D_max - D_min) / D, 0.005 at least
     material_factor: float = 0.96  # alpha_U
-    condition: float = 1.0  # gamma_C
 
     @property
     def yields(self):
@@ -77,6 +80,14 @@ def collapse_pressure(steel, outer, wall):
     return float(real[real > 0].min())
 
 
+def design_load(combination, functional, environmental, condition):
+    """Size of gamma_F gamma_C F + gamma_E E, of vectors along the last axis; the larger of that and the one where functional
+    loads relieve. The checks rise with the size of each load, so that the larger is the worse."""
+    usual, gamma_e = combination
+    return np.fmax(*(np.linalg.norm(gamma_f * condition * functional + gamma_e * environmental, axis=-1)
+                     for gamma_f in (usual, RELIEVING)))
+
+
 def local_buckling(steel, outer, wall, moment, tension, outside, inside):
     """Combined loading, load controlled, with design loads `moment` and effective `tension`: DNV-ST-F101 (2021) 5.4.6,
     equations 5.19 where the pressure inside is the larger, 5.28 where that outside is."""
@@ -93,15 +104,16 @@ def local_buckling(steel, outer, wall, moment, tension, outside, inside):
 
 
 def api_bending_and_pressure(steel, outer, wall, strain, outside, inside):
-    """API RP 1111 (2015) 4.3.2.2: bending strain under external pressure, over what ovality leaves, g = 1 / (1 + 20 delta);
-    the strain counts 3.33 times (installation), the collapse pressure 0.7 times, of cold expanded pipe 0.6 times."""
+    """API RP 1111 (2015) 4.3.2.2: bending strain under external pressure, eps/eps_b + (Po - Pi)/(f_c P_c) up to
+    g = 1/(1 + 20 delta), the strain 3.33 times (installation). f_c = f_o/g: without bending this is the check of external
+    pressure alone, (Po - Pi) up to f_o P_c (4.3.2.1), f_o 0.7, of cold expanded pipe 0.6."""
     yield_pressure = 2 * steel.smys * wall / outer
     elastic = elastic_collapse(steel.modulus, steel.poisson, outer, wall)
     collapse = yield_pressure * elastic / np.hypot(yield_pressure, elastic)
     share = 0.6 if steel.fabrication == "UOE" else 0.7
     # The code's ovality is (D_max - D_min) / (D_max + D_min), half of DNV's.
-    left = 1 / (1 + 10 * max(steel.ovality, 0.005))
-    return (3.33 * strain * 2 * outer / wall + np.maximum(outside - inside, 0) / (share * collapse)) / left
+    left = 1 / (1 + 10 * steel.ovality)
+    return 3.33 * strain * 2 * outer / wall / left + np.maximum(outside - inside, 0) / (share * collapse)
 
 
 def api_tension_and_pressure(steel, outer, wall, tension, outside, inside):

@@ -3,9 +3,9 @@ from pathlib import Path
 
 import numpy as np
 
-from . import export, pipe_checks, pipe_codes, stress
+from . import export, pipe_checks, pipe_tables, stress
 from .given import refuse_since, results_of
-from .results import Refusal
+from .results import Refusal, Results
 
 
 def pipe_of(results, name):
@@ -20,6 +20,25 @@ def pipe_of(results, name):
     return pipes[0]
 
 
+def conditions_of(text):
+    """gamma_C by part of the line, as --condition-factor has it: 0.82, or overbend=0.82,seabed=1.07."""
+    found = {}
+    for word in text.split(",") if text else []:
+        name, _, value = word.rpartition("=")
+        names = [name.strip()] if name else pipe_checks.PARTS
+        try:
+            factor = float(value)
+        except ValueError:
+            factor = np.nan
+        if not set(names) <= set(pipe_checks.PARTS) or np.isnan(factor):
+            raise Refusal(f"--condition-factor '{text}' is neither a number nor a list such as overbend=0.82,seabed=1.07 of "
+                          f"{', '.join(pipe_checks.PARTS)}")
+        if not 0.5 <= factor <= 2:
+            raise Refusal(f"--condition-factor {factor:g} is no factor of DNV-ST-F101, which are near 1")
+        found.update(dict.fromkeys(names, factor))
+    return found
+
+
 def make(options):
     results = results_of(options.results, options.changes)
     refuse_since(results, options.since)
@@ -32,16 +51,19 @@ def make(options):
                       "'grade' with the pipe of its line type")
     if not 0.005 <= options.ovality <= 0.03:
         raise Refusal(f"--ovality {options.ovality:g} is none that DNV-ST-F101 is for, 0.005 to 0.03")
-    for name in ("material_factor", "condition_factor"):
-        if not 0.5 <= getattr(options, name) <= 2:
-            raise Refusal(f"--{name.replace('_', '-')} {getattr(options, name):g} is no factor of DNV-ST-F101, which are near 1")
+    if not 0.5 <= options.material_factor <= 2:
+        raise Refusal(f"--material-factor {options.material_factor:g} is no factor of DNV-ST-F101, which are near 1")
     checked = pipe_checks.Checked(results, line, grade, pipe_checks.steel_of(
         results, line, grade, safety_class=options.safety_class, fabrication=options.fabrication, ovality=options.ovality,
-        material_factor=options.material_factor, condition=options.condition_factor))
-    print(f"{line.name}: {checked.told()} {np.count_nonzero(results.since(since))} outputs to t = {results.time[-1]:g} s. "
+        material_factor=options.material_factor), conditions_of(options.condition_factor),
+        Results(options.static) if options.static else None)
+    pipe, judged = checked.told()
+    print(f"{line.name}: {pipe} {np.count_nonzero(results.since(since))} outputs to t = {results.time[-1]:g} s.\n  {judged} "
           "A check is met up to 1.")
-    print_table(*pipe_checks.geometry(results, line, checked, since))
-    print_table(*pipe_checks.for_reading(*pipe_checks.checks(results, line, checked, since)))
+    if options.static:
+        print(f"  Functional loads and static values are those of {options.static}.")
+    print_table(*pipe_tables.geometry(checked, since))
+    print_table(*pipe_tables.for_reading(*pipe_tables.checks(checked, since)))
     for doubt in pipe_checks.doubts(checked):
         print(f"warning: {doubt}")
     path = Path(options.output) if options.output else results.path.with_name(f"{results.path.stem}-pipe.csv")

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import charts, envelopes, inputs, pipe_checks, scene, stress, tables
+from . import charts, envelopes, inputs, pipe_checks, pipe_tables, scene, stress, tables
 from .page import Page
 from .results import Refusal
 
@@ -123,15 +123,16 @@ def strength(page, results, lines, since):
     for line in lines:
         try:
             found = pipe_checks.of_case(results, line) if stress.is_pipe(results, line) else None
-        except Refusal:  # more than one wall: hawser pipe says so
-            found = None
+        except Refusal as refusal:  # what the checks cannot be for, in a sentence
+            page.section(f"Strength of {line.name}")
+            page.text(f"Not checked by hawser pipe: {refusal}.", "warning")
+            continue
         if found is None:
             continue
         page.section(f"Strength of {line.name}")
-        page.text(f"{found.told()} Local buckling is that of DNV-ST-F101 (2021), combined loads, load controlled, the worse of "
+        page.text(f"{' '.join(found.told())} Local buckling is that of DNV-ST-F101 (2021), combined loads, load controlled, the worse of "
                   "the load combinations a and b; all by the defaults of hawser pipe, which tells more. A check is met up to 1.")
-        for head, rows in (pipe_checks.geometry(results, line, found, since),
-                           pipe_checks.for_reading(*pipe_checks.checks(results, line, found, since))):
+        for head, rows in (pipe_tables.geometry(found, since), pipe_tables.for_reading(*pipe_tables.checks(found, since))):
             page.table(head, rows)
         for doubt in pipe_checks.doubts(found):
             page.text(doubt, "warning")
