@@ -18,6 +18,7 @@
 #include "hawser/model/check.hpp"
 #include "hawser/model/longest_step.hpp"
 #include "hawser/solve/start_shape.hpp"
+#include "hawser/terms/bodies_in_water.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/buried.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
@@ -150,6 +151,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (feeders) system_->add(std::move(feeders));
 
   StartShape start = start_shape(c, local, *bodies_);
+  bodies_->fix_drawn(comm, c, start.state.view(0));
   if (feeders_) feeders_->clamp(start.ends), start.supports = feeders_->with_held(start.supports);
   if (c.environment.seabed.present) {
     const std::vector<int> held = held_nodes(c, local, feeders_, start.supports);
@@ -194,6 +196,12 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     auto floating = std::make_unique<RigidBodies>(c, local, bodies_);
     floating_ = floating.get();
     system_->add(std::move(floating));
+    if (std::any_of(c.bodies.begin(), c.bodies.end(),
+                    [](const model::Body& b) { return b.mass && b.mass->in_water; })) {
+      auto water = std::make_unique<BodiesInWater>(c, local);
+      bodies_in_water_ = water.get();
+      system_->add(std::move(water));
+    }
   }
   if (!model::body_pairs(c).empty() && skeletons.size() == c.volumes.size()) {
     std::vector<TouchingVolume> touching;
@@ -277,6 +285,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   lay_at_start();
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
   if (floating_) floating_->hold(true);
+  if (bodies_in_water_) bodies_in_water_->hold(true);
   StaticsSettings settings;
   settings.tolerance = case_.statics.tolerance;
   settings.max_iterations = case_.statics.max_iterations;
@@ -290,6 +299,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   lay_lines(settings, report);
   enable_friction(true);
+  if (bodies_in_water_) bodies_in_water_->hold(false);
   if (floating_) {
     floating_->hold(false);
     for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) state_.v[n] = v[n], state_.w[n] = w[n];

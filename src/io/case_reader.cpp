@@ -54,11 +54,11 @@ void read_all(const Value& root, const CaseSource& source, const SectionLengths&
   each("lines", [&](const std::string& name, const Value& v) {
     c.lines.push_back(read_line(name, v, source, root.find("start"), lengths, others, c));
   });
-  read_supports(root["supports"], source, c);
   for (model::Body& b : c.bodies)
     if (b.on)
       b.on->at = arc((*root.find("bodies"))[b.name]["on"].find("at"), 0,
                      model::length_of(c.lines[static_cast<std::size_t>(c.line_index(b.on->line))]));
+  read_supports(root["supports"], source, c);
   read_contact(root["contact"], source, c.contact);
   read_statics(root["statics"], c.statics);
   if (time) c.dynamics = read_dynamics(*time);

@@ -22,6 +22,16 @@ model::Drift drift(const Value& v, const std::string& path, const CaseSource& so
   return d;
 }
 
+model::BodyInWater in_water(const Value& v, double density) {
+  model::BodyInWater w;
+  w.volume = v["volume"].number, w.height = v["height"].number;
+  w.centre = vec(v, "centre_of_buoyancy");
+  w.drag_centre = v.has("centre_of_drag") ? vec(v, "centre_of_drag") : w.centre;
+  w.drag_area = vec(v, "drag_area").cwiseProduct(vec(v, "Cd"));
+  w.added_mass = vec(v, "added_mass") + density * w.volume * vec(v, "Ca");
+  return w;
+}
+
 }  // namespace
 
 model::Body read_body(const std::string& name, const Value& v, const CaseSource& source, double duration,
@@ -38,6 +48,7 @@ model::Body read_body(const std::string& name, const Value& v, const CaseSource&
     o.velocity = vec(*f, "velocity"), o.angular_velocity = vec(*f, "angular_velocity");
     o.stiffness = vec(*f, "stiffness"), o.damping = vec(*f, "damping");
     o.turning_stiffness = vec(*f, "turning_stiffness"), o.turning_damping = vec(*f, "turning_damping");
+    if (const Value* w = f->find("in_water")) o.in_water = in_water(*w, c.environment.water.density);
   }
   if (const Value* on = v.find("on")) b.on = model::Ride{(*on)["line"].text, 0};
   const Value* m = v.find("motion");

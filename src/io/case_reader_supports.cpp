@@ -8,6 +8,9 @@
 
 #include "hawser/io/case_reader_parts.hpp"
 #include "hawser/kernels/support_path.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/model/body_motion.hpp"
+#include "hawser/model/check.hpp"
 #include "hawser/model/nearest.hpp"
 
 namespace hawser::io {
@@ -166,6 +169,7 @@ class Group {
                       length, radius_, needed, angle * 180 / M_PI));
     b.rise = (r + radius_) / std::cos(angle);
     b.at = p.at.at + b.rise * b.up;
+    if (const Value* on = v_.find("on")) b.body = carry(b, *on);
     b.half_width = v ? length * std::cos(angle) : 0.5 * length;
     b.first = c_.volumes.size();
     const Vec3 left = b.left(), base = p.at.at;
@@ -201,6 +205,44 @@ class Group {
                         length, line_.name, 2 * radius_));
     }
     c_.supports.push_back(std::move(b));
+  }
+
+  // A body that a box rides with on the nearest place of the lines of a structure, each straight between its
+  // ends, with the axes of the group's body at the start. Its name.
+  std::string carry(const SupportBox& b, const Value& on) {
+    RigidPose pose;
+    if (const int body = c_.body_index(b.body); body >= 0) {
+      if (c_.rides(body))
+        source_.bad(v_["body"], key_ + ".body",
+                    fmt::format("body '{}' rides on a line itself; name the body in whose frame the "
+                                "supports are drawn",
+                                b.body));
+      pose = model::rigid_motion(c_.bodies[static_cast<size_t>(body)]).at(0);
+    }
+    const Vec3 place = pose.to_space(b.at - b.rise * b.up);
+    model::Body o;
+    o.name = b.name, o.position = pose.position, o.rotation = log_so3(pose.rotation);
+    if (c_.body_index(o.name) >= 0)
+      source_.bad(v_, key_,
+                  fmt::format("the body of one of its boxes is called '{}' as another is; give the group "
+                              "another name",
+                              o.name));
+    double nearest = HUGE_VAL;
+    for (const Value& name : on.items) {
+      const model::Line& line = c_.lines[static_cast<size_t>(c_.line_index(name.text))];
+      if (line.name == line_.name || line.end_a.kind == model::EndKind::free ||
+          line.end_b.kind == model::EndKind::free)
+        source_.bad(
+            name, key_ + ".on",
+            fmt::format("line '{}' {}; name beams with both ends at joints, anchors or bodies", line.name,
+                        line.name == line_.name ? "is laid over these supports itself" : "has a free end"));
+      const Vec3 a = model::end_position(c_, line.end_a), way = model::end_position(c_, line.end_b) - a;
+      const double share = std::clamp((place - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
+      const double away = (a + share * way - place).norm();
+      if (away < nearest) nearest = away, o.on = model::Ride{line.name, share * model::length_of(line), true};
+    }
+    c_.bodies.push_back(std::move(o));
+    return c_.bodies.back().name;
   }
 
   model::Volume volume(const SupportBox& b, const Value& e, const CylinderShape& shape) const {

@@ -194,6 +194,14 @@ void check_floating(const Case& c, std::vector<Issue>& issues) {
            fmt::format("no body has the principal moments {:.6g}, {:.6g}, {:.6g} kg m²: each must be "
                        "above 0 and at most the sum of the other two",
                        moments[0], moments[1], moments[2])});
+    if (!b.mass->in_water) continue;
+    const std::string key = "bodies." + b.name + ".floating.in_water";
+    if (!c.environment.water.present)
+      issues.push_back({key, "there is no water: give 'environment: {water: ...}'"});
+    if (!b.mass->weight)
+      issues.push_back({key,
+                        "brings the buoyancy of the body, so that its weight acts as well: 'weight: true' "
+                        "beside it"});
   }
   if (c.lines.empty() && !any)
     issues.push_back({"lines", "required key is missing: there is no line, and no floating body either"});

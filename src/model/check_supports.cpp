@@ -96,8 +96,12 @@ void check_supports(const Case& c, std::vector<Issue>& issues) {
                                 line.name)});
         break;
       }
-      if (c.rides(c.body_index(b.body))) {
-        issues.push_back({b.key, fmt::format("body '{}' rides on a line and carries no supports", b.body)});
+      if (const int body = c.body_index(b.body);
+          c.rides(body) && !c.bodies[static_cast<std::size_t>(body)].on->drawn) {
+        issues.push_back(
+            {b.key, fmt::format("body '{}' rides on a line; name that line in 'on' of the group, and as "
+                                "'body' the one in whose frame the boxes are drawn",
+                                b.body)});
         break;
       }
       if ((pose_of(c, b).rotation * b.up).z() <= 0)

@@ -91,6 +91,19 @@ double add_body(const Body& b, Shortest& to, Shortest& own) {
   return speed;
 }
 
+// A body that floats, and drag on it.
+void add_in_water(const Body& b, const Environment& e, double speed, Shortest& own, Shortest& drags) {
+  if (!b.mass || !b.mass->in_water) return;
+  const BodyInWater& w = *b.mass->in_water;
+  const double rho = e.water.density, per_height = rho * e.gravity * w.volume / w.height;
+  own.of(2 * M_PI * std::sqrt((b.mass->mass + w.added_mass.z()) / per_height) / kOfOwn,
+         "a twentieth of the period of body " + b.name + " in the surface");
+  const double drag = 0.5 * rho * w.drag_area.maxCoeff() * speed;
+  if (drag > 0)
+    drags.of((b.mass->mass + w.added_mass.minCoeff()) / drag / kOfDrag,
+             "a tenth of the time in which drag carries body " + b.name + " along");
+}
+
 // Its slowest period, the time of a wave along it where something jolts it, and drag.
 void add_line(const Case& c, const Line& line, double speed, bool jolted, Shortest& own, Shortest& drags) {
   double length = 0, mass = 0, along = 0;
@@ -146,6 +159,7 @@ LongestStep longest_step(const Case& c) {
   double speed = waves.speed;
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(b, to, own));
+  for (const Body& b : c.bodies) add_in_water(b, c.environment, speed, own, drags);
   add_ramps(c, to);
   to.of(c.output.every, "the time between outputs");
   to.of(c.dynamics.duration / kOfDuration, "a fiftieth of the duration");

@@ -91,6 +91,32 @@ Key motion() {
               false);
 }
 
+Key body_in_water() {
+  return map("in_water",
+             {number("volume", volume, "of the water that it displaces when it is wholly under water")
+                  .above(0)
+                  .is_required(),
+              number("height", length, "over which it gets wet, half of it above its `centre_of_buoyancy`")
+                  .above(0)
+                  .is_required(),
+              vec3("centre_of_buoyancy", length,
+                   "in the body's frame; inertia of the water acts there as well")
+                  .or_else(kZero),
+              vec3("drag_area", area, "projected areas along the body's axes").at_least(0).or_else(kZero),
+              vec3("Cd", none, "drag coefficients along the body's axes")
+                  .at_least(0)
+                  .at_most(100)
+                  .or_else("[1, 1, 1]"),
+              vec3("centre_of_drag", length, "in the body's frame").or_else_note("`centre_of_buoyancy`"),
+              vec3("Ca", none, "added mass over the mass of the water of `volume`, along the body's axes ...")
+                  .at_least(0)
+                  .at_most(100),
+              vec3("added_mass", mass, "... or the added mass itself").at_least(0)},
+             "water acts on it by Morison's equation along its axes "
+             "([theory](../theory/bodies-in-water.md)); `weight: true` belongs to it")
+      .either({{{"Ca"}, {"Ca"}}, {{"added_mass"}, {"added_mass"}}}, false);
+}
+
 Key floating() {
   return map(
       "floating",
@@ -112,7 +138,8 @@ Key floating() {
        vec3("turning_stiffness", turning_stiffness, "springs against turning, axes of the body")
            .at_least(0)
            .or_else(kZero),
-       vec3("turning_damping", turning_damping, "dampers beside them").at_least(0).or_else(kZero)},
+       vec3("turning_damping", turning_damping, "dampers beside them").at_least(0).or_else(kZero),
+       body_in_water()},
       "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
       "prescribed");
 }

@@ -84,6 +84,11 @@ Key supports() {
                               "body they are fixed to: a barge, a stinger; path and points are "
                               "in its frame")
                         .or_else_note("none: fixed in space"),
+                    list("on", reference("", "lines"),
+                         "straight beams of a structure that carries them: each box is fixed to the nearest "
+                         "node of these, where path or points have it in the body's frame at the start")
+                        .items(1)
+                        .or_else_note("none: the boxes are fixed to the body"),
                     reference("line", "lines", "line that is laid over them").or_else_note("the only line"),
                     path(), boxes()},
                    ""),

@@ -19,6 +19,8 @@
 namespace hawser {
 namespace {
 
+constexpr double kSlack = 1e-4;  // of a line's length, below which it is as long as the way between its ends
+
 std::vector<CatenarySection> catenary_sections(const model::Case& c, const model::Line& line) {
   const model::Water& water = c.environment.water;
   double total = 0;
@@ -223,6 +225,22 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
   return through(flexible_start(c, line, mesh, span, x, way_of_free_end(c, line, end, false)));
 }
 
+// Whether a line that is no longer than the way between its ends carries its weight by bending: as a cable it
+// would sag under the tension w L²/(8 sag), and a beam that buckles under more than that sags less.
+bool is_beam(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,
+             double length, const std::vector<Vec3>& x) {
+  const Vec3 way = x.back() - x.front();
+  if (length > (1 + kSlack) * way.norm()) return false;
+  double stiffness = HUGE_VAL, load = 0, sag = 0;
+  for (const model::Section& s : line.sections) {
+    const model::LineType& t = c.line_type(s.type);
+    stiffness = std::min(stiffness, t.kind == model::LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
+  }
+  for (const CatenarySection& s : sections) load = std::max(load, s.load.norm());
+  for (const Vec3& p : x) sag = std::max(sag, (p - x.front()).cross(way).norm() / way.norm());
+  return load * std::pow(length, 4) < 8 * sag * M_PI * M_PI * stiffness;
+}
+
 }  // namespace
 
 RigidPose start_pose(const model::Case& c, const Bodies& bodies, const model::End& e) {
@@ -270,6 +288,8 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
   };
   std::optional<LineStart> shape = closed_form();
   const bool hangs = shape && !goes_through(c, line, shape->x) && ((a && b) || !folded(shape->x));
+  if (shape && a && b && line.start == Start::automatic && is_beam(c, line, sections, span.length, shape->x))
+    return straight();
   if (shape && (line.start != Start::automatic || (hangs && !streams(c, line)))) return *std::move(shape);
   if (shape && a && b && lay(c, sections, mesh, span, *shape)) return *std::move(shape);
   const std::vector<Vec3> x = shape ? shape->x : straight().x;

@@ -11,12 +11,14 @@
 
 namespace hawser {
 namespace {
+constexpr double kBodies = 20;  // m: where there are no lines, what moves are measured by
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
 constexpr int kHalvings = 30;
 }  // namespace
 
 StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
   for (const Element& e : system.mesh().mesh->elements) length_ = std::max(length_, e.length);
+  if (length_ == 0) length_ = 0.05 * kBodies;
   build();
   local_ = zero_;
   prepare();
@@ -70,6 +72,7 @@ double StaticTrial::limit() const {
   }
   double longest = 0;
   for (const LineSpan& l : m.mesh->lines) longest = std::max(longest, l.length);
+  if (m.mesh->lines.empty()) longest = kBodies;
   double worst = std::max(x / (0.05 * longest), turn / 0.5);
   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
   return worst > 1 ? 1 / worst : 1;

@@ -150,22 +150,23 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
     const Logged logged(events_[i].force);
     terms_[i]->evaluate(trial, assembler);
   }
-  add_to_frames(trial);
   PetscScalar* p = nullptr;
-  check(VecGetArray(r, &p));
-  std::copy_n(force_.begin(), owned, p);
-  check(VecRestoreArray(r, &p));
-  if (sends()) {
+  if (sends()) {  // before what acts on tied nodes goes on to their frames
     Vec local = nullptr;
     check(VecGhostGetLocalForm(r, &local));
     check(VecGetArray(local, &p));
-    std::copy(force_.begin() + static_cast<std::ptrdiff_t>(owned), force_.end(), p + owned);
+    std::copy(force_.begin(), force_.end(), p);
     check(VecRestoreArray(local, &p));
     check(VecGhostRestoreLocalForm(r, &local));
     check(VecGhostUpdateBegin(r, ADD_VALUES, SCATTER_REVERSE));
     check(VecGhostUpdateEnd(r, ADD_VALUES, SCATTER_REVERSE));
+    check(VecGetArray(r, &p));
+    std::copy_n(p, owned, force_.begin());
+    check(VecRestoreArray(r, &p));
   }
+  add_to_frames(trial);
   check(VecGetArray(r, &p));
+  std::copy_n(force_.begin(), owned, p);
   const auto& held = supports_.held();
   for (size_t b = 0; b < owned / 3; ++b)
     if (held[b])

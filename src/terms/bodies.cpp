@@ -25,9 +25,34 @@ void Bodies::in_state(const model::Case& c, const LocalMesh& mesh) {
     f.node = mesh.mesh->frame_node(static_cast<int>(b));
     f.told = pose(static_cast<int>(b), 0.0);
     if (c.bodies[b].mass) f.centre = c.bodies[b].mass->centre;
-    if (!c.bodies[b].on) continue;
+    if (!c.bodies[b].on || c.bodies[b].on->drawn) continue;
     f.turn = exp_so3(c.bodies[b].rotation);
     f.centre = -(f.turn.conjugate() * c.bodies[b].position);
+  }
+}
+
+void Bodies::fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& start) {
+  std::vector<size_t> drawn;
+  for (size_t b = 0; b < frames_.size(); ++b)
+    if (c.bodies[b].on && c.bodies[b].on->drawn) drawn.push_back(b);
+  if (drawn.empty()) return;
+  // From the rank that has the node: others may come to see it later.
+  std::vector<double> places(7 * drawn.size(), 0);
+  for (size_t i = 0; i < drawn.size(); ++i) {
+    const int body = static_cast<int>(drawn[i]), node = local_node(body);
+    if (node < 0 || node >= mesh_->owned) continue;
+    const RigidBodyState s = floating_state(start, node);
+    const RigidPose p = pose(body, 0.0);
+    const Vec3 centre = p.rotation.conjugate() * (s.x - p.position);
+    const Quat turn = s.q.conjugate() * p.rotation;
+    std::copy(centre.begin(), centre.end(), &places[7 * i]);
+    std::copy_n(turn.coeffs().data(), 4, &places[7 * i + 3]);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, places.data(), static_cast<int>(places.size()), MPI_DOUBLE, MPI_SUM, comm);
+  for (size_t i = 0; i < drawn.size(); ++i) {
+    Frame& f = frames_[drawn[i]];
+    f.centre = Vec3(&places[7 * i]);
+    f.turn.coeffs() = Eigen::Map<const Eigen::Vector4d>(&places[7 * i + 3]);
   }
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/kernels/motion.hpp"
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/inertia_round_off.hpp"
 
@@ -33,33 +32,19 @@ Vec3 Hydrodynamics::wave_place(const Kinematics& at, size_t node) const {
 
 const std::vector<WaveMotion>& Hydrodynamics::waves(const Kinematics& at) const {
   if (wave_known_ && wave_time_ == at.time && wave_.size() == at.x.size()) return wave_;
-  const Ramp ramp = sea_.wave_ramp > 0 ? quintic_ramp(at.time, sea_.wave_ramp) : Ramp{1, 0, 0};
   wave_.resize(at.x.size());
-  const Vec3 still(0, 0, sea_.surface);
-  for (size_t n = 0; n < at.x.size(); ++n) {
-    wave_[n] = sea_.waves.at(wave_place(at, n) - still, at.time, ramp.value, ramp.rate);
-  }
+  for (size_t n = 0; n < at.x.size(); ++n) wave_[n] = sea_.waves_at(wave_place(at, n), at.time);
   wave_time_ = at.time, wave_known_ = true;
   return wave_;
 }
 
 Water Hydrodynamics::water(const Kinematics& at, size_t node) const {
-  Water w;
-  w.surface = sea_.surface;
-  if (!sea_.current.none()) {
-    sea_.current.at(sea_.surface - at.x[node].z(), w.velocity, w.by_height);
-    const double ramp = sea_.current_ramp > 0 ? quintic_ramp(at.time, sea_.current_ramp).value : 1;
-    const double factor = ramp * sea_.current_factor.at(at.time);
-    w.velocity *= factor, w.by_height *= -factor;
-  }
-  if (sea_.waves.none() || !(at.step > 0)) return w;
-  const WaveMotion& wave = waves(at)[node];
-  w.surface += wave.surface, w.velocity += wave.velocity, w.acceleration = wave.acceleration;
-  return w;
+  const Water still = sea_.still_at(at.x[node].z(), at.time);
+  return sea_.waves.none() || !(at.step > 0) ? still : still + waves(at)[node];
 }
 
 void Hydrodynamics::look(const Kinematics& at, std::vector<Water>& out) const {
-  if (sea_.current.none() && sea_.waves.none()) {  // the same everywhere and always
+  if (sea_.calm()) {  // the same everywhere and always
     if (out.size() == at.x.size()) return;
     Water calm;
     calm.surface = sea_.surface;

@@ -1,36 +1,12 @@
-// The sea and the lines' properties in it, from a case.
+// The lines' properties in the sea, from a case.
 #include <algorithm>
 #include <cmath>
 
 #include "hawser/model/case.hpp"
-#include "hawser/model/wave_components.hpp"
 #include "hawser/terms/buried.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 
 namespace hawser {
-
-CurrentProfile current_profile(const model::Water& w, double factor) {
-  const auto vector = [factor](const model::CurrentRow& r) {
-    const double speed = factor * r.speed;
-    return Vec3(speed * std::cos(r.direction), speed * std::sin(r.direction), 0);
-  };
-  const model::Current& current = w.current;
-  if (current.exponent > 0) return CurrentProfile(vector(current.profile.front()), current.exponent, w.depth);
-  std::vector<CurrentProfile::Row> rows;
-  for (const model::CurrentRow& r : current.profile) rows.push_back({r.depth, vector(r)});
-  return CurrentProfile(std::move(rows));
-}
-
-Sea sea_of(const model::Case& c) {
-  const model::Water& w = c.environment.water;
-  Sea sea;
-  sea.density = w.density, sea.gravity = c.environment.gravity, sea.surface = w.surface;
-  sea.current = current_profile(w);
-  sea.current_ramp = w.current.ramp, sea.current_factor = w.current.time_factor;
-  sea.waves = model::wave_field(c.environment);
-  sea.wave_ramp = w.waves.ramp;
-  return sea;
-}
 
 WaterSection water_section(const model::Case& c, int type, double length) {
   const model::LineType& t = c.line_types[static_cast<size_t>(type)];

@@ -10,7 +10,7 @@ namespace hawser {
 
 RigidBodyData RigidBodies::data(const Floating& f) const {
   RigidBodyData d = f.data;
-  for (int i = 0; i < 3 && hold_ && !f.in_lines; ++i) {
+  for (int i = 0; i < 3 && hold_ && !f.rests; ++i) {
     if (!(d.stiffness[i] > 0)) d.stiffness[i] = d.mass, d.weight[i] = 0;
     if (!(d.turning_stiffness[i] > 0)) d.turning_stiffness[i] = d.inertia(i, i);
   }
@@ -59,7 +59,20 @@ bool in_lines(const model::Case& c, int body) {
          }));
 }
 
+// By buoyancy and springs alone.
+bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
+  if (!m.in_water) return false;
+  const model::Water& w = c.environment.water;
+  const bool carried = m.stiffness.z() > 0 || w.density * m.in_water->volume > m.mass;
+  const bool flows = !w.current.profile.empty() && !(w.current.ramp > 0);
+  return carried && (!flows || m.stiffness.head<2>().minCoeff() > 0);
+}
+
 }  // namespace
+
+bool finds_rest(const model::Case& c, int body) {
+  return in_lines(c, body) || floats_at_rest(c, *c.bodies[static_cast<size_t>(body)].mass);
+}
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
     : bodies_(std::move(bodies)) {
@@ -74,7 +87,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     if (m.weight) f.data.weight = -m.mass * c.environment.gravity * Vec3::UnitZ();
     f.data.stiffness = m.stiffness, f.data.damping = m.damping;
     f.data.turning_stiffness = m.turning_stiffness, f.data.turning_damping = m.turning_damping;
-    f.in_lines = in_lines(c, body);
+    f.rests = finds_rest(c, body);
     f.centre = m.centre, f.body = body, f.node = n, f.global = global;
     f.block = mesh.block[static_cast<size_t>(n)];
     list_.push_back(f);
@@ -109,7 +122,7 @@ void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
     const RigidBodyResidual r = rigid_body(data(f), floating_state(trial, f.node), rest(f, trial.time));
     const int blocks[2] = {f.block, f.block + 1};
     assembler.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
-    if (hold_ && f.in_lines && assembler.wants_tangent()) {
+    if (hold_ && f.rests && assembler.wants_tangent()) {
       Mat6 K = Mat6::Zero();
       K.topLeftCorner<3, 3>() = kDrift * kDrift * f.data.mass * Mat3::Identity();
       K.bottomRightCorner<3, 3>() = kDrift * kDrift * f.data.inertia;

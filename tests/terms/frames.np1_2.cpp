@@ -38,6 +38,10 @@ model::Case carried(model::ContactMethod method) {
     model::BodyMass& m = b.mass.emplace();
     m.mass = 40, m.inertia = {12, 15, 9}, m.products = {1, 0.5, -0.7}, m.centre = {0.1, -0.2, 0.15};
     m.weight = true, m.stiffness = {30, 20, 50}, m.turning_stiffness = {5, 6, 7}, m.damping = {3, 4, 5};
+    model::BodyInWater& w = m.in_water.emplace();
+    w.volume = 0.05, w.height = name[0] == 'b' ? 14 : 3, w.centre = {0.2, 0.1, 0.3},
+    w.drag_centre = {0, -0.3, 0.2};
+    w.drag_area = {0.05, 0.08, 0.03}, w.added_mass = {20, 30, 60};
   }
   model::End clamped = on("buoy", {1, 0, 0.3}), sprung = on("buoy", {-1, 0.2, 0});
   clamped.clamped = true, clamped.direction = Vec3(1, 0.1, 0.2).normalized();

@@ -82,5 +82,63 @@ TEST(CaseBodies, SomethingMustStandOutOfOne) {
   EXPECT_NE(one.find("give a stiffness per_area"), std::string::npos) << one;
 }
 
+// What is wrong with a body in water; empty: nothing.
+std::string wrong_in_water(const std::string& in_water,
+                           const std::string& environment = "water: {density: 1000}",
+                           const std::string& weight = "true") {
+  try {
+    io::read_case_text(
+        "hawser: 1\nenvironment: {" + environment +
+            "}\nbodies:\n  A:\n    floating:\n      mass: 1000\n      inertia: [500, 600, 400]\n"
+            "      weight: " +
+            weight + "\n      in_water: {" + in_water + "}\ndynamics: {duration: 4}\n",
+        folder() + "/text.yaml");
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(CaseBodies, BodyInWater) {
+  const std::string fine = "volume: 2 m3, height: 3";
+  EXPECT_EQ(wrong_in_water(fine), "");
+  const auto says = [](const std::string& all, const std::string& part) {
+    EXPECT_NE(all.find(part), std::string::npos) << all;
+  };
+  says(wrong_in_water(fine, "gravity: 9.81"),
+       ":9: bodies.A.floating.in_water: there is no water: give 'environment: {water: ...}'");
+  says(wrong_in_water(fine, "water: {density: 1000}", "false"),
+       ":9: bodies.A.floating.in_water: brings the buoyancy of the body, so that its weight acts as well");
+  says(wrong_in_water("volume: -2, height: 3"), "in_water.volume");
+  says(wrong_in_water("volume: 2, height: 0"), "in_water.height");
+  says(wrong_in_water("volume: 2"), "height");
+  says(wrong_in_water(fine + ", drag_area: [1, -1, 1]"), "in_water.drag_area");
+  says(wrong_in_water(fine + ", Ca: [1, 1, 1], added_mass: [1, 1, 1]"), "added_mass");
+  says(wrong_in_water(fine + ", center_of_buoyancy: [1, 1, 1]"), "centre_of_buoyancy");
+}
+
+// Coefficients times areas, added mass by coefficient or by itself, drag at the centre of buoyancy or its
+// own.
+TEST(CaseBodies, KeysOfABodyInWater) {
+  const auto read = [](const std::string& keys) {
+    return *io::read_case_text(
+                "hawser: 1\nenvironment: {water: {density: 1000}}\nbodies: {A: {floating: {mass: "
+                "1000, inertia: [500, 600, 400], weight: true, in_water: {volume: 2, height: 3, " +
+                    keys + "}}}}\ndynamics: {duration: 4}\n",
+                folder() + "/text.yaml")
+                .bodies[0]
+                .mass->in_water;
+  };
+  model::BodyInWater w =
+      read("centre_of_buoyancy: [1, 2, 3], drag_area: [1, 2, 3], Cd: [2, 1, 0.5], Ca: [1, 0, 2]");
+  EXPECT_EQ(w.drag_centre, Vec3(1, 2, 3));
+  EXPECT_EQ(w.drag_area, Vec3(2, 2, 1.5));
+  EXPECT_EQ(w.added_mass, Vec3(2000, 0, 4000));
+  w = read("centre_of_drag: [0, 0, 1], drag_area: [1, 2, 3], added_mass: [1 t, 2 t, 3 t]");
+  EXPECT_EQ(w.drag_centre, Vec3(0, 0, 1));
+  EXPECT_EQ(w.drag_area, Vec3(1, 2, 3));
+  EXPECT_EQ(w.added_mass, Vec3(1000, 2000, 3000));
+}
+
 }  // namespace
 }  // namespace hawser::case_bodies_test

@@ -117,6 +117,56 @@ TEST(CaseSupports, ByPoints) {
   expect_near(c.supports[0].at, Vec3(-40, 0, 10) + 0.325 * c.supports[0].up);
 }
 
+// Each box of a group on a structure rides on the nearest place of its beams, as drawn in the body's frame.
+TEST(CaseSupports, OnAStructure) {
+  const auto with = [](const std::string& on, const std::string& girder) {
+    return io::read_case_text(
+        "hawser: 1\nline_types: {pipe: {outer_diameter: 0.25, mass_per_length: 90, EA: 2e9, EI: 1.6e7, GJ: "
+        "1e7},"
+        " wire: {outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending: false}}\n"
+        "bodies: {barge: {position: [50, 0, 1], motion: {velocity: [1, 0, 0]}}}\n"
+        "supports: {ramp: {body: barge, on: " +
+            on +
+            ", line: pipe, path: {from: [0, 0, 0], direction: [-1, 0, 0], "
+            "segments: [{length: 30}]}, boxes: [{at: [5, 21], type: flat, roller_diameter: 0.4, "
+            "roller_length: 2}]}}\n"
+            "lines:\n  pipe: {sections: [{type: pipe, length: 95, elements: 20}], end_a: {body: barge, at: "
+            "[5, 0, "
+            "0.325]}, end_b: {anchor: [-40, 0, 1]}}\n"
+            "  front: {sections: [{type: pipe, length: 20, elements: 4}], end_a: {body: barge, at: [0, 0, "
+            "-1]}, end_b: "
+            "{body: "
+            "barge, at: [-20, 0, -1]}}\n  rear: {sections: [{type: " +
+            girder +
+            ", length: 10, elements: 2}], end_a: {body: barge, "
+            "at: [-20, 0, -1]}, end_b: free}\n"
+            "contact: {lines: [pipe]}\n",
+        "supports.yaml");
+  };
+  const model::Case c = with("[front]", "pipe");
+  ASSERT_EQ(c.bodies.size(), 3u);
+  for (const int i : {0, 1}) {
+    const model::Body& b = c.bodies[static_cast<size_t>(i + 1)];
+    EXPECT_EQ(b.name, c.supports[static_cast<size_t>(i)].name);
+    EXPECT_EQ(c.volumes[static_cast<size_t>(i)].body, b.name);
+    ASSERT_TRUE(b.on && b.on->drawn);
+    EXPECT_EQ(b.on->line, "front");
+    EXPECT_NEAR(b.on->at, i ? 20 : 5, 1e-12);
+    expect_near(b.position, Vec3(50, 0, 1));
+  }
+  const auto told = [&](const std::string& on, const std::string& girder = "pipe") -> std::string {
+    try {
+      with(on, girder);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_NE(told("[rear]").find("line 'rear' has a free end"), std::string::npos) << told("[rear]");
+  EXPECT_NE(told("[pipe]").find("line 'pipe' is laid over these supports itself"), std::string::npos);
+  EXPECT_NE(told("[front, stern]").find("'stern'"), std::string::npos);
+}
+
 TEST(CaseSupports, WhatIsWrongIsToldWithItsRemedy) {
   const auto told = [](const std::string& message, const std::string& part) {
     EXPECT_NE(message.find(part), std::string::npos) << message;

@@ -1,6 +1,8 @@
 // Beams joined rigidly, against the deflections of slender frames.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "../regression/runs.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test::frames_of_beams {
@@ -48,6 +50,43 @@ TEST(FramesOfBeams, ArmOnAColumn) {
     printf("arm on a column, %s: %.6e m, closed form %.6e m (%.4f %%)\n", sideways ? "sideways" : "down",
            moved, exact, 100 * (moved / exact - 1));
     EXPECT_NEAR(moved, exact, 1e-3 * exact);
+  }
+}
+
+// A portal of a beam of length L between two columns of height h of the same section, with clamped feet,
+// under the weight w of the beam: with k = h/L the moments are w L²/(6 (k + 2)) at the corners and half of
+// that at the feet (Kleinlogel, Rahmenformeln). Its members start straight by themselves; joints would keep
+// the angles of cables that sag.
+TEST(FramesOfBeams, PortalUnderItsWeight) {
+  const double L = 6, h = 4, w = 2000;
+  const std::string base = runs::folder("frames_of_beams") + "/portal";
+  for (const double gravity : {1e-2, 10.}) {
+    const std::string type = "{outer_diameter: 0.5, EA: 1e10, EI: 1e7, GJ: 8e6, mass_per_length: ";
+    runs::write_case(
+        base + ".yaml",
+        fmt::format(
+            "hawser: 1\nenvironment: {{gravity: {}}}\n"
+            "line_types: {{beam: {}{}}}, column: {}0.001}}}}\n"
+            "joints: {{left: {{start: [0, 0, {h}], rigid: true}}, right: {{start: [{L}, 0, {h}], rigid: "
+            "true}}}}\nlines:\n"
+            "  left column: {{sections: [{{type: column, length: {h}, elements: 8}}], end_a: {{anchor: [0, "
+            "0, 0], direction: [0, 0, 1], clamped: true}}, end_b: {{joint: left}}}}\n"
+            "  right column: {{sections: [{{type: column, length: {h}, elements: 8}}], end_a: {{anchor: "
+            "[{L}, 0, 0], direction: [0, 0, 1], clamped: true}}, end_b: {{joint: right}}}}\n"
+            "  beam: {{sections: [{{type: beam, length: {L}, elements: 12}}], end_a: {{joint: left}}, "
+            "end_b: {{joint: right}}}}\ncontact: {{between_lines: false}}\n",
+            gravity, type, w / 10, type, fmt::arg("h", h), fmt::arg("L", L)));
+    runs::run_on_all({base + ".yaml", base + ".h5"});
+    if (runs::rank_of(MPI_COMM_WORLD) != 0) continue;
+    const io::h5::Id file = io::h5::open_read(base + ".h5");
+    const std::vector<double> m = io::h5::read_row(file, "ends/moment", 0).values;
+    const double corner = w * gravity / 10 * L * L / (6 * (h / L + 2));
+    for (const bool foot : {true, false}) {
+      const double found = std::abs(m[foot ? 1 : 4]), exact = foot ? 0.5 * corner : corner;
+      printf("portal, g = %g, %s: %.8g N m, closed form %.8g N m\n", gravity, foot ? "foot" : "corner", found,
+             exact);
+      EXPECT_NEAR(found, exact, 1e-3 * exact + 1e-4);
+    }
   }
 }
 

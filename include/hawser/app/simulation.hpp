@@ -24,6 +24,7 @@
 namespace hawser {
 class BodyContactTerm;
 class Feeders;
+class BodiesInWater;
 class RigidBodies;
 class SeabedTerm;
 }  // namespace hawser
@@ -89,6 +90,7 @@ class Simulation {
   std::vector<double> told_stiffness_;  // of the contact's volumes, in their basis
   int cut_ = 0;
   RigidBodies* floating_ = nullptr;
+  BodiesInWater* bodies_in_water_ = nullptr;
   BodyContactTerm* body_contact_ = nullptr;
   LinePairs* line_pairs_ = nullptr;
   Feeders* feeders_ = nullptr;

@@ -89,6 +89,15 @@ struct Drift {
   double ramp = 0;  // s, smooth start; 0: there from statics on
 };
 
+// A rigid body in water in the simple form: Morison's equation along its axes.
+struct BodyInWater {
+  double volume = 0, height = 0;    // m³ wholly under water; m, over which it gets wet
+  Vec3 centre = Vec3::Zero();       // m, of buoyancy, body frame
+  Vec3 drag_centre = Vec3::Zero();  // m, body frame
+  Vec3 drag_area = Vec3::Zero();    // m², drag coefficients times areas, along the body's axes
+  Vec3 added_mass = Vec3::Zero();   // kg, likewise
+};
+
 // A body that moves by its own equations.
 struct BodyMass {
   double mass = 0;                       // kg
@@ -100,6 +109,7 @@ struct BodyMass {
   Vec3 angular_velocity = Vec3::Zero();  // rad/s, at t = 0, body axes
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards where `motion` wants it
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
+  std::optional<BodyInWater> in_water;
 
   Mat3 tensor() const;  // kg m², of inertia and products
 };
@@ -108,6 +118,8 @@ struct BodyMass {
 struct Ride {
   std::string line;
   double at = 0;  // m, arc length from end A
+  // The body's position and rotation are those in space at the start, from which on it is fixed to the node.
+  bool drawn = false;
 };
 
 struct Body {

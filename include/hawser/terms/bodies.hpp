@@ -23,6 +23,10 @@ class Bodies {
   // Bodies with mass and those that ride on lines are part of the states of `mesh` from now on.
   void in_state(const model::Case& c, const LocalMesh& mesh);
 
+  // Fixes those that ride on lines and are drawn in space to their nodes as they are in the start shape.
+  // Collective.
+  void fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& start);
+
   int size() const { return static_cast<int>(motions_.size()); }
   // Whether its motion is an unknown.
   bool floats(int body) const { return body >= 0 && frame(body) >= 0; }

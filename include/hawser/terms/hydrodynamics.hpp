@@ -4,33 +4,15 @@
 
 #include <vector>
 
-#include "hawser/kernels/current.hpp"
 #include "hawser/kernels/submerged_cables.hpp"
-#include "hawser/kernels/waves.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/sea.hpp"
 
 namespace hawser {
 
-namespace model {
-struct Case;
-struct Water;
-}  // namespace model
 class Feeders;
-
-// The sea, wherever one looks.
-struct Sea {
-  double density = 1025, gravity = 9.80665;  // kg/m³, m/s²
-  double surface = 0;                        // m, z of the still water
-  CurrentProfile current;
-  double current_ramp = 0;  // s, smooth start; 0: always there
-  TimeFactor current_factor;
-  WaveField waves;
-  double wave_ramp = 0;  // s
-};
-Sea sea_of(const model::Case& c);
-CurrentProfile current_profile(const model::Water& w, double factor = 1);
 
 class Hydrodynamics final : public ForceTerm, public ActsOnElements, public ScalesResiduals {
  public:
@@ -89,7 +71,7 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;
   void evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const;
   unsigned flow(const Four& q, const Kinematics& at, const std::vector<Water>& water, WaterForce* out) const;
-  bool moving() const { return !sea_.current.none() || !sea_.waves.none(); }
+  bool moving() const { return !sea_.calm(); }
   Water water(const Kinematics& at, size_t node) const;
   Vec3 wave_place(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;

@@ -18,8 +18,8 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals {
   RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies);
 
   // Statics holds a body that nothing holds: as if by a spring that would swing it once in 2 pi s, without
-  // weight. One that carries lines, or that lines can lie against, finds its own rest; only what nothing
-  // resists in it (a load that turns about its sling) is kept from drifting.
+  // weight. Of those that find their own rest (below) only what nothing resists (a load that turns about its
+  // sling) is kept from drifting.
   void hold(bool on) { hold_ = on; }
 
   // N and N m about its centre of mass, space axes: what lines and contact exert on a body of the case in a
@@ -43,7 +43,7 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals {
     Vec3 centre;                               // m, body frame
     int body = 0, node = 0;                    // of the case; local
     int block = 0, global = 0;                 // local block of the position; mesh node
-    bool in_lines = false;                     // carries ends of lines, or lines can touch it
+    bool rests = false;                        // finds its own rest
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
 
@@ -62,6 +62,9 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals {
   bool hold_ = false;
 };
 
+// Whether statics looks for the rest of a body: it carries ends of lines, or lines can touch it, or it floats
+// in water and no current takes it away.
+bool finds_rest(const model::Case& c, int body);
 // Where the centre of mass of a floating body starts, and its velocities (w in body axes).
 RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest);
 // The pose of a body's frame from the state of its centre of mass.

@@ -1,0 +1,69 @@
+// What the sea does to floating bodies that say how they lie in it. See docs/theory/bodies-in-water.md.
+#pragma once
+
+#include <vector>
+
+#include "hawser/kernels/body_water.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/sea.hpp"
+
+namespace hawser {
+
+class BodiesInWater final : public ForceTerm, public ScalesResiduals {
+ public:
+  // Of the bodies of the case that this rank owns.
+  BodiesInWater(const model::Case& c, const LocalMesh& mesh);
+
+  // In statics no water acts on bodies that are held where they start (RigidBodies::hold).
+  void hold(bool on) { hold_ = on; }
+
+  std::string_view name() const override { return "bodies in water"; }
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  double dead_load() const override;
+  double round_off(const Kinematics& at, double h) const override;
+  std::vector<HistoryKind> history() const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
+
+ private:
+  // Both centres of a body, in space.
+  struct Places {
+    Vec3 centre = Vec3::Zero(), drag = Vec3::Zero();
+  };
+  // Forces of the flow, and where they act: buoyancy in still water has a potential.
+  struct Flow {
+    BodyWaterForce force;
+    Places at;
+  };
+  struct Wet {
+    BodyInWater data;
+    int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
+    bool rests = false;
+    // Waves are looked at once a step: at its end, where the centres get with their speed at its start.
+    Places start, speed;              // m, m/s, at the start of the step
+    Places looked;                    // m, for the state at start_time_
+    bool has_looked = false;          // a state to go on from says so
+    mutable WaveMotion centre, drag;  // what they are at `time`
+    mutable double time = 0;
+    mutable bool known = false;
+    Flow flow;  // of the last accepted state; in statics of the last iteration
+    bool flowed = false;
+    double work = 0;  // J, of the flow over the accepted steps
+  };
+  static Places places(const Wet& b, const RigidBodyState& s);
+  Places wave_places(const Wet& b, const Kinematics& at) const;
+  Water water(const Wet& b, const Kinematics& at, const Vec3& x, WaveMotion Wet::*wave) const;
+  Flow flow(const Wet& b, const Kinematics& at) const;
+  bool idle(const Wet& b) const { return hold_ && !b.rests; }
+
+  Sea sea_;
+  std::vector<Wet> list_;
+  bool hold_ = false;
+  double start_time_ = 0;  // s
+};
+
+}  // namespace hawser

@@ -1,0 +1,99 @@
+// Buoyancy, drag and inertia of the water on a rigid body: force, exact matrices by position, rotation, their
+// velocities and accelerations, and the potential of buoyancy.
+#include "hawser/kernels/body_water.hpp"
+
+#include "hawser/kernels/wetting.hpp"
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+double depth(const BodyInWater& b, const RigidBodyState& s, double surface) {
+  return (surface - s.x.z() - (s.q * b.centre).z()) / (0.5 * b.height);
+}
+
+// Both forces of a body that is wholly wet, in its axes.
+struct Whole {
+  Vec3 at_centre, at_drag;
+  Vec3 steady;    // of at_centre: what does not turn with the body
+  Vec3 relative;  // m/s², acceleration of the water less that of the body
+  Vec3 flow;      // m/s, velocity of the water less that of the body
+  Vec3 g;         // m/s², acceleration of the centre less that of the centre of mass
+};
+
+Whole whole(const BodyInWater& b, const RigidBodyState& s, const Water& centre, const Water& drag) {
+  Whole o;
+  const Quat back = s.q.conjugate();
+  o.g = s.alpha.cross(b.centre) + s.w.cross(s.w.cross(b.centre));
+  o.steady = back * Vec3(b.buoyancy * Vec3::UnitZ() + b.displaced_mass * centre.acceleration);
+  o.relative = back * Vec3(centre.acceleration - s.a) - o.g;
+  o.at_centre = o.steady + b.added.cwiseProduct(o.relative);
+  o.flow = back * Vec3(drag.velocity - s.v) - s.w.cross(b.drag_centre);
+  o.at_drag = o.flow.norm() * b.drag.cwiseProduct(o.flow);
+  return o;
+}
+
+}  // namespace
+
+BodyWaterForce body_water_force(const BodyInWater& b, const RigidBodyState& s, const Water& centre,
+                                const Water& drag) {
+  const double wet = even_wetting(depth(b, s, centre.surface)).share;
+  const Whole o = whole(b, s, centre, drag);
+  return {wet * (s.q * o.at_centre), wet * (s.q * o.at_drag)};
+}
+
+void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& centre, const Water& drag,
+                bool tangent, bool convex, BodyWaterResidual& out) {
+  using Columns = Eigen::Matrix<double, 3, 6>;  // position, rotation
+  const Wetting wet = even_wetting(depth(b, s, centre.surface));
+  const Whole o = whole(b, s, centre, drag);
+  const Vec3 all = o.at_centre + o.at_drag;
+  out.f << -wet.share * (s.q * all),
+      -wet.share * (b.centre.cross(o.at_centre) + b.drag_centre.cross(o.at_drag));
+  if (!tangent) return;
+  const Mat3 R = s.q.toRotationMatrix(), c = hat(b.centre), d = hat(b.drag_centre);
+  const Vec3 up = R.row(2);  // in the body's axes
+  // The wet share by position and rotation: less where the centre rises.
+  Vec6 rise;
+  rise << Vec3::UnitZ(), b.centre.cross(up);
+  const Vec6 shares = -wet.slope / (0.5 * b.height) * rise;
+  if (convex) {
+    const Vec3 floats = wet.share * b.buoyancy * up;
+    out.K = -b.buoyancy * rise * shares.transpose();
+    out.K.bottomRightCorner<3, 3>() +=
+        std::max(b.centre.dot(floats), 0.0) *
+        (Mat3::Identity() - b.centre * b.centre.transpose() / std::max(b.centre.squaredNorm(), 1e-300));
+    return;
+  }
+  // Drag by the velocity of the water.
+  const double speed = o.flow.norm();
+  Mat3 D = speed * Mat3(b.drag.asDiagonal());
+  if (speed > 0) D += b.drag.cwiseProduct(o.flow) * o.flow.transpose() / speed;
+  const Mat3 A = b.added.asDiagonal();
+  // Of the two forces in the body's axes, by (x, theta), (v, w), (a, alpha).
+  Columns centre_K = Columns::Zero(), centre_C = Columns::Zero(), centre_M = Columns::Zero();
+  Columns drag_K = Columns::Zero(), drag_C = Columns::Zero();
+  centre_K.rightCols<3>() = hat(o.steady) + A * hat(o.relative + o.g);
+  centre_C.rightCols<3>() = A * (hat(s.w.cross(b.centre)) + hat(s.w) * c);
+  centre_M << -A * R.transpose(), A * c;
+  drag_K.rightCols<3>() = D * hat(o.flow + s.w.cross(b.drag_centre));
+  Vec6 deeper;
+  deeper << Vec3::UnitZ(), b.drag_centre.cross(up);
+  drag_K += D * (R.transpose() * drag.by_height) * deeper.transpose();
+  drag_C << -D * R.transpose(), D * d;
+  const auto put = [&](const Columns& at_centre, const Columns& at_drag, Mat6& to) {
+    to.topRows<3>() = -wet.share * R * (at_centre + at_drag);
+    to.bottomRows<3>() = -wet.share * (c * at_centre + d * at_drag);
+  };
+  put(centre_K, drag_K, out.K), put(centre_C, drag_C, out.C), put(centre_M, Columns::Zero(), out.M);
+  out.K.topRightCorner<3, 3>() += wet.share * R * hat(all);
+  Vec6 wholly;
+  wholly << R * all, b.centre.cross(o.at_centre) + b.drag_centre.cross(o.at_drag);
+  out.K -= wholly * shares.transpose();
+}
+
+double body_water_potential(const BodyInWater& b, const RigidBodyState& s, double surface) {
+  return 0.5 * b.height * b.buoyancy * even_wetting(depth(b, s, surface)).integral;
+}
+
+}  // namespace hawser

@@ -1,0 +1,180 @@
+// The class BodiesInWater: the sea at floating bodies, its forces and their work, the potential of buoyancy
+// and what a checkpoint keeps of it.
+#include "hawser/terms/bodies_in_water.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "hawser/model/case.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser {
+
+BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_(sea_of(c)) {
+  for (int n = 0; n < mesh.owned; ++n) {
+    const int global = mesh.global[static_cast<size_t>(n)];
+    const int body = mesh.mesh->nodes[static_cast<size_t>(global)].body;
+    if (body < 0) continue;
+    const model::BodyMass& m = *c.bodies[static_cast<size_t>(body)].mass;
+    if (!m.in_water) continue;
+    const model::BodyInWater& w = *m.in_water;
+    Wet& b = list_.emplace_back();
+    b.data.centre = w.centre - m.centre, b.data.drag_centre = w.drag_centre - m.centre;
+    b.data.height = w.height;
+    b.data.displaced_mass = sea_.density * w.volume, b.data.buoyancy = sea_.gravity * b.data.displaced_mass;
+    b.data.added = w.added_mass, b.data.drag = 0.5 * sea_.density * w.drag_area;
+    b.node = n, b.block = mesh.block[static_cast<size_t>(n)], b.global = global;
+    b.rests = finds_rest(c, body);
+  }
+}
+
+BodiesInWater::Places BodiesInWater::places(const Wet& b, const RigidBodyState& s) {
+  return {s.x + s.q * b.data.centre, s.x + s.q * b.data.drag_centre};
+}
+
+BodiesInWater::Places BodiesInWater::wave_places(const Wet& b, const Kinematics& at) const {
+  const double since = at.time - start_time_;
+  if (!(since > 0)) return b.looked;
+  return {b.start.centre + since * b.speed.centre, b.start.drag + since * b.speed.drag};
+}
+
+Water BodiesInWater::water(const Wet& b, const Kinematics& at, const Vec3& x, WaveMotion Wet::*wave) const {
+  const Water still = sea_.still_at(x.z(), at.time);
+  if (sea_.waves.none() || !(at.step > 0)) return still;
+  if (!b.known || b.time != at.time) {
+    const Places there = wave_places(b, at);
+    b.centre = sea_.waves_at(there.centre, at.time), b.drag = sea_.waves_at(there.drag, at.time);
+    b.time = at.time, b.known = true;
+  }
+  return still + b.*wave;
+}
+
+BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& at) const {
+  Flow out;
+  const RigidBodyState s = floating_state(at, b.node);
+  out.at = places(b, s);
+  out.force = body_water_force(b.data, s, water(b, at, out.at.centre, &Wet::centre),
+                               water(b, at, out.at.drag, &Wet::drag));
+  BodyInWater floating;
+  floating.centre = b.data.centre, floating.height = b.data.height, floating.buoyancy = b.data.buoyancy;
+  Water calm;
+  calm.surface = sea_.surface;
+  out.force.at_centre -= body_water_force(floating, s, calm, calm).at_centre;
+  return out;
+}
+
+namespace {
+
+template <class Flow>
+double work(const Flow& from, const Flow& to) {
+  return 0.5 * ((to.force.at_centre + from.force.at_centre).dot(to.at.centre - from.at.centre) +
+                (to.force.at_drag + from.force.at_drag).dot(to.at.drag - from.at.drag));
+}
+
+}  // namespace
+
+void BodiesInWater::prepare(const Kinematics& committed, double h) {
+  for (Wet& b : list_) {
+    const RigidBodyState s = floating_state(committed, b.node);
+    b.start = places(b, s);
+    if (!(committed.step > 0) || !b.has_looked) b.looked = b.start, b.has_looked = true;
+    b.speed = {s.v + s.q * s.w.cross(b.data.centre), s.v + s.q * s.w.cross(b.data.drag_centre)};
+    b.known = false;
+  }
+  start_time_ = committed.time;
+  for (Wet& b : list_)
+    if (h <= 0 || !b.flowed) b.flow = flow(b, committed), b.flowed = true;
+}
+
+void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
+  const bool tangent = assembler.wants_tangent();
+  BodyWaterResidual r;
+  for (const Wet& b : list_) {
+    if (idle(b)) continue;
+    const RigidBodyState s = floating_state(trial, b.node);
+    const Places at = places(b, s);
+    body_water(b.data, s, water(b, trial, at.centre, &Wet::centre), water(b, trial, at.drag, &Wet::drag),
+               tangent, assembler.convex(), r);
+    const int blocks[2] = {b.block, b.block + 1};
+    if (tangent)
+      assembler.add(blocks, r.f.data(), r.K.data(), r.C.data(), r.M.data());
+    else
+      assembler.add(blocks, r.f.data(), nullptr, nullptr, nullptr);
+  }
+}
+
+void BodiesInWater::commit(const Kinematics& accepted) {
+  for (Wet& b : list_) {
+    const Flow now = flow(b, accepted);
+    if (accepted.step > 0 && b.flowed) b.work += work(b.flow, now);
+    b.flow = now, b.flowed = true;
+    b.looked = wave_places(b, accepted), b.has_looked = true;
+  }
+  start_time_ = accepted.time;
+}
+
+// As of lines: in statics forces without a potential are given the work they do on the way from the last
+// iteration, and what waves do is work.
+Energy BodiesInWater::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Wet& b : list_) {
+    e.work += b.work;
+    if (idle(b)) continue;
+    e.potential += body_water_potential(b.data, floating_state(at, b.node), sea_.surface);
+    if (!(at.step > 0) && b.flowed) e.potential -= work(b.flow, flow(b, at));
+  }
+  return e;
+}
+
+double BodiesInWater::dead_load() const {
+  double sum = 0;
+  for (const Wet& b : list_) sum += b.data.buoyancy;
+  return sum;
+}
+
+double BodiesInWater::round_off(const Kinematics& at, double h) const {
+  if (!(h > 0)) return 0;
+  const double eps = std::numeric_limits<double>::epsilon();
+  double sum = 0;
+  for (const Wet& b : list_)
+    sum += std::pow(4 * eps * b.data.added.maxCoeff() * at.v[static_cast<size_t>(b.node)].norm() / h, 2);
+  return sum;
+}
+
+namespace {
+
+struct Kept {
+  double work = 0;
+  Vec3 centre = Vec3::Zero(), drag = Vec3::Zero();
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("work", "J", self.work);
+    each("waves at the centre of buoyancy", "m", self.centre);
+    each("waves at the centre of drag", "m", self.drag);
+  }
+};
+
+}  // namespace
+
+std::vector<HistoryKind> BodiesInWater::history() const { return {history_kind<Kept>("body in water")}; }
+
+std::vector<HistoryRecord> BodiesInWater::save() const {
+  std::vector<HistoryRecord> out;
+  for (const Wet& b : list_)
+    out.push_back(record_of(b.global, 0, Kept{b.work, b.looked.centre, b.looked.drag}));
+  return out;
+}
+
+// A state that is gone on from has been looked at already.
+void BodiesInWater::restore(const std::vector<HistoryRecord>& records) {
+  for (Wet& b : list_) {
+    b.work = 0, b.known = b.flowed = b.has_looked = false;
+    for (const HistoryRecord& r : records) {
+      if (r.node != b.global) continue;
+      const Kept kept = entry<Kept>(r);
+      b.work = kept.work, b.looked = {kept.centre, kept.drag}, b.has_looked = true;
+    }
+  }
+}
+
+}  // namespace hawser
