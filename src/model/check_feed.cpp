@@ -99,6 +99,10 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
   if (line.target) issue("", "a line with a 'target' cannot be fed: give the length that meets it");
   if (line.start == Start::other_run) issue("", "a line that starts from another run cannot be fed");
   if (!line.loads.empty()) issue("", "a line with distributed loads cannot be fed");
+  for (const Body& b : c.bodies)
+    if (b.on && b.on->line == line.name)
+      issue("", fmt::format("body '{}' rides on line {}, and a line that carries bodies cannot be fed",
+                            b.name, line.name));
   for (const Release& r : c.events)
     if (r.line == line.name && r.at_b == at_b)
       issue("",
