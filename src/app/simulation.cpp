@@ -212,6 +212,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   }
   if (auto between = make_line_pairs(comm, c, local, notes_)) {
     line_pairs_ = between.get();
+    line_pairs_->fed_by(feeders_);
     system_->add(std::move(between));
   }
 

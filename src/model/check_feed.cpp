@@ -7,24 +7,6 @@
 #include "hawser/model/check.hpp"
 
 namespace hawser::model {
-namespace {
-
-// Whether contact lets this line touch lines, itself among them.
-bool touches_lines(const Case& c, const Line& line) {
-  const BetweenLines& b = c.contact.between_lines;
-  if (!b.enabled || !c.contact.takes_part(line)) return false;
-  const auto excluded = [&](const Line& other) {
-    return std::any_of(b.exclude.begin(), b.exclude.end(), [&](const auto& pair) {
-      return (pair.first == line.name && pair.second == other.name) ||
-             (pair.second == line.name && pair.first == other.name);
-    });
-  };
-  return std::any_of(c.lines.begin(), c.lines.end(), [&](const Line& other) {
-    return c.contact.takes_part(other) && (&other != &line || b.self) && !excluded(other);
-  });
-}
-
-}  // namespace
 
 void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& issues) {
   const End& end = at_b ? line.end_b : line.end_a;
@@ -117,10 +99,10 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
   if (line.target) issue("", "a line with a 'target' cannot be fed: give the length that meets it");
   if (line.start == Start::other_run) issue("", "a line that starts from another run cannot be fed");
   if (!line.loads.empty()) issue("", "a line with distributed loads cannot be fed");
-  if (touches_lines(c, line))
-    issue("", fmt::format("what is inside the feeder would touch itself there: leave line {} out of contact "
-                          "between lines ('contact: {{between_lines: false}}', or 'exclude' under it)",
-                          line.name));
+  for (const Body& b : c.bodies)
+    if (b.on && b.on->line == line.name)
+      issue("", fmt::format("body '{}' rides on line {}, and a line that carries bodies cannot be fed",
+                            b.name, line.name));
   for (const Release& r : c.events)
     if (r.line == line.name && r.at_b == at_b)
       issue("",

@@ -154,6 +154,19 @@ std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now
   return out;
 }
 
+int Feeders::fed_end(int e) const {
+  for (const int k : of_line_[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(e)].line)])
+    if (k >= 0)
+      if (const Feeder& f = feeders_[static_cast<size_t>(k)]; element(f, f.mouth) == e) return f.at_b;
+  return -1;
+}
+
+std::vector<std::array<int, 2>> Feeders::inside() const {
+  std::vector<std::array<int, 2>> out(of_line_.size(), {0, 0});
+  for (const Feeder& f : feeders_) out[static_cast<size_t>(f.line)][f.at_b] = f.mouth;
+  return out;
+}
+
 std::vector<Support> Feeders::with_held(const std::vector<Support>& supports) const {
   std::vector<int> fed = fed_nodes();
   std::vector<Support> out;

@@ -279,8 +279,9 @@ TEST(Feeders, RefuseWhatTheyCannotDo) {
       {{{table, "tension: 20 kN, dead_band: [8 kN, 12 kN], speed_per_tension: 1e-4"}}, "does not hold"},
       {{{table, "tension: 10 kN, dead_band: [8 kN, 12 kN]"}}, "needs 'speed_per_tension'"},
       {{{table, "tension: 10 kN, speed: 1"}}, "speed"},
-      {{{"contact: {between_lines: false}\n", ""}}, "would touch itself"},
       {{{"bending: false, ", "EI: 1e3, GJ: 1e3, "}}, "resists bending"},
+      {{{"lines:", "bodies: {cart: {on: {line: rope, at: 55}}}\nlines:"}},
+       "body 'cart' rides on line rope, and"},
   };
   for (const auto& [edits, text] : bad) {
     write_case(input, kWeight, edits);
