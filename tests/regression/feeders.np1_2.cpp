@@ -260,7 +260,15 @@ TEST(Feeders, StaticsDoesNotFeed) {
 TEST(Feeders, StopWhereTheStockRunsOut) {
   const std::string path = folder("feeders-out"), input = path + "/case.yaml";
   write_case(input, kWeight, {{"[20, 1], [24, -1], [40, -1]", "[60, 1]"}, {"duration: 40", "duration: 60"}});
-  EXPECT_NE(refusal(input, path + "/out.h5").find("the stock at end A of line rope runs out at t = 41"),
+  EXPECT_NE(
+      refusal(input, path + "/out.h5").find("40 m are paid out by t = 41 s, and the run goes on to 60 s"),
+      std::string::npos);
+  // It pays out whatever the weight is more than its tension: no length outside has that at rest.
+  write_case(input, kWeight,
+             {{"speed_table: [[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]",
+               "tension: 8 kN, speed_per_tension: 5e-4"},
+              {"duration: 40", "duration: 60"}});
+  EXPECT_NE(refusal(input, path + "/weight.h5").find("the stock at end A of line rope runs out at t = "),
             std::string::npos);
   write_case(input, kWeight, {{"[[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]", "[[0, 0], [2, -1]]"}});
   EXPECT_NE(refusal(input, path + "/in.h5").find("all of the line is hauled in at end A of line rope"),
