@@ -106,7 +106,12 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   if (c.output.statistics) {
     statistics_ =
         std::make_unique<NodeStatistics>(fields_, static_cast<size_t>(local.owned), c.output.statistics_from);
+    stations_ = std::make_unique<Stations>(comm, local, sim_.feeders(), fields_);
+    at_stations_ = std::make_unique<NodeStatistics>(stations_->fields(), static_cast<size_t>(local.owned),
+                                                    c.output.statistics_from);
     contents.statistics = statistics_->fields();
+    contents.statistics.insert(contents.statistics.end(), stations_->fields().begin(),
+                               stations_->fields().end());
   }
   contents.volumes = std::move(volumes);
   contents.waves = result_waves(c);
@@ -252,9 +257,11 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   stepped_ = true;
   Energy share = sim_.system().energy(at);
   share.work += support_work;
-  if (audit_.update(start_, sum_of(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);
+  if (audit_.update(start_, sum_of(comm_, share), info.time, info.h, passed_through(info.h)) && info.h > 0)
+    find_worst(at);
   extremes_->add(info.time, values_, utilisation_);
   if (statistics_) statistics_->add(info.time, values_);
+  if (at_stations_) at_stations_->add(info.time, stations_->at(values_));
   if (clashes_) clashes_->step(info.time);
   if (supports_) support_rows_ = supports_->rows(shown, body_poses(sim_, shown));
   if (info.time < rows_from_ - 1e-9 * std::max(1.0, info.time)) return;
@@ -291,6 +298,17 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
     rows.push_back({}), rows.push_back({});
   }
   file_->append_series(info.time, rows);
+}
+
+// J, work in a step that one feeder does on its line and another takes out of its own, or of the same.
+double Recorder::passed_through(double h) const {
+  double gross = 0, net = 0;
+  if (const Feeders* feeders = sim_.feeders())
+    for (size_t k = 0; k < feeders->list().size(); ++k) {
+      const double work = end_forces_.at_feeders()[k] * feeders->list()[k].speed * h;
+      gross += std::abs(work), net += work;
+    }
+  return gross - std::abs(net);
 }
 
 // Where the step that made most energy so far changed the motion most, and what acted there.
@@ -345,8 +363,9 @@ void Recorder::checkpoint(io::Checkpoint c) {
 }
 
 void Recorder::write_statistics() {
-  for (size_t f = 0; statistics_ && f < statistics_->fields().size(); ++f)
-    file_->write_statistics(f, statistics_->table(f));
+  size_t place = 0;
+  for (const NodeStatistics* s : {statistics_.get(), at_stations_.get()})
+    for (size_t f = 0; s && f < s->fields().size(); ++f) file_->write_statistics(place++, s->table(f));
 }
 
 std::string Recorder::finish(std::vector<std::string> messages) {
@@ -393,7 +412,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
 
 void Recorder::save(io::Checkpoint& to) {
   if (clashes_) to.history[kClashRecords] = {ClashReport::history(), clashes_->save()};
-  if (statistics_) statistics_->save(to);
+  if (statistics_) statistics_->save(to), at_stations_->save(to);
   save_audit(start_, audit_, to);
   extremes_->save(to);
 }
@@ -403,7 +422,7 @@ void Recorder::restore(const io::Checkpoint& from) {
     const auto at = from.history.find(kClashRecords);
     clashes_->restore(at == from.history.end() ? std::vector<HistoryRecord>{} : at->second.records);
   }
-  if (statistics_) statistics_->restore(from);
+  if (statistics_) statistics_->restore(from), at_stations_->restore(from);
   restore_audit(from, start_, audit_);
   extremes_->restore(from);
   if (rows_every_ > 0) rows_from_ = next_multiple(from.time, rows_every_);

@@ -2,11 +2,49 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::model {
+namespace {
+
+// When the rows of speed have paid the whole stock out, s; beyond the end of the run: they have not.
+double runs_out(const Feed& f, double end) {
+  std::vector<double> times;  // between which the speed is a straight line
+  for (const auto& [t, v] : f.speed)
+    if (t > 0 && t < end) times.push_back(t);
+  times.push_back(end);
+  double from = 0;
+  for (const double to : times) {
+    // The most within is at an end or where the speed passes zero.
+    const Fed a = fed_by(f, from), b = fed_by(f, to);
+    const double slope = (b.speed - a.speed) / (to - from);
+    const double top = a.speed > 0 && b.speed < 0 ? from - a.speed / slope : to;
+    if (fed_by(f, top).length > f.stock) {
+      double low = from, high = top;
+      for (int i = 0; i < 60; ++i)
+        (fed_by(f, 0.5 * (low + high)).length > f.stock ? high : low) = 0.5 * (low + high);
+      return high;
+    }
+    from = to;
+  }
+  return HUGE_VAL;
+}
+
+void check_stock(const Case& c, const Feed& f, const std::string& key, std::vector<Issue>& issues) {
+  const double end = c.dynamics.duration;
+  if (f.speed.empty() || !c.dynamics.enabled || !(end > 0)) return;
+  if (const double t = runs_out(f, end); t < end)
+    issues.push_back(
+        {key + ".stock",
+         fmt::format("{:g} m are paid out by t = {:.4g} s, and the run goes on to {:g} s: make the line and "
+                     "its stock that much longer, or stop the feeder before",
+                     f.stock, t, end)});
+}
+
+}  // namespace
 
 void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& issues) {
   const End& end = at_b ? line.end_b : line.end_a;
@@ -73,6 +111,7 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
             fmt::format("the time {:g} s does not follow {:g} s; times must grow from row to row",
                         f.speed[i].first, f.speed[i - 1].first));
   }
+  check_stock(c, f, key, issues);
   if (f.most > 0 || f.least > 0) {
     if (!(f.least < f.most))
       issue("dead_band",
