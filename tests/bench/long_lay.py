@@ -106,7 +106,8 @@ def main():
         peaks = run(given.hawser.resolve(), folder, "long-lay", given, False)
         finer = run(given.hawser.resolve(), folder, "long-lay-finer", given, True) if given.finer else {}
     for k, peak in peaks.items():
-        print(f"  box {k:2d}: {peak / 1e3:7.2f} kN" + (f", finer {finer[k] / 1e3:7.2f} ({100 * (peak / finer[k] - 1):+.1f} %)" if finer else ""))
+        other = finer.get(k, 0)
+        print(f"  box {k:2d}: {peak / 1e3:7.2f} kN" + (f", finer {other / 1e3:7.2f} ({100 * (peak / other - 1):+.1f} %)" if other else ""))
 
 
 if __name__ == "__main__":
