@@ -1,6 +1,9 @@
 // Checks of links: what they are between, and whether they do anything.
 #include <fmt/format.h>
 
+#include <optional>
+
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::model {
@@ -21,6 +24,13 @@ void check_end(const Case& c, const LinkEnd& e, const std::string& key, std::vec
     issues.push_back({key + ".at", fmt::format("arc length {:.6g} m is beyond the end of line '{}', which is "
                                                "{:.6g} m long",
                                                e.arc, e.line, length)});
+}
+
+// Where it is drawn; nothing of ends on lines and on what rides on them.
+std::optional<Vec3> drawn(const Case& c, const LinkEnd& e) {
+  const int body = c.body_index(e.body);
+  if (!e.line.empty() || c.rides(body)) return std::nullopt;
+  return body < 0 ? e.at : rigid_motion(c.bodies[static_cast<std::size_t>(body)]).at(0).to_space(e.at);
 }
 
 }  // namespace
@@ -48,6 +58,11 @@ void check_links(const Case& c, std::vector<Issue>& issues) {
     if (!l.end_a.line.empty() && l.end_a.line == l.end_b.line && l.end_a.arc == l.end_b.arc)
       issues.push_back(
           {key + ".end_b", fmt::format("both ends are at the same point of line '{}'", l.end_a.line)});
+    const std::optional<Vec3> a = drawn(c, l.end_a), b = drawn(c, l.end_b);
+    if (!l.rest_given && a && b && *a == *b)
+      issues.push_back({key,
+                        "its ends are drawn at the same point, so that it has no length: give it a "
+                        "'rest_length', which may be 0, or place its ends apart"});
   }
 }
 
