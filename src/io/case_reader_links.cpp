@@ -18,6 +18,8 @@ model::LinkEnd end(const Value& v, const std::string& key, const CaseSource& sou
     if (at) source.bad(*at, key + ".at", "is not for an 'anchor', which is a point in space already");
     return e;
   }
+  if (!at)
+    source.bad(v, key, std::string("'") + (v.has("body") ? "body" : "line") + "' needs 'at' beside it");
   const bool point = at->kind == Value::Kind::list;
   if (v.has("body")) {
     e.body = v["body"].text;

@@ -12,7 +12,7 @@ Key link_end(std::string name) {
               one_of("at", {vec3("", length), number("", length).at_least(0), word("", {"end_a", "end_b"})},
                      "... a point of the body's frame, or an arc length of the line from end A")},
              "what it is fixed to there")
-      .either({{{"anchor"}, {"anchor"}}, {{"body"}, {"body", "at"}}, {{"line"}, {"line", "at"}}}, true);
+      .either({{{"anchor"}, {"anchor"}}, {{"body"}, {"body"}}, {{"line"}, {"line"}}}, true);
 }
 
 Key rows(std::string name, std::string about) {
