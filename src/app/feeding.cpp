@@ -72,6 +72,7 @@ void Feeding::hand_over() {
 void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional<Dynamics::Moved>& moved) {
   sim_.dynamics().hand_over(
       [&] {
+        if (mouth != f.mouth) sim_.structure().hand_over(sim_.system().comm(), f, mouth);
         f.mouth = mouth, f.length = length;
         if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
         sim_.feeders()->see_mouth(f);

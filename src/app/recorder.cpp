@@ -19,6 +19,7 @@
 #include "hawser/model/doubts.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/feeders.hpp"
+#include "hawser/terms/links.hpp"
 
 namespace hawser::app {
 namespace {
@@ -138,6 +139,10 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
                                   {"end_b_arc_length", "m", 1},
                                   {"end_b_position", "m", 3},
                                   {"laid_length", "m", 1}}});
+  for (const model::Link& l : c.links)
+    contents.series.push_back(
+        {l.name + " link",
+         {{"tension", "N", 1}, {"length", "m", 1}, {"speed", "m/s", 1}, {"force", "N", 3}}});
   if (const Feeders* feeders = sim_.feeders())
     for (const Feeder& f : feeders->list())
       contents.series.push_back(
@@ -283,6 +288,13 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
   if (shows_touchdowns())
     for (const Touchdown& t : touchdowns(comm_, sim_.model(), sim_.local(), at))
       rows.push_back(rank == 0 ? touchdown_row(t) : std::vector<double>{});
+  for (size_t i = 0; i < sim_.model().links.size(); ++i) {
+    const Links::Now l = sim_.links()->now(i, at);
+    std::vector<double>& row = rows.emplace_back();
+    if (!l.known) continue;
+    row = {l.force.along.tension, l.force.length, l.force.speed};
+    for (const double on_a : l.force.pull) row.push_back(on_a);
+  }
   if (const Feeders* feeders = sim_.feeders())
     for (size_t k = 0; k < feeders->list().size(); ++k) {
       const Feeder& f = feeders->list()[k];

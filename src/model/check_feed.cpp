@@ -69,16 +69,20 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
             fmt::format("line type '{}' resists bending, and a feeder holds such a line clamped: give the "
                         "end 'clamped: true' and a 'direction', or the line type 'bending: false'",
                         s.type));
-      const char* cannot = t.plastic_bending         ? "yields ('plasticity')"
-                           : t.moment_table          ? "bends by a table"
+      const char* cannot = t.moment_table            ? "bends by a table"
                            : t.stiffness_damping > 0 ? "has 'stiffness_damping'"
                                                      : nullptr;
       if (cannot)
         return issue("",
                      fmt::format("line type '{}' {}, and what resists bending can be fed only where it bends "
-                                 "linearly and without damping",
+                                 "linearly or yields, without damping",
                                  s.type, cannot));
     }
+  const auto yields = [&](const Section& s) { return c.line_type(s.type).plastic_bending != nullptr; };
+  if (std::any_of(line.sections.begin(), line.sections.end(), yields) &&
+      std::any_of(line.sections.begin(), line.sections.end(),
+                  [&](const Section& s) { return s.type != line.sections.front().type; }))
+    return issue("", "a line that yields ('plasticity') can be fed only if all its sections are of one type");
   double at = 0,
          other = (at_b ? line.end_a : line.end_b).feed ? (at_b ? line.end_a : line.end_b).feed->stock : 0;
   int inside = 0, outside = 0;  // elements

@@ -149,7 +149,7 @@ std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now
     if (i != f.mouth) continue;
     const Mouth m = mouth(f, at, now);
     out->length = m.length, out->follows = m.by_chord, out->gives = m.gives, out->grows = m.speed;
-    out->before = f.length;
+    out->before = f.length, out->feeder = k;
   }
   return out;
 }

@@ -47,6 +47,33 @@ double paid(double t) {
 }
 double acceleration(double t) { return t < 2 ? 0.5 : t < 20 ? 0 : t < 24 ? -0.5 : 0; }
 
+// The node that divides an element settles by the weight of its neighbourhood: energy goes by F²/2K, with F =
+// w L/2 and K = EA (1/l + 1/(L - l)), 3/16 (w l/T)² of the energy of an element.
+TEST(Feeders, AnElementLeavesWithTheEnergyOfItsWeight) {
+  constexpr double l = 2, w = 10 * kGravity, EA = 1e6;  // m, N/m, N
+  const std::string path = folder("feeders-leaves"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kWeight,
+             {{"EA: 1e7", "EA: 1e6"},
+              {"stock: 40", "stock: 52"},
+              {"[[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]", "[[0, 0], [20, 0.05], [40, 0.05]]"},
+              {"duration: 40", "duration: 32, step: 0.02"}});
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto L = named(file, r, "rope_end_a_feed", "mouth_length"),
+             T = named(file, r, "rope_end_a_feed", "tension"), error = named(file, r, "energy", "error");
+  int left = 0;
+  for (size_t i = 1; i + 1 < L.size(); ++i) {
+    if (L[i + 1] > L[i] - 0.5 * l) continue;
+    const double F = 0.5 * w * L[i], K = EA * (1 / l + 1 / (L[i] - l)), lost = error[i] - error[i + 1];
+    printf("  energy that goes: %.5f J, by hand %.5f J; of the element's %.1e\n", lost, 0.5 * F * F / K,
+           lost / (0.5 * T[i] * T[i] * l / EA));
+    EXPECT_NEAR(lost, 0.5 * F * F / K, 0.02 * lost);
+    ++left;
+  }
+  EXPECT_EQ(left, 1);
+}
+
 TEST(Feeders, LowerAndRaiseAWeight) {
   const std::string path = folder("feeders-weight"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, kWeight);

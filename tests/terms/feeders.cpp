@@ -11,13 +11,21 @@
 namespace hawser::test::feeders_test {
 namespace {
 
-model::Case fed(const model::Feed& a, const model::Feed& b, bool beam) {
+enum class Kind { cable, beam, yields };
+
+model::Case fed(const model::Feed& a, const model::Feed& b, Kind kind) {
   model::Case c;
   c.environment.gravity = 9.81;
   model::LineType t;
   t.name = "rope", t.kind = model::LineKind::cable, t.mass_per_length = 2, t.EA = 300,
   t.stiffness_damping = 0.05;
-  if (beam) t.kind = model::LineKind::beam, t.EI2 = 9, t.EI3 = 12, t.GJ = 8, t.stiffness_damping = 0;
+  if (kind != Kind::cable)
+    t.kind = model::LineKind::beam, t.EI2 = 9, t.EI3 = 12, t.GJ = 8, t.stiffness_damping = 0;
+  if (kind == Kind::yields) {
+    t.EI2 = 12;
+    t.plastic_bending =
+        std::make_shared<PlasticBending>(std::vector<PlasticBending::Row>{{0.1, 1.2}, {0.4, 3}, {2, 6}});
+  }
   c.line_types.push_back(t);
   model::Line l;
   l.name = "rope";
@@ -100,20 +108,14 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
   limited = band, limited.max_speed = 0.01;
   const Vec3 towards(4, 1, 0.5);
   const Quat along = minimal_rotation(Vec3::UnitX(), towards.normalized());
-  for (const auto& [a, beam, crossed] : {std::tuple(speed, false, false),
-                                         {exact, false, false},
-                                         {band, false, false},
-                                         {limited, false, false},
-                                         {speed, true, false},
-                                         {exact, true, false},
-                                         {band, true, false},
-                                         {limited, true, false},
-                                         {speed, false, true},
-                                         {exact, false, true},
-                                         {band, false, true},
-                                         {speed, true, true},
-                                         {band, true, true}}) {
-    model::Case c = fed(a, speed, beam);
+  std::vector<std::tuple<model::Feed, Kind, bool>> cases;
+  for (const Kind kind : {Kind::cable, Kind::beam, Kind::yields})
+    for (const model::Feed& a : {speed, exact, band, limited}) cases.push_back({a, kind, false});
+  for (const model::Feed& a : {speed, exact, band}) cases.push_back({a, Kind::cable, true});
+  for (const model::Feed& a : {speed, band}) cases.push_back({a, Kind::beam, true});
+  for (const auto& [a, kind, crossed] : cases) {
+    const bool beam = kind != Kind::cable;
+    model::Case c = fed(a, speed, kind);
     if (crossed) cross(c);
     Rig r(c);
     r.feeders->clamp(std::vector<std::array<Quat, 2>>(c.lines.size(), {along, along}));
@@ -175,7 +177,8 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     VecGetArrayRead(y.get(), &q);
     const std::vector<double> Jd(q, q + d.size());
     VecRestoreArrayRead(y.get(), &q);
-    const double e = crossed ? 1e-5 : 1e-3;
+    // Friction has kinks, and curves bend fast at a yield circle.
+    const double e = crossed ? 1e-5 : kind == Kind::yields ? 2e-4 : 1e-3;
     const auto b1 = at(e), b2 = at(-e), c1 = at(2 * e), c2 = at(-2 * e);
     double off = 0, size = 0;
     for (const int n : moving)
@@ -184,8 +187,10 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
         off = std::max(off, std::abs((8 * (b1[i] - b2[i]) - (c1[i] - c2[i])) / (12 * e) - Jd[i]));
         size = std::max(size, std::abs(Jd[i]));
       }
-    EXPECT_LT(off, (crossed ? 1e-6 : 1e-8) * size) << a.tension << ' ' << a.max_speed << ' ' << beam;
-    printf("  %s%s, tension %g, at most %g m/s: error %.1e\n", beam ? "beam" : "cable",
+    EXPECT_LT(off, (crossed ? 1e-6 : 1e-8) * size)
+        << a.tension << ' ' << a.max_speed << ' ' << static_cast<int>(kind);
+    constexpr const char* kNames[] = {"cable", "beam", "beam that yields"};
+    printf("  %s%s, tension %g, at most %g m/s: error %.1e\n", kNames[static_cast<int>(kind)],
            crossed ? " over others" : "", a.tension, a.max_speed, off / size);
     if (!crossed) continue;
     at(0);

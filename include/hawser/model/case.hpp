@@ -21,6 +21,7 @@
 #include "hawser/model/bend_stiffener.hpp"
 #include "hawser/model/environment.hpp"
 #include "hawser/model/feed.hpp"
+#include "hawser/model/links.hpp"
 #include "hawser/model/stiffness.hpp"
 #include "hawser/model/supports.hpp"
 #include "hawser/model/value.hpp"
@@ -379,6 +380,7 @@ struct Case {
   std::vector<SupportBox> supports;  // in the order in which lines pass over them
   std::vector<Joint> joints;
   std::vector<Line> lines;
+  std::vector<Link> links;
   Contact contact;
   Statics statics;
   Dynamics dynamics;
