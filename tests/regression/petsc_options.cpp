@@ -45,7 +45,9 @@ TEST(PetscOptions, AnotherJudgeOfStepsIsRefused) {
        {std::pair("-dynamics_ts_adapt_type", "none"), {"-dynamics_ts_type", "beuler"}}) {
     const Option option(key, value);
     try {
-      run_on_all({input, path + "/out.h5"});
+      app::RunOptions run;
+      run.case_path = input, run.output = path + "/out.h5", run.quiet = true;
+      app::run(MPI_COMM_WORLD, run);
       FAIL() << key;
     } catch (const InputError& e) {
       EXPECT_NE(std::string(e.what()).find(key), std::string::npos) << e.what();
