@@ -29,7 +29,7 @@ Events::Events(MPI_Comm comm, Simulation& simulation)
                        fmt::format("end {} of line {}", r.at_b ? 'B' : 'A', r.line)});
     by_tension |= r.time < 0;
   }
-  if (by_tension) sim_.dynamics().watch([this](const Kinematics& trial) { return beyond(trial); });
+  if (by_tension) sim_.dynamics().watch([this](const Kinematics& trial) { return functions(trial); });
 }
 
 std::vector<double> Events::tensions(const Kinematics& at) {
@@ -44,12 +44,14 @@ std::vector<double> Events::tensions(const Kinematics& at) {
   return out;
 }
 
-bool Events::beyond(const Kinematics& trial) {
-  const std::vector<double> now = tensions(trial);
-  for (size_t e = 0; e < events_.size(); ++e)
-    if (events_[e].happened < 0 && events_[e].what.time < 0 && now[e] > (1 + kNear) * events_[e].what.tension)
-      return true;
-  return false;
+std::vector<double> Events::functions(const Kinematics& at) {
+  std::vector<double> out = tensions(at);
+  for (size_t e = 0; e < events_.size(); ++e) {
+    const double tension = events_[e].what.tension;
+    const bool awaited = events_[e].happened < 0 && events_[e].what.time < 0;
+    out[e] = awaited ? (out[e] - tension) / (kNear * tension) : -1;
+  }
+  return out;
 }
 
 std::vector<Support> Events::remaining_supports() const {

@@ -41,7 +41,7 @@ class Events {
   };
   // Effective tension at the end of each event [N], on all ranks.
   std::vector<double> tensions(const Kinematics& at);
-  bool beyond(const Kinematics& trial);
+  std::vector<double> functions(const Kinematics& at);  // for Dynamics::watch
   void refuse_reached(const std::vector<double>& pull) const;
   std::vector<std::string> release(const Kinematics& at, const std::vector<double>& pull);
   std::vector<Support> remaining_supports()
