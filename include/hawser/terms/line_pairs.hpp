@@ -154,8 +154,6 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   double stored(const Pair& pair) const;
   std::string too_soft(const Pair& pair) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);
-  template <class What>
-  void shared(const What& what) const;
 
   const LocalMesh& mesh_;
   std::vector<LineContactElement> elements_;
