@@ -259,16 +259,11 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
   for (Pair& p : pairs_) {
     if (!p.here) continue;
     p.at = both(p, committed);
-    const Sum s = touch(p, p.at, {true});
+    const Sum s = touch(p, p.at, kStiffness);
     p.potential = s.potential, p.seen = s.depth;
+    p.elastic = s.touches ? Vec12(touch(p, p.at, kSprings).on.f) : Vec12(Vec12::Zero());
+    p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.at) + s.potential;
-    p.frequency = 0;
-    if (h > 0 && s.touches) {
-      const Sum springs = touch(p, p.at, kSprings);
-      p.elastic = springs.on.f, p.frequency = frequency(p, springs);
-    } else {
-      p.elastic.setZero();
-    }
     if (p.counted) powers(p, s, committed, p.damping_power, p.work_power);
   }
   if (h > 0) look(committed.time);
@@ -294,7 +289,7 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += at.step > 0 ? p.potential : touch(p, both(p, at), {}).potential;
+    e.strain += at.step > 0 ? p.potential : touch(p, both(p, at), kSprings).potential;
     e.damping += p.damping, e.work += p.work;
   }
   return e;

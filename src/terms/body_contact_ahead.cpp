@@ -97,7 +97,7 @@ double BodyContactTerm::followed(const Pair& pair, const Both& at, double most) 
   const auto follows = [&](double h) {
     Both there = at;
     there.move(h);
-    const double w = frequency(pair, touch(pair, there, kSprings));
+    const double w = frequency(pair, touch(pair, there, kStiffness));
     return h * w <= 2 * M_PI / kStepsAPeriod;
   };
   if (follows(most)) return most;
@@ -185,7 +185,7 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
     way.segment<3>(9) = log_so3(Quat(Mat3(p.at.B.R.transpose() * now.B.R)));
     const double made = s.potential - p.potential - 0.5 * (p.elastic + s.on.f).dot(way);
     if (!(std::abs(made) > kEnergyError * std::max(p.energy, s.potential))) continue;
-    const double w = std::max(p.frequency, frequency(p, s));
+    const double w = std::max(p.frequency, frequency(p, touch(p, now, kStiffness)));
     if (trial.step * w > 2 * M_PI / kShortest) to.too_deep = true;
   }
 }

@@ -127,8 +127,8 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double depth = 0;                         // m, largest penetration
     bool touches = false;
   };
-  // Of the springs alone, where they stand: residual without damping, and stiffness.
-  static constexpr AxisContactMode kSprings{false, true, true};
+  // What tells how stiff the springs are, dampers included, where they stand; and their forces alone.
+  static constexpr AxisContactMode kStiffness{true, true, true}, kSprings{};
   struct Nearest {
     double gap = 0;  // m
     Vec12 gradient = Vec12::Zero();
@@ -141,7 +141,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   bool passes(const Pair& pair, const Kinematics& trial) const;
   void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
   // What looks ahead, body_contact_ahead.cpp. rad/s, of the fastest motion of the bodies on those springs.
-  double frequency(const Pair& pair, const Sum& springs) const;
+  double frequency(const Pair& pair, const Sum& stiffness) const;
   // J, of the motion of the bodies against each other.
   double relative_energy(const Pair& pair, const Both& at) const;
   // m/s, no place of one comes nearer to the other faster than that.
