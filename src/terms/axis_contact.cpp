@@ -2,6 +2,7 @@
 // unknowns, and by the roll of a beam about its own axis.
 #include "hawser/terms/axis_contact.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -71,8 +72,12 @@ void AxisContact::add_panel(const ContactPlaces& found, size_t panel, std::vecto
   std::array<Moving, 2> ends;
   if (mode_.tangent && !mode_.convex) ends = moving_ends(s);
   const bool moving = ends[0].on || ends[1].on;
-  for (const ContactPlace& there : found.places) {
-    if (there.panel != panel || !(there.at.distance <= touch)) continue;
+  // Places lie by panel.
+  auto place = std::partition_point(found.places.begin(), found.places.end(),
+                                    [&](const ContactPlace& p) { return p.panel < panel; });
+  for (; place != found.places.end() && place->panel == panel; ++place) {
+    const ContactPlace& there = *place;
+    if (!(there.at.distance <= touch)) continue;
     const double xi = there.xi, w = there.weight;
     const Vec3 x = shape_.point(xi);
     ContactTrial trial;
