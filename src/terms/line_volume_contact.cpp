@@ -69,6 +69,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   old.swap(pairs_);
   pairs_.reserve(old.size());
   size_t known = 0;
+  Pair pair;  // most are far away, and it serves for the next
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
     if (!(elements_[static_cast<size_t>(e)].radius > 0)) continue;
     const AxisEnds at = ends(committed, e);
@@ -76,13 +77,13 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
     for (int k = 0; k < volumes(); ++k) {
       const auto key = [&] { return std::pair(old[known].element, old[known].volume); };
       while (known < old.size() && key() < std::pair(e, k)) ++known;
-      Pair pair;
       pair.element = e, pair.volume = k;
       double motion = 0;
       if (!start_pair(pair, at, shape, h, motion)) continue;
       if (known < old.size() && key() == std::pair(e, k)) carry_over(old[known], pair);
       start_walls(pair, motion);
       pairs_.push_back(std::move(pair));
+      pair = {};
     }
   }
 }
