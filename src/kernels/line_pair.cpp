@@ -25,20 +25,21 @@ double slave_share(double slave, double master) {
 
 PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), ends(n) {
   if (n.beam) {
-    to_space = {n.q1.toRotationMatrix(), n.q2.toRotationMatrix()};
-    turn = {to_space[0] * s.q1.toRotationMatrix().transpose(),
-            to_space[1] * s.q2.toRotationMatrix().transpose()};
+    for (size_t i = 0; i < 2; ++i) turn[i] = now.axes(i) * start.axes(i).transpose();
   } else {
     const Vec3 was = (s.x2 - s.x1).normalized(), is = (n.x2 - n.x1).normalized();
     turn[0] = turn[1] = minimal_rotation(was, is).toRotationMatrix();
-    to_space[0] = to_space[1] = Mat3::Identity();
   }
 }
 
-LinePairForces::LinePairForces(int slave_count, int master_count) : slave(slave_count), master(master_count) {
-  F.fill(Vec3::Zero());
-  for (auto& row : K) row.fill(Mat3::Zero());
-  for (auto& row : C) row.fill(Mat3::Zero());
+AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs) {
+  return AttachedForces(slave.now.count() + master.now.count(), rubs);
+}
+
+Stencil stencil_of(const PairAxis& slave, const PairAxis& master) {
+  Stencil s;
+  slave.now.attach(s, 0), master.now.attach(s, 2);
+  return s;
 }
 
 LinePairSide::LinePairSide(const PairAxis& slave, const PairAxis& master, ProjectOn part,

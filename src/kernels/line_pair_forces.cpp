@@ -8,7 +8,7 @@
 namespace hawser {
 namespace {
 
-constexpr size_t kTurns = LinePairForces::kPositions, kMost = LinePairForces::kMost;
+constexpr size_t kTurns = AttachedForces::kPositions, kMost = AttachedForces::kMost;
 using Column = Eigen::Matrix<double, 6, 1>;  // of force and couple
 using Six = Eigen::Matrix<double, 6, 3>;
 
@@ -163,10 +163,10 @@ LinePairSide::MovingEnd LinePairSide::moving_end(double xi, End end) const {
 
 // Where negative stiffness is left out: as if nearest points and normals stayed.
 void LinePairSide::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
-                              LinePairForces& g) const {
+                              AttachedForces& g) const {
   const Vec3& nrm = p.foot.normal;
   const Six by_moved = c.by.block<6, 3>(0, LinePairForce::kMoved);
-  const size_t n = static_cast<size_t>(g.slave + g.master);
+  const size_t n = g.positions;
   for (size_t r = 0; r < n; ++r)
     for (size_t m = 0; m < n; ++m)
       g.K[r][m] -= weight * rows.share[r] * rows.share[m] *
@@ -174,11 +174,10 @@ void LinePairSide::add_convex(const Point& p, const LinePairForce& c, const Rows
 }
 
 // The tangent is exact.
-void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, LinePairForces& g) const {
+void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g) const {
   const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
-  const size_t n = static_cast<size_t>(g.slave + g.master);
+  const size_t n = g.positions;
   const double L = set_.share * slave_.ends.length;
-  g.rotates = g.rotates || rubs;
   for (const Panel& panel : panels) {
     const double span = panel.to - panel.from;
     std::array<MovingEnd, 2> ends;

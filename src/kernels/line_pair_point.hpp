@@ -20,7 +20,7 @@ struct LinePairSide::Point {
 struct LinePairSide::Start {
   double slip[2] = {0, 0}, slip_slope[2] = {0, 0};
   double closing = 0, closing_xi = 0, closing_eta = 0;
-  std::array<Vec3, LinePairForces::kPositions> closing_by;
+  std::array<Vec3, AttachedForces::kPositions> closing_by;
 };
 
 }  // namespace hawser

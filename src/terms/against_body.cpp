@@ -8,17 +8,15 @@
 
 namespace hawser {
 
-void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
-                      bool counted, const double* f, const double* K, const double* C) {
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& body, bool turning,
+                         const double* f, const double* K, const double* C) {
+  using Matrix = AgainstBody::Matrix;
   const Eigen::Index n = 3 * static_cast<Eigen::Index>(line.size()), m = n + 6;
   const Eigen::Map<const Eigen::VectorXd> on_line(f, n);
-  std::array<int, Assembler::kMaxBlocks> blocks{};
   Matrix G = Matrix::Zero(n, 6);
   for (size_t i = 0; i < line.size(); ++i) {
     const LineBlock& l = line[i];
     const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
-    blocks[i] = l.block;
     if (l.turns) {
       G.block<3, 3>(at, 3) = l.R.transpose() * body.R;
       continue;
@@ -26,18 +24,16 @@ void add_against_body(Assembler& assembler, std::span<const LineBlock> line, con
     G.block<3, 3>(at, 0).setIdentity();
     G.block<3, 3>(at, 3) = -hat(l.x - body.x) * body.R;
   }
-  blocks[line.size()] = body.block, blocks[line.size() + 1] = body.block + 1;
-  Eigen::VectorXd force(m);
-  force << on_line, -G.transpose() * on_line;
-  Matrix k, c;
+  AgainstBody out;
+  out.f.resize(m);
+  out.f << on_line, -G.transpose() * on_line;
   if (K) {
     const Eigen::Map<const Matrix> KL(K, n, n);
-    k = Matrix::Zero(m, m);
-    k.topLeftCorner(n, n) = KL;
+    out.K = Matrix::Zero(m, m);
+    out.K.topLeftCorner(n, n) = KL;
     Matrix by_body = -KL * G;
-    // The turning of the forces, and of the arms they have about the body: left out far from a solution.
     Matrix turned = Matrix::Zero(6, n + 6);
-    if (!assembler.convex()) {
+    if (turning) {
       Vec3 sum = Vec3::Zero();  // moment about the body, its axes
       for (size_t i = 0; i < line.size(); ++i) {
         const LineBlock& l = line[i];
@@ -60,34 +56,42 @@ void add_against_body(Assembler& assembler, std::span<const LineBlock> line, con
       }
       turned.block<3, 3>(3, n + 3) -= hat(sum);
     }
-    k.topRightCorner(n, 6) = by_body;
-    k.bottomRows(6) = turned;
-    k.bottomRows(6) -= G.transpose() * k.topRows(n);
+    out.K.topRightCorner(n, 6) = by_body;
+    out.K.bottomRows(6) = turned;
+    out.K.bottomRows(6) -= G.transpose() * out.K.topRows(n);
   }
   if (C) {
     const Eigen::Map<const Matrix> CL(C, n, n);
-    c = Matrix::Zero(m, m);
-    c.topLeftCorner(n, n) = CL;
-    c.topRightCorner(n, 6) = -CL * G;
-    c.bottomRows(6) = -G.transpose() * c.topRows(n);
+    out.C = Matrix::Zero(m, m);
+    out.C.topLeftCorner(n, n) = CL;
+    out.C.topRightCorner(n, 6) = -CL * G;
+    out.C.bottomRows(6) = -G.transpose() * out.C.topRows(n);
   }
-  // Rows of the line by all who own some, those of the body once.
-  const std::span<const int> all(blocks.data(), line.size() + 2);
+  return out;
+}
+
+// Rows of the line by all who own some, those of the body once.
+void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
+                      bool counted, const double* f, const double* K, const double* C) {
+  const AgainstBody all = against_body(line, body, !assembler.convex(), f, K, C);
+  std::array<int, Assembler::kMaxBlocks> blocks{};
+  for (size_t i = 0; i < line.size(); ++i) blocks[i] = line[i].block;
+  blocks[line.size()] = body.block, blocks[line.size() + 1] = body.block + 1;
+  const Eigen::Index m = all.f.size();
   const auto only = [&](Eigen::Index first, Eigen::Index rows, bool send) {
-    Eigen::VectorXd fp = Eigen::VectorXd::Zero(m);
-    fp.segment(first, rows) = force.segment(first, rows);
-    const auto part = [&](const Matrix& of) {
-      Matrix out = Matrix::Zero(m, m);
-      out.middleRows(first, rows) = of.middleRows(first, rows);
-      return out;
+    AgainstBody part = all;
+    const auto cut = [&](auto& of) {
+      if (of.size() == 0) return;
+      of.topRows(first).setZero(), of.bottomRows(m - first - rows).setZero();
     };
-    const Matrix kp = K ? part(k) : Matrix(), cp = C ? part(c) : Matrix();
+    cut(part.f), cut(part.K), cut(part.C);
     assembler.send(send);
-    assembler.add(all, fp.data(), K ? kp.data() : nullptr, C ? cp.data() : nullptr, nullptr);
+    assembler.add({blocks.data(), line.size() + 2}, part.f.data(), K ? part.K.data() : nullptr,
+                  C ? part.C.data() : nullptr, nullptr);
     assembler.send(false);
   };
-  only(0, n, false);
-  if (counted) only(n, 6, true);
+  only(0, m - 6, false);
+  if (counted) only(m - 6, 6, true);
 }
 
 }  // namespace hawser

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "body_contact_sum.hpp"
-#include "hawser/kernels/contact_stretches.hpp"
 #include "hawser/model/body_pairs.hpp"
+#include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/contact_laws.hpp"
 
 namespace hawser {
@@ -19,35 +18,12 @@ constexpr double kMostSmoothing = 0.01;  // m
 constexpr double kRoom = 0.05;           // of that size, m/m; less where it would get through something thin
 constexpr int kEdgeLevels = 5;           // an edge is looked at in pieces of 1/32
 
-// Places and weights of the Gauss points of a panel follow its ends, and these the bodies, where they are
-// roots of the gap: what that adds to the tangent. length [m]: of the edge, times the share of the force.
-void add_moving_ends(const BodyFrame& A, const SkeletonEdge& e, const BodyFrame& B, const BodyFrame& Bs,
-                     const Surface& surface, const NormalLaw& law, double length, const ContactStretch& s,
-                     Mat12& K) {
-  const Vec3 way = e.to - e.from;
-  const double touch = e.radius + law.smoothing, span = s.to - s.from;
-  const auto at = [&](double xi) { return Vec3(e.from + xi * way); };
-  const auto see = [&](const Vec3& y, double within) {
-    return surface.query(Bs.to_body(A.to_space(y)), within);
-  };
-  for (const bool last : {false, true}) {
-    if (!(last ? s.to_moves : s.from_moves)) continue;
-    const Vec3 end = at(last ? s.to : s.from);
-    const auto there = see(end, touch + 1e-9);
-    if (!there) continue;
-    const double slope = (B.R * there->normal).dot(A.R * way);
-    if (std::abs(slope) < 1e-9 * way.norm()) continue;
-    Vec12 by_end = Vec12::Zero();
-    for (size_t k = 0; k < ContactRule::kPoints; ++k) {
-      const double place = ContactRule::place()[k], weight = ContactRule::weight()[k];
-      const Vec3 y = at(s.from + span * place);
-      const auto p = see(y, touch);
-      if (!p) continue;
-      const BodyContactAlong c = body_contact_along(A, y, way, e.radius, B, *p, law);
-      by_end += length * weight * ((last ? 1.0 : -1.0) * c.f + span * (last ? place : 1 - place) * c.slope);
-    }
-    K -= by_end * body_gap_gradient(A, end, B, *there).transpose() / slope;
-  }
+AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
+  AxisEnds e;
+  e.beam = false;
+  e.x1 = body.to_space(from), e.x2 = body.to_space(to);
+  e.v1 = body.velocity(from), e.v2 = body.velocity(to);
+  return AxisShape(e);
 }
 
 }  // namespace
@@ -79,8 +55,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
       around.add(Box{b.centre, b.centre}.grown(b.radius));
     };
     const BodySkeleton& leads = volumes_[p.a].skeleton;
-    std::for_each(leads.points.begin(), leads.points.end(), add);
-    std::for_each(leads.edges.begin(), leads.edges.end(), add);
+    std::for_each(leads.touches.begin(), leads.touches.end(), add);
     if (!around.empty())
       pair.middle = around.centre() - sides_[p.a].centre, pair.radius = 0.5 * around.extent().norm();
     const Vec3 extent = boxes_[p.a].extent();
@@ -162,50 +137,80 @@ BodyContactTerm::Both BodyContactTerm::both(const Pair& pair, const Kinematics& 
   return out;
 }
 
-BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Both& at, bool tangent,
-                                            bool springs) const {
-  Sum sum(springs);
+// A corner is an edge of no length.
+void BodyContactTerm::touch_along(const Pair& pair, const Both& at, const RigidPose& pose,
+                                  const SkeletonPart& e, const AxisContactMode& mode, double* f, double* K,
+                                  double* C, Sum& sum) const {
+  const Surface& surface = *volumes_[pair.b].surface;
+  const double touch = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
+               weight = pair.share * (length > 0 ? length : e.weight);
+  const AxisShape shape = chord(at.A, e.from, e.to);
+  const auto see = [&](double xi, double within) {
+    return surface.query(pose.to_body(shape.point(xi)), within);
+  };
+  ContactPlaces found;
+  if (length > 0) {
+    const AxisGapFunction gap = axis_distance(surface, pose, shape, touch);
+    found.add_panels(cut_stretches(contact_stretches(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
+                     [&](double xi) { return see(xi, touch); });
+  } else if (const auto p = see(0, touch)) {
+    found.panels.emplace_back();
+    found.places.push_back({0, weight, 0, 1, 0, *p});
+  }
+  if (found.places.empty()) return;
+  AxisContact contact(shape, pose,
+                      {e.radius,
+                       weight,
+                       [&](const ContactPanel&) {
+                         return ContactLaw{pair.law, {}};
+                       },
+                       [&](const ContactPanel&, double xi) { return see(xi, touch + 1e-9); },
+                       {}},
+                      mode);
+  std::vector<AxisContactPoint> points;
+  contact.add(found, &points);
+  if (points.empty()) return;
+  Stencil stencil;
+  stencil.blocks = 2;
+  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, y, at.A.R, at.A.w});
+  contact.to_blocks(stencil, f, K, C);
+  sum.touches = true;
+  for (const AxisContactPoint& p : points) {
+    const Vec3 x = shape.point(p.xi), speed = shape.velocity(p.xi) - pose.velocity_at(x);
+    sum.potential += p.weight * p.potential;
+    sum.damping_power -= p.weight * p.damping_force * (pose.rotation * p.normal).dot(speed);
+    sum.depth = std::max(sum.depth, -p.gap);
+  }
+}
+
+BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Both& at,
+                                            const AxisContactMode& mode) const {
   const BodyFrame &A = at.A, &B = at.B, &Bs = at.Bs;
   const Vec3& ca = sides_[pair.a].centre;  // zero of one with prescribed motion
+  RigidPose pose;
+  pose.position = Bs.x, pose.rotation = Quat(Bs.R);
+  pose.velocity = B.velocity(B.to_body(Bs.x)), pose.angular_velocity = B.R * B.w;
   const Surface& surface = *volumes_[pair.b].surface;
-  const Box& box = boxes_[pair.b];
   const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
-  const double d = pair.law.smoothing;
   const auto near = [&](const auto& b) {
     const Vec3 z = Bs.to_body(A.to_space(b.centre - ca));
-    const double reach = b.radius + d;
-    return squared_distance(box, z) <= reach * reach && surface.query(z, reach);
+    const double reach = b.radius + pair.law.smoothing;
+    return squared_distance(boxes_[pair.b], z) <= reach * reach && surface.query(z, reach);
   };
-  const auto meet = [&](const Vec3& y, double radius, double weight) {
-    auto s = surface.query(Bs.to_body(A.to_space(y)), radius + d);
-    if (!s) return;
-    // The kernel's z counts from B's centre of mass; distance and derivatives are the same.
-    sum.add(body_contact(A, y, radius, B, *s, pair.law, weight, tangent, sum.contact), weight);
-  };
-  for (const auto& b : skeleton.points)
+  Sum sum;
+  sum.on.f = Vec12::Zero();
+  std::array<double, 6> f{};
+  std::array<double, 36> K{}, C{};
+  double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
+  for (const SkeletonBundle& b : skeleton.touches)
     if (near(b))
-      for (const SkeletonPoint& p : b.items) meet(p.at - ca, p.radius, pair.share * p.weight);
-  for (const auto& b : skeleton.edges)
-    if (near(b))
-      for (SkeletonEdge e : b.items) {
-        e.from -= ca, e.to -= ca;
-        const double length = (e.to - e.from).norm();
-        const auto gap = [&, touch = e.radius + d](double xi, double within) -> AxisGap {
-          const Vec3 y = e.from + xi * (e.to - e.from);
-          const auto s = surface.query(Bs.to_body(A.to_space(y)), touch + within);
-          if (!s) return {within, 0};
-          return {s->distance - touch, (Bs.R * s->normal).dot(A.R * (e.to - e.from))};
-        };
-        const auto panels = cut_stretches(contact_stretches(gap, {length}, kEdgeLevels), kEdgeLevels);
-        for (const ContactStretch& s : panels) {
-          for (size_t k = 0; k < ContactRule::kPoints; ++k) {
-            const double xi = s.from + (s.to - s.from) * ContactRule::place()[k];
-            meet(e.from + xi * (e.to - e.from), e.radius,
-                 pair.share * length * (s.to - s.from) * ContactRule::weight()[k]);
-          }
-          if (tangent) add_moving_ends(A, e, B, Bs, surface, pair.law, pair.share * length, s, sum.contact.K);
-        }
+      for (SkeletonPart p : b.parts) {
+        p.from -= ca, p.to -= ca;
+        touch_along(pair, at, pose, p, mode, f.data(), k, c, sum);
       }
+  if (!sum.touches) return sum;
+  const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};
+  sum.on = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f.data(), k, c);
   return sum;
 }
 
@@ -213,7 +218,8 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const Side &a = sides_[p.a], &b = sides_[p.b];
-    const Sum s = touch(p, both(p, trial), assembler.wants_tangent());
+    const bool tangent = assembler.wants_tangent();
+    const Sum s = touch(p, both(p, trial), {true, tangent, false});
     if (!s.touches) continue;
     std::array<int, 4> blocks{};
     std::array<int, 12> row{};  // of the twelve
@@ -229,13 +235,12 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     std::array<double, 12> f{};
     std::array<double, 144> K{}, C{};
     for (size_t i = 0; i < m; ++i) {
-      f[i] = s.contact.f[row[i]];
-      for (size_t j = 0; j < m; ++j) {
-        K[m * i + j] = s.contact.K(row[i], row[j]);
-        C[m * i + j] = s.contact.C(row[i], row[j]);
-      }
+      f[i] = s.on.f[row[i]];
+      for (size_t j = 0; j < m && tangent; ++j)
+        K[m * i + j] = s.on.K(row[i], row[j]), C[m * i + j] = s.on.C(row[i], row[j]);
     }
-    assembler.add({blocks.data(), static_cast<size_t>(n)}, f.data(), K.data(), C.data(), nullptr);
+    assembler.add({blocks.data(), static_cast<size_t>(n)}, f.data(), tangent ? K.data() : nullptr,
+                  tangent ? C.data() : nullptr, nullptr);
   }
 }
 
@@ -246,7 +251,7 @@ void BodyContactTerm::powers(const Pair& p, const Sum& s, const Kinematics& at, 
   for (const auto& [side, first] : {std::pair(&sides_[p.a], 0), std::pair(&sides_[p.b], 6)}) {
     if (side->global >= 0) continue;
     const BodyFrame f = frame(*side, at);
-    work += s.contact.f.segment<3>(first).dot(f.v) + s.contact.f.segment<3>(first + 3).dot(f.w);
+    work += s.on.f.segment<3>(first).dot(f.v) + s.on.f.segment<3>(first + 3).dot(f.w);
   }
 }
 
@@ -254,8 +259,9 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
   for (Pair& p : pairs_) {
     if (!p.here) continue;
     p.at = both(p, committed);
-    const Sum s = touch(p, p.at, false, h > 0);
-    p.potential = s.potential, p.elastic = s.elastic, p.seen = s.depth;
+    const Sum s = touch(p, p.at, kStiffness);
+    p.potential = s.potential, p.seen = s.depth;
+    p.elastic = s.touches ? Vec12(touch(p, p.at, kSprings).on.f) : Vec12(Vec12::Zero());
     p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.at) + s.potential;
     if (p.counted) powers(p, s, committed, p.damping_power, p.work_power);
@@ -266,9 +272,9 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
 void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
     if (!p.counted) continue;
-    const Sum s = touch(p, both(p, accepted), false);
+    const Sum s = touch(p, both(p, accepted), {true});
     p.depth = std::max(p.depth, s.depth), p.potential = s.potential;
-    p.now.force = s.contact.f.segment<3>(0).norm();
+    p.now.force = s.on.f.segment<3>(0).norm();
     p.now.energy = s.potential, p.now.depth = s.depth;
     if (!(accepted.step > 0)) continue;
     double damping = 0, work = 0;
@@ -283,7 +289,7 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += at.step > 0 ? p.potential : touch(p, both(p, at), false).potential;
+    e.strain += at.step > 0 ? p.potential : touch(p, both(p, at), kSprings).potential;
     e.damping += p.damping, e.work += p.work;
   }
   return e;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "body_contact_sum.hpp"
+#include "hawser/kernels/axis_sweep.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/terms/axis_distance.hpp"
+#include "hawser/terms/body_contact.hpp"
 
 namespace hawser {
 namespace {
@@ -14,8 +16,16 @@ namespace {
 constexpr double kStepsAPeriod = 20;
 constexpr double kShortest = 200;      // no more steps a period are asked for
 constexpr double kEnergyError = 3e-4;  // of the energy of the motion against each other, in a step
-constexpr int kPieces = 8;             // of an edge, in each of which the gap has one minimum
+constexpr int kLevels = 3;             // of an edge: in each eighth the gap has one minimum
 constexpr int kHalvings = 12;
+
+// G, the gap of the material y of A to B's surface by the motion of the two bodies.
+Vec12 gap_gradient(const BodyFrame& A, const Vec3& y, const BodyFrame& B, const SurfacePoint& s) {
+  const Vec3 z = B.to_body(A.to_space(y)), n = B.R * s.normal;
+  Vec12 G;
+  G << n, y.cross(A.R.transpose() * n), -n, s.normal.cross(z);
+  return G;
+}
 
 }  // namespace
 
@@ -36,7 +46,7 @@ double BodyContactTerm::frequency(const Pair& pair, const Sum& s) const {
     W.block<3, 3>(first, first) = Mat3::Identity() / std::sqrt(side->mass);
     W.block<3, 3>(first + 3, first + 3) = side->inverse_inertia.llt().matrixL();
   }
-  const Mat12 K = W.transpose() * s.stiffness * W;
+  const Mat12 K = W.transpose() * s.on.K * W;
   const Eigen::SelfAdjointEigenSolver<Mat12> solver(K, Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(solver.eigenvalues()[11], 0.0));
 }
@@ -54,62 +64,31 @@ double BodyContactTerm::fastest(const Pair& pair, const Both& at) const {
   return (at.A.v - at.B.v).norm() + at.A.w.norm() * arm + at.B.w.norm() * (arm + (at.A.x - at.B.x).norm());
 }
 
-void BodyContactTerm::look_along(const Both& at, const Vec3& from, const Vec3& to, double radius,
-                                 const Surface& surface, Nearest& best) const {
-  const Vec3 way = to - from, along = at.A.R * way;
-  const double piece = way.norm() / kPieces;
-  struct Place {
-    double gap = HUGE_VAL, slope = 0;
-  };
-  const auto look = [&](double xi) {
-    const Vec3 y = from + xi * way;
-    const auto s = surface.query(at.Bs.to_body(at.A.to_space(y)), std::max(best.gap, 0.0) + radius + piece);
-    if (!s) return Place{};
-    const Place p{s->distance - radius, (at.B.R * s->normal).dot(along)};
-    if (p.gap < best.gap) best = {p.gap, body_gap_gradient(at.A, y, at.B, *s)};
-    return p;
-  };
-  Place left = look(0);
-  for (int i = 0; i < kPieces; ++i) {
-    const Place right = look((i + 1.0) / kPieces);
-    double a = static_cast<double>(i) / kPieces, b = a + 1.0 / kPieces;
-    // The distance falls no faster than what is gone along.
-    if (left.slope < 0 && right.slope > 0 && 0.5 * (left.gap + right.gap - piece) < best.gap)
-      for (int k = 0; k < kHalvings; ++k) {
-        const double middle = 0.5 * (a + b);
-        (look(middle).slope > 0 ? b : a) = middle;
-      }
-    left = right;
-  }
-}
-
 std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pair, const Both& at,
                                                                  double within) const {
   const Vec3& ca = sides_[pair.a].centre;
   const Surface& surface = *volumes_[pair.b].surface;
-  const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
-  Nearest best;
-  best.gap = within;
-  const auto near = [&](const auto& b) {
-    const Vec3 z = at.Bs.to_body(at.A.to_space(b.centre - ca));
-    const double reach = b.radius + std::max(best.gap, 0.0);
-    if (squared_distance(boxes_[pair.b], z) > reach * reach) return false;
-    const auto s = surface.query(z, reach);
-    return s && s->distance - b.radius < best.gap;
-  };
-  for (const auto& b : skeleton.points)
-    if (near(b))
-      for (const SkeletonPoint& p : b.items) {
-        const Vec3 y = p.at - ca;
-        const auto s = surface.query(at.Bs.to_body(at.A.to_space(y)), std::max(best.gap, 0.0) + p.radius);
-        if (s && s->distance - p.radius < best.gap)
-          best = {s->distance - p.radius, body_gap_gradient(at.A, y, at.B, *s)};
-      }
-  for (const auto& b : skeleton.edges)
-    if (near(b))
-      for (const SkeletonEdge& e : b.items) look_along(at, e.from - ca, e.to - ca, e.radius, surface, best);
-  if (!(best.gap < within)) return std::nullopt;
-  return best;
+  const DistanceField field = distance_to(surface);
+  const auto there = [&](const Vec3& y) { return at.Bs.to_body(at.A.to_space(y - ca)); };
+  const SkeletonPart* best = nullptr;
+  AxisToSurface found;
+  double gap = within;
+  for (const SkeletonBundle& b : volumes_[pair.a].skeleton.touches) {
+    const Vec3 z = there(b.centre);
+    const double reach = b.radius + std::max(gap, 0.0);
+    if (squared_distance(boxes_[pair.b], z) > reach * reach) continue;
+    if (const auto s = surface.query(z, reach); !s || !(s->distance - b.radius < gap)) continue;
+    for (const SkeletonPart& p : b.parts) {
+      const auto near = nearest_to(field, BezierAxis::straight(there(p.from), there(p.to)), gap + p.radius,
+                                   p.from == p.to ? 0 : kLevels);
+      if (near) best = &p, found = *near, gap = near->distance - p.radius;
+    }
+  }
+  if (!best) return std::nullopt;
+  const Vec3 y = best->from + found.xi * (best->to - best->from);
+  const auto s = surface.query(there(y), std::max(found.distance, 0.0) * (1 + 1e-9) + 1e-9);
+  if (!s) return std::nullopt;
+  return Nearest{gap, gap_gradient(at.A, y - ca, at.B, *s)};
 }
 
 // The stiffness grows with what gets into touch on the way: a twentieth of the period that the springs have
@@ -118,7 +97,7 @@ double BodyContactTerm::followed(const Pair& pair, const Both& at, double most) 
   const auto follows = [&](double h) {
     Both there = at;
     there.move(h);
-    const double w = frequency(pair, touch(pair, there, false, true));
+    const double w = frequency(pair, touch(pair, there, kStiffness));
     return h * w <= 2 * M_PI / kStepsAPeriod;
   };
   if (follows(most)) return most;
@@ -198,17 +177,52 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const Both now = both(p, trial);
-    const Sum s = touch(p, now, false, true);
+    const Sum s = touch(p, now, kSprings);
     if (!s.touches && p.potential == 0) continue;
     Vec12 way;
     way.segment<3>(0) = now.A.x - p.at.A.x, way.segment<3>(6) = now.B.x - p.at.B.x;
     way.segment<3>(3) = log_so3(Quat(Mat3(p.at.A.R.transpose() * now.A.R)));
     way.segment<3>(9) = log_so3(Quat(Mat3(p.at.B.R.transpose() * now.B.R)));
-    const double made = s.potential - p.potential - 0.5 * (p.elastic + s.elastic).dot(way);
+    const double made = s.potential - p.potential - 0.5 * (p.elastic + s.on.f).dot(way);
     if (!(std::abs(made) > kEnergyError * std::max(p.energy, s.potential))) continue;
-    const double w = std::max(p.frequency, frequency(p, s));
+    const double w = std::max(p.frequency, frequency(p, touch(p, now, kStiffness)));
     if (trial.step * w > 2 * M_PI / kShortest) to.too_deep = true;
   }
+}
+
+// Corners, edges and balls, in the frame of the other body; a corner is taken for as round as the ramp of its
+// law is wide.
+bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
+  const Side &sa = sides_[pair.a], &sb = sides_[pair.b];
+  const BodyFrame A = frame(sa, trial), B = frame(sb, trial);
+  const Vec3 ca = sa.global < 0 ? Vec3(Vec3::Zero()) : sa.centre,
+             cb = sb.global < 0 ? Vec3(Vec3::Zero()) : sb.centre;
+  const auto before = [&](const Vec3& y) { return Vec3(pair.at.B.to_body(pair.at.A.to_space(y - ca)) + cb); };
+  const auto after = [&](const Vec3& y) { return Vec3(B.to_body(A.to_space(y - ca)) + cb); };
+  const Surface& surface = *volumes_[pair.b].surface;
+  const Box& box = boxes_[pair.b];
+  const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
+  const auto near = [&](const auto& b) {
+    const Vec3 from = before(b.centre), to = after(b.centre), middle = 0.5 * (from + to);
+    const double reach = b.radius + 0.5 * (to - from).norm() + pair.law.smoothing;
+    return squared_distance(box, middle) <= reach * reach && surface.query(middle, reach);
+  };
+  const auto meets = [&](const Vec3& y0, const Vec3& y1, double radius) {
+    return goes_through(distance_to(surface), BezierAxis::straight(before(y0), before(y1)).b,
+                        BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing),
+                        true);
+  };
+  return std::any_of(skeleton.touches.begin(), skeleton.touches.end(), [&](const SkeletonBundle& b) {
+    return near(b) && std::any_of(b.parts.begin(), b.parts.end(),
+                                  [&](const SkeletonPart& p) { return meets(p.from, p.to, p.radius); });
+  });
+}
+
+Verdict BodyContactTerm::judge(const Kinematics& trial) const {
+  const bool through = trial.step > 0 && std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+                         return pair.counted && passes(pair, trial);
+                       });
+  return through ? Verdict{Verdict::Kind::shorter, "in it a body would pass through another one"} : Verdict{};
 }
 
 }  // namespace hawser

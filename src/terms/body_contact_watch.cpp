@@ -31,8 +31,8 @@ double BodyContactTerm::deepest(size_t volume, const BodyFrame& of, size_t in, c
       continue;
     const auto near = surface.query(centre, std::max(reach, 0.0));
     if (!near || near->distance > reach) continue;
-    for (const Vec3& x : b.items) {
-      const auto s = surface.query(there.to_body(of.to_space(x)), 0);
+    for (const SkeletonPart& p : b.parts) {
+      const auto s = surface.query(there.to_body(of.to_space(p.from)), 0);
       if (s) depth = std::max(depth, -s->distance);
     }
   }

@@ -23,21 +23,20 @@ using Triangle = std::array<Vec3, 3>;
 
 Triangle corners(const MeshView& m, size_t t) { return {m.corner(t, 0), m.corner(t, 1), m.corner(t, 2)}; }
 
-// Edges of the active part, and their ends.
-void sharp(const MeshView& m, const std::vector<bool>& active, std::vector<SkeletonEdge>& edges,
-           std::vector<SkeletonPoint>& points) {
+// Edges of the active part, or their ends.
+void sharp(const MeshView& m, const std::vector<bool>& active, bool edges, std::vector<SkeletonPart>& parts) {
   std::vector<char> corner(m.vertices.size(), 0);
   for (const auto& [first, second] : sharp_edges(m, active)) {
     const size_t a = static_cast<size_t>(first), b = static_cast<size_t>(second);
-    edges.push_back({m.vertices[a], m.vertices[b], 0});
+    if (edges) parts.push_back({m.vertices[a], m.vertices[b], 0, 1});
     corner[a] = corner[b] = 1;
   }
-  for (size_t v = 0; v < corner.size(); ++v)
-    if (corner[v]) points.push_back({m.vertices[v], 0, 1});
+  for (size_t v = 0; v < corner.size() && !edges; ++v)
+    if (corner[v]) parts.push_back(SkeletonPart::point(m.vertices[v]));
 }
 
 // The middles of the pieces of a triangle cut into n² equal ones.
-void faces(const Triangle& t, double piece, std::vector<SkeletonPoint>& points) {
+void faces(const Triangle& t, double piece, std::vector<SkeletonPart>& points) {
   const double area = 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
   const double side = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
   if (!(area > 0)) return;
@@ -46,44 +45,39 @@ void faces(const Triangle& t, double piece, std::vector<SkeletonPoint>& points) 
     for (int j = 0; i + j < n; ++j)
       for (int up = 0; up < (i + j + 1 < n ? 2 : 1); ++up) {
         const double a = (i + (up ? 2.0 : 1.0) / 3) / n, b = (j + (up ? 2.0 : 1.0) / 3) / n;
-        points.push_back({t[0] + a * (t[1] - t[0]) + b * (t[2] - t[0]), 0, area / (n * n)});
+        points.push_back(
+            SkeletonPart::point(t[0] + a * (t[1] - t[0]) + b * (t[2] - t[0]), 0, area / (n * n)));
       }
 }
 
-void ring(const TorusShape& s, std::vector<SkeletonEdge>& edges) {
+void ring(const TorusShape& s, bool edges, std::vector<SkeletonPart>& parts) {
   const Vec3 axis = s.axis.normalized(), u = axis.unitOrthogonal(), v = axis.cross(u);
   const auto at = [&](int i) {
     const double a = 2 * M_PI * (i % kRing) / kRing;
     return Vec3(s.centre + s.radius * (std::cos(a) * u + std::sin(a) * v));
   };
-  for (int i = 0; i < kRing; ++i) edges.push_back({at(i), at(i + 1), s.tube_radius});
+  for (int i = 0; i < kRing; ++i) parts.push_back({at(i), at(edges ? i + 1 : i), s.tube_radius, 1});
 }
 
-// How far an item gets from a place, m.
-double reach(const SkeletonPoint& p, const Vec3& from) { return (p.at - from).norm() + p.radius; }
-double reach(const SkeletonEdge& e, const Vec3& from) {
-  return std::max((e.from - from).norm() + e.radius, (e.to - from).norm() + e.radius);
-}
-double reach(const Vec3& x, const Vec3& from) { return (x - from).norm(); }
-
-// By halves along the longest side of the box of their places.
-template <class T, class Place>
-std::vector<Bundle<T>> bundles(std::span<T> items, const Place& place) {
-  if (items.empty()) return {};
+// By halves along the longest side of the box of their middles.
+std::vector<SkeletonBundle> bundles(std::span<SkeletonPart> parts) {
+  if (parts.empty()) return {};
   Box box;
-  for (const T& i : items) box.add(place(i));
-  if (items.size() <= kBundle) {
-    Bundle<T> b{box.centre(), 0, std::vector<T>(items.begin(), items.end())};
-    for (const T& i : items) b.radius = std::max(b.radius, reach(i, b.centre));
+  for (const SkeletonPart& p : parts) box.add(p.middle());
+  if (parts.size() <= kBundle) {
+    SkeletonBundle b{box.centre(), 0, {parts.begin(), parts.end()}};
+    for (const SkeletonPart& p : parts)
+      for (const Vec3& x : {p.from, p.to}) b.radius = std::max(b.radius, (x - b.centre).norm() + p.radius);
     return {b};
   }
   Eigen::Index k = 0;
   (box.hi - box.lo).maxCoeff(&k);
-  const size_t middle = items.size() / 2;
-  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle), items.end(),
-                   [&](const T& a, const T& b) { return place(a)[k] < place(b)[k]; });
-  std::vector<Bundle<T>> out = bundles(items.first(middle), place);
-  for (auto& b : bundles(items.subspan(middle), place)) out.push_back(std::move(b));
+  const size_t middle = parts.size() / 2;
+  std::nth_element(
+      parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(middle), parts.end(),
+      [&](const SkeletonPart& a, const SkeletonPart& b) { return a.middle()[k] < b.middle()[k]; });
+  std::vector<SkeletonBundle> out = bundles(parts.first(middle));
+  for (auto& b : bundles(parts.subspan(middle))) out.push_back(std::move(b));
   return out;
 }
 
@@ -91,8 +85,7 @@ std::vector<Bundle<T>> bundles(std::span<T> items, const Place& place) {
 
 BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const std::vector<bool>& active,
                            double piece) {
-  std::vector<SkeletonPoint> points;
-  std::vector<SkeletonEdge> bars;
+  std::vector<SkeletonPart> parts;
   const auto* sphere = v.shape ? std::get_if<SphereShape>(&*v.shape) : nullptr;
   const auto* capsule = v.shape ? std::get_if<CapsuleShape>(&*v.shape) : nullptr;
   const auto* torus = v.shape ? std::get_if<TorusShape>(&*v.shape) : nullptr;
@@ -102,28 +95,24 @@ BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const s
     for (const Vec3& x : mesh.vertices) box.add(x);
     const double size = piece > 0 ? piece : 0.01 * (box.hi - box.lo).maxCoeff();
     for (size_t t = 0; t < mesh.triangles.size(); ++t)
-      if (active.empty() || active[t]) faces(corners(mesh, t), size, points);
+      if (active.empty() || active[t]) faces(corners(mesh, t), size, parts);
   } else {
     const bool edges = v.basis == model::StiffnessBasis::per_length;
     if (sphere) {
-      if (!edges) points.push_back({sphere->centre, sphere->radius, 1});
+      if (!edges) parts.push_back(SkeletonPart::point(sphere->centre, sphere->radius));
     } else if (capsule) {
       if (edges)
-        bars.push_back({capsule->from, capsule->to, capsule->radius});
+        parts.push_back({capsule->from, capsule->to, capsule->radius, 1});
       else
-        points = {{capsule->from, capsule->radius, 1}, {capsule->to, capsule->radius, 1}};
+        for (const Vec3& end : {capsule->from, capsule->to})
+          parts.push_back(SkeletonPart::point(end, capsule->radius));
     } else if (torus) {
-      ring(*torus, bars);
-      if (!edges)
-        for (const SkeletonEdge& e : bars) points.push_back({e.from, e.radius, 1});
+      ring(*torus, edges, parts);
     } else {
-      sharp(mesh, active, bars, points);
+      sharp(mesh, active, edges, parts);
     }
-    edges ? points.clear() : bars.clear();
   }
-  return {bundles(std::span(points), [](const SkeletonPoint& p) { return p.at; }),
-          bundles(std::span(bars), [](const SkeletonEdge& e) { return Vec3(0.5 * (e.from + e.to)); }),
-          {}};
+  return {bundles(parts), {}};
 }
 
 void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkeleton& skeleton) {
@@ -137,18 +126,17 @@ void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkel
   // Of small triangles one in each cell as large.
   const double piece = std::sqrt(area / kWatched);
   std::set<std::array<long, 3>> taken;
-  std::vector<SkeletonPoint> points;
-  std::vector<Vec3> places;
+  std::vector<SkeletonPart> points, places;
   each([&](const Triangle& t) {
     points.clear();
     faces(t, piece, points);
-    for (const SkeletonPoint& p : points) {
-      const std::array<long, 3> cell{std::lround(p.at.x() / piece), std::lround(p.at.y() / piece),
-                                     std::lround(p.at.z() / piece)};
-      if (taken.insert(cell).second) places.push_back(p.at);
+    for (const SkeletonPart& p : points) {
+      const std::array<long, 3> cell{std::lround(p.from.x() / piece), std::lround(p.from.y() / piece),
+                                     std::lround(p.from.z() / piece)};
+      if (taken.insert(cell).second) places.push_back(p);
     }
   });
-  skeleton.faces = bundles(std::span(places), [](const Vec3& x) { return x; });
+  skeleton.faces = bundles(places);
 }
 
 }  // namespace hawser

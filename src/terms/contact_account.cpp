@@ -10,7 +10,7 @@ StepOfBody::StepOfBody(const RigidPose& before, const RigidPose& after, bool pre
       shift(after.position - before.position),
       prescribed(prescribes) {}
 
-void ContactAccount::add(const StepOfBody& b, const ContactHistory& p, const Mat3& R, const Vec3& y0,
+void ContactAccount::add(const StepOfBody& b, const ContactPoint& p, const Mat3& R, const Vec3& y0,
                          const Vec3& y1, double share) {
   const Vec3 relative = 0.5 * (b.R0 + b.R1) * (y1 - y0);
   const Vec3 carried = b.shift + 0.5 * (b.R1 - b.R0) * (y0 + y1);

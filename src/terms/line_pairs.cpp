@@ -121,7 +121,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
     const PairAxis A = axis(trial, pair.a), B = axis(trial, pair.b);
     for (const bool swapped : {false, true}) {
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
-      LinePairForces g(slave.now.count(), master.now.count());
+      AttachedForces g = no_forces(slave, master, friction_on_ && pair.law.friction.active());
       bool any = false;
       sides(pair, A, B, trial.step > 0, assembler.convex(), [&](size_t part, const LinePairSide& side) {
         if ((part >= 3) != swapped) return;
@@ -132,14 +132,9 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
       });
       if (!any) continue;
       std::fill(std::begin(f), std::end(f), 0.0);
-      to_nodes(g, slave, master, f, nullptr, nullptr);
-      if (tangent) {
-        std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
-        // The moment arms' turning is negative stiffness as well.
-        if (assembler.convex()) g.F.fill(Vec3::Zero());
-        double same[24] = {};
-        to_nodes(g, slave, master, same, K, C);
-      }
+      if (tangent) std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
+      stencil_of(slave, master)
+          .to_blocks(g, !assembler.convex(), f, tangent ? K : nullptr, tangent ? C : nullptr);
       int blocks[8], n = 0;
       for (const bool second : {false, true}) {
         const ContactSegment& s = segment(second != swapped ? pair.b : pair.a);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/terms/contact_fields.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -118,49 +119,23 @@ double LinePairs::friction_force() const {
   return sum(all, [](const LinePairHistory& h) { return h.friction.norm(); });
 }
 
-// The share of each Gauss point at the owned nodes: what(node, share, sign, point), sign -1 on the master.
-template <class What>
-void LinePairs::shared(const What& what) const {
-  const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairHistory& h) {
-    share_at_ends(element(s.global), s.first, s.second, mesh_.owned, xi,
-                  [&](int node, double share) { what(node, share, sign, h); });
-  };
-  for (const Pair& p : pairs_) {
-    if (!p.history) continue;
-    const ContactSegment &a = segment(p.a), &b = segment(p.b);
-    for (size_t k = 0; k < kParts; ++k)
-      for (const LinePairHistory& h : (*p.history)[k]) {
-        put(k < 3 ? a : b, h.xi, 1, h);
-        put(k < 3 ? b : a, h.eta, -1, h);
-      }
-  }
-}
-
 void LinePairs::fields(FieldRegistry& registry) const {
-  const auto vector = [this](Vec3 LinePairHistory::*value) {
-    return [this, value](const Kinematics&, std::span<double> out) {
-      std::fill(out.begin(), out.end(), 0.0);
-      shared([&](int node, double share, double sign, const LinePairHistory& h) {
-        for (int c = 0; c < 3; ++c)
-          out[static_cast<size_t>(3 * node + c)] += sign * share * h.weight * (h.*value)[c];
+  add_contact_fields(
+      registry,
+      {"line_contact_force", "line_contact_normal_force", "line_friction_force", "line_penetration"},
+      [this](const Kinematics&, const ShowPoint& show) {
+        const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairHistory& h) {
+          share_at_ends(element(s.global), s.first, s.second, mesh_.owned, xi,
+                        [&](int node, double share) { show(node, share, sign * Mat3::Identity(), h); });
+        };
+        for (const Pair& p : pairs_) {
+          if (!p.history) continue;
+          const ContactSegment &a = segment(p.a), &b = segment(p.b);
+          for (size_t k = 0; k < kParts; ++k)
+            for (const LinePairHistory& h : (*p.history)[k])
+              put(k < 3 ? a : b, h.xi, 1, h), put(k < 3 ? b : a, h.eta, -1, h);
+        }
       });
-    };
-  };
-  registry.add({"line_contact_force", "N", 3, vector(&LinePairHistory::force)});
-  registry.add({"line_contact_normal_force", "N", 1, [this](const Kinematics&, std::span<double> out) {
-                  std::fill(out.begin(), out.end(), 0.0);
-                  shared([&](int node, double share, double, const LinePairHistory& h) {
-                    out[static_cast<size_t>(node)] += share * h.weight * h.normal_force;
-                  });
-                }});
-  registry.add({"line_friction_force", "N", 3, vector(&LinePairHistory::friction)});
-  registry.add({"line_penetration", "m", 1, [this](const Kinematics&, std::span<double> out) {
-                  std::fill(out.begin(), out.end(), 0.0);
-                  shared([&](int node, double share, double, const LinePairHistory& h) {
-                    double& deepest = out[static_cast<size_t>(node)];
-                    if (share >= 0.5) deepest = std::max(deepest, -h.gap);
-                  });
-                }});
 }
 
 // Every rank that owns a node of a pair needs its history, and a rank gets the records of its own nodes only:

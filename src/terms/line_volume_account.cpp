@@ -11,20 +11,17 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
   auto near = near_.begin();
   for (size_t i = 0; i < pairs_.size(); ++i) {
     Pair& pair = pairs_[i];
-    std::vector<ContactPoint> next;
+    std::vector<AxisContactPoint> next;
     if (near != near_.end() && near->pair == i) {
       const bool moves = accepted.step > 0;
       if (!pair.evaluated_at.same_motion(near->shape, volumes_.trial_pose(pair.volume)) ||
-          pair.evaluated_in_motion != moves) {
-        Forces forces;
-        forces.moves = moves;
-        add_panels(pair, near->shape, forces);
-      }
+          pair.evaluated_in_motion != moves)
+        contact(pair, near->shape, {moves});
       next = std::move(pair.evaluated);
       ++near;
     }
     pair.evaluated_at.known = false, pair.evaluated.clear();
-    for (const ContactPoint& p : next)
+    for (const AxisContactPoint& p : next)
       accounts_[static_cast<size_t>(pair.element)].reaches(-p.gap, accepted.time, pair.volume,
                                                            p.xi < 0.5 ? 0 : 1);
     if (accepted.step > 0 && !(next.empty() && pair.points.empty()))
@@ -37,7 +34,7 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
 // Trapezoid over the step: half with the forces at its start where they were, half with those at its end
 // where they are. Of a step in which a point met or left only the part in touch counts.
 void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
-                                const std::vector<ContactPoint>& next) {
+                                const std::vector<AxisContactPoint>& next) {
   const AxisShape& start = pair.start.shape;
   const RigidPose &before = pair.start.pose, &after = volumes_.trial_pose(pair.volume);
   const StepOfBody step(before, after, !volumes_.floats(pair.volume));
@@ -49,7 +46,7 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   struct Way {
     Vec3 y0, y1, lifted, along;
   };
-  const Rolled roll = rolled(pair, shape);
+  const auto rolled = rolls(pair, shape);
   const auto way = [&](double xi) {
     Way w;
     w.y0 = before.to_body(start.point(xi)), w.y1 = after.to_body(shape.point(xi));
@@ -62,22 +59,22 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   };
   // Where the stiffness was raised, what the spring gave and has is not its own: it was brought in.
   const double raise = volumes_.raised(pair.volume) ? 1 : 0;
-  const auto add = [&](const ContactPoint& p, const Mat3& R, const Way& w, double share) {
+  const auto add = [&](const AxisContactPoint& p, const Mat3& R, const Way& w, double share) {
     sum.add(step, p, R, w.y0, w.y1, share);
     sum.work += raise * 0.5 * share * p.elastic_force() * p.normal.dot(w.y1 - w.y0);
-    if (!roll.on) return;
+    if (!rolled) return;
     // What the line's surface moves by because the line rolls; friction's work on it goes with that on the
     // axis.
-    const Vec3 surface = -pair.radius * roll.angle(p.xi) * w.along.cross(p.normal);
+    const Vec3 surface = -pair.radius * rolled->angle(p.xi) * w.along.cross(p.normal);
     sum.friction -= 0.25 * share * (R * p.friction).dot((step.R0 + step.R1) * surface);
   };
-  for (const ContactPoint& p : pair.points) {
+  for (const AxisContactPoint& p : pair.points) {
     const Way w = way(p.xi);
     const double away = p.normal.dot(w.lifted), deep = std::max(smoothing - p.gap, 0.0);
     add(p, step.R0, w, p.weight * (away > deep ? deep / away : 1));
     sum.work -= raise * p.weight * p.potential;
   }
-  for (const ContactPoint& p : next) {
+  for (const AxisContactPoint& p : next) {
     const Way w = way(p.xi);
     const double came = -p.normal.dot(w.lifted), deep = smoothing - p.gap;
     add(p, step.R1, w, p.weight * (came > deep ? deep / came : 1));
@@ -91,22 +88,15 @@ Energy LineVolumeContact::energy(const Kinematics& at) const {
   for (const Pair& p : pairs_) {
     if (!local(p).counted) continue;
     if (at.step > 0) {
-      for (const ContactPoint& q : p.points) e.strain += q.weight * q.potential;
+      for (const AxisContactPoint& q : p.points) e.strain += q.weight * q.potential;
       continue;
     }
-    if (p.slot > 0) continue;  // as the first has as many walls as it sees
     Pair pair = p;
     const AxisShape shape(ends(at, p.element));
-    const RigidPose pose = volumes_.pose_of(p.volume, at);
-    size_t walls = 1;
-    for (; pair.slot < static_cast<int>(walls); ++pair.slot) {
-      if (pair.slot > 0) pair.found.clear();
-      for (const ContactPlace& there : finder_.find(pair, shape, pose).places)
-        if (p.sees(there.at))
-          e.strain +=
-              there.weight * normal_force(p.law(there.xi).normal, there.at.distance - p.radius, 0).potential;
-      walls = std::max(walls, LineVolumeFinder::walls_seen(pair));
-    }
+    for (const ContactPlace& there : finder_.find(pair, shape, volumes_.pose_of(p.volume, at)).places)
+      if (p.sees(there.at))
+        e.strain +=
+            there.weight * normal_force(p.law(there.xi).normal, there.at.distance - p.radius, 0).potential;
   }
   for (size_t i = 0; i < accounts_.size(); ++i) {
     if (!mesh_.elements[i].counted) continue;

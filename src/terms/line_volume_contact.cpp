@@ -69,21 +69,21 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   old.swap(pairs_);
   pairs_.reserve(old.size());
   size_t known = 0;
-  Pair first;  // most are far away, and it serves for the next
+  Pair pair;  // most are far away, and it serves for the next
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
     if (!(elements_[static_cast<size_t>(e)].radius > 0)) continue;
     const AxisEnds at = ends(committed, e);
     const AxisShape shape(at);
     for (int k = 0; k < volumes(); ++k) {
-      const auto key = [&](size_t i) { return std::pair(old[i].element, old[i].volume); };
-      while (known < old.size() && key(known) < std::pair(e, k)) ++known;
-      size_t end = known;
-      while (end < old.size() && key(end) == std::pair(e, k)) ++end;
-      first.element = e, first.volume = k;
+      const auto key = [&] { return std::pair(old[known].element, old[known].volume); };
+      while (known < old.size() && key() < std::pair(e, k)) ++known;
+      pair.element = e, pair.volume = k;
       double motion = 0;
-      if (!start_pair(first, at, shape, h, motion)) continue;
-      add_pairs(std::move(first), std::span(old).subspan(known, end - known), motion);
-      first = {};
+      if (!start_pair(pair, at, shape, h, motion)) continue;
+      if (known < old.size() && key() == std::pair(e, k)) carry_over(old[known], pair);
+      start_walls(pair, motion);
+      pairs_.push_back(std::move(pair));
+      pair = {};
     }
   }
 }
@@ -111,50 +111,32 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
   return true;
 }
 
-// One, or as many as there are walls that touched. old: those of the step before.
-void LineVolumeContact::add_pairs(Pair first, std::span<Pair> old, double motion) {
-  const AxisShape& shape = first.start.shape;
-  const RigidPose& pose = first.start.pose;
-  std::vector<std::vector<ContactPoint>> touched;
-  for (Pair& was : old) {
-    touched.resize(static_cast<size_t>(was.slot) + 1);
-    touched.back() = std::move(was.points);
-    if (was.slot > 0) continue;
-    first.springs = was.springs;
-    first.hint = was.hint, first.ahead = was.ahead, first.free = was.room();
-    first.one_chord = was.one_chord, first.one_reach = was.one_reach, first.one = was.one;
-    // What was found on all of the surface is found again; of a wall it may be another.
-    // So are panels of what touched: they part as at the start of this step.
-    if (!was.walls && touched.back().empty()) first.found = std::move(was.found);
-  }
-  // Pairs that did not touch are in no checkpoint.
-  while (!touched.empty() && touched.back().empty()) touched.pop_back();
-  if (finder_.by_gap())
-    for (size_t i = 0; i < 2; ++i)
-      if (!first.springs[i].paired)
-        first.springs[i] =
-            finder_.spring_at(first.volume, pose.to_body(shape.point(static_cast<double>(i))), first.touch);
-  if (finder_.by_gap() || (touched.size() < 2 && finder_.one_wall(first, shape, pose, motion))) {
-    if (!touched.empty()) first.points = std::move(touched[0]);
-    pairs_.push_back(std::move(first));
-    return;
-  }
-  const size_t slots = std::max(touched.size(), size_t{1});
-  touched.resize(SurfaceWalls::kMost);
-  first.found = {};
-  first.walls = std::make_shared<ElementWalls>();
-  first.walls->free = first.free;
-  for (size_t slot = 0; slot < slots; ++slot) {
-    Pair& pair = pairs_.emplace_back(first);
-    pair.slot = static_cast<int>(slot);
-    pair.points = touched[slot];
-  }
-  first.walls->committed = std::move(touched);
+// What was found on all of the surface is found again; of a wall it may be another. So are panels of what
+// touched: they part as at the start of this step.
+void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
+  if (!was.several && was.points.empty()) pair.found = std::move(was.found);
+  pair.points = std::move(was.points);
+  pair.springs = was.springs;
+  pair.hint = was.hint, pair.ahead = was.ahead, pair.free = was.free;
+  pair.one_chord = was.one_chord, pair.one_reach = was.one_reach, pair.one = was.one;
 }
 
-int LineVolumeContact::candidates() const {
-  return static_cast<int>(
-      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.slot == 0; }));
+// Whether several walls may be met in the step; gap springs see none, but where they begin.
+void LineVolumeContact::start_walls(Pair& pair, double motion) const {
+  const AxisShape& shape = pair.start.shape;
+  const RigidPose& pose = pair.start.pose;
+  if (!finder_.by_gap()) {
+    const bool touched = !pair.points.empty() && pair.points.back().wall > 0;
+    pair.several = touched || !finder_.one_wall(pair, shape, pose, motion);
+    if (pair.several) pair.found = {};
+    return;
+  }
+  for (size_t i = 0; i < 2; ++i)
+    if (!pair.springs[i].paired)
+      pair.springs[i] =
+          finder_.spring_at(pair.volume, pose.to_body(shape.point(static_cast<double>(i))), pair.touch);
 }
+
+int LineVolumeContact::candidates() const { return static_cast<int>(pairs_.size()); }
 
 }  // namespace hawser

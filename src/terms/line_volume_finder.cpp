@@ -16,13 +16,6 @@ constexpr double kRoom = 0.5;
 // Times the bound of the slope: how far the middle is asked about first.
 constexpr double kFirst = 2;
 
-// Out of touch, wherever that is.
-SurfacePoint nothing() {
-  SurfacePoint p;
-  p.distance = std::numeric_limits<double>::max();
-  return p;
-}
-
 // The end of the part is one of the material: it does not move with the gap.
 void keep_part(const ContactShare& part, std::vector<ContactStretch>& panels) {
   for (ContactStretch& s : panels) {
@@ -43,15 +36,15 @@ AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose) {
 // The gap along the axis less the smoothing, as the search for stretches sees it, and how far the volume is.
 class LineVolumeFinder::Gap {
  public:
-  Gap(const LineVolumeFinder& finder, LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
-      std::vector<FreePlace>& places)
-      : finder_(finder), pair_(pair), shape_(shape), pose_(pose), places_(places) {
+  Gap(const LineVolumeFinder& finder, LineVolumePair& pair, int wall, const AxisShape& shape,
+      const RigidPose& pose, std::vector<FreePlace>& places)
+      : finder_(finder), pair_(pair), wall_(wall), shape_(shape), pose_(pose), places_(places) {
     places_.clear();
   }
 
   std::optional<SurfacePoint> see(double xi, double within) {
     const Vec3 y = pose_.to_body(shape_.point(xi));
-    const auto p = finder_.see(pair_, xi, y, pair_.touch + within);
+    const auto p = finder_.see(pair_, wall_, xi, y, pair_.touch + within);
     const double distance = (p ? p->distance - pair_.touch : within) + pair_.touch;
     places_.push_back({xi, finder_.surface(pair_).free_radius(y, distance)});
     if (p) pair_.hint = p->triangle;
@@ -76,6 +69,7 @@ class LineVolumeFinder::Gap {
   }
   const LineVolumeFinder& finder_;
   LineVolumePair& pair_;
+  int wall_;
   const AxisShape& shape_;
   const RigidPose& pose_;
   std::vector<FreePlace>& places_;
@@ -83,14 +77,14 @@ class LineVolumeFinder::Gap {
 };
 
 bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
-  if (!(pair.room().left(axis_points(shape, pose)) > 0)) return false;
+  if (!(pair.free.left(axis_points(shape, pose)) > 0)) return false;
   pair.found.clear();
-  pair.seen = nullptr;
+  pair.seen = {};
   return true;
 }
 
 double LineVolumeFinder::room_at_start(const LineVolumePair& pair) {
-  return pair.room().left(axis_points(pair.start.shape, pair.start.pose));
+  return pair.free.left(axis_points(pair.start.shape, pair.start.pose));
 }
 
 void LineVolumeFinder::keep_free(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
@@ -110,30 +104,27 @@ void LineVolumeFinder::keep_free(const LineVolumePair& pair, const AxisShape& sh
     least = std::min(least, more.distance - pair.touch);
     free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.touch;
   }
-  pair.room().offer(axis_points(shape, pose), free);
+  pair.free.offer(axis_points(shape, pose), free);
 }
 
 const std::vector<ContactStretch>& LineVolumeFinder::touched_before(LineVolumePair& pair) const {
   static const std::vector<ContactStretch> kNone;
-  if (pair.wall()) return kNone;
+  if (pair.wall(0)) return kNone;
   if (pair.before) return *pair.before;
   pair.before.emplace();
-  const auto touched = [](const std::vector<ContactPoint>& points) { return !points.empty(); };
-  if (!touched(pair.points) &&
-      !(pair.walls && std::any_of(pair.walls->committed.begin(), pair.walls->committed.end(), touched)))
-    return kNone;
+  if (pair.points.empty()) return kNone;
   constexpr int kCloser = 2;  // halvings more than in a trial: what is not seen here is filled there
   const AxisShape& start = pair.start.shape;
   std::vector<FreePlace> places;
-  Gap gap(*this, pair, start, pair.start.pose, places);
+  Gap gap(*this, pair, 0, start, pair.start.pose, places);
   *pair.before = contact_stretches(std::ref(gap), {start.reach(), pair.touch, start.bend_bound()},
                                    pair.levels + kCloser);
   return *pair.before;
 }
 
-std::vector<ContactStretch> LineVolumeFinder::locate(LineVolumePair& pair, const AxisShape& shape,
+std::vector<ContactStretch> LineVolumeFinder::locate(LineVolumePair& pair, int wall, const AxisShape& shape,
                                                      const RigidPose& pose) const {
-  Gap gap(*this, pair, shape, pose, places_);
+  Gap gap(*this, pair, wall, shape, pose, places_);
   const bool near = gap.may_touch();
   const std::vector<ContactStretch>& before = touched_before(pair);
   std::vector<ContactStretch> stretches;
@@ -141,42 +132,37 @@ std::vector<ContactStretch> LineVolumeFinder::locate(LineVolumePair& pair, const
     stretches = contact_stretches(std::ref(gap), {shape.reach(), pair.touch, shape.bend_bound()}, pair.levels,
                                   middles(hollows(before)));
   // Of one wall alone it says nothing of the others.
-  if (stretches.empty() && !pair.wall()) keep_free(pair, shape, pose, places_);
+  if (stretches.empty() && !pair.wall(wall)) keep_free(pair, shape, pose, places_);
   std::vector<ContactStretch> panels =
       cut_stretches(as_parted_before(stretches, before, pair.found.filled), pair.levels);
   if (!pair.part.all()) keep_part(pair.part, panels);
   return panels;
 }
 
-void LineVolumeFinder::find_along(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
-  ContactPlaces& f = pair.found;
-  f.panels = locate(pair, shape, pose);
-  for (size_t i = 0; i < f.panels.size(); ++i)
-    for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-      const ContactStretch& s = f.panels[i];
-      const double place = ContactRule::place()[q], part = ContactRule::weight()[q];
-      const double xi = s.from + (s.to - s.from) * place;
-      const auto p = see(pair, xi, pose.to_body(shape.point(xi)), pair.touch);
-      if (p) pair.hint = p->triangle;
-      f.places.push_back({xi, pair.length * (s.to - s.from) * part, place, part, i, p ? *p : nothing()});
-    }
+void LineVolumeFinder::find_along(LineVolumePair& pair, int wall, const AxisShape& shape,
+                                  const RigidPose& pose) const {
+  pair.found.add_panels(locate(pair, wall, shape, pose), wall, pair.length, [&](double xi) {
+    const auto p = see(pair, wall, xi, pose.to_body(shape.point(xi)), pair.touch);
+    if (p) pair.hint = p->triangle;
+    return p;
+  });
 }
 
 // The trapezoidal rule: each end stands for its half of the element.
-void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, const AxisShape& shape,
+void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int wall, const AxisShape& shape,
                                      const RigidPose& pose) const {
   ContactPlaces& f = pair.found;
-  Gap gap(*this, pair, shape, pose, places_);
+  Gap gap(*this, pair, wall, shape, pose, places_);
   // Behind one of several walls the middle sees nothing.
-  const bool near = by_gap() || pair.wall() || gap.may_touch();
+  const bool near = by_gap() || pair.wall(wall) || gap.may_touch();
   for (const double xi : {0.0, 1.0}) {
     if (!near || !takes_part(pair, xi)) continue;
     const auto p = gap.see(xi, 0.5 * shape.reach());
     if (!p || !pair.sees(*p)) continue;
     f.places.push_back({xi, 0.5 * pair.length, xi, 1, f.panels.size(), *p});
-    f.panels.push_back({0.5 * xi, 0.5 + 0.5 * xi});
+    f.panels.push_back({{0.5 * xi, 0.5 + 0.5 * xi}, wall});
   }
-  if (f.panels.empty() && !pair.wall() && !by_gap()) keep_free(pair, shape, pose, places_);
+  if (f.panels.empty() && !pair.wall(wall) && !by_gap()) keep_free(pair, shape, pose, places_);
 }
 
 bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
@@ -190,9 +176,10 @@ const ContactPlaces& LineVolumeFinder::find(LineVolumePair& pair, const AxisShap
   if (clear(pair, shape, pose) || pair.found.of.same_places(shape, pose)) return pair.found;
   pair.found.clear();
   pair.found.of = {true, shape, pose};
-  if (pair.walls) see_walls(pair, shape, pose);
-  if (pair.idle()) return pair.found;
-  at_nodes() ? find_at_nodes(pair, shape, pose) : find_along(pair, shape, pose);
+  pair.seen = {};
+  if (pair.several) see_walls(pair, shape, pose);
+  for (int w = 0; w < pair.walls(); ++w)
+    at_nodes() ? find_at_nodes(pair, w, shape, pose) : find_along(pair, w, shape, pose);
   return pair.found;
 }
 

@@ -5,22 +5,11 @@
 
 #include "hawser/kernels/axis_sweep.hpp"
 #include "hawser/terms/axis_distance.hpp"
-#include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
 namespace {
-
-// All of it, whatever its walls.
-DistanceField distance_to(const Surface& surface) {
-  return [&surface, hint = -1](const Vec3& x, double within, Vec3& normal) mutable -> std::optional<double> {
-    const auto p = surface.query(x, within, hint);
-    if (!p) return std::nullopt;
-    hint = p->triangle, normal = p->normal;
-    return p->distance;
-  };
-}
 
 constexpr std::array<double, 2> kEnds{0, 1};  // of an element
 // Of the radius: shorter displacements are not tested for tunnelling in statics.
@@ -57,7 +46,7 @@ Verdict LineVolumeContact::judge(const Kinematics& trial) const {
     const bool drawn = rests && is_drawn_in(trial, g);
     if (!drawn && !tunnels(trial, g)) continue;
     if (!rests) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
-    const Pair& pair = pairs_[g.first];
+    const Pair& pair = pairs_[g.pair];
     const int node = mesh_.global[static_cast<size_t>(local(pair).first)];
     return {Verdict::Kind::shorter, volume_in_the_way(mesh_.mesh->place(node), volumes_.settings(pair.volume),
                                                       drawn && !volumes_.automatic(pair.volume))};
@@ -77,7 +66,7 @@ bool LineVolumeContact::near_start(const Kinematics& trial, const Group& g, doub
 // may be on the far side of the volume, and contact would push the line out there. An element that is inside
 // at the start of the step may leave on any side.
 bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const Group& g) const {
-  const Pair& pair = pairs_[g.first];
+  const Pair& pair = pairs_[g.pair];
   if (near_start(trial, g, g.room) || finder_.by_gap() || is_held(pair)) return false;
   return is_inside(pair, AxisShape(ends(trial, pair.element)), volumes_.pose_of(g.volume, trial)) &&
          !is_inside(pair, pair.start.shape, pair.start.pose);
@@ -101,7 +90,7 @@ bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, cons
 // them as it likes, and a gap spring sees no surface. In statics, where a search creeps where it is blocked,
 // shorter ways count as well.
 bool LineVolumeContact::tunnels(const Kinematics& trial, const Group& g) const {
-  const Pair& pair = pairs_[g.first];
+  const Pair& pair = pairs_[g.pair];
   const double radius = pair.radius;
   const bool rests = !(trial.step > 0);
   const double least = rests ? kCreeps * radius : radius;
@@ -123,44 +112,6 @@ bool LineVolumeContact::tunnels(const Kinematics& trial, const Group& g) const {
     from.fill(pair.start.pose.to_body(pair.start.shape.point(xi))), to.fill(pose.to_body(shape.point(xi)));
     return finder_.takes_part(pair, xi) && passes(from, to, 0);
   });
-}
-
-// Corners, edges and balls, in the frame of the other body; a corner is taken for as round as the ramp of its
-// law is wide.
-bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
-  const Side &sa = sides_[pair.a], &sb = sides_[pair.b];
-  const BodyFrame A = frame(sa, trial), B = frame(sb, trial);
-  const Vec3 ca = sa.global < 0 ? Vec3(Vec3::Zero()) : sa.centre,
-             cb = sb.global < 0 ? Vec3(Vec3::Zero()) : sb.centre;
-  const auto before = [&](const Vec3& y) { return Vec3(pair.at.B.to_body(pair.at.A.to_space(y - ca)) + cb); };
-  const auto after = [&](const Vec3& y) { return Vec3(B.to_body(A.to_space(y - ca)) + cb); };
-  const Surface& surface = *volumes_[pair.b].surface;
-  const Box& box = boxes_[pair.b];
-  const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
-  const auto near = [&](const auto& b) {
-    const Vec3 from = before(b.centre), to = after(b.centre), middle = 0.5 * (from + to);
-    const double reach = b.radius + 0.5 * (to - from).norm() + pair.law.smoothing;
-    return squared_distance(box, middle) <= reach * reach && surface.query(middle, reach);
-  };
-  const auto meets = [&](const Vec3& y0, const Vec3& y1, double radius) {
-    return goes_through(distance_to(surface), BezierAxis::straight(before(y0), before(y1)).b,
-                        BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing),
-                        true);
-  };
-  const auto any = [&](const auto& bundles, const auto& passes) {
-    return std::any_of(bundles.begin(), bundles.end(), [&](const auto& b) {
-      return near(b) && std::any_of(b.items.begin(), b.items.end(), passes);
-    });
-  };
-  return any(skeleton.points, [&](const SkeletonPoint& p) { return meets(p.at, p.at, p.radius); }) ||
-         any(skeleton.edges, [&](const SkeletonEdge& e) { return meets(e.from, e.to, e.radius); });
-}
-
-Verdict BodyContactTerm::judge(const Kinematics& trial) const {
-  const bool through = trial.step > 0 && std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-                         return pair.counted && passes(pair, trial);
-                       });
-  return through ? Verdict{Verdict::Kind::shorter, "in it a body would pass through another one"} : Verdict{};
 }
 
 }  // namespace hawser

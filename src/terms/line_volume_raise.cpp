@@ -41,7 +41,7 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
   volumes_.pose_trial(equilibrium);
   std::vector<double> wanted = volumes_.stiffnesses();
   for (Pair& pair : pairs_) {
-    const bool touches = !pair.found.panels.empty() || pair.walls;
+    const bool touches = !pair.found.panels.empty() || pair.several;
     if (!volumes_.automatic(pair.volume) || (!touches && !(equilibrium.step > 0))) continue;
     const AxisShape shape(ends(equilibrium, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
@@ -49,18 +49,20 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
     at.radius = pair.radius, at.mass = settings(pair).mass_per_length, at.held = is_held(pair);
     for (const double xi : {0.0, 1.0})
       at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
-    if (touches) {
-      double force = 0;  // N, of all of it
+    if (touches) finder_.find(pair, shape, pose);
+    for (int w = 0; w < pair.walls(); ++w) {
+      double force = 0;  // N, of all of the wall
       Vec3 normal = Vec3::Zero();
-      for (const ContactPlace& there : finder_.find(pair, shape, pose).places) {
-        if (!pair.sees(there.at)) continue;
+      at.depth = 0;
+      for (const ContactPlace& there : pair.found.places) {
+        if (!touches || pair.found.panels[there.panel].wall != w || !pair.sees(there.at)) continue;
         const double gap = there.at.distance - pair.radius;
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
         if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * there.at.normal;
       }
-      at.still = still_part(pair, equilibrium, force, at.depth, normal);
+      at.still = touches ? still_part(pair, equilibrium, force, at.depth, normal) : 1;
+      volumes_.ask(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
     }
-    volumes_.ask(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
   }
   if (!volumes_.raise(wanted)) return false;
   renew_laws();

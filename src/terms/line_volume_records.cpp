@@ -2,10 +2,9 @@
 //
 // Both ranks of a shared element need its history, and a rank gets the records of its own nodes only: so an
 // element's is kept twice, at either node. Keys: 2 v for the element behind a node, 2 v + 1 for the one
-// before it, v the volume, plus the number of volumes for the second of its walls, and so on. Gap springs are
-// kept alike, those of both ends in one record. The sums of an element are kept at its first node.
+// before it, v the volume. Gap springs are kept alike, those of both ends in one record. The sums of an
+// element are kept at its first node.
 #include <algorithm>
-#include <array>
 #include <map>
 #include <stdexcept>
 #include <unordered_map>
@@ -20,8 +19,8 @@ enum Kind { kPoints, kSums, kSprings };
 }  // namespace
 
 std::vector<HistoryKind> LineVolumeContact::history() const {
-  return {history_kind<ContactPoint>("points that touch"), history_kind<ContactAccount>("sums of an element"),
-          history_kind<GapSpring>("gap springs")};
+  return {history_kind<AxisContactPoint>("points that touch"),
+          history_kind<ContactAccount>("sums of an element"), history_kind<GapSpring>("gap springs")};
 }
 
 std::vector<HistoryRecord> LineVolumeContact::save() const {
@@ -39,7 +38,7 @@ std::vector<HistoryRecord> LineVolumeContact::save() const {
     for (const int node : {e.first, e.second}) {
       if (node >= mesh_.owned) continue;
       r.node = mesh_.global[static_cast<size_t>(node)];
-      r.key = 2 * (pair.volume + pair.slot * volumes()) + (node == e.second);
+      r.key = 2 * pair.volume + (node == e.second);
       records.push_back(r);
     }
   };
@@ -56,7 +55,7 @@ void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
     behind[mesh_.global[static_cast<size_t>(mesh_.elements[i].first)]] = static_cast<int>(i);
     before[mesh_.global[static_cast<size_t>(mesh_.elements[i].second)]] = static_cast<int>(i);
   }
-  std::map<std::array<int, 3>, size_t> known;
+  std::map<std::pair<int, int>, size_t> known;
   pairs_.clear(), groups_.clear(), near_.clear();
   accounts_.assign(accounts_.size(), {});
   for (const HistoryRecord& r : records) {
@@ -68,15 +67,15 @@ void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
       accounts_[static_cast<size_t>(found->second)] = entry<ContactAccount>(r);
       continue;
     }
-    if (r.key < 0 || r.key / 2 >= SurfaceWalls::kMost * volumes())
+    if (r.key < 0 || r.key / 2 >= volumes())
       throw std::invalid_argument("a contact record of the checkpoint does not fit this case");
-    const int element = found->second, volume = r.key / 2 % volumes(), slot = r.key / 2 / volumes();
-    const auto [at, is_new] = known.insert({{element, volume, slot}, pairs_.size()});
+    const int element = found->second, volume = r.key / 2;
+    const auto [at, is_new] = known.insert({{element, volume}, pairs_.size()});
     if (is_new) pairs_.emplace_back();
     Pair& pair = pairs_[at->second];
-    pair.element = element, pair.volume = volume, pair.slot = slot;
+    pair.element = element, pair.volume = volume;
     if (r.kind == kPoints) {
-      pair.points = entries<ContactPoint>(r);
+      pair.points = entries<AxisContactPoint>(r);
       continue;
     }
     const std::vector<GapSpring> springs = entries<GapSpring>(r);
@@ -85,7 +84,7 @@ void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
     std::copy(springs.begin(), springs.end(), pair.springs.begin());
   }
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) {
-    return std::array{a.element, a.volume, a.slot} < std::array{b.element, b.volume, b.slot};
+    return std::pair(a.element, a.volume) < std::pair(b.element, b.volume);
   });
 }
 

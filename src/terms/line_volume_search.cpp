@@ -7,10 +7,9 @@ namespace hawser {
 
 std::vector<LineVolumeContact::Group> LineVolumeContact::groups() const {
   std::vector<Group> groups;
-  for (size_t i = 0, next = 0; i < pairs_.size(); i = next) {
-    for (next = i + 1; next < pairs_.size() && pairs_[next].slot > 0;) ++next;
+  for (size_t i = 0; i < pairs_.size(); ++i) {
     Group& g = groups.emplace_back();
-    g.first = i, g.end = next;
+    g.pair = i;
     g.volume = pairs_[i].volume;
     g.nodes[0] = local(pairs_[i]).first, g.nodes[1] = local(pairs_[i]).second;
     // Bézier's inner points are a third of the length along the tangents; |R - R0| <= 2 |q - q0|.
@@ -34,53 +33,18 @@ double LineVolumeContact::way(const Kinematics& trial, const Group& g) const {
 void LineVolumeContact::look(const Kinematics& trial) {
   near_.clear();
   if (groups_.empty()) groups_ = groups();
-  bool open = false;
   for (Group& g : groups_) {
     if (volumes_.still(g.volume) && way(trial, g) < g.room) continue;
-    const AxisShape shape(ends(trial, pairs_[g.first].element));
+    Pair& pair = pairs_[g.pair];
+    const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(g.volume);
-    for (size_t i = g.first; i < g.end; ++i) {
-      Pair& pair = pairs_[i];
-      if (finder_.clear(pair, shape, pose)) {
-        if (i == g.first) g.room = LineVolumeFinder::room_at_start(pair);  // it may have grown
-        continue;
-      }
-      near_.push_back({i, shape});
-      finder_.find(pair, shape, pose);
-      open = open || lacks_pairs(i);
+    if (finder_.clear(pair, shape, pose)) {
+      g.room = LineVolumeFinder::room_at_start(pair);  // it may have grown
+      continue;
     }
+    near_.push_back({g.pair, shape});
+    finder_.find(pair, shape, pose);
   }
-  if (!open) return;
-  open_pairs();
-  look(trial);  // what was found is known
-}
-
-bool LineVolumeContact::lacks_pairs(size_t i) const {
-  const Pair& p = pairs_[i];
-  if (!p.walls || p.slot > 0) return false;
-  const size_t last = i + LineVolumeFinder::walls_seen(p) - 1;
-  return last >= pairs_.size() || pairs_[last].walls != p.walls;
-}
-
-void LineVolumeContact::open_pairs() {
-  std::vector<Pair> all;
-  for (size_t i = 0; i < pairs_.size();) {
-    const size_t wanted = lacks_pairs(i) ? LineVolumeFinder::walls_seen(pairs_[i]) : 0;
-    Pair model;
-    if (wanted) model = pairs_[i];
-    size_t end = i + 1;
-    while (end < pairs_.size() && pairs_[end].slot > 0) ++end;
-    for (size_t k = i; k < end; ++k) all.push_back(std::move(pairs_[k]));
-    for (size_t slot = end - i; slot < wanted; ++slot) {
-      Pair& pair = all.emplace_back(model);
-      pair.slot = static_cast<int>(slot);
-      pair.points = pair.walls->committed[slot];
-      pair.found = {}, pair.seen = nullptr, pair.evaluated_at.known = false;
-    }
-    i = end;
-  }
-  pairs_ = std::move(all);
-  groups_.clear();
 }
 
 }  // namespace hawser

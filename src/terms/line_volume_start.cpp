@@ -7,14 +7,15 @@ namespace hawser {
 namespace {
 
 // Slip is interpolated between the points of one stretch.
-void take_slip(const std::vector<ContactPoint>& past, double xi, ContactStart& s, ContactRates* rates) {
-  const auto after = std::find_if(past.begin(), past.end(), [&](const ContactPoint& p) { return p.xi > xi; });
-  const ContactPoint* b = after != past.end() ? &*after : nullptr;
-  const ContactPoint* a = after != past.begin() ? &*(after - 1) : nullptr;
+void take_slip(const std::vector<AxisContactPoint>& past, double xi, ContactStart& s, ContactRates* rates) {
+  const auto after =
+      std::find_if(past.begin(), past.end(), [&](const AxisContactPoint& p) { return p.xi > xi; });
+  const AxisContactPoint* b = after != past.end() ? &*after : nullptr;
+  const AxisContactPoint* a = after != past.begin() ? &*(after - 1) : nullptr;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
   if (!a && !b) return;
   if (!a || !b) {
-    const ContactPoint& p = a ? *a : *b;
+    const AxisContactPoint& p = a ? *a : *b;
     s.slip = p.slip, s.normal = p.normal;
     return;
   }
@@ -27,7 +28,8 @@ void take_slip(const std::vector<ContactPoint>& past, double xi, ContactStart& s
 }  // namespace
 
 // Material that did not touch has no slip, and a gap.
-ContactStart LineVolumeFinder::start(const LineVolumePair& pair, double xi, ContactRates* rates) const {
+ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int wall, double xi,
+                                     ContactRates* rates) const {
   const AxisShape& shape = pair.start.shape;
   const RigidPose& pose = pair.start.pose;
   const Quat back = pose.rotation.conjugate();
@@ -40,13 +42,13 @@ ContactStart LineVolumeFinder::start(const LineVolumePair& pair, double xi, Cont
     const Vec3 bend = back * shape.bend(xi);
     rates->start_tangent = (bend - s.tangent * s.tangent.dot(bend)) / slope.norm();
   }
-  const std::vector<ContactPoint>& past = pair.past();
+  const std::vector<AxisContactPoint>& past = pair.past(wall);
   if (std::any_of(past.begin(), past.end(), [&](const auto& p) { return p.from <= xi && xi <= p.to; })) {
     take_slip(past, xi, s, rates);
     return s;
   }
   const double within = 2 * shape.reach() + pair.length;
-  const auto p = see(pair, xi, s.point, pair.touch + within, true);
+  const auto p = see(pair, wall, xi, s.point, pair.touch + within, true);
   s.gap = p ? p->distance - pair.radius : within + pair.smoothing();
   if (p && rates) rates->start_gap = p->normal.dot(slope);
   return s;

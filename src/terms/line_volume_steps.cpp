@@ -31,7 +31,7 @@ bool sinks_too_far(double radius, double before, double after) {
 void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to) const {
   for (const Pair& pair : pairs_) {
     limit_by_touch(pair, committed, to);
-    if (pair.slot == 0) limit_ahead(pair, committed, to);
+    limit_ahead(pair, committed, to);
   }
 }
 
@@ -49,22 +49,26 @@ void LineVolumeContact::strike_at(const Pair& pair, const Kinematics& committed,
 
 void LineVolumeContact::limit_by_touch(const Pair& pair, const Kinematics& committed,
                                        ImpactEvents& to) const {
-  const auto deepest = std::min_element(pair.points.begin(), pair.points.end(),
-                                        [](const auto& a, const auto& b) { return a.gap < b.gap; });
-  // All of the contact ends with the deepest place; nodes are each by themselves.
+  // All of the contact with a wall ends with its deepest place; nodes are each by themselves.
   const bool apart = finder_.at_nodes();
-  double all = 0;
-  for (const ContactPoint& p : pair.points) all += p.weight;
-  for (auto p = pair.points.begin(); p != pair.points.end(); ++p)
-    strike_at(pair, committed, p->xi, p == deepest && !apart ? all : p->weight, p->gap - pair.smoothing(),
-              p->normal, p == deepest || apart, to);
+  const auto last = pair.points.end();
+  for (auto first = pair.points.begin(), end = first; first != last; first = end) {
+    end = std::find_if(first, last, [&](const AxisContactPoint& p) { return p.wall != first->wall; });
+    const auto deepest =
+        std::min_element(first, end, [](const auto& a, const auto& b) { return a.gap < b.gap; });
+    double all = 0;
+    for (auto p = first; p != end; ++p) all += p->weight;
+    for (auto p = first; p != end; ++p)
+      strike_at(pair, committed, p->xi, p == deepest && !apart ? all : p->weight, p->gap - pair.smoothing(),
+                p->normal, p == deepest || apart, to);
+  }
 }
 
 void LineVolumeContact::look_ahead(const Pair& pair, const Kinematics& committed, double xi,
                                    const SurfacePoint& p, ImpactEvents& to) const {
   const bool apart = finder_.at_nodes();
   const bool touching = std::any_of(pair.points.begin(), pair.points.end(),
-                                    [&](const ContactPoint& h) { return !apart || h.xi == xi; });
+                                    [&](const AxisContactPoint& h) { return !apart || h.xi == xi; });
   // Simpson's rule, or that of the nodes; what touches has been looked at.
   const double gap = p.distance - pair.touch, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
   strike_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to);
@@ -92,7 +96,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);
   const double room = LineVolumeFinder::room_at_start(pair);
-  const bool walls = pair.walls && look_ahead_at_walls(pair, committed, to);
+  const bool walls = pair.several && look_ahead_at_walls(pair, committed, to);
   std::vector<FreePlace> free;
   for (size_t i = 0; i < kPlaces.size(); ++i) {
     const double xi = kPlaces[i], speed = velocity_at_start(pair, xi).norm();
@@ -104,7 +108,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
     if (room > far || !matters || !finder_.takes_part(pair, xi)) continue;
     const Vec3 y = pair.start.pose.to_body(start.point(xi));
     const bool by_gap = finder_.by_gap();
-    const auto p = by_gap ? finder_.see(pair, xi, y, within) : surface.query(y, within, pair.ahead[i]);
+    const auto p = by_gap ? finder_.see(pair, 0, xi, y, within) : surface.query(y, within, pair.ahead[i]);
     if (const double f = surface.free_radius(y, p ? p->distance : within); f > 0 && !by_gap)
       free.push_back({xi, f});
     if (!p) continue;
@@ -113,8 +117,8 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   }
   if (free.size() < kPlaces.size()) return;
   double worst = 0;
-  pair.room().offer(axis_points(start, pair.start.pose),
-                    least_distance(free, start.reach(), start.bend_bound(), worst) - pair.touch);
+  pair.free.offer(axis_points(start, pair.start.pose),
+                  least_distance(free, start.reach(), start.bend_bound(), worst) - pair.touch);
 }
 
 // The places that a contact no longer reaches, where it ended or grew shorter, and those that it newly does.
@@ -122,14 +126,17 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
   volumes_.pose_trial(trial);
   for (Pair& pair : pairs_) {
     // What touched may be that of another of its walls; what touches was found when it was evaluated.
-    if (!local(pair).counted || (pair.points.empty() && !pair.walls && pair.found.panels.empty())) continue;
+    if (!local(pair).counted || (pair.points.empty() && !pair.several && pair.found.panels.empty())) continue;
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
     const ContactPlaces& found = finder_.find(pair, shape, pose);
-    double deepest = 0, was = 0;
-    for (const ContactPlace& p : found.places) deepest = std::max(deepest, pair.radius - p.at.distance);
-    for (const ContactPoint& p : pair.past()) was = std::max(was, -p.gap);
-    to.too_deep = to.too_deep || sinks_too_far(pair.radius, was, deepest);
+    for (int w = 0; w < pair.walls(); ++w) {
+      double deepest = 0, was = 0;
+      for (const ContactPlace& p : found.places)
+        if (found.panels[p.panel].wall == w) deepest = std::max(deepest, pair.radius - p.at.distance);
+      for (const AxisContactPoint& p : pair.past(w)) was = std::max(was, -p.gap);
+      to.too_deep = to.too_deep || sinks_too_far(pair.radius, was, deepest);
+    }
     if (follows(spring(pair, 0).slowness, trial.step) && follows(spring(pair, 1).slowness, trial.step))
       continue;
 
@@ -141,18 +148,22 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     const auto moved = [&](double xi) -> Vec3 {
       return pose.to_body(shape.point(xi)) - pair.start.pose.to_body(pair.start.shape.point(xi));
     };
-    for (const ContactPoint& p : pair.past()) {
-      const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
-      if (std::any_of(found.panels.begin(), found.panels.end(), holds) &&
-          std::none_of(found.filled.begin(), found.filled.end(), holds))
-        continue;
-      const Vec3 x = shape.point(p.xi), leaves = shape.velocity(p.xi) - pose.velocity_at(x);
-      add(p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
-          (pose.rotation * p.normal).dot(leaves));
-    }
+    // On the wall it was on then, or is on now.
+    for (int w = 0; w < pair.walls(); ++w)
+      for (const AxisContactPoint& p : pair.past(w)) {
+        const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
+        if (std::any_of(found.panels.begin(), found.panels.end(),
+                        [&](const ContactPanel& s) { return s.wall == w && holds(s); }) &&
+            std::none_of(found.filled.begin(), found.filled.end(), holds))
+          continue;
+        const Vec3 x = shape.point(p.xi), leaves = shape.velocity(p.xi) - pose.velocity_at(x);
+        add(p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
+            (pose.rotation * p.normal).dot(leaves));
+      }
     for (const ContactPlace& p : found.places) {
-      const auto holds = [&](const ContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
-      if (!pair.sees(p.at) || std::any_of(pair.past().begin(), pair.past().end(), holds)) continue;
+      const auto& past = pair.past(found.panels[p.panel].wall);
+      const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
+      if (!pair.sees(p.at) || std::any_of(past.begin(), past.end(), holds)) continue;
       // What slides along its own line comes and goes, and as much of it touches as before.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));

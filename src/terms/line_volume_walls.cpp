@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "hawser/terms/line_volume_finder.hpp"
 
@@ -27,16 +26,16 @@ std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double
 
 }  // namespace
 
-std::optional<SurfacePoint> LineVolumeFinder::see(const LineVolumePair& pair, double xi, const Vec3& y,
-                                                  double within, bool either_side) const {
+std::optional<SurfacePoint> LineVolumeFinder::see(const LineVolumePair& pair, int wall, double xi,
+                                                  const Vec3& y, double within, bool either_side) const {
   if (by_gap()) {
     const GapSpring& s = pair.springs[xi > 0.5];
     const double distance = s.direction.dot(y - s.anchor);
     if (!s.paired || distance > within) return std::nullopt;
     return SurfacePoint{distance, s.direction, Mat3::Zero(), s.anchor};
   }
-  const SurfaceWall* wall = pair.wall();
-  return wall ? surface(pair).query_wall(*wall, y, within, either_side)
+  const SurfaceWall* only = pair.wall(wall);
+  return only ? surface(pair).query_wall(*only, y, within, either_side)
               : surface(pair).query(y, within, pair.hint);
 }
 
@@ -58,64 +57,51 @@ bool LineVolumeFinder::one_wall(LineVolumePair& pair, const AxisShape& shape, co
 
 // Walls of the trial alone: of the axis, and of what was left by the last step.
 void LineVolumeFinder::see_walls(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
-  ElementWalls& w = *pair.walls;
-  if (!w.of.same_places(shape, pose)) {
-    w.of = {true, shape, pose};
-    auto seen = std::make_shared<SeenWalls>();
-    const auto p =
-        surface(pair).query(pose.to_body(shape.point(0.5)), pair.touch + 2 * shape.reach(), w.hint);
-    if (p) w.hint = p->triangle;
-    if (p && p->distance - pair.touch < 0.5 * shape.reach())
-      surface(pair).walls(polyline(shape, pose, pair.touch), kTogether * pair.touch, seen->walls);
-    assign_past(pair, *seen);
-    w.seen = std::move(seen);
-  }
-  pair.seen = w.seen;
+  const auto p =
+      surface(pair).query(pose.to_body(shape.point(0.5)), pair.touch + 2 * shape.reach(), pair.hint);
+  if (p) pair.hint = p->triangle;
+  if (p && p->distance - pair.touch < 0.5 * shape.reach())
+    surface(pair).walls(polyline(shape, pose, pair.touch), kTogether * pair.touch, pair.seen.walls);
+  assign_past(pair);
 }
 
 // A point of before lay on the wall whose normal there is most like its own. On the one wall there is: of
 // two that lay side by side, the more heavily pressed.
-void LineVolumeFinder::assign_past(const LineVolumePair& pair, SeenWalls& seen) const {
-  const auto& committed = pair.walls->committed;
-  const bool more =
-      std::any_of(committed.begin() + 1, committed.end(), [](const auto& h) { return !h.empty(); });
-  if (!seen.walls.several() && !more) return;
-  seen.past.assign(committed.size(), {});
-  const size_t walls = seen.walls.several() ? seen.walls.of.size() : 1;
-  // The points of each of the pairs of before, by wall.
-  std::vector<std::vector<std::vector<ContactPoint>>> of(
-      walls, std::vector<std::vector<ContactPoint>>(committed.size()));
-  for (size_t slot = 0; slot < committed.size(); ++slot)
-    for (const ContactPoint& p : committed[slot]) {
-      size_t best = 0;
-      double like = -2;
-      const Vec3 y = pair.start.pose.to_body(pair.start.shape.point(p.xi));
-      for (size_t w = 0; w < walls && walls > 1; ++w) {
-        const auto there =
-            surface(pair).query_wall(seen.walls.of[w], y, std::numeric_limits<double>::max(), true);
-        if (there && there->normal.dot(p.normal) > like) like = there->normal.dot(p.normal), best = w;
-      }
-      of[best][slot].push_back(p);
+void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
+  SeenWalls& seen = pair.seen;
+  if (!seen.walls.several() && (pair.points.empty() || pair.points.back().wall == 0)) return;
+  const size_t walls = static_cast<size_t>(pair.walls());
+  // The points of each of the walls of before, by wall.
+  using Points = std::vector<AxisContactPoint>;
+  std::vector<std::vector<Points>> of(walls, std::vector<Points>(SurfaceWalls::kMost));
+  for (const AxisContactPoint& p : pair.points) {
+    size_t best = 0;
+    double like = -2;
+    const Vec3 y = pair.start.pose.to_body(pair.start.shape.point(p.xi));
+    for (size_t w = 0; w < walls && walls > 1; ++w) {
+      const auto there =
+          surface(pair).query_wall(seen.walls.of[w], y, std::numeric_limits<double>::max(), true);
+      if (there && there->normal.dot(p.normal) > like) like = there->normal.dot(p.normal), best = w;
     }
-  for (size_t w = 0; w < walls; ++w) {
-    std::vector<size_t> order(committed.size());
-    std::iota(order.begin(), order.end(), size_t{0});
-    const auto force = [&](size_t slot) {
+    of[best][static_cast<size_t>(p.wall)].push_back(p);
+  }
+  for (std::vector<Points>& before : of) {
+    const auto force = [](const Points& points) {
       double sum = 0;
-      for (const ContactPoint& p : of[w][slot]) sum += p.weight * p.normal_force;
+      for (const AxisContactPoint& p : points) sum += p.weight * p.normal_force;
       return sum;
     };
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return force(a) > force(b); });
-    std::vector<ContactPoint>& past = seen.past[w];
-    for (const size_t slot : order) {
-      const size_t before = past.size();
-      for (const ContactPoint& p : of[w][slot])
-        if (std::none_of(past.begin(), past.begin() + static_cast<std::ptrdiff_t>(before),
-                         [&](const ContactPoint& q) { return p.from < q.to && q.from < p.to; }))
+    std::stable_sort(before.begin(), before.end(),
+                     [&](const Points& a, const Points& b) { return force(a) > force(b); });
+    Points& past = seen.past.emplace_back();
+    for (const Points& points : before) {
+      const auto known = static_cast<std::ptrdiff_t>(past.size());
+      for (const AxisContactPoint& p : points)
+        if (std::none_of(past.begin(), past.begin() + known,
+                         [&](const AxisContactPoint& q) { return p.from < q.to && q.from < p.to; }))
           past.push_back(p);
     }
-    std::sort(past.begin(), past.end(),
-              [](const ContactPoint& a, const ContactPoint& b) { return a.xi < b.xi; });
+    std::sort(past.begin(), past.end(), [](const auto& a, const auto& b) { return a.xi < b.xi; });
   }
 }
 

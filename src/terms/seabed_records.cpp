@@ -7,25 +7,20 @@
 #include <map>
 #include <stdexcept>
 
+#include "hawser/terms/contact_fields.hpp"
 #include "hawser/terms/seabed.hpp"
 
 namespace hawser {
 
 // A point half way along an element shows at its nodes, half at either.
 void SeabedTerm::fields(FieldRegistry& registry) const {
-  const auto vector = [this](auto value) {
-    return [this, value](const Kinematics&, std::span<double> out) {
-      std::fill(out.begin(), out.end(), 0.0);
-      for (const Point& p : points_)
-        for (const int node : {p.node, p.second}) {
-          if (node < 0 || node >= mesh_.owned) continue;
-          const Vec3 part = share(p, node) * value(p.history);
-          for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * node + c)] += part[c];
-        }
-    };
-  };
-  registry.add({"seabed_force", "N", 3, vector([](const History& h) { return h.force; })});
-  registry.add({"seabed_friction", "N", 3, vector([](const History& h) { return h.friction; })});
+  add_contact_fields(registry, {"seabed_force", "", "seabed_friction", ""},
+                     [this](const Kinematics&, const ShowPoint& show) {
+                       for (const Point& p : points_)
+                         for (const int node : {p.node, p.second})
+                           if (node >= 0 && node < mesh_.owned)
+                             show(node, share(p, node), Mat3::Identity(), p.history);
+                     });
 }
 
 std::vector<HistoryKind> SeabedTerm::history() const { return {history_kind<History>("points")}; }

@@ -31,7 +31,7 @@ Vec12 force(const AxisEnds& e, Mat12* K = nullptr, Mat12* C = nullptr) {
   const Mat3 A = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished(),
              B = (Mat3() << 1, 2, 0, -1, 3, 1, 0, 1, 2).finished();
   const AxisShape shape(e);
-  AxisShape::Generalised g;
+  AttachedForces g(shape.count());
   for (double z : {0.1, 0.55, 0.9}) {
     const auto H = shape.functions(z);
     const Vec3 x = shape.point(z), p = A * x.array().sin().matrix() + B * shape.velocity(z);
@@ -43,7 +43,9 @@ Vec12 force(const AxisEnds& e, Mat12* K = nullptr, Mat12* C = nullptr) {
   }
   Vec12 f = Vec12::Zero();
   if (K) K->setZero(), C->setZero();
-  shape.to_nodes(g, f.data(), K ? K->data() : nullptr, C ? C->data() : nullptr);
+  Stencil stencil;
+  shape.attach(stencil);
+  stencil.to_blocks(g, true, f.data(), K ? K->data() : nullptr, C ? C->data() : nullptr);
   return f;
 }
 

@@ -184,10 +184,10 @@ struct Rig {
       if (part >= 0 && static_cast<size_t>(part) != k) return;
       const bool swapped = k >= 3;
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
-      LinePairForces g(slave.now.count(), master.now.count());
+      AttachedForces g = no_forces(slave, master, settings.law.friction.active());
       s.add(s.panels(), K, g);
       std::vector<double> ff(static_cast<size_t>(n), 0), kk(static_cast<size_t>(n * n), 0), cc = kk;
-      to_nodes(g, slave, master, ff.data(), kk.data(), cc.data());
+      stencil_of(slave, master).to_blocks(g, true, ff.data(), kk.data(), cc.data());
       const int ns = swapped ? n - na : na;
       const auto index = [&](int i) { return !swapped ? i : i < ns ? i + na : i - ns; };
       for (int i = 0; i < n; ++i) {
@@ -412,7 +412,7 @@ TEST(LinePair, JointsDoNotShow) {
               if (part == ProjectOn::first_end && i == 0) continue;
               if (part == ProjectOn::second_end && i + 1 == pieces) continue;
               const LinePairSide side(k < 3 ? A : B, k < 3 ? B : A, part, set, none);
-              LinePairForces g(A.now.count(), A.now.count());
+              AttachedForces g = no_forces(A, A, false);
               side.add(side.panels(), false, g);
               const size_t step = beam ? 2 : 1, first = k < 3 ? 0 : static_cast<size_t>(A.now.count());
               sum += g.F[first] + g.F[first + step];

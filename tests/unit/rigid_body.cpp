@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hawser/geometry/primitives.hpp"
-#include "hawser/kernels/body_contact.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser::rigid_body_test {
@@ -72,81 +70,6 @@ TEST(RigidBody, SpringsPullDownTheirEnergy) {
     EXPECT_NEAR((8 * (energy(e) - energy(-e)) - energy(2 * e) + energy(-2 * e)) / (12 * e), r.f()[k],
                 1e-8 * r.f().norm());
   }
-}
-
-BodyFrame frame(const Vec3& x, const Vec3& turn, const Vec3& v, const Vec3& w, const Vec6& u,
-                const Vec6& rate) {
-  BodyFrame f;
-  f.x = x + u.head<3>();
-  f.R = (exp_so3(turn) * exp_so3(u.tail<3>())).toRotationMatrix();
-  f.v = v + rate.head<3>(), f.w = w + rate.tail<3>();
-  return f;
-}
-
-// A ball on A against a round surface of B, touching; u and rate are those of A and of B.
-struct Touch {
-  std::shared_ptr<const Surface> surface = make_surface(TorusShape{{0.1, 0, 0}, {0, 0.2, 1}, 2.0, 0.6});
-  NormalLaw law{1000, 0.05, 30};
-  Vec3 y = Vec3(0.4, -0.2, 0.3);
-  double depth = 0;
-
-  BodyContact operator()(const Vec12& u, const Vec12& rate, BodyContactPoint* point = nullptr) const {
-    const BodyFrame A = frame({3.0, 0.3, 0.5}, {0.5, 0.2, -0.6}, {-0.5, 0.2, 0.1}, {0.3, -0.2, 0.4},
-                              u.head<6>(), rate.head<6>());
-    const BodyFrame B = frame({0.2, -0.1, 0.3}, {-0.3, 0.4, 0.1}, {0.2, 0.1, 0}, {-0.1, 0.3, 0.2},
-                              u.tail<6>(), rate.tail<6>());
-    BodyContact sum;
-    const auto at = surface->query(B.to_body(A.to_space(y)), 100);
-    const auto p = body_contact(A, y, depth, B, *at, law, 0.7, true, sum);
-    if (point) *point = p;
-    return sum;
-  }
-};
-
-TEST(BodyContact, TangentsAreDerivatives) {
-  for (const double inside : {0.1, 0.02, -0.01}) {  // below the ramp, on it twice
-    Touch touch;
-    BodyContactPoint p;
-    touch(Vec12::Zero(), Vec12::Zero(), &p);
-    touch.depth = p.gap + inside;
-    const BodyContact r = touch(Vec12::Zero(), Vec12::Zero(), &p);
-    ASSERT_NEAR(p.gap, -inside, 1e-12);
-    ASSERT_GT(p.law.force, 0);
-    for (int k = 0; k < 12; ++k) {
-      const Vec12 d = Vec12::Unit(k), zero = Vec12::Zero();
-      const double e = 1e-4;
-      const auto K = [&](double z) { return touch(z * d, zero).f; };
-      const auto C = [&](double z) { return touch(zero, z * d).f; };
-      const Vec12 by_place = (8 * (K(e) - K(-e)) - (K(2 * e) - K(-2 * e))) / (12 * e);
-      const Vec12 by_rate = (8 * (C(e) - C(-e)) - (C(2 * e) - C(-2 * e))) / (12 * e);
-      EXPECT_LT((r.K * d - by_place).norm(), 1e-7 * r.K.norm()) << inside << ' ' << k;
-      EXPECT_LT((r.C * d - by_rate).norm(), 1e-7 * r.C.norm()) << inside << ' ' << k;
-    }
-  }
-}
-
-TEST(BodyContact, KeepsMomentumAndAngularMomentum) {
-  Touch touch;
-  BodyContactPoint p;
-  touch(Vec12::Zero(), Vec12::Zero(), &p);
-  touch.depth = p.gap + 0.1;
-  const BodyContact r = touch(Vec12::Zero(), Vec12::Zero());
-  EXPECT_LT((r.f.segment<3>(0) + r.f.segment<3>(6)).norm(), 1e-13 * r.f.norm());
-  const Mat3 RA = exp_so3(Vec3(0.5, 0.2, -0.6)).toRotationMatrix(),
-             RB = exp_so3(Vec3(-0.3, 0.4, 0.1)).toRotationMatrix();
-  const Vec3 moment = Vec3(3.0, 0.3, 0.5).cross(r.f.segment<3>(0)) + RA * r.f.segment<3>(3) +
-                      Vec3(0.2, -0.1, 0.3).cross(r.f.segment<3>(6)) + RB * r.f.segment<3>(9);
-  EXPECT_LT(moment.norm(), 1e-12 * r.f.norm());
-}
-
-TEST(BodyContact, NothingWhenApart) {
-  Touch touch;
-  BodyContactPoint p;
-  touch(Vec12::Zero(), Vec12::Zero(), &p);
-  touch.depth = p.gap - 0.051;
-  const BodyContact r = touch(Vec12::Zero(), Vec12::Zero(), &p);
-  EXPECT_EQ(p.law.force, 0);
-  EXPECT_EQ(r.f.norm() + r.K.norm() + r.C.norm(), 0);
 }
 
 }  // namespace

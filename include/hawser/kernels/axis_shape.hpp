@@ -1,4 +1,4 @@
-// The axis of an element as contact along it sees it, and how forces on it reach the nodes.
+// The axis of an element as contact along it sees it, and how it is attached to the nodes.
 //
 // x(xi) = sum H_j(xi) X_j, xi in [0, 1]: a beam has Hermite's cubic through X = (x1, L t1, x2, L t2), t = Q c
 // the unit tangent that turns with the node (the shape of line_mass.hpp); a cable has the straight X = (x1,
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-#include "hawser/kernels/axis_roll.hpp"
+#include "hawser/kernels/attached.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -56,26 +56,11 @@ class AxisShape {
   // The Bézier points of the axis, m.
   std::array<Vec3, 4> bezier() const;
 
-  // Forces F_j conjugate to X_j, with dF_j/dX_k and dF_j/dV_k, to the nodes' blocks (x1, theta1, x2, theta2)
-  // or (x1, x2): f[3n], K and C (3n)x(3n) row-major, n = count(). Adds. K and C may be null together.
-  struct Generalised {
-    std::array<Vec3, kMost> F;
-    std::array<std::array<Mat3, kMost>, kMost> K, C;
-    Generalised();
-  };
-  void to_nodes(const Generalised& g, double* f, double* K, double* C) const;
-
-  // Of a beam whose ends roll by angles a_i (axis_roll): T_i conjugate to a_i, N m, and how they and the F_j
-  // change with X, V and a. Adds as to_nodes does. stiffening: with the turn of the axes that T_i act about.
-  struct Rolling {
-    std::array<double, 2> T{};
-    std::array<std::array<Vec3, kMost>, 2> by_X, by_V;
-    std::array<std::array<Vec3, 2>, kMost> force_by_roll;
-    std::array<std::array<double, 2>, 2> by_roll{};
-    Rolling();
-  };
-  void to_nodes(const Rolling& g, const std::array<AxisRoll, 2>& ends, bool stiffening, double* f, double* K,
-                double* C) const;
+  // Adds the X_j to a stencil, attached to the nodes: to its next blocks (x1, theta1, x2, theta2) of a beam,
+  // (x1, x2) of a cable. first_turn: number there of the rotation of a beam's first node, of two.
+  void attach(Stencil& to, size_t first_turn = 0) const;
+  // Of a beam's node, to space axes.
+  const Mat3& axes(size_t end) const { return R_[end]; }
   const Quat& turn(size_t end) const { return q_[end]; }
 
  private:

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/kernels/axis_projection.hpp"
+#include "hawser/kernels/contact_point.hpp"
 #include "hawser/kernels/contact_stretches.hpp"
 #include "hawser/kernels/line_pair_law.hpp"
 
@@ -25,48 +26,33 @@ struct PairAxis {
   PairAxis(const AxisEnds& now, const AxisEnds& start);
 
   AxisShape now, start;
-  AxisEnds ends;                 // now
-  std::array<Mat3, 2> turn;      // of the sections at its nodes since the start; a cable's turn with its axis
-  std::array<Mat3, 2> to_space;  // of its nodes' material axes, now
+  AxisEnds ends;             // now
+  std::array<Mat3, 2> turn;  // of the sections at its nodes since the start; a cable's turn with its axis
   bool beam() const { return now.count() == 4; }
   Mat3 turn_at(double xi) const { return (1 - xi) * turn[0] + xi * turn[1]; }
 };
 
-// A Gauss point of the accepted state. Forces per length of the element, space axes.
-struct LinePairHistory {
-  double xi = 0, from = 0, to = 0;                     // place; its panel: all of it touches
-  bool opens = false, closes = false;                  // contact begins at `from`, ends at `to`
-  double weight = 0;                                   // m, with the share of the pair's side and the sign
-  double eta = 0;                                      // place on the other
-  double slip[2] = {0, 0};                             // m
-  Vec3 force = Vec3::Zero(), friction = Vec3::Zero();  // N/m, on this element
-  Vec3 normal = Vec3::UnitZ();
-  double normal_force = 0, damping_force = 0;  // N/m, of which damping
-  double potential = 0, gap = 0;               // J/m, m
+// A Gauss point of the accepted state. Space axes; the weight has the share of the pair's side and the sign.
+struct LinePairHistory : ContactPoint {
+  double xi = 0, from = 0, to = 0;     // place; its panel: all of it touches
+  bool opens = false, closes = false;  // contact begins at `from`, ends at `to`
+  double eta = 0;                      // place on the other
+  double slip[2] = {0, 0};             // m
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
     each("place", "", self.xi), each("from", "", self.from), each("to", "", self.to);
     each("opens", "", self.opens), each("closes", "", self.closes);
     each("weight", "m", self.weight), each("place on the other", "", self.eta), each("slip", "m", self.slip);
-    each("normal force", "N/m", self.normal_force), each("damping force", "N/m", self.damping_force);
-    each("potential", "J/m", self.potential), each("gap", "m", self.gap);
-    each("force", "N/m", self.force), each("friction force", "N/m", self.friction);
-    each("normal", "", self.normal);
+    each("gap", "m", self.gap);
+    ContactPoint::quantities(self, each, "N/m", "J/m");
   }
 };
 
-// Forces conjugate to the pair's generalised positions: those of the slave, those of the master
-// (axis_shape.hpp), then rotations [rad, space axes] of the slave's two nodes and of the master's.
-struct LinePairForces {
-  static constexpr int kPositions = 8, kMost = 12;
-  int slave = 0, master = 0;  // generalised positions of each
-  bool rotates = false;       // friction's couple acts: indices from kPositions count
-  std::array<Vec3, kMost> F;
-  std::array<std::array<Mat3, kMost>, kMost> K;
-  std::array<std::array<Mat3, kPositions>, kMost> C;
-  LinePairForces(int slave_count, int master_count);
-};
+// Of a pair with that slave and that master: none yet, and the blocks of the slave's nodes and of the
+// master's.
+AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs);
+Stencil stencil_of(const PairAxis& slave, const PairAxis& master);
 
 class LinePairSide {
  public:
@@ -90,8 +76,9 @@ class LinePairSide {
   };
   std::vector<Panel> panels() const;
 
-  // Adds; K and C on request.
-  void add(const std::vector<Panel>& panels, bool derivatives, LinePairForces& out) const;
+  // Adds the forces on the positions of the slave, behind these on those of the master, and the couples on
+  // the nodes' rotations in the same order; K and C on request. `out` is a forces() of the two.
+  void add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& out) const;
   // What the state leaves behind when it is accepted.
   void keep(const std::vector<Panel>& panels, std::vector<LinePairHistory>& out) const;
   // J
@@ -115,7 +102,7 @@ class LinePairSide {
   Slopes slopes(const Point& p, const Start& from, const LinePairForce& c, const Rows& rows) const;
   MovingEnd moving_end(double xi, End end) const;
   void add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
-                  LinePairForces& g) const;
+                  AttachedForces& g) const;
 
   const PairAxis &slave_, &master_;
   ProjectOn part_;
@@ -123,10 +110,5 @@ class LinePairSide {
   const std::vector<LinePairHistory>& history_;
   double wa_, wb_;  // shares of the radii
 };
-
-// To the blocks of the nodes: slave first, then master; position and rotation of each node of a beam,
-// position of each of a cable. f: 3n; K and C: (3n)x(3n), row-major, or null together. Adds.
-void to_nodes(const LinePairForces& g, const PairAxis& slave, const PairAxis& master, double* f, double* K,
-              double* C);
 
 }  // namespace hawser

@@ -1,9 +1,9 @@
-// What acts between a line and a body that floats, made of what acts on the line alone.
+// What acts between something and a body that floats, made of what acts on the former alone.
 //
-// Contact depends on how the line lies and moves as seen from the body: a motion of both together changes
-// nothing but the direction of the forces. With unknowns u of the line, z = (X, theta) of the body's centre
-// of mass (theta in body axes) and the motion G of the line's unknowns that a motion of the body would give
-// them,
+// Contact depends on how a line (or another body) lies and moves as seen from the body: a motion of both
+// together changes nothing but the direction of the forces. With unknowns u of the line, z = (X, theta) of
+// the body's centre of mass (theta in body axes) and the motion G of the line's unknowns that a motion of the
+// body would give them,
 //   G = [I, -hat(r) R] of a position x = X + r,   G = [0, Q'R] of the rotation Q of a node,
 // the forces on the body are -G'f, and the derivatives by its unknowns follow from those by the line's:
 //   f_z = -K G + (C hat(v - V) R + [-hat(f) R of positions]) on theta,   f_zdot = -C G.
@@ -29,8 +29,18 @@ struct FloatingFrame {
   Mat3 R = Mat3::Identity();
 };
 
-// Adds f[3n], K and C [3n x 3n, row-major or null] of n <= 4 blocks of a line with what they mean for the
-// body. counted: this rank adds the body's rows, whoever owns them.
+// f, K and C of the blocks of a line and, behind them, of the two of the body.
+struct AgainstBody {
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::VectorXd f;
+  Matrix K, C;  // of no size where there was none
+};
+// Of f[3n], K and C [3n x 3n, row-major or null] of n blocks of a line. turning: with how forces, and their
+// arms about the body, turn, which may be negative stiffness.
+AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& body, bool turning,
+                         const double* f, const double* K, const double* C);
+
+// Adds them, n <= 4. counted: this rank adds the body's rows, whoever owns them.
 void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
                       bool counted, const double* f, const double* K, const double* C);
 

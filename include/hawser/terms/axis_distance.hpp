@@ -1,7 +1,8 @@
-// How far the axis of an element is from a surface, along it.
+// How far an axis is from a surface, along it and anywhere.
 #pragma once
 
 #include "hawser/geometry/surface.hpp"
+#include "hawser/kernels/axis_clearance.hpp"
 #include "hawser/kernels/axis_shape.hpp"
 #include "hawser/kernels/contact_stretches.hpp"
 #include "hawser/kernels/motion.hpp"
@@ -17,6 +18,16 @@ inline AxisGapFunction axis_distance(const Surface& surface, const RigidPose& po
     if (!p) return {within, 0};
     hint = p->triangle;
     return {p->distance - most, (pose.rotation * p->normal).dot(shape.slope(xi))};
+  };
+}
+
+// The distance to all of a surface, whatever its walls. The surface outlives the function.
+inline DistanceField distance_to(const Surface& surface) {
+  return [&surface, hint = -1](const Vec3& x, double within, Vec3& normal) mutable -> std::optional<double> {
+    const auto p = surface.query(x, within, hint);
+    if (!p) return std::nullopt;
+    hint = p->triangle, normal = p->normal;
+    return p->distance;
   };
 }
 

@@ -1,6 +1,7 @@
 // Contact of bodies with bodies: what stands out of one volume against the surface of another.
 //
-// By the basis of its stiffness a volume touches with its corners and balls (per_point), its edges
+// An edge is an axis like the element of a line, a corner one of no length (axis_contact.hpp), attached to
+// its body. By the basis of its stiffness a volume touches with its corners and balls (per_point), its edges
 // (per_length) or its faces (per_area); model::body_pairs says who leads. No friction. See
 // docs/theory/body-contact.md.
 #pragma once
@@ -14,14 +15,30 @@
 #include <string>
 #include <vector>
 
-#include "hawser/kernels/body_contact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/against_body.hpp"
+#include "hawser/terms/axis_contact.hpp"
 #include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "hawser/terms/touch.hpp"
 
 namespace hawser {
+
+using Vec12 = Eigen::Matrix<double, 12, 1>;
+using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
+
+// Where a rigid body is and how fast: of the point its unknowns belong to.
+struct BodyFrame {
+  Vec3 x = Vec3::Zero();      // m
+  Mat3 R = Mat3::Identity();  // body axes to space axes
+  Vec3 v = Vec3::Zero();      // m/s, space axes
+  Vec3 w = Vec3::Zero();      // rad/s, body axes
+
+  Vec3 to_space(const Vec3& y) const { return x + R * y; }
+  Vec3 to_body(const Vec3& p) const { return R.transpose() * (p - x); }
+  Vec3 velocity(const Vec3& y) const { return v + R * w.cross(y); }
+};
 
 struct TouchingVolume {
   std::shared_ptr<const Surface> surface;
@@ -102,27 +119,35 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
       each("largest penetration", "m", self.depth), each("since clear", "m", self.met);
     }
   };
-  struct Sum;
+  // What a pair does in a state: the residual of the twelve unknowns (x_A, theta_A, x_B, theta_B), positions
+  // in space axes and rotations as material increments, and its derivatives if they were asked for.
+  struct Sum {
+    AgainstBody on;
+    double potential = 0, damping_power = 0;  // J, W
+    double depth = 0;                         // m, largest penetration
+    bool touches = false;
+  };
+  // What tells how stiff the springs are, dampers included, where they stand; and their forces alone.
+  static constexpr AxisContactMode kStiffness{true, true, true}, kSprings{};
   struct Nearest {
     double gap = 0;  // m
     Vec12 gradient = Vec12::Zero();
   };
   BodyFrame frame(const Side& side, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
-  Sum touch(const Pair& pair, const Both& at, bool tangent, bool springs = false) const;
+  Sum touch(const Pair& pair, const Both& at, const AxisContactMode& mode) const;
+  void touch_along(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
+                   const AxisContactMode& mode, double* f, double* K, double* C, Sum& sum) const;
   bool passes(const Pair& pair, const Kinematics& trial) const;
   void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
   // What looks ahead, body_contact_ahead.cpp. rad/s, of the fastest motion of the bodies on those springs.
-  double frequency(const Pair& pair, const Sum& s) const;
+  double frequency(const Pair& pair, const Sum& stiffness) const;
   // J, of the motion of the bodies against each other.
   double relative_energy(const Pair& pair, const Both& at) const;
   // m/s, no place of one comes nearer to the other faster than that.
   double fastest(const Pair& pair, const Both& at) const;
   // Smallest gap of what stands out, where it is below `within` [m].
   std::optional<Nearest> nearest(const Pair& pair, const Both& at, double within) const;
-  // The same along an edge of a, in the frame of its body.
-  void look_along(const Both& at, const Vec3& from, const Vec3& to, double radius, const Surface& surface,
-                  Nearest& best) const;
   // s, at most `most`: a step from there that what it meets in it is followed with.
   double followed(const Pair& pair, const Both& at, double most) const;
   void limit_by(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;

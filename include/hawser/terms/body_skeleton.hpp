@@ -9,27 +9,28 @@
 
 namespace hawser {
 
-struct SkeletonPoint {
-  Vec3 at = Vec3::Zero();  // m, frame of the shape
-  double radius = 0;       // m, of a ball
-  double weight = 1;       // 1, or m² where it stands for a piece of a face
-};
-struct SkeletonEdge {
+// An edge or a round bar from one place to another [m, frame of the shape]; where they are the same, a
+// corner, a ball, or a place that stands for a piece of a face.
+struct SkeletonPart {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
-  double radius = 0;  // m, of a round bar
+  double radius = 0;  // m, of a bar or a ball
+  double weight = 1;  // 1, or m² of a piece of a face
+
+  static SkeletonPart point(const Vec3& at, double radius = 0, double weight = 1) {
+    return {at, at, radius, weight};
+  }
+  Vec3 middle() const { return 0.5 * (from + to); }
 };
 
 // Neighbours beside each other: most of a body is left out a bundle at a time.
-template <class T>
-struct Bundle {
+struct SkeletonBundle {
   Vec3 centre = Vec3::Zero();
   double radius = 0;  // m, of a ball around all of it
-  std::vector<T> items;
+  std::vector<SkeletonPart> parts;
 };
 struct BodySkeleton {
-  std::vector<Bundle<SkeletonPoint>> points;
-  std::vector<Bundle<SkeletonEdge>> edges;
-  std::vector<Bundle<Vec3>> faces;  // places all over them, where they are watched
+  std::vector<SkeletonBundle> touches;  // what may touch
+  std::vector<SkeletonBundle> faces;    // places all over them, where they are watched
 };
 
 // By the basis of the stiffness: per_point: the corners of a mesh or box, balls (sphere); per_length: edges

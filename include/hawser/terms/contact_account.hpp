@@ -1,8 +1,8 @@
 // Work and energies of contact with volumes, by the trapezoidal rule over the accepted steps.
 #pragma once
 
+#include "hawser/kernels/contact_point.hpp"
 #include "hawser/kernels/motion.hpp"
-#include "hawser/terms/contact_history.hpp"
 
 namespace hawser {
 
@@ -42,7 +42,7 @@ struct ContactAccount {
     if (deep > depth) depth = deep, time = at, volume = into, end = near;
   }
   // share: of the way and of the place.
-  void add(const StepOfBody& b, const ContactHistory& p, const Mat3& R, const Vec3& y0, const Vec3& y1,
+  void add(const StepOfBody& b, const ContactPoint& p, const Mat3& R, const Vec3& y0, const Vec3& y1,
            double share);
 };
 

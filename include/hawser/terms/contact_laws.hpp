@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "hawser/kernels/impact.hpp"
+#include "hawser/kernels/volume_contact.hpp"
 #include "hawser/model/case.hpp"
-#include "hawser/terms/contact_history.hpp"
 
 namespace hawser {
 

@@ -163,8 +163,6 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   std::string too_soft(const Pair& pair) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);
   double fed_work(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next) const;
-  template <class What>
-  void shared(const What& what) const;
 
   const LocalMesh& mesh_;
   std::vector<LineContactElement> elements_;

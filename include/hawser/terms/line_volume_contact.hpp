@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "hawser/kernels/contact_along.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/axis_contact.hpp"
 #include "hawser/terms/contact_account.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/line_volume_finder.hpp"
@@ -73,25 +73,10 @@ class LineVolumeContact final : public ForceTerm,
 
  private:
   using Pair = LineVolumePair;
-  // What friction at the surface needs of an element, and what it gives.
-  struct Rolled {
-    bool on = false;
-    std::array<AxisRoll, 2> ends;  // since the start of the step, relative to the body
-    AxisShape::Rolling forces;
-    double angle(double xi) const { return (1 - xi) * ends[0].angle + xi * ends[1].angle; }
-  };
-  // Ends of a panel that move with the unknowns.
-  struct Moving;
-  // What is asked of a trial, and its forces on the axis of an element.
-  struct Forces {
-    bool moves = false, tangent = false, convex = false;
-    AxisShape::Generalised axis;
-    Rolled rolled;
-  };
-  // The pairs of an element and a volume, few bytes of what is asked of each in every trial: whether it is
-  // clear for certain by how little its nodes have moved.
+  // Of a pair, few bytes of what is asked of each in every trial: whether it is clear for certain by how
+  // little its nodes have moved.
   struct Group {
-    size_t first = 0, end = 0;
+    size_t pair = 0;
     int volume = 0;
     int nodes[2] = {};
     double turn = 0;   // m: how far a point of the axis gets where |q - q0| = 1
@@ -123,21 +108,15 @@ class LineVolumeContact final : public ForceTerm,
 
   // Pairs of an element and a volume at the start of a step, with what is known of them.
   bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
-  void add_pairs(Pair first, std::span<Pair> old, double motion);
+  void carry_over(Pair& was, Pair& pair) const;
+  void start_walls(Pair& pair, double motion) const;
   std::vector<Group> groups() const;
   double way(const Kinematics& trial, const Group& g) const;
   void look(const Kinematics& trial);
-  // Pairs for walls that are seen, which have none until then. lacks_pairs: of the pair number i.
-  bool lacks_pairs(size_t i) const;
-  void open_pairs();
 
-  Rolled rolled(const Pair& pair, const AxisShape& shape) const;
-  void add_panels(Pair& pair, const AxisShape& shape, Forces& forces) const;
-  void add_panel(Pair& pair, const AxisShape& shape, size_t panel, Forces& forces) const;
-  std::array<Moving, 2> moving_ends(const Pair& pair, const AxisShape& shape, const ContactStretch& s) const;
-  void add_forces(const Pair& pair, const AxisShape& shape, Forces& forces, const Kinematics& trial,
-                  Assembler& assembler) const;
-  void account(const Pair& pair, const AxisShape& shape, const std::vector<ContactPoint>& next);
+  std::optional<AxisContact::Rolls> rolls(const Pair& pair, const AxisShape& shape) const;
+  AxisContact contact(Pair& pair, const AxisShape& shape, const AxisContactMode& mode) const;
+  void account(const Pair& pair, const AxisShape& shape, const std::vector<AxisContactPoint>& next);
 
   // What strikes at xi, `share` m of the line with it; what it may come to, which touches elsewhere already.
   void strike_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
@@ -161,7 +140,7 @@ class LineVolumeContact final : public ForceTerm,
   ContactVolumes volumes_;
   LineVolumeFinder finder_;
   std::vector<LineContactElement> elements_;
-  std::vector<Pair> pairs_;               // sorted by element, volume and slot
+  std::vector<Pair> pairs_;               // sorted by element and volume
   std::vector<ContactAccount> accounts_;  // of the elements
   bool friction_on_ = true;
   std::vector<Vec3> start_x_;  // m, of the nodes at the start of the step

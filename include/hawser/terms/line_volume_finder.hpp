@@ -30,41 +30,37 @@ class LineVolumeFinder {
   bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // m: of the tube about the axis at the start of the step in which nothing is met.
   static double room_at_start(const LineVolumePair& pair);
-  // What a pair sees of its volume from the place xi, which is at y.
-  std::optional<SurfacePoint> see(const LineVolumePair& pair, double xi, const Vec3& y, double within,
-                                  bool either_side = false) const;
+  // What a pair sees of a wall of its volume from the place xi, which is at y.
+  std::optional<SurfacePoint> see(const LineVolumePair& pair, int wall, double xi, const Vec3& y,
+                                  double within, bool either_side = false) const;
   // Whether there may be contact at this place of a pair.
   bool takes_part(const LineVolumePair& pair, double xi) const;
   GapSpring spring_at(int volume, const Vec3& y, double touch) const;
 
-  // Of a point that touches in the trial, at the start of the step: from what touched then, or where it came
-  // from. rates: of that along the axis, on request.
-  ContactStart start(const LineVolumePair& pair, double xi, ContactRates* rates = nullptr) const;
+  // Of a point that touches a wall in the trial, at the start of the step: from what touched then, or where
+  // it came from. rates: of that along the axis, on request.
+  ContactStart start(const LineVolumePair& pair, int wall, double xi, ContactRates* rates = nullptr) const;
 
   // What may be met of a volume while the element moves by `motion` [m]: whether it is one wall.
   bool one_wall(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose, double motion) const;
-  // Number of walls that the trial found of the volume; `first`: the first of the pairs with that element.
-  static size_t walls_seen(const LineVolumePair& first) {
-    return first.seen && first.seen->walls.several() ? first.seen->walls.of.size() : 1;
-  }
   // The walls within `ahead` [m] of the distance of contact at the start of the step.
   void walls_ahead(const LineVolumePair& pair, double ahead, SurfaceWalls& out) const;
 
  private:
   class Gap;
 
-  void find_along(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  void find_at_nodes(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  void find_along(LineVolumePair& pair, int wall, const AxisShape& shape, const RigidPose& pose) const;
+  void find_at_nodes(LineVolumePair& pair, int wall, const AxisShape& shape, const RigidPose& pose) const;
   // Where it touched at the start of the step; of one of several walls, which may be another each trial,
   // nothing.
   const std::vector<ContactStretch>& touched_before(LineVolumePair& pair) const;
-  std::vector<ContactStretch> locate(LineVolumePair& pair, const AxisShape& shape,
+  std::vector<ContactStretch> locate(LineVolumePair& pair, int wall, const AxisShape& shape,
                                      const RigidPose& pose) const;
   // What is known free of the volume at places of the axis goes for the tube about it.
   void keep_free(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
                  std::vector<FreePlace>& places) const;
   void see_walls(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  void assign_past(const LineVolumePair& pair, SeenWalls& seen) const;
+  void assign_past(LineVolumePair& pair) const;
   const Surface& surface(const LineVolumePair& pair) const { return volumes_.surface(pair.volume); }
 
   const ContactVolumes& volumes_;

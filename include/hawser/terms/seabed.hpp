@@ -14,7 +14,7 @@
 #include "hawser/kernels/volume_contact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/terms/contact_history.hpp"
+#include "hawser/terms/contact_points.hpp"
 #include "hawser/terms/line_neighbours.hpp"
 
 namespace hawser {
@@ -75,8 +75,8 @@ class SeabedTerm final : public ForceTerm {
   int touching() const;
 
  private:
-  struct History : ContactHistory {
-    using ContactHistory::ContactHistory;
+  struct History : SurfaceContactPoint {
+    using SurfaceContactPoint::SurfaceContactPoint;
     bool touches = false;
     double friction_work = 0, damping_work = 0;  // J, taken out so far; suction's is damping's
     // How deep it has been since it landed [m], and whether the soil holds it: until it is lifted too far.
@@ -85,7 +85,7 @@ class SeabedTerm final : public ForceTerm {
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      ContactHistory::quantities(self, each, "N", "J");
+      SurfaceContactPoint::quantities(self, each, "N", "J");
       each("touches", "", self.touches);
       each("friction work", "J", self.friction_work), each("damping work", "J", self.damping_work);
       each("deepest", "m", self.deepest), each("held by suction", "", self.held);

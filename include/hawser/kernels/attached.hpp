@@ -1,0 +1,50 @@
+// Positions that contact forces act on, attached to the nodes of a model, and the way of forces and tangents
+// from them to the nodes' blocks.
+//
+//   X = x + R a,   X' = v + R (w x a)
+// of a node's position x and rotation R, either of which may be left out: a node of a cable is x, the tangent
+// at the end of a beam times its length is R a (axis_shape.hpp), a point of a body is both. With material
+// increments theta, dX = dx - R hat(a) dtheta.
+#pragma once
+
+#include <array>
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+struct AttachedPosition {
+  int position = -1, rotation = -1;  // blocks of the stencil; -1: not of it
+  Vec3 arm = Vec3::Zero();           // a, m, material axes
+  Mat3 R = Mat3::Identity();         // material axes to space axes
+  Vec3 w = Vec3::Zero();             // rad/s, material axes
+};
+
+// Forces conjugate to positions [N], and behind them couples conjugate to small rotations of nodes, in space
+// axes [N m], with their derivatives by both and by the velocities of the positions.
+struct AttachedForces {
+  static constexpr size_t kPositions = 8, kTurns = 4, kMost = kPositions + kTurns;
+  size_t positions;
+  bool rotates;  // couples act: rows and columns from kPositions on count
+  std::array<Vec3, kMost> F;
+  std::array<std::array<Mat3, kMost>, kMost> K;
+  std::array<std::array<Mat3, kPositions>, kMost> C;
+
+  // Zero. What does not count is left as it is.
+  explicit AttachedForces(int positions, bool rotates = false);
+};
+
+// The blocks that positions are attached to.
+struct Stencil {
+  int blocks = 0;
+  size_t positions = 0;
+  std::array<AttachedPosition, AttachedForces::kPositions> at;
+  std::array<AttachedPosition, AttachedForces::kTurns> turns;  // rotation and R; of a cable none
+
+  void add(const AttachedPosition& p) { at[positions++] = p; }
+  // Adds to f[3n], K and C (3n)x(3n), row-major, n = blocks; K and C may be null together. turning: K with
+  // what forces bring whose arms turn with their nodes, which may be negative stiffness.
+  void to_blocks(const AttachedForces& g, bool turning, double* f, double* K, double* C) const;
+};
+
+}  // namespace hawser

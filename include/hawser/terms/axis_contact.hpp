@@ -1,0 +1,74 @@
+// Contact of an axis with a surface: the law at each place where they touch, summed into forces on the
+// positions of the axis, with their exact tangent. The axis is an element of a line, an edge of a body or one
+// of its corners. See docs/theory/contact.md.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "hawser/kernels/axis_roll.hpp"
+#include "hawser/kernels/contact_along.hpp"
+#include "hawser/terms/contact_points.hpp"
+
+namespace hawser {
+
+// What is asked of forces on an axis.
+struct AxisContactMode {
+  bool moves = false;    // velocities count
+  bool tangent = false;  // with derivatives
+  bool convex = false;   // these without negative stiffness
+};
+
+class AxisContact {
+ public:
+  // What its finder knows of the axis and the surface.
+  struct Pair {
+    double radius = 0, length = 0;  // m, of the line; of the axis: what weights are parts of
+    // The law of a panel, per unit of the weights.
+    std::function<ContactLaw(const ContactPanel&)> law;
+    // The surface from an end of a panel, some way beyond touch; asked for tangents only.
+    std::function<std::optional<SurfacePoint>(const ContactPanel&, double xi)> see;
+    // What friction starts from at a place of a panel, and how that changes along the axis on request; none
+    // where no law has friction.
+    std::function<ContactStart(const ContactPanel&, double xi, ContactRates* rates)> start;
+  };
+  // How far a beam's ends have rolled about its axis since the start of the step, relative to the body, where
+  // friction acts at its surface.
+  struct Rolls {
+    std::array<AxisRoll, 2> ends;
+    double angle(double xi) const { return (1 - xi) * ends[0].angle + xi * ends[1].angle; }
+  };
+
+  // The axis, and the pose of the surface's body in the trial, outlive it.
+  AxisContact(const AxisShape& shape, const RigidPose& pose, Pair pair, const AxisContactMode& mode,
+              std::optional<Rolls> rolls = {});
+
+  // Adds what acts at the places found; points: the contact points go there, if it is given.
+  void add(const ContactPlaces& found, std::vector<AxisContactPoint>* points = nullptr);
+  // Adds the forces to blocks the positions are attached to: f[3n], K and C (3n)x(3n), row-major; K and C may
+  // be null together.
+  void to_blocks(const Stencil& stencil, double* f, double* K, double* C);
+
+ private:
+  struct Moving;
+  void add_panel(const ContactPlaces& found, size_t panel, std::vector<AxisContactPoint>* points);
+  std::array<Moving, 2> moving_ends(const ContactPanel& s) const;
+  void add_rolling(const ContactTrial& trial, const ContactStart& begin, const PointContact& c, double xi,
+                   double weight, const Mat3& by_point);
+
+  const AxisShape& shape_;
+  const RigidPose& pose_;
+  Pair pair_;
+  AxisContactMode mode_;
+  std::optional<Rolls> rolls_;
+  size_t n_;
+  Mat3 R_;  // of the pose
+  Quat back_;
+  Mat3 spin_;                       // of its angular velocity, body frame
+  std::array<Vec3, 2> about_;       // the axes that the ends roll about, space axes
+  std::array<double, 2> torque_{};  // N m, of the rolls
+  AttachedForces g_;
+};
+
+}  // namespace hawser

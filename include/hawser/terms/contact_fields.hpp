@@ -1,0 +1,27 @@
+// How contact is shown at nodes, whatever touches whatever: every point that touches is shared out to the
+// nodes of what it is on.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "hawser/kernels/contact_point.hpp"
+#include "hawser/system/field_registry.hpp"
+
+namespace hawser {
+
+// A point at an owned node, with its share of it. axes: from those of the point to space, and with the sign
+// turned on what is touched.
+using ShowPoint = std::function<void(int node, double share, const Mat3& axes, const ContactPoint& p)>;
+using EachPoint = std::function<void(const Kinematics& at, const ShowPoint& show)>;
+
+// Names of the fields; empty: it is not shown.
+struct ContactFields {
+  std::string force, normal_force, friction, penetration;
+};
+
+// Adds force and friction [N, space axes], sum of the sizes of normal forces [N], and largest penetration of
+// points that are nearer to the node than to others [m].
+void add_contact_fields(FieldRegistry& registry, const ContactFields& names, const EachPoint& each);
+
+}  // namespace hawser
