@@ -1,6 +1,7 @@
 // What becomes of a step that was tried: the one place where it is accepted, tried again or given up.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/base/error.hpp"
@@ -39,9 +40,12 @@ Verdict Dynamics::judge(double h, Attempt& a) {
   }
   if (!control_.accurate(h, a.error))
     return {Kind::shorter, fmt::format("its local error of {:.3g} m is too large", a.error)};
-  if (beyond_ && !control_.shortest(h) && beyond_(trial)) {
-    a.solved = false;
-    return {Kind::shorter, "an event happens within it"};
+  if (conditions_ && !control_.shortest(h)) {
+    const std::vector<double> g = conditions_(trial);
+    if (std::any_of(g.begin(), g.end(), [](double value) { return value > 1; })) {
+      a.solved = false;
+      return {Kind::shorter, "an event happens within it"};
+    }
   }
   if (const std::string why = system_.overstretched(trial); !why.empty())
     return {Kind::stop,

@@ -36,18 +36,21 @@ class Dynamics {
   // Called after every accepted step; false stops the run.
   using Observer = std::function<bool(const StepInfo&)>;
 
-  // Whether a trial state lies beyond a condition at which something happens: its step is tried again,
-  // shorter, until it ends close enough. The same on all ranks.
-  using Beyond = std::function<bool(const Kinematics& trial)>;
+  // Signed functions of a trial state, in units of their tolerances, the same on all ranks. Where one crosses
+  // zero from below something happens: a step that ends beyond 1 is tried again, shorter.
+  using Conditions = std::function<std::vector<double>(const Kinematics& trial)>;
 
   Dynamics(System& system, const DynamicsSettings& settings);
-  void watch(Beyond beyond) { beyond_ = std::move(beyond); }
+  void watch(Conditions conditions) { conditions_ = std::move(conditions); }
 
   // Starts from positions, rotations and velocities; accelerations come from the mass matrix.
   void start(const State& state);
-  // Goes on with other supports: what they held before moves on from where it is, with accelerations that
-  // jump. supports: of the local nodes, among those there were. Collective.
+  // Goes on with other supports, of the local nodes: what they held before moves on from where it is, with
+  // accelerations that jump; what they hold anew is caught in a plastic impact (docs/theory/events.md).
+  // Collective.
   void release(std::vector<Support> supports);
+  // Energy that an event has put into the system or taken from it, J, of this rank's share.
+  void add_support_work(double work) { support_work_ += work; }
   // How a node of the mesh goes on: position, velocity and acceleration in m and s, node axes and their rates
   // where it rotates (material, rad and s).
   struct Moved {
@@ -118,6 +121,7 @@ class Dynamics {
   void solve_once(Attempt& a);
   void put(const std::vector<double>& u);
   void solve_masses();
+  void catch_up(const Supports& before, State& s);
   void settle(int node);
 
   System& system_;
@@ -143,7 +147,7 @@ class Dynamics {
   double support_work_ = 0;
   std::function<double(double)> next_stop_;
   Observer observer_;
-  Beyond beyond_;
+  Conditions conditions_;
   std::exception_ptr error_;  // carried through PETSc's C frames
 };
 
