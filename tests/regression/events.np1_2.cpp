@@ -84,7 +84,9 @@ TEST(Events, WhatIsCutOffFallsFreelyAndTheRestHangs) {
   EXPECT_NEAR(mean_of(r, "position", 2, 0, 10, 2), rest, 1e-8);
   for (size_t i = 3; i < 5; ++i) {
     const double t = r.output_times[i] - 0.5;
-    EXPECT_NEAR(mean_of(r, "position", i, 0, 10, 2), rest - 0.5 * kGravity * t * t, 1e-5) << t;
+    const double fallen = rest - mean_of(r, "position", i, 0, 10, 2);
+    printf("cut off for %.2f s: fallen %.3g m too far\n", t, fallen - 0.5 * kGravity * t * t);
+    EXPECT_NEAR(fallen, 0.5 * kGravity * t * t, 1e-5) << t;
     // It recoils by what the weight of the lower part has stretched it: w l / EA of its own length on
     // average.
     EXPECT_NEAR(mean_of(r, "position", i, 11, 21, 2), above, 2 * 10 * kGravity * 10 / 1e7 * 10);
@@ -143,7 +145,10 @@ TEST(Events, ACutKeepsMomentum) {
   };
   const double before = momentum(3);
   EXPECT_GT(std::abs(before), 100);  // of the weights one was let go of first
-  for (size_t i = 4; i < 9; ++i) EXPECT_NEAR(momentum(i), before, 1e-6 * std::abs(before)) << i;
+  double off = 0;
+  for (size_t i = 4; i < 9; ++i) off = std::max(off, std::abs(momentum(i) / before - 1));
+  printf("a cut: momentum kept to %.1e of %.0f kg m/s\n", off, before);
+  EXPECT_LT(off, 1e-6);
   EXPECT_GT(std::abs(mean_of(r, "velocity", 8, 0, 10, 0, 100) - mean_of(r, "velocity", 8, 11, 21, 0, 0, 300)),
             0.1);
 }
@@ -176,6 +181,7 @@ contact: {between_lines: false}
   const auto T = named(file, r, "cut", "effective_tension"), x = named(file, r, "cut", "position_x"),
              end = named(file, r, "end", "position_x");
   const double most = *std::max_element(T.begin(), T.end());
+  printf("a line is cut at 12 kN and %.4f %% more\n", 100 * (most / 12e3 - 1));
   EXPECT_GE(most, 12e3);
   EXPECT_LE(most, 12e3 * 1.001);
   EXPECT_LT(x.back(), 4.05);
@@ -264,6 +270,8 @@ contact: {between_lines: false}
   EXPECT_NEAR(kinetic.front(), 200, 1e-9);
   // The end's 5/12 m of 10 kg were at rest; the consistent part of the mass takes 1/12 m of the next node's.
   EXPECT_LT(kinetic.back(), 200 - 3);
+  printf("a body catches a rope: of 200 J %.2f are lost in the impact and by damping, error %.1e J\n",
+         200 - kinetic.back() - named(file, r, "energy", "strain").back(), largest(error));
   for (const double e : error) EXPECT_LT(std::abs(e), 0.2);
   // It goes with the body.
   EXPECT_NEAR(r.fields.at("position").at(3 * 6 * 4), x.back(), 1e-9);
