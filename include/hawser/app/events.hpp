@@ -44,9 +44,9 @@ class Events {
  private:
   struct Happening {
     model::Event what;
-    int node = -1;    // of the mesh: whose tension, place or distance is waited for
-    int feeder = -1;  // whose length is
-    int after = -1;   // event
+    int node = -1;         // of the mesh: whose tension, place or distance is waited for
+    int feeder = -1;       // whose length is
+    int after = -1;        // event
     double happened = -1;  // s; < 0: not yet
     Actions::Found found;
   };
