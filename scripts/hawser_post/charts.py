@@ -76,6 +76,19 @@ def range_graph(results, line, field, since=0.0):
     return figure
 
 
+def station_graph(results, line, field, distance, found):
+    """The envelope and the mean of a field at the stations of a fed line (stations.of_line)."""
+    unit, factor = shown(results.unit(field))
+    figure, axes = sheet()
+    least, most, mean = (found[field][:, k] / factor for k in (0, 2, 4))
+    axes.fill_between(distance, least, most, alpha=0.2, lw=0)
+    for values, name in ((most, "maximum"), (mean, "mean"), (least, "minimum")):
+        axes.plot(distance, values, label=name)
+    axes.set(xlabel="unstretched line from the feeder [m]", ylabel=label(field, unit), title=f"{line.name}, at stations")
+    legend(axes)
+    return figure
+
+
 def stress_graph(results, line, stress, since=0.0):
     """Von Mises stress [Pa], outputs x nodes, along a line: its envelope from `since` on and the first output."""
     keep = results.since(since)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from . import tables
+from . import stations, tables
 
 
 @dataclass
@@ -50,8 +50,9 @@ def departure(results, line):
         return None
     arcs = np.array([b.column("arc_length") for b in boxes])
     forces = np.array([np.linalg.norm([b.column(f"force_{k}") for k in "xyz"], axis=0) for b in boxes])
-    # Towards the farther end.
-    forwards = bool(np.nanmean(arcs[:, 0]) < line.length / 2)
+    # Away from its feeder, else towards the farther end.
+    fed = stations.end_of(results, line)
+    forwards = fed == "end_a" if fed else bool(np.nanmean(arcs[:, 0]) < line.length / 2)
     if not forwards:
         boxes, arcs, forces = boxes[::-1], arcs[::-1], forces[::-1]
     steps = step_of(results)

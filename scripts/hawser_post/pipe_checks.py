@@ -1,7 +1,7 @@
 """Strain, stress and the checks of codes of a pipe, by part: on its supports, in its sagbend and on the seabed."""
 import numpy as np
 
-from . import laying, pipe_codes, stress
+from . import laying, pipe_codes, stations, stress
 from .results import Refusal, pascals
 from .sections import part as part_of_case
 from .sections import types_of
@@ -130,10 +130,12 @@ class Checked:
         """What the checks are by, in sentences."""
         parts = ", ".join(f"{name} {value:g}" for name, value in self.conditions.items())
         why = "; uneven seabed" if is_uneven(self.results) and self.conditions["seabed"] == pipe_codes.UNEVEN_SEABED else ""
+        fed = (" Loads of what was in the stock at rest count as environmental altogether, which is on the safe side."
+               if stations.end_of(self.results, self.line) else "")
         return [f"{self.outer * 1e3:.4g} mm x {self.wall * 1e3:.4g} mm, {self.grade}, {self.steel.fabrication}, ovality "
                 f"{100 * self.steel.ovality:g} %.",
                 f"DNV-ST-F101: safety class {self.steel.safety_class}, alpha_U {self.steel.material_factor:g}, gamma_C of "
-                f"functional loads: {parts} (--condition-factor{why})."]
+                f"functional loads: {parts} (--condition-factor{why}).{fed}"]
 
     def criteria(self, part, keep):
         """Rows (check, value at rest, largest, its output and node) of the simplified criteria for laying."""

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import export, pipe_checks, pipe_tables, stress
+from . import export, pipe_checks, pipe_tables, stations, stress
 from .given import refuse_since, results_of
 from .results import Refusal, Results
 
@@ -64,6 +64,9 @@ def make(options):
         print(f"  Functional loads and static values are those of {options.static}.")
     print_table(*pipe_tables.geometry(checked, since))
     print_table(*pipe_tables.for_reading(*pipe_tables.checks(checked, since)))
+    at_stations = stations.table(results, line, checked.outer)
+    if at_stations:
+        print_table(*at_stations)
     for doubt in pipe_checks.doubts(checked):
         print(f"warning: {doubt}")
     path = Path(options.output) if options.output else results.path.with_name(f"{results.path.stem}-pipe.csv")
@@ -71,6 +74,10 @@ def make(options):
     columns = [np.nanmax(np.where(np.isnan(v[keep]), -np.inf, v[keep]), axis=0) for v in checked.values.values()]
     export.write(path, ["arc_length [m]", *checked.values], [row for row in zip(line.arc, *columns) if np.isfinite(row[1])])
     print(f"largest values along the line: {path}")
+    if at_stations:
+        beside = path.with_name(f"{path.stem}-stations{path.suffix}")
+        export.write(beside, *stations.columns(results, line, checked.outer))
+        print(f"least and largest values at stations, which stay with the feeder: {beside}")
 
 
 def print_table(head, rows):

@@ -3,7 +3,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import charts, envelopes, inputs, pipe_checks, pipe_tables, scene, stress, tables
+from . import charts, envelopes, inputs, pipe_checks, pipe_tables, scene, stations, stress, tables
 from .page import Page
 from .results import Refusal
 
@@ -104,6 +104,11 @@ def ranges(page, results, lines, since):
             if np.any(np.abs(at_start) > 0) or found is not None and np.any(np.abs([found.least, found.most]) > 0):
                 page.figure(charts.range_graph(results, line, field, since),
                             f"{charts.words(field).capitalize()} along {line.name}.")
+        fed = stations.of_line(results, line)
+        for field in fed[1] if fed else ():
+            page.figure(charts.station_graph(results, line, field, *fed),
+                        f"{charts.words(field).capitalize()} of {line.name} at stations, which stay with its feeder while it runs "
+                        "through them; every step.")
 
 
 def stresses(page, results, lines, since):

@@ -106,7 +106,7 @@ def walls_along(results, line, outer=None, thickness=None):
     effective, outside = results.field("effective_tension", line), outside_pressure(results, line)
     sides = []
     for own_outer, own_inner, bore, outermost in types_along(results, line):
-        wall = Wall(own_outer, own_inner) if outer is None else Wall(outer, outer - 2 * thickness)
+        wall = Wall(np.where(np.isnan(own_inner), np.nan, own_outer), own_inner) if outer is None else Wall(outer, outer - 2 * thickness)
         inside = np.zeros(effective.shape)
         if results.has("wall_tension"):
             by_contents = results.field("wall_tension", line) - effective + outside * np.pi / 4 * outermost**2

@@ -41,14 +41,14 @@ std::string remedy(bool fixed, double step) {
 
 }  // namespace
 
-bool Audit::update(const Energy& start, const Energy& e, double time, double h) {
+bool Audit::update(const Energy& start, const Energy& e, double time, double h, double passed) {
   const double before = error, brought_before = brought_in;
   now = e;
   brought_in = e.work - start.work - (e.potential - start.potential);
   error = (e.kinetic - start.kinetic) + (e.strain - start.strain) + (e.friction - start.friction) +
           (e.damping - start.damping) + (e.unresolved - start.unresolved) - brought_in;
   at_start = start.kinetic;
-  worked += std::abs(brought_in - brought_before);
+  worked += std::abs(brought_in - brought_before) + passed;
   set_free = std::max(set_free, start.strain - e.strain);
   held = std::max(held, e.strain);
   if (error < least_error) least_error = error, climb = {};

@@ -9,6 +9,9 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "hawser/app/cost.hpp"
 #include "hawser/app/events.hpp"
@@ -56,6 +59,14 @@ class Stage {
   }
   ~Stage() { PetscLogStagePop(); }
 };
+
+// Statics has a pair for every element and volume that may meet, motion a few of them. MPI libraries tell
+// malloc to keep what is freed, which would be gigabytes of a long line on many rollers.
+void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
 
 // Prints how the lines start beside the volumes; false if one starts inside, out of which statics must bring
 // it. InputError if there is no statics. On one rank.
@@ -119,13 +130,16 @@ int run(MPI_Comm comm, const RunOptions& options) {
     if (checkpoint.time >= end * (1 - 1e-12))
       progress.say("which is the end of the case: nothing left to compute");
   } else if (c.statics.enabled) {
-    const Stage stage("statics");
-    if (c.stages.empty()) solve_statics(sim, progress);
-    for (const std::string& name : c.stages) {
-      progress.say(fmt::format("stage {} of statics", name));
-      for (const std::string& e : events.stage(name)) progress.say(e);
-      solve_statics(sim, progress, name != c.stages.front());
+    {
+      const Stage stage("statics");
+      if (c.stages.empty()) solve_statics(sim, progress);
+      for (const std::string& name : c.stages) {
+        progress.say(fmt::format("stage {} of statics", name));
+        for (const std::string& e : events.stage(name)) progress.say(e);
+        solve_statics(sim, progress, name != c.stages.front());
+      }
     }
+    give_back_memory();
   }
 
   Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes),

@@ -69,7 +69,7 @@ void EndForces::look_at_mouths(const Kinematics& at, std::span<const Vec3> carri
     if (const LocalElement* e = feeders_->at_mouth(f); e && e->counted) {
       m = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
       felt = m.tension();
-      if (f.beam) {
+      if (f.beam && !f.bar.plastic) {
         const Vec3 own = at.q[static_cast<size_t>(f.at_b ? e->second : e->first)].conjugate() * m.moment;
         felt += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
       }

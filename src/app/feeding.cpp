@@ -49,7 +49,11 @@ void Feeding::hand_over() {
   for (Feeder& f : all->list()) {
     const double whole = all->element_length(f, f.mouth);
     if (f.mouth == 0 && f.length >= whole)
-      throw SolveError(fmt::format("the stock at {} runs out at t = {:.6g} s", f.name, time));
+      throw SolveError(
+          fmt::format("the stock at {} runs out at t = {:.6g} s: give the line more length there and the "
+                      "feeder that much more "
+                      "'stock', or let the run end before",
+                      f.name, time));
     if (f.mouth > 0 && f.length >= whole + kLeft * all->element_length(f, f.mouth - 1)) {
       let_out(f);
     } else if (f.length <= kCaught * whole) {
@@ -57,7 +61,9 @@ void Feeding::hand_over() {
       for (const Feeder& o : all->list())
         if (o.line == f.line && o.at_b != f.at_b) others = o.mouth;
       if (f.mouth + 2 + others >= all->elements(f))
-        throw SolveError(fmt::format("at t = {:.6g} s all of the line is hauled in at {}", time, f.name));
+        throw SolveError(fmt::format(
+            "at t = {:.6g} s all of the line is hauled in at {}: let it haul in less, or the run end before",
+            time, f.name));
       haul_in(f);
     }
   }
@@ -66,6 +72,7 @@ void Feeding::hand_over() {
 void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional<Dynamics::Moved>& moved) {
   sim_.dynamics().hand_over(
       [&] {
+        if (mouth != f.mouth) sim_.structure().hand_over(sim_.system().comm(), f, mouth);
         f.mouth = mouth, f.length = length;
         if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
         sim_.feeders()->see_mouth(f);

@@ -19,6 +19,7 @@
 #include "hawser/model/doubts.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/feeders.hpp"
+#include "hawser/terms/links.hpp"
 
 namespace hawser::app {
 namespace {
@@ -106,7 +107,12 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   if (c.output.statistics) {
     statistics_ =
         std::make_unique<NodeStatistics>(fields_, static_cast<size_t>(local.owned), c.output.statistics_from);
+    stations_ = std::make_unique<Stations>(comm, local, sim_.feeders(), fields_);
+    at_stations_ = std::make_unique<NodeStatistics>(stations_->fields(), static_cast<size_t>(local.owned),
+                                                    c.output.statistics_from);
     contents.statistics = statistics_->fields();
+    contents.statistics.insert(contents.statistics.end(), stations_->fields().begin(),
+                               stations_->fields().end());
   }
   contents.volumes = std::move(volumes);
   contents.waves = result_waves(c);
@@ -133,6 +139,10 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
                                   {"end_b_arc_length", "m", 1},
                                   {"end_b_position", "m", 3},
                                   {"laid_length", "m", 1}}});
+  for (const model::Link& l : c.links)
+    contents.series.push_back(
+        {l.name + " link",
+         {{"tension", "N", 1}, {"length", "m", 1}, {"speed", "m/s", 1}, {"force", "N", 3}}});
   if (const Feeders* feeders = sim_.feeders())
     for (const Feeder& f : feeders->list())
       contents.series.push_back(
@@ -252,9 +262,11 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   stepped_ = true;
   Energy share = sim_.system().energy(at);
   share.work += support_work;
-  if (audit_.update(start_, sum_of(comm_, share), info.time, info.h) && info.h > 0) find_worst(at);
+  if (audit_.update(start_, sum_of(comm_, share), info.time, info.h, passed_through(info.h)) && info.h > 0)
+    find_worst(at);
   extremes_->add(info.time, values_, utilisation_);
   if (statistics_) statistics_->add(info.time, values_);
+  if (at_stations_) at_stations_->add(info.time, stations_->at(values_));
   if (clashes_) clashes_->step(info.time);
   if (supports_) support_rows_ = supports_->rows(shown, body_poses(sim_, shown));
   if (info.time < rows_from_ - 1e-9 * std::max(1.0, info.time)) return;
@@ -276,6 +288,13 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
   if (shows_touchdowns())
     for (const Touchdown& t : touchdowns(comm_, sim_.model(), sim_.local(), at))
       rows.push_back(rank == 0 ? touchdown_row(t) : std::vector<double>{});
+  for (size_t i = 0; i < sim_.model().links.size(); ++i) {
+    const Links::Now l = sim_.links()->now(i, at);
+    std::vector<double>& row = rows.emplace_back();
+    if (!l.known) continue;
+    row = {l.force.along.tension, l.force.length, l.force.speed};
+    for (const double on_a : l.force.pull) row.push_back(on_a);
+  }
   if (const Feeders* feeders = sim_.feeders())
     for (size_t k = 0; k < feeders->list().size(); ++k) {
       const Feeder& f = feeders->list()[k];
@@ -291,6 +310,17 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
     rows.push_back({}), rows.push_back({});
   }
   file_->append_series(info.time, rows);
+}
+
+// J, work in a step that one feeder does on its line and another takes out of its own, or of the same.
+double Recorder::passed_through(double h) const {
+  double gross = 0, net = 0;
+  if (const Feeders* feeders = sim_.feeders())
+    for (size_t k = 0; k < feeders->list().size(); ++k) {
+      const double work = end_forces_.at_feeders()[k] * feeders->list()[k].speed * h;
+      gross += std::abs(work), net += work;
+    }
+  return gross - std::abs(net);
 }
 
 // Where the step that made most energy so far changed the motion most, and what acted there.
@@ -345,8 +375,9 @@ void Recorder::checkpoint(io::Checkpoint c) {
 }
 
 void Recorder::write_statistics() {
-  for (size_t f = 0; statistics_ && f < statistics_->fields().size(); ++f)
-    file_->write_statistics(f, statistics_->table(f));
+  size_t place = 0;
+  for (const NodeStatistics* s : {statistics_.get(), at_stations_.get()})
+    for (size_t f = 0; s && f < s->fields().size(); ++f) file_->write_statistics(place++, s->table(f));
 }
 
 std::string Recorder::finish(std::vector<std::string> messages) {
@@ -393,7 +424,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
 
 void Recorder::save(io::Checkpoint& to) {
   if (clashes_) to.history[kClashRecords] = {ClashReport::history(), clashes_->save()};
-  if (statistics_) statistics_->save(to);
+  if (statistics_) statistics_->save(to), at_stations_->save(to);
   save_audit(start_, audit_, to);
   extremes_->save(to);
 }
@@ -403,7 +434,7 @@ void Recorder::restore(const io::Checkpoint& from) {
     const auto at = from.history.find(kClashRecords);
     clashes_->restore(at == from.history.end() ? std::vector<HistoryRecord>{} : at->second.records);
   }
-  if (statistics_) statistics_->restore(from);
+  if (statistics_) statistics_->restore(from), at_stations_->restore(from);
   restore_audit(from, start_, audit_);
   extremes_->restore(from);
   if (rows_every_ > 0) rows_from_ = next_multiple(from.time, rows_every_);

@@ -26,6 +26,7 @@
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
+#include "hawser/terms/links.hpp"
 #include "hawser/terms/point_loads.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "hawser/terms/seabed.hpp"
@@ -153,6 +154,11 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 
   StartShape start = start_shape(c, local, *bodies_);
   bodies_->fix_drawn(comm, c, start.state.view(0));
+  if (!c.links.empty()) {
+    auto links = std::make_unique<Links>(comm, c, local, bodies_, start.state.view(0));
+    links_ = links.get();
+    system_->add(std::move(links));
+  }
   if (feeders_) feeders_->clamp(start.ends), start.supports = feeders_->with_held(start.supports);
   if (c.environment.seabed.present) {
     const std::vector<int> held = held_nodes(c, local, feeders_, start.supports);
@@ -213,6 +219,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   }
   if (auto between = make_line_pairs(comm, c, local, notes_)) {
     line_pairs_ = between.get();
+    line_pairs_->fed_by(feeders_);
     system_->add(std::move(between));
   }
 

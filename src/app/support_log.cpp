@@ -110,7 +110,11 @@ std::string overbent(const model::Case& c, const io::SummaryRow& row) {
 }
 
 SupportLog::SupportLog(MPI_Comm comm, Simulation& simulation)
-    : comm_(comm), sim_(simulation), off_(simulation.model().supports.size(), false) {
+    : comm_(comm),
+      sim_(simulation),
+      off_(simulation.model().supports.size(), false),
+      carried_(off_),
+      lowest_(off_.size(), HUGE_VAL) {
   const model::Case& c = sim_.model();
   for (const model::SupportBox& b : c.supports) {
     int v = 0;
@@ -152,6 +156,8 @@ std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
     Vec3 sum = Vec3::Zero();
     for (size_t i = 0; i < b.rollers.size(); ++i) sum += of(i);
     row.assign(sum.begin(), sum.end());
+    if (sum != Vec3::Zero()) carried_[k] = true;
+    if (x.known) lowest_[k] = std::min(lowest_[k], x.height);
     for (size_t i = 0; i < b.rollers.size(); ++i) row.insert(row.end(), of(i).begin(), of(i).end());
     for (const double value : {x.height, x.offset, x.arc}) row.push_back(x.known ? value : std::nan(""));
     if (off_[k] || !x.known || std::abs(x.offset) <= b.half_width || x.height >= b.rise) continue;
@@ -161,6 +167,36 @@ std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
         "middle, and "
         "they reach {:.3g} m",
         b.line, b.name, at.time, std::abs(x.offset), x.offset > 0 ? "left" : "right", b.half_width));
+  }
+  return out;
+}
+
+std::vector<std::string> SupportLog::warnings() const {
+  std::vector<std::string> out = warnings_;
+  const model::Case& c = sim_.model();
+  for (size_t k = 0; k < lowest_.size(); ++k) {
+    const model::SupportBox& b = c.supports[k];
+    double diameter = 0;
+    for (const model::Section& s : c.lines[static_cast<size_t>(c.line_index(b.line))].sections)
+      diameter = std::max(diameter, c.line_type(s.type).outer_diameter);
+    bool first = true, any = false, further = false;  // of the line's boxes
+    for (size_t j = 0; j < lowest_.size(); ++j) {
+      if (c.supports[j].line != b.line) continue;
+      first = first && j >= k, any = any || carried_[j], further = further || (j > k && carried_[j]);
+    }
+    // What lies clear of the last ones is laid as it is meant to be; by less than a diameter over one
+    // between, the next have been set a little high.
+    if (further && !carried_[k] && lowest_[k] > diameter)
+      out.push_back(
+          fmt::format("support {} never carries line {}, {} and lies on supports further on: raise it by "
+                      "'above_path', or leave "
+                      "it out",
+                      b.name, b.line,
+                      std::isfinite(lowest_[k]) ? fmt::format("which passes {:.3g} m above it", lowest_[k])
+                                                : std::string("which does not come by it")));
+    if (first && !any)
+      out.push_back(fmt::format(
+          "none of its supports ever carries line {}: are they drawn too low, or beside it?", b.line));
   }
   return out;
 }

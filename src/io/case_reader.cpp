@@ -59,6 +59,8 @@ void read_all(const Value& root, const CaseSource& source, const SectionLengths&
     if (b.on)
       b.on->at = arc((*root.find("bodies"))[b.name]["on"].find("at"), 0,
                      model::length_of(c.lines[static_cast<std::size_t>(c.line_index(b.on->line))]));
+  each("links",
+       [&](const std::string& name, const Value& v) { c.links.push_back(read_link(name, v, source, c)); });
   read_supports(root["supports"], source, c);
   read_contact(root["contact"], source, c.contact);
   read_statics(root["statics"], c.statics);

@@ -13,16 +13,18 @@ using model::Value;
 
 namespace {
 
-model::Feed feed(const Value& v) {
+model::Feed feed(const Value& v, const std::string& path, const SectionLengths& lengths) {
   model::Feed f = read_feed_law(v);
   f.stock = v["stock"].number;
+  if (const auto found = lengths.find(path + ".stock"); found != lengths.end()) f.stock = found->second;
   if (v.has("speed_table"))
     for (const Value& row : v["speed_table"].items)
       f.speed.emplace_back(row.items[0].number, row.items[1].number);
   return f;
 }
 
-model::End end(const Value& v, const std::string& path, const CaseSource& source, const model::Case& c) {
+model::End end(const Value& v, const std::string& path, const CaseSource& source,
+               const SectionLengths& lengths, const model::Case& c) {
   model::End e;
   if (v.kind != Value::Kind::map) return e;
   e.kind = v.has("anchor")  ? model::EndKind::anchor
@@ -35,7 +37,7 @@ model::End end(const Value& v, const std::string& path, const CaseSource& source
   e.clamped = v["clamped"].number != 0;
   e.rotational_stiffness = number(v, "rotational_stiffness");
   if (v.has("no_contact_within")) e.no_contact_within = v["no_contact_within"].number;
-  if (v.has("feed")) e.feed = feed(v["feed"]);
+  if (v.has("feed")) e.feed = feed(v["feed"], path + ".feed", lengths);
   return e;
 }
 
@@ -134,8 +136,8 @@ model::Line read_line(const std::string& name, const Value& v, const CaseSource&
     l.sections.push_back(
         section(v["sections"].items[i], fmt::format("{}.sections[{}]", path, i), source, lengths));
   const double length = model::length_of(l);
-  l.end_a = end(v["end_a"], path + ".end_a", source, c);
-  l.end_b = end(v["end_b"], path + ".end_b", source, c);
+  l.end_a = end(v["end_a"], path + ".end_a", source, lengths, c);
+  l.end_b = end(v["end_b"], path + ".end_b", source, lengths, c);
   read_start(v["start"], path, source, whole, others, c, l);
   for (std::size_t i = 0; i < v["buried"].items.size(); ++i)
     l.buried.push_back(buried(v["buried"].items[i], length, l, c));

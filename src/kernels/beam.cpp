@@ -111,8 +111,22 @@ ByLength by_length(const BeamSection& s, const Local& o) {
     return -iL * (1 - P) / (1 + P);
   };
   const double tension = o.N - o.EA * o.l * iL;  // d(N L)/dL
+  if (s.plastic)                                 // bends are not felt: beam_feed
+    return {tension * o.eps_y - (o.N * iL) * o.d, tension * o.eps_psi - iL * Row{o.mpsi[0], 0, 0, 0}};
   return {tension * o.eps_y - (o.N * iL) * o.d + (bend(s.EI3) * o.m3) * o.da2 + (bend(s.EI2) * o.m2) * o.da3,
           tension * o.eps_psi - iL * o.mpsi};
+}
+
+// The same with what bends plastically, which the feeder does not feel: curvatures fall as 1/L.
+ByLength with_bends(const BeamSection& s, const BeamReference& r, const Local& o, ByLength by) {
+  const Bending b = bending_by_law(s, r, o);
+  const double q[4] = {o.psi[1] - r.psi[1], o.psi[2] - r.psi[2], o.a3, o.a2};
+  double g[4] = {};
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) g[i] -= b.H[i][j] * q[j] / s.length;
+  by.n += g[2] * o.da3 + g[3] * o.da2;
+  by.m += Row{0, g[0], g[1], 0};
+  return by;
 }
 
 }  // namespace
@@ -156,12 +170,12 @@ HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, co
     Hyy += outer(o.k3 * o.da2, o.da2) + outer(o.k2 * o.da3, o.da3);
   }
   for (int i = 0; i < 3; ++i) Hpp.r[i] += diagonal[i] * unit(i);
-  if (s.gives > 0) {
-    const ByLength by = by_length(s, o);
-    const Row n = s.gives * by.n, m = s.gives * by.m;
-    Hyy += outer(-n, by.n), Hyp += outer(-n, by.m), Hpp += outer(-m, by.m);
-  }
   Mat Hpy = transpose(Hyp);
+  if (s.gives > 0) {
+    const ByLength felt = by_length(s, o), all = s.plastic ? with_bends(s, r, o, felt) : felt;
+    const Row n = s.gives * all.n, m = s.gives * all.m;
+    Hyy += outer(-n, felt.n), Hyp += outer(-n, felt.m), Hpy += outer(-m, felt.n), Hpp += outer(-m, felt.m);
+  }
 
   const Row q = cross(o.n, o.y);
   const Mat Bt = transpose(o.B);

@@ -72,13 +72,18 @@ BeamFeed beam_feed(const BeamSection& s, const BeamReference& r, const BeamEnds&
   out.force = o.N * o.l * iL - axial;
   out.by_chord = o.EA * o.l * iL * iL;
   out.slope = -out.by_chord * o.l * iL;
+  const Row p = o.psi - load(r.psi);
+  if (s.plastic) {
+    const double torsion = o.D[0] * p[0] * p[0];
+    out.force += 0.5 * torsion * iL, out.slope -= torsion * iL * iL;
+    return out;
+  }
   const auto bend = [&](double EI, double twice) {  // twice the energy of antisymmetric bending
     const double P = flexibility(s, EI);
     out.force += 0.5 * twice * iL * (1 - P) / (1 + P);
     out.slope -= twice * iL * iL * (1 - 3 * P) / ((1 + P) * (1 + P));
   };
   bend(s.EI3, o.k3 * o.a2 * o.a2), bend(s.EI2, o.k2 * o.a3 * o.a3);
-  const Row p = o.psi - load(r.psi);
   const double twice = dot(p, o.D * p);
   out.force += 0.5 * twice * iL, out.slope -= twice * iL * iL;
   return out;

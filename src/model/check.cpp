@@ -59,6 +59,7 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
   }
   std::set<std::string> names{"energy", "solver", "time"};  // of the program's own
   for (const Line& line : c.lines) names.insert(line.name + " touchdown");
+  for (const Link& l : c.links) names.insert(l.name + " link");
   for (std::size_t i = 0; i < c.output.histories.size(); ++i) {
     const HistoryPoint& h = c.output.histories[i];
     const std::string name = fmt::format("output.histories[{}]", i);
@@ -234,6 +235,7 @@ std::vector<Issue> check(const Case& c) {
   check_floating(c, issues);
   check_contact(c, issues);
   check_supports(c, issues);
+  check_links(c, issues);
   check_events(c, issues);
   return issues;
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
@@ -9,19 +10,38 @@
 namespace hawser::model {
 namespace {
 
-// Whether contact lets this line touch lines, itself among them.
-bool touches_lines(const Case& c, const Line& line) {
-  const BetweenLines& b = c.contact.between_lines;
-  if (!b.enabled || !c.contact.takes_part(line)) return false;
-  const auto excluded = [&](const Line& other) {
-    return std::any_of(b.exclude.begin(), b.exclude.end(), [&](const auto& pair) {
-      return (pair.first == line.name && pair.second == other.name) ||
-             (pair.second == line.name && pair.first == other.name);
-    });
-  };
-  return std::any_of(c.lines.begin(), c.lines.end(), [&](const Line& other) {
-    return c.contact.takes_part(other) && (&other != &line || b.self) && !excluded(other);
-  });
+// When the rows of speed have paid the whole stock out, s; beyond the end of the run: they have not.
+double runs_out(const Feed& f, double end) {
+  std::vector<double> times;  // between which the speed is a straight line
+  for (const auto& [t, v] : f.speed)
+    if (t > 0 && t < end) times.push_back(t);
+  times.push_back(end);
+  double from = 0;
+  for (const double to : times) {
+    // The most within is at an end or where the speed passes zero.
+    const Fed a = fed_by(f, from), b = fed_by(f, to);
+    const double slope = (b.speed - a.speed) / (to - from);
+    const double top = a.speed > 0 && b.speed < 0 ? from - a.speed / slope : to;
+    if (fed_by(f, top).length > f.stock) {
+      double low = from, high = top;
+      for (int i = 0; i < 60; ++i)
+        (fed_by(f, 0.5 * (low + high)).length > f.stock ? high : low) = 0.5 * (low + high);
+      return high;
+    }
+    from = to;
+  }
+  return HUGE_VAL;
+}
+
+void check_stock(const Case& c, const Feed& f, const std::string& key, std::vector<Issue>& issues) {
+  const double end = c.dynamics.duration;
+  if (f.speed.empty() || !c.dynamics.enabled || !(end > 0)) return;
+  if (const double t = runs_out(f, end); t < end)
+    issues.push_back(
+        {key + ".stock",
+         fmt::format("{:g} m are paid out by t = {:.4g} s, and the run goes on to {:g} s: make the line and "
+                     "its stock that much longer, or stop the feeder before",
+                     f.stock, t, end)});
 }
 
 }  // namespace
@@ -66,16 +86,20 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
             fmt::format("line type '{}' resists bending, and a feeder holds such a line clamped: give the "
                         "end 'clamped: true' and a 'direction', or the line type 'bending: false'",
                         s.type));
-      const char* cannot = t.plastic_bending         ? "yields ('plasticity')"
-                           : t.moment_table          ? "bends by a table"
+      const char* cannot = t.moment_table            ? "bends by a table"
                            : t.stiffness_damping > 0 ? "has 'stiffness_damping'"
                                                      : nullptr;
       if (cannot)
         return issue("",
                      fmt::format("line type '{}' {}, and what resists bending can be fed only where it bends "
-                                 "linearly and without damping",
+                                 "linearly or yields, without damping",
                                  s.type, cannot));
     }
+  const auto yields = [&](const Section& s) { return c.line_type(s.type).plastic_bending != nullptr; };
+  if (std::any_of(line.sections.begin(), line.sections.end(), yields) &&
+      std::any_of(line.sections.begin(), line.sections.end(),
+                  [&](const Section& s) { return s.type != line.sections.front().type; }))
+    return issue("", "a line that yields ('plasticity') can be fed only if all its sections are of one type");
   double at = 0,
          other = (at_b ? line.end_a : line.end_b).feed ? (at_b ? line.end_a : line.end_b).feed->stock : 0;
   int inside = 0, outside = 0;  // elements
@@ -108,6 +132,10 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
             fmt::format("the time {:g} s does not follow {:g} s; times must grow from row to row",
                         f.speed[i].first, f.speed[i - 1].first));
   }
+  const bool changes = std::any_of(c.events.begin(), c.events.end(), [&](const Event& e) {
+    return e.action.kind == Action::Kind::feed && e.action.line == line.name && e.action.at_b == at_b;
+  });
+  if (!changes) check_stock(c, f, key, issues);
   for (Issue& i : law_issues(f)) issue(i.key, std::move(i.text));
   for (const PointMass& m : line.masses)
     if ((at_b ? length_of(line) - m.at : m.at) < f.stock)
@@ -124,10 +152,10 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
   if (line.target) issue("", "a line with a 'target' cannot be fed: give the length that meets it");
   if (line.start == Start::other_run) issue("", "a line that starts from another run cannot be fed");
   if (!line.loads.empty()) issue("", "a line with distributed loads cannot be fed");
-  if (touches_lines(c, line))
-    issue("", fmt::format("what is inside the feeder would touch itself there: leave line {} out of contact "
-                          "between lines ('contact: {{between_lines: false}}', or 'exclude' under it)",
-                          line.name));
+  for (const Body& b : c.bodies)
+    if (b.on && b.on->line == line.name)
+      issue("", fmt::format("body '{}' rides on line {}, and a line that carries bodies cannot be fed",
+                            b.name, line.name));
 }
 
 }  // namespace hawser::model

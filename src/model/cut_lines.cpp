@@ -142,6 +142,9 @@ class Cuts {
     }
     for (HistoryPoint& h : c_.output.histories)
       if (h.line == name && h.body.empty()) place(h.line, h.at);
+    for (Link& l : c_.links)
+      for (LinkEnd* end : {&l.end_a, &l.end_b})
+        if (end->line == name) place(end->line, end->arc);
     for (Body& b : c_.bodies)
       if (b.on && b.on->line == name) place(b.on->line, b.on->at);
     for (std::size_t k = 1; k < names_.size(); ++k) {

@@ -44,6 +44,12 @@ Period driving(const Case& c) {
   return least;
 }
 
+// Whether a line is a member of a frame: short and stiff, so that what vibrates slowly is the frame.
+bool is_member(const Case& c, const Line& line) {
+  const auto rigid = [&](const End& e) { return e.kind == EndKind::joint && c.joint(e.body).rigid; };
+  return rigid(line.end_a) || rigid(line.end_b);
+}
+
 void doubt_step(const Case& c, const Period& drive, std::vector<Doubt>& out) {
   const double step = c.dynamics.step;
   if (!(step > 0)) return;
@@ -55,7 +61,8 @@ void doubt_step(const Case& c, const Period& drive, std::vector<Doubt>& out) {
     return;
   }
   Period own;
-  for (const Line& line : c.lines) shorter(own, slowest_period(c, line), "line " + line.name);
+  for (const Line& line : c.lines)
+    if (!is_member(c, line)) shorter(own, slowest_period(c, line), "line " + line.name);
   if (own.length > 0 && step > own.length / kOwnSteps)
     out.push_back(
         {"dynamics.step",

@@ -124,6 +124,16 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
     own.of(2 * along / kOfOwn, "a twentieth of the time of a wave along line " + line.name + " and back");
 }
 
+// Bodies on springs between two points.
+void add_links(const Case& c, Shortest& own) {
+  for (const Link& l : c.links)
+    for (const LinkEnd* e : {&l.end_a, &l.end_b})
+      if (const int body = c.body_index(e->body); c.floats(body))
+        own.of(2 * M_PI * std::sqrt(c.bodies[static_cast<size_t>(body)].mass->mass / l.law.most_stiffness()) /
+                   kOfOwn,
+               "a twentieth of the period of body " + e->body + " on link " + l.name);
+}
+
 void add_ramps(const Case& c, Shortest& to) {
   const Water& w = c.environment.water;
   if (!w.current.profile.empty()) to.of(w.current.ramp / kOfRamp, "a twentieth of the ramp of the current");
@@ -160,6 +170,7 @@ LongestStep longest_step(const Case& c) {
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(b, to, own));
   for (const Body& b : c.bodies) add_in_water(b, c.environment, speed, own, drags);
+  add_links(c, own);
   add_ramps(c, to);
   to.of(c.output.every, "the time between outputs");
   to.of(c.dynamics.duration / kOfDuration, "a fiftieth of the duration");

@@ -29,7 +29,7 @@ const Key& case_schema() {
       "case",
       {integer("hawser", "version of the case format; must be 1").at_least(1).at_most(1).is_required(),
        text("title", "title, for pictures and reports").or_else(""), environment(), line_types(), bodies(),
-       volumes(), supports(), joints(), lines(), contact(), statics(),
+       volumes(), supports(), joints(), lines(), links(), contact(), statics(),
        map("start",
            {text("from", "results (.h5) of another run, beside the case").is_required(),
             number("time", time, "of its output").at_least(0).or_else_note("the last")},

@@ -83,6 +83,7 @@ Key volumes();   // with their shapes, contact laws and friction
 Key supports();  // of laid pipes: roller boxes
 Key joints();
 Key lines();
+Key links();
 Key contact();
 Key statics();
 Key dynamics();

@@ -9,7 +9,9 @@ Key feed() {
              {number(
                   "stock", length,
                   "of the line, counted from this end on, is inside the feeder at t = 0: held at it, without "
-                  "weight and forces; begins and ends at the node that is nearest")
+                  "weight and forces; of a feeder that keeps a `tension` about as much: statics finds how "
+                  "much "
+                  "is inside when that is there")
                   .above(0)
                   .is_required(),
               number("speed", velocity, "constant, from t = 0 on; above 0 pays out, below 0 hauls in"),
@@ -29,8 +31,9 @@ Key feed() {
               number("max_speed", velocity, "of a feeder that keeps to a tension, either way")
                   .above(0)
                   .or_else_note("none")},
-             "pays the line out here and hauls it in (winch, tensioner, reel), in dynamics; of lines without "
-             "bending stiffness, at an anchor or a body whose motion is prescribed")
+             "pays the line out here and hauls it in (winch, tensioner, reel), in dynamics; at an anchor or "
+             "a body "
+             "whose motion is prescribed; a line that resists bending must be `clamped` there")
       .either({{{"speed"}, {"speed"}},
                {{"speed_table"}, {"speed_table"}},
                {{"tension", "dead_band", "speed_per_tension", "max_speed"}, {"tension"}}},

@@ -247,6 +247,27 @@ void describe_supports(const Case& c, std::string& s) {
   }
 }
 
+void describe_links(const Case& c, std::string& s) {
+  if (c.links.empty()) return;
+  const auto end = [](const LinkEnd& e) {
+    if (!e.line.empty()) return fmt::format("line {} at {:g} m", e.line, e.arc);
+    return e.body.empty() ? "fixed at " + point(e.at) : fmt::format("body {} at {}", e.body, point(e.at));
+  };
+  s += fmt::format("links: {}\n", c.links.size());
+  for (const Link& l : c.links) {
+    const std::string spring = l.law.spring          ? "a spring by a table"
+                               : l.law.stiffness > 0 ? fmt::format("stiffness {:g} N/m", l.law.stiffness)
+                                                     : "no spring";
+    const std::string damper = l.law.damper        ? "a damper by a table"
+                               : l.law.damping > 0 ? fmt::format("damping {:g} N s/m", l.law.damping)
+                                                   : "no damper";
+    s += fmt::format("  {}: from {} to {}, {}, {}, rest length {}{}\n", l.name, end(l.end_a), end(l.end_b),
+                     spring, damper,
+                     l.rest_given ? fmt::format("{:g} m", l.law.rest_length) : "as at the start",
+                     l.law.tension_only ? ", tension only" : "");
+  }
+}
+
 }  // namespace
 
 LineSize size_of(const Case& c, const Line& line) {
@@ -285,6 +306,7 @@ std::string summary(const Case& c) {
   s += fmt::format("bodies: {}\n", c.bodies.size());
   for (const Body& b : c.bodies)
     s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(b));
+  describe_links(c, s);
   describe_supports(c, s);
   const auto rollers =
       std::count_if(c.volumes.begin(), c.volumes.end(), [](const Volume& v) { return v.roller; });

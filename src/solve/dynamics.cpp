@@ -43,13 +43,10 @@ bool old_tangent_will_do(double before, double now, bool was_old, double toleran
 
 Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
     : system_(system), settings_(settings), alpha_(settings.rho_infinity), control_(settings.step) {
-  register_lie_alpha();
   check(TSCreate(system_.comm(), ts_.out()));
   check(TSSetOptionsPrefix(ts_.get(), "dynamics_"));
   check(TSSetProblemType(ts_.get(), TS_NONLINEAR));
-  check(TSSetType(ts_.get(), "liealpha"));
   lie_alpha_attach(ts_.get(), this);
-  check(TSSetExactFinalTime(ts_.get(), TS_EXACTFINALTIME_STEPOVER));
   check(TSGetSNES(ts_.get(), &snes_));
   check(SNESSetType(snes_, SNESNEWTONLS));
   SNESLineSearch search = nullptr;
@@ -59,7 +56,7 @@ Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
                           PETSC_DEFAULT));
   check(SNESSetConvergenceTest(snes_, converged, this, nullptr));
   build();
-  check(TSSetFromOptions(ts_.get()));
+  lie_alpha_options(ts_.get());
 }
 
 // What depends on ghosts and on the matrix's pattern.
@@ -115,90 +112,65 @@ void Dynamics::put(const std::vector<double>& u) {
 }
 
 PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
-  PetscFunctionBegin;
   auto& d = *static_cast<Dynamics*>(self);
-  try {
+  return d.error_.keep([&] {
     d.load(u);
     d.system_.residual(d.trial_.s.view(d.h_), r, d.carried_);
-  } catch (...) {
-    d.error_ = std::current_exception();
-    PetscFunctionReturn(PETSC_ERR_LIB);
-  }
-  PetscFunctionReturn(0);
+  });
 }
 
 PetscErrorCode Dynamics::jacobian(SNES, Vec u, Mat, Mat P, void* self) {
-  PetscFunctionBegin;
   auto& d = *static_cast<Dynamics*>(self);
-  try {
+  return d.error_.keep([&] {
     d.load(u);
     d.system_.tangent(d.trial_.s.view(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, P);
-  } catch (...) {
-    d.error_ = std::current_exception();
-    PetscFunctionReturn(PETSC_ERR_LIB);
-  }
-  PetscFunctionReturn(0);
+  });
 }
 
 PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal, PetscReal fnorm,
                                    SNESConvergedReason* reason, void* self) {
-  PetscFunctionBegin;
   auto& d = *static_cast<Dynamics*>(self);
-  *reason = SNES_CONVERGED_ITERATING;
-  if (!std::isfinite(fnorm)) {
-    *reason = SNES_DIVERGED_FNORM_NAN;
-    PetscFunctionReturn(0);
-  }
-  double before = 0;  // residual one iteration ago, over the size of what makes it up
-  try {
-    Vec r = nullptr;
-    PetscCall(SNESGetFunction(snes, &r, nullptr, nullptr));
-    before = d.norms_.relative();
-    d.norms_ = d.system_.norms(r);
-  } catch (...) {
-    d.error_ = std::current_exception();
-    PetscFunctionReturn(PETSC_ERR_LIB);
-  }
-  if (!d.norms_.finite()) {  // what they are the squares' root of overflows before the residual
-    *reason = SNES_DIVERGED_FNORM_NAN;
-    PetscFunctionReturn(0);
-  }
-  if (it == 0) d.first_ = std::max({fnorm, d.norms_.force_scale, d.norms_.moment_scale});
-  if (fnorm > kHopeless * d.first_ && d.first_ > 0) {
-    *reason = SNES_DIVERGED_DTOL;
-    PetscFunctionReturn(0);
-  }
-  const double tolerance = d.settings_.tolerance;
-  if (d.counted_ < 0 && d.norms_.small(std::max(tolerance, kCounted))) d.counted_ = static_cast<int>(it);
-  const bool small = it > 0 && d.norms_.small(tolerance);
-  if (fnorm == 0 || (small && d.polishing_)) {
-    *reason = fnorm == 0 ? SNES_CONVERGED_FNORM_ABS : SNES_CONVERGED_FNORM_RELATIVE;
-    PetscFunctionReturn(0);
-  }
-  d.polishing_ = small;
+  return d.error_.keep([&] { *reason = d.judge_iteration(snes, static_cast<int>(it), fnorm); });
+}
+
+SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
+  if (!std::isfinite(fnorm)) return SNES_DIVERGED_FNORM_NAN;
+  Vec r = nullptr;
+  check(SNESGetFunction(snes, &r, nullptr, nullptr));
+  const double before = norms_.relative();  // one iteration ago
+  norms_ = system_.norms(r);
+  // What they are the squares' root of overflows before the residual.
+  if (!norms_.finite()) return SNES_DIVERGED_FNORM_NAN;
+  if (it == 0) first_ = std::max({fnorm, norms_.force_scale, norms_.moment_scale});
+  if (fnorm > kHopeless * first_ && first_ > 0) return SNES_DIVERGED_DTOL;
+  const double tolerance = settings_.tolerance;
+  if (counted_ < 0 && norms_.small(std::max(tolerance, kCounted))) counted_ = it;
+  if (fnorm == 0) return SNES_CONVERGED_FNORM_ABS;
+  const bool small = it > 0 && norms_.small(tolerance);
+  if (small && polishing_) return SNES_CONVERGED_FNORM_RELATIVE;
+  polishing_ = small;
   PetscInt lag = 1;
-  PetscCall(SNESGetLagJacobian(snes, &lag));
-  const bool keep = small || (it > 0 && old_tangent_will_do(before, d.norms_.relative(), lag < 0, tolerance));
-  if (keep != (lag < 0)) PetscCall(SNESSetLagJacobian(snes, keep ? -1 : 1));
-  PetscFunctionReturn(0);
+  check(SNESGetLagJacobian(snes, &lag));
+  const bool keep = small || (it > 0 && old_tangent_will_do(before, norms_.relative(), lag < 0, tolerance));
+  if (keep != (lag < 0)) check(SNESSetLagJacobian(snes, keep ? -1 : 1));
+  return SNES_CONVERGED_ITERATING;
 }
 
 // Newton from where u_ is. Iterations of all rounds of a try are counted by the worst of them.
-void Dynamics::solve_once(Attempt& a) {
+void Dynamics::solve_once() {
   polishing_ = false, counted_ = -1;
   check(SNESSetLagJacobian(snes_, 1));
-  const PetscErrorCode code = SNESSolve(snes_, nullptr, u_.get());
-  if (error_) std::rethrow_exception(error_);
-  check(code);
+  error_.check(SNESSolve(snes_, nullptr, u_.get()));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt its = 0;
   check(SNESGetConvergedReason(snes_, &reason));
   check(SNESGetIterationNumber(snes_, &its));
-  a.solved = reason > 0;
-  a.iterations = std::max(a.iterations, counted_ < 0 ? static_cast<int>(its) : counted_ + 1);
+  tries_.solved = reason > 0;
+  tries_.info.iterations =
+      std::max(tries_.info.iterations, counted_ < 0 ? static_cast<int>(its) : counted_ + 1);
 }
 
-Dynamics::Attempt Dynamics::attempt(double h) {
+int Dynamics::try_step(double h) {
   h_ = h;
   if (h != expected_) system_.expect(committed_.s.view(last_step_), h);
   expected_ = h;
@@ -208,21 +180,20 @@ Dynamics::Attempt Dynamics::attempt(double h) {
   alpha_mean_carried(alpha_, mean_, carried_);
   alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
   put(local_u_);
-  error_ = nullptr;
   system_.forget_stiffening();
-  Attempt a;
+  tries_.info.iterations = 0;
   for (int round = 0;; ++round) {
-    solve_once(a);
-    if (!a.solved) break;
+    solve_once();
+    if (!tries_.solved) break;
     load(u_.get());
     if (!system_.stiffen(trial_.s.view(h_))) break;
-    a.solved = round < kMostRaises;
-    if (!a.solved) break;
+    tries_.solved = round < kMostRaises;
+    if (!tries_.solved) break;
   }
-  return a;
+  return tries_.info.iterations;
 }
 
-void Dynamics::accept(double h) {
+void Dynamics::commit() {
   // Work of whatever holds the ends, by the trapezoidal rule; that of mean forces by the mean.
   const std::vector<double>&now = system_.reactions(), &mean = system_.mean_forces();
   const std::vector<double> before = mean_.f;
@@ -240,8 +211,14 @@ void Dynamics::accept(double h) {
   }
   reactions_ = now;
   std::swap(committed_, trial_);
-  last_step_ = h, expected_ = -1;
-  system_.commit(committed_.s.view(h));
+  last_step_ = h_, expected_ = -1;
+  system_.commit(committed_.s.view(h_));
+}
+
+bool Dynamics::end_step() {
+  commit();
+  tries_.info.time = committed_.s.time, tries_.info.h = h_;
+  return observer_(tries_.info);
 }
 
 NodeValue Dynamics::roughest() const {
@@ -317,17 +294,14 @@ void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, co
 
 void Dynamics::run(double until, const std::function<double(double)>& next_stop, const Observer& observer) {
   if (committed_.s.time >= until - 1e-12 * std::max(1.0, until)) return;
-  next_stop_ = next_stop;
+  next_stop_ = [&, until](double t) { return std::min(next_stop(t), until); };
   observer_ = observer;
-  error_ = nullptr;
   check(TSSetTime(ts_.get(), committed_.s.time));
   check(TSSetTimeStep(ts_.get(), control_.proposal()));
   check(TSSetMaxTime(ts_.get(), until));
   check(TSSetMaxSteps(ts_.get(), PETSC_MAX_INT));
   check(TSSetStepNumber(ts_.get(), 0));
-  check(TSSetConvergedReason(ts_.get(), TS_CONVERGED_ITERATING));
-  check(TSSolve(ts_.get(), nullptr));
-  if (error_) std::rethrow_exception(error_);
+  error_.check(TSSolve(ts_.get(), nullptr));
 }
 
 }  // namespace hawser

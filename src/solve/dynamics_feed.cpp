@@ -21,8 +21,9 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
     s.mean = {};
     system_.residual(s.view(last_step_), r_.get());
   };
+  prepare(control_.proposal());  // nothing has moved since
   forces();
-  const std::vector<double> mean = system_.mean_forces(), all = system_.reactions();
+  std::vector<double> mean = system_.mean_forces(), all = system_.reactions();
   const std::optional<Moved> moved = change();
   const LocalMesh& m = system_.mesh();
   int settles = -1;
@@ -41,6 +42,8 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
   system_.spread(committed_.ax);
   if (has_directors(m)) system_.spread(committed_.aw), system_.spread(committed_.ad);
   system_.support(supports(), BodyMotion(system_.supports().motion()));
+  prepare(control_.proposal());  // another element can touch others
+  for (auto* rows : {&mean, &all}) rows->resize(reactions_.size(), 0);
   if (settles >= 0) settle(settles);
   forces();
   const auto add = [](std::vector<double>& to, const std::vector<double>& now,

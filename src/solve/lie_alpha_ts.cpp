@@ -1,58 +1,106 @@
-// The TS type "liealpha": the only file that looks into PETSc's private TS structure. A step is delegated to
-// Dynamics, because configuration and unknown differ (rotations) and TSALPHA2 of PETSc 3.18 is first order.
+// The TS type "liealpha" and the TSAdapt type "verdict": the only file that looks into PETSc's private TS
+// structures. A step solves by SNES and asks TSAdaptChoose whether the trial is accepted and how long the
+// next try, or step, is; what is accepted is committed after the step. The steps are those of Dynamics,
+// because configuration and unknown differ (rotations) and TSALPHA2 of PETSc 3.18 is first order. Events are
+// part of the verdict: docs/decisions/027-events-in-the-verdict.md.
+#include <fmt/format.h>
 #include <petsc/private/tsimpl.h>
 
+#include "hawser/base/error.hpp"
 #include "hawser/solve/dynamics.hpp"
 
 namespace hawser {
 namespace {
 
+constexpr char kType[] = "liealpha", kVerdict[] = "verdict";
+
+Dynamics& dynamics(TS ts) { return *static_cast<Dynamics*>(ts->data); }
+
+// Where it throws the TS comes to its end, and Dynamics::run() throws the same.
+template <class Body>
+void guarded(TS ts, const Body& body) {
+  if (dynamics(ts).error().keep(body)) ts->reason = TS_DIVERGED_STEP_REJECTED;
+}
+
 PetscErrorCode step(TS ts) {
   PetscFunctionBegin;
-  StepInfo info;
-  auto& dynamics = *static_cast<Dynamics*>(ts->data);
-  const bool go_on = dynamics.ts_step(ts->max_time, info);
-  ts->ptime = dynamics.committed().s.time;
-  ts->time_step = dynamics.control().proposal();
-  ts->snes_its += info.iterations;
-  if (!go_on) ts->reason = TS_CONVERGED_USER;
+  Dynamics& d = dynamics(ts);
+  PetscBool accepted = PETSC_FALSE;
+  guarded(ts, [&] { ts->time_step = d.begin_step(); });
+  while (!ts->reason && !accepted) {
+    PetscReal next = ts->time_step;
+    guarded(ts, [&] { ts->snes_its += d.try_step(ts->time_step); });
+    if (ts->reason) break;
+    PetscCall(TSAdaptChoose(ts->adapt, ts, ts->time_step, nullptr, &next, &accepted));
+    ts->time_step = next;
+    if (!accepted) ++ts->reject;
+  }
+  if (accepted) ts->ptime = d.trial_time();
   PetscFunctionReturn(0);
 }
-PetscErrorCode nothing(TS) { return 0; }
-PetscErrorCode view(TS, PetscViewer) { return 0; }
-PetscErrorCode options(TS, PetscOptionItems*) { return 0; }
+
+PetscErrorCode choose(TSAdapt, TS ts, PetscReal h, PetscInt* scheme, PetscReal* next, PetscBool* accept,
+                      PetscReal* error, PetscReal*, PetscReal*) {
+  PetscFunctionBegin;
+  *scheme = 0, *next = h, *accept = PETSC_FALSE, *error = -1;
+  guarded(ts, [&] {
+    const Dynamics::Decision decision = dynamics(ts).decide();
+    *next = decision.h, *accept = decision.accepted ? PETSC_TRUE : PETSC_FALSE;
+  });
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode after_step(TS ts) {
+  PetscFunctionBegin;
+  if (ts->reason >= 0)
+    guarded(ts, [&] {
+      if (!dynamics(ts).end_step()) ts->reason = TS_CONVERGED_USER;
+    });
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode create_verdict(TSAdapt adapt) {
+  PetscFunctionBegin;
+  adapt->ops->choose = choose;
+  PetscFunctionReturn(0);
+}
 
 PetscErrorCode create(TS ts) {
   PetscFunctionBegin;
   ts->ops->step = step;
-  ts->ops->setup = nothing;
-  ts->ops->reset = nothing;
-  ts->ops->destroy = nothing;
-  ts->ops->setfromoptions = options;
-  ts->ops->view = view;
-  ts->default_adapt_type = TSADAPTNONE;
+  ts->default_adapt_type = kVerdict;
   ts->usessnes = PETSC_TRUE;
   PetscFunctionReturn(0);
 }
 
 }  // namespace
 
-void register_lie_alpha() {
-  static bool done = false;
-  if (!done) check(TSRegister("liealpha", create));
-  done = true;
+void lie_alpha_attach(TS ts, Dynamics* dynamics) {
+  static const bool registered = [] {
+    check(TSRegister(kType, create));
+    check(TSAdaptRegister(kVerdict, create_verdict));
+    return true;
+  }();
+  (void)registered;
+  check(TSSetType(ts, kType));
+  ts->data = dynamics;
+  check(TSSetPostStep(ts, after_step));
+  // Steps end at the times that Dynamics::run() is told, the end among them, without PETSc's help.
+  check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_STEPOVER));
+  check(TSSetErrorIfStepFails(ts, PETSC_FALSE));
 }
 
-void lie_alpha_attach(TS ts, Dynamics* dynamics) { ts->data = dynamics; }
-
-bool Dynamics::ts_step(double until, StepInfo& info) noexcept {
-  try {
-    info = take_step(until);
-    return observer_(info);
-  } catch (...) {
-    error_ = std::current_exception();
-    return false;
-  }
+void lie_alpha_options(TS ts) {
+  check(TSSetFromOptions(ts));
+  TSAdapt adapt = nullptr;
+  check(TSGetAdapt(ts, &adapt));
+  const auto must_be = [](void* object, const char* type, const char* option) {
+    PetscBool same = PETSC_FALSE;
+    check(PetscObjectTypeCompare(static_cast<PetscObject>(object), type, &same));
+    if (!same) throw InputError(fmt::format("the option -dynamics_{} can only be '{}'", option, type));
+  };
+  must_be(ts, kType, "ts_type");
+  must_be(adapt, kVerdict, "ts_adapt_type");
 }
 
 }  // namespace hawser

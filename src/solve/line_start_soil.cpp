@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hawser/geometry/surface.hpp"
+#include "hawser/mesh/fed_start.hpp"
 #include "hawser/model/bed.hpp"
 #include "line_start.hpp"
 
@@ -27,6 +28,13 @@ Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, do
     ((x - from).norm() < length ? low : high) = off;
   }
   return x;
+}
+
+// Puts the held node to where the element between it and the free one has this length.
+void at_mouth(Mesh& mesh, const LineSpan& span, int held, int free, double length) {
+  const auto node = [&](int i) -> Node& { return mesh.nodes[static_cast<size_t>(span.first_node + i)]; };
+  mesh.elements[static_cast<size_t>(span.first_element + std::min(held, free))].length = length;
+  node(held).arc = node(free).arc + (held < free ? -length : length);
 }
 
 }  // namespace
@@ -62,20 +70,14 @@ LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan
 // What is inside a feeder is at its mouth; the rest is a line of its own.
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
                          const Mesh& mesh, const LineSpan& span) {
-  const auto length = [&](int e) {
-    return mesh.elements[static_cast<size_t>(span.first_element + e)].length;
-  };
-  // Elements whose middle is inside, as Feeders takes them.
-  int first = 0, last = span.nodes - 1;
-  double inside = 0;
-  if (line.end_a.feed)
-    while (first + 1 < last && length(first) < 2 * (line.end_a.feed->stock - inside))
-      inside += length(first++);
-  inside = 0;
-  if (line.end_b.feed)
-    while (last - 1 > first && length(last - 1) < 2 * (line.end_b.feed->stock - inside))
-      inside += length(--last);
-  const LineStretch rest = stretch_of(line, mesh, span, first, last);
+  FedStart a, b;
+  if (line.end_a.feed) a = fed_start(mesh, span, false, line.end_a.feed->stock);
+  if (line.end_b.feed) b = fed_start(mesh, span, true, line.end_b.feed->stock);
+  const int first = a.inside, last = span.nodes - 1 - b.inside;
+  Mesh outside = mesh;
+  if (line.end_a.feed) at_mouth(outside, span, first, first + 1, a.length);
+  if (line.end_b.feed) at_mouth(outside, span, last, last - 1, b.length);
+  const LineStretch rest = stretch_of(line, outside, span, first, last);
   LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
   const auto clamp = [&](const model::End& e, Vec3& tangent) {
     if (e.feed && e.clamped && e.direction)

@@ -40,6 +40,7 @@ class Relaxation : StaticTrial {
     for (int n = 0; n < system.mesh().owned; ++n)
       if (system.mesh().rotates(n))
         turns_[static_cast<size_t>(system.mesh().block[static_cast<size_t>(n)]) + 1] = 1;
+    check(SNESSetTolerances(snes_.get(), 0, 0, 0, kMostIterations, PETSC_DEFAULT));
   }
 
   RelaxationReport run() {
@@ -119,8 +120,13 @@ class Relaxation : StaticTrial {
               momentum_.begin());
   }
 
-  // r_ of the trial with the force of inertia.
-  ResidualNorms imbalance_of_step() {
+  // Of the trial, with the force of inertia. What is far too far, or not a number, has none.
+  void residual() override {
+    if (!(limit() > 0.1)) {
+      check(SNESSetFunctionDomainError(snes_.get()));
+      return;
+    }
+    step(1);
     system_.residual(trial_.view(0), r_.get());
     PetscScalar* r = nullptr;
     check(VecGetArray(r_.get(), &r));
@@ -128,47 +134,46 @@ class Relaxation : StaticTrial {
       if (!(system_.supports().held()[i / 3] >> (i % 3) & 1))
         r[i] += mass(i / 3) * (local_[i] - momentum_[i]);
     check(VecRestoreArray(r_.get(), &r));
-    return system_.norms(r_.get());
+  }
+  void tangent() override {
+    Weights weights;
+    weights.shift_position = mass_, weights.shift_rotation = mass_ * length_ * length_;
+    system_.tangent(trial_.view(0), weights, local_, false, J_.get());
+  }
+  SNESConvergedReason judge(int iteration) override {
+    const ResidualNorms norms = system_.norms(r_.get());
+    if (iteration == 0) {
+      hopeless_ = kHopeless * std::max(norms.relative(), 1e-6);
+      return SNES_CONVERGED_ITERATING;
+    }
+    if (!std::isfinite(norms.force) || norms.relative() > hopeless_) return SNES_DIVERGED_DTOL;
+    return norms.relative() > goal_ ? SNES_CONVERGED_ITERATING : SNES_CONVERGED_FNORM_RELATIVE;
   }
 
   // One step: Newton's iterations, or minus them where it failed.
   int attempt(const ResidualNorms& at_rest) {
     const double before = potential(state_) + kinetic_energy();
-    local_ = zero_;
-    step(1);
-    ResidualNorms norms = imbalance_of_step();
-    const double goal = std::max(1e-3 * settings_.tolerance, kReduction * at_rest.relative());
-    const double hopeless = kHopeless * std::max(norms.relative(), 1e-6);
-    Weights weights;
-    weights.shift_position = mass_, weights.shift_rotation = mass_ * length_ * length_;
-    for (int it = 1; it <= kMostIterations; ++it) {
-      system_.tangent(trial_.view(0), weights, local_, false, J_.get());
-      check(KSPSetOperators(ksp_.get(), J_.get(), J_.get()));
-      check(KSPSolve(ksp_.get(), r_.get(), u_.get()));
-      system_.gather(u_.get(), change_);
-      for (size_t i = 0; i < local_.size(); ++i) local_[i] -= change_[i];
-      if (!(limit() > 0.1)) return -it;  // far too far, or not a number
-      step(1);
-      norms = imbalance_of_step();
-      if (!std::isfinite(norms.force) || norms.relative() > hopeless) return -it;
-      if (norms.relative() > goal) continue;
-      if (limit() < 1 || !clear()) return -it;
-      if (settings_.friction) return it;  // it has no potential
-      // The exact step of a convex potential takes energy out; one that brings some has gone elsewhere.
-      double motion = 0;
-      for (size_t i = 0; i < momentum_.size(); ++i) motion += 0.5 * mass(i / 3) * local_[i] * local_[i];
-      const double after = potential(trial_) + sum(motion);
-      return after <= before + 1e-6 * std::abs(before) ? it : -it;
-    }
-    return -kMostIterations;
+    goal_ = std::max(1e-3 * settings_.tolerance, kReduction * at_rest.relative());
+    const bool solved = solve() > 0;
+    PetscInt solutions = 0;
+    check(SNESGetLinearSolveIterations(snes_.get(), &solutions));
+    const int it = std::max(1, static_cast<int>(solutions));
+    if (!solved || limit() < 1 || !clear()) return -it;
+    if (settings_.friction) return it;  // it has no potential
+    // The exact step of a convex potential takes energy out; one that brings some has gone elsewhere.
+    double motion = 0;
+    for (size_t i = 0; i < momentum_.size(); ++i) motion += 0.5 * mass(i / 3) * local_[i] * local_[i];
+    const double after = potential(trial_) + sum(motion);
+    return after <= before + 1e-6 * std::abs(before) ? it : -it;
   }
 
   const RelaxationSettings& settings_;
-  std::vector<double> momentum_, change_;  // of owned components; of local ones
-  std::vector<char> turns_;                // by owned block: rotations
+  std::vector<double> momentum_;  // of owned components
+  std::vector<char> turns_;       // by owned block: rotations
   double mass_ = 0, longest_ = 0;
-  std::vector<Vec3> seen_;  // places of owned nodes when creeps() last looked
-  double left_ = 0;         // and the imbalance then, of its contributions
+  double goal_ = 0, hopeless_ = 0;  // relative imbalance of a step that is solved, of one that is given up
+  std::vector<Vec3> seen_;          // places of owned nodes when creeps() last looked
+  double left_ = 0;                 // and the imbalance then, of its contributions
 };
 
 }  // namespace

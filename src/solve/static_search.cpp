@@ -24,150 +24,195 @@ constexpr int kMostCut = 100;  // steps of a descent that lines in their way may
 
 }  // namespace
 
+StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, State& state,
+                           const RelaxationSettings* relaxation)
+    : StaticTrial(system, state), settings_(settings), relaxation_(relaxation) {
+  SNESLineSearch line = nullptr;
+  check(SNESGetLineSearch(snes_.get(), &line));
+  check(SNESLineSearchSetType(line, SNESLINESEARCHSHELL));
+  check(SNESLineSearchShellSetUserFunc(line, search, this));
+  // A tangent without an inverse has a larger shift next time.
+  check(SNESSetMaxLinearSolveFailures(snes_.get(), PETSC_MAX_INT));
+  check(SNESSetTolerances(snes_.get(), 0, 0, 0, settings.max_iterations + 1, PETSC_DEFAULT));
+}
+
 StaticsReport StaticSearch::run(bool again) {
-  StaticsReport report;
-  if (!again) approach(report);
+  if (!again) approach();
   for (;;) {
-    descend(report, settings_.tolerance);
-    Weights weights;
-    set_shift(kNegative, report.norms, weights);
-    system_.tangent(state_.view(0), weights, zero_, false, J_.get());
+    descend(settings_.tolerance);
+    use_tangent(true, kNegative);
+    tangent();
     check(KSPReset(ksp_.get()));  // its factors need not be in memory beside those of the inertia
-    report.negative_eigenvalues = negative_eigenvalues(J_.get());
+    report_.negative_eigenvalues = negative_eigenvalues(J_.get());
     // Friction's tangent is unsymmetric: the inertia of its symmetric part says nothing.
-    if (settings_.near || report.negative_eigenvalues <= 0 || report.escapes == kMaxEscapes) break;
-    ++report.escapes;
-    leave(report.escapes);
-    if (relaxation_) rest(report);
+    if (settings_.near || report_.negative_eigenvalues <= 0 || report_.escapes == kMaxEscapes) break;
+    ++report_.escapes;
+    leave(report_.escapes);
+    if (relaxation_) rest();
   }
-  polish(report);
-  return report;
+  polish();
+  return report_;
 }
 
 void StaticSearch::check_start() {
-  system_.residual(state_.view(0), r_.get());
-  const ResidualNorms norms = system_.norms(r_.get());
-  if (!norms.finite()) throw SolveError("statics: " + imbalance(system_, r_.get(), norms));
+  residual();
+  if (!report_.norms.finite()) throw SolveError("statics: " + imbalance(system_, r_.get(), report_.norms));
 }
 
-void StaticSearch::approach(StaticsReport& report) {
+void StaticSearch::residual() {
   system_.residual(state_.view(0), r_.get());
-  const ResidualNorms norms = system_.norms(r_.get());
+  report_.norms = system_.norms(r_.get());
+}
+
+void StaticSearch::tangent() { system_.tangent(state_.view(0), weights_, zero_, !exact_, J_.get()); }
+
+void StaticSearch::approach() {
+  residual();
   const double stiff = system_.axial_stiffness(), load = system_.dead_load();
-  if (load == 0 || near(norms)) return;
+  if (load == 0 || near(report_.norms)) return;
   for (double soft = kSoft * load; soft < stiff; soft *= kStiffening) {
     system_.soften(soft);
-    descend(report, 1e-4);
+    descend(1e-4);
   }
   system_.soften(HUGE_VAL);
 }
 
-void StaticSearch::descend(StaticsReport& report, double tolerance) {
-  system_.residual(state_.view(0), r_.get());
-  ResidualNorms norms = system_.norms(r_.get());
-  double energy = 0, shift = 1e-3;
-  int cut = 0;
-  for (int it = 0;; ++it, ++report.iterations) {
-    if (prepare()) {  // contact candidates move with the line
-      system_.residual(state_.view(0), r_.get());
-      norms = system_.norms(r_.get());
-    }
-    report.norms = norms;
-    if (settings_.told) settings_.told(report);
-    energy = potential(state_);  // and so does what moments are measured from
-    if (norms.small(tolerance)) return;
-    if (it >= settings_.max_iterations) give_up(failure(norms, "too many iterations"));
-    const bool close = near(norms);
-    const double slope = direction(close, close && shift < 1e-5 ? 0 : shift, norms);
-    double factor = limit();
-    const bool full = factor == 1;
-    bool taken = false, blocked = false;
-    int halvings = 0;
-    for (; halvings < kHalvings && !taken; ++halvings, factor *= taken ? 1 : 0.5) {
-      step(factor);
-      if (!clear()) {
-        blocked = true;
-        continue;
-      }
-      const double e = potential(trial_);
-      system_.residual(trial_.view(0), r_.get());
-      const ResidualNorms n = system_.norms(r_.get());
-      if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
-      const bool flat = std::abs(e - energy) <= 1e-10 * std::abs(energy);
-      const bool down = slope < 0 && e <= energy + kArmijo * factor * slope && !(flat && it >= kRound);
-      if (down || ((flat || close) && n.relative() < norms.relative()) || n.small(tolerance)) {
-        taken = true;
-        take();
-        norms = n, energy = e;
-      }
-    }
-    // Cut short again and again by what lines would pass through: they come ever nearer, and there is no way
-    // on.
-    if (!blocked) in_the_way_.clear();
-    cut += blocked;
-    if ((!taken && shift > 1e6) || cut > kMostCut) {
-      system_.residual(state_.view(0), r_.get());
-      if (norms.small(100 * tolerance)) return;  // round-off of very stiff lines
-      give_up(failure(norms, "no descent"));
-    }
-    shift = std::clamp(taken && halvings <= 1 && (full || close) ? 0.2 * shift
-                       : taken && halvings <= 1                  ? shift
-                                                                 : 4 * shift,
-                       1e-9, 1e7);
-    if (!taken) shift *= 10;
-  }
+void StaticSearch::descend(double tolerance) {
+  tolerance_ = tolerance, shift_ = 1e-3, cut_ = 0, begun_ = report_.iterations;
+  const SNESConvergedReason reason = solve();
+  if (reason < 0) give_up(failure(reason == SNES_DIVERGED_MAX_IT ? "too many iterations" : "no descent"));
 }
 
-void StaticSearch::polish(StaticsReport& report) {
+SNESConvergedReason StaticSearch::judge(int iteration) {
+  const bool others = prepare();  // pairs of lines that may touch move with them
+  system_.residual(state_.view(0), r_.get());
+  if (others) report_.norms = system_.norms(r_.get());
+  check(VecCopy(r_.get(), f_.get()));
+  energy_ = potential(state_);
+  report_.iterations = begun_ + iteration;
+  if (settings_.told) settings_.told(report_);
+  if (report_.norms.small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
+  if (iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
+  const bool close = near(report_.norms);
+  use_tangent(close, close && shift_ < 1e-5 ? 0 : shift_);
+  return SNES_CONVERGED_ITERATING;
+}
+
+PetscErrorCode StaticSearch::search(SNESLineSearch search, void* self) {
+  auto& s = *static_cast<StaticSearch*>(self);
+  return s.error_.keep([&] {
+    Vec y = nullptr;
+    PetscInt iteration = 0;
+    PetscReal size = 0;
+    check(SNESLineSearchGetVecs(search, nullptr, nullptr, &y, nullptr, nullptr));
+    check(SNESGetIterationNumber(s.snes_.get(), &iteration));
+    if (!s.advance(y, static_cast<int>(iteration))) return;
+    check(VecNorm(s.r_.get(), NORM_2, &size));
+    check(SNESLineSearchSetNorms(search, 0, size, 0));
+  });
+}
+
+bool StaticSearch::advance(Vec y, int iteration) {
+  const bool close = exact_;
+  const double slope = downhill(y);
+  double factor = limit();
+  const bool full = factor == 1;
+  bool taken = false, blocked = false;
+  int halvings = 0;
+  for (; halvings < kHalvings && !taken; ++halvings, factor *= taken ? 1 : 0.5) {
+    step(factor);
+    if (!clear()) {
+      blocked = true;
+      continue;
+    }
+    const double e = potential(trial_);
+    system_.residual(trial_.view(0), r_.get());
+    const ResidualNorms n = system_.norms(r_.get());
+    if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
+    const bool flat = std::abs(e - energy_) <= 1e-10 * std::abs(energy_);
+    const bool down = slope < 0 && e <= energy_ + kArmijo * factor * slope && !(flat && iteration >= kRound);
+    if (down || ((flat || close) && n.relative() < report_.norms.relative()) || n.small(tolerance_)) {
+      taken = true;
+      take();
+      report_.norms = n;
+    }
+  }
+  // Cut short again and again by what lines would pass through: they come ever nearer, and there is no way
+  // on.
+  if (!blocked) in_the_way_.clear();
+  cut_ += blocked;
+  if ((!taken && shift_ > 1e6) || cut_ > kMostCut) {
+    residual();
+    const bool round_off = report_.norms.small(100 * tolerance_);  // of very stiff lines
+    check(SNESSetConvergedReason(snes_.get(),
+                                 round_off ? SNES_CONVERGED_FNORM_RELATIVE : SNES_DIVERGED_LINE_SEARCH));
+    return taken;
+  }
+  shift_ = std::clamp(taken && halvings <= 1 && (full || close) ? 0.2 * shift_
+                      : taken && halvings <= 1                  ? shift_
+                                                                : 4 * shift_,
+                      1e-9, 1e7);
+  if (!taken) shift_ *= 10;
+  return taken;
+}
+
+void StaticSearch::polish() {
   for (int i = 0; i < kPolish; ++i) {
-    direction(true, 0, report.norms);
+    residual();
+    use_tangent(true, 0);
+    newton(u_.get());
+    downhill(u_.get());
     if (limit() < 1) break;
     step(1);
     if (!clear()) break;
     system_.residual(trial_.view(0), r_.get());
-    const ResidualNorms n = system_.norms(r_.get());
-    if (!(n.relative() < 0.5 * report.norms.relative())) break;
+    if (!(system_.norms(r_.get()).relative() < 0.5 * report_.norms.relative())) break;
     take();
-    report.norms = n;
-    ++report.iterations;
+    ++report_.iterations;
   }
-  system_.residual(state_.view(0), r_.get());  // the reactions are those of the state
+  residual();  // the reactions are those of the state
 }
 
-void StaticSearch::set_shift(double shift, const ResidualNorms& norms, Weights& w) const {
+void StaticSearch::use_tangent(bool exact, double shift) {
+  exact_ = exact, used_ = shift;
   PetscInt unknowns = 0;
   check(VecGetSize(u_.get(), &unknowns));
-  const double unit = norms.force_scale / std::sqrt(static_cast<double>(unknowns)) / length_;
-  w.shift_position = shift * unit;
-  w.shift_rotation = shift * unit * length_ * length_;
+  const double unit = report_.norms.force_scale / std::sqrt(static_cast<double>(unknowns)) / length_;
+  weights_.shift_position = shift * unit;
+  weights_.shift_rotation = shift * unit * length_ * length_;
 }
 
-double StaticSearch::direction(bool exact, double shift, const ResidualNorms& norms) {
-  Weights w;
-  set_shift(shift, norms, w);
-  system_.residual(state_.view(0), r_.get());
-  system_.tangent(state_.view(0), w, zero_, !exact, J_.get());
+void StaticSearch::newton(Vec y) {
+  tangent();
   check(KSPSetOperators(ksp_.get(), J_.get(), J_.get()));
-  check(KSPSolve(ksp_.get(), r_.get(), u_.get()));
-  check(VecScale(u_.get(), -1));
-  PetscScalar slope = 0;
-  check(VecDot(u_.get(), r_.get(), &slope));
-  if (exact && !(slope < 0)) return direction(false, std::max(shift, 1e-6), norms);
-  system_.gather(u_.get(), local_);
-  return slope;
+  check(KSPSolve(ksp_.get(), r_.get(), y));
 }
 
-void StaticSearch::rest(StaticsReport& report) {
+double StaticSearch::downhill(Vec y) {
+  PetscScalar rise = 0;
+  check(VecDot(y, r_.get(), &rise));
+  if (exact_ && !(rise > 0)) {
+    use_tangent(false, std::max(used_, 1e-6));
+    newton(y);
+    check(VecDot(y, r_.get(), &rise));
+  }
+  check(VecCopy(y, u_.get()));
+  check(VecScale(u_.get(), -1));
+  system_.gather(u_.get(), local_);
+  return -rise;
+}
+
+void StaticSearch::rest() {
   const RelaxationReport r = relax(system_, *relaxation_, state_);
-  report.iterations += r.iterations, report.relaxation_steps += r.steps;
+  report_.iterations += r.iterations, report_.relaxation_steps += r.steps;
   build();
   local_ = zero_;
   trial_ = state_;
   prepare();
 }
 
-std::string StaticSearch::failure(const ResidualNorms& n, const char* why) const {
-  return fmt::format("statics: {}: {}", why, imbalance(system_, r_.get(), n));
+std::string StaticSearch::failure(const char* why) const {
+  return fmt::format("statics: {}: {}", why, imbalance(system_, r_.get(), report_.norms));
 }
 
 }  // namespace hawser

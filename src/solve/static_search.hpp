@@ -1,4 +1,6 @@
-// The class StaticSearch: Newton's descent to a static equilibrium.
+// The class StaticSearch: Newton's descent to a static equilibrium. SNES iterates (SNESNEWTONLS); the line
+// search is a SNESLINESEARCHSHELL that moves the state itself, so that the unknown of the SNES, the increment
+// from the state, is zero before every iteration.
 #pragma once
 
 #include <string>
@@ -13,8 +15,7 @@ class StaticSearch : StaticTrial {
  public:
   // relaxation: leaves false equilibria by it; null: by Newton's descent.
   StaticSearch(System& system, const StaticsSettings& settings, State& state,
-               const RelaxationSettings* relaxation = nullptr)
-      : StaticTrial(system, state), settings_(settings), relaxation_(relaxation) {}
+               const RelaxationSettings* relaxation = nullptr);
 
   // again: from an equilibrium in which little has changed. Throws SolveError, or as give_up() does.
   StaticsReport run(bool again = false);
@@ -22,22 +23,41 @@ class StaticSearch : StaticTrial {
   void check_start();
 
  private:
+  void residual() override;  // at the state, where the increment is always zero
+  void tangent() override;
+  SNESConvergedReason judge(int iteration) override;
+  static PetscErrorCode search(SNESLineSearch search, void* self);
+
   // Where the axial stiffness is far above the forces, equilibrium is found with a soft line first.
-  void approach(StaticsReport& report);
-  void descend(StaticsReport& report, double tolerance);
+  void approach();
+  void descend(double tolerance);
+  // Moves the state along Newton's direction y: as far as the energy falls or, near the end, the residual.
+  // Whether it moved; why the search ends, where it does. iteration: of SNES.
+  bool advance(Vec y, int iteration);
   // On to round-off: what the tolerance leaves depends on the iterations taken, these on rounding and so on
   // the number of ranks, and a soft line beside stiff ones shows it.
-  void polish(StaticsReport& report);
-  // A tension's worth of stiffness over an element for a unit of shift.
-  void set_shift(double shift, const ResidualNorms& norms, Weights& w) const;
-  // Newton direction into local_; returns its slope on the energy.
-  double direction(bool exact, double shift, const ResidualNorms& norms);
+  void polish();
+  // The tangent to come: exact, or convex; a tension's worth of stiffness over an element for a unit of
+  // shift.
+  void use_tangent(bool exact, double shift);
+  void newton(Vec y);
+  // A direction of Newton's, from u = -y, to local_; where an exact tangent leads upwards y is made anew with
+  // the convex one. Its slope on the energy.
+  double downhill(Vec y);
   // By dynamic relaxation from where it was pushed to.
-  void rest(StaticsReport& report);
-  std::string failure(const ResidualNorms& n, const char* why) const;
+  void rest();
+  std::string failure(const char* why) const;
 
   const StaticsSettings& settings_;
   const RelaxationSettings* relaxation_;
+  StaticsReport report_;
+  double tolerance_ = 0, energy_ = 0;  // of the residual; J, of the state
+  double shift_ = 0;                   // that the next iteration takes
+  bool exact_ = false;
+  double used_ = 0;  // shift of the tangent
+  Weights weights_;
+  int begun_ = 0;  // iterations before this descent
+  int cut_ = 0;    // its steps that lines in their way cut short
 };
 
 }  // namespace hawser

@@ -19,17 +19,61 @@ constexpr int kHalvings = 30;
 StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
   for (const Element& e : system.mesh().mesh->elements) length_ = std::max(length_, e.length);
   if (length_ == 0) length_ = 0.05 * kBodies;
+  check(SNESCreate(system.comm(), snes_.out()));
+  check(SNESSetOptionsPrefix(snes_.get(), "statics_"));
   build();
+  check(VecDuplicate(u_.get(), x_.out()));
+  check(VecDuplicate(u_.get(), f_.out()));
+  check(SNESSetFunction(
+      snes_.get(), f_.get(),
+      [](SNES, Vec x, Vec f, void* self) {
+        auto& s = *static_cast<StaticTrial*>(self);
+        return s.error_.keep([&] {
+          check(VecCopy(x, s.u_.get()));
+          s.system_.gather(s.u_.get(), s.local_);
+          s.residual();
+          check(VecCopy(s.r_.get(), f));
+        });
+      },
+      this));
+  check(SNESSetConvergenceTest(
+      snes_.get(),
+      [](SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason, void* self) {
+        auto& s = *static_cast<StaticTrial*>(self);
+        return s.error_.keep([&] { *reason = s.judge(static_cast<int>(it)); });
+      },
+      this, nullptr));
+  check(SNESSetFromOptions(snes_.get()));
+  check(SNESSetType(snes_.get(), SNESNEWTONLS));
+  SNESLineSearch search = nullptr;
+  check(SNESGetLineSearch(snes_.get(), &search));
+  check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
   local_ = zero_;
   prepare();
+}
+
+SNESConvergedReason StaticTrial::solve() {
+  check(VecZeroEntries(x_.get()));
+  error_.check(SNESSolve(snes_.get(), nullptr, x_.get()));
+  SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
+  check(SNESGetConvergedReason(snes_.get(), &reason));
+  return reason;
 }
 
 void StaticTrial::build() {
   u_ = system_.create_vector();
   check(VecDuplicate(u_.get(), r_.out()));
   J_ = system_.create_matrix();
+  check(SNESSetJacobian(
+      snes_.get(), J_.get(), J_.get(),
+      [](SNES, Vec, Mat, Mat, void* self) {
+        auto& s = *static_cast<StaticTrial*>(self);
+        return s.error_.keep([&] { s.tangent(); });
+      },
+      this));
   check(KSPCreate(system_.comm(), ksp_.out()));
   configure_linear_solver(ksp_.get(), system_, "statics_");
+  check(SNESSetKSP(snes_.get(), ksp_.get()));
   zero_.assign(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
 }
 

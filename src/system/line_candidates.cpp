@@ -66,17 +66,52 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
   for (auto& p : settings_.excluded)
     if (p.first > p.second) std::swap(p.first, p.second);
   std::sort(settings_.excluded.begin(), settings_.excluded.end());
-  for (const LocalElement& e : mesh.elements)
-    if (radius_[static_cast<size_t>(e.global)] > 0) local_.push_back(e);
+  gather();
+}
+
+void LineCandidates::gather() {
+  local_.clear(), built_.clear(), list_.clear();
+  for (const LocalElement& e : mesh_.elements)
+    if (radius_[static_cast<size_t>(e.global)] > 0 && !left_out(e.global)) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
   bend_.resize(built_.size());
   // Most boxes that overlap are those of neighbours along a line: these are told from their numbers alone.
   constexpr size_t kMost = 15;
-  unseen_.resize(built_.size());
+  unseen_.assign(built_.size(), 0);
   for (size_t i = 0; i < built_.size(); ++i)
     for (size_t j = i + 1; j < std::min(built_.size(), i + 1 + kMost) && excluded(built_[i], built_[j]); ++j)
       ++unseen_[i];
   locate();
+}
+
+bool LineCandidates::leave_out(std::vector<std::array<int, 2>> inside) {
+  if (inside == inside_) return false;
+  inside_ = std::move(inside);
+  gather();
+  outdated_ = true;
+  return true;
+}
+
+// The first and the last element of a line that are outside feeders.
+std::array<int, 2> LineCandidates::outside(int line) const {
+  const LineSpan& l = mesh_.mesh->lines[static_cast<size_t>(line)];
+  const std::array<int, 2> inside = inside_.empty() ? std::array{0, 0} : inside_[static_cast<size_t>(line)];
+  return {l.first_element + inside[0], l.first_element + l.elements - 1 - inside[1]};
+}
+
+bool LineCandidates::left_out(int element) const {
+  if (inside_.empty()) return false;
+  const auto [first, last] = outside(mesh_.mesh->elements[static_cast<size_t>(element)].line);
+  return element < first || element > last;
+}
+
+// Whether it is the one at a feeder's mouth, whose unstretched length is not that of the mesh.
+bool LineCandidates::at_feeder(int element) const {
+  if (inside_.empty()) return false;
+  const int line = mesh_.mesh->elements[static_cast<size_t>(element)].line;
+  const auto [first, last] = outside(line);
+  const std::array<int, 2>& inside = inside_[static_cast<size_t>(line)];
+  return (inside[0] > 0 && element == first) || (inside[1] > 0 && element == last);
 }
 
 double LineCandidates::skin(int element) const {
@@ -109,11 +144,12 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
   };
   const Vec3 a = place(i), b = place(j);
   if (!element.beam) return {a, (2 * a + b) / 3, (a + 2 * b) / 3, b};
+  const double length = at_feeder(e.global) ? (b - a).norm() : element.length;
   const auto tangent = [&](size_t n) -> Vec3 {
     if (!moves) return at.q[n] * Vec3::UnitX();
     return at.q[n] * (exp_so3(h * at.w[n] + (0.5 * h * h) * at.alpha[n]) * Vec3::UnitX());
   };
-  return {a, a + element.length / 3 * tangent(i), b - element.length / 3 * tangent(j), b};
+  return {a, a + length / 3 * tangent(i), b - length / 3 * tangent(j), b};
 }
 
 // Every axis within its skin of where it was foreseen to be at `tau` of the way. All are asked for the same
@@ -226,7 +262,11 @@ bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
            std::max(q.arc[0] - p.arc[1], p.arc[0] - q.arc[1]) < apart;
   const auto& nodes = mesh_.mesh->nodes;
   const auto from = [&](const SweptAxis& s, int node) {
-    const double arc = nodes[static_cast<size_t>(node)].arc;
+    const auto [first, last] = outside(s.line);
+    const auto arc_of = [&](int n) { return nodes[static_cast<size_t>(n)].arc; };
+    const double arc =
+        std::clamp(arc_of(node), arc_of(mesh_.mesh->elements[static_cast<size_t>(first)].first),
+                   arc_of(mesh_.mesh->elements[static_cast<size_t>(last)].second));
     return std::min(std::abs(s.arc[0] - arc), std::abs(s.arc[1] - arc));
   };
   for (const auto& [m, n] : settings_.joined) {

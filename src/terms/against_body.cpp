@@ -1,5 +1,5 @@
 // How force and tangent on the nodes of a line are extended to the floating body that bears the opposite
-// force, for contact with volumes and for end springs.
+// force, for contact with volumes.
 #include "hawser/terms/against_body.hpp"
 
 #include <array>

@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "hawser/math/so3.hpp"
-#include "hawser/terms/against_body.hpp"
 
 namespace hawser {
 namespace {
@@ -55,30 +54,28 @@ EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodi
       driven_.push_back(i);
 }
 
-Vec3 EndSprings::direction(const EndSpring& s, const Kinematics& at) const {
-  return bodies_->pose(s.body, at).rotation * s.direction;
+// The line's tangent and the direction it is turned to.
+std::array<AttachedNow, 2> EndSprings::directions(const EndSpring& s, const Kinematics& at) const {
+  const Attached tangent{mesh_.global[static_cast<size_t>(s.node)], -1, Vec3::UnitX(), true};
+  return {attached_now(tangent, at, mesh_, *bodies_),
+          attached_now({-1, s.body, s.direction, true}, at, mesh_, *bodies_)};
 }
 
 void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const EndSpring& s : springs_) {
-    // In material axes: t = e1, p = Q'd, dc = theta.(e1 x p), dp = p x theta.
-    const Vec3 p = trial.q[static_cast<size_t>(s.node)].conjugate() * direction(s, trial);
-    const Vec3 g = Vec3::UnitX().cross(p);
-    const Angle a = angle(g.norm(), p.x());
-    const Vec3 f = s.stiffness * a.first * g;
-    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K =
-        s.stiffness * a.second * g * g.transpose() + s.stiffness * a.first * hat(Vec3::UnitX()) * hat(p);
-    if (assembler.convex()) K = s.stiffness * (Mat3::Identity() - Vec3::UnitX() * Vec3::UnitX().transpose());
-    const int block = mesh_.block[static_cast<size_t>(s.node)] + 1;
-    if (bodies_->floats(s.body)) {
-      const size_t n = static_cast<size_t>(s.node), b = static_cast<size_t>(bodies_->local_node(s.body));
-      const LineBlock node{block, true, trial.x[n], trial.v[n], trial.q[n].toRotationMatrix()};
-      add_against_body(assembler, {&node, 1},
-                       {mesh_.block[b], trial.x[b], trial.v[b], trial.q[b].toRotationMatrix()}, true,
-                       f.data(), K.data(), nullptr);
-      continue;
-    }
-    assembler.add({&block, 1}, f.data(), K.data(), nullptr, nullptr);
+    const auto [tangent, direction] = directions(s, trial);
+    const Vec3 &t = tangent.x, &d = direction.x;
+    const Angle a = angle(t.cross(d).norm(), t.dot(d));
+    // W(c) with c = t.d: dW = W' (d.dt + t.dd).
+    Vec6 f, g;
+    g << d, t;
+    f = s.stiffness * a.first * g;
+    Mat6 K = s.stiffness * a.second * g * g.transpose(), apart = Mat6::Zero();
+    apart.topRightCorner<3, 3>().setIdentity(), apart.bottomLeftCorner<3, 3>().setIdentity();
+    K += s.stiffness * a.first * apart;
+    // Far from a solution as if it were k (t - d)²/2, at no angle.
+    if (assembler.convex()) f.setZero(), K = s.stiffness * (Mat6::Identity() - apart);
+    add_between(assembler, tangent, direction, f, K, Mat6::Zero());
   }
 }
 
@@ -88,7 +85,7 @@ void EndSprings::holds(const Kinematics& at, std::vector<Hold>& out) const {
   for (const size_t i : driven_) {
     const EndSpring& s = springs_[i];
     const Quat rotation = bodies_->pose(s.body, at).rotation;
-    const Vec3 t = rotation.conjugate() * (at.q[static_cast<size_t>(s.node)] * Vec3::UnitX());
+    const Vec3 t = rotation.conjugate() * directions(s, at)[0].x;
     const Vec3 g = s.direction.cross(t);
     out.push_back({rotation, s.stiffness * angle(g.norm(), s.direction.dot(t)).first * g});
   }
@@ -124,8 +121,8 @@ void EndSprings::restore(const std::vector<HistoryRecord>& records) {
 Energy EndSprings::energy(const Kinematics& at) const {
   Energy e;
   for (const EndSpring& s : springs_) {
-    const Vec3 p = at.q[static_cast<size_t>(s.node)].conjugate() * direction(s, at);
-    e.strain += s.stiffness * angle(Vec3::UnitX().cross(p).norm(), p.x()).half_square;
+    const auto [t, d] = directions(s, at);
+    e.strain += s.stiffness * angle(t.x.cross(d.x).norm(), t.x.dot(d.x)).half_square;
   }
   e.work = std::accumulate(work_.begin(), work_.end(), 0.0);
   return e;

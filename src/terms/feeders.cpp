@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hawser/kernels/line_mass.hpp"
+#include "hawser/mesh/fed_start.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/terms/line_sections.hpp"
 
@@ -45,9 +46,8 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
       f.name = fmt::format("end {} of line {}", at_b ? 'B' : 'A', c.lines[l].name);
       f.support.body = end.kind == model::EndKind::body ? c.body_index(end.body) : -1;
       f.support.at = end.at;
-      while (element_length(f, f.mouth) < 2 * (f.feed.stock - f.offset) && f.mouth + 1 < elements(f))
-        f.offset += element_length(f, f.mouth++);
-      f.length = f.offset = element_length(f, f.mouth);
+      const FedStart start = fed_start(*mesh.mesh, mesh.mesh->lines[l], at_b, f.feed.stock);
+      f.mouth = start.inside, f.length = f.offset = start.length;
       see_mouth(f);
       f.outside_at_start = outside(f);
       f.resting = f.feed.most > 0;
@@ -149,8 +149,21 @@ std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now
     if (i != f.mouth) continue;
     const Mouth m = mouth(f, at, now);
     out->length = m.length, out->follows = m.by_chord, out->gives = m.gives, out->grows = m.speed;
-    out->before = f.length;
+    out->before = f.length, out->feeder = k;
   }
+  return out;
+}
+
+int Feeders::fed_end(int e) const {
+  for (const int k : of_line_[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(e)].line)])
+    if (k >= 0)
+      if (const Feeder& f = feeders_[static_cast<size_t>(k)]; element(f, f.mouth) == e) return f.at_b;
+  return -1;
+}
+
+std::vector<std::array<int, 2>> Feeders::inside() const {
+  std::vector<std::array<int, 2>> out(of_line_.size(), {0, 0});
+  for (const Feeder& f : feeders_) out[static_cast<size_t>(f.line)][f.at_b] = f.mouth;
   return out;
 }
 

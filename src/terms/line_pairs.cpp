@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/geometry/segment_distance.hpp"
+#include "hawser/terms/feeders.hpp"
 
 namespace hawser {
 
@@ -26,6 +27,7 @@ double deepest_of(const std::vector<LinePairHistory>& points) {
 }
 
 bool LinePairs::recouple(const Kinematics& committed, double h) {
+  if (feeders_ && candidates_.leave_out(feeders_->inside())) listed_ = false;
   if (!candidates_.update(committed, h) && listed_) return false;
   // Histories go by element until the new list is there.
   for (Pair& p : pairs_)
@@ -54,7 +56,9 @@ void LinePairs::update_ghosts() {
 void LinePairs::prepare(const Kinematics& committed, double) {
   // Where nothing can touch nothing is asked of an element.
   const size_t n = pairs_.empty() ? 0 : candidates_.segments().size();
-  start_.resize(n);
+  start_.resize(n), fed_end_.assign(n, -1);
+  for (size_t i = 0; i < n && feeders_; ++i)
+    fed_end_[i] = feeders_->fed_end(segment(static_cast<int>(i)).global);
   for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
   rods_ = rods(committed);
   for (Pair& p : pairs_) {
@@ -114,7 +118,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
   const std::vector<Rod> is = rods(trial);
   for (Pair& pair : pairs_) {
     if (!near(pair, is)) continue;
-    const PairAxis A(ends(trial, pair.a), start(pair.a)), B(ends(trial, pair.b), start(pair.b));
+    const PairAxis A = axis(trial, pair.a), B = axis(trial, pair.b);
     for (const bool swapped : {false, true}) {
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
       LinePairForces g(slave.now.count(), master.now.count());
@@ -155,7 +159,7 @@ void LinePairs::commit(const Kinematics& accepted) {
   const std::vector<Rod> is = rods(accepted);
   for (Pair& pair : pairs_) {
     if (!near(pair, is) && !pair.history) continue;
-    const PairAxis A(ends(accepted, pair.a), start(pair.a)), B(ends(accepted, pair.b), start(pair.b));
+    const PairAxis A = axis(accepted, pair.a), B = axis(accepted, pair.b);
     auto next = std::make_unique<History>();
     bool any = false;
     sides(pair, A, B, accepted.step > 0, false, [&](size_t part, const LinePairSide& side) {
@@ -168,6 +172,7 @@ void LinePairs::commit(const Kinematics& accepted) {
         if (depth > deepest_.depth) deepest_ = {depth, accepted.time, pair.key.first, pair.key.second};
       }
       if (accepted.step > 0) account(pair, A, B, *next);
+      if (accepted.step > 0 && feeders_) feeders_->add_work(fed_work(pair, A, B, *next));
     }
     pair.history = any ? std::move(next) : nullptr;
   }
@@ -186,11 +191,14 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
   for (size_t k = 0; k < kParts; ++k) {
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
+    const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
     const double share = settings(swapped ? pair.key.second : pair.key.first).radius / pair.law.reach;
     const auto add = [&](const LinePairHistory& h, bool at_end) {
-      const Vec3 was = slave.start.point(h.xi) - master.start.point(h.eta),
-                 is = slave.now.point(h.xi) - master.now.point(h.eta);
-      const Mat3 turned = share * turn(slave, h.xi) + (1 - share) * turn(master, h.eta);
+      const double xi = at_end ? h.xi : material_of_start(a, slave, h.xi),
+                   eta = at_end ? h.eta : material_of_start(b, master, h.eta);
+      const Vec3 was = slave.start.point(xi) - master.start.point(eta),
+                 is = slave.now.point(xi) - master.now.point(eta);
+      const Mat3 turned = share * turn(slave, xi) + (1 - share) * turn(master, eta);
       // The lever of the couple is what is between the axes while the force acts.
       const Vec3 moved = at_end ? Vec3(turned.transpose() * is - was) : Vec3(is - turned * was);
       sum.friction -= 0.5 * h.weight * h.friction.dot(moved);
@@ -215,7 +223,7 @@ Energy LinePairs::energy(const Kinematics& at) const {
       continue;
     }
     if (!near(p, is)) continue;
-    const PairAxis A(ends(at, p.a), start(p.a)), B(ends(at, p.b), start(p.b));
+    const PairAxis A = axis(at, p.a), B = axis(at, p.b);
     sides(p, A, B, false, false,
           [&](size_t, const LinePairSide& side) { e.strain += side.potential(side.panels()); });
   }

@@ -5,6 +5,7 @@
 
 #include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/element_axis.hpp"
+#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {
@@ -87,7 +88,9 @@ LinePairLaw LinePairs::law(int a, int b) const {
 
 AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
   const ContactSegment& s = this->segment(segment);
-  return element_axis(at, element(s.global), s.first, s.second, settings(s.global).tangent);
+  AxisEnds out = element_axis(at, element(s.global), s.first, s.second, settings(s.global).tangent);
+  if (fed_end(segment) >= 0) out.length = feeders_->rest(s.global, at, false)->length;
+  return out;
 }
 
 LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
@@ -95,9 +98,11 @@ LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
   return {e.x1, e.x2, e.sagitta()};
 }
 
+// The neighbour there is on the same line and outside feeders.
 bool LinePairs::joint(int element, int end) const {
   const LineSpan& l = mesh_.mesh->lines[static_cast<size_t>(this->element(element).line)];
-  return end ? element + 1 < l.first_element + l.elements : element > l.first_element;
+  if (end ? element + 1 >= l.first_element + l.elements : element <= l.first_element) return false;
+  return !candidates_.left_out(end ? element + 1 : element - 1);
 }
 
 int LinePairs::touching() const {

@@ -69,6 +69,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   old.swap(pairs_);
   pairs_.reserve(old.size());
   size_t known = 0;
+  Pair first;  // most are far away, and it serves for the next
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
     if (!(elements_[static_cast<size_t>(e)].radius > 0)) continue;
     const AxisEnds at = ends(committed, e);
@@ -78,11 +79,11 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
       while (known < old.size() && key(known) < std::pair(e, k)) ++known;
       size_t end = known;
       while (end < old.size() && key(end) == std::pair(e, k)) ++end;
-      Pair first;
       first.element = e, first.volume = k;
       double motion = 0;
-      if (start_pair(first, at, shape, h, motion))
-        add_pairs(std::move(first), std::span(old).subspan(known, end - known), motion);
+      if (!start_pair(first, at, shape, h, motion)) continue;
+      add_pairs(std::move(first), std::span(old).subspan(known, end - known), motion);
+      first = {};
     }
   }
 }

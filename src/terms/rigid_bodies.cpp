@@ -49,11 +49,13 @@ namespace {
 // where Newton's iteration starts from, so that only the way to the equilibrium knows it.
 constexpr double kDrift = 0.1;
 
-bool in_lines(const model::Case& c, int body) {
+bool in_lines_or_links(const model::Case& c, int body) {
   const std::string& name = c.bodies[static_cast<size_t>(body)].name;
   const auto at = [&](const model::End& e) { return e.kind == model::EndKind::body && e.body == name; };
   return std::any_of(c.lines.begin(), c.lines.end(),
                      [&](const model::Line& l) { return at(l.end_a) || at(l.end_b); }) ||
+         std::any_of(c.links.begin(), c.links.end(),
+                     [&](const model::Link& l) { return l.end_a.body == name || l.end_b.body == name; }) ||
          (!c.lines.empty() && std::any_of(c.volumes.begin(), c.volumes.end(), [&](const model::Volume& v) {
            return v.body == name && c.contact.takes_part(v);
          }));
@@ -71,7 +73,7 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
 }  // namespace
 
 bool finds_rest(const model::Case& c, int body) {
-  return in_lines(c, body) || floats_at_rest(c, *c.bodies[static_cast<size_t>(body)].mass);
+  return in_lines_or_links(c, body) || floats_at_rest(c, *c.bodies[static_cast<size_t>(body)].mass);
 }
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)

@@ -54,9 +54,10 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std
   size_t all = 0;
   for (const Beam& b : beams_) all += remembered(b);
   set_.assign(all, 0), yields_ = all > 0;
-  for (double* set = set_.data(); Beam & b : beams_) {
-    if (b.section.plastic) b.reference.set = set;
-    set += remembered(b);
+  size_t at = 0;
+  for (Beam& b : beams_) {
+    b.memory = at, at += remembered(b);
+    if (b.section.plastic) b.reference.set = set_.data() + b.memory;
   }
   for (Cable& c : cables_) {
     c.blocks[0] = block(c.at.first), c.blocks[1] = block(c.at.second);
@@ -92,18 +93,6 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
   for (const Element& e : mesh.mesh->elements)
     yields_ |= c.line_types[static_cast<size_t>(e.type)].plastic_bending != nullptr;
-}
-
-// Unstretched lengths where a feeder changes them.
-void StructureTerm::see_feeders(const Kinematics& at) {
-  if (!feeders_) return;
-  for (Cable& c : cables_)
-    if (const auto rest = feeders_->rest(c.at.global, at, true))
-      c.idle = rest->idle, c.section.length = rest->length, c.section.follows = rest->follows,
-      c.section.grows = at.step > 0 ? rest->grows : 0;  // statics holds the feeder
-  for (Beam& b : beams_)
-    if (const auto rest = feeders_->rest(b.at.global, at, true))
-      b.idle = rest->idle, b.section.length = rest->length, b.section.gives = rest->gives;
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
@@ -252,12 +241,14 @@ double StructureTerm::beam_dissipation(const Kinematics& at) const {
 // Brings what beams remember to where they are. What is dissipated on the way by those that this rank counts,
 // J.
 double StructureTerm::bend(const Kinematics& at) {
-  double dissipated = 0, *set = set_.data();
-  for (const Beam& b : beams_) {
-    if (!b.section.plastic) continue;
+  double dissipated = 0;
+  for (Beam& b : beams_) {
+    if (!b.section.plastic || b.idle) continue;
+    double* set = set_.data() + b.memory;
+    if (b.reference.set != set) std::copy_n(b.reference.set, remembered(b), set);  // of another length
+    b.reference.set = set;
     const double lost = beam_bend(b.section, b.reference, ends(b, at), set);
     if (b.at.counted) dissipated += lost;
-    set += remembered(b);
   }
   return dissipated;
 }
@@ -265,10 +256,10 @@ double StructureTerm::bend(const Kinematics& at) {
 void StructureTerm::prepare(const Kinematics& committed, double h) {
   // Statics takes every section to be bent there in one go: what that leaves is remembered when motion
   // begins, and is no work of the motion. Later this finds everything remembered.
+  see_feeders(committed);
   if (h > 0 && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
-  see_feeders(committed);
   for (Cable& c : cables_) {
     const CableEnds e = ends(c, committed);
     c.start = cable_start(c.section, e.x1, e.x2, c.start.stretch);
@@ -276,7 +267,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
 }
 
 void StructureTerm::commit(const Kinematics& accepted) {
-  see_feeders(accepted);
+  see_feeders(accepted, true);
   if (accepted.step > 0) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
@@ -287,7 +278,15 @@ void StructureTerm::commit(const Kinematics& accepted) {
       if (c.at.counted && feeders_) feeders_->add_work(lost.fed);
     }
   }
-  if (accepted.step > 0 && !set_.empty()) damping_ += bend(accepted);
+  if (accepted.step > 0 && !set_.empty()) {
+    if (feeders_) feeders_->add_work(fed_work(accepted));
+    for (const Beam& b : beams_)
+      if (const auto rest =
+              feeders_ && b.section.plastic ? feeders_->rest(b.at.global, accepted, true) : std::nullopt;
+          rest && rest->feeder >= 0)
+        keep_hauled_in(b, rest->feeder, rest->before, rest->length);
+    damping_ += bend(accepted);
+  }
   if (!damped_) return;
   const double before = power_ < 0 ? 0 : power_;
   power_ = beam_dissipation(accepted);
@@ -305,7 +304,7 @@ Energy StructureTerm::energy(const Kinematics& at) const {
 }
 
 namespace {
-enum Kind { kSums, kStretched, kBent };  // of the others, keys are elements of the mesh
+enum Kind { kSums, kStretched, kBent, kInside };  // keys: none, elements of the mesh, and feeders
 
 struct Sums {
   double power = 0, damping = 0, filtered = 0;
@@ -336,7 +335,7 @@ struct Bent {
 // at each of its nodes, for every rank that has it to find.
 std::vector<HistoryKind> StructureTerm::history() const {
   return {history_kind<Sums>("sums of a rank"), history_kind<Stretched>("axial vibration"),
-          history_kind<Bent>("plastic bending")};
+          history_kind<Bent>("plastic bending"), history_kind<Bent>("plastic bending inside a feeder")};
 }
 
 std::vector<HistoryRecord> StructureTerm::save() const {
@@ -353,8 +352,15 @@ std::vector<HistoryRecord> StructureTerm::save() const {
       if (!b.reference.set || n >= mesh_.owned) continue;
       HistoryRecord& r =
           out.emplace_back(HistoryRecord{mesh_.global[static_cast<size_t>(n)], b.at.global, {}, kBent});
-      r.values.assign(b.reference.set, b.reference.set + remembered(b));
+      r.values.assign(set_.data() + b.memory, set_.data() + b.memory + remembered(b));
     }
+  for (size_t k = 0; k < fed_.size(); ++k) {
+    if (fed_[k].inside.empty()) continue;
+    const Feeder& f = feeders_->list()[k];
+    for (const int i : {f.mouth, f.mouth + 1})
+      if (const int n = mesh_.find(feeders_->node(f, i)); n >= 0 && n < mesh_.owned)
+        out.push_back({feeders_->node(f, i), static_cast<int>(k), fed_[k].inside, kInside});
+  }
   return out;
 }
 
@@ -368,20 +374,22 @@ void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
       power_ += s.power, damping_ += s.damping, filtered_ += s.filtered;
     } else if (r.kind == kStretched) {
       stretch[r.key] = entry<Stretched>(r).stretch;
-    } else {
+    } else if (r.kind == kBent) {
       bent[r.key] = &r.values;
+    } else if (const size_t k = static_cast<size_t>(r.key);
+               k < fed_.size() && fed_[k].inside.size() == r.values.size()) {
+      fed_[k].inside = r.values;
     }
   }
-  double* set = set_.data();
   for (const Beam& b : beams_) {
     if (!b.section.plastic) continue;
+    double* set = set_.data() + b.memory;
     const size_t size = remembered(b);
     const auto it = bent.find(b.at.global);
     if (it != bent.end() && it->second->size() == size)
       std::copy(it->second->begin(), it->second->end(), set);
     else
       std::fill_n(set, size, 0.0);
-    set += size;
   }
   for (Cable& c : cables_) {
     const auto it = stretch.find(c.at.global);

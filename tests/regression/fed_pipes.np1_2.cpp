@@ -119,11 +119,69 @@ TEST(FedPipes, ATensionIsKeptOverRollers) {
     law = std::max(law, std::abs(F[i] - 40e3 - v[i] / 5e-5));
     most = std::max(most, out[i]), least = std::min(least, out[i]);
   }
+  // Statics has found the length with which it begins.
+  EXPECT_NEAR(F.front(), 40e3, 0.1);
+  EXPECT_NEAR(v.front(), 0, 1e-5);
   printf("  off its law by %.2g N, paid out from %.3f to %.3f m, energy %.1e\n", law, least, most,
          largest(error) / work(brought));
   EXPECT_LT(law, 400);  // weight and inertia between the feeder and the middle of its element
   EXPECT_NEAR(most - least, 0.8, 0.1);
   EXPECT_LT(largest(error), 0.01 * work(brought));
+}
+
+// Statistics at places that stay with the feeder are those of what runs through them, step by step.
+TEST(FedPipes, StationsStayWithTheirFeeder) {
+  const std::string path = folder("fed-pipes-stations"), input = path + "/case.yaml",
+                    file = path + "/whole.h5";
+  write_case(input, kRamp, {{"duration: 24", "duration: 8"}, {"every: 2", "every: 0.02"}});
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  ASSERT_EQ(r.output_times, r.step_times);
+  const auto mouth = named(file, r, "pipe_end_a_feed", "mouth_length");
+  const auto& x = r.fields.at("position");
+  const size_t nodes = 61;
+  double moved = 0;
+  for (const char* field : {"bending_moment", "effective_tension", "curvature"}) {
+    const auto& v = r.fields.at(field);
+    const std::vector<double> found =
+        io::h5::read_array(io::h5::open_read(file), std::string("statistics/") + field + "_at_stations")
+            .values;
+    ASSERT_EQ(found.size(), 6 * nodes);
+    double size = 0;
+    for (const double value : v) size = std::max(size, std::abs(value));
+    for (size_t i = 0; i < nodes; ++i) {
+      double least = HUGE_VAL, most = -HUGE_VAL, sum = 0, time = 0, last = std::nan("");
+      for (size_t k = 0; k < r.output_times.size(); ++k) {
+        size_t free = 1;
+        while ((x[3 * (nodes * k + free)] == x[3 * nodes * k])) ++free;
+        const double feeder = static_cast<double>(free) - mouth[k];  // material there; elements of 1 m
+        const double s = feeder + static_cast<double>(i);
+        double now = std::nan("");
+        if (s < static_cast<double>(nodes - 1)) {
+          const size_t before = static_cast<size_t>(std::max(s, static_cast<double>(free)));
+          const double share = std::max(s, static_cast<double>(free)) - static_cast<double>(before);
+          now = v[nodes * k + before] + share * (v[nodes * k + before + 1] - v[nodes * k + before]);
+          least = std::min(least, now), most = std::max(most, now);
+        }
+        if (const double h = k > 0 ? r.output_times[k] - r.output_times[k - 1] : 0;
+            !std::isnan(now) && !std::isnan(last))
+          sum += 0.5 * h * (last + now), time += h;
+        last = now;
+        moved = std::max(moved, std::abs(mouth[k] - mouth[0]));
+      }
+      if (least == HUGE_VAL) {
+        EXPECT_TRUE(std::isnan(found[6 * i])) << field << i;
+        continue;
+      }
+      EXPECT_NEAR(found[6 * i], least, 1e-9 * size) << field << i;
+      EXPECT_NEAR(found[6 * i + 2], most, 1e-9 * size) << field << i;
+      if (time > 0) {
+        EXPECT_NEAR(found[6 * i + 4], sum / time, 1e-9 * size) << field << i;
+      }
+    }
+  }
+  EXPECT_GT(moved, 0.2);  // m
 }
 
 void expect_same(const std::string& a, const std::string& b, double tolerance) {

@@ -15,7 +15,7 @@ from support import ROOT, run
 from synthetic import results_file
 
 sys.path.insert(0, str(ROOT / "scripts"))
-from hawser_post import lay, lay_search, laying, pipe_checks, pipe_codes, pipe_tables  # noqa: E402
+from hawser_post import lay, lay_search, laying, pipe_checks, pipe_codes, pipe_tables, stations  # noqa: E402
 from hawser_post.results import Refusal, Results  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
@@ -196,22 +196,23 @@ lines:
 
 
 class Departing(unittest.TestCase):
-    def lay(self, forwards):
-        """Supports at 10 and 20 m of a line that dives from there to the bed; the second carries it at the first output."""
+    def lay(self, forwards, case="hawser: 1\n", stock=0):
+        """Supports at 10 and 20 m of a line that dives from there to the bed; the second carries it at the first output.
+        Arc lengths begin at the stock, of an end A that is fed."""
         arc = np.linspace(0, 100, 101)
         x = np.zeros((2, 101, 3))
-        way = arc if forwards else arc[::-1]
+        way = np.maximum(arc - stock, 0) if forwards else arc[::-1]
         x[:, :, 0] = way
         x[:, :, 2] = np.where(way < 50, -way**2 / 100, -25 - np.sqrt(np.maximum(way - 50, 0)) * 2)
         columns = ["force_x", "force_y", "force_z", "below_force_x", "below_force_y", "below_force_z", "height", "offset",
                    "arc_length"]
         rows = {f"ramp {k + 1}": (columns, ["N"] * 6 + ["m"] * 3,
-                                  np.array([[0, 0, f, 0, 0, f, h, 0, s if forwards else 100 - s] for f, h in loads]))
+                                  np.array([[0, 0, f, 0, 0, f, h, 0, s + stock if forwards else 100 - s] for f, h in loads]))
                 for k, (s, loads) in enumerate(((10, ((1e3, 0), (2e3, 0))), (20, ((5e2, -0.01), (0, 0.3)))))}
         folder = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, folder)
         return Results(results_file(folder / "lay.h5", time=(0.0, 1.0), lines={"pipe": arc}, fields={"position": ("m", x)},
-                                    series=(np.array([0.0, 1.0]), rows)))
+                                    series=(np.array([0.0, 1.0]), rows), case=case))
 
     def test_lift_off(self):
         for forwards in (True, False):
@@ -225,11 +226,54 @@ class Departing(unittest.TestCase):
             bend = laying.inflection(results, results.lines[0], left, None)
             np.testing.assert_allclose(bend, 50.5 if forwards else 49.5)
 
+    def test_a_fed_line_leaves_from_its_feeder(self):
+        # Of its 100 m 45 are in the stock, and the supports are nearer to its other end.
+        case = "hawser: 1\nlines: {pipe: {end_a: {anchor: [0, 0, 0], feed: {stock: 45, speed: 1}}}}\n"
+        results = self.lay(True, case, stock=45)
+        left = laying.departure(results, results.lines[0])
+        self.assertEqual((left.forwards, left.support, left.tip), (True, ["ramp 2", "ramp 1"], "ramp 2"))
+        np.testing.assert_allclose(left.angle, np.degrees(np.arctan([0.4, 0.2])), atol=0.7)
+
     def test_no_supports(self):
         folder = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, folder)
         results = Results(results_file(folder / "none.h5"))
         self.assertIsNone(laying.departure(results, results.lines[0]))
+
+
+class Stations(unittest.TestCase):
+    def results(self, end, ended=True):
+        """A line of 0, 4 and 10 m of which the last station from the feeder was never reached."""
+        def of(values):
+            table = np.array([[v - 1, 1.0, v, 2.0, v - 0.5, 0.1] for v in values])
+            return table if end == "end_a" else table[::-1]
+        none = float("nan")
+        folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        case = f"hawser: 1\nlines: {{line: {{{end}: {{anchor: [0, 0, 0], feed: {{stock: 5, speed: 1}}}}}}}}\n"
+        return Results(results_file(
+            folder / "fed.h5", lines={"line": np.array([0.0, 4.0, 10.0])}, case=case, ended=ended,
+            statistics={"bending_moment_at_stations": ("N m", of([3e3, 9e3, none])),
+                        "curvature_at_stations": ("1/m", of([0.01, 0.02, none]))}))
+
+    def test_they_count_from_the_feeder(self):
+        for end, places in (("end_a", [0, 4]), ("end_b", [0, 6])):
+            results = self.results(end)
+            distance, found = stations.of_line(results, results.lines[0])
+            np.testing.assert_allclose(distance, places)
+            np.testing.assert_allclose(found["bending_moment"][:, 2], [3e3, 9e3])
+            _, rows = stations.table(results, results.lines[0], 0.2)
+            self.assertEqual(rows[0], ["bending moment [kN m]", 2.999, 9.0, 2.0, float(places[1])])
+            self.assertAlmostEqual(rows[1][2], 0.2)  # % of strain: 100 · 0.02 · 0.2 / 2
+            head, lines = stations.columns(results, results.lines[0], 0.2)
+            self.assertEqual(head[:2], ["distance_from_feeder [m]", "least bending moment [N m]"])
+            self.assertEqual(len(lines), 2)
+
+    def test_where_there_are_none(self):
+        results = self.results("end_a", ended=False)
+        self.assertIsNone(stations.of_line(results, results.lines[0]))
+        results = self.results("end_c")
+        self.assertIsNone(stations.table(results, results.lines[0], 0.2))
 
 
 class Searching(unittest.TestCase):

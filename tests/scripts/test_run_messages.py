@@ -34,6 +34,25 @@ HOPELESS = [
 ]
 
 
+PIPE = """\
+hawser: 1
+environment: {gravity: 9.80665}
+line_types:
+  pipe: {pipe: {outer_diameter: 0.25, wall_thickness: 0.015, material: {E: 212 GPa, density: 7850, poisson: 0.293}}}
+supports:
+  ramp:
+    path: {from: [0, 0, 9], direction: [-1, 0, 0], segments: [{length: 20}]}
+    boxes:
+      - {at: [5, 10, 15], type: flat, roller_diameter: 0.4, roller_length: 2, normal_stiffness: 1.0e7}
+lines:
+  pipe:
+    sections: [{type: pipe, length: 22, element_length: 0.5}]
+    end_a: {anchor: [0, 0, 9.325], direction: [-1, 0, 0], clamped: true}
+    end_b: {anchor: [-22, 0, 9.325], direction: [-1, 0, 0], clamped: true}
+contact: {between_lines: false}
+"""
+
+
 class Messages(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp())
@@ -43,6 +62,21 @@ class Messages(unittest.TestCase):
     def hawser(self, *arguments, ranks=0):
         launch = ["mpirun", "-n", ranks, HAWSER] if ranks else [HAWSER]
         return run(*launch, *arguments, cwd=self.folder, timeout=300, env={**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0"})
+
+    def test_supports_that_carry_nothing(self):
+        roller = "type: flat, roller_diameter: 0.4, roller_length: 2, normal_stiffness: 1.0e7}"
+        low = PIPE.replace("at: [5, 10, 15], " + roller, "at: [5, 15], " + roller + "\n      - {at: [10], above_path: -3, " + roller)
+        for name, text, wanted in (
+                ("well", PIPE, []),
+                ("low", low, ["warning: support ramp 2 never carries line pipe, which passes 3 m above it and lies on supports "
+                              "further on: raise it by 'above_path', or leave it out"]),
+                ("beneath", PIPE.replace("from: [0, 0, 9]", "from: [0, 0, 5]"),
+                 ["warning: none of its supports ever carries line pipe: are they drawn too low, or beside it?"])):
+            write(self.folder, f"{name}.yaml", text)
+            result = self.hawser("run", f"{name}.yaml")
+            with self.subTest(case=name):
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual([line for line in result.stdout.splitlines() if line.startswith("warning")], wanted)
 
     def refused(self, arguments, *parts, ranks=0, code=2):
         """One sentence on stderr with these parts, the exit code, and no new file."""

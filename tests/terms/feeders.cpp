@@ -5,18 +5,27 @@
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/solve/generalized_alpha.hpp"
+#include "hawser/terms/line_pairs.hpp"
 #include "support/taylor_cases.hpp"
 
 namespace hawser::test::feeders_test {
 namespace {
 
-model::Case fed(const model::Feed& a, const model::Feed& b, bool beam) {
+enum class Kind { cable, beam, yields };
+
+model::Case fed(const model::Feed& a, const model::Feed& b, Kind kind) {
   model::Case c;
   c.environment.gravity = 9.81;
   model::LineType t;
   t.name = "rope", t.kind = model::LineKind::cable, t.mass_per_length = 2, t.EA = 300,
   t.stiffness_damping = 0.05;
-  if (beam) t.kind = model::LineKind::beam, t.EI2 = 9, t.EI3 = 12, t.GJ = 8, t.stiffness_damping = 0;
+  if (kind != Kind::cable)
+    t.kind = model::LineKind::beam, t.EI2 = 9, t.EI3 = 12, t.GJ = 8, t.stiffness_damping = 0;
+  if (kind == Kind::yields) {
+    t.EI2 = 12;
+    t.plastic_bending =
+        std::make_shared<PlasticBending>(std::vector<PlasticBending::Row>{{0.1, 1.2}, {0.4, 3}, {2, 6}});
+  }
   c.line_types.push_back(t);
   model::Line l;
   l.name = "rope";
@@ -28,11 +37,37 @@ model::Case fed(const model::Feed& a, const model::Feed& b, bool beam) {
   return c;
 }
 
+// With two lines across it: one at the mouth of end A, one at the joint beside it.
+void cross(model::Case& c) {
+  model::LineType t = c.line_types.front();
+  t.name = "across", t.kind = model::LineKind::cable;
+  c.line_types.push_back(t);
+  for (const char* name : {"at the mouth", "at a joint"}) {
+    model::Line l;
+    l.name = name;
+    l.sections = {{"across", 3, 3, 1}};
+    l.end_a.kind = l.end_b.kind = model::EndKind::free;
+    c.lines.push_back(l);
+  }
+}
+
+constexpr double kRadius = 0.2;  // m
+
+LinePairOptions rough() {
+  LinePairOptions o;
+  o.general.basis = model::StiffnessBasis::per_length;
+  o.general.normal_stiffness = 2000, o.general.smoothing = 0.01, o.general.relative_damping = 0.1;
+  o.general.friction = 0.3, o.general.mobilisation_length = 0.05;
+  return o;
+}
+
 struct Rig {
   model::Case c;
   Mesh mesh;
   std::unique_ptr<System> system;
   Feeders* feeders = nullptr;
+
+  LinePairs* contact = nullptr;
 
   explicit Rig(model::Case of) : c(std::move(of)), mesh(build_mesh(c)) {
     system = std::make_unique<System>(PETSC_COMM_SELF,
@@ -43,9 +78,26 @@ struct Rig {
     feeders = f.get();
     structure->fed_by(feeders), mass->fed_by(feeders);
     system->add(std::move(structure)), system->add(std::move(mass)), system->add(std::move(f));
+    if (c.lines.size() > 1) {
+      std::vector<LineContactElement> elements(mesh.elements.size(), {kRadius, 2});
+      auto between = std::make_unique<LinePairs>(PETSC_COMM_SELF, system->mesh(), elements, rough());
+      contact = between.get();
+      contact->fed_by(feeders);
+      system->add(std::move(between));
+    }
     system->support(feeders->with_held({}), {});
   }
 };
+
+// The lines across, pressed into the rope between its nodes 2 and 3 and at node 3.
+void lay_across(State& s) {
+  const Vec3 chord = s.x[3] - s.x[2], across = Vec3(-0.3, 1, 0.1).normalized(),
+             away = chord.cross(across).normalized();
+  for (const int line : {0, 1})
+    for (int k = 0; k < 4; ++k)
+      s.x[static_cast<size_t>(10 + 4 * line + k)] = s.x[2] + (line ? 1.0 : 0.6) * chord + (k - 1.3) * across +
+                                                    (line ? -1 : 1) * (2 * kRadius - 0.1) * away;
+}
 
 TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
   model::Feed speed, exact, band, limited;
@@ -56,22 +108,23 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
   limited = band, limited.max_speed = 0.01;
   const Vec3 towards(4, 1, 0.5);
   const Quat along = minimal_rotation(Vec3::UnitX(), towards.normalized());
-  for (const auto& [a, beam] : {std::pair(speed, false),
-                                {exact, false},
-                                {band, false},
-                                {limited, false},
-                                {speed, true},
-                                {exact, true},
-                                {band, true},
-                                {limited, true}}) {
-    Rig r(fed(a, speed, beam));
-    r.feeders->clamp({{along, along}});
+  std::vector<std::tuple<model::Feed, Kind, bool>> cases;
+  for (const Kind kind : {Kind::cable, Kind::beam, Kind::yields})
+    for (const model::Feed& a : {speed, exact, band, limited}) cases.push_back({a, kind, false});
+  for (const model::Feed& a : {speed, exact, band}) cases.push_back({a, Kind::cable, true});
+  for (const model::Feed& a : {speed, band}) cases.push_back({a, Kind::beam, true});
+  for (const auto& [a, kind, crossed] : cases) {
+    const bool beam = kind != Kind::cable;
+    model::Case c = fed(a, speed, kind);
+    if (crossed) cross(c);
+    Rig r(c);
+    r.feeders->clamp(std::vector<std::array<Quat, 2>>(c.lines.size(), {along, along}));
     const LocalMesh& mesh = r.system->mesh();
     const AlphaCoefficients alpha(0.8);
     constexpr double h = 0.1;
     AlphaState from;
     from.s.resize(mesh.nodes());
-    for (int n = 0; n < mesh.nodes(); ++n) {
+    for (int n = 0; n < 10; ++n) {
       const size_t i = static_cast<size_t>(n);
       // Nodes 0 to 2 are inside the one, 7 to 9 inside the other.
       const double s = std::clamp(n - 2, 0, 5) / 5.0;
@@ -85,15 +138,18 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     }
     // So long that it pulls: the chord is beyond the unstretched length of 5 m.
     for (Vec3& x : from.s.x) x *= 1.4;
+    if (crossed) lay_across(from.s);
     for (Feeder& f : r.feeders->list()) f.support.at *= 1.4, f.resting = false;
     r.system->support(r.feeders->with_held({}), {});
     alpha_start(mesh, from);
+    r.system->couple(from.s.view(h), h);
     r.system->prepare(from.s.view(h), h);
     AlphaState to = from;
     std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0), d = u;
-    const int components = beam ? 6 : 3;
-    for (int n = 3; n < 7; ++n)
-      for (int k = 0; k < components; ++k) {
+    std::vector<int> moving{3, 4, 5, 6};
+    for (int n = 10; n < mesh.nodes(); ++n) moving.push_back(n);
+    for (const int n : moving)
+      for (int k = 0; k < (mesh.rotates(n) ? 6 : 3); ++k) {
         const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)]) + static_cast<size_t>(k);
         u[i] = 0.05 * noise3(n, k < 3 ? 4 : 9)[k % 3], d[i] = noise3(n, k < 3 ? 5 : 10)[k % 3];
       }
@@ -121,18 +177,26 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     VecGetArrayRead(y.get(), &q);
     const std::vector<double> Jd(q, q + d.size());
     VecRestoreArrayRead(y.get(), &q);
-    constexpr double e = 1e-3;
+    // Friction has kinks, and curves bend fast at a yield circle.
+    const double e = crossed ? 1e-5 : kind == Kind::yields ? 2e-4 : 1e-3;
     const auto b1 = at(e), b2 = at(-e), c1 = at(2 * e), c2 = at(-2 * e);
     double off = 0, size = 0;
-    for (int n = 3; n < 7; ++n)
-      for (int k = 0; k < components; ++k) {
+    for (const int n : moving)
+      for (int k = 0; k < (mesh.rotates(n) ? 6 : 3); ++k) {
         const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)]) + static_cast<size_t>(k);
         off = std::max(off, std::abs((8 * (b1[i] - b2[i]) - (c1[i] - c2[i])) / (12 * e) - Jd[i]));
         size = std::max(size, std::abs(Jd[i]));
       }
-    EXPECT_LT(off, 1e-8 * size) << a.tension << ' ' << a.max_speed << ' ' << beam;
-    printf("  %s, tension %g, at most %g m/s: error %.1e\n", beam ? "beam" : "cable", a.tension, a.max_speed,
-           off / size);
+    EXPECT_LT(off, (crossed ? 1e-6 : 1e-8) * size)
+        << a.tension << ' ' << a.max_speed << ' ' << static_cast<int>(kind);
+    constexpr const char* kNames[] = {"cable", "beam", "beam that yields"};
+    printf("  %s%s, tension %g, at most %g m/s: error %.1e\n", kNames[static_cast<int>(kind)],
+           crossed ? " over others" : "", a.tension, a.max_speed, off / size);
+    if (!crossed) continue;
+    at(0);
+    r.system->commit(to.s.view(h));
+    EXPECT_GE(r.contact->touching(), 3) << beam;  // of both elements at the joint
+    EXPECT_GT(r.contact->friction_force(), 10) << beam;
   }
 }
 

@@ -54,6 +54,29 @@ TEST(NodeStatistics, OfASineWithStepsOfAnyLength) {
   EXPECT_EQ(all[1][io::kStatistics], -0.5);
 }
 
+// Of a value that is there from 0 to 1 s and from 3 to 4 s only, also when it goes on from a checkpoint.
+TEST(NodeStatistics, LeaveOutWhatIsNotThere) {
+  NodeStatistics first(kFields, 2, 0), s(kFields, 2, 0);
+  const double none = std::nan("");
+  first.add(0, values(none, none)), first.add(0.5, values(0, none)), first.add(1, values(1, none));
+  first.add(2, values(none, none));
+  io::Checkpoint kept;
+  first.save(kept);
+  s.restore(kept);
+  s.add(3, values(4, none)), s.add(4, values(6, none));
+  const std::vector<double> tension = s.table(0), curvature = s.table(1);
+  // 0.5 s about 0.5, with 1/12 of its square, and 1 s about 5 with 4/12.
+  const double mean = (0.5 * 0.5 + 5) / 1.5;
+  const double square = (0.5 * (0.25 + 1.0 / 12) + 25 + 4.0 / 12) / 1.5;
+  EXPECT_EQ(tension[0], 0);
+  EXPECT_EQ(tension[1], 0.5);
+  EXPECT_EQ(tension[2], 6);
+  EXPECT_EQ(tension[3], 4);
+  EXPECT_NEAR(tension[4], mean, 1e-14);
+  EXPECT_NEAR(tension[5], std::sqrt(square - mean * mean), 1e-13);
+  for (size_t i = 0; i < io::kStatistics; ++i) EXPECT_TRUE(std::isnan(curvature[i])) << i;
+}
+
 // A straight line from 0 to 1: mean 1/2, variance 1/12, also in one step.
 TEST(NodeStatistics, OfAStraightLineAreExact) {
   for (const int steps : {1, 3, 100}) {

@@ -2,6 +2,7 @@
 // energy of a load that is lowered through the surface.
 #include <fmt/format.h>
 
+#include "../regression/runs.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "verification/dynamics_rig.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 constexpr double kG = 9.80665;
 
 // Water of 1000 kg/m³ and `sea` with it, a body called load and a line without weight worth speaking of.
-model::Case load(const std::string& sea, const std::string& body, const std::string& line,
+std::string text(const std::string& sea, const std::string& body, const std::string& line,
                  const std::string& rest) {
   std::string text =
       "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1000, depth: 200" + sea + "}}\n";
@@ -19,11 +20,14 @@ model::Case load(const std::string& sea, const std::string& body, const std::str
   if (!line.empty())
     text +=
         "line_types: {rope: {outer_diameter: 1e-4, mass_per_length: 1e-4, EA: 5e6, bending: false, "
-        "Cd_normal: 0, "
-        "Ca_normal: 0}}\n"
-        "lines:\n  rope: {" +
+        "Cd_normal: 0, Ca_normal: 0}}\nlines:\n  rope: {" +
         line + "}\n";
-  return io::read_case_text(text + rest + "\n", testing::TempDir() + "in_water.yaml");
+  return text + rest + "\n";
+}
+
+model::Case load(const std::string& sea, const std::string& body, const std::string& line,
+                 const std::string& rest) {
+  return io::read_case_text(text(sea, body, line, rest), testing::TempDir() + "in_water.yaml");
 }
 
 // value(node of the load), from the rank that owns it.
@@ -218,25 +222,45 @@ Lowered lower(MPI_Comm comm, const model::Case& c) {
 }
 
 // A crane tip lowers it by 12 m through waves of 2 m, its centres of buoyancy and drag off that of mass.
-TEST(BodiesInWater, LoweredThroughTheWaves) {
-  const model::Case c = load(
+std::string lowered() {
+  return text(
       "}, waves: {regular: {height: 2, period: 7, direction_deg: 20}}, current: {profile: [{depth: 0, speed: "
       "0.4}, {depth: 200, speed: 0.2}]",
       "position: [0, 0, 6], floating: {mass: 30000, inertia: [6e4, 9e4, 8e4], centre_of_mass: [0.1, 0, "
-      "-0.3], "
-      "weight: true, in_water: {volume: 9, height: 3, centre_of_buoyancy: [0.05, 0.1, 0.1], "
+      "-0.3], weight: true, in_water: {volume: 9, height: 3, centre_of_buoyancy: [0.05, 0.1, 0.1], "
       "drag_area: [12, 24, 32], Cd: [1.2, 1.2, 1.5], centre_of_drag: [0, 0.2, 0.3], Ca: [0.5, 0.8, 2]}}}\n  "
       "tip: {position: [0, 0, 37.5], motion: {table: {rows: [[0, 0, 0, 0], [2, 0, 0, 0], [32, 0, 0, -12], "
       "[40, 0, 0, -12]], interpolation: monotone}}",
       "sections: [{type: rope, length: 30, elements: 6}], end_a: {body: tip, at: [0, 0, 0]}, "
       "end_b: {body: load, at: [0, 0, 1.5]}",
-      "dynamics: {duration: 40}");
+      "dynamics: {duration: 40}\noutput: {every: 1, histories: [{body: load}]}");
+}
+
+TEST(BodiesInWater, LoweredThroughTheWaves) {
+  const model::Case c = io::read_case_text(lowered(), testing::TempDir() + "in_water.yaml");
   const Lowered all = lower(PETSC_COMM_WORLD, c), one = lower(PETSC_COMM_SELF, c);
   printf("lowered through the waves to %.3f m: %.1f J of %.0f J not explained, ranks apart by %.1e m\n",
          all.least, all.unexplained, all.turnover, (all.place - one.place).norm());
   EXPECT_LT(std::abs(all.unexplained), 0.01 * all.turnover);
   EXPECT_LT(all.least, -5);
   EXPECT_LT((all.place - one.place).norm(), 1e-6);
+}
+
+// In the middle of the wave zone: where its waves were looked at last is kept.
+TEST(BodiesInWater, GoesOnAfterARestart) {
+  const std::string base = runs::folder("bodies_in_water") + "/", input = base + "case.yaml";
+  runs::write_case(input, lowered(), {{"duration: 40", "duration: 26"}});
+  runs::run_on_all({input, base + "whole.h5"});
+  runs::run_on_all({input, base + "half.h5", "", 20});
+  runs::run_on_all({input, base + "rest.h5", base + "half.h5"});
+  if (runs::rank_of(MPI_COMM_WORLD) != 0) return;
+  const runs::Results whole = runs::read(base + "whole.h5"), rest = runs::read(base + "rest.h5");
+  for (const char* series : {"load", "energy"}) {
+    const auto &all = whole.series.at(series), &end = rest.series.at(series);
+    const double off = runs::largest_difference(runs::tail(all, end), end);
+    printf("restart: %s off by %.1e of %.1e\n", series, off, runs::largest(end));
+    EXPECT_LT(off, 1e-12 * runs::largest(end)) << series;
+  }
 }
 
 }  // namespace

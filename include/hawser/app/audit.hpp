@@ -31,9 +31,10 @@ struct Audit {
   } made, lost;                            // since the error was least; against the start
   Step worst;                              // of what was made, the step that made most
 
-  // After a step of h [s] that ended at this time; start: of the run. True: where it changed the motion most
-  // is worth knowing; located() follows.
-  bool update(const Energy& start, const Energy& now, double time, double h);
+  // After a step of h [s] that ended at this time; start: of the run; passed: work [J] that came in and went
+  // out within the step, of which brought_in has nothing. True: where it changed the motion most is worth
+  // knowing; located() follows.
+  bool update(const Energy& start, const Energy& now, double time, double h, double passed = 0);
   void located(int node, Step::Touch touch);
   double size() const;
   // %, of the error against size().

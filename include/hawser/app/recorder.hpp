@@ -16,6 +16,7 @@
 #include "hawser/app/node_statistics.hpp"
 #include "hawser/app/sharp_turns.hpp"
 #include "hawser/app/simulation.hpp"
+#include "hawser/app/stations.hpp"
 #include "hawser/app/support_log.hpp"
 #include "hawser/app/utilisation.hpp"
 #include "hawser/io/results.hpp"
@@ -63,6 +64,7 @@ class Recorder {
   void fill(const Kinematics& at, bool all);
   void fill_field(size_t f, const Kinematics& at);
   void find_worst(const Kinematics& at);
+  double passed_through(double h) const;
   void correct_ends(const Kinematics& at);
   void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
   void append_rows(const StepInfo& info, const Kinematics& at);
@@ -87,7 +89,9 @@ class Recorder {
   std::vector<int> carriers_;  // likewise
   std::unique_ptr<Histories> histories_;
   std::unique_ptr<LineExtremes> extremes_;
-  std::unique_ptr<NodeStatistics> statistics_;  // null: not wanted
+  std::unique_ptr<NodeStatistics> statistics_;   // null: not wanted
+  std::unique_ptr<Stations> stations_;           // likewise
+  std::unique_ptr<NodeStatistics> at_stations_;  // likewise
   SharpTurns turns_;
   Utilisation utilisation_;
   Clearances clearances_;

@@ -24,6 +24,7 @@
 namespace hawser {
 class BodyContactTerm;
 class Feeders;
+class Links;
 class BodiesInWater;
 class RigidBodies;
 class SeabedTerm;
@@ -51,6 +52,7 @@ class Simulation {
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
   Feeders* feeders() { return feeders_; }  // of lines' ends; null: there are none
   const Feeders* feeders() const { return feeders_; }
+  const Links* links() const { return links_; }    // springs and dampers of the case; null: there are none
   SeabedTerm* seabed() { return seabed_; }         // null: there is none
   LinePairs* line_pairs() { return line_pairs_; }  // null: lines do not touch lines
   State& state() { return state_; }
@@ -100,6 +102,7 @@ class Simulation {
   BodyContactTerm* body_contact_ = nullptr;
   LinePairs* line_pairs_ = nullptr;
   Feeders* feeders_ = nullptr;
+  Links* links_ = nullptr;
   SeabedTerm* seabed_ = nullptr;
 };
 

@@ -38,14 +38,18 @@ class SupportLog {
   std::vector<io::ResultSeries> series() const;
   // Their rows at a state, on rank 0 (elsewhere empty). Collective.
   std::vector<std::vector<double>> rows(const Kinematics& at, const std::vector<io::BodyPose>& poses);
-  // Every box once off the end of whose rollers a line was, the first time it was.
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  // Every box once off the end of whose rollers a line was, the first time it was; then those over which a
+  // line went clear so far, although boxes further on carried it, and groups that never carried one. On rank
+  // 0.
+  std::vector<std::string> warnings() const;
 
  private:
   MPI_Comm comm_;
   Simulation& sim_;
   std::vector<int> first_;  // of each box, its first roller among the volumes of the contact term
   std::vector<bool> off_;   // told of already
+  std::vector<bool> carried_;
+  std::vector<double> lowest_;  // m, height of the line over each; infinite: it did not cross it
   std::vector<std::string> warnings_;
 };
 

@@ -110,6 +110,10 @@ model::Line read_line(const std::string& name, const model::Value& v, const Case
                       const model::Value* whole, const SectionLengths& lengths, OtherRuns& others,
                       model::Case& c);
 
+// An entry of `links`. Of the case bodies and lines are read already.
+model::Link read_link(const std::string& name, const model::Value& v, const CaseSource& source,
+                      const model::Case& c);
+
 void read_statics(const model::Value& v, model::Statics& to);
 model::Dynamics read_dynamics(const model::Value& v);
 // An entry of `events` at the dotted key `path`. Of the case the lines are read already.

@@ -86,7 +86,8 @@ BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamE
 
 // The force with which an element pulls material out of a feeder at one of its ends: minus the derivative of
 // the strain energy by the unstretched length, the configurational force (Eshelby 1951). That is the tension
-// and M²/2EI of what is bent. Of elements without damping whose bending is linear.
+// and M²/2EI of what is bent; of what bends plastically the tension alone. Of elements without damping, whose
+// bending is linear or plastic.
 struct BeamFeed {
   double force = 0;     // N
   double slope = 0;     // N/m, its derivative by the unstretched length: never positive

@@ -22,6 +22,7 @@
 #include "hawser/model/environment.hpp"
 #include "hawser/model/event.hpp"
 #include "hawser/model/feed.hpp"
+#include "hawser/model/links.hpp"
 #include "hawser/model/stiffness.hpp"
 #include "hawser/model/supports.hpp"
 #include "hawser/model/value.hpp"
@@ -376,6 +377,7 @@ struct Case {
   std::vector<SupportBox> supports;  // in the order in which lines pass over them
   std::vector<Joint> joints;
   std::vector<Line> lines;
+  std::vector<Link> links;
   Contact contact;
   Statics statics;
   std::vector<std::string>

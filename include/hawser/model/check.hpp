@@ -24,6 +24,8 @@ void check_events(const Case& c, std::vector<Issue>& issues);
 std::vector<Issue> law_issues(const Feed& feed);
 // Its part that is about supports of laid lines.
 void check_supports(const Case& c, std::vector<Issue>& issues);
+// Its part that is about springs and dampers between two points.
+void check_links(const Case& c, std::vector<Issue>& issues);
 // The end of the line that comes first on its way over these supports, its tensioner's: the held end that is
 // nearer to the first box; null: no end is held.
 const End* end_before(const Case& c, const Line& line, const SupportBox& first);

@@ -1,14 +1,16 @@
-// Time integration of a system: a PETSc TS whose steps are generalized-alpha steps on the Lie group, each
-// solved by SNES, retried shorter when they fail.
+// Time integration of a system: a PETSc TS whose steps are generalized-alpha steps on the Lie group. SNES
+// solves them, a TSAdapt judges them, and what is accepted is committed after the step (lie_alpha_ts.cpp).
 #pragma once
 
 #include <petscts.h>
 
-#include <exception>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
 
+#include "hawser/base/carried_error.hpp"
+#include "hawser/solve/event_search.hpp"
 #include "hawser/solve/generalized_alpha.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/step_control.hpp"
@@ -36,12 +38,10 @@ class Dynamics {
   // Called after every accepted step; false stops the run.
   using Observer = std::function<bool(const StepInfo&)>;
 
-  // Signed functions of a trial state, in units of their tolerances, the same on all ranks. Where one crosses
-  // zero from below something happens: a step that ends beyond 1 is tried again, shorter.
-  using Conditions = std::function<std::vector<double>(const Kinematics& trial)>;
-
   Dynamics(System& system, const DynamicsSettings& settings);
-  void watch(Conditions conditions) { conditions_ = std::move(conditions); }
+  // Steps end where one of these functions has risen through zero, within their tolerances. What then happens
+  // is up to the observer. Events at times are stops of run().
+  void watch(EventFunctions functions) { events_ = std::move(functions); }
 
   // Starts from positions, rotations and velocities; accelerations come from the mass matrix.
   void start(const State& state);
@@ -95,30 +95,36 @@ class Dynamics {
   // the committed state are made anew; then the terms are prepared. Where a step went another way than the
   // rates foretell, `end` is where it led. Collective.
   void prepare(double h, const State* end = nullptr);
-  // Takes one step towards `until` [s] (step_decision.cpp). SolveError where the shortest one fails, or no
-  // step can help. Used by the TS type.
-  StepInfo take_step(double until);
-  // The same for PETSc: one step of the TS, told to the observer; false: it stops the run. Exceptions are
-  // kept for run().
-  bool ts_step(double until, StepInfo& info) noexcept;
+  // What the TS asks for, step by step (lie_alpha_ts.cpp), collective:
+  // Prepares the terms for a step from the committed state; the length of its first try [s].
+  double begin_step();
+  // A try of h [s], for which the terms were prepared, or for a longer one: solves for the trial state.
+  // Newton's iterations.
+  int try_step(double h);
+  // What becomes of the last try (step_decision.cpp): accepted, with a proposal for the next step, or to be
+  // tried again with h [s]. SolveError where no step can help, or none shorter.
+  struct Decision {
+    bool accepted = false;
+    double h = 0;
+  };
+  Decision decide();
+  double trial_time() const { return trial_.s.time; }
+  // Commits the accepted trial and tells the observer. False: the run stops.
+  bool end_step();
+  CarriedError& error() { return error_; }
 
  private:
-  // A try of a step h from the committed state, after the terms were prepared for one at least as long.
-  struct Attempt {
-    bool solved = false;  // Newton's iteration converged
-    int iterations = 0;
-    double error = 0;  // m, local
-  };
-  Attempt attempt(double h);
-  Verdict judge(double h, Attempt& a);
-  void accept(double h);
+  Verdict judge();
+  double next_try() const;
+  void commit();
   void build();
   static PetscErrorCode residual(SNES, Vec u, Vec r, void* self);
   static PetscErrorCode jacobian(SNES, Vec u, Mat, Mat P, void* self);
   static PetscErrorCode converged(SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason*,
                                   void*);
+  SNESConvergedReason judge_iteration(SNES snes, int it, double fnorm);
   void load(Vec u);
-  void solve_once(Attempt& a);
+  void solve_once();
   void put(const std::vector<double>& u);
   void solve_masses();
   void catch_up(const Supports& before, State& s);
@@ -130,6 +136,15 @@ class Dynamics {
   StepControl control_;
   AlphaState committed_, trial_;
   double h_ = 0, last_step_ = 0;
+  // The step that is being tried.
+  struct Tries {
+    StepInfo info;
+    bool solved = false;         // Newton's iteration of the last try converged
+    double allowed = HUGE_VAL;   // s, by the terms
+    double event = HUGE_VAL;     // s, within it, where an event is looked for
+    bool prepared_anew = false;  // in the middle of it
+    EventSearch search;
+  } tries_;
   std::vector<double> local_u_, gathered_, reactions_;
   MeanForces mean_;              // of the committed state
   std::vector<double> carried_;  // what they add to the residuals of the step
@@ -147,12 +162,13 @@ class Dynamics {
   double support_work_ = 0;
   std::function<double(double)> next_stop_;
   Observer observer_;
-  Conditions conditions_;
-  std::exception_ptr error_;  // carried through PETSc's C frames
+  EventFunctions events_;
+  CarriedError error_;
 };
 
-// Registers the TS type "liealpha" (once).
-void register_lie_alpha();
+// Makes a TS one of the type "liealpha", which steps by what Dynamics has for it.
 void lie_alpha_attach(TS ts, Dynamics* dynamics);
+// TSSetFromOptions. InputError where an option asks for another type, or for another judge of its steps.
+void lie_alpha_options(TS ts);
 
 }  // namespace hawser

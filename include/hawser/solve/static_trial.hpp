@@ -1,11 +1,15 @@
-// What searches for an equilibrium share: a state, a trial beside it, an increment and its linear system, and
-// the question whether lines would pass through each other on the way. Configurations are re-based at every
-// step, so rotations of any size are met by small increments.
+// What searches for an equilibrium share: a state, a trial beside it, an increment with the SNES that finds
+// it, and the question whether lines would pass through each other on the way. Configurations are re-based at
+// every step, so rotations of any size are met by small increments: the unknown of the SNES is the increment
+// from the state.
 #pragma once
+
+#include <petscsnes.h>
 
 #include <string>
 #include <vector>
 
+#include "hawser/base/carried_error.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/state/state.hpp"
@@ -22,11 +26,23 @@ struct StiffenedOnTheWay {};
 
 class StaticTrial {
  public:
-  // Prepares the system for the state, which outlives this. Collective, as everything here is.
+  // Prepares the system for the state, which outlives this. Collective, as everything here is. PETSc's
+  // options of the SNES have the prefix "statics_"; its line search is SNESLINESEARCHBASIC, and Newton's
+  // method stays.
   StaticTrial(System& system, State& state);
+  virtual ~StaticTrial() = default;
 
  protected:
-  // Anew what depends on ghosts and on the matrix's pattern.
+  // What SNES asks for. The residual at an increment in local_, to r_:
+  virtual void residual() = 0;
+  // the tangent there, to J_:
+  virtual void tangent() = 0;
+  // before every iteration, whether it is the last.
+  virtual SNESConvergedReason judge(int iteration) = 0;
+
+  // Newton's method from the state: why it ended. What the functions above throw comes out of it.
+  SNESConvergedReason solve();
+  // Anew what depends on ghosts and on the matrix's pattern, also in the middle of solve().
   void build();
   // Once before every step. True: other pairs of lines may touch, so forces are not what they were.
   bool prepare();
@@ -58,7 +74,10 @@ class StaticTrial {
   System& system_;
   State& state_;
   State trial_;
-  VecHandle u_, r_;
+  CarriedError error_;
+  Handle<SNES, SNESDestroy> snes_;
+  VecHandle x_, f_;  // its unknown and its residual
+  VecHandle u_, r_;  // an increment and a residual, with the ghosts of the moment
   MatHandle J_;
   KspHandle ksp_;
   std::vector<double> local_, zero_;  // 3 * local blocks: an increment; nothing

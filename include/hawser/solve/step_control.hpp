@@ -27,6 +27,7 @@ class StepControl {
   // Whether a step of h may be taken again, shorter, for what only its end tells.
   bool divides(double h) const { return limited() && !shortest(h); }
   bool shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
+  double shortest() const { return s_.shortest; }  // s
   // Accelerations have jumped: the next step is as short as the first one was.
   void begin_anew();
   // At t something struck on a contact of this period [s]: for twenty of them steps stay below a third of it,

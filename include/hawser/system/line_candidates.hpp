@@ -74,6 +74,12 @@ class LineCandidates {
   LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
                  CandidateSettings settings = {});
 
+  // How many elements of each line are inside feeders at its ends A and B: they take no part, and what is
+  // near along joined lines counts from the feeders. True when this is news: the pairs change with update().
+  bool leave_out(std::vector<std::array<int, 2>> inside);
+  // Whether an element is inside a feeder.
+  bool left_out(int element) const;
+
   // Collective. From the committed motion and a coming step h [s] (0: no motion foreseen): makes the list
   // anew where it does not hold for that step. True when the pairs of this rank changed: locate() is due.
   bool update(const Kinematics& committed, double h);
@@ -85,8 +91,8 @@ class LineCandidates {
   // update() will make the list anew, whether it holds or not.
   void forget() { outdated_ = true; }
 
-  // The elements of this rank with a radius, in the order of LocalMesh::elements, then those of other ranks
-  // that pairs need.
+  // The elements of this rank with a radius, outside feeders, in the order of LocalMesh::elements, then those
+  // of other ranks that pairs need.
   const std::vector<ContactSegment>& segments() const { return segments_; }
   // Pairs of which this rank owns a node, sorted by (global element of a, of b); the same set on any number
   // of ranks.
@@ -97,6 +103,9 @@ class LineCandidates {
   long builds() const { return builds_; }
 
  private:
+  void gather();
+  std::array<int, 2> outside(int line) const;
+  bool at_feeder(int element) const;
   std::array<Vec3, 4> axis(const LocalElement& e, const Kinematics& at, double h) const;
   bool holds(const Kinematics& at, double h, double tau) const;
   double part(double time) const;
@@ -111,9 +120,10 @@ class LineCandidates {
   const LocalMesh& mesh_;
   std::vector<double> radius_;
   CandidateSettings settings_;
-  std::vector<LocalElement> local_;   // elements of this rank with a radius
-  std::vector<std::uint8_t> unseen_;  // of local_: how many that follow it are excluded, at the least
-  std::vector<SweptAxis> built_;      // of local_, when the list was made
+  std::vector<std::array<int, 2>> inside_;  // of each line, as in leave_out(); empty: nothing is fed
+  std::vector<LocalElement> local_;         // elements of this rank with a radius that are outside
+  std::vector<std::uint8_t> unseen_;        // of local_: how many that follow it are excluded, at the least
+  std::vector<SweptAxis> built_;            // of local_, when the list was made
   // Of local_: what half way in time is off the middle of the straight way.
   std::vector<std::array<Vec3, 4>> bend_;
   double made_ = 0, span_ = 0;             // s, when that was and the time to the end of the paths

@@ -36,6 +36,11 @@ class Bodies {
                                                            : -1;
   }
   int local_node(int body) const { return floats(body) ? mesh_->find(frame(body)) : -1; }
+  // A point or a direction of the frame of a body that floats, as its node sees it: from there, in its axes.
+  Vec3 in_node_axes(int body, const Vec3& y, bool direction) const {
+    const Frame& f = frames_[static_cast<size_t>(body)];
+    return f.turn * (direction ? y : Vec3(y - f.centre));
+  }
   // Tells all ranks where those bodies are: what a rank knows of one whose node it does not see. Collective.
   void tell(MPI_Comm comm, const Kinematics& at) const;
   // Its pose in a state, the identity where body < 0. Of a body of the state whose node this rank does not

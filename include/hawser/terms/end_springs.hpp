@@ -1,13 +1,14 @@
 // Springs at held ends of lines against turning away from a direction: between a free end and a clamped one.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/terms/bodies.hpp"
+#include "hawser/terms/attached.hpp"
 
 namespace hawser {
 
@@ -44,7 +45,7 @@ class EndSprings final : public ForceTerm {
     Quat rotation;
     Vec3 moment;
   };
-  Vec3 direction(const EndSpring& s, const Kinematics& at) const;
+  std::array<AttachedNow, 2> directions(const EndSpring& s, const Kinematics& at) const;
   void holds(const Kinematics& at, std::vector<Hold>& out) const;
 
   const LocalMesh& mesh_;

@@ -83,8 +83,13 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
     double gives = 0;    // m/N, by the force of a beam on its feeder
     double grows = 0;    // m/s, its rate
     double before = 0;   // m, unstretched at the start of the step, of the one at a mouth; else `length`
+    int feeder = -1;     // among list(), of the one at a mouth
   };
   std::optional<Rest> rest(int element, const Kinematics& at, bool now) const;
+  // Of the one at a mouth, its end at the feeder: 0 or 1; -1: of another.
+  int fed_end(int element) const;
+  // How many elements are inside the feeders at ends A and B of each line.
+  std::vector<std::array<int, 2>> inside() const;
   // Tells what a term keeps of its elements whether they are idle, and their unstretched length.
   template <class Kept>
   void tell(std::vector<Kept>& kept, const Kinematics& at, bool now) const {

@@ -17,6 +17,8 @@
 
 namespace hawser {
 
+class Feeders;
+
 struct LinePairOptions {
   // Laws by pair of lines (indices, the smaller first); `general` for all others. Stiffness is N/m² or N/m³
   // by its basis (per length, per area), not automatic.
@@ -46,6 +48,9 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   // make no sense. Collective.
   LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
             LinePairOptions options);
+
+  // Of lines that are paid out and hauled in; they outlive this.
+  void fed_by(Feeders* feeders) { feeders_ = feeders; }
 
   // Off in the first stage of statics. While off no slip is kept.
   void enable_friction(bool on) { friction_on_ = on; }
@@ -119,6 +124,9 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   const Element& element(int i) const { return mesh_.mesh->elements[static_cast<size_t>(i)]; }
   const LineContactElement& settings(int element) const { return elements_[static_cast<size_t>(element)]; }
   const AxisEnds& start(int segment) const { return start_[static_cast<size_t>(segment)]; }
+  int fed_end(int segment) const { return fed_end_[static_cast<size_t>(segment)]; }
+  PairAxis axis(const Kinematics& at, int segment) const;
+  double material_of_start(int segment, const PairAxis& axis, double xi) const;
   // Over the points that touch of the pairs this rank counts; of those that which(pair) says.
   template <class Which, class Value>
   double sum(const Which& which, const Value& value) const {
@@ -154,6 +162,7 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   double stored(const Pair& pair) const;
   std::string too_soft(const Pair& pair) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);
+  double fed_work(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next) const;
   template <class What>
   void shared(const What& what) const;
 
@@ -165,10 +174,12 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   std::map<Key, std::unique_ptr<History>> kept_;  // of pairs, while the list is made anew
   bool listed_ = false;
   std::vector<AxisEnds> start_;    // of the segments
+  std::vector<int> fed_end_;       // likewise: the end at a feeder, of one at a mouth; -1: another
   std::vector<Rod> rods_;          // likewise
   std::vector<Account> accounts_;  // by owned node
   Deepest deepest_;
   bool friction_on_ = true;
+  Feeders* feeders_ = nullptr;
 };
 
 }  // namespace hawser

@@ -62,8 +62,8 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals {
   bool hold_ = false;
 };
 
-// Whether statics looks for the rest of a body: it carries ends of lines, or lines can touch it, or it floats
-// in water and no current takes it away.
+// Whether statics looks for the rest of a body: it carries ends of lines or links, or lines can touch it, or
+// it floats in water and no current takes it away.
 bool finds_rest(const model::Case& c, int body);
 // Where the centre of mass of a floating body starts, and its velocities (w in body axes).
 RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest);

@@ -1,6 +1,8 @@
 // Internal forces of all lines: beams and cables.
 #pragma once
 
+#include <mpi.h>
+
 #include <vector>
 
 #include "hawser/kernels/beam.hpp"
@@ -14,6 +16,7 @@ namespace model {
 struct Case;
 }
 class Feeders;
+struct Feeder;
 
 class StructureTerm final : public ForceTerm,
                             public ActsOnElements,
@@ -26,6 +29,7 @@ class StructureTerm final : public ForceTerm,
     BeamSection section;
     BeamReference reference = {};
     bool idle = false;  // inside a feeder
+    size_t memory = 0;  // of plastic bending, where what it remembers begins
   };
   struct Cable {
     LocalElement at;
@@ -58,10 +62,24 @@ class StructureTerm final : public ForceTerm,
 
   std::vector<Beam>& beams() { return beams_; }
   // Pays lines out and hauls them in; null: nothing does.
-  void fed_by(Feeders* feeders) { feeders_ = feeders; }
+  void fed_by(Feeders* feeders);
+  // Before the mouth of a feeder goes over to a neighbour of its element: what is remembered goes with the
+  // material. Collective.
+  void hand_over(MPI_Comm comm, const Feeder& f, int mouth);
 
  private:
-  void see_feeders(const Kinematics& at);
+  // What is remembered on either side of a mouth (structure_feed.cpp), by label from the free node on.
+  struct FedBends {
+    std::vector<double>
+        inside;  // of what has not left the feeder: of the element at its mouth, and of the next
+    std::vector<double> trial;  // of the element at the mouth, in the element's order, at its trial length
+  };
+  // accepted: the lengths are those at the end of the step.
+  void see_feeders(const Kinematics& at, bool accepted = false);
+  void carry_bends(Beam& b, int feeder, double from, double to);
+  void keep_hauled_in(const Beam& b, int feeder, double from, double to);
+  double fed_work(const Kinematics& at) const;
+  std::vector<double> entering(int feeder, double label) const;
   double beam_dissipation(const Kinematics& at) const;
   double bend(const Kinematics& at);
 
@@ -69,6 +87,7 @@ class StructureTerm final : public ForceTerm,
   Feeders* feeders_ = nullptr;
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
+  std::vector<FedBends> fed_;             // by feeder
   bool damped_ = false, yields_ = false;  // any type of the model bends plastically
   std::vector<double> set_;      // of all beams, see BeamReference::set; nothing but zeros in statics
   std::vector<double> true_EA_;  // N, of beams, then cables, while they are softened

@@ -1,0 +1,74 @@
+// Springs and dampers between two attached points: heave compensators, links, slings, fender springs.
+#pragma once
+
+#include <mpi.h>
+
+#include <memory>
+#include <vector>
+
+#include "hawser/kernels/link.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/attached.hpp"
+
+namespace hawser {
+
+// The links of a case, in its order. Every rank that owns one of the nodes that carry its ends has both; the
+// owner of the first of them counts it. See docs/theory/links.md.
+class Links final : public ForceTerm, public CouplesNodes, public ScalesResiduals {
+ public:
+  // Rest lengths that are not given are those of the start shape, once the bodies that are drawn in space are
+  // fixed (Bodies::fix_drawn). Refuses (model::Case::refuse) a link that has none then. Collective.
+  Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+        const Kinematics& start);
+
+  // Of link i in a state, on the rank that counts it; elsewhere not `known`.
+  struct Now {
+    bool known = false;
+    LinkForce force;
+  };
+  Now now(size_t i, const Kinematics& at) const;
+
+  std::string_view name() const override { return "links"; }
+  bool recouple(const Kinematics& committed, double h) override;
+  void couple(Couplings& to) const override;
+  void update_ghosts() override;
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  double round_off(const Kinematics& at, double h) const override;
+  std::vector<HistoryKind> history() const override;
+  std::vector<HistoryRecord> save() const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
+
+ private:
+  struct Link {
+    Attached a, b;
+    LinkLaw law;
+    int owner = -1;                            // mesh node, of the first end that one carries
+    bool here = false, counted = false;        // this rank has both ends; counts it
+    double damping = 0, work = 0;              // J, over the accepted steps
+    double damping_power = 0, work_power = 0;  // W, at the start of the step
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("damping", "J", self.damping), each("work", "J", self.work);
+    }
+  };
+  // Its ends and its force in a state.
+  struct Stretched {
+    AttachedNow a, b;
+    LinkForce force;
+  };
+  Stretched stretched(const Link& link, const Kinematics& at, bool convex = false) const;
+  void powers(const Link& link, const Kinematics& at, double& damping, double& work) const;
+  bool owned(int node) const;  // of the mesh
+
+  const LocalMesh& mesh_;
+  std::shared_ptr<const Bodies> bodies_;
+  std::vector<Link> list_;
+  bool told_ = false;
+};
+
+}  // namespace hawser

@@ -1,0 +1,17 @@
+#include "hawser/mesh/fed_start.hpp"
+
+namespace hawser {
+
+FedStart fed_start(const Mesh& mesh, const LineSpan& span, bool at_b, double stock) {
+  const auto length = [&](int i) {
+    return mesh.elements[static_cast<size_t>(span.first_element + (at_b ? span.elements - 1 - i : i))].length;
+  };
+  FedStart out;
+  double inside = 0;
+  while (out.inside + 1 < span.elements && length(out.inside) < 2 * (stock - inside))
+    inside += length(out.inside++);
+  out.length = length(out.inside) - (stock - inside);
+  return out;
+}
+
+}  // namespace hawser

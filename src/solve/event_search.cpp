@@ -1,0 +1,49 @@
+// The class EventSearch.
+#include "hawser/solve/event_search.hpp"
+
+#include <algorithm>
+
+namespace hawser {
+namespace {
+
+constexpr double kAim = 0.5;  // tolerances: the middle of where a step may end
+
+// An end that stays while the other is replaced a second time in a row counts for less: as much as the value
+// there fell from `before` to `now`.
+void weigh(std::vector<double>& stays, const std::vector<double>& before, const std::vector<double>& now) {
+  for (size_t i = 0; i < stays.size(); ++i) {
+    const double rest = 1 - now[i] / before[i];
+    stays[i] *= rest > 0 && rest < 1 ? rest : 0.5;
+  }
+}
+
+}  // namespace
+
+double EventSearch::next(double h, double shortest, const std::vector<double>& end,
+                         const std::function<std::vector<double>()>& at_start) {
+  const bool beyond = std::any_of(end.begin(), end.end(), [](double g) { return g > 1; });
+  const bool there = std::any_of(end.begin(), end.end(), [](double g) { return g >= 0; });
+  if (beyond ? h - before_ <= 2 * shortest : beyond_ == 0 || there) return h;
+  std::vector<double> now(end);
+  for (double& g : now) g -= kAim;
+  if (beyond) {
+    if (beyond_ == 0) {
+      left_ = at_start();
+      for (double& g : left_) g -= kAim;
+    }
+    if (moved_ == 1) weigh(left_, right_, now);
+    right_ = now, beyond_ = h, moved_ = 1;
+  } else {
+    if (moved_ == -1) weigh(right_, left_, now);
+    left_ = now, before_ = h, moved_ = -1;
+  }
+  double share = 1;  // of the way between the two, to the first event; what has risen from the start is none
+  for (size_t i = 0; i < left_.size(); ++i)
+    if (left_[i] < 0 && right_[i] > 0) share = std::min(share, left_[i] / (left_[i] - right_[i]));
+  if (share == 1) return h;
+  const double least = before_ + shortest;
+  return std::min(std::max(before_ + share * (beyond_ - before_), least),
+                  std::max(beyond_ - shortest, least));
+}
+
+}  // namespace hawser

@@ -1,0 +1,167 @@
+// The class Links: which ranks have a link, its force and tangent on what carries its ends, its energy, and
+// the work of dampers and of bodies with prescribed motion.
+#include "hawser/terms/links.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace hawser {
+namespace {
+
+Attached attached(const model::LinkEnd& e, const model::Case& c, const LocalMesh& mesh) {
+  Attached a;
+  a.at = e.at;
+  if (!e.line.empty()) a.node = mesh.mesh->nearest_node(c.line_index(e.line), e.arc);
+  if (!e.body.empty()) a.body = c.body_index(e.body);
+  return a;
+}
+
+}  // namespace
+
+Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
+             const Kinematics& start)
+    : mesh_(mesh), bodies_(std::move(bodies)) {
+  std::vector<double> places;  // of both ends, from the ranks that own what carries them
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  for (const model::Link& m : c.links) {
+    Link& l = list_.emplace_back();
+    l.a = attached(m.end_a, c, mesh), l.b = attached(m.end_b, c, mesh);
+    l.law = m.law;
+    for (const Attached* e : {&l.a, &l.b}) {
+      const int carrier = e->carrier(*bodies_);
+      if (l.owner < 0) l.owner = carrier;
+      const bool tell = carrier < 0 ? rank == 0 : owned(carrier);
+      const Vec3 x = tell ? attached_now(*e, start, mesh_, *bodies_).x : Vec3(Vec3::Zero());
+      places.insert(places.end(), x.begin(), x.end());
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, places.data(), static_cast<int>(places.size()), MPI_DOUBLE, MPI_SUM, comm);
+  for (size_t i = 0; i < list_.size(); ++i) {
+    if (c.links[i].rest_given) continue;
+    double& rest = list_[i].law.rest_length;
+    rest = (Vec3(&places[6 * i + 3]) - Vec3(&places[6 * i])).norm();
+    if (!(rest > 0))
+      c.refuse(
+          "links." + c.links[i].name,
+          "its ends start at the same point, so that it has no length: give it a 'rest_length', which may be "
+          "0, or place its ends apart");
+  }
+  update_ghosts();
+}
+
+bool Links::owned(int node) const {
+  const int local = node < 0 ? -1 : mesh_.find(node);
+  return local >= 0 && local < mesh_.owned;
+}
+
+bool Links::recouple(const Kinematics&, double) {
+  const bool first = !told_;
+  told_ = true;
+  return first;
+}
+
+void Links::couple(Couplings& to) const {
+  for (const Link& l : list_) {
+    const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
+    if (a >= 0 && b >= 0 && (owned(a) || owned(b))) to.add({a, a}, {b, b});
+  }
+}
+
+void Links::update_ghosts() {
+  for (Link& l : list_) {
+    const int a = l.a.carrier(*bodies_), b = l.b.carrier(*bodies_);
+    l.here = (owned(a) || owned(b)) && (a < 0 || mesh_.find(a) >= 0) && (b < 0 || mesh_.find(b) >= 0);
+    l.counted = l.here && owned(l.owner);
+  }
+}
+
+Links::Stretched Links::stretched(const Link& l, const Kinematics& at, bool convex) const {
+  Stretched s{attached_now(l.a, at, mesh_, *bodies_), attached_now(l.b, at, mesh_, *bodies_), {}};
+  s.force = link_force(l.law, s.b.x - s.a.x, s.b.v - s.a.v, convex);
+  return s;
+}
+
+Links::Now Links::now(size_t i, const Kinematics& at) const {
+  const Link& l = list_[i];
+  return l.counted ? Now{true, stretched(l, at).force} : Now{};
+}
+
+void Links::evaluate(const Kinematics& trial, Assembler& assembler) {
+  for (const Link& l : list_) {
+    if (!l.here) continue;
+    const Stretched s = stretched(l, trial, assembler.convex());
+    const auto between = [](const Mat3& of) {
+      Mat6 m;
+      m << of, -of, -of, of;
+      return m;
+    };
+    Vec6 f;
+    f << -s.force.pull, s.force.pull;
+    add_between(assembler, s.a, s.b, f, between(s.force.by_place), between(s.force.by_rate));
+  }
+}
+
+// Bodies with prescribed motion bring in the force that they exert on the link's end times its velocity.
+void Links::powers(const Link& l, const Kinematics& at, double& damping, double& work) const {
+  const Stretched s = stretched(l, at);
+  damping = s.force.along.dissipated, work = 0;
+  if (l.a.carrier(*bodies_) < 0) work -= s.force.pull.dot(s.a.v);
+  if (l.b.carrier(*bodies_) < 0) work += s.force.pull.dot(s.b.v);
+}
+
+void Links::prepare(const Kinematics& committed, double) {
+  for (Link& l : list_)
+    if (l.counted) powers(l, committed, l.damping_power, l.work_power);
+}
+
+void Links::commit(const Kinematics& accepted) {
+  if (!(accepted.step > 0)) return;
+  for (Link& l : list_) {
+    if (!l.counted) continue;
+    double damping = 0, work = 0;
+    powers(l, accepted, damping, work);
+    l.damping += 0.5 * accepted.step * (damping + l.damping_power);
+    l.work += 0.5 * accepted.step * (work + l.work_power);
+  }
+}
+
+Energy Links::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Link& l : list_) {
+    if (!l.counted) continue;
+    e.strain += stretched(l, at).force.along.energy;
+    e.damping += l.damping, e.work += l.work;
+  }
+  return e;
+}
+
+// A spring sees a difference of positions.
+double Links::round_off(const Kinematics& at, double) const {
+  const double eps = std::numeric_limits<double>::epsilon();
+  double sum = 0;
+  for (const Link& l : list_)
+    if (l.counted) sum += std::pow(4 * eps * l.law.most_stiffness() * stretched(l, at).b.x.norm(), 2);
+  return sum;
+}
+
+std::vector<HistoryKind> Links::history() const { return {history_kind<Link>("sums of a link")}; }
+
+std::vector<HistoryRecord> Links::save() const {
+  std::vector<HistoryRecord> out;
+  for (size_t i = 0; i < list_.size(); ++i)
+    if (list_[i].counted) out.push_back(record_of(list_[i].owner, static_cast<int>(i), list_[i]));
+  return out;
+}
+
+void Links::restore(const std::vector<HistoryRecord>& records) {
+  for (const HistoryRecord& r : records) {
+    if (r.key < 0 || static_cast<size_t>(r.key) >= list_.size()) continue;
+    Link& l = list_[static_cast<size_t>(r.key)];
+    if (!owned(l.owner)) continue;  // the other end may not be here yet
+    const Link kept = entry<Link>(r);
+    l.damping = kept.damping, l.work = kept.work;
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,128 @@
+// What is remembered on its way along a line: sums stay, nothing grows, and the work on what enters and
+// leaves.
+#include "hawser/kernels/carried_bends.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser::test::carried_bends {
+namespace {
+
+using Values = std::vector<double>;
+using Cells = std::vector<RememberedCell>;
+
+void add(Cells& to, double from, double end, const Values& v) {
+  for (const RememberedCell& c : remembered_cells(from, end, v.data(), v.size() / 3)) to.push_back(c);
+}
+double sum(double from, double to, const Values& v) {
+  double all = 0;
+  for (const RememberedCell& c : remembered_cells(from, to, v.data(), 1))
+    all += (c.to - c.from) * c.values[0];
+  return all;
+}
+
+// Divided and joined: sums over the length stay, and nothing is beyond what was there.
+TEST(CarriedBends, DividedAndJoined) {
+  const Values whole{1, 3, 2};
+  Cells cells;
+  add(cells, 0, 1.4, whole);
+  Values a(3), b(3), both(3);
+  remember_cells(cells, 1, 0, 0.9, a.data()), remember_cells(cells, 1, 0.9, 1.4, b.data());
+  EXPECT_NEAR(sum(0, 0.9, a) + sum(0.9, 1.4, b), sum(0, 1.4, whole), 1e-14);
+  cells.clear();
+  add(cells, 0, 0.9, a), add(cells, 0.9, 1.4, b);
+  remember_cells(cells, 1, 0, 1.4, both.data());
+  EXPECT_NEAR(sum(0, 1.4, both), sum(0, 1.4, whole), 1e-14);
+  EXPECT_GE(*std::min_element(both.begin(), both.end()), 1);
+  EXPECT_LE(*std::max_element(both.begin(), both.end()), 3);
+}
+
+// What leaves a feeder, 1 over the first 0.4 m, then 0, then 3: in many steps, and back into it.
+TEST(CarriedBends, PaidOutAndHauledIn) {
+  Values now{1, 1, 1};
+  const Values none{0}, more{3};
+  double length = 0.4, expected = 0.4;
+  for (int i = 0; i < 300; ++i) {
+    const Values was = now;
+    const double to = length + 0.002;
+    Cells cells;
+    add(cells, 0, length, was);
+    cells.push_back({length, to, (i < 150 ? none : more).data()});
+    remember_cells(cells, 1, 0, to, now.data());
+    expected += 0.002 * (i < 150 ? 0 : 3), length = to;
+    EXPECT_NEAR(sum(0, length, now), expected, 1e-12);
+    EXPECT_GE(*std::min_element(now.begin(), now.end()), 0);
+    EXPECT_LE(*std::max_element(now.begin(), now.end()), i < 150 ? 1 : 3);
+  }
+  printf("  1 over 0.4 m, then 0 over 0.3 m, then 3 over 0.3 m: %.3f %.3f %.3f\n", now[0], now[1], now[2]);
+  EXPECT_GT(now[2], 2);
+  EXPECT_NEAR(now[0], 1, 0.15);  // an edge is smeared over the cells that it went through
+  // What is the same everywhere stays so.
+  for (const double to : {0.7, 0.3, 0.9}) {
+    const Values same{2, 2, 2};
+    Cells cells;
+    add(cells, 0, 0.5, same), cells.push_back({0.5, 1, same.data()});
+    remember_cells(cells, 1, 0, to, now.data());
+    for (const double v : now) EXPECT_NEAR(v, 2, 1e-14);
+  }
+}
+
+PlasticBending law() {
+  return PlasticBending(std::vector<PlasticBending::Row>{{0.02, 100e3}, {0.06, 140e3}, {0.5, 200e3}});
+}
+
+BeamSection section(const PlasticBending& p, bool yields) {
+  BeamSection s;
+  s.length = 0.8, s.EA = 1e9, s.EI2 = s.EI3 = p.initial(), s.GJ = 4e6;
+  if (yields) s.plastic = &p;
+  return s;
+}
+
+// Bent by so much at either end [rad].
+BeamEnds bent(double length, const Vec3& at1, const Vec3& at2) {
+  return {Vec3::Zero(), Vec3(length, 0, 0), Quat(exp_so3(at1)), Quat(exp_so3(at2))};
+}
+
+// Below yield a feeder works against M²/2EI, whatever the shape, at either end.
+TEST(CarriedBends, WorkOnElasticBends) {
+  const PlasticBending p = law();
+  const BeamEnds e = bent(0.79, {0, 0.0015, -0.0007}, {0, -0.003, 0.0025});
+  const Values never(p.memory(), 0);
+  const BeamSection linear = section(p, false), yields = section(p, true);
+  const double felt = beam_feed(linear, {}, e).force - beam_feed(yields, {}, e).force;
+  EXPECT_GT(felt, 50);
+  for (const bool at_b : {false, true})
+    for (const double* entering : {never.data(), static_cast<const double*>(nullptr)})
+      EXPECT_NEAR(fed_bending_work(yields, {}, e, at_b, entering), -felt, 1e-9 * felt) << at_b;
+}
+
+// An arc that has yielded: what enters is bent from straight, on the curve of the first bend; what leaves
+// gives back what can be had of it and takes what is locked in.
+TEST(CarriedBends, WorkOnAnArcThatYielded) {
+  const PlasticBending p = law();
+  const BeamSection s = section(p, true);
+  const double c = 0.2, M = p.at(c, 0, nullptr).m[0];
+  const BeamEnds e = bent(0.79, {0, -0.5 * c * s.length, 0}, {0, 0.5 * c * s.length, 0});
+  Values set(3 * p.memory(), 0);
+  beam_bend(s, {}, e, set.data());
+  BeamReference r;
+  r.set = set.data();
+  const Values never(p.memory(), 0);
+  const double area =
+      0.5 * 0.02 * 100e3 + 0.04 * 120e3 + 0.14 * 0.5 * (140e3 + M);  // below the curve, by hand
+  Values one(p.memory(), 0);
+  p.bend(c, 0, one.data());
+  const double stored = p.at(c, 0, one.data()).energy;
+  for (const bool at_b : {false, true}) {
+    EXPECT_NEAR(fed_bending_work(s, r, e, at_b, never.data()), area - M * c, 1e-6 * M * c);
+    EXPECT_NEAR(fed_bending_work(s, r, e, at_b, nullptr), stored - M * c, 1e-6 * M * c);
+  }
+}
+
+}  // namespace
+}  // namespace hawser::test::carried_bends
