@@ -124,6 +124,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     if (!c.statics.enabled) sim.check_inside();
   }
 
+  Events events(comm, sim);
   if (restarted) {
     progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
     if (checkpoint.time >= end * (1 - 1e-12))
@@ -131,7 +132,12 @@ int run(MPI_Comm comm, const RunOptions& options) {
   } else if (c.statics.enabled) {
     {
       const Stage stage("statics");
-      solve_statics(sim, progress);
+      if (c.stages.empty()) solve_statics(sim, progress);
+      for (const std::string& name : c.stages) {
+        progress.say(fmt::format("stage {} of statics", name));
+        for (const std::string& e : events.stage(name)) progress.say(e);
+        solve_statics(sim, progress, name != c.stages.front());
+      }
     }
     give_back_memory();
   }
@@ -139,7 +145,6 @@ int run(MPI_Comm comm, const RunOptions& options) {
   Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes),
                     run_info(c, options.options_text, size), restarted ? &checkpoint : nullptr,
                     place.appends());
-  Events events(comm, sim);
   Feeding feeding(sim);
   if (restarted) {
     for (const std::string& e : events.restore(checkpoint)) progress.say(e);
@@ -203,7 +208,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     };
     try {
       d.run(
-          end, [&](double t) { return times.next(t); }, observer);
+          end, [&](double t) { return std::min(times.next(t), events.next(t)); }, observer);
     } catch (const SolveError& e) {
       save_state();
       std::vector<std::string> messages = progress.messages();

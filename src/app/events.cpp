@@ -1,163 +1,242 @@
-// The class Events: which event happens at a state, and what it does to the supports.
+// The class Events: which event happens at a state, and what is told and kept of it.
 #include "hawser/app/events.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/terms/feeders.hpp"
 
 namespace hawser::app {
 namespace {
 
-// How far a step may go beyond the tension at which something happens, of that tension.
-constexpr double kNear = 1e-3;
+using model::Action;
+using model::Cause;
 
-const std::string kHappened = "event.";  // in a checkpoint, before the name
+// How far a step may go beyond a condition: of a tension, and m of a length.
+constexpr double kNear = 1e-3;
 
 double slack(double time) { return 1e-9 * std::max(1.0, time); }
 
-}  // namespace
-
-Events::Events(MPI_Comm comm, Simulation& simulation)
-    : comm_(comm), sim_(simulation), ends_(simulation.system()) {
-  const model::Case& c = sim_.model();
-  bool by_tension = false;
-  for (const model::Release& r : c.events) {
-    const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(c.line_index(r.line))];
-    events_.push_back({r, span.first_node + (r.at_b ? span.nodes - 1 : 0),
-                       fmt::format("end {} of line {}", r.at_b ? 'B' : 'A', r.line)});
-    by_tension |= r.time < 0;
-  }
-  if (by_tension) sim_.dynamics().watch([this](const Kinematics& trial) { return functions(trial); });
+double tolerance(const Cause& c) {
+  return c.kind == Cause::Kind::tension ? kNear * std::max(std::abs(c.limit), 1.0) : kNear;
 }
 
-std::vector<double> Events::tensions(const Kinematics& at) {
+}  // namespace
+
+bool Events::waits_for_condition(const Happening& h) {
+  const Cause::Kind kind = h.what.cause.kind;
+  return kind != Cause::Kind::time && kind != Cause::Kind::after && kind != Cause::Kind::stage;
+}
+
+Events::Events(MPI_Comm comm, Simulation& simulation)
+    : comm_(comm), sim_(simulation), ends_(simulation.system(), simulation.feeders()), actions_(simulation) {
+  const model::Case& c = sim_.model();
+  for (const model::Event& e : c.events) {
+    Happening h;
+    h.what = e;
+    const Cause& cause = e.cause;
+    if (cause.kind == Cause::Kind::paid_out) {
+      const auto& feeders = sim_.feeders()->list();
+      for (size_t f = 0; f < feeders.size(); ++f)
+        if (feeders[f].line == c.line_index(cause.line) && feeders[f].at_b == (cause.arc > 0))
+          h.feeder = static_cast<int>(f);
+    } else if (!cause.line.empty()) {
+      h.node = sim_.mesh().nearest_node(c.line_index(cause.line), cause.arc);
+    } else if (cause.kind == Cause::Kind::near) {
+      h.node = actions_.node(e.action);
+    }
+    for (size_t k = 0; k < c.events.size() && cause.kind == Cause::Kind::after; ++k)
+      if (c.events[k].name == cause.event) h.after = static_cast<int>(k);
+    events_.push_back(std::move(h));
+  }
+}
+
+void Events::watch() {
+  if (std::any_of(events_.begin(), events_.end(), waits_for_condition))
+    sim_.dynamics().watch([this](const Kinematics& trial) { return conditions(values(trial)); });
+}
+
+double Events::local_value(const Happening& h, const Kinematics& at) const {
   const LocalMesh& local = sim_.local();
-  ends_.evaluate(at, std::vector<Vec3>(static_cast<size_t>(local.nodes()), Vec3::Zero()));
-  std::vector<double> out(events_.size(), 0);
+  const Cause& cause = h.what.cause;
+  const int n = h.node < 0 ? -1 : local.find(h.node);
+  const bool own = n >= 0 && n < local.owned;
+  switch (cause.kind) {
+    case Cause::Kind::position:
+      if (!cause.body.empty()) {
+        const auto pose = sim_.body_pose(sim_.model().body_index(cause.body), at);
+        return pose ? pose->position[cause.axis] : -HUGE_VAL;
+      }
+      return own ? at.x[static_cast<size_t>(n)][cause.axis] : -HUGE_VAL;
+    case Cause::Kind::paid_out: {
+      const Feeders& feeders = *sim_.feeders();
+      const Feeder& f = feeders.list()[static_cast<size_t>(h.feeder)];
+      if (!feeders.at_mouth(f)) return -HUGE_VAL;
+      return feeders.outside(f) - f.length + feeders.mouth(f, at, true).length - f.outside_at_start;
+    }
+    case Cause::Kind::near:
+      return own ? actions_.away(h.what.action, at) : -HUGE_VAL;
+    default:
+      break;
+  }
+  return local_tension(h.node);
+}
+
+double Events::local_tension(int node) const {
+  const int n = sim_.local().find(node);
   for (const EndForces::Place& p : ends_.places())
-    for (size_t e = 0; e < events_.size(); ++e)
-      if (p.end >= 0 && local.global[static_cast<size_t>(p.node)] == events_[e].node)
-        out[e] = p.at_end().tension();
+    if (p.node == n)
+      return p.end >= 0 ? p.at_end().tension() : std::max(p.sides[0].tension(), p.sides[1].tension());
+  return -HUGE_VAL;
+}
+
+std::vector<double> Events::values(const Kinematics& at) {
+  ends_.evaluate(at, std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
+  std::vector<double> out;
+  for (const Happening& h : events_) out.push_back(local_value(h, at));
   MPI_Allreduce(MPI_IN_PLACE, out.data(), static_cast<int>(out.size()), MPI_DOUBLE, MPI_MAX, comm_);
   return out;
 }
 
-std::vector<double> Events::functions(const Kinematics& at) {
-  std::vector<double> out = tensions(at);
+std::vector<double> Events::conditions(const std::vector<double>& values) const {
+  std::vector<double> out;
   for (size_t e = 0; e < events_.size(); ++e) {
-    const double tension = events_[e].what.tension;
-    const bool awaited = events_[e].happened < 0 && events_[e].what.time < 0;
-    out[e] = awaited ? (out[e] - tension) / (kNear * tension) : -1;
+    const Cause& c = events_[e].what.cause;
+    const bool waits = events_[e].happened < 0 && waits_for_condition(events_[e]);
+    out.push_back(waits ? (c.below ? c.limit - values[e] : values[e] - c.limit) / tolerance(c) : -1);
   }
   return out;
 }
 
-std::vector<Support> Events::remaining_supports() const {
-  const LocalMesh& local = sim_.local();
-  std::vector<Support> out;
-  for (const Support& s : sim_.system().supports().list()) {
-    const int node = local.global[static_cast<size_t>(s.node)];
-    if (std::none_of(events_.begin(), events_.end(),
-                     [&](const Event& e) { return e.happened >= 0 && e.node == node; }))
-      out.push_back(s);
+void Events::refuse_met(const std::vector<double>& values) const {
+  const std::vector<double> g = conditions(values);
+  for (size_t e = 0; e < events_.size(); ++e) {
+    if (!(g[e] >= 0)) continue;
+    const model::Event& what = events_[e].what;
+    const bool pulls = what.cause.kind == Cause::Kind::tension;
+    sim_.model().refuse(
+        fmt::format("events[{}]", e),
+        fmt::format(
+            "{} would be {} before anything moves: {:.6g} {} at the start is {} {:g} {} already; give "
+            "another limit, or 'time: 0'",
+            what.action.subject(), what.action.participle(), values[e], pulls ? "N" : "m",
+            what.cause.below ? "below" : "above", what.cause.limit, pulls ? "N" : "m"));
   }
+}
+
+double Events::due(const Happening& h) const {
+  const Cause& c = h.what.cause;
+  if (c.kind == Cause::Kind::time) return c.time;
+  if (c.kind != Cause::Kind::after) return HUGE_VAL;
+  const double first = events_[static_cast<size_t>(h.after)].happened;
+  return first < 0 ? HUGE_VAL : first + c.time;
+}
+
+double Events::next(double time) const {
+  double out = HUGE_VAL;
+  for (const Happening& h : events_)
+    if (h.happened < 0 && due(h) > time + slack(time)) out = std::min(out, due(h));
   return out;
 }
 
-void Events::refuse_reached(const std::vector<double>& pull) const {
-  for (size_t e = 0; e < events_.size(); ++e)
-    if (events_[e].happened < 0 && events_[e].what.time < 0 && pull[e] >= events_[e].what.tension)
-      sim_.model().refuse(fmt::format("events[{}].tension", e),
-                          fmt::format("{} pulls with {:.6g} N at the start already, and would be released "
-                                      "before anything moves; give a higher tension, or 'time: 0'",
-                                      events_[e].name, pull[e]));
-}
-
-// Marks what happens at a state, and tells it.
-std::vector<std::string> Events::release(const Kinematics& at, const std::vector<double>& pull) {
-  std::vector<std::string> told;
+std::vector<size_t> Events::due_at(double time, const std::vector<double>& values,
+                                   const std::string& stage) const {
+  const std::vector<double> g = conditions(values);
+  std::vector<size_t> out;
   for (size_t i = 0; i < events_.size(); ++i) {
-    Event& e = events_[i];
-    const bool due =
-        e.what.time >= 0 ? at.time >= e.what.time - slack(e.what.time) : pull[i] >= e.what.tension;
-    if (e.happened >= 0 || !due) continue;
-    e.happened = at.time;
-    told.push_back(fmt::format("note: t = {:.6g} s: {} is released, with a tension of {:.6g} N", at.time,
-                               e.name, pull[i]));
-    for (const LeftOut& out : sim_.left_out()) {
-      const double length = e.what.at_b ? out.end_b : out.end_a;
-      if (out.line == sim_.model().line_index(e.what.line) && length > 0)
-        told.push_back(
-            fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the "
-                        "line from there on go through it as if it were not there",
-                        e.name, sim_.contact()->volume_name(out.volume), length));
-    }
+    const Cause& c = events_[i].what.cause;
+    const bool now = stage.empty() ? g[i] >= 0 || time >= due(events_[i]) - slack(time)
+                                   : c.kind == Cause::Kind::stage && c.event == stage;
+    if (events_[i].happened < 0 && now) out.push_back(i);
   }
-  return told;
+  return out;
 }
+
+void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
+                    std::vector<std::string>& told) {
+  Happening& h = events_[i];
+  const Action& a = h.what.action;
+  h.found = actions_.act(a, at);
+  h.happened = at.time;
+  std::string how;
+  if (a.kind == Action::Kind::release) {
+    double tension = local_tension(actions_.node(a));
+    MPI_Allreduce(MPI_IN_PLACE, &tension, 1, MPI_DOUBLE, MPI_MAX, comm_);
+    how = fmt::format(", with a tension of {:.6g} N", tension);
+  }
+  if (a.at) how = fmt::format(", {:.3g} m from the place", h.found.away);
+  told.push_back(fmt::format("note: {}: {} is {}{}",
+                             stage.empty() ? fmt::format("t = {:.6g} s", at.time) : "stage " + stage,
+                             a.subject(), a.participle(), how));
+  if (a.kind != Action::Kind::release) return;
+  for (const LeftOut& out : sim_.left_out()) {
+    const double length = a.at_b ? out.end_b : out.end_a;
+    if (out.line == sim_.model().line_index(a.line) && length > 0)
+      told.push_back(
+          fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the "
+                      "line from there on go through it as if it were not there",
+                      a.subject(), sim_.contact()->volume_name(out.volume), length));
+  }
+}
+
+// In the state from which dynamics or a stage begins.
+std::vector<std::string> Events::at_rest(const std::string& stage) {
+  const Kinematics at = sim_.state().view(0);
+  System& system = sim_.system();
+  std::vector<std::string> told;
+  for (;;) {
+    const std::vector<size_t> now = due_at(at.time, values(at), stage);
+    if (now.empty()) return told;
+    actions_.begin();
+    for (const size_t i : now) happen(i, at, stage, told);
+    system.support(actions_.supports(), BodyMotion(system.supports().motion()));
+  }
+}
+
+std::vector<std::string> Events::stage(const std::string& name) { return at_rest(name); }
 
 std::vector<std::string> Events::begin() {
   if (events_.empty()) return {};
-  const Kinematics at = sim_.state().view(0);
-  const std::vector<double> pull = tensions(at);
-  refuse_reached(pull);
-  std::vector<std::string> told = release(at, pull);
-  System& system = sim_.system();
-  if (!told.empty()) system.support(remaining_supports(), BodyMotion(system.supports().motion()));
-  return told;
+  watch();
+  refuse_met(values(sim_.state().view(0)));
+  return at_rest("");
 }
 
 std::vector<std::string> Events::apply_due() {
-  if (events_.empty()) return {};
-  const Kinematics at = sim_.dynamics().kinematics();
-  std::vector<std::string> told = release(at, tensions(at));
-  if (!told.empty()) sim_.dynamics().release(remaining_supports());
+  std::vector<std::string> told;
+  Dynamics& d = sim_.dynamics();
+  const auto energy = [&] {
+    const Energy e = sim_.system().energy(d.committed().s.view(d.control().proposal()));
+    return e.kinetic + e.strain + e.potential + e.friction + e.damping + e.unresolved - e.work;
+  };
+  const auto waits = [](const Happening& h) { return h.happened < 0; };
+  while (std::any_of(events_.begin(), events_.end(), waits)) {
+    const Kinematics at = d.kinematics();
+    const std::vector<size_t> now = due_at(at.time, values(at), "");
+    if (now.empty()) break;
+    // An impact takes energy, contact that ends lets go of what it held.
+    const bool changes = std::any_of(now.begin(), now.end(), [this](size_t i) {
+      return events_[i].what.action.kind != Action::Kind::release;
+    });
+    const double before = changes ? energy() : 0;
+    actions_.begin();
+    for (const size_t i : now) happen(i, at, "", told);
+    d.release(actions_.supports());
+    if (changes) d.add_support_work(energy() - before);
+  }
   return told;
 }
 
 std::vector<std::string> Events::not_happened() const {
   std::vector<std::string> out;
-  for (const Event& e : events_)
-    if (e.happened < 0)
-      out.push_back(fmt::format("{} was not released: {}", e.name,
-                                e.what.time >= 0
-                                    ? fmt::format("the run ended before t = {:g} s", e.what.time)
-                                    : fmt::format("its tension did not reach {:g} N", e.what.tension)));
+  for (const Happening& h : events_)
+    if (h.happened < 0)
+      out.push_back(fmt::format("{} was not {}: it was to be {}, and the run ended before that",
+                                h.what.action.subject(), h.what.action.participle(), h.what.cause.text()));
   return out;
-}
-
-void Events::save(io::Checkpoint& to) const {
-  for (const Event& e : events_)
-    if (e.happened >= 0) to.scalars[kHappened + e.name] = e.happened;
-}
-
-std::vector<std::string> Events::restore(const io::Checkpoint& from) {
-  std::vector<std::string> told;
-  for (const auto& [key, time] : from.scalars) {
-    if (!key.starts_with(kHappened)) continue;
-    const std::string name = key.substr(kHappened.size());
-    const auto event =
-        std::find_if(events_.begin(), events_.end(), [&](const Event& e) { return e.name == name; });
-    if (event == events_.end())
-      throw InputError(
-          fmt::format("{}: events: {} was released at t = {:g} s of the run that this one goes on "
-                      "from, and no event says so; keep that event in the case",
-                      sim_.model().path, name, time));
-    event->happened = time;
-    told.push_back(fmt::format("note: {} was released at t = {:.6g} s", name, time));
-  }
-  for (const Event& e : events_)
-    if (e.happened < 0 && e.what.time >= 0 && e.what.time < from.time - slack(from.time))
-      throw InputError(fmt::format(
-          "{}: events: {} was to be released at {:g} s, before t = {:g} s from which the run goes "
-          "on, and was not; give it a later time",
-          sim_.model().path, e.name, e.what.time, from.time));
-  if (told.empty()) return told;
-  System& system = sim_.system();
-  system.support(remaining_supports(), BodyMotion(system.supports().motion()));
-  return told;
 }
 
 }  // namespace hawser::app

@@ -14,8 +14,8 @@ OutputTimes::OutputTimes(const model::Case& c)
     : every(c.output.every > 0 ? c.output.every : c.dynamics.duration / 100),
       keep(c.output.checkpoint_every),
       jumps_(model::velocity_jumps(c.bodies)) {
-  for (const model::Release& r : c.events)
-    if (r.time >= 0) jumps_.push_back(r.time);
+  for (const model::Event& e : c.events)
+    if (e.cause.kind == model::Cause::Kind::time) jumps_.push_back(e.cause.time);
   std::sort(jumps_.begin(), jumps_.end());
 }
 

@@ -92,12 +92,14 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
   return std::move(met.model);
 }
 
-StaticsReport solve_statics(Simulation& sim, Progress& progress) {
+StaticsReport solve_statics(Simulation& sim, Progress& progress, bool further) {
   const model::Case& c = sim.model();
   const size_t told = sim.notes().size();
-  const StaticsReport s = sim.solve_statics([&](const StaticsReport& now) {
-    progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-  });
+  const StaticsReport s = sim.solve_statics(
+      [&](const StaticsReport& now) {
+        progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+      },
+      further);
   for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
   progress.say(fmt::format(
       "statics: {} iterations{}{}", s.iterations,

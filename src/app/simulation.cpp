@@ -57,10 +57,11 @@ std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const 
     const std::vector<int> fed = feeders->fed_nodes();
     let_go.insert(fed.begin(), fed.end());
   }
-  for (const model::Release& r : c.events) {
-    const LineSpan& span = local.mesh->lines[static_cast<size_t>(c.line_index(r.line))];
-    let_go.insert(span.first_node + (r.at_b ? span.nodes - 1 : 0));
-  }
+  for (const model::Event& e : c.events)
+    if (e.action.kind == model::Action::Kind::release) {
+      const LineSpan& span = local.mesh->lines[static_cast<size_t>(c.line_index(e.action.line))];
+      let_go.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
+    }
   std::vector<int> held;
   for (const Support& s : supports)
     if (s.position_mask != 0 && !let_go.count(local.global[static_cast<size_t>(s.node)]))
@@ -278,7 +279,7 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
   report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
 }
 
-StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> told) {
+StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> told, bool further) {
   const auto enable_friction = [this](bool on) {
     if (contact_) contact_->enable_friction(on);
     if (line_pairs_) line_pairs_->enable_friction(on);
@@ -289,7 +290,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
     if (contact_) contact_->enable_friction(true);
     if (line_pairs_) line_pairs_->enable_friction(true);
   }
-  lay_at_start();
+  if (!further) lay_at_start();
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
   if (floating_) floating_->hold(true);
   if (bodies_in_water_) bodies_in_water_->hold(true);
@@ -339,6 +340,21 @@ void Simulation::check_inside() const {
   const std::string wrong =
       still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, volumes_, start_contact_);
   if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
+}
+
+std::string Simulation::inside(int volume, const Kinematics& at) const {
+  ContactVolume v = volumes_[static_cast<size_t>(volume)];
+  v.off = false;
+  std::vector<LeftOut> left_out;
+  for (LeftOut l : start_contact_.left_out)
+    if (l.volume == volume) l.volume = 0, left_out.push_back(l);
+  bodies_->tell(system_->comm(), at);
+  return inside_text(system_->comm(), case_, local(), at, *bodies_, v, left_out);
+}
+
+void Simulation::enable_contact(const std::string& volume, bool on) {
+  for (size_t v = 0; v < volumes_.size(); ++v)
+    if (volumes_[v].settings.name == volume) volumes_[v].off = !on, contact_->enable(static_cast<int>(v), on);
 }
 
 DynamicsSettings Simulation::dynamics_settings() const {

@@ -164,7 +164,7 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
     if (line.start != model::Start::automatic && line.start != model::Start::catenary) continue;
-    if (!c.contact.takes_part(line) || line.end_a.kind == model::EndKind::free ||
+    if (line.whole || !c.contact.takes_part(line) || line.end_a.kind == model::EndKind::free ||
         line.end_b.kind == model::EndKind::free)
       continue;
     chords[l] = {true, model::end_position(c, line.end_a), model::end_position(c, line.end_b)};
@@ -222,10 +222,21 @@ std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
   std::vector<ContactVolume> out;
   for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
     const int body = c.body_index(c.volumes[v].body);
-    if (c.contact.takes_part(c.volumes[v]) && !c.lines.empty())
-      out.push_back({surfaces[v], body, c.volumes[v]});
+    if (!c.contact.takes_part(c.volumes[v]) || c.lines.empty()) continue;
+    out.push_back({surfaces[v], body, c.volumes[v]});
+    out.back().off = c.off_at_start(c.volumes[v]);
   }
   return out;
+}
+
+std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+                        const Bodies& bodies, const ContactVolume& volume,
+                        const std::vector<LeftOut>& left_out) {
+  std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, {volume});
+  take_off(inside, left_out, *mesh.mesh);
+  if (inside.empty()) return "";
+  return fmt::format("line {} is inside it {}", c.lines[static_cast<size_t>(inside.front().line)].name,
+                     where(inside.front()));
 }
 
 StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,

@@ -15,6 +15,7 @@
 #include "hawser/io/input_file.hpp"
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/cut_lines.hpp"
 #include "hawser/model/doubts.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
@@ -63,8 +64,11 @@ void read_all(const Value& root, const CaseSource& source, const SectionLengths&
   read_supports(root["supports"], source, c);
   read_contact(root["contact"], source, c.contact);
   read_statics(root["statics"], c.statics);
+  for (const Value& v : root["stages"].items) c.stages.push_back(v.text);
   if (time) c.dynamics = read_dynamics(*time);
-  for (const Value& v : root["events"].items) c.events.push_back(read_event(v));
+  const std::vector<Value>& events = root["events"].items;
+  for (std::size_t i = 0; i < events.size(); ++i)
+    c.events.push_back(read_event(events[i], fmt::format("events[{}]", i), source, c));
   read_output(root["output"], source, c);
 }
 
@@ -91,7 +95,7 @@ Case read_document(const std::string& text, const std::string& path, const Readi
   read_all(root, source, {}, c);
   c.tree = tree;
   examine(c);
-  return c;
+  return model::with_cuts(std::move(c));
 }
 
 }  // namespace
@@ -103,7 +107,7 @@ model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm 
   const CaseSource source{c.file, c.directory, comm};
   read_all(*c.tree, source, lengths, out);
   examine(out);
-  return out;
+  return model::with_cuts(std::move(out));
 }
 
 model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news,

@@ -14,16 +14,12 @@ using model::Value;
 namespace {
 
 model::Feed feed(const Value& v, const std::string& path, const SectionLengths& lengths) {
-  model::Feed f;
+  model::Feed f = read_feed_law(v);
   f.stock = v["stock"].number;
   if (const auto found = lengths.find(path + ".stock"); found != lengths.end()) f.stock = found->second;
-  if (v.has("speed")) f.speed = {{0.0, v["speed"].number}};
   if (v.has("speed_table"))
     for (const Value& row : v["speed_table"].items)
       f.speed.emplace_back(row.items[0].number, row.items[1].number);
-  f.tension = number(v, "tension");
-  if (v.has("dead_band")) f.least = v["dead_band"].items[0].number, f.most = v["dead_band"].items[1].number;
-  f.speed_per_tension = number(v, "speed_per_tension"), f.max_speed = number(v, "max_speed");
   return f;
 }
 

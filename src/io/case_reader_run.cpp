@@ -42,11 +42,6 @@ model::Dynamics read_dynamics(const Value& v) {
   return d;
 }
 
-model::Release read_event(const Value& v) {
-  const Value& end = v["release"];
-  return {end["line"].text, end["end"].is("end_b"), number(v, "time", -1), number(v, "tension")};
-}
-
 void read_output(const Value& v, const CaseSource& source, model::Case& c) {
   model::Output& o = c.output;
   o.file = v.has("file") ? source.absolute(v["file"].text)

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/model/case.hpp"
@@ -22,18 +23,28 @@ std::vector<double> graded_lengths(double length, int n, double ratio) {
   return l;
 }
 
-// The end that rotates, or else the first, lends its position to the others of a joint; of a rigid one it
-// carries the others that rotate.
+// Whether an event lets this end go.
+bool released(const model::Case& c, const model::Line& line, bool at_b) {
+  return std::any_of(c.events.begin(), c.events.end(), [&](const model::Event& e) {
+    return e.action.kind == model::Action::Kind::release && e.action.line == line.name &&
+           e.action.at_b == at_b;
+  });
+}
+
+// An end that rotates, or else the first, lends its position to the others of a joint; of a rigid one it
+// carries the others that rotate. One that stays carries those that are released, which have unknowns of
+// their own then.
 void join(const model::Case& c, Mesh& m) {
   for (const model::Joint& joint : c.joints) {
-    std::vector<int> ends;
+    std::vector<int> ends, leaving;
     for (size_t l = 0; l < c.lines.size(); ++l) {
       const LineSpan& span = m.lines[l];
       const auto here = [&](const model::End& e) {
         return e.kind == model::EndKind::joint && e.body == joint.name;
       };
-      if (here(c.lines[l].end_a)) ends.push_back(span.first_node);
-      if (here(c.lines[l].end_b)) ends.push_back(span.first_node + span.nodes - 1);
+      for (const bool b : {false, true})
+        if (here(b ? c.lines[l].end_b : c.lines[l].end_a))
+          (released(c, c.lines[l], b) ? leaving : ends).push_back(span.first_node + (b ? span.nodes - 1 : 0));
     }
     int first = -1;
     for (int n : ends)
@@ -43,11 +54,19 @@ void join(const model::Case& c, Mesh& m) {
         Node& node = m.nodes[static_cast<size_t>(n)];
         (joint.rigid && node.rotates ? node.tied_to : node.pinned_to) = first;
       }
+    for (int n : leaving) m.nodes[static_cast<size_t>(n)].tied_to = first;
   }
 }
 
-// Ends at bodies that move by their own equations.
+// Ends at bodies that move by their own equations, or that events attach to one.
 void tie(const model::Case& c, Mesh& m) {
+  for (const model::Event& e : c.events) {
+    const model::Action& a = e.action;
+    if (a.kind != model::Action::Kind::attach || !c.floats(c.body_index(a.body))) continue;
+    const LineSpan& span = m.lines[static_cast<size_t>(c.line_index(a.line))];
+    m.nodes[static_cast<size_t>(span.first_node + (a.at_b ? span.nodes - 1 : 0))].tied_to =
+        m.body_node(c.body_index(a.body));
+  }
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool last : {false, true}) {
       const model::End& e = last ? c.lines[l].end_b : c.lines[l].end_a;
@@ -70,6 +89,8 @@ void mark_two_sided(const model::Case& c, Mesh& m) {
     };
     for (const model::PointMass& p : c.lines[l].masses) attach(p.at);
     for (const model::PointLoad& p : c.lines[l].point_loads) attach(p.at);
+    for (const model::Event& e : c.events)  // whose tension is waited for there
+      if (e.cause.kind == model::Cause::Kind::tension && e.cause.line == c.lines[l].name) attach(e.cause.arc);
   }
 }
 

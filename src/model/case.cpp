@@ -85,6 +85,12 @@ int Case::line_index(const std::string& name) const {
   throw std::out_of_range("no line '" + name + "'");
 }
 
+bool Case::off_at_start(const Volume& volume) const {
+  for (const Event& e : events)
+    if (e.action.kind == Action::Kind::contact && e.action.volume == volume.name) return e.action.enabled;
+  return false;
+}
+
 void Case::refuse(const std::string& key, const std::string& why) const {
   fail(file, tree ? tree->line_of(key) : 0, key, why);
 }

@@ -94,36 +94,6 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
           {"volumes." + v.name + ".active.box", "the first corner must be below the second in x, y and z"});
 }
 
-void check_events(const Case& c, std::vector<Issue>& issues) {
-  std::set<std::pair<std::string, bool>> released;
-  for (std::size_t i = 0; i < c.events.size(); ++i) {
-    const Release& r = c.events[i];
-    const std::string key = fmt::format("events[{}]", i);
-    const Line& line = c.lines[static_cast<std::size_t>(c.line_index(r.line))];
-    const char* name = r.at_b ? "end B" : "end A";
-    const End& end = r.at_b ? line.end_b : line.end_a;
-    if (!c.dynamics.enabled)
-      issues.push_back({key, "there is no 'dynamics', during which it would happen"});
-    else if (r.time >= c.dynamics.duration)
-      issues.push_back(
-          {key + ".time", fmt::format("is {:g} s, but the run ends at {:g} s", r.time, c.dynamics.duration)});
-    if (!is_held(end))
-      issues.push_back(
-          {key + ".release",
-           fmt::format("{} of line '{}' is held by no anchor and no body that it could let go of", name,
-                       r.line)});
-    if (end.rotational_stiffness > 0)
-      issues.push_back(
-          {key + ".release",
-           fmt::format("{} of line '{}' has a rotational spring, which would go on turning it; an "
-                       "end that is released turns freely or is 'clamped' until then",
-                       name, r.line)});
-    if (!released.insert({r.line, r.at_b}).second)
-      issues.push_back({key + ".release",
-                        fmt::format("{} of line '{}' is released already by another event", name, r.line)});
-  }
-}
-
 std::string section_at(const Line& line, double at) {
   double end = 0;
   for (const Section& s : line.sections)

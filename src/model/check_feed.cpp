@@ -46,6 +46,23 @@ void check_stock(const Case& c, const Feed& f, const std::string& key, std::vect
 
 }  // namespace
 
+std::vector<Issue> law_issues(const Feed& f) {
+  std::vector<Issue> out;
+  const auto issue = [&out](const char* key, std::string text) { out.push_back({key, std::move(text)}); };
+  if (f.most > 0 || f.least > 0) {
+    if (!(f.least < f.most))
+      issue("dead_band",
+            fmt::format("from {:g} N to {:g} N is no band; the first must be the smaller", f.least, f.most));
+    else if (!(f.least < f.tension && f.tension < f.most))
+      issue("dead_band",
+            fmt::format("from {:g} N to {:g} N does not hold the 'tension' of {:g} N between its ends",
+                        f.least, f.most, f.tension));
+    if (!(f.speed_per_tension > 0))
+      issue("dead_band", "needs 'speed_per_tension', by which the feeder comes back to its 'tension'");
+  }
+  return out;
+}
+
 void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& issues) {
   const End& end = at_b ? line.end_b : line.end_a;
   if (!end.feed) return;
@@ -115,18 +132,11 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
             fmt::format("the time {:g} s does not follow {:g} s; times must grow from row to row",
                         f.speed[i].first, f.speed[i - 1].first));
   }
-  check_stock(c, f, key, issues);
-  if (f.most > 0 || f.least > 0) {
-    if (!(f.least < f.most))
-      issue("dead_band",
-            fmt::format("from {:g} N to {:g} N is no band; the first must be the smaller", f.least, f.most));
-    else if (!(f.least < f.tension && f.tension < f.most))
-      issue("dead_band",
-            fmt::format("from {:g} N to {:g} N does not hold the 'tension' of {:g} N between its ends",
-                        f.least, f.most, f.tension));
-    if (!(f.speed_per_tension > 0))
-      issue("dead_band", "needs 'speed_per_tension', by which the feeder comes back to its 'tension'");
-  }
+  const bool changes = std::any_of(c.events.begin(), c.events.end(), [&](const Event& e) {
+    return e.action.kind == Action::Kind::feed && e.action.line == line.name && e.action.at_b == at_b;
+  });
+  if (!changes) check_stock(c, f, key, issues);
+  for (Issue& i : law_issues(f)) issue(i.key, std::move(i.text));
   for (const PointMass& m : line.masses)
     if ((at_b ? length_of(line) - m.at : m.at) < f.stock)
       issue(
@@ -146,11 +156,6 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
     if (b.on && b.on->line == line.name)
       issue("", fmt::format("body '{}' rides on line {}, and a line that carries bodies cannot be fed",
                             b.name, line.name));
-  for (const Release& r : c.events)
-    if (r.line == line.name && r.at_b == at_b)
-      issue("",
-            fmt::format("an event releases this end of line {}, and an end that is fed cannot be released",
-                        line.name));
 }
 
 }  // namespace hawser::model

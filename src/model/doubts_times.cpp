@@ -155,7 +155,8 @@ void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
 
 void doubt_releases(const Case& c, std::vector<Doubt>& out) {
   for (std::size_t i = 0; i < c.events.size(); ++i) {
-    const Release& r = c.events[i];
+    const Action& r = c.events[i].action;
+    if (r.kind != Action::Kind::release) continue;
     const Line& line = c.lines[static_cast<std::size_t>(c.line_index(r.line))];
     const Section& end = r.at_b ? line.sections.back() : line.sections.front();
     if (c.line_type(end.type).stiffness_damping > 0) continue;

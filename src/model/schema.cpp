@@ -35,7 +35,7 @@ const Key& case_schema() {
             number("time", time, "of its output").at_least(0).or_else_note("the last")},
            "Lines without a `start` of their own begin as another run left those of the same name; statics "
            "goes on from there, whatever has changed."),
-       dynamics(), events(), output()},
+       stages(), dynamics(), events(), output()},
       "");
   return schema;
 }

@@ -87,6 +87,7 @@ Key links();
 Key contact();
 Key statics();
 Key dynamics();
+Key stages();
 Key events();
 Key friction();               // coefficients and springs of it, of volumes and the seabed
 Key force_rows();             // `table` of force against penetration, of volumes and the seabed

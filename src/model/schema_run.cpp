@@ -64,22 +64,4 @@ Key dynamics() {
       "Motion in time; without this key only statics is run.");
 }
 
-Key events() {
-  return list(
-             "events",
-             map("",
-                 {map("release",
-                      {reference("line", "lines", "the line").is_required(),
-                       word("end", {"end_a", "end_b"}, "its end, held by an anchor or a body").is_required()},
-                      "lets an end of a line go: it parts, or is cast off")
-                      .is_required(),
-                  number("time", time, "when it happens").at_least(0),
-                  number("tension", force, "it happens when the effective tension at that end reaches this")
-                      .above(0)},
-                 "")
-                 .either({{{"time"}, {"time"}}, {{"tension"}, {"tension"}}}, true),
-             "What happens during dynamics; each event once.")
-      .or_else("[]");
-}
-
 }  // namespace hawser::model::schema_build

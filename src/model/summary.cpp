@@ -328,10 +328,9 @@ std::string summary(const Case& c) {
     s += fmt::format(", dynamics of {:g} s in {}, rho_infinity {:g}", c.dynamics.duration, step_text(c),
                      c.dynamics.rho_infinity);
   s += "\n";
-  for (const Release& r : c.events)
-    s += fmt::format("event: end {} of line {} is released {}\n", r.at_b ? 'B' : 'A', r.line,
-                     r.time >= 0 ? fmt::format("at t = {:g} s", r.time)
-                                 : fmt::format("when its effective tension reaches {:g} N", r.tension));
+  if (!c.stages.empty()) s += fmt::format("stages of statics: {}\n", fmt::join(c.stages, ", "));
+  for (const Event& e : c.events)
+    s += fmt::format("event: {} is {} {}\n", e.action.subject(), e.action.participle(), e.cause.text());
   s += fmt::format("results: {}{}\n", c.output.file, c.output.xdmf ? " and .xdmf" : "");
   for (const std::string& n : c.change_notes) s += "note: " + n + "\n";
   for (const std::string& n : grouped_notes(c.notes)) s += "note: " + n + "\n";

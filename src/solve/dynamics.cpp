@@ -15,7 +15,6 @@ namespace hawser {
 
 namespace {
 
-constexpr double kJustBefore = 1e-9;  // of the time, or s
 // Rounding, other on every number of ranks, may decide whether Newton needs an iteration more. The results
 // must not show it: what passed the tolerance is improved once more with the factors at hand, which costs
 // little, and steps are chosen by the iterations to this residual, far above rounding, and one that follows.
@@ -280,15 +279,6 @@ void Dynamics::start(const State& state) {
   alpha_start(system_.mesh(), committed_);
   system_.residual(s.view(h), r_.get());
   reactions_ = system_.reactions();
-}
-
-void Dynamics::release(std::vector<Support> supports) {
-  State s = committed_.s;
-  // Of a body whose velocity jumps here the end leaves with the one before.
-  system_.supports().rates(s.time - kJustBefore * std::max(1.0, s.time), s);
-  system_.support(std::move(supports), BodyMotion(system_.supports().motion()));
-  control_.begin_anew();
-  start(s);
 }
 
 void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried) {

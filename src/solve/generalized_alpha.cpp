@@ -66,7 +66,8 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
     const size_t n = static_cast<size_t>(p.node);
     if (p.frame >= 0 && p.position_mask == 7) {
       const size_t f = static_cast<size_t>(p.frame);
-      trial.ax[n] = trial.ax[f] + trial.ad[f] * p.at;
+      trial.ax[n] = trial.ax[f];
+      if (mesh.rotates(p.frame)) trial.ax[n] += trial.ad[f] * p.at;
       if (p.rotation_mask != 7 || !mesh.rotates(p.node)) continue;
       trial.aw[n] = p.rotation.conjugate() * trial.aw[f];
       trial.ad[n] = trial.ad[f] * p.rotation.toRotationMatrix();

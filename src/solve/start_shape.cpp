@@ -32,6 +32,63 @@ Quat axes_along(const Vec3& t) {
   return Quat(m);
 }
 
+bool rigid(const model::Case& c, const model::End& e) {
+  return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
+}
+
+// Places, tangents and node axes of a line that is not a part of another.
+LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& g,
+                   const LineSpan& span) {
+  const bool by_itself = line.start == model::Start::automatic || line.start == model::Start::catenary;
+  LineStart shape = line.end_a.feed || line.end_b.feed  ? line_start_fed(c, line, bodies, g, span)
+                    : by_itself && !line.buried.empty() ? line_start_from_soil(c, line, bodies, g, span)
+                                                        : line_start(c, line, bodies, g, span);
+  mend(shape);
+  if (by_itself && line.buried.empty()) lift(c.environment.seabed, shape);
+  auto clamp_direction = [&](const model::End& e, size_t node) {
+    if ((e.clamped || rigid(c, e)) && e.direction)
+      shape.tangent[node] = start_pose(c, bodies, e).rotation * e.direction->normalized();
+  };
+  clamp_direction(line.end_a, 0);
+  clamp_direction(line.end_b, shape.x.size() - 1);
+  std::vector<Quat>& q = shape.q;
+  if (q.empty()) {
+    q.push_back(axes_along(shape.tangent[0]));
+    for (size_t i = 1; i < shape.x.size(); ++i)
+      q.push_back((minimal_rotation(shape.tangent[i - 1], shape.tangent[i]) * q.back()).normalized());
+  } else {  // a clamped end may point elsewhere now
+    for (size_t i = 0; i < q.size(); ++i)
+      q[i] = (minimal_rotation(q[i] * Vec3::UnitX(), shape.tangent[i]) * q[i]).normalized();
+  }
+  return shape;
+}
+
+// Of a part of a line that is cut: what it has of the whole.
+LineStart part_of_shape(const model::Case& c, const model::Line& line, const Bodies& bodies, int nodes) {
+  model::Case alone;
+  alone.line_types = c.line_types, alone.lines = {*line.whole};
+  const Mesh mesh = build_mesh(alone);
+  LineStart shape = shape_of(c, *line.whole, bodies, mesh, mesh.lines.front());
+  const auto first = mesh.nearest_node(0, line.from), last = first + nodes;
+  const auto keep = [&](auto& values) {
+    values.erase(values.begin() + last, values.end()), values.erase(values.begin(), values.begin() + first);
+  };
+  keep(shape.x), keep(shape.tangent), keep(shape.q);
+  return shape;
+}
+
+// Where nothing clamps a line of beams its twist is held at an end: 0 or 1; at a joint only where no other
+// end is held. -1: at none.
+int twist_end(const model::Case& c, const model::Line& line) {
+  if (line.end_a.clamped || line.end_b.clamped || rigid(c, line.end_a) || rigid(c, line.end_b)) return -1;
+  const bool joint_first = line.end_a.kind == model::EndKind::joint;
+  for (const int end : {joint_first, !joint_first})
+    if ((end ? line.end_b : line.end_a).kind != model::EndKind::free &&
+        c.line_type((end ? line.sections.back() : line.sections.front()).type).kind == model::LineKind::beam)
+      return end;
+  return -1;
+}
+
 }  // namespace
 
 StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies) {
@@ -40,31 +97,11 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
 
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
+    const model::Line& whole = line.whole ? *line.whole : line;
     const LineSpan& span = g.lines[l];
-    const bool by_itself = line.start == model::Start::automatic || line.start == model::Start::catenary;
-    LineStart shape = line.end_a.feed || line.end_b.feed  ? line_start_fed(c, line, bodies, g, span)
-                      : by_itself && !line.buried.empty() ? line_start_from_soil(c, line, bodies, g, span)
-                                                          : line_start(c, line, bodies, g, span);
-    mend(shape);
-    if (by_itself && line.buried.empty()) lift(c.environment.seabed, shape);
-    const auto rigid = [&](const model::End& e) {
-      return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
-    };
-    auto clamp_direction = [&](const model::End& e, size_t node) {
-      if ((e.clamped || rigid(e)) && e.direction)
-        shape.tangent[node] = start_pose(c, bodies, e).rotation * e.direction->normalized();
-    };
-    clamp_direction(line.end_a, 0);
-    clamp_direction(line.end_b, shape.x.size() - 1);
-    std::vector<Quat> q = shape.q;
-    if (q.empty()) {
-      q.push_back(axes_along(shape.tangent[0]));
-      for (size_t i = 1; i < shape.x.size(); ++i)
-        q.push_back((minimal_rotation(shape.tangent[i - 1], shape.tangent[i]) * q.back()).normalized());
-    } else {  // a clamped end may point elsewhere now
-      for (size_t i = 0; i < q.size(); ++i)
-        q[i] = (minimal_rotation(q[i] * Vec3::UnitX(), shape.tangent[i]) * q[i]).normalized();
-    }
+    const LineStart shape =
+        line.whole ? part_of_shape(c, line, bodies, span.nodes) : shape_of(c, line, bodies, g, span);
+    const std::vector<Quat>& q = shape.q;
     out.ends.push_back({start_pose(c, bodies, line.end_a).rotation.conjugate() * q.front(),
                         start_pose(c, bodies, line.end_b).rotation.conjugate() * q.back()});
 
@@ -75,32 +112,31 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       out.state.x[n] = shape.x[k];
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }
-    bool twist_held = line.end_a.clamped || line.end_b.clamped || rigid(line.end_a) || rigid(line.end_b);
     // Friction of the bed holds a line without held ends that was laid on it; nothing holds its twist.
-    if (line.end_a.kind == model::EndKind::free && line.end_b.kind == model::EndKind::free &&
-        c.statics.enabled && model::laid_with_friction(c, line) &&
+    if (whole.end_a.kind == model::EndKind::free && whole.end_b.kind == model::EndKind::free &&
+        line.from == 0 && c.statics.enabled && model::laid_with_friction(c, whole) &&
         g.nodes[static_cast<size_t>(span.first_node)].rotates)
       if (const int here = mesh.find(span.first_node); here >= 0) {
         Support s;
         s.position_mask = 0, s.rotation_mask = 1, s.node = here;
         out.supports.push_back(s);
       }
-    // Twist is held at a joint only where no other end is held.
-    const bool joint_first = line.end_a.kind == model::EndKind::joint;
-    for (int k = 0; k < 2; ++k) {
-      const int end = joint_first ? 1 - k : k;
+    const int twist = twist_end(c, whole);
+    for (const int end : {0, 1}) {
       const model::End& e = end ? line.end_b : line.end_a;
       if (e.kind == model::EndKind::free) continue;
+      const bool cut = e.kind == model::EndKind::joint && (end ? whole.end_b : whole.end_a).body != e.body;
+      if (cut) continue;
       const int node = span.first_node + (end ? span.nodes - 1 : 0);
       const bool joint = e.kind == model::EndKind::joint;
       if (const int here = mesh.find(node); joint && here >= 0)
         out.state.x[static_cast<size_t>(here)] = e.at;  // exactly as the other ends there
-      if (joint && (twist_held || !g.nodes[static_cast<size_t>(node)].rotates)) continue;
+      if (joint && (end != twist || !g.nodes[static_cast<size_t>(node)].rotates)) continue;
       Support s;
       if (joint) s.position_mask = 0;
       s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
       s.at = e.at;
-      if (const int frame = g.nodes[static_cast<size_t>(node)].tied_to; frame >= 0) {
+      if (const int frame = g.nodes[static_cast<size_t>(node)].tied_to; frame >= 0 && c.floats(s.body)) {
         s.at -= c.bodies[static_cast<size_t>(s.body)].mass->centre;
         s.body = -1, s.frame = mesh.find(frame);
       }
@@ -108,9 +144,8 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
         if (e.clamped) {
           s.rotation_mask = 7;
           s.rotation = out.ends.back()[static_cast<size_t>(end)];
-        } else if (!twist_held) {
+        } else if (end == twist) {
           s.rotation_mask = 1;
-          twist_held = true;
         }
       }
       if (const int here = mesh.find(node); here >= 0) {
@@ -119,13 +154,20 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       }
     }
   }
-  for (int n = 0; n < mesh.nodes(); ++n) {  // at rigid joints
+  for (int n = 0; n < mesh.nodes(); ++n) {  // at rigid joints, and where one lets an end go
     const int global = mesh.global[static_cast<size_t>(n)], frame = mesh.frame_of(n);
     if (frame < 0 || g.nodes[static_cast<size_t>(g.nodes[static_cast<size_t>(global)].tied_to)].body >= 0)
       continue;
+    const Node& node = g.nodes[static_cast<size_t>(global)];
+    const LineSpan& span = g.lines[static_cast<size_t>(node.line)];
+    const model::Line& line = c.lines[static_cast<size_t>(node.line)];
     Support s;
-    s.node = n, s.frame = frame, s.rotation_mask = 7;
-    s.rotation = out.state.q[static_cast<size_t>(frame)].conjugate() * out.state.q[static_cast<size_t>(n)];
+    s.node = n, s.frame = frame;
+    if (mesh.rotates(n) && mesh.rotates(frame) &&
+        rigid(c, global == span.first_node ? line.end_a : line.end_b)) {
+      s.rotation_mask = 7;
+      s.rotation = out.state.q[static_cast<size_t>(frame)].conjugate() * out.state.q[static_cast<size_t>(n)];
+    }
     out.supports.push_back(s);
   }
   for (int n = 0; n < mesh.nodes(); ++n) {

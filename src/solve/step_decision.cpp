@@ -1,6 +1,7 @@
 // What becomes of a step that was tried: the one place where it is accepted, tried again or given up.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/base/error.hpp"

@@ -114,6 +114,7 @@ void Assembler::add_tied(std::span<const int> blocks, const double* K, const dou
       continue;
     }
     P.block<3, 3>(i, place(t.frame)).setIdentity();
+    if (t.point) continue;
     P.block<3, 3>(i, place(t.frame + 1)) = t.place;
     V.block<3, 3>(i, place(t.frame + 1)) = t.rate;
     if (M) W.middleCols<3>(i) = t.director_weight * Eigen::Map<const Matrix>(M, m, m).middleCols<3>(i);

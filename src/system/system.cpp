@@ -78,6 +78,7 @@ void System::index_ties() {
     Tie t;
     t.block = mesh_.block[static_cast<size_t>(s.node)], t.frame = mesh_.block[static_cast<size_t>(s.frame)];
     t.turns = mesh_.rotates(s.node) && s.rotation_mask == 7;
+    t.point = !mesh_.rotates(s.frame);
     t.turn = s.rotation.conjugate().toRotationMatrix();
     tie_of_[static_cast<size_t>(t.block)] = static_cast<int>(ties_.size());
     if (t.turns) tie_of_[static_cast<size_t>(t.block) + 1] = static_cast<int>(ties_.size());
@@ -108,8 +109,10 @@ void System::add_to_frames(const Kinematics& trial) {
     const Vec3 force = at(block);
     Vec3 moment = s.at.cross(trial.q[static_cast<size_t>(s.frame)].conjugate() * force);
     if (mesh_.rotates(s.node) && s.rotation_mask == 7) moment += s.rotation * at(block + 1);
-    at(frame) += force, at(frame + 1) += moment;
+    at(frame) += force;
     squares_[static_cast<size_t>(frame)] += force.squaredNorm();
+    if (!mesh_.rotates(s.frame)) continue;
+    at(frame + 1) += moment;
     squares_[static_cast<size_t>(frame) + 1] += moment.squaredNorm();
   }
 }
@@ -202,7 +205,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   // of it pulls at the arm and so holds the frame.
   for (const int i : supports_.ties()) {
     const Support& s = supports_.list()[static_cast<size_t>(i)];
-    if (s.node >= mesh_.owned) continue;
+    if (s.node >= mesh_.owned || !mesh_.rotates(s.frame)) continue;
     const Vec3 force(force_.data() + 3 * mesh_.block[static_cast<size_t>(s.node)]);
     const Vec3 f = trial.q[static_cast<size_t>(s.frame)].conjugate() * force;
     Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = hat(s.at) * hat(f);

@@ -33,6 +33,7 @@ void ContactVolumes::leave_out(std::vector<LeftOut> ends) {
 }
 
 ContactShare ContactVolumes::takes_part(int line, int volume, double from, double to) const {
+  if (at(volume).off) return {1, 0};
   const std::pair key(line, volume);
   const auto found = std::lower_bound(left_out_.begin(), left_out_.end(), key, [](const LeftOut& l, auto k) {
     return std::pair(l.line, l.volume) < k;

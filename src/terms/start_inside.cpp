@@ -37,6 +37,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
   constexpr int kSamples = 32;  // of a stretch, for where it is deepest
   std::vector<Inside> out;
   for (size_t v = 0; v < volumes.size(); ++v) {
+    if (volumes[v].off) continue;
     const Surface& surface = *volumes[v].surface;
     const Box box = surface.bounds();
     const RigidPose pose = bodies.pose(volumes[v].body, at);
@@ -88,6 +89,7 @@ std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, cons
                                const std::vector<ContactVolume>& volumes, const std::vector<Chord>& chords) {
   std::vector<Past> out;
   for (size_t v = 0; v < volumes.size(); ++v) {
+    if (volumes[v].off) continue;
     const Surface& surface = *volumes[v].surface;
     const Box box = surface.bounds();
     const RigidPose pose = bodies.pose(volumes[v].body, at);

@@ -79,7 +79,8 @@ TEST(Release, ARestartWithoutTheEventIsRefused) {
     app::run(MPI_COMM_WORLD, o);
     FAIL() << "it goes on";
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("end B of line chain was released at t = 0.5 s"), std::string::npos)
+    EXPECT_NE(std::string(e.what()).find("'end B of line chain released' happened at t = 0.5 s"),
+              std::string::npos)
         << e.what();
   }
 }

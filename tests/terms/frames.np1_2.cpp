@@ -62,6 +62,16 @@ model::Case carried(model::ContactMethod method) {
   c.lines.push_back(line("leg", "beam", 3, 2, anchor({8, 0, -5}), corner));
   c.lines.push_back(line("arm", "beam", 2, 2, arm, model::End{}));
   c.lines.push_back(line("stay", "cable", 3, 2, anchor({10.5, 0, -4}), corner));
+  // Ends that events let go: a cable tied to a beam, and one to another cable.
+  c.joints.push_back({"link", {-8, 0, -5}, false});
+  model::End link = corner;
+  link.body = "link", link.at = {-8, 0, -5};
+  c.lines.push_back(line("upper", "cable", 3, 2, anchor({-8, 0, -2}), link));
+  c.lines.push_back(line("lower", "cable", 2.5, 2, link, anchor({-8, 1, -7.3})));
+  for (const auto& [name, at_b] : {std::pair("stay", true), std::pair("lower", false)}) {
+    model::Event& e = c.events.emplace_back();
+    e.name = name, e.action.line = name, e.action.at_b = at_b, e.cause.time = 1;
+  }
   c.lines.push_back(
       line("beside the clamp", "cable", 2, 2, anchor({7, 0.64, -3.52}), anchor({9, 0.64, -3.48})));
   model::Volume v;

@@ -1,4 +1,5 @@
-// What happens during a run: ends of lines that let go at a time or a tension.
+// What happens during a run: at a time, when a condition is met, or after something else
+// (docs/theory/events.md).
 #pragma once
 
 #include <mpi.h>
@@ -6,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/app/actions.hpp"
 #include "hawser/app/end_forces.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/io/checkpoint.hpp"
@@ -14,15 +16,22 @@ namespace hawser::app {
 
 class Events {
  public:
-  // Steps of the simulation will end where a tension is reached.
   Events(MPI_Comm comm, Simulation& simulation);
 
-  // Before a run starts from the simulation's state: ends that are released at t = 0 are free in it. What is
-  // to be told, a sentence each; InputError where a tension is reached already. Collective.
+  // Before statics of a stage: what begins it is done in the simulation's state, and told likewise.
+  // SolveError where it cannot be. Collective.
+  std::vector<std::string> stage(const std::string& name);
+
+  // Before a run starts from the simulation's state: what happens at t = 0 has happened in it, and steps will
+  // end where a condition is met. What is to be told, a sentence each; InputError where one is met already.
+  // Collective.
   std::vector<std::string> begin();
 
   // After an accepted step, or when a run goes on: what happens there, likewise. Collective.
   std::vector<std::string> apply_due();
+
+  // s: when something happens after another event that has happened; infinite: nothing does.
+  double next(double time) const;
 
   // Of the end of a run: what has not happened, a sentence each.
   std::vector<std::string> not_happened() const;
@@ -33,24 +42,35 @@ class Events {
   std::vector<std::string> restore(const io::Checkpoint& from);
 
  private:
-  struct Event {
-    model::Release what;
-    int node = -1;  // of the mesh
-    std::string name;
+  struct Happening {
+    model::Event what;
+    int node = -1;         // of the mesh: whose tension, place or distance is waited for
+    int feeder = -1;       // whose length is
+    int after = -1;        // event
     double happened = -1;  // s; < 0: not yet
+    Actions::Found found;
   };
-  // Effective tension at the end of each event [N], on all ranks.
-  std::vector<double> tensions(const Kinematics& at);
-  std::vector<double> functions(const Kinematics& at);  // for Dynamics::watch
-  void refuse_reached(const std::vector<double>& pull) const;
-  std::vector<std::string> release(const Kinematics& at, const std::vector<double>& pull);
-  std::vector<Support> remaining_supports()
-      const;  // of the supports there are, those of no event that has happened
+  static bool waits_for_condition(const Happening& h);
+  double due(const Happening& h) const;  // s; infinite: not known
+  // Tensions [N], positions, lengths and distances [m] that are waited for, on all ranks.
+  std::vector<double> values(const Kinematics& at);
+  double local_value(const Happening& h, const Kinematics& at) const;
+  double local_tension(int node) const;
+  // Of each event that waits for a condition what it lacks, in units of its tolerance, 0 and above: met.
+  std::vector<double> conditions(const std::vector<double>& values) const;
+  void refuse_met(const std::vector<double>& values) const;
+  void watch();
+  // Which are due at a time and these values, or begin a stage.
+  std::vector<size_t> due_at(double time, const std::vector<double>& values, const std::string& stage) const;
+  // One of them, done and told; the system's supports are not changed yet.
+  void happen(size_t event, const Kinematics& at, const std::string& stage, std::vector<std::string>& told);
+  std::vector<std::string> at_rest(const std::string& stage);
 
   MPI_Comm comm_;
   Simulation& sim_;
   EndForces ends_;
-  std::vector<Event> events_;
+  Actions actions_;
+  std::vector<Happening> events_;
 };
 
 }  // namespace hawser::app

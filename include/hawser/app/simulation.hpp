@@ -66,11 +66,17 @@ class Simulation {
   // Stretches at ends of lines that have no contact with a volume in which they start.
   const std::vector<LeftOut>& left_out() const { return start_contact_.left_out; }
 
+  // What of a line is inside a volume of contact() at `at`, in words; empty: nothing. Collective.
+  std::string inside(int volume, const Kinematics& at) const;
+  // Whether lines touch this volume from now on.
+  void enable_contact(const std::string& volume, bool on);
+
   // InputError if what starts inside a volume is still there. Collective.
   void check_inside() const;
   // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
-  // InputError as of check_inside(). told: how far it is, now and then; on all ranks.
-  StaticsReport solve_statics(std::function<void(const StaticsReport&)> told = {});
+  // InputError as of check_inside(). told: how far it is, now and then; on all ranks. further: from a rest
+  // that statics has found before, where lines were laid then.
+  StaticsReport solve_statics(std::function<void(const StaticsReport&)> told = {}, bool further = false);
   DynamicsSettings dynamics_settings() const;
 
  private:

@@ -116,7 +116,11 @@ model::Link read_link(const std::string& name, const model::Value& v, const Case
 
 void read_statics(const model::Value& v, model::Statics& to);
 model::Dynamics read_dynamics(const model::Value& v);
-model::Release read_event(const model::Value& v);  // of `events`
+// An entry of `events` at the dotted key `path`. Of the case the lines are read already.
+model::Event read_event(const model::Value& v, const std::string& path, const CaseSource& source,
+                        const model::Case& c);
+// `speed`, `tension` and what goes with them, of a feeder at the end of a line or of an event.
+model::Feed read_feed_law(const model::Value& v);
 // Of the case the lines are read already.
 void read_output(const model::Value& v, const CaseSource& source, model::Case& c);
 

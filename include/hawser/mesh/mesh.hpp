@@ -21,9 +21,11 @@ struct Node {
   bool rotates = false;  // beam node and body: two 3-blocks; cable node: one
   int body = -1;         // of the case, when it is the centre of mass of one
   int pinned_to = -1;    // node whose position is this one's too (a joint); this one does not rotate
-  int tied_to = -1;      // node of a rigid frame that carries this one: a body with mass, a rigid joint
+  // Node of a frame that carries this one while they are tied: a body with mass, a rigid joint, an end of a
+  // joint that lets this one go.
+  int tied_to = -1;
   // Between two elements that may differ there in tension or curvature: the type changes, or a mass or a load
-  // is attached.
+  // is attached, or an event waits for the tension there.
   bool two_sided = false;
 };
 

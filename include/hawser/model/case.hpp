@@ -20,6 +20,7 @@
 #include "hawser/math/types.hpp"
 #include "hawser/model/bend_stiffener.hpp"
 #include "hawser/model/environment.hpp"
+#include "hawser/model/event.hpp"
 #include "hawser/model/feed.hpp"
 #include "hawser/model/links.hpp"
 #include "hawser/model/stiffness.hpp"
@@ -258,6 +259,10 @@ struct Line {
   std::vector<Vec3> points;               // for Start::points: polyline the line is laid along
   std::shared_ptr<const LeftShape> left;  // for Start::other_run
   std::optional<LengthTarget> target;
+  // Of a part of a line that events cut (cut_lines.hpp): the line as given, whose start shape it begins with,
+  // and where this part begins [m from its end A].
+  std::shared_ptr<const Line> whole;
+  double from = 0;
 };
 
 // Mean over the arc [from, to] of a line, m: of its temperature change, K, and of what that lengthens it by.
@@ -325,14 +330,6 @@ struct Dynamics {
   double error_tolerance = 0;  // m, local error a step in automatic stepping; 0: default
 };
 
-// The end of a line lets go of what holds it: at a time, or when it pulls with a tension.
-struct Release {
-  std::string line;
-  bool at_b = false;
-  double time = -1;    // s; < 0: by tension
-  double tension = 0;  // N, effective
-};
-
 struct HistoryPoint {
   std::string line;  // or a body with mass:
   std::string body;
@@ -383,8 +380,10 @@ struct Case {
   std::vector<Link> links;
   Contact contact;
   Statics statics;
+  std::vector<std::string>
+      stages;  // of statics, each from the rest of the one before; none: one without a name
   Dynamics dynamics;
-  std::vector<Release> events;
+  std::vector<Event> events;
   Output output;
   std::vector<std::string> notes;         // what the reader repaired or doubts, a sentence each
   std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
@@ -394,6 +393,8 @@ struct Case {
   int body_index(const std::string& name) const;             // -1: none (fixed in space)
   int line_index(const std::string& name) const;             // throws std::out_of_range
   const Joint& joint(const std::string& name) const;         // throws std::out_of_range
+  // Whether lines do not touch this volume until an event switches that on.
+  bool off_at_start(const Volume& volume) const;
   bool rides(int body) const { return body >= 0 && bodies[static_cast<std::size_t>(body)].on.has_value(); }
   // Throws InputError "file:line: key: why".
   [[noreturn]] void refuse(const std::string& key, const std::string& why) const;

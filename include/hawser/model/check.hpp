@@ -19,6 +19,9 @@ std::vector<Issue> check(const Case& c);
 void check_line(const Case& c, const Line& line, std::vector<Issue>& issues);
 void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& issues);
 void check_contact(const Case& c, std::vector<Issue>& issues);
+void check_events(const Case& c, std::vector<Issue>& issues);
+// What is wrong with a tension that a feeder keeps to and its dead band, by keys of `feed`.
+std::vector<Issue> law_issues(const Feed& feed);
 // Its part that is about supports of laid lines.
 void check_supports(const Case& c, std::vector<Issue>& issues);
 // Its part that is about springs and dampers between two points.

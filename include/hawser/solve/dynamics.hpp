@@ -45,9 +45,12 @@ class Dynamics {
 
   // Starts from positions, rotations and velocities; accelerations come from the mass matrix.
   void start(const State& state);
-  // Goes on with other supports: what they held before moves on from where it is, with accelerations that
-  // jump. supports: of the local nodes, among those there were. Collective.
+  // Goes on with other supports, of the local nodes: what they held before moves on from where it is, with
+  // accelerations that jump; what they hold anew is caught in a plastic impact (docs/theory/events.md).
+  // Collective.
   void release(std::vector<Support> supports);
+  // Energy that an event has put into the system or taken from it, J, of this rank's share.
+  void add_support_work(double work) { support_work_ += work; }
   // How a node of the mesh goes on: position, velocity and acceleration in m and s, node axes and their rates
   // where it rotates (material, rad and s).
   struct Moved {
@@ -124,6 +127,7 @@ class Dynamics {
   void solve_once();
   void put(const std::vector<double>& u);
   void solve_masses();
+  void catch_up(const Supports& before, State& s);
   void settle(int node);
 
   System& system_;

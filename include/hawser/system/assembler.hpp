@@ -25,6 +25,7 @@ struct Weights {
 struct Tie {
   int block = 0, frame = 0;  // local blocks: of the node's position, of the frame's
   bool turns = false;        // the node's rotation is tied as well
+  bool point = false;        // the frame has no rotation: the end of a cable
   Mat3 place = Mat3::Zero(), rate = Mat3::Zero(), turn = Mat3::Identity();
   double director_weight = 0;  // 1/s, of rate in the acceleration
 };

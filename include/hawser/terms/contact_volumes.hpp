@@ -26,6 +26,7 @@ struct ContactVolume {
   model::Volume settings;  // basis, stiffness, smoothing, damping, friction; basis not automatic
   bool automatic = false;  // the stiffness is the program's own, per length: raised as far as lines need it
   double most = std::numeric_limits<double>::infinity();  // N/m², but no further
+  bool off = false;                                       // lines do not touch it
 };
 
 // The ends of a line that have no contact with a volume: material, whatever moves.
@@ -82,6 +83,8 @@ class ContactVolumes {
   bool recouple(const Kinematics& committed, double h, double thickest);
   void couple(Couplings& to) const;
 
+  // Between steps, and the same on all ranks: whether lines touch it from then on.
+  void enable(int volume, bool on) { volumes_[static_cast<size_t>(volume)].off = !on; }
   // Before the first step, and the same on all ranks.
   void leave_out(std::vector<LeftOut> ends);
   // Of the stretch [from, to] of a line's arc [m].

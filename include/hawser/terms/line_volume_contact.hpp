@@ -50,6 +50,8 @@ class LineVolumeContact final : public ForceTerm,
 
   // Off in the first stage of statics. While off no slip is kept.
   void enable_friction(bool on);
+  // Between steps, and the same on all ranks: whether lines touch a volume from then on.
+  void enable(int volume, bool on) { volumes_.enable(volume, on); }
   // Before the first step, and the same on all ranks.
   void leave_out(std::vector<LeftOut> ends) { volumes_.leave_out(std::move(ends)); }
   int volumes() const { return volumes_.size(); }

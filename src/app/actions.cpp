@@ -1,0 +1,136 @@
+// The class Actions: supports, feeders and volumes after an action.
+#include "hawser/app/actions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/error.hpp"
+#include "hawser/terms/feeders.hpp"
+#include "hawser/terms/start_inside.hpp"
+
+namespace hawser::app {
+
+using model::Action;
+
+int Actions::node(const Action& a) const {
+  const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(sim_.model().line_index(a.line))];
+  return span.first_node + (a.at_b ? span.nodes - 1 : 0);
+}
+
+bool Actions::held(int node) const {
+  int here = std::any_of(supports_.begin(), supports_.end(), [&](const Support& s) {
+    return s.position_mask == 7 && sim_.local().global[static_cast<size_t>(s.node)] == node;
+  });
+  MPI_Allreduce(MPI_IN_PLACE, &here, 1, MPI_INT, MPI_MAX, sim_.system().comm());
+  return here != 0;
+}
+
+RigidPose Actions::pose(const Action& a, const Kinematics& at) const {
+  return sim_.bodies().pose(sim_.model().body_index(a.body), at);
+}
+
+double Actions::away(const Action& a, const Kinematics& at) const {
+  const int n = sim_.local().find(node(a));
+  if (!a.at || n < 0 || n >= sim_.local().owned) return 0;
+  return (pose(a, at).to_space(*a.at) - at.x[static_cast<size_t>(n)]).norm();
+}
+
+Actions::Found Actions::act(const Action& a, const Kinematics& at) {
+  Found found;
+  const auto refuse = [&](const std::string& why) {
+    throw SolveError(
+        fmt::format("at t = {:.6g} s {} is to be {}, but {}", at.time, a.subject(), a.participle(), why));
+  };
+  switch (a.kind) {
+    case Action::Kind::release:
+      if (!held(node(a))) refuse("nothing holds it");
+      break;
+    case Action::Kind::attach: {
+      if (held(node(a))) refuse("it is held already");
+      const LocalMesh& local = sim_.local();
+      const int n = local.find(node(a)), body = sim_.model().body_index(a.body);
+      std::array<double, 8> told{};
+      if (n >= 0 && n < local.owned) {
+        const size_t i = static_cast<size_t>(n);
+        const RigidPose p = pose(a, at);
+        Vec3 y = p.rotation.conjugate() * (at.x[i] - p.position);
+        if (sim_.model().floats(body)) y -= sim_.model().bodies[static_cast<size_t>(body)].mass->centre;
+        const Quat q = p.rotation.conjugate() * at.q[i];
+        told = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, at)};
+      }
+      MPI_Allreduce(MPI_IN_PLACE, told.data(), 8, MPI_DOUBLE, MPI_SUM, sim_.system().comm());
+      std::copy_n(told.begin(), 3, found.place.begin()),
+          std::copy_n(told.begin() + 3, 4, found.rotation.begin());
+      found.away = told[7];
+      constexpr double kRounding = 1e-6;  // m
+      if (a.at && found.away > a.within + kRounding)
+        refuse(
+            fmt::format("it is {:.4g} m from that place, and 'within' allows {:g} m", found.away, a.within));
+      break;
+    }
+    case Action::Kind::feed:
+      for (const Feeder& f : sim_.feeders()->list())
+        if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) found.speed = f.speed;
+      break;
+    case Action::Kind::contact:
+      for (int v = 0; a.enabled && v < sim_.contact()->volumes(); ++v)
+        if (sim_.contact()->volume_name(v) == a.volume)
+          if (const std::string where = sim_.inside(v, at); !where.empty()) refuse(where);
+      break;
+  }
+  again(a, found, at.time);
+  return found;
+}
+
+void Actions::again(const Action& a, const Found& found, double time) {
+  switch (a.kind) {
+    case Action::Kind::release:
+      std::erase_if(supports_, [&, n = node(a)](const Support& s) {
+        return sim_.local().global[static_cast<size_t>(s.node)] == n;
+      });
+      break;
+    case Action::Kind::attach:
+      hold(a, found);
+      break;
+    case Action::Kind::feed:
+      feed(a, found.speed, time);
+      break;
+    case Action::Kind::contact:
+      sim_.enable_contact(a.volume, a.enabled);
+      break;
+  }
+}
+
+void Actions::hold(const Action& a, const Found& found) {
+  const int n = sim_.local().find(node(a));
+  if (n < 0) return;
+  Support s;
+  s.node = n, s.at = Vec3(found.place.data());
+  const int body = sim_.model().body_index(a.body);
+  if (sim_.model().floats(body))
+    s.frame = sim_.bodies().local_node(body);
+  else
+    s.body = body;
+  if (a.clamped && sim_.local().rotates(n)) {
+    const auto& q = found.rotation;
+    s.rotation_mask = 7, s.rotation = Quat(q[0], q[1], q[2], q[3]);
+  }
+  supports_.push_back(s);
+}
+
+void Actions::feed(const Action& a, double speed, double time) {
+  for (Feeder& f : sim_.feeders()->list()) {
+    if (f.line != sim_.model().line_index(a.line) || f.at_b != a.at_b) continue;
+    model::Feed law = a.law;
+    law.stock = f.feed.stock;
+    if (a.ramp > 0) law.speed = {{time, speed}, {time + a.ramp, a.law.speed.back().second}};
+    f.feed = law;
+    f.resting = law.most > 0;
+    if (!law.speed.empty())
+      f.offset = f.length - model::fed_by(law, time).length, f.speed = model::fed_by(law, time).speed;
+  }
+}
+
+}  // namespace hawser::app

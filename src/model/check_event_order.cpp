@@ -1,0 +1,183 @@
+// Checks of events together: what follows what, and what is left then.
+#include "check_event_order.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "hawser/model/nearest.hpp"
+
+namespace hawser::model {
+namespace {
+
+using Kind = Action::Kind;
+
+class EventOrder {
+ public:
+  EventOrder(const Case& c, std::vector<Issue>& issues) : c_(c), issues_(issues) {}
+
+  void run() {
+    for (i_ = 0; i_ < c_.events.size(); ++i_) check_chain();
+    check_ends();
+    check_joints();
+    check_volumes();
+    check_stages();
+    check_names();
+  }
+
+ private:
+  template <class... Args>
+  void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
+    issues_.push_back(
+        {fmt::format("events[{}].{}", i_, key), fmt::format(text, std::forward<Args>(args)...)});
+  }
+  const Event& event() const { return c_.events[i_]; }
+  const Line& line(const std::string& name) const {
+    return c_.lines[static_cast<std::size_t>(c_.line_index(name))];
+  }
+
+  // What waits for another, and that for the next, must begin somewhere.
+  void check_chain() {
+    const Event* e = &event();
+    std::vector<std::string> names;
+    for (const Event& other : c_.events) names.push_back(other.name);
+    for (std::size_t steps = 0; e->cause.kind == Cause::Kind::after; ++steps) {
+      const auto next = std::find(names.begin(), names.end(), e->cause.event);
+      if (next == names.end())
+        return e == &event() ? issue("after", "there is no event '{}'{}", e->cause.event,
+                                     did_you_mean(e->cause.event, names))
+                             : void();
+      if (steps == names.size())
+        return issue("after", "it waits for '{}', which waits for it in turn: neither ever happens",
+                     event().cause.event);
+      e = &c_.events[static_cast<std::size_t>(next - names.begin())];
+    }
+  }
+
+  // An end goes from held to free and back, one event after the other.
+  void check_ends() {
+    std::map<std::pair<std::string, bool>, std::vector<std::size_t>> ends;
+    for (std::size_t k = 0; k < c_.events.size(); ++k)
+      if (const Action& a = c_.events[k].action;
+          a.cut < 0 && (a.kind == Kind::release || a.kind == Kind::attach))
+        ends[{a.line, a.at_b}].push_back(k);
+    for (auto& [end, events] : ends) {
+      const auto time = [&](std::size_t k) {
+        const Cause& cause = c_.events[k].cause;
+        if (cause.kind == Cause::Kind::stage)  // before all times
+          return static_cast<double>(std::find(c_.stages.begin(), c_.stages.end(), cause.event) -
+                                     c_.stages.end());
+        return cause.kind == Cause::Kind::time ? cause.time : HUGE_VAL;
+      };
+      const End& given = end.second ? line(end.first).end_b : line(end.first).end_a;
+      const bool held = given.kind != EndKind::free;
+      int releases = 0, attachments = 0;
+      for (const std::size_t k : events)
+        (c_.events[k].action.kind == Kind::attach ? attachments : releases) += 1;
+      const char* name = end.second ? "end B" : "end A";
+      i_ = events.back();
+      if (!held && attachments == 0)
+        issue("release", "{} of line '{}' is held by no anchor, no body and no joint that it could let go of",
+              name, end.first);
+      else if (held && releases == 0)
+        issue("attach", "{} of line '{}' is held already; another event must release it before", name,
+              end.first);
+      else if (releases > attachments + (held ? 1 : 0))
+        issue("release", "{} of line '{}' is released already by another event", name, end.first);
+      else if (attachments > releases + (held ? 0 : 1))
+        issue("attach", "{} of line '{}' is attached already by another event", name, end.first);
+      else if (std::none_of(events.begin(), events.end(),
+                            [&](std::size_t k) { return std::isinf(time(k)); })) {
+        std::stable_sort(events.begin(), events.end(),
+                         [&](std::size_t a, std::size_t b) { return time(a) < time(b); });
+        bool now = held;
+        for (const std::size_t k : events) {
+          const bool attach = c_.events[k].action.kind == Kind::attach;
+          i_ = k;
+          if (attach == now)
+            return issue("time", "{} of line '{}' is {} at {:g} s already", name, end.first,
+                         now ? "held" : "free", time(k));
+          now = attach;
+        }
+      }
+    }
+  }
+
+  void check_joints() {
+    for (const Joint& j : c_.joints) {
+      int stay = 0;
+      std::size_t last = c_.events.size();
+      for (const Line& l : c_.lines)
+        for (const bool b : {false, true}) {
+          const End& e = b ? l.end_b : l.end_a;
+          if (e.kind != EndKind::joint || e.body != j.name) continue;
+          bool released = false;
+          for (std::size_t k = 0; k < c_.events.size(); ++k)
+            if (const Action& a = c_.events[k].action;
+                a.kind == Kind::release && a.cut < 0 && a.line == l.name && a.at_b == b)
+              released = true, last = k;
+          stay += !released;
+        }
+      if (stay > 0 || last == c_.events.size()) continue;
+      i_ = last;
+      issue("release", "no end is left at joint '{}' then: one of them must stay", j.name);
+    }
+  }
+
+  void check_volumes() {
+    for (const Volume& v : c_.volumes) {
+      std::vector<std::size_t> events;
+      for (std::size_t k = 0; k < c_.events.size(); ++k)
+        if (const Action& a = c_.events[k].action; a.kind == Kind::contact && a.volume == v.name)
+          events.push_back(k);
+      if (events.empty()) continue;
+      i_ = events.front();
+      if (!c_.contact.takes_part(v))
+        issue("contact.volume", "volume '{}' takes no part in contact ('contact.volumes')", v.name);
+      for (std::size_t k = 1; k < events.size(); ++k) {
+        i_ = events[k];
+        if (c_.events[events[k]].action.enabled == c_.events[events[k - 1]].action.enabled)
+          issue("contact", "contact with volume '{}' is {} by the event before already", v.name,
+                event().action.enabled ? "on" : "off");
+      }
+    }
+  }
+
+  void check_names() {
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < c_.events.size(); ++k)
+      if (!names.insert(c_.events[k].name).second)
+        issues_.push_back(
+            {fmt::format("events[{}]", k),
+             fmt::format("another event is called '{}' as well; give this one a 'name'", c_.events[k].name)});
+  }
+
+  void check_stages() {
+    for (std::size_t k = 0; k < c_.stages.size(); ++k) {
+      const std::string key = fmt::format("stages[{}]", k), &name = c_.stages[k];
+      if (!c_.statics.enabled) issues_.push_back({key, "statics is off, of which it would be a stage"});
+      if (std::find(c_.stages.begin(), c_.stages.begin() + static_cast<std::ptrdiff_t>(k), name) !=
+          c_.stages.begin() + static_cast<std::ptrdiff_t>(k))
+        issues_.push_back({key, fmt::format("there is another stage called '{}'", name)});
+      else if (k > 0 && std::none_of(c_.events.begin(), c_.events.end(), [&](const Event& e) {
+                 return e.cause.kind == Cause::Kind::stage && e.cause.event == name;
+               }))
+        issues_.push_back(
+            {key,
+             fmt::format("no event begins stage '{}', which would find the rest of the stage before", name)});
+    }
+  }
+
+  const Case& c_;
+  std::vector<Issue>& issues_;
+  std::size_t i_ = 0;  // of the event that is looked at
+};
+
+}  // namespace
+
+void check_event_order(const Case& c, std::vector<Issue>& issues) { EventOrder(c, issues).run(); }
+
+}  // namespace hawser::model

@@ -1,0 +1,188 @@
+// Checks of events: whether each can happen, and does something; their order is in check_event_order.cpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "check_event_order.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/nearest.hpp"
+
+namespace hawser::model {
+namespace {
+
+using Kind = Action::Kind;
+constexpr double kArcTolerance = 1e-9;  // of the line's length
+
+class EventCheck {
+ public:
+  EventCheck(const Case& c, std::vector<Issue>& issues) : c_(c), issues_(issues) {}
+
+  void run() {
+    for (i_ = 0; i_ < c_.events.size(); ++i_) {
+      const Event& e = event();
+      if (e.cause.kind == Cause::Kind::stage)
+        check_stage(e);
+      else if (!c_.dynamics.enabled)
+        issue("", "there is no 'dynamics', during which it would happen");
+      check_action(e.action);
+      check_cause(e.cause);
+    }
+  }
+
+ private:
+  template <class... Args>
+  void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
+    const std::string base = fmt::format("events[{}]", i_);
+    issues_.push_back(
+        {key.empty() ? base : base + "." + key, fmt::format(text, std::forward<Args>(args)...)});
+  }
+  const Event& event() const { return c_.events[i_]; }
+  const Line& line(const std::string& name) const {
+    return c_.lines[static_cast<std::size_t>(c_.line_index(name))];
+  }
+  const End& end_of(const Action& a) const { return a.at_b ? line(a.line).end_b : line(a.line).end_a; }
+  const LineType& type_at(const std::string& name, double arc) const {
+    double end = 0;
+    for (const Section& s : line(name).sections)
+      if (arc <= (end += s.length)) return c_.line_type(s.type);
+    return c_.line_type(line(name).sections.back().type);
+  }
+  const char* end_name(const Action& a) const { return a.at_b ? "end B" : "end A"; }
+
+  void check_stage(const Event& e) {
+    if (std::find(c_.stages.begin(), c_.stages.end(), e.cause.event) == c_.stages.end())
+      issue("stage", "there is no stage '{}'{}", e.cause.event,
+            c_.stages.empty() ? "; list it under 'stages'" : did_you_mean(e.cause.event, c_.stages));
+    if (e.action.kind == Kind::feed)
+      issue("stage", "a feeder rests in statics, which would not see another law of it");
+  }
+
+  void check_action(const Action& a) {
+    if (a.cut >= 0) return check_cut(a);
+    if (a.kind == Kind::contact) return;
+    const End& end = end_of(a);
+    if (a.kind == Kind::feed) return check_law(a, end);
+    if (end.feed)
+      issue(a.kind == Kind::release ? "release" : "attach",
+            "{} of line '{}' is fed, and an end that is fed stays where its feeder is", end_name(a), a.line);
+    if (end.rotational_stiffness > 0)
+      issue(a.kind == Kind::release ? "release" : "attach",
+            "{} of line '{}' has a rotational spring, which would go on turning it; an "
+            "end that is released turns freely or is 'clamped' until then",
+            end_name(a), a.line);
+    if (a.kind == Kind::attach) check_attach(a, end);
+  }
+
+  void check_attach(const Action& a, const End& end) {
+    const int body = c_.body_index(a.body);
+    if (a.clamped && type_at(a.line, a.at_b ? length_of(line(a.line)) : 0).kind == LineKind::cable)
+      issue("attach.clamped", "line '{}' has no bending stiffness there and cannot be clamped", a.line);
+    if (c_.rides(body))
+      issue("attach.body", "body '{}' rides on a line; ends of lines are tied to lines at a joint", a.body);
+    if (c_.floats(body) && (end.kind == EndKind::joint || (end.kind == EndKind::body && end.body != a.body &&
+                                                           c_.floats(c_.body_index(end.body)))))
+      issue(
+          "attach.body",
+          "{} of line '{}' begins at {} '{}', and an end goes with one thing that moves by its own equations "
+          "only, which would be body '{}' too",
+          end_name(a), a.line, end.kind == EndKind::joint ? "joint" : "body", end.body, a.body);
+    for (const Event& other : c_.events)
+      if (other.action.kind == Kind::attach && other.action.line == a.line && other.action.at_b == a.at_b &&
+          c_.floats(body) && c_.floats(c_.body_index(other.action.body)) && other.action.body != a.body)
+        issue("attach.body",
+              "another event attaches {} of line '{}' to body '{}', and an end can be attached "
+              "to one body only that moves by its own equations",
+              end_name(a), a.line, other.action.body);
+  }
+
+  void check_cut(const Action& a) {
+    const Line& l = line(a.whole);
+    const double length = length_of(l);
+    if (!(a.cut < length * (1 - kArcTolerance)))
+      return issue("cut.at", "arc length {:.6g} m is not within line '{}', which is {:.6g} m long", a.cut,
+                   a.whole, length);
+    if (l.target)
+      issue("cut", "line '{}' has a 'target'; give it the length that meets that, and it can be cut",
+            a.whole);
+    for (const SupportBox& s : c_.supports)
+      if (s.line == a.whole)
+        return issue("cut", "line '{}' is laid over supports and cannot be cut", a.whole);
+    for (const bool b : {false, true})
+      if (const auto& feed = (b ? l.end_b : l.end_a).feed;
+          feed && (b ? length - a.cut : a.cut) <= feed->stock)
+        issue("cut.at", "arc length {:.6g} m of line '{}' is inside the feeder at its end {}", a.cut, a.whole,
+              b ? 'B' : 'A');
+    for (std::size_t k = 0; k < i_; ++k)
+      if (const Action& o = c_.events[k].action;
+          o.cut >= 0 && o.whole == a.whole && std::abs(o.cut - a.cut) <= kArcTolerance * length)
+        issue("cut.at", "line '{}' is cut there already by another event", a.whole);
+  }
+
+  void check_law(const Action& a, const End& end) {
+    if (!end.feed) return issue("feed", "{} of line '{}' has no 'feed'", end_name(a), a.line);
+    for (Issue& i : law_issues(a.law)) issue("feed." + i.key, "{}", i.text);
+  }
+
+  void check_cause(const Cause& cause) {
+    if (cause.kind == Cause::Kind::time && c_.dynamics.enabled && cause.time >= c_.dynamics.duration)
+      issue("time", "is {:g} s, but the run ends at {:g} s", cause.time, c_.dynamics.duration);
+    if (cause.kind == Cause::Kind::after && c_.dynamics.enabled && cause.time >= c_.dynamics.duration)
+      issue("delay", "is {:g} s, but the run ends at {:g} s", cause.time, c_.dynamics.duration);
+    const bool own = event().action.kind == Kind::release && cause.kind == Cause::Kind::tension &&
+                     cause.line == event().action.line && !cause.below;
+    const std::string when = own ? "" : "when.";
+    if (cause.line.empty()) return;
+    const double length = length_of(line(cause.line));
+    if (cause.arc > length * (1 + kArcTolerance))
+      return issue(cause.kind == Cause::Kind::tension ? "when.tension.at" : "when.position.at",
+                   "arc length {:.6g} m is beyond the end of line '{}', which is {:.6g} m long", cause.arc,
+                   cause.line, length);
+    if (cause.kind == Cause::Kind::tension) {
+      const LineType& type = type_at(cause.line, cause.arc);
+      if (!cause.below && type.breaking_load > 0 && cause.limit > type.breaking_load)
+        issue(when + "tension", "{:g} N is more than line type '{}' bears, whose breaking load is {:g} N",
+              cause.limit, type.name, type.breaking_load);
+      if (type.kind == LineKind::cable && cause.limit <= 0)
+        issue(when + "tension",
+              "line '{}' has no bending stiffness there and is never pressed; give a limit "
+              "above 0",
+              cause.line);
+      const End* end = cause.arc <= kArcTolerance * length         ? &line(cause.line).end_a
+                       : cause.arc >= length * (1 - kArcTolerance) ? &line(cause.line).end_b
+                                                                   : nullptr;
+      if (end && end->kind == EndKind::free && !attached(cause.line, end == &line(cause.line).end_b))
+        issue(when + "tension", "the tension of a free end is none: end {} of line '{}' is held by nothing",
+              end == &line(cause.line).end_b ? 'B' : 'A', cause.line);
+    }
+    if (cause.kind == Cause::Kind::paid_out) {
+      const Line& l = line(cause.line);
+      const auto& feed = (cause.arc > 0 ? l.end_b : l.end_a).feed;
+      if (!feed)
+        issue("when.paid_out.end", "end {} of line '{}' has no 'feed'", cause.arc > 0 ? 'B' : 'A',
+              cause.line);
+      else if (cause.limit > feed->stock || cause.limit < feed->stock - length)
+        issue("when.paid_out", "{:g} m cannot be: the feeder begins with {:g} m inside and {:g} m outside",
+              cause.limit, feed->stock, length - feed->stock);
+    }
+  }
+
+  bool attached(const std::string& name, bool b) const {
+    return std::any_of(c_.events.begin(), c_.events.end(), [&](const Event& e) {
+      return e.action.kind == Kind::attach && e.action.line == name && e.action.at_b == b;
+    });
+  }
+
+  const Case& c_;
+  std::vector<Issue>& issues_;
+  std::size_t i_ = 0;  // of the event that is looked at
+};
+
+}  // namespace
+
+void check_events(const Case& c, std::vector<Issue>& issues) {
+  EventCheck(c, issues).run();
+  check_event_order(c, issues);
+}
+
+}  // namespace hawser::model

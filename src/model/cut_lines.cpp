@@ -1,0 +1,198 @@
+// How a line is divided where events cut it, and what else of the case is about the line.
+#include "hawser/model/cut_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hawser/model/check.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kSame = 1e-9;  // of the line's length
+
+// The part of a section from `from` to `to` [m, from its beginning], with the elements that are nearest:
+// their lengths stay a geometric series.
+Section part_of(const Section& s, double from, double to) {
+  const double q = s.elements > 1 ? std::pow(s.grading, 1.0 / (s.elements - 1)) : 1;
+  const auto elements_before = [&](double at) {
+    const double share = at / s.length;
+    const double n =
+        q == 1 ? share * s.elements : std::log1p(share * (std::pow(q, s.elements) - 1)) / std::log(q);
+    return std::clamp(static_cast<int>(std::lround(n)), 0, s.elements);
+  };
+  Section out = s;
+  out.length = to - from;
+  out.elements = std::max(1, elements_before(to) - elements_before(from));
+  out.grading = std::pow(q, out.elements - 1);
+  return out;
+}
+
+// [from, to] of the line as one of its own.
+Line part_of(const Line& line, double from, double to, double length) {
+  Line out = line;
+  out.from = from;
+  const bool first = from == 0, last = to == length;
+  out.sections.clear();
+  double start = 0;
+  for (const Section& s : line.sections) {
+    const double a = std::max(start, from), b = std::min(start + s.length, to);
+    if (b - a > kSame * length)
+      out.sections.push_back(b - a < s.length ? part_of(s, a - start, b - start) : s);
+    start += s.length;
+  }
+  const auto elsewhere = [&](const auto& p) { return p.at > to || (p.at <= from && !first); };
+  std::erase_if(out.masses, elsewhere), std::erase_if(out.point_loads, elsewhere);
+  for (PointMass& m : out.masses) m.at -= from;
+  for (PointLoad& p : out.point_loads) p.at -= from;
+  for (BendStiffener& b : out.bend_stiffeners) b.at -= from;  // of both parts where it goes on
+  for (auto& row : out.temperature_change) row.first -= from;
+  const auto cut = [&](double& a, double& b) { a = std::max(a, from) - from, b = std::min(b, to) - from; };
+  for (DistributedLoad& q : out.loads) {
+    if (q.to < 0) q.to = length;
+    cut(q.from, q.to);
+  }
+  std::erase_if(out.loads, [](const DistributedLoad& q) { return !(q.from < q.to); });
+  for (Buried& b : out.buried) cut(b.from, b.to);
+  std::erase_if(out.buried, [](const Buried& b) { return !(b.from < b.to); });
+  if (!first) out.end_a = {};
+  if (!last) out.end_b = {};
+  return out;
+}
+
+class Cuts {
+ public:
+  explicit Cuts(Case c) : c_(std::move(c)) {}
+
+  Case done() {
+    std::vector<Line> lines;
+    for (const Line& line : c_.lines) divide(line, lines);
+    c_.lines = std::move(lines);
+    return std::move(c_);
+  }
+
+ private:
+  void divide(const Line& line, std::vector<Line>& to) {
+    const double length = length_of(line);
+    arcs_ = {0};
+    for (const Event& e : c_.events)
+      if (e.action.cut >= 0 && e.action.whole == line.name) arcs_.push_back(e.action.cut);
+    std::sort(arcs_.begin(), arcs_.end());
+    if (arcs_.size() == 1) return to.push_back(line);
+    const auto whole = std::make_shared<Line>(line);
+    arcs_.push_back(length);
+    names_ = {line.name};
+    for (std::size_t k = 1; k + 1 < arcs_.size(); ++k) {
+      names_.push_back(fmt::format("{} part {}", line.name, k + 1));
+      if (std::any_of(c_.lines.begin(), c_.lines.end(),
+                      [&](const Line& l) { return l.name == names_.back(); }))
+        c_.refuse(
+            "lines." + names_.back(),
+            fmt::format("this is the name of what is beyond the cut of line '{}'; give another", line.name));
+    }
+    for (std::size_t k = 0; k + 1 < arcs_.size(); ++k) {
+      Line part = part_of(line, arcs_[k], arcs_[k + 1], length);
+      part.name = names_[k], part.whole = whole;
+      if (k > 0) join(to.back(), part);
+      to.push_back(std::move(part));
+      if (k > 0)
+        c_.notes.push_back(
+            fmt::format("lines.{}: what is beyond its cut at {:g} m is '{}' in results, with arc "
+                        "lengths from there",
+                        line.name, arcs_[k], names_[k]));
+    }
+    // With the nodes of its parts.
+    whole->sections.clear();
+    for (std::size_t k = to.size() - names_.size(); k < to.size(); ++k)
+      whole->sections.insert(whole->sections.end(), to[k].sections.begin(), to[k].sections.end());
+    rename(line.name);
+  }
+
+  void join(Line& before, Line& after) {
+    Joint joint;
+    joint.name = after.name;
+    joint.rigid = c_.line_type(before.sections.back().type).kind == LineKind::beam &&
+                  c_.line_type(after.sections.front().type).kind == LineKind::beam;
+    before.end_b.kind = after.end_a.kind = EndKind::joint;
+    before.end_b.body = after.end_a.body = joint.name;
+    c_.joints.push_back(std::move(joint));
+  }
+
+  // To the part that has this arc length; at a cut the one before it.
+  void place(std::string& line, double& arc) const {
+    std::size_t k = 0;
+    while (k + 1 < names_.size() && arc > arcs_[k + 1] + kSame * arcs_.back()) ++k;
+    line = names_[k], arc -= arcs_[k];
+  }
+
+  void rename(const std::string& name) {
+    for (Event& e : c_.events) {
+      Action& a = e.action;
+      if (a.cut >= 0 && a.whole == name) {
+        a.line =
+            names_[static_cast<std::size_t>(std::find(arcs_.begin(), arcs_.end(), a.cut) - arcs_.begin())];
+        a.at_b = false;
+      } else if (a.line == name && a.at_b) {
+        a.line = names_.back();
+      }
+      if (e.cause.line == name) place(e.cause.line, e.cause.arc);
+    }
+    for (HistoryPoint& h : c_.output.histories)
+      if (h.line == name && h.body.empty()) place(h.line, h.at);
+    for (Link& l : c_.links)
+      for (LinkEnd* end : {&l.end_a, &l.end_b})
+        if (end->line == name) place(end->line, end->arc);
+    for (Body& b : c_.bodies)
+      if (b.on && b.on->line == name) place(b.on->line, b.on->at);
+    for (std::size_t k = 1; k < names_.size(); ++k) {
+      if (!c_.contact.all_lines && c_.contact.takes_part(*line_of(name)))
+        c_.contact.lines.push_back(names_[k]);
+      for (std::size_t i = 0, n = c_.output.clearances.size(); i < n; ++i) {
+        Clearance more = c_.output.clearances[i];
+        if (more.line != name && more.other_line != name) continue;
+        (more.line == name ? more.line : more.other_line) = names_[k],
+                                         more.name += fmt::format(" part {}", k + 1);
+        c_.output.clearances.push_back(std::move(more));
+      }
+      BetweenLines& between = c_.contact.between_lines;
+      for (std::size_t i = 0, n = between.exclude.size(); i < n; ++i)
+        add(between.exclude, between.exclude[i], name, names_[k]);
+      for (std::size_t i = 0, n = between.pairs.size(); i < n; ++i) {
+        BetweenLines::Tuned more = between.pairs[i];
+        for (std::string* of : {&more.first, &more.second})
+          if (*of == name) {
+            *of = names_[k];
+            between.pairs.push_back(more);
+            break;
+          }
+      }
+    }
+    BetweenLines& between = c_.contact.between_lines;  // no contact with itself: nor of its parts
+    for (std::size_t k = 1; k < names_.size() && !between.self; ++k)
+      for (std::size_t i = 0; i < k; ++i) between.exclude.emplace_back(names_[i], names_[k]);
+  }
+
+  static void add(std::vector<std::pair<std::string, std::string>>& to,
+                  std::pair<std::string, std::string> pair, const std::string& name,
+                  const std::string& part) {
+    if (pair.first != name && pair.second != name) return;
+    (pair.first == name ? pair.first : pair.second) = part;
+    to.push_back(std::move(pair));
+  }
+  const Line* line_of(const std::string& name) const {
+    return &c_.lines[static_cast<std::size_t>(c_.line_index(name))];
+  }
+
+  Case c_;
+  std::vector<double> arcs_;        // m: where the parts of a line begin, and its length
+  std::vector<std::string> names_;  // of its parts
+};
+
+}  // namespace
+
+Case with_cuts(Case c) { return Cuts(std::move(c)).done(); }
+
+}  // namespace hawser::model

@@ -1,0 +1,60 @@
+// Words for what happens: who it is about, what is done, what it waits for.
+#include "hawser/model/event.hpp"
+
+#include <fmt/format.h>
+
+namespace hawser::model {
+namespace {
+
+std::string limit_text(const Cause& c, const char* unit) {
+  return fmt::format("{} {:g} {}", c.below ? "below" : "above", c.limit, unit);
+}
+
+}  // namespace
+
+std::string Action::subject() const {
+  if (kind == Kind::contact) return "contact with volume " + volume;
+  if (cut >= 0) return "line " + whole;
+  const std::string end = fmt::format("end {} of line {}", at_b ? 'B' : 'A', line);
+  return kind == Kind::feed ? "the feeder at " + end : end;
+}
+
+std::string Action::participle() const {
+  switch (kind) {
+    case Kind::release:
+      return cut >= 0 ? fmt::format("cut at {:g} m", cut) : "released";
+    case Kind::attach:
+      return body.empty() ? "attached" : "attached to body " + body;
+    case Kind::feed:
+      return law.speed.empty() ? fmt::format("set to {:g} N", law.tension)
+                               : fmt::format("set to {:g} m/s", law.speed.back().second);
+    case Kind::contact:
+      return enabled ? "switched on" : "switched off";
+  }
+  return "";
+}
+
+std::string Cause::text() const {
+  switch (kind) {
+    case Kind::time:
+      return fmt::format("at t = {:g} s", time);
+    case Kind::tension:
+      return fmt::format("when the effective tension of line {} at {:g} m is {}", line, arc,
+                         limit_text(*this, "N"));
+    case Kind::position:
+      return fmt::format("when {} of {} is {}", "xyz"[axis],
+                         body.empty() ? fmt::format("line {} at {:g} m", line, arc) : "body " + body,
+                         limit_text(*this, "m"));
+    case Kind::paid_out:
+      return fmt::format("when line {} is paid out {}", line, limit_text(*this, "m"));
+    case Kind::after:
+      return time > 0 ? fmt::format("{:g} s after '{}'", time, event) : fmt::format("at '{}'", event);
+    case Kind::stage:
+      return fmt::format("in stage '{}' of statics", event);
+    case Kind::near:
+      return fmt::format("when it is within {:g} m of its place", limit);
+  }
+  return "";
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,75 @@
+// The part of the class Dynamics that goes on with other supports: ends that are let go of, and ends that are
+// caught (docs/theory/events.md).
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/solve/dynamics.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double kJustBefore = 1e-9;  // of the time, or s
+
+bool holds(const Supports& supports, int node) {
+  return std::any_of(supports.list().begin(), supports.list().end(),
+                     [node](const Support& s) { return s.node == node && s.position_mask == 7; });
+}
+
+}  // namespace
+
+void Dynamics::release(std::vector<Support> supports) {
+  State s = committed_.s;
+  const Supports before = system_.supports();
+  // Of a body whose velocity jumps here the end leaves with the one before.
+  before.rates(s.time - kJustBefore * std::max(1.0, s.time), s);
+  system_.support(std::move(supports), BodyMotion(before.motion()));
+  control_.begin_anew();
+  catch_up(before, s);
+  start(s);
+}
+
+// Velocities after a plastic impact of what is held anew: with the mass matrix M of the free nodes and of
+// what is caught, no impulse acts on the free ones, M dv = 0 there, and what is caught has the velocity of
+// what catches it.
+void Dynamics::catch_up(const Supports& before, State& s) {
+  const LocalMesh& m = system_.mesh();
+  State held = s;
+  system_.supports().rates(s.time, held);
+  system_.supports().follow(held);
+  std::vector<int> caught;
+  for (const Support& h : system_.supports().list())
+    if (h.node < m.owned && h.position_mask == 7 && !holds(before, h.node)) caught.push_back(h.node);
+  int any = !caught.empty();
+  MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, system_.comm());
+  if (!any) return;
+  const double h = control_.proposal();
+  s.directors.clear(), s.director_weight = 0, s.mean = {};
+  committed_.s = s, last_step_ = 0;
+  prepare(h);
+  s = committed_.s;  // with the ghosts there are now
+  VecHandle rest;
+  check(VecDuplicate(r_.get(), rest.out()));
+  system_.residual(s.view(h), rest.get());
+  State struck = s;
+  for (const int n : caught) {
+    const size_t i = static_cast<size_t>(n);
+    struck.a[i] += held.v[i] - s.v[i];
+    if (m.rotates(n)) struck.alpha[i] += held.w[i] - s.w[i];
+  }
+  system_.spread(struck);
+  system_.residual(struck.view(h), r_.get());  // forces are linear in accelerations: more by M dv
+  check(VecAXPY(r_.get(), -1, rest.get()));
+  const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
+  system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());
+  solve_masses();
+  for (size_t i = 0; i < s.x.size(); ++i) {
+    const double* p = gathered_.data() + 3 * m.block[i];
+    s.v[i] -= Eigen::Map<const Vec3>(p);
+    if (m.rotates(static_cast<int>(i))) s.w[i] -= Eigen::Map<const Vec3>(p + 3);
+  }
+  system_.supports().rates(s.time, s);
+  system_.supports().follow(s);
+  system_.spread(s);
+}
+
+}  // namespace hawser
