@@ -1,0 +1,201 @@
+// Winches that start and stop during a run, volumes that lines begin to touch, one event after another,
+// stages of statics; restarts around them.
+#include "regression/event_runs.hpp"
+
+namespace hawser::runs::events {
+namespace {
+
+// A wire that is paid out from 0.5 s on until 0.4 m are out, rests, and then keeps a tension.
+TEST(Events, AWinchStartsStopsAndKeepsATension) {
+  const std::string path = folder("events-winch"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, R"(hawser: 1
+title: A winch
+environment: {gravity: 9.80665}
+line_types:
+  wire: {outer_diameter: 0.02, mass_per_length: 2, EA: 1e6, bending: false, stiffness_damping: 0.01}
+lines:
+  wire:
+    sections: [{type: wire, length: 20, elements: 20}]
+    end_a: {anchor: [0, 0, 20], feed: {stock: 10, speed: 0}}
+    end_b: free
+    masses: [{at: end_b, mass: 200}]
+dynamics: {duration: 2.5, max_step: 0.01}
+events:
+  - {name: start, feed: {line: wire, end: end_a, speed: 0.5, ramp: 0.2}, time: 0.5}
+  - {name: stop, feed: {line: wire, end: end_a, speed: 0, ramp: 0.1}, when: {paid_out: {line: wire, end: end_a, above: 0.4}}}
+  - {feed: {line: wire, end: end_a, tension: 2 kN, speed_per_tension: 1e-3}, after: stop, delay: 0.5}
+output: {every: 0.25}
+contact: {between_lines: false}
+)");
+  run_on_all({input, file});
+  for (const double stop : {0.5, 1.25, 2.25}) {
+    run_on_all({input, path + "/half.h5", "", stop});
+    run_on_all({input, path + "/rest.h5", path + "/half.h5"});
+    if (rank_of(MPI_COMM_WORLD) == 0) expect_same_positions(read(file), read(path + "/rest.h5"), 1e-7);
+  }
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto out = named(file, r, "wire_end_a_feed", "paid_out"),
+             v = named(file, r, "wire_end_a_feed", "feed_speed");
+  const auto error = named(file, r, "energy", "error"), in = named(file, r, "energy", "brought_in");
+  for (size_t i = 0; i < out.size(); ++i) {
+    const double t = r.step_times[i];
+    if (t < 0.5) {
+      EXPECT_NEAR(out[i], 0, 1e-12);
+    }
+    if (t > 0.7 && t < 1.3) {
+      EXPECT_NEAR(out[i], 0.05 + 0.5 * (t - 0.7), 1e-9) << t;
+    }
+    if (t > 1.55 && t < 1.88) {  // it has come to rest after 0.4 m, 1 mm at most, and 0.1 s at half its speed
+      EXPECT_NEAR(v[i], 0, 1e-12) << t;
+      EXPECT_GE(out[i], 0.425) << t;
+      EXPECT_LE(out[i], 0.4262) << t;
+    }
+  }
+  EXPECT_GT(v.back(), 0.01);  // 2.16 kN pull at 2 kN
+  for (size_t i = 0; i < error.size(); ++i)
+    EXPECT_LT(std::abs(error[i]), 0.02 * largest(in)) << r.step_times[i];
+}
+
+// A floor under a rope at rest: nothing happens when it is there, and it holds the rope when that is let go.
+const char* const kFloor = R"(hawser: 1
+title: A rope over a floor
+environment: {gravity: 9.80665}
+line_types:
+  rope: {outer_diameter: 0.1, mass_per_length: 10, EA: 1e7, bending: false, stiffness_damping: 1e-3}
+volumes:
+  floor: {shape: {box: {centre: [5, 0, -1.5], size: [30, 20, 1]}}, normal_stiffness: {per_length: 1e5}, relative_damping: 0.5}
+lines:
+  rope:
+    sections: [{type: rope, length: 10, elements: 10}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: {anchor: [9.99, 0, 0]}
+dynamics: {duration: 1.5, max_step: 0.01}
+events:
+  - {name: on, contact: {volume: floor, enabled: true}, time: 0.25}
+  - {release: {line: rope, end: end_a}, after: on, delay: 0.25}
+  - {release: {line: rope, end: end_b}, after: on, delay: 0.25}
+output: {every: 0.25}
+contact: {between_lines: false}
+)";
+
+double lowest(const Results& r, size_t output) {
+  double z = HUGE_VAL;
+  for (size_t n = 0; n <= 10; ++n) z = std::min(z, r.fields.at("position").at(3 * (11 * output + n) + 2));
+  return z;
+}
+
+TEST(Events, AVolumeIsSwitchedOn) {
+  const std::string path = folder("events-volume"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kFloor);
+  run_on_all({input, file});
+  expect_same_after_restarts(path, input, 1e-6);
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const double rest = lowest(r, 0);
+  EXPECT_NEAR(lowest(r, 1), rest, 1e-8);
+  EXPECT_NEAR(lowest(r, 2), rest, 1e-8);
+  EXPECT_NEAR(lowest(r, 6), -0.95, 0.02);  // its axis is half a diameter above
+}
+
+// Off again, what lies on it falls; what its contact held goes with it and is accounted for.
+TEST(Events, AVolumeIsSwitchedOff) {
+  const std::string path = folder("events-off"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(
+      input, kFloor,
+      {{"centre: [5, 0, -1.5], size: [30, 20, 1]", "centre: [5, 0, -1.2], size: [30, 20, 1.6]"},
+       {"  - {name: on, contact: {volume: floor, enabled: true}, time: 0.25}\n  - {release: {line: rope, "
+        "end: "
+        "end_a}, after: on, delay: 0.25}\n  - {release: {line: rope, end: end_b}, after: on, delay: 0.25}\n",
+        "  - {release: {line: rope, end: end_a}, time: 0}\n  - {release: {line: rope, end: end_b}, time: "
+        "0}\n  "
+        "- {contact: {volume: floor, enabled: false}, time: 1}\n"}});
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  EXPECT_NEAR(lowest(r, 4), -0.35, 0.02);
+  EXPECT_NEAR(lowest(r, 6), lowest(r, 4) - 0.5 * kGravity * 0.25, 0.02);
+  const auto error = named(file, r, "energy", "error"), in = named(file, r, "energy", "brought_in");
+  EXPECT_LT(largest(error), 0.02 * largest(in));
+}
+
+// In a line at rest it would be struck.
+TEST(Events, AVolumeIsNotSwitchedOnAroundALine) {
+  const std::string path = folder("events-around"), input = path + "/case.yaml";
+  write_case(input, kFloor,
+             {{"centre: [5, 0, -1.5], size: [30, 20, 1]", "centre: [5, 0, -0.5], size: [30, 20, 3]"}});
+  const std::string why = error_of(input, path + "/whole.h5");
+  EXPECT_NE(why.find("contact with volume floor is to be switched on, but line rope is inside it"),
+            std::string::npos)
+      << why;
+}
+
+// At a position of a body, to 1 mm, and so much later.
+TEST(Events, OneAfterAnother) {
+  const std::string path = folder("events-after"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(
+      input, kHanging,
+      {{"lines:\n", "bodies:\n  ship: {position: [0, 0, 100], motion: {velocity: [0.1, 0, 0]}}\nlines:\n"},
+       {"{cut: {line: chain, at: 10}, time: 0.5}",
+        "{name: here, cut: {line: chain, at: 10}, when: {position: {body: ship, axis: x, above: 0.03}}}\n  - "
+        "{release: {line: chain, end: end_b}, after: here, delay: 0.2}"},
+       {"every: 0.25",
+        "every: 0.1, histories: [{line: chain, at: end_b, name: end}, {line: chain, at: end_a, "
+        "name: low}]"}});
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const double rest = mean_of(r, "position", 0, 0, 10, 2);
+  const double fell = rest - mean_of(r, "position", 10, 0, 10, 2), from = 1 - std::sqrt(2 * fell / kGravity);
+  EXPECT_GE(from, 0.3 - 1e-6);
+  EXPECT_LE(from, 0.31);
+  const auto z = named(file, r, "end", "position_z");
+  for (size_t i = 0; i < z.size(); ++i)
+    if (r.step_times[i] < from + 0.2 - 1e-6) {
+      EXPECT_NEAR(z[i], 100, 1e-12);
+    }
+  EXPECT_LT(z.back(), 99.9);
+}
+
+// A weight that hangs on two legs, one of which lets go in a stage of statics, hangs straight down
+// afterwards.
+TEST(Events, AStageOfStatics) {
+  const std::string path = folder("events-stage"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, R"(hawser: 1
+title: A weight on two legs
+environment: {gravity: 9.80665}
+line_types:
+  rope: {outer_diameter: 0.05, mass_per_length: 1, EA: 1e6, bending: false}
+joints:
+  shackle: {start: [0, 0, -3]}
+lines:
+  leg 1:
+    sections: [{type: rope, length: 5, elements: 5}]
+    end_a: {anchor: [-4, 0, 0]}
+    end_b: {joint: shackle}
+  leg 2:
+    sections: [{type: rope, length: 5, elements: 5}]
+    end_a: {anchor: [4, 0, 0]}
+    end_b: {joint: shackle}
+  weight:
+    sections: [{type: rope, length: 1, elements: 1}]
+    end_a: {joint: shackle}
+    end_b: free
+    masses: [{at: end_b, mass: 100}]
+stages: [two legs, one leg]
+events:
+  - {release: {line: leg 2, end: end_b}, stage: one leg}
+contact: {between_lines: false}
+)");
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const auto& x = read(file).fields.at("position");
+  EXPECT_NEAR(x.at(3 * 5), -4, 1e-6);
+  const double weight = kGravity * (100 + 1), own = kGravity * 5;
+  EXPECT_NEAR(x.at(3 * 5 + 2), -5 - 5 * (weight + own / 2) / 1e6, 1e-5);
+  EXPECT_NEAR(x.at(3 * 11), 4, 1e-6);
+  EXPECT_NEAR(x.at(3 * 11 + 2), -5 - 5 * own / 2 / 1e6, 1e-5);
+}
+
+}  // namespace
+}  // namespace hawser::runs::events
