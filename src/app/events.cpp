@@ -79,10 +79,14 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
     }
     case Cause::Kind::near:
       return own ? actions_.away(h.what.action, at) : -HUGE_VAL;
-    default:
-      break;
+    case Cause::Kind::tension:
+      return local_tension(h.node);
+    case Cause::Kind::time:
+    case Cause::Kind::after:
+    case Cause::Kind::stage:
+      break;  // wait for no value
   }
-  return local_tension(h.node);
+  return -HUGE_VAL;
 }
 
 double Events::local_tension(int node) const {

@@ -1,4 +1,5 @@
-// The class Stations: which part of a line is at them, by what its feeder has paid out.
+// The class Stations: which part of a line is at places that stay with its feeder, by what its feeder has
+// paid out.
 #include "hawser/app/stations.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // The cable element: pointwise tension with its tangent, and the energy-conserving mean tension over a step
-// with damping, numerical filter and changes between taut and slack.
+// with damping, numerical filter and changes between taut and slack. `cable_pull` is the force at a state
+// (statics, output), `cable_mean` that over a time step.
 #include "hawser/kernels/cable.hpp"
 
 #include <algorithm>

@@ -158,6 +158,7 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     const Row un = u - along * t;
     const double speed = std::sqrt(dot(un, un)), size = std::abs(along);
     const double wF = w * wet.share;
+    // Drag ½ρ Cd D |u_n| u_n across and ½ρ Cd πD |u_t| u_t along, and Froude-Krylov, N/m of wet length.
     const Row flow = (s.drag_normal * speed) * un + (s.drag_axial * size * along) * t + s.displaced_mass * aw;
     // Accelerations that belong to each shape: consistent for a beam, the mean of lumped and consistent for a
     // cable, as its own mass.

@@ -349,7 +349,8 @@ Verdict Feeders::judge(const Kinematics& trial) const {
       if (length < kShortest * whole ||
           length > whole + kLonger * element_length(f, std::max(f.mouth - 1, 0)))
         return {Verdict::Kind::shorter,
-                fmt::format("{} is paid out or hauled in by more than half an element in it", f.name)};
+                fmt::format("{} is paid out or hauled in by more of an element than one step can follow",
+                            f.name)};
     }
   }
   return {};

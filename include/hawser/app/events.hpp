@@ -1,5 +1,5 @@
-// What happens during a run: at a time, when a condition is met, or after something else
-// (docs/theory/events.md).
+// What happens during a run: at a time, when a condition is met, or after something else;
+// and what stages of statics begin with (docs/theory/events.md).
 #pragma once
 
 #include <mpi.h>
