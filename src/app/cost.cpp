@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/app/events.hpp"
 #include "hawser/app/feeding.hpp"
 #include "hawser/app/output_times.hpp"
 
@@ -44,15 +45,17 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
   }
   try {
     double first = 0;  // CPU s, at the end of the first iteration, which also sets up what all others use
-    if (c.statics.enabled)
-      sim.solve_statics([&](const StaticsReport& now) {
+    if (c.statics.enabled) {
+      const auto told = [&](const StaticsReport& now) {
         if (now.iterations <= 1) first = cpu_time();
         if (now.iterations <= 1 || !over()) return;
         trial.iteration = (cpu_time() - first) / (now.iterations - 1);
         throw Spent();
-      });
-    else
+      };
+      Events(sim.system().comm(), sim).come_to_rest([&](bool further) { sim.solve_statics(told, further); });
+    } else {
       sim.check_inside();
+    }
     if (c.dynamics.enabled) {
       std::vector<std::pair<double, double>> way;  // CPU s, simulated s
       const OutputTimes times(c);

@@ -132,12 +132,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   } else if (c.statics.enabled) {
     {
       const Stage stage("statics");
-      if (c.stages.empty()) solve_statics(sim, progress);
-      for (const std::string& name : c.stages) {
-        progress.say(fmt::format("stage {} of statics", name));
-        for (const std::string& e : events.stage(name)) progress.say(e);
-        solve_statics(sim, progress, name != c.stages.front());
-      }
+      solve_statics(sim, events, progress);
     }
     give_back_memory();
   }

@@ -200,7 +200,16 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
   }
 }
 
-std::vector<std::string> Events::stage(const std::string& name) { return at_rest(name); }
+void Events::come_to_rest(const std::function<void(bool)>& solve,
+                          const std::function<void(const std::string&)>& say) {
+  const std::vector<std::string>& stages = sim_.model().stages;
+  if (stages.empty()) solve(false);
+  for (const std::string& name : stages) {
+    say(fmt::format("stage {} of statics", name));
+    for (const std::string& e : at_rest(name)) say(e);
+    solve(name != stages.front());
+  }
+}
 
 std::vector<std::string> Events::begin() {
   if (events_.empty()) return {};

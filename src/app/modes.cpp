@@ -147,7 +147,8 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   for (const auto& n : place.notes()) progress.say("note: " + n);
   for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
   for (const auto& w : sim.warnings()) progress.say("warning: " + w);
-  const StaticsReport statics = solve_statics(sim, progress);
+  Events events(comm, sim);
+  const StaticsReport statics = solve_statics(sim, events, progress);
   const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);
   progress.end();
   std::string table = fmt::format("{:>4} {:>12} {:>14}  {:^17}  {}\n", "mode", "period [s]", "frequency [Hz]",

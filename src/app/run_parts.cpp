@@ -93,7 +93,9 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
   return std::move(met.model);
 }
 
-StaticsReport solve_statics(Simulation& sim, Progress& progress, bool further) {
+namespace {
+
+StaticsReport solve_one(Simulation& sim, Progress& progress, bool further) {
   const model::Case& c = sim.model();
   const size_t told = sim.notes().size();
   const StaticsReport s = sim.solve_statics(
@@ -117,6 +119,15 @@ StaticsReport solve_statics(Simulation& sim, Progress& progress, bool further) {
     progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",
                              s.negative_eigenvalues));
   return s;
+}
+
+}  // namespace
+
+StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress) {
+  StaticsReport last;
+  events.come_to_rest([&](bool further) { last = solve_one(sim, progress, further); },
+                      [&](const std::string& what) { progress.say(what); });
+  return last;
 }
 
 io::ReadingNews news(Progress& progress) {

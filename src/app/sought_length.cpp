@@ -94,7 +94,7 @@ SoughtLength::SoughtLength(const model::Case& c, size_t line, bool at_b, int fee
     : line_(line), feeder_(feeder), rest_(0) {
   const model::Line& l = c.lines[line];
   const model::Feed& feed = *(at_b ? l.end_b : l.end_a).feed;
-  key_ = fmt::format("lines.{}.end_{}.feed.stock", l.name, at_b ? 'b' : 'a');
+  key_ = fmt::format("lines.{}.end_{}.feed.stock", l.whole ? l.whole->name : l.name, at_b ? 'b' : 'a');
   t_.value = feed.tension, t_.at_a = !at_b, t_.most = model::length_of(l);
   given_ = feed.stock;
   begin(given_, kNextStep * (t_.most - given_));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/app/events.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/app/sought_length.hpp"
 #include "hawser/base/error.hpp"
@@ -61,7 +62,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
     try {
       MetTargets out{io::with_lengths(c, lengths, comm), {}};
       Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes));
-      sim.solve_statics(told);
+      Events(comm, sim).come_to_rest([&](bool further) { sim.solve_statics(told, further); });
       const AtRest now = at_rest(comm, sim);
       for (SoughtLength& s : all) parted |= s.see(now);
       if (std::all_of(all.begin(), all.end(), [](const SoughtLength& s) { return s.met(); })) {

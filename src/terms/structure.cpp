@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
@@ -36,11 +35,6 @@ CableStart started(const StructureTerm::Cable& c, double step, double last) {
   return s;
 }
 
-// Numbers that a beam remembers of its bends.
-size_t remembered(const StructureTerm::Beam& b) {
-  return b.section.plastic ? kBendingPlaces * b.section.plastic->memory() : 0;
-}
-
 }  // namespace
 
 StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
@@ -52,11 +46,11 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std
     damped_ |= b.section.beta > 0;
   }
   size_t all = 0;
-  for (const Beam& b : beams_) all += remembered(b);
+  for (const Beam& b : beams_) all += b.remembered();
   set_.assign(all, 0), yields_ = all > 0;
   size_t at = 0;
   for (Beam& b : beams_) {
-    b.memory = at, at += remembered(b);
+    b.memory = at, at += b.remembered();
     if (b.section.plastic) b.reference.set = set_.data() + b.memory;
   }
   for (Cable& c : cables_) {
@@ -143,9 +137,11 @@ Vec3 far(const Kinematics& at, const LocalElement& e) {
       at.x[static_cast<size_t>(e.second)].cwiseAbs());
 }
 
-// N, in the tension: a strain is a difference of positions, and each is known to eps |x|.
-double pull_round_off(const Kinematics& at, const auto& e) {
-  return e.section.EA / e.section.length * eps * far(at, e.at).maxCoeff();
+// N, in the tension: a strain is a difference of positions, each known to eps |x|, and in a step h a rate of
+// strain is such a difference over h.
+double pull_round_off(const Kinematics& at, const auto& e, double h = 0) {
+  const double rates = h > 0 ? e.section.beta / h : 0;
+  return (1 + rates) * e.section.EA / e.section.length * eps * far(at, e.at).maxCoeff();
 }
 
 double chord_strain(const Kinematics& at, const auto& e, double free_strain) {
@@ -155,10 +151,10 @@ double chord_strain(const Kinematics& at, const auto& e, double free_strain) {
 
 }  // namespace
 
-double StructureTerm::round_off(const Kinematics& at, double) const {
+double StructureTerm::round_off(const Kinematics& at, double h) const {
   double sum = 0;
   const auto pull = [&](const auto& e) {
-    if (e.at.counted) sum += std::pow(pull_round_off(at, e), 2);
+    if (e.at.counted) sum += std::pow(pull_round_off(at, e, h), 2);
   };
   for (const Beam& b : beams_) {
     if (b.idle) continue;
@@ -245,7 +241,7 @@ double StructureTerm::bend(const Kinematics& at) {
   for (Beam& b : beams_) {
     if (!b.section.plastic || b.idle) continue;
     double* set = set_.data() + b.memory;
-    if (b.reference.set != set) std::copy_n(b.reference.set, remembered(b), set);  // of another length
+    if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);  // of another length
     b.reference.set = set;
     const double lost = beam_bend(b.section, b.reference, ends(b, at), set);
     if (b.at.counted) dissipated += lost;
@@ -255,9 +251,9 @@ double StructureTerm::bend(const Kinematics& at) {
 
 void StructureTerm::prepare(const Kinematics& committed, double h) {
   // Statics takes every section to be bent there in one go: what that leaves is remembered when motion
-  // begins, and is no work of the motion. Later this finds everything remembered.
+  // begins, and is no work of the motion.
   see_feeders(committed);
-  if (h > 0 && !set_.empty()) bend(committed);
+  if (h > 0 && !(committed.step > 0) && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
   for (Cable& c : cables_) {
@@ -301,100 +297,6 @@ Energy StructureTerm::energy(const Kinematics& at) const {
     if (c.at.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
   e.damping = damping_, e.unresolved = filtered_;
   return e;
-}
-
-namespace {
-enum Kind { kSums, kStretched, kBent, kInside };  // keys: none, elements of the mesh, and feeders
-
-struct Sums {
-  double power = 0, damping = 0, filtered = 0;
-  template <class Self, class Each>
-  static void quantities(Self& self, Each&& each) {
-    each("damping power", "W", self.power), each("damping", "J", self.damping);
-    each("axial vibration taken out", "J", self.filtered);
-  }
-};
-struct Stretched {
-  double stretch = 0;
-  template <class Self, class Each>
-  static void quantities(Self& self, Each&& each) {
-    each("stretch", "m", self.stretch);
-  }
-};
-struct Bent {
-  double about2 = 0, about3 = 0;
-  template <class Self, class Each>
-  static void quantities(Self& self, Each&& each) {
-    each("plastic curvature about 2", "1/m", self.about2),
-        each("plastic curvature about 3", "1/m", self.about3);
-  }
-};
-}  // namespace
-
-// The sums at this rank's first node: over ranks they are what counts. How an element stretched and was bent,
-// at each of its nodes, for every rank that has it to find.
-std::vector<HistoryKind> StructureTerm::history() const {
-  return {history_kind<Sums>("sums of a rank"), history_kind<Stretched>("axial vibration"),
-          history_kind<Bent>("plastic bending"), history_kind<Bent>("plastic bending inside a feeder")};
-}
-
-std::vector<HistoryRecord> StructureTerm::save() const {
-  if (mesh_.owned == 0) return {};
-  std::vector<HistoryRecord> out{
-      record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums)};
-  for (const Cable& c : cables_)
-    for (const int n : {c.at.first, c.at.second})
-      if (n < mesh_.owned && c.start.stretch != 0)
-        out.push_back(record_of(mesh_.global[static_cast<size_t>(n)], c.at.global, Stretched{c.start.stretch},
-                                kStretched));
-  for (const Beam& b : beams_)
-    for (const int n : {b.at.first, b.at.second}) {
-      if (!b.reference.set || n >= mesh_.owned) continue;
-      HistoryRecord& r =
-          out.emplace_back(HistoryRecord{mesh_.global[static_cast<size_t>(n)], b.at.global, {}, kBent});
-      r.values.assign(set_.data() + b.memory, set_.data() + b.memory + remembered(b));
-    }
-  for (size_t k = 0; k < fed_.size(); ++k) {
-    if (fed_[k].inside.empty()) continue;
-    const Feeder& f = feeders_->list()[k];
-    for (const int i : {f.mouth, f.mouth + 1})
-      if (const int n = mesh_.find(feeders_->node(f, i)); n >= 0 && n < mesh_.owned)
-        out.push_back({feeders_->node(f, i), static_cast<int>(k), fed_[k].inside, kInside});
-  }
-  return out;
-}
-
-void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
-  power_ = 0, damping_ = 0, filtered_ = 0;
-  std::map<int, double> stretch;
-  std::map<int, const std::vector<double>*> bent;
-  for (const HistoryRecord& r : records) {
-    if (r.kind == kSums) {
-      const Sums s = entry<Sums>(r);
-      power_ += s.power, damping_ += s.damping, filtered_ += s.filtered;
-    } else if (r.kind == kStretched) {
-      stretch[r.key] = entry<Stretched>(r).stretch;
-    } else if (r.kind == kBent) {
-      bent[r.key] = &r.values;
-    } else if (const size_t k = static_cast<size_t>(r.key);
-               k < fed_.size() && fed_[k].inside.size() == r.values.size()) {
-      fed_[k].inside = r.values;
-    }
-  }
-  for (const Beam& b : beams_) {
-    if (!b.section.plastic) continue;
-    double* set = set_.data() + b.memory;
-    const size_t size = remembered(b);
-    const auto it = bent.find(b.at.global);
-    if (it != bent.end() && it->second->size() == size)
-      std::copy(it->second->begin(), it->second->end(), set);
-    else
-      std::fill_n(set, size, 0.0);
-  }
-  for (Cable& c : cables_) {
-    const auto it = stretch.find(c.at.global);
-    c.start.stretch = it == stretch.end() ? 0 : it->second;
-  }
 }
 
 // Both lists are in the order of the mesh.

@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,12 @@ class Events {
  public:
   Events(MPI_Comm comm, Simulation& simulation);
 
-  // Before statics of a stage: what begins it is done in the simulation's state, and told likewise.
-  // SolveError where it cannot be. Collective.
-  std::vector<std::string> stage(const std::string& name);
+  // Statics of the case: its stages one after another, or all at once where it has none. `solve` finds a
+  // rest, `further` from the one before; `say` is told what begins each stage, a sentence each. SolveError
+  // where a stage cannot begin. Collective.
+  void come_to_rest(
+      const std::function<void(bool further)>& solve,
+      const std::function<void(const std::string&)>& say = [](const std::string&) {});
 
   // Before a run starts from the simulation's state: what happens at t = 0 has happened in it, and steps will
   // end where a condition is met. What is to be told, a sentence each; InputError where one is met already.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/app/events.hpp"
 #include "hawser/app/progress.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/app/volumes.hpp"
@@ -30,9 +31,9 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
 // it. Collective.
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
                              Progress& progress, const std::string& restart = "");
-// Statics of the case, its progress and what is to be told of the equilibrium; further: from a rest before.
-// Collective; throws as Simulation::solve_statics does.
-StaticsReport solve_statics(Simulation& sim, Progress& progress, bool further = false);
+// Statics of the case with its stages, its progress and what is to be told of the equilibrium; what the
+// search of the last one was. Collective; throws as Simulation::solve_statics does.
+StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress);
 io::ReadingNews news(Progress& progress);  // which must live as long
 
 }  // namespace hawser::app

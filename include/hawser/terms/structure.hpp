@@ -28,8 +28,9 @@ class StructureTerm final : public ForceTerm,
     int blocks[4] = {};  // x1, theta1, x2, theta2
     BeamSection section;
     BeamReference reference = {};
-    bool idle = false;  // inside a feeder
-    size_t memory = 0;  // of plastic bending, where what it remembers begins
+    bool idle = false;          // inside a feeder
+    size_t memory = 0;          // of plastic bending, where what it remembers begins
+    size_t remembered() const;  // numbers of its bends
   };
   struct Cable {
     LocalElement at;

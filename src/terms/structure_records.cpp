@@ -1,0 +1,110 @@
+// What StructureTerm remembers, for checkpoints: sums of dissipation, stretches of cables, bends of beams
+// that yield, and what is inside feeders.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "hawser/terms/feeders.hpp"
+#include "hawser/terms/structure.hpp"
+
+namespace hawser {
+
+size_t StructureTerm::Beam::remembered() const {
+  return section.plastic ? kBendingPlaces * section.plastic->memory() : 0;
+}
+
+namespace {
+enum Kind { kSums, kStretched, kBent, kInside };  // keys: none, elements of the mesh, and feeders
+
+struct Sums {
+  double power = 0, damping = 0, filtered = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("damping power", "W", self.power), each("damping", "J", self.damping);
+    each("axial vibration taken out", "J", self.filtered);
+  }
+};
+struct Stretched {
+  double stretch = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("stretch", "m", self.stretch);
+  }
+};
+struct Bent {
+  double about2 = 0, about3 = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("plastic curvature about 2", "1/m", self.about2),
+        each("plastic curvature about 3", "1/m", self.about3);
+  }
+};
+}  // namespace
+
+// The sums at this rank's first node: over ranks they are what counts. How an element stretched and was bent,
+// at each of its nodes, for every rank that has it to find.
+std::vector<HistoryKind> StructureTerm::history() const {
+  return {history_kind<Sums>("sums of a rank"), history_kind<Stretched>("axial vibration"),
+          history_kind<Bent>("plastic bending"), history_kind<Bent>("plastic bending inside a feeder")};
+}
+
+std::vector<HistoryRecord> StructureTerm::save() const {
+  if (mesh_.owned == 0) return {};
+  std::vector<HistoryRecord> out{
+      record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums)};
+  for (const Cable& c : cables_)
+    for (const int n : {c.at.first, c.at.second})
+      if (n < mesh_.owned && c.start.stretch != 0)
+        out.push_back(record_of(mesh_.global[static_cast<size_t>(n)], c.at.global, Stretched{c.start.stretch},
+                                kStretched));
+  for (const Beam& b : beams_)
+    for (const int n : {b.at.first, b.at.second}) {
+      if (!b.reference.set || n >= mesh_.owned) continue;
+      HistoryRecord& r =
+          out.emplace_back(HistoryRecord{mesh_.global[static_cast<size_t>(n)], b.at.global, {}, kBent});
+      r.values.assign(set_.data() + b.memory, set_.data() + b.memory + b.remembered());
+    }
+  for (size_t k = 0; k < fed_.size(); ++k) {
+    if (fed_[k].inside.empty()) continue;
+    const Feeder& f = feeders_->list()[k];
+    for (const int i : {f.mouth, f.mouth + 1})
+      if (const int n = mesh_.find(feeders_->node(f, i)); n >= 0 && n < mesh_.owned)
+        out.push_back({feeders_->node(f, i), static_cast<int>(k), fed_[k].inside, kInside});
+  }
+  return out;
+}
+
+void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
+  power_ = 0, damping_ = 0, filtered_ = 0;
+  std::map<int, double> stretch;
+  std::map<int, const std::vector<double>*> bent;
+  for (const HistoryRecord& r : records) {
+    if (r.kind == kSums) {
+      const Sums s = entry<Sums>(r);
+      power_ += s.power, damping_ += s.damping, filtered_ += s.filtered;
+    } else if (r.kind == kStretched) {
+      stretch[r.key] = entry<Stretched>(r).stretch;
+    } else if (r.kind == kBent) {
+      bent[r.key] = &r.values;
+    } else if (const size_t k = static_cast<size_t>(r.key);
+               k < fed_.size() && fed_[k].inside.size() == r.values.size()) {
+      fed_[k].inside = r.values;
+    }
+  }
+  for (const Beam& b : beams_) {
+    if (!b.section.plastic) continue;
+    double* set = set_.data() + b.memory;
+    const size_t size = b.remembered();
+    const auto it = bent.find(b.at.global);
+    if (it != bent.end() && it->second->size() == size)
+      std::copy(it->second->begin(), it->second->end(), set);
+    else
+      std::fill_n(set, size, 0.0);
+  }
+  for (Cable& c : cables_) {
+    const auto it = stretch.find(c.at.global);
+    c.start.stretch = it == stretch.end() ? 0 : it->second;
+  }
+}
+
+}  // namespace hawser
