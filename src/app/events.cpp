@@ -164,6 +164,8 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
   Happening& h = events_[i];
   const Action& a = h.what.action;
   h.found = actions_.act(a, at);
+  h.order = static_cast<double>(std::count_if(events_.begin(), events_.end(),
+                                              [](const Happening& other) { return other.happened >= 0; }));
   h.happened = at.time;
   std::string how;
   if (a.kind == Action::Kind::release) {
@@ -186,6 +188,19 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
   }
 }
 
+void Events::happen(const std::vector<size_t>& now, const Kinematics& at, const std::string& stage,
+                    std::vector<std::string>& told, const std::function<void()>& go_on) {
+  try {
+    actions_.begin();
+    for (const size_t i : now) happen(i, at, stage, told);
+    go_on();
+  } catch (...) {
+    // The checkpoint of what stops here is of the state before.
+    for (const size_t i : now) events_[i].happened = -1;
+    throw;
+  }
+}
+
 // In the state from which dynamics or a stage begins.
 std::vector<std::string> Events::at_rest(const std::string& stage) {
   const Kinematics at = sim_.state().view(0);
@@ -194,9 +209,8 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
   for (;;) {
     const std::vector<size_t> now = due_at(at.time, values(at), stage);
     if (now.empty()) return told;
-    actions_.begin();
-    for (const size_t i : now) happen(i, at, stage, told);
-    system.support(actions_.supports(), BodyMotion(system.supports().motion()));
+    happen(now, at, stage, told,
+           [&] { system.support(actions_.supports(), BodyMotion(system.supports().motion())); });
   }
 }
 
@@ -235,9 +249,7 @@ std::vector<std::string> Events::apply_due() {
       return events_[i].what.action.kind != Action::Kind::release;
     });
     const double before = changes ? energy() : 0;
-    actions_.begin();
-    for (const size_t i : now) happen(i, at, "", told);
-    d.release(actions_.supports());
+    happen(now, at, "", told, [&] { d.release(actions_.supports()); });
     if (changes) d.add_support_work(energy() - before);
   }
   return told;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 #include "hawser/app/events.hpp"
 #include "hawser/base/error.hpp"
@@ -13,6 +14,7 @@ namespace {
 using model::Cause;
 
 const std::string kHappened = "event.";  // before the name
+const std::string kOrder = " order";     // after it
 
 double slack(double time) { return 1e-9 * std::max(1.0, time); }
 
@@ -28,7 +30,7 @@ void Events::save(io::Checkpoint& to) const {
   for (const Happening& h : events_) {
     if (h.happened < 0) continue;
     const std::string key = kHappened + h.what.name;
-    to.scalars[key] = h.happened;
+    to.scalars[key] = h.happened, to.scalars[key + kOrder] = h.order;
     Actions::Found found = h.found;
     for (const auto& [name, value] : entries(found)) to.scalars[key + name] = *value;
   }
@@ -40,7 +42,7 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   std::set<std::string> known;  // keys
   for (Happening& h : events_) {
     const std::string key = kHappened + h.what.name;
-    known.insert(key);
+    known.insert(key), known.insert(key + kOrder);
     const auto at = from.scalars.find(key);
     if (at == from.scalars.end()) {
       if (h.what.cause.kind == Cause::Kind::time && h.what.cause.time < from.time - slack(from.time))
@@ -56,6 +58,8 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
       continue;
     }
     h.happened = at->second;
+    if (const auto order = from.scalars.find(key + kOrder); order != from.scalars.end())
+      h.order = order->second;
     for (const auto& [name, value] : entries(h.found)) {
       known.insert(key + name);
       if (const auto entry = from.scalars.find(key + name); entry != from.scalars.end())
@@ -69,8 +73,9 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
           "{}: events: '{}' happened at t = {:g} s of the run that this one goes on from, and no event "
           "of the case says so; keep that event",
           sim_.model().path, key.substr(kHappened.size()), time));
-  std::stable_sort(happened.begin(), happened.end(),
-                   [](const Happening* a, const Happening* b) { return a->happened < b->happened; });
+  std::stable_sort(happened.begin(), happened.end(), [](const Happening* a, const Happening* b) {
+    return std::tie(a->happened, a->order) < std::tie(b->happened, b->order);
+  });
   std::vector<std::string> told;
   actions_.begin();
   for (const Happening* h : happened) {

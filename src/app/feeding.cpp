@@ -61,9 +61,14 @@ void Feeding::hand_over() {
       for (const Feeder& o : all->list())
         if (o.line == f.line && o.at_b != f.at_b) others = o.mouth;
       if (f.mouth + 2 + others >= all->elements(f))
-        throw SolveError(fmt::format(
-            "at t = {:.6g} s all of the line is hauled in at {}: let it haul in less, or the run end before",
-            time, f.name));
+        throw SolveError(
+            fmt::format("at t = {:.6g} s all of the line{} is hauled in at {}: let it haul in less, or the "
+                        "run end before",
+                        time,
+                        sim_.model().lines[static_cast<size_t>(f.line)].whole
+                            ? " up to the place of its cut, which cannot be hauled in,"
+                            : "",
+                        f.name));
       haul_in(f);
     }
   }

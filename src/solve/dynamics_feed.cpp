@@ -16,10 +16,13 @@ constexpr double kFarthest = 0.1;  // m and rad that a node may settle by; where
 
 void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
                          const std::function<std::vector<Support>()>& supports) {
-  const auto forces = [this] {
+  // Where an event has just happened no step went before, and the forces are those that the next one begins
+  // with (see start), not those of statics.
+  const double h = last_step_ > 0 ? last_step_ : control_.proposal();
+  const auto forces = [this, h] {
     State s = committed_.s;
     s.mean = {};
-    system_.residual(s.view(last_step_), r_.get());
+    system_.residual(s.view(h), r_.get());
   };
   prepare(control_.proposal());  // nothing has moved since
   forces();
@@ -44,7 +47,7 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
   system_.support(supports(), BodyMotion(system_.supports().motion()));
   prepare(control_.proposal());  // another element can touch others
   for (auto* rows : {&mean, &all}) rows->resize(reactions_.size(), 0);
-  if (settles >= 0) settle(settles);
+  if (settles >= 0) settle(settles, h);
   forces();
   const auto add = [](std::vector<double>& to, const std::vector<double>& now,
                       const std::vector<double>& before) {
@@ -57,7 +60,7 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
 
 // Newton's method for its place alone: the sag of the element that it divides, and the part of the tension
 // that is its own weight's.
-void Dynamics::settle(int node) {
+void Dynamics::settle(int node, double h) {
   const LocalMesh& m = system_.mesh();
   const int n = m.find(node);
   const bool own = n >= 0 && n < m.owned;
@@ -65,8 +68,8 @@ void Dynamics::settle(int node) {
   for (int i = 0; i < kMostSettling; ++i) {
     State s = committed_.s;
     s.mean = {};
-    system_.residual(s.view(last_step_), r_.get());
-    system_.tangent(s.view(last_step_), {1, 0, 0}, zero, false, J_.get());
+    system_.residual(s.view(h), r_.get());
+    system_.tangent(s.view(h), {1, 0, 0}, zero, false, J_.get());
     double going = 0;
     if (own) {
       const int block = m.block[static_cast<size_t>(n)], size = m.rotates(n) ? 6 : 3;

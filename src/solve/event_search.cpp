@@ -20,7 +20,7 @@ void weigh(std::vector<double>& stays, const std::vector<double>& before, const 
 }  // namespace
 
 double EventSearch::next(double h, double shortest, const std::vector<double>& end,
-                         const std::function<std::vector<double>()>& at_start) {
+                         const std::vector<double>& at_start) {
   const bool beyond = std::any_of(end.begin(), end.end(), [](double g) { return g > 1; });
   const bool there = std::any_of(end.begin(), end.end(), [](double g) { return g >= 0; });
   if (beyond ? h - before_ <= 2 * shortest : beyond_ == 0 || there) return h;
@@ -28,7 +28,7 @@ double EventSearch::next(double h, double shortest, const std::vector<double>& e
   for (double& g : now) g -= kAim;
   if (beyond) {
     if (beyond_ == 0) {
-      left_ = at_start();
+      left_ = at_start;
       for (double& g : left_) g -= kAim;
     }
     if (moved_ == 1) weigh(left_, right_, now);

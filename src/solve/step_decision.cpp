@@ -43,6 +43,7 @@ double Dynamics::next_try() const {
 double Dynamics::begin_step() {
   prepare(control_.proposal());  // tries can only be shorter
   tries_ = {};
+  if (events_) tries_.at_start = events_(kinematics());  // before terms know of trials
   if (control_.limited()) {
     const StepLimit limit = system_.longest_step(committed_.s.view(last_step_),
                                                  {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
@@ -63,8 +64,8 @@ Dynamics::Decision Dynamics::decide() {
   switch (verdict.kind) {
     case Verdict::Kind::accept:
       if (events_ && !control_.shortest(h_)) {
-        tries_.event = tries_.search.next(h_, control_.shortest(), events_(trial_.s.view(h_)),
-                                          [this] { return events_(kinematics()); });
+        tries_.event =
+            tries_.search.next(h_, control_.shortest(), events_(trial_.s.view(h_)), tries_.at_start);
         if (tries_.event != h_) {  // nothing is wrong with steps of this length
           ++tries_.info.rejected;
           return {false, next_try()};

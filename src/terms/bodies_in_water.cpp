@@ -82,8 +82,11 @@ void BodiesInWater::prepare(const Kinematics& committed, double h) {
     b.known = false;
   }
   start_time_ = committed.time;
+  // Where no step went before, waves act from here on, and accelerations have jumped.
+  Kinematics now = committed;
+  if (!(now.step > 0)) now.step = h;
   for (Wet& b : list_)
-    if (h <= 0 || !b.flowed) b.flow = flow(b, committed), b.flowed = true;
+    if (!(committed.step > 0) || !b.flowed) b.flow = flow(b, now), b.flowed = true;
 }
 
 void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {

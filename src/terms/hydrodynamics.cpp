@@ -179,7 +179,13 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
     start_time_ = committed.time, wave_known_ = false;
   }
   see_feeders(committed, true);
-  if (h <= 0 || flow_.place.empty() || feeders_) flow(committed, flow_);
+  // Where no step went before, waves act from here on, and accelerations have jumped.
+  const bool begins = !(committed.step > 0);
+  if (begins || flow_.place.empty() || feeders_) {
+    Kinematics now = committed;
+    if (begins) now.step = h;
+    flow(now, flow_);
+  }
 }
 
 void Hydrodynamics::commit(const Kinematics& accepted) {

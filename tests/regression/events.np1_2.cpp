@@ -30,6 +30,59 @@ TEST(Events, ACutGoesOnAfterARestart) {
   expect_same_after_restarts(path, input, 1e-8);
 }
 
+// The second one of an instant stands first in the list: a run that goes on does them as they happened.
+TEST(Events, TwoOfAnInstantGoOnInTheirOrderAfterARestart) {
+  const std::string path = folder("events-order"), input = path + "/case.yaml";
+  write_case(input, kHanging,
+             {{"end_a: free", "end_a: {anchor: [9, 0, 90]}"},
+              {"  - {cut: {line: chain, at: 10}, time: 0.5}",
+               "  - {attach: {line: chain, end: end_a}, after: let go}\n  - {name: let go, release: {line: "
+               "chain, end: end_a}, time: 0.5}"}});
+  expect_same_after_restarts(path, input, 1e-8);
+}
+
+// A buoy in waves whose mooring is cut: a run that goes on from that instant does the same work.
+TEST(Events, ACutInWavesGoesOnAfterARestart) {
+  const std::string path = folder("events-waves"), input = path + "/case.yaml";
+  write_case(input, R"(hawser: 1
+title: A buoy in waves whose mooring is cut
+environment:
+  water: {density: 1025, depth: 60}
+  waves: {jonswap: {hs: 3, tp: 9, direction_deg: 0, seed: 5}, ramp: 0.2}
+line_types:
+  chain: {outer_diameter: 0.1, mass_per_length: 60, EA: 1e8, bending: false, stiffness_damping: 1e-3, Cd_normal: 1.2, Ca_normal: 1}
+bodies:
+  buoy:
+    position: [0, 0, -1]
+    floating:
+      mass: 180 t
+      inertia: [1.5e6, 1.5e6, 2.5e6]
+      weight: true
+      turning_stiffness: [2e7, 2e7, 1e6]
+      in_water: {volume: 300, height: 5, drag_area: [30, 30, 80], Cd: [1.0, 1.0, 1.2], Ca: [0.6, 0.6, 1.0]}
+lines:
+  chain:
+    sections: [{type: chain, length: 50, elements: 10}]
+    end_a: {anchor: [-35, 0, -30]}
+    end_b: {body: buoy, at: [-2, 0, 0]}
+dynamics: {duration: 1, max_step: 0.05}
+events:
+  - {cut: {line: chain, at: 25}, time: 0.5}
+output: {every: 0.25}
+contact: {between_lines: false}
+)");
+  expect_same_after_restarts(path, input, 1e-5);
+  run_on_all({input, path + "/half.h5", "", 0.5});
+  run_on_all({input, path + "/rest.h5", path + "/half.h5"});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const auto brought_in = [&](const std::string& file) {
+    return named(file, read(file), "energy", "brought_in").back();
+  };
+  const double whole = brought_in(path + "/whole.h5"), rest = brought_in(path + "/rest.h5");
+  printf("brought in: %.9g J, after a restart %.3g J more\n", whole, rest - whole);
+  EXPECT_NEAR(rest, whole, 1e-8 * whole);
+}
+
 // Until then it moves as a line that is not cut does.
 TEST(Events, UntilItIsCutALineIsWhole) {
   const std::string path = folder("events-whole"), input = path + "/case.yaml", other = path + "/other.yaml";

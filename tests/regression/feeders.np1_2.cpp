@@ -101,6 +101,32 @@ TEST(Feeders, LowerAndRaiseAWeight) {
   EXPECT_LT(worst, 0.01 * work(brought));
 }
 
+// A node leaves where 5 m are paid out, in the very step that ends at an event: what moves goes on as it did.
+TEST(Feeders, ANodeLeavesAtAnEvent) {
+  const std::string path = folder("feeders-event"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(
+      input, kWeight,
+      {{"[20, 1], [24, -1], [40, -1]", "[40, 1]"},
+       {"duration: 40}",
+        "duration: 7}\nevents: [{feed: {line: rope, end: end_a, speed: 1}, when: {paid_out: {line: rope, "
+        "end: end_a, above: 5}}}]"}});
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto T = named(file, r, "rope_end_a_feed", "tension"),
+             L = named(file, r, "rope_end_a_feed", "mouth_length"), error = named(file, r, "energy", "error");
+  double off = 0, shortest = HUGE_VAL;
+  for (size_t i = 0; i < T.size(); ++i) {
+    const double t = r.step_times[i], weight = (1000 + 10 * (20 + paid(t))) * kGravity;
+    if (t < 5) continue;
+    off = std::max(off, std::abs(T[i] / weight - 1)), shortest = std::min(shortest, L[i]);
+  }
+  printf("  tension off by %.1e, energy by %.1e J\n", off, largest(error));
+  EXPECT_LT(shortest, 1.1);  // of 3 m before it left
+  EXPECT_LT(off, 0.01);
+  EXPECT_LT(largest(error), 0.01 * work(named(file, r, "energy", "brought_in")));
+}
+
 // A line that runs with V between two winches keeps the shape of its catenary, and has m V² more tension
 // (Routh 1884: of any line that moves along itself). That stretches it: what shape and weight ask for, P, is
 // the tension of an elastic catenary whose material is longer by m V² λ / EA, and lighter and stiffer per
@@ -334,6 +360,12 @@ TEST(Feeders, StopWhereTheStockRunsOut) {
             std::string::npos);
   write_case(input, kWeight, {{"[[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]", "[[0, 0], [2, -1]]"}});
   EXPECT_NE(refusal(input, path + "/in.h5").find("all of the line is hauled in at end A of line rope"),
+            std::string::npos);
+  write_case(input, kWeight,
+             {{"[[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]", "[[0, 0], [2, -1]]"},
+              {"output:", "events: [{cut: {line: rope, at: 50}, time: 39}]\noutput:"}});
+  EXPECT_NE(refusal(input, path + "/cut.h5")
+                .find("all of the line up to the place of its cut, which cannot be hauled in, is hauled in"),
             std::string::npos);
 }
 

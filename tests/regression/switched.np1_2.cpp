@@ -1,5 +1,6 @@
 // Winches that start and stop during a run, volumes that lines begin to touch, one event after another,
 // stages of statics; restarts around them.
+#include "hawser/io/checkpoint.hpp"
 #include "regression/event_runs.hpp"
 
 namespace hawser::runs::events {
@@ -55,6 +56,37 @@ contact: {between_lines: false}
   EXPECT_GT(v.back(), 0.01);  // 2.16 kN pull at 2 kN
   for (size_t i = 0; i < error.size(); ++i)
     EXPECT_LT(std::abs(error[i]), 0.02 * largest(in)) << r.step_times[i];
+}
+
+// It hauls in until it feels 100 kN, to 0.1 %: the tension is that of the length there is at each time. What
+// then comes to rest sends waves along the line.
+TEST(Events, AWinchStopsAtATension) {
+  const std::string path = folder("events-winch-tension"), input = path + "/case.yaml",
+                    file = path + "/whole.h5";
+  write_case(input, R"(hawser: 1
+title: A winch that stops at a tension
+environment: {gravity: 9.80665}
+line_types:
+  rope: {outer_diameter: 0.05, mass_per_length: 10, EA: 1e7, bending: false, stiffness_damping: 0.02}
+lines:
+  rope:
+    sections: [{type: rope, length: 60, elements: 30}]
+    end_a: {anchor: [0, 0, 100], feed: {stock: 30.5, speed: -0.1}}
+    end_b: {anchor: [0, 0, 71]}
+dynamics: {duration: 10, max_step: 0.2}
+events:
+  - {feed: {line: rope, end: end_a, speed: 0}, when: {tension: {line: rope, at: end_a, above: 100 kN}}}
+output: {every: 1, histories: [{line: rope, at: end_a, name: winch}]}
+contact: {between_lines: false}
+)");
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto T = named(file, r, "winch", "effective_tension");
+  const auto stops = std::find_if(T.begin(), T.end(), [](double tension) { return tension >= 1e5; });
+  ASSERT_NE(stops, T.end());
+  printf("a winch stops at 100 kN and %.4f %% more\n", 100 * (*stops / 1e5 - 1));
+  EXPECT_LE(*stops, 1.001e5);
 }
 
 // A floor under a rope at rest: nothing happens when it is there, and it holds the rope when that is let go.
@@ -128,6 +160,23 @@ TEST(Events, AVolumeIsNotSwitchedOnAroundALine) {
   EXPECT_NE(why.find("contact with volume floor is to be switched on, but line rope is inside it"),
             std::string::npos)
       << why;
+}
+
+// And then nothing of that instant has happened in what a run can go on from.
+TEST(Events, WhatIsRefusedTakesAllOfItsInstantBack) {
+  const std::string path = folder("events-back"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kFloor,
+             {{"centre: [5, 0, -1.5], size: [30, 20, 1]", "centre: [5, 0, -0.5], size: [30, 20, 3]"},
+              {"  - {name: on,",
+               "  - {name: let go, release: {line: rope, end: end_b}, time: 0.25}\n  - {name: on,"},
+              {"  - {release: {line: rope, end: end_b}, after: on, delay: 0.25}\n", ""}});
+  EXPECT_NE(error_of(input, file).find("is to be switched on, but"), std::string::npos);
+  std::vector<int> owned;  // 11 nodes
+  for (int n = 0; n < 11 && rank_of(MPI_COMM_WORLD) == 0; ++n) owned.push_back(n);
+  const io::Checkpoint c = io::read_checkpoint(MPI_COMM_WORLD, file, 11, owned);
+  EXPECT_NEAR(c.time, 0.25, 1e-9);
+  EXPECT_FALSE(c.scalars.count("event.let go"));
+  EXPECT_FALSE(c.scalars.count("event.on"));
 }
 
 // At a position of a body, to 1 mm, and so much later.

@@ -24,7 +24,7 @@ Found find(const std::function<std::vector<double>(double)>& g, double longest) 
   Found f;
   for (double h = longest; h != f.h && f.tries < 100; ++f.tries) {
     f.h = h;
-    h = search.next(h, kShortest, g(h), [&] { return g(0); });
+    h = search.next(h, kShortest, g(h), g(0));
     EXPECT_GT(h, 0);
     EXPECT_LE(h, longest);
   }

@@ -52,6 +52,7 @@ class Events {
     int feeder = -1;       // whose length is
     int after = -1;        // event
     double happened = -1;  // s; < 0: not yet
+    double order = 0;      // how many had happened before it
     Actions::Found found;
   };
   static bool waits_for_condition(const Happening& h);
@@ -66,6 +67,9 @@ class Events {
   void watch();
   // Which are due at a time and these values, or begin a stage.
   std::vector<size_t> due_at(double time, const std::vector<double>& values, const std::string& stage) const;
+  // All of these, with what goes on from there. Where one of them cannot be, none has happened.
+  void happen(const std::vector<size_t>& now, const Kinematics& at, const std::string& stage,
+              std::vector<std::string>& told, const std::function<void()>& go_on);
   // One of them, done and told; the system's supports are not changed yet.
   void happen(size_t event, const Kinematics& at, const std::string& stage, std::vector<std::string>& told);
   std::vector<std::string> at_rest(const std::string& stage);

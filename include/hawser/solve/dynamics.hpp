@@ -128,7 +128,7 @@ class Dynamics {
   void put(const std::vector<double>& u);
   void solve_masses();
   void catch_up(const Supports& before, State& s);
-  void settle(int node);
+  void settle(int node, double h);
 
   System& system_;
   DynamicsSettings settings_;
@@ -144,6 +144,7 @@ class Dynamics {
     double event = HUGE_VAL;     // s, within it, where an event is looked for
     bool prepared_anew = false;  // in the middle of it
     EventSearch search;
+    std::vector<double> at_start;  // what the events are looked for by, before the first try
   } tries_;
   std::vector<double> local_u_, gathered_, reactions_;
   MeanForces mean_;              // of the committed state

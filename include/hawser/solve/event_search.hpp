@@ -20,10 +20,9 @@ using EventFunctions = std::function<std::vector<double>(const Kinematics&)>;
 class EventSearch {
  public:
   // After a try of h [s] with these values of the functions at its end: the length of the next try; h, where
-  // the step may end so. `at_start` tells the values at the start of the step, and is asked once where there
-  // is an event. A jump is found to twice the shortest step [s].
-  double next(double h, double shortest, const std::vector<double>& end,
-              const std::function<std::vector<double>()>& at_start);
+  // the step may end so. `at_start` are the values at the start of the step. A jump is found to twice
+  // the shortest step [s].
+  double next(double h, double shortest, const std::vector<double>& end, const std::vector<double>& at_start);
 
  private:
   double before_ = 0, beyond_ = 0;    // s, of the tries between which the events are; beyond_ 0: none is
