@@ -44,7 +44,7 @@ def main():
     rows = ["# Responses of a box-shaped lay barge, written by make_barge_rao.py: period [s], direction [deg], then amplitude",
             "# and lag [deg] of surge, sway, heave [m/m], roll, pitch, yaw [deg/m]."]
     for direction in range(0, 181, 15):
-        for period in (3, 3.5, 4, 4.5, 5, 5.5, 6, 6.5, 7, 7.5, 8, 8.5, 9, 10, 11, 12, 14, 16, 20, 25):
+        for period in (0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5, 5.5, 6, 6.5, 7, 7.5, 8, 8.5, 9, 10, 11, 12, 14, 16, 20, 25):
             columns = (f"{abs(r):.4g} {0.0 if abs(r) < 1e-9 else -math.degrees(cmath.phase(r)):.1f}" for r in responses(period, direction))
             rows.append(f"{period:g} {direction} " + " ".join(columns))
     (Path(__file__).parent / "barge.rao").write_text("\n".join(rows) + "\n", "utf-8")
