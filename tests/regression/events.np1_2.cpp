@@ -290,5 +290,19 @@ TEST(Events, AnEndThatIsNotWhereItIsToBeAttachedStopsTheRun) {
   EXPECT_NE(why.find("end A of line chain is to be attached, but it is 0.998 m"), std::string::npos) << why;
 }
 
+// The parts of a damped steel wire whip when it is cut, and short steps follow them. In these the rates of
+// strain are known to little more than the tolerance of the balance.
+TEST(Events, ADampedWireThatIsCutGoesOn) {
+  const std::string path = folder("events-wire"), input = path + "/case.yaml";
+  write_case(input, R"(hawser: 1
+line_types: {wire: {outer_diameter: 0.06, mass_per_length: 15, EA: 20 MN, bending: false, stiffness_damping: 0.01}}
+lines: {hoist: {sections: [{type: wire, length: 40, elements: 40}], end_a: {anchor: [0, 0, 20]}, end_b: {anchor: [10, 0, -18.85]}}}
+events: [{cut: {line: hoist, at: 20}, time: 1}]
+dynamics: {duration: 4}
+)");
+  run_on_all({input, path + "/whole.h5"});
+  if (rank_of(MPI_COMM_WORLD) == 0) EXPECT_NEAR(read(path + "/whole.h5").output_times.back(), 4, 1e-9);
+}
+
 }  // namespace
 }  // namespace hawser::runs::events
