@@ -77,13 +77,15 @@ bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
   const LocalMesh local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
   const StartShape shape = start_shape(c, local, bodies);
   const Kinematics at = shape.state.view(0);
-  const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, volumes);
+  const Feeders feeders(local, c);
+  const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes);
   for (const auto& n : start.notes) fmt::print("note: {}\n", n);
   for (const auto& w : start.warnings) fmt::print("warning: {}\n", w);
   if (start.inside.empty()) return true;
   std::fflush(stdout);
   if (!c.statics.enabled)
-    throw InputError(c.path + ": " + still_inside(MPI_COMM_SELF, c, local, at, bodies, volumes, start));
+    throw InputError(c.path + ": " +
+                     still_inside(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes, start));
   return false;
 }
 

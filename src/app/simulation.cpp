@@ -149,8 +149,6 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     water->fed_by(feeders_);
     system_->add(std::move(water));
   }
-  // After those it tells lengths to: it commits last.
-  if (feeders) system_->add(std::move(feeders));
 
   StartShape start = start_shape(c, local, *bodies_);
   bodies_->fix_drawn(comm, c, start.state.view(0));
@@ -174,7 +172,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
       choose_stiffness(c, *mesh_, volume, notes_);
   volumes_ = volumes;
   bodies_->tell(comm, start.state.view(0));
-  start_contact_ = start_contact(comm, c, local, start.state.view(0), *bodies_, volumes_);
+  start_contact_ = start_contact(comm, c, local, start.state.view(0), *bodies_, feeders_, volumes_);
   notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
   if (!c.supports.empty()) {
     std::vector<RigidPose> poses;
@@ -193,6 +191,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     auto contact = std::make_unique<LineVolumeContact>(local, bodies_, std::move(volumes),
                                                        std::move(elements), comm, c.contact.method);
     contact_ = contact.get();
+    contact_->fed_by(feeders_);
     system_->add(std::move(contact));
   }
 
@@ -222,6 +221,8 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     line_pairs_->fed_by(feeders_);
     system_->add(std::move(between));
   }
+  // It commits last: all others keep in a step the lengths that acted in it, on every rank.
+  if (feeders) system_->add(std::move(feeders));
 
   state_ = std::move(start.state);
   system_->support(std::move(start.supports), [b = bodies_](int body, double t) { return b->pose(body, t); });
@@ -337,8 +338,8 @@ std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
 
 void Simulation::check_inside() const {
   bodies_->tell(system_->comm(), state_.view(0));
-  const std::string wrong =
-      still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, volumes_, start_contact_);
+  const std::string wrong = still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, feeders_,
+                                         volumes_, start_contact_);
   if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
 }
 
@@ -349,7 +350,7 @@ std::string Simulation::inside(int volume, const Kinematics& at) const {
   for (LeftOut l : start_contact_.left_out)
     if (l.volume == volume) l.volume = 0, left_out.push_back(l);
   bodies_->tell(system_->comm(), at);
-  return inside_text(system_->comm(), case_, local(), at, *bodies_, v, left_out);
+  return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, left_out);
 }
 
 void Simulation::enable_contact(const std::string& volume, bool on) {

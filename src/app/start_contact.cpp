@@ -45,10 +45,10 @@ std::vector<double> gathered(MPI_Comm comm, const std::vector<double>& mine) {
 }
 
 std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                               const Kinematics& at, const Bodies& bodies,
+                               const Kinematics& at, const Bodies& bodies, const Feeders* feeders,
                                const std::vector<ContactVolume>& volumes) {
   std::vector<double> mine;
-  for (const Inside& s : inside_volumes(mesh, at, bodies, volumes, radii(c, mesh)))
+  for (const Inside& s : inside_volumes(mesh, at, bodies, volumes, radii(c, mesh), feeders))
     mine.insert(mine.end(), {static_cast<double>(s.line), static_cast<double>(s.volume), s.from, s.to,
                              s.depth, s.at, s.place.x(), s.place.y(), s.place.z(), s.rise_from, s.rise_to});
   const std::vector<double> all = gathered(comm, mine);
@@ -230,9 +230,9 @@ std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
 }
 
 std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
-                        const Bodies& bodies, const ContactVolume& volume,
+                        const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
                         const std::vector<LeftOut>& left_out) {
-  std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, {volume});
+  std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, feeders, {volume});
   take_off(inside, left_out, *mesh.mesh);
   if (inside.empty()) return "";
   return fmt::format("line {} is inside it {}", c.lines[static_cast<size_t>(inside.front().line)].name,
@@ -240,10 +240,11 @@ std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& me
 }
 
 StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
-                           const Bodies& bodies, const std::vector<ContactVolume>& volumes) {
+                           const Bodies& bodies, const Feeders* feeders,
+                           const std::vector<ContactVolume>& volumes) {
   StartContact out;
   if (volumes.empty()) return out;
-  out.inside = all_inside(comm, c, mesh, at, bodies, volumes);
+  out.inside = all_inside(comm, c, mesh, at, bodies, feeders, volumes);
   const std::vector<Inside> all = out.inside;
   leave_out(c, *mesh.mesh, volumes, out);
   take_off(out.inside, out.left_out, *mesh.mesh);
@@ -258,10 +259,10 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
 }
 
 std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
-                         const Bodies& bodies, const std::vector<ContactVolume>& volumes,
-                         const StartContact& start) {
+                         const Bodies& bodies, const Feeders* feeders,
+                         const std::vector<ContactVolume>& volumes, const StartContact& start) {
   if (start.inside.empty()) return "";
-  std::vector<Inside> now = all_inside(comm, c, mesh, at, bodies, volumes);
+  std::vector<Inside> now = all_inside(comm, c, mesh, at, bodies, feeders, volumes);
   take_off(now, start.left_out, *mesh.mesh);
   for (const Inside& s : now) {
     const bool before = std::any_of(start.inside.begin(), start.inside.end(), [&](const Inside& o) {

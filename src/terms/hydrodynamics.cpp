@@ -138,14 +138,14 @@ void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
     for (int j = 0; j < 4; j += p.beam ? 1 : 2)
       out.force.push_back(force.force[j]), out.place.push_back(place[j]);
   };
+  WaterForce none;  // on what is inside a feeder
+  for (Vec3& force : none.force) force.setZero();
   for (const Four& q : fours_) {
     WaterForce all[4];
     const unsigned known = flow(q, at, water, all);
     for (int i = 0; i < q.count; ++i) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
       if (!p.at.counted) continue;
-      WaterForce none;
-      for (Vec3& force : none.force) force.setZero();
       if (p.idle)
         put(p, none);
       else
@@ -154,7 +154,11 @@ void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
   }
   for (const int b : beams_) {
     const Piece& p = pieces_[static_cast<size_t>(b)];
-    if (p.at.counted) put(p, water_force(p.section, ends(p, at, water), true, sea_.surface));
+    if (!p.at.counted) continue;
+    if (p.idle)
+      put(p, none);
+    else
+      put(p, water_force(p.section, ends(p, at, water), true, sea_.surface));
   }
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);

@@ -8,6 +8,7 @@
 
 #include "hawser/mesh/arc.hpp"
 #include "hawser/terms/element_axis.hpp"
+#include "hawser/terms/feeders.hpp"
 
 namespace hawser {
 LineVolumeContact::LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
@@ -29,10 +30,22 @@ bool LineVolumeContact::recouple(const Kinematics& committed, double h) {
   return volumes_.recouple(committed, h, thickest);
 }
 
+// At a feeder's mouth the element has the length of the speed at the start of the step, as for masses: it
+// does not depend on the trial's positions, and the tangent is exact.
 AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[static_cast<size_t>(element)];
-  return element_axis(at, mesh_.mesh->elements[static_cast<size_t>(e.global)], e.first, e.second,
-                      elements_[static_cast<size_t>(element)].tangent);
+  AxisEnds out = element_axis(at, mesh_.mesh->elements[static_cast<size_t>(e.global)], e.first, e.second,
+                              elements_[static_cast<size_t>(element)].tangent);
+  if (feeders_)
+    if (const auto rest = feeders_->rest(e.global, at, false)) out.length = rest->length;
+  return out;
+}
+
+// What is inside a feeder touches nothing: its nodes are one point, and the cubic between them is a loop.
+bool LineVolumeContact::idle(const Kinematics& at, int element) const {
+  if (!feeders_) return false;
+  const auto rest = feeders_->rest(mesh_.elements[static_cast<size_t>(element)].global, at, false);
+  return rest && rest->idle;
 }
 
 std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
@@ -44,7 +57,7 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
     const Node& node = mesh_.mesh->nodes[static_cast<size_t>(i ? e.second : e.first)];
     double share = 1;  // of a metre: what turns the basis into N/m²
     if (v.basis == model::StiffnessBasis::per_point)
-      share = 1 / (finder_.at_nodes() ? node.tributary : e.length);
+      share = 1 / (finder_.at_nodes() ? node.tributary : pair.length);
     if (v.basis == model::StiffnessBasis::per_area) share = diameter;
     laws[i] = contact_law(v, share, diameter, settings(pair).mass_per_length);
   }
@@ -71,7 +84,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   size_t known = 0;
   Pair pair;  // most are far away, and it serves for the next
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
-    if (!(elements_[static_cast<size_t>(e)].radius > 0)) continue;
+    if (!(elements_[static_cast<size_t>(e)].radius > 0) || idle(committed, e)) continue;
     const AxisEnds at = ends(committed, e);
     const AxisShape shape(at);
     for (int k = 0; k < volumes(); ++k) {
@@ -95,7 +108,7 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
                                    double& motion) const {
   const Element& e = element(pair);
   const RigidPose& pose = volumes_.start_pose(pair.volume);
-  pair.length = e.length, pair.radius = settings(pair).radius, pair.held = settings(pair).held;
+  pair.length = at.length, pair.radius = settings(pair).radius, pair.held = settings(pair).held;
   pair.laws = laws(pair);
   pair.touch = pair.radius + pair.smoothing();
   const double speed =

@@ -1,6 +1,8 @@
 // Which pairs may touch in a trial: most are far away, and are known to be by how little their nodes move.
 #include <algorithm>
+#include <cmath>
 
+#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
@@ -14,6 +16,7 @@ std::vector<LineVolumeContact::Group> LineVolumeContact::groups() const {
     g.nodes[0] = local(pairs_[i]).first, g.nodes[1] = local(pairs_[i]).second;
     // Bézier's inner points are a third of the length along the tangents; |R - R0| <= 2 |q - q0|.
     if (element(pairs_[i]).beam) g.turn = 2.0 / 3 * pairs_[i].length;
+    g.grows = element(pairs_[i]).beam && feeders_ && feeders_->fed_end(local(pairs_[i]).global) >= 0;
     g.room = LineVolumeFinder::room_at_start(pairs_[i]);
   }
   return groups;
@@ -27,7 +30,9 @@ double LineVolumeContact::way(const Kinematics& trial, const Group& g) const {
     const double turn = g.turn > 0 ? (trial.q[n].coeffs() - start_q_[n].coeffs()).norm() : 0;
     most = std::max(most, (trial.x[n] - start_x_[n]).norm() + g.turn * turn);
   }
-  return most;
+  // |L R t - L0 R0 t| <= |L - L0| + L0 |R - R0|, a third of it at Bézier's inner points.
+  const LineVolumePair& pair = pairs_[g.pair];
+  return g.grows ? most + std::abs(ends(trial, pair.element).length - pair.length) / 3 : most;
 }
 
 void LineVolumeContact::look(const Kinematics& trial) {

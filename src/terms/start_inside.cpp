@@ -9,6 +9,7 @@
 #include "hawser/mesh/arc.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/element_axis.hpp"
+#include "hawser/terms/feeders.hpp"
 
 namespace hawser {
 
@@ -33,7 +34,7 @@ void join(std::vector<Inside>& stretches, const Mesh& mesh) {
 
 std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
-                                   const std::vector<double>& radius) {
+                                   const std::vector<double>& radius, const Feeders* feeders) {
   constexpr int kSamples = 32;  // of a stretch, for where it is deepest
   std::vector<Inside> out;
   for (size_t v = 0; v < volumes.size(); ++v) {
@@ -45,37 +46,51 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       const LocalElement& e = mesh.elements[i];
       if (!e.counted || !(radius[i] > 0)) continue;
       const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
-      const AxisShape shape(element_axis(at, g, e.first, e.second, Vec3::UnitX()));
+      AxisEnds ends = element_axis(at, g, e.first, e.second, Vec3::UnitX());
+      if (feeders)
+        if (const auto rest = feeders->rest(e.global, at, false)) {
+          if (rest->idle) continue;
+          ends.length = rest->length;
+        }
+      const AxisShape shape(ends);
       if (distance(box, pose.to_body(shape.point(0.5))) > 0.5 * shape.reach() + radius[i]) continue;
       const auto point = [&](double xi) { return pose.to_body(shape.point(xi)); };
       // Twice as close as contact looks: what goes through a thin plate is short.
       const auto stretches =
           contact_stretches(axis_distance(surface, pose, shape), {shape.reach(), 0, shape.bend_bound()},
-                            contact_levels(g.length, radius[i]) + 1);
+                            contact_levels(ends.length, radius[i]) + 1);
       const auto rise = [&](double xi) {
         const auto p = surface.query(point(xi), radius[i]);
         const Vec3 slope = shape.slope(xi);
         return p && slope.norm() > 0 ? std::abs((pose.rotation * p->normal).dot(slope)) / slope.norm() : 1;
       };
+      const LineSpan& span = mesh.mesh->lines[static_cast<size_t>(g.line)];
+      const int mouth = feeders ? feeders->fed_end(e.global) : -1;
+      const auto is_end = [&](int end) {
+        return mouth == end ||
+               (end ? g.second == span.first_node + span.nodes - 1 : g.first == span.first_node);
+      };
+      const auto arc = [&](double xi) {
+        if (xi == mouth) return mouth ? span.length : 0;
+        return arc_at(*mesh.mesh, g, xi);
+      };
       const auto add = [&](double from, double to) {
         Inside s;
         s.rise_from = rise(from), s.rise_to = rise(to);
         s.line = g.line, s.volume = static_cast<int>(v);
-        s.from = arc_at(*mesh.mesh, g, from), s.to = arc_at(*mesh.mesh, g, to);
+        s.from = arc(from), s.to = arc(to);
         s.at = s.from, s.place = shape.point(from);
         for (int k = 0; k <= kSamples; ++k) {
           const double xi = from + (to - from) * k / kSamples;
           const auto p = surface.query(point(xi), 0);
-          if (p && -p->distance > s.depth)
-            s.depth = -p->distance, s.at = arc_at(*mesh.mesh, g, xi), s.place = shape.point(xi);
+          if (p && -p->distance > s.depth) s.depth = -p->distance, s.at = arc(xi), s.place = shape.point(xi);
         }
         out.push_back(s);
       };
       for (const ContactStretch& s : stretches) add(s.from, s.to);
       // The ends of the line.
-      const LineSpan& span = mesh.mesh->lines[static_cast<size_t>(g.line)];
       for (const int end : {0, 1}) {
-        if (end ? g.second != span.first_node + span.nodes - 1 : g.first != span.first_node) continue;
+        if (!is_end(end)) continue;
         const auto p = surface.query(point(end), 0.5 * radius[i]);
         if (p && p->distance >= 0) add(end, end);
       }

@@ -29,6 +29,9 @@ contact: {between_lines: {friction: 0.3}}
 
 const Edits kKept{{"stock: 2.5, speed_table: [[0, 0], [1, -0.5], [4, -0.5], [6, 0.5], [9, 0.5]]",
                    "stock: 2.5, tension: 5 kN, speed_per_tension: 1e-3, max_speed: 1"}};
+// By the feeder at the crossing: its speed is known to the rank that has its mouth.
+const Edits kPulled{{"stock: 3.5, speed_table: [[0, 0], [1, 0.5], [4, 0.5], [6, -0.5], [9, -0.5]]",
+                     "stock: 3.5, tension: 5 kN, speed_per_tension: 1e-3, max_speed: 1"}};
 const Edits kPipe{{"bending: false, stiffness_damping: 0.02}", "EI: 2000, GJ: 2000}"},
                   {"anchor: [0, 0, 0]", "anchor: [0, 0, 0], direction: [1, 0, 0], clamped: true"},
                   {"anchor: [10.05, 0, 0]", "anchor: [10.05, 0, 0], direction: [1, 0, 0], clamped: true"}};
@@ -78,7 +81,7 @@ void expect_same(const std::string& a, const std::string& b) {
 // In the middle of an element, while it is paid out and while it comes back; the same on all ranks.
 TEST(FedCrossing, RestartsAndRanks) {
   const std::string path = folder("fed-crossing-again");
-  for (const auto& [name, edits] : {std::pair{"rope", Edits{}}, {"kept", kKept}}) {
+  for (const auto& [name, edits] : {std::pair{"rope", Edits{}}, {"kept", kKept}, {"pulled", kPulled}}) {
     const std::string base = path + "/" + name, input = base + ".yaml";
     write_case(input, kCrossing, edits);
     run_on_all({input, base + ".h5"});

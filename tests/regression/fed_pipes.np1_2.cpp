@@ -1,5 +1,7 @@
 // Pipes that are paid out of a clamp and hauled in: what the clamp feels of the bend, energy, a tension that
 // is kept on a heaving barge, restarts, ranks, and what is refused.
+#include <fmt/format.h>
+
 #include "hawser/base/error.hpp"
 #include "regression/runs.hpp"
 
@@ -55,6 +57,53 @@ lines:
     end_b: {anchor: [38.25, 0, 0.5]}
 dynamics: {duration: 24, step: 0.02}
 output: {every: 2, histories: [{line: pipe, at: end_a, name: tensioner}]}
+contact: {between_lines: false}
+)";
+
+const char* const kShortRamp = R"(hawser: 1
+title: A pipe that is held between a wall and the first roller of a ramp
+environment: {gravity: 9.80665}
+line_types:
+  pipe: {outer_diameter: 0.1, mass_per_length: 20, EA: 5e7, EI: 2e5, GJ: 1.5e5}
+supports:
+  ramp:
+    path: {from: [0, 0, 10], direction: [1, 0, 0], segments: [{length: 4}, {length: 16, radius: 40}]}
+    boxes:
+      - {at: [0.25, 2, 5, 8, 11, 14, 17], above_path: 0.5, type: U, roller_diameter: 0.3, roller_length: 1, side_height: 0.5,
+         normal_stiffness: 1.0e6}
+volumes:
+  wall: {shape: {box: {centre: [-0.6, 0, 10.7], size: [1, 2, 2]}}, normal_stiffness: {per_length: 1.0e6}}
+lines:
+  pipe:
+    sections: [{type: pipe, length: 60, elements: 20}]
+    end_a:
+      anchor: [0, 0, 10.7]
+      direction: [1, 0, 0]
+      clamped: true
+      feed: {stock: 20, speed: 0.2}
+    end_b: {anchor: [38.25, 0, 0.5]}
+dynamics: {duration: 0.2, step: 0.02}
+contact: {between_lines: false}
+)";
+
+const char* const kUnderWater = R"(hawser: 1
+title: A pipe that a heaving ship pays out under water
+environment: {gravity: 9.80665, water: {density: 1025, depth: 100}, current: {speed: 1.0, direction_deg: 0}}
+line_types:
+  pipe: {outer_diameter: 0.2, mass_per_length: 60, EA: 5e8, EI: 2e6, GJ: 1.5e6, Cd_normal: 1.2, Ca_normal: 1}
+bodies:
+  ship: {motion: {harmonic: {amplitude: [1, 0, 1], period: 8}, ramp: 4}}
+lines:
+  pipe:
+    sections: [{type: pipe, length: 220, element_length: 2}]
+    end_a:
+      body: ship
+      at: [0, 0, -5]
+      direction: [1, 0, -1]
+      clamped: true
+      feed: {stock: 200, speed_table: [[0, 0], [2, 0.2], [40, 0.2]]}
+    end_b: free
+dynamics: {duration: 8, step: 0.04}
 contact: {between_lines: false}
 )";
 
@@ -222,6 +271,43 @@ TEST(FedPipes, AreTheSameOnAllRanks) {
     run_on_one({input, one});
     if (rank_of(MPI_COMM_WORLD) == 0) expect_same(one, all, 1e-5);
   }
+}
+
+// Its nodes are one point between wall and roller.
+TEST(FedPipes, TheStockTouchesNothing) {
+  const std::string path = folder("fed-pipes-stock"), input = path + "/case.yaml";
+  std::vector<std::vector<double>> force;
+  for (const int stock : {20, 200}) {
+    const std::string file = fmt::format("{}/{}.h5", path, stock);
+    write_case(input, kShortRamp,
+               {{"stock: 20,", fmt::format("stock: {},", stock)},
+                {"length: 60, elements: 20",
+                 fmt::format("length: {0}, elements: {1}", 40 + stock, (40 + stock) / 3)}});
+    run_on_all({input, file});
+    if (rank_of(MPI_COMM_WORLD) != 0) continue;
+    const Results r = read(file);
+    std::vector<double>& last = force.emplace_back();
+    for (int box = 1; box <= 7; ++box)
+      last.push_back(named(file, r, fmt::format("ramp_{}", box), "force_z").back());
+  }
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  for (size_t box = 0; box < 7; ++box)
+    printf("  roller %zu: %.4f and %.4f N\n", box + 1, force[0][box], force[1][box]);
+  EXPECT_EQ(force[0].front(), 0);
+  EXPECT_GT(largest(force[0]), 100);
+  EXPECT_LT(largest_difference(force[0], force[1]), 1e-4 * largest(force[0]));
+}
+
+// Nor does water do work on it.
+TEST(FedPipes, EnergyUnderWater) {
+  const std::string path = folder("fed-pipes-water"), input = path + "/case.yaml", file = path + "/whole.h5";
+  write_case(input, kUnderWater);
+  run_on_all({input, file});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(file);
+  const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
+  printf("  error %.3g J of %.4g J\n", largest(error), work(brought));
+  EXPECT_LT(largest(error), 0.01 * work(brought));
 }
 
 TEST(FedPipes, RefuseWhatTheyCannotDo) {

@@ -23,20 +23,21 @@ struct StartContact {
 std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
                                             const std::vector<std::shared_ptr<const Surface>>& surfaces);
 
-// Of the start shape `at`. The same on all ranks. Collective.
+// Of the start shape `at`; feeders: null where there are none. The same on all ranks. Collective.
 StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
-                           const Bodies& bodies, const std::vector<ContactVolume>& volumes);
+                           const Bodies& bodies, const Feeders* feeders,
+                           const std::vector<ContactVolume>& volumes);
 
 // Of a volume that lines are about to touch, what of a line is inside it at `at`, in words; empty: nothing.
 // left_out: stretches that have no contact with it, of volume 0. The same on all ranks. Collective.
 std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
-                        const Bodies& bodies, const ContactVolume& volume,
+                        const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
                         const std::vector<LeftOut>& left_out);
 
 // Of what was inside at the start what still is at `at`, in one sentence; empty: nothing. The same on all
 // ranks. Collective.
 std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
-                         const Bodies& bodies, const std::vector<ContactVolume>& volumes,
-                         const StartContact& start);
+                         const Bodies& bodies, const Feeders* feeders,
+                         const std::vector<ContactVolume>& volumes, const StartContact& start);
 
 }  // namespace hawser::app

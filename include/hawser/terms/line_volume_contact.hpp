@@ -15,6 +15,8 @@
 
 namespace hawser {
 
+class Feeders;
+
 class LineVolumeContact final : public ForceTerm,
                                 public CouplesNodes,
                                 public LimitsSteps,
@@ -25,6 +27,9 @@ class LineVolumeContact final : public ForceTerm,
   LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                     std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
                     MPI_Comm comm = MPI_COMM_SELF, model::ContactMethod method = model::ContactMethod::line);
+
+  // Of lines that are paid out and hauled in; they outlive this.
+  void fed_by(const Feeders* feeders) { feeders_ = feeders; }
 
   std::string_view name() const override { return "line contact"; }
   bool recouple(const Kinematics& committed, double h) override;
@@ -81,8 +86,9 @@ class LineVolumeContact final : public ForceTerm,
     size_t pair = 0;
     int volume = 0;
     int nodes[2] = {};
-    double turn = 0;   // m: how far a point of the axis gets where |q - q0| = 1
-    double room = -1;  // m, of the tube about the axis at the start of the step
+    double turn = 0;     // m: how far a point of the axis gets where |q - q0| = 1
+    bool grows = false;  // a beam at a feeder's mouth: its tangents have its length
+    double room = -1;    // m, of the tube about the axis at the start of the step
   };
   // A pair that is not clear for certain in the trial.
   struct Near {
@@ -113,6 +119,7 @@ class LineVolumeContact final : public ForceTerm,
   void carry_over(Pair& was, Pair& pair) const;
   void start_walls(Pair& pair, double motion) const;
   std::vector<Group> groups() const;
+  bool idle(const Kinematics& at, int element) const;
   double way(const Kinematics& trial, const Group& g) const;
   void look(const Kinematics& trial);
 
@@ -139,6 +146,7 @@ class LineVolumeContact final : public ForceTerm,
                     const Vec3& normal) const;
 
   const LocalMesh& mesh_;
+  const Feeders* feeders_ = nullptr;
   ContactVolumes volumes_;
   LineVolumeFinder finder_;
   std::vector<LineContactElement> elements_;

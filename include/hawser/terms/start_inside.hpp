@@ -10,6 +10,8 @@
 
 namespace hawser {
 
+class Feeders;
+
 // A stretch of a line whose axis is inside a volume, or an end of the line that lies at its surface: nearer
 // than half a radius, which is half way between a fairlead on the plating and a line that lies on it.
 struct Inside {
@@ -20,11 +22,12 @@ struct Inside {
   double rise_from = 1, rise_to = 1;  // m/m, how fast the axis comes out along the line at either end
 };
 
-// Of the elements this rank counts, those with a radius [m, one for each of mesh.elements]. Sorted by line,
-// volume and arc length, stretches that meet put together.
+// Of the elements this rank counts, those with a radius [m, one for each of mesh.elements], outside of
+// feeders (null: there are none): the stock is at the mouth, and inside with it. Sorted by line, volume and
+// arc length, stretches that meet put together.
 std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
-                                   const std::vector<double>& radius);
+                                   const std::vector<double>& radius, const Feeders* feeders);
 
 // Sorts, and puts stretches together that meet.
 void join(std::vector<Inside>& stretches, const Mesh& mesh);
