@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hawser/base/gather.hpp"
+#include "hawser/terms/feeders.hpp"
 
 namespace hawser::app {
 namespace {
@@ -36,8 +37,8 @@ bool LineExtremes::wants(std::string_view field) {
 }
 
 LineExtremes::LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
-                           const std::vector<io::ResultField>& fields)
-    : comm_(comm), local_(local) {
+                           const Feeders* feeders, const std::vector<io::ResultField>& fields)
+    : comm_(comm), local_(local), feeders_(feeders) {
   for (const model::Line& line : c.lines) names_.push_back(line.name);
   for (const Wanted& w : kWanted) {
     Quantity q{w.quantity, "", {}, w.largest, std::vector<Extreme>(names_.size())};
@@ -49,12 +50,19 @@ LineExtremes::LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh&
 
 void LineExtremes::add(double time, const std::vector<std::vector<double>>& values,
                        const Utilisation& utilisation) {
+  const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>{};
+  const auto is_inside = [&](const Node& node, size_t n) {
+    const size_t line = static_cast<size_t>(node.line);
+    const LineSpan& span = local_.mesh->lines[line];
+    const int i = local_.global[n] - span.first_node;
+    return i < inside[line][0] || i >= span.nodes - inside[line][1];
+  };
   for (Quantity& q : quantities_)
     for (const size_t f : q.fields)
       for (size_t n = 0; n < static_cast<size_t>(local_.owned); ++n) {
         const Node& node = local_.mesh->nodes[static_cast<size_t>(local_.global[n])];
         if (node.body >= 0) break;  // bodies come after the lines
-        if (!utilisation.known(static_cast<int>(f), n)) continue;
+        if (!utilisation.known(static_cast<int>(f), n) || (feeders_ && is_inside(node, n))) continue;
         const double v = values[f][n];
         Extreme& x = q.lines[static_cast<size_t>(node.line)];
         if (!x.set || (q.largest ? v > x.value : v < x.value)) x = {v, time, node.arc, true};

@@ -160,7 +160,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   contents.expected_outputs = static_cast<int>(std::min(rows.outputs + 2, kMostRoom));
   contents.expected_steps = static_cast<int>(std::min(1.1 * rows.steps + 100, kMostRoom));
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
-  extremes_ = std::make_unique<LineExtremes>(comm, c, local, fields_);
+  extremes_ = std::make_unique<LineExtremes>(comm, c, local, sim_.feeders(), fields_);
   if (!write) {
     planned_ = std::move(contents);
     return;

@@ -14,18 +14,23 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 
+namespace hawser {
+class Feeders;
+}
+
 namespace hawser::app {
 
 class LineExtremes {
  public:
-  // fields: those of which add() gets the values.
-  LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
+  // fields: those of which add() gets the values; feeders: null where no line is fed.
+  LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local, const Feeders* feeders,
                const std::vector<io::ResultField>& fields);
 
   // Whether a table of this field is kept.
   static bool wants(std::string_view field);
 
-  // An accepted step: values by field, of the owned nodes; a utilisation that is not known does not count.
+  // An accepted step: values by field, of the owned nodes; a utilisation that is not known
+  // does not count, nor what is inside a feeder.
   void add(double time, const std::vector<std::vector<double>>& values, const Utilisation& utilisation);
   // The rows of all lines, those of a line together, the same on all ranks. Collective.
   std::vector<io::SummaryRow> table() const;
@@ -46,6 +51,7 @@ class LineExtremes {
   };
   MPI_Comm comm_;
   const LocalMesh& local_;
+  const Feeders* feeders_;
   std::vector<std::string> names_;  // of lines
   std::vector<Quantity> quantities_;
 };
