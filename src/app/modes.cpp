@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "hawser/app/events.hpp"
 #include "hawser/app/output_place.hpp"
 #include "hawser/app/run_parts.hpp"
 #include "hawser/app/simulation.hpp"

@@ -7,6 +7,7 @@
 
 #include <ctime>
 
+#include "hawser/app/events.hpp"
 #include "hawser/app/targets.hpp"
 #include "hawser/app/version.hpp"
 #include "hawser/model/notes.hpp"

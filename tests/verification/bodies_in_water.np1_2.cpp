@@ -30,26 +30,6 @@ model::Case load(const std::string& sea, const std::string& body, const std::str
   return io::read_case_text(text(sea, body, line, rest), testing::TempDir() + "in_water.yaml");
 }
 
-// value(node of the load), from the rank that owns it.
-template <class Value>
-double from_owner(const Simulation& s, Value&& value) {
-  const int n = s.local().find(s.mesh().body_node(0));
-  double here = n >= 0 && n < s.local().owned ? value(static_cast<size_t>(n)) : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &here, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-  return here;
-}
-
-// Mean period of what crosses zero.
-double period(const std::vector<std::pair<double, double>>& signal) {
-  std::vector<double> zeros;
-  for (size_t i = 1; i < signal.size(); ++i) {
-    const auto [t0, y0] = signal[i - 1];
-    const auto [t1, y1] = signal[i];
-    if (y0 * y1 < 0) zeros.push_back(t0 + (t1 - t0) * y0 / (y0 - y1));
-  }
-  return 2 * (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
-}
-
 double swing(const model::Case& c, int axis) {
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();

@@ -41,26 +41,6 @@ model::Case load(double mass, const Vec3& inertia, const Vec3& position, const s
   return c;
 }
 
-// value(node of the load), from the rank that owns it; a rank may know no node at all.
-template <class Value>
-double from_owner(const Simulation& s, Value&& value) {
-  const int n = s.local().find(s.mesh().body_node(0));
-  double here = n >= 0 && n < s.local().owned ? value(static_cast<size_t>(n)) : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &here, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-  return here;
-}
-
-// Time between the first and the last crossing of zero, over the half periods between them.
-double period(const std::vector<std::pair<double, double>>& signal) {
-  std::vector<double> zeros;
-  for (size_t i = 1; i < signal.size(); ++i) {
-    const auto [t0, y0] = signal[i - 1];
-    const auto [t1, y1] = signal[i];
-    if (y0 * y1 < 0) zeros.push_back(t0 + (t1 - t0) * y0 / (y0 - y1));
-  }
-  return 2 * (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
-}
-
 // A load with its centre off the middle hangs below the point where its slings meet, turned as they say.
 TEST(BodiesOnLines, LoadOnTwoSlingsAtRest) {
   // Slings of 5 m from one hook to two eyes 6 m apart, 1 m above the centre of mass and 0.5 m to its side:

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "hawser/app/events.hpp"
 #include "hawser/app/progress.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/app/volumes.hpp"
@@ -15,6 +14,8 @@
 #include "hawser/model/case.hpp"
 
 namespace hawser::app {
+
+class Events;
 
 io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks);
 std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh);
