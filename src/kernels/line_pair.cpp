@@ -200,25 +200,18 @@ LinePairPoint LinePairSide::local(const Point& p, const Start& s) const {
   return l;
 }
 
-void LinePairSide::keep(const std::vector<Panel>& panels, std::vector<LinePairHistory>& out) const {
-  for (const Panel& s : panels)
-    for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-      const double xi = s.from + (s.to - s.from) * ContactRule::place()[q];
-      const Point p = point(xi);
-      const LinePairForce c =
-          line_pair_force(set_.law, local(p, set_.law.friction.active() ? start(p, false) : Start{}), false);
-      if (!(c.normal.elastic > 0)) continue;
-      LinePairHistory h;
-      h.xi = xi, h.from = s.from, h.to = s.to;
-      h.opens = s.at_from == End::gap, h.closes = s.at_to == End::gap;
-      h.weight = set_.share * slave_.ends.length * (s.to - s.from) * ContactRule::weight()[q];
-      h.eta = p.foot.eta;
-      h.slip[0] = c.slip[0], h.slip[1] = c.slip[1];
-      h.force = c.force, h.friction = c.friction, h.normal = p.foot.normal;
-      h.normal_force = c.normal.force, h.damping_force = c.normal.force - c.normal.elastic;
-      h.potential = c.normal.potential, h.gap = c.gap;
-      out.push_back(h);
-    }
+LinePairHistory LinePairSide::left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
+                                          double weight) const {
+  LinePairHistory h;
+  h.xi = p.xi, h.from = panel.from, h.to = panel.to;
+  h.opens = panel.at_from == End::gap, h.closes = panel.at_to == End::gap;
+  h.weight = weight;
+  h.eta = p.foot.eta;
+  h.slip[0] = c.slip[0], h.slip[1] = c.slip[1];
+  h.force = c.force, h.friction = c.friction, h.normal = p.foot.normal;
+  h.normal_force = c.normal.force, h.damping_force = c.normal.force - c.normal.elastic;
+  h.potential = c.normal.potential, h.gap = c.gap;
+  return h;
 }
 
 double LinePairSide::potential(const std::vector<Panel>& panels) const {

@@ -174,7 +174,8 @@ void LinePairSide::add_convex(const Point& p, const LinePairForce& c, const Rows
 }
 
 // The tangent is exact.
-void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g) const {
+void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g,
+                       std::vector<LinePairHistory>* points) const {
   const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
   const size_t n = g.positions;
   const double L = set_.share * slave_.ends.length;
@@ -187,6 +188,7 @@ void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, Attac
       const Point p = point(panel.from + span * place);
       const Start from = rubs ? start(p, exact) : Start{};
       const LinePairForce c = line_pair_force(set_.law, local(p, from), derivatives);
+      if (points && c.normal.elastic > 0) points->push_back(left_behind(panel, p, c, w));
       if (!(c.normal.force > 0)) continue;
       const Rows rows = this->rows(p);
       const auto vector = [&c](size_t r) -> const Vec3& { return r < kTurns ? c.force : c.couple; };

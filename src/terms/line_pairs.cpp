@@ -62,6 +62,7 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
   rods_ = rods(committed);
   for (Pair& p : pairs_) {
+    p.trial = nullptr;
     const Rod &a = rods_[static_cast<size_t>(p.a)], &b = rods_[static_cast<size_t>(p.b)];
     p.clear = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta -
               p.law.reach - p.law.normal.smoothing;
@@ -112,29 +113,49 @@ void LinePairs::sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bo
   }
 }
 
+LinePairs::Trial& LinePairs::find(Pair& pair, const PairAxis& A, const PairAxis& B) const {
+  std::unique_ptr<Trial>& t = pair.trial;
+  if (t && t->a.same_axis(A.now) && t->b.same_axis(B.now)) return *t;
+  t = std::make_unique<Trial>(Trial{A.now, B.now});
+  sides(pair, A, B, false, false, [&](size_t part, const LinePairSide& side) {
+    t->panels[part] = side.panels();
+    t->touches |= !t->panels[part].empty();
+  });
+  return *t;
+}
+
+std::optional<AttachedForces> LinePairs::forces(const Pair& pair, const PairAxis& A, const PairAxis& B,
+                                                Trial& found, bool swapped,
+                                                const AxisContactMode& mode) const {
+  std::optional<AttachedForces> g;
+  sides(pair, A, B, mode.moves, mode.convex, [&](size_t part, const LinePairSide& side) {
+    if ((part >= 3) != swapped || found.panels[part].empty()) return;
+    if (!g) g = no_forces(swapped ? B : A, swapped ? A : B, friction_on_ && pair.law.friction.active());
+    found.points[part].clear();
+    side.add(found.panels[part], mode.tangent, *g, mode.tangent ? nullptr : &found.points[part]);
+  });
+  found.a = A.now, found.b = B.now, found.moves = mode.moves, found.evaluated = !mode.tangent;
+  return g;
+}
+
 void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.wants_tangent();
+  const AxisContactMode mode{trial.step > 0, tangent, assembler.convex()};
   double f[24], K[576], C[576];
   const std::vector<Rod> is = rods(trial);
   for (Pair& pair : pairs_) {
     if (!near(pair, is)) continue;
     const PairAxis A = axis(trial, pair.a), B = axis(trial, pair.b);
+    Trial& found = find(pair, A, B);
+    if (!found.touches) continue;
     for (const bool swapped : {false, true}) {
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
-      AttachedForces g = no_forces(slave, master, friction_on_ && pair.law.friction.active());
-      bool any = false;
-      sides(pair, A, B, trial.step > 0, assembler.convex(), [&](size_t part, const LinePairSide& side) {
-        if ((part >= 3) != swapped) return;
-        const auto panels = side.panels();
-        if (panels.empty()) return;
-        any = true;
-        side.add(panels, tangent, g);
-      });
-      if (!any) continue;
+      const std::optional<AttachedForces> g = forces(pair, A, B, found, swapped, mode);
+      if (!g) continue;
       std::fill(std::begin(f), std::end(f), 0.0);
       if (tangent) std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
       stencil_of(slave, master)
-          .to_blocks(g, !assembler.convex(), f, tangent ? K : nullptr, tangent ? C : nullptr);
+          .to_blocks(*g, !assembler.convex(), f, tangent ? K : nullptr, tangent ? C : nullptr);
       int blocks[8], n = 0;
       for (const bool second : {false, true}) {
         const ContactSegment& s = segment(second != swapped ? pair.b : pair.a);
@@ -152,24 +173,25 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
 
 void LinePairs::commit(const Kinematics& accepted) {
   const std::vector<Rod> is = rods(accepted);
+  const bool moves = accepted.step > 0;
   for (Pair& pair : pairs_) {
     if (!near(pair, is) && !pair.history) continue;
     const PairAxis A = axis(accepted, pair.a), B = axis(accepted, pair.b);
-    auto next = std::make_unique<History>();
-    bool any = false;
-    sides(pair, A, B, accepted.step > 0, false, [&](size_t part, const LinePairSide& side) {
-      side.keep(side.panels(), (*next)[part]);
-      any |= !(*next)[part].empty();
-    });
+    Trial& t = find(pair, A, B);
+    if (!t.evaluated || t.moves != moves || !t.a.same_motion(A.now) || !t.b.same_motion(B.now))
+      for (const bool swapped : {false, true}) forces(pair, A, B, t, swapped, {moves});
+    const History& next = t.points;
     if (pair.counted) {
       for (const size_t part : {0, 3}) {
-        const double depth = deepest_of((*next)[part]);
+        const double depth = deepest_of(next[part]);
         if (depth > deepest_.depth) deepest_ = {depth, accepted.time, pair.key.first, pair.key.second};
       }
-      if (accepted.step > 0) account(pair, A, B, *next);
-      if (accepted.step > 0 && feeders_) feeders_->add_work(fed_work(pair, A, B, *next));
+      if (moves) account(pair, A, B, next);
+      if (moves && feeders_) feeders_->add_work(fed_work(pair, A, B, next));
     }
-    pair.history = any ? std::move(next) : nullptr;
+    const bool any = std::any_of(next.begin(), next.end(), [](const auto& part) { return !part.empty(); });
+    pair.history = any ? std::make_unique<History>(std::move(t.points)) : nullptr;
+    pair.trial = nullptr;
   }
 }
 

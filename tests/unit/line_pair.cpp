@@ -132,6 +132,12 @@ std::vector<Situation> situations() {
   };
 }
 
+// What the side leaves behind.
+void keep(const LinePairSide& side, std::vector<LinePairHistory>& points) {
+  AttachedForces unused(AttachedForces::kPositions, true);
+  side.add(side.panels(), false, unused, &points);
+}
+
 struct Rig {
   AxisEnds a0, b0, a, b;  // start and trial
   LinePairSide::Settings settings;
@@ -156,8 +162,7 @@ struct Rig {
       Eigen::Map<Vec3>(w, 3) = Eigen::Map<Vec3>(w + (beam_a ? 6 : 3), 3) = Vec3(2e-4, -3e-4, 0);
       const AxisEnds older = moved(a0, w);
       std::array<std::vector<LinePairHistory>, 6> none;
-      each(a0, b0, older, b0, none,
-           [&](size_t k, const LinePairSide& side) { side.keep(side.panels(), history[k]); });
+      each(a0, b0, older, b0, none, [&](size_t k, const LinePairSide& side) { keep(side, history[k]); });
     }
   }
 
@@ -278,7 +283,7 @@ std::array<std::vector<LinePairHistory>, 6> swept(double way, double mu) {
   for (int i = 1; i <= steps; ++i) {
     for (auto& part : next) part.clear();
     rig.each(at((i - steps) * way), rig.b, at((i - 1 - steps) * way), rig.b, past,
-             [&](size_t k, const LinePairSide& side) { side.keep(side.panels(), next[k]); });
+             [&](size_t k, const LinePairSide& side) { keep(side, next[k]); });
     past = next;
   }
   return past;
@@ -366,7 +371,7 @@ TEST(LinePair, RigidMotionLeavesTheSlipAlone) {
       };
       std::array<std::vector<LinePairHistory>, 6> next;
       rig.each(turned(rig.a0), turned(rig.b0), rig.a0, rig.b0, rig.history,
-               [&](size_t k, const LinePairSide& side) { side.keep(side.panels(), next[k]); });
+               [&](size_t k, const LinePairSide& side) { keep(side, next[k]); });
       for (size_t k = 0; k < 6; ++k) {
         ASSERT_EQ(next[k].size(), rig.history[k].size()) << s.name;
         for (size_t i = 0; i < next[k].size(); ++i) {

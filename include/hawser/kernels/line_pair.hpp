@@ -77,10 +77,10 @@ class LinePairSide {
   std::vector<Panel> panels() const;
 
   // Adds the forces on the positions of the slave, behind these on those of the master, and the couples on
-  // the nodes' rotations in the same order; K and C on request. `out` is a forces() of the two.
-  void add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& out) const;
-  // What the state leaves behind when it is accepted.
-  void keep(const std::vector<Panel>& panels, std::vector<LinePairHistory>& out) const;
+  // the nodes' rotations in the same order; K and C on request. `out` is a no_forces() of the two. points:
+  // what touches goes there if it is given, which is what the state leaves behind when it is accepted.
+  void add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& out,
+           std::vector<LinePairHistory>* points = nullptr) const;
   // J
   double potential(const std::vector<Panel>& panels) const;
 
@@ -98,6 +98,8 @@ class LinePairSide {
   std::vector<double> kinks(int levels) const;
   void split(const Panel& panel, std::vector<Panel>& out) const;
   LinePairPoint local(const Point& p, const Start& s) const;
+  LinePairHistory left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
+                              double weight) const;
   Rows rows(const Point& p) const;
   Slopes slopes(const Point& p, const Start& from, const LinePairForce& c, const Rows& rows) const;
   MovingEnd moving_end(double xi, End end) const;

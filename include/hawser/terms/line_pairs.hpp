@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/line_candidates.hpp"
+#include "hawser/terms/axis_contact.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/touch.hpp"
 
@@ -98,6 +100,15 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   static constexpr size_t kParts = 6;
   using History = std::array<std::vector<LinePairHistory>, kParts>;
   using Key = std::pair<int, int>;  // of Mesh::elements
+  // Where a pair touches in the state that was asked for last, and what acts there by the last evaluation
+  // without derivatives: tangent and commitment of the same state take it.
+  struct Trial {
+    AxisShape a, b;
+    std::array<std::vector<LinePairSide::Panel>, kParts> panels{};
+    bool touches = false;
+    bool evaluated = false, moves = false;  // moves: with velocities
+    History points{};
+  };
   struct Pair {
     int a = 0, b = 0;  // segments
     Key key;
@@ -105,6 +116,7 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
     LinePairLaw law;
     double clear = 0;                  // m, between the surfaces at the start of the step, at least
     std::unique_ptr<History> history;  // null: did not touch
+    std::unique_ptr<Trial> trial;      // null: none was asked for in this step
   };
   // A segment as a rod: chord and how far the axis is from it.
   struct Rod {
@@ -144,6 +156,10 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   template <class What>
   void sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
              const What& what) const;
+  Trial& find(Pair& pair, const PairAxis& A, const PairAxis& B) const;
+  // What acts on one side's slave and master; none: nothing.
+  std::optional<AttachedForces> forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
+                                       bool swapped, const AxisContactMode& mode) const;
   bool joint(int element, int end) const;
   std::vector<Rod> rods(const Kinematics& at) const;
   bool met(const Pair& pair, const std::vector<Rod>& is) const;
