@@ -22,15 +22,8 @@ from paraview import simple as pv
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from render_scenery import Scenery, results_beside, sections_of  # noqa: E402
 
-# Shown in these units: factor and name.
-UNITS = {
-    "effective_tension": (1e-3, "kN"),
-    "wall_tension": (1e-3, "kN"),
-    "bending_moment": (1e-3, "kN m"),
-    "contact_force": (1e-3, "kN"),
-    "penetration": (1e3, "mm"),
-    "curvature": (1, "1/m"),
-}
+# Numbers in these units are shown in others: factor and name.
+UNITS = {"N": (1e-3, "kN"), "N m": (1e-3, "kN m"), "m": (1e3, "mm")}
 
 
 def leaves(data):
@@ -274,7 +267,8 @@ def render(options):
         raise SystemExit(f"render: {options.results} has no points; is its .h5 file beside it?")
     diagonal = math.dist(lower, upper) or 1.0
     sections, radius = thickness(results, options, options.height or diagonal)
-    factor, unit = UNITS.get(options.field, (1, ""))
+    unit = results.unit(options.field) if results and results.has(options.field) else ""
+    factor, unit = UNITS.get(unit, (1, "" if unit == "1" else unit))
     lines = derived(source, LINES, field=options.field, factor=factor, sections=sections, radius=radius)
     faces = derived(source, FACES)
     # The radius given is what those of the points are multiplied by where they vary.

@@ -71,7 +71,7 @@ def range_graph(results, line, field, since=0.0):
         for values, name in ((found.most, "maximum"), (found.mean, "mean"), (found.least, "minimum")):
             axes.plot(line.arc, values / factor, label=name)
     axes.plot(line.arc, start / factor, "k-" if found is None else "k--", lw=0.9, label=f"t = {results.time[0]:g} s")
-    axes.set(xlabel="arc length from end A [m]", ylabel=label(field, unit), title=line.name)
+    axes.set(xlabel="arc length from end A [m]", ylabel=label(results.label(field), unit), title=line.name)
     legend(axes)
     return figure
 
@@ -84,7 +84,7 @@ def station_graph(results, line, field, distance, found):
     axes.fill_between(distance, least, most, alpha=0.2, lw=0)
     for values, name in ((most, "maximum"), (mean, "mean"), (least, "minimum")):
         axes.plot(distance, values, label=name)
-    axes.set(xlabel="unstretched line from the feeder [m]", ylabel=label(field, unit), title=f"{line.name}, at stations")
+    axes.set(xlabel="unstretched line from the feeder [m]", ylabel=label(results.label(field), unit), title=f"{line.name}, at stations")
     legend(axes)
     return figure
 

@@ -59,7 +59,7 @@ def told(results, fields, since):
     if all(every):
         return f"Over every step{start}."
     if any(every):
-        others = ", ".join(field.replace("_", " ") for field, own in zip(fields, every) if not own)
+        others = ", ".join(results.label(field) for field, own in zip(fields, every) if not own)
         return f"Over every step{start}; {others}: over {outputs}."
     why = ("the results have no statistics of every step" if "statistics" not in results.file
            else "the run has not ended" if not results.ended else f"the statistics of every step begin at another time, t = {results.statistics_from:g} s")

@@ -11,9 +11,6 @@ MOST_LINES = 8  # with figures of their own
 MOST_MODES = 12
 MOST_HISTORIES = 16
 MOST_ROWS = 60  # of a table of the input
-FIELDS = ("effective_tension", "utilisation", "bend_utilisation", "bending_moment", "curvature", "shear_force", "torsion_moment", "contact_normal_force",
-          "line_contact_normal_force")
-MORE_FIELDS = ("wall_tension", "penetration", "line_penetration")  # in the table, without figures
 
 
 def title_of(results):
@@ -73,7 +70,7 @@ def extremes(page, results, since):
         table(page, head, rows)
     else:
         page.text("Those of the summary are written at the end of a run, which this one has not reached.")
-    fields = [f for f in (*FIELDS, *MORE_FIELDS) if results.has(f)]
+    fields = results.reported("graph", "table")
     many = len(results.lines) * len(fields) > 2 * MOST_ROWS
     shown = by_tension(results)[:MOST_LINES] if many else results.lines
     head, rows = tables.of_fields(results, fields, since, shown)
@@ -83,9 +80,7 @@ def extremes(page, results, since):
     head, rows = tables.utilisation(results, since)
     if rows:
         page.section("Utilisation")
-        page.text("Largest effective tension over the breaking load of the line type"
-                  + (", and least bend radius that it allows over the radius of the bend. " if results.has("bend_utilisation") else ". ")
-                  + envelopes.told(results, [f for f in tables.UTILISATIONS if results.has(f)], since))
+        page.text(f"Largest {', and '.join(results.utilisations.values())}. " + envelopes.told(results, list(results.utilisations), since))
         page.table(head, rows)
 
 
@@ -94,20 +89,18 @@ def ranges(page, results, lines, since):
         return
     page.section("Range graphs")
     if moves(results):
-        page.text(envelopes.told(results, [f for f in FIELDS if results.has(f)], since))
+        page.text(envelopes.told(results, results.reported("graph"), since))
     for line in lines:
-        for field in FIELDS:
-            if not results.has(field):
-                continue
+        for field in results.reported("graph"):
             found = envelopes.envelope(results, line, field, since)
             at_start = results.magnitude(field, line, 0)
             if np.any(np.abs(at_start) > 0) or found is not None and np.any(np.abs([found.least, found.most]) > 0):
                 page.figure(charts.range_graph(results, line, field, since),
-                            f"{charts.words(field).capitalize()} along {line.name}.")
+                            f"{results.label(field).capitalize()} along {line.name}.")
         fed = stations.of_line(results, line)
         for field in fed[1] if fed else ():
             page.figure(charts.station_graph(results, line, field, *fed),
-                        f"{charts.words(field).capitalize()} of {line.name} at stations, which stay with its feeder while it runs "
+                        f"{results.label(field).capitalize()} of {line.name} at stations, which stay with its feeder while it runs "
                         "through them; every step.")
 
 
@@ -156,7 +149,7 @@ def histories(page, results, lines, since):
             curves = [(charts.words(c), series.column(c)) for c in group]
             if all(np.ptp(v) == 0 for _, v in curves):
                 continue
-            what = charts.words(group[0]) if len(group) == 1 else charts.words(group[0].rsplit("_", 1)[0])
+            what = results.label(group[0] if len(group) == 1 else group[0].rsplit("_", 1)[0])
             page.figure(charts.history(time, curves, series.unit(group[0]), what, series.name),
                         f"{what.capitalize()} of {series.name}, every step.")
             if group[0] == "effective_tension" and np.count_nonzero(time >= since) > 64:

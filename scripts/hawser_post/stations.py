@@ -2,7 +2,15 @@
 step of the run (the statistics whose names end with _at_stations)."""
 import numpy as np
 
-FIELDS = ("effective_tension", "bending_moment", "curvature", "utilisation", "bend_utilisation")
+from .charts import label, shown
+from .results import text_of
+
+END = "_at_stations"
+
+
+def fields(results):
+    """Those that are kept at stations."""
+    return results.ordered(name[: -len(END)] for name in results.file.get("statistics", {}) if name.endswith(END))
 
 
 def end_of(results, line):
@@ -17,8 +25,7 @@ def of_line(results, line):
     """Distance of each station from the feeder [m of unstretched line], and by field stations x 6 as Results.statistics has
     them; stations that the line never came to are left out. None where the line is not fed, or the run has not ended."""
     end = end_of(results, line)
-    found = {f: results.statistics(f"{f}_at_stations", line) for f in FIELDS} if end and results.ended else {}
-    found = {f: values for f, values in found.items() if values is not None}
+    found = {f: results.statistics(f + END, line) for f in fields(results)} if end and results.ended else {}
     if not found:
         return None
     distance = line.arc if end == "end_a" else line.length - line.arc
@@ -27,20 +34,25 @@ def of_line(results, line):
     return distance[known], {f: values[known] for f, values in found.items()}
 
 
+def as_of_a_pipe(results, field, name, outer):
+    """Name, unit and factor of a field of a pipe with this outer diameter [m]: of a curvature it is the strain that it
+    bends the pipe's skin by."""
+    unit = text_of(results.file[f"statistics/{field}{END}"].attrs.get("unit", ""))
+    return (name.replace("curvature", "bending strain"), "%", 50 * outer) if unit == "1/m" else (name, unit, 1)
+
+
 def table(results, line, outer):
     """Rows (quantity, least, largest, its time, its distance from the feeder) of a pipe with this outer diameter [m]."""
     stations, rows = of_line(results, line), []
     if stations is None:
         return None
     distance, found = stations
-    for name, field, factor in (("effective tension [kN]", "effective_tension", 1e-3),
-                                ("bending moment [kN m]", "bending_moment", 1e-3),
-                                ("bending strain [%]", "curvature", 50 * outer), ("utilisation of the breaking load", "utilisation", 1),
-                                ("utilisation of the bend radius", "bend_utilisation", 1)):
-        if field in found:
-            most = int(np.argmax(found[field][:, 2]))
-            rows.append([name, factor * float(found[field][:, 0].min()), factor * float(found[field][most, 2]),
-                         float(found[field][most, 3]), float(distance[most])])
+    for field, values in found.items():
+        name, unit, factor = as_of_a_pipe(results, field, results.label(field), outer)
+        unit, size = shown(unit)
+        most = int(np.argmax(values[:, 2]))
+        rows.append([label(name, unit), factor / size * float(values[:, 0].min()), factor / size * float(values[most, 2]),
+                     float(values[most, 3]), float(distance[most])])
     return ["at stations, every step", "least", "largest", "at [s]", "from the feeder [m]"], rows
 
 
@@ -48,10 +60,8 @@ def columns(results, line, outer):
     """Head and rows of a CSV file: each station's distance, and least, largest and mean of each quantity there."""
     distance, found = of_line(results, line)
     head, values = ["distance_from_feeder [m]"], [distance]
-    for name, field, factor in (("effective tension [N]", "effective_tension", 1), ("bending moment [N m]", "bending_moment", 1),
-                                ("bending strain [%]", "curvature", 50 * outer), ("utilisation [-]", "utilisation", 1),
-                                ("bend utilisation [-]", "bend_utilisation", 1)):
+    for field, of_field in found.items():
+        name, unit, factor = as_of_a_pipe(results, field, field.replace("_", " "), outer)
         for what, column in (("least", 0), ("largest", 2), ("mean", 4)):
-            if field in found:
-                head.append(f"{what} {name}"), values.append(factor * found[field][:, column])
+            head.append(f"{what} {name} [{'-' if unit == '1' else unit}]"), values.append(factor * of_field[:, column])
     return head, list(zip(*values))

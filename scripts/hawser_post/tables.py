@@ -9,7 +9,6 @@ from .envelopes import begin, envelope, of_every_step
 from .results import metres
 from .statistics import statistics
 
-UTILISATIONS = ("utilisation", "bend_utilisation")
 VERTICAL = np.array([0.0, 0.0, 1.0])
 
 
@@ -94,14 +93,14 @@ def of_fields(results, fields, since=0.0, lines=None):
             if found is None or not np.any(np.abs([found.least, found.most]) > 0):  # NaN: not known
                 continue
             low, high = int(np.nanargmin(found.least)), int(np.nanargmax(found.most))
-            rows.append([line.name, field.replace("_", " "), results.unit(field), found.least[low], found.least_time[low],
+            rows.append([line.name, results.label(field), results.unit(field), found.least[low], found.least_time[low],
                          line.arc[low], found.most[high], found.most_time[high], line.arc[high]])
     return head, rows
 
 
 def utilisation(results, since=0.0):
-    """The largest utilisation of each line that has one: of its breaking load, and of its least bend radius."""
-    head, rows = of_fields(results, UTILISATIONS, since)
+    """The largest of each utilisation of each line that has it."""
+    head, rows = of_fields(results, results.utilisations, since)
     return [*head[:2], "largest", *head[7:]], [[*row[:2], *row[6:]] for row in rows]
 
 
@@ -184,7 +183,7 @@ def statistics_of(results, since=0.0):
             numbers = [s.least, s.least_time, s.most, s.most_time, s.mean, s.deviation]
             if place is not None and of_every_step(results, column, since):
                 numbers = [float(v) for v in results.statistics(column, place[0])[place[1]]]
-            rows.append([series.name, column.replace("_", " "), series.unit(column), *numbers,
+            rows.append([series.name, results.label(column), series.unit(column), *numbers,
                          "" if np.isnan(s.period) else s.period, float(since)])
     return head, rows
 

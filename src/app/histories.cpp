@@ -12,22 +12,6 @@
 namespace hawser::app {
 namespace {
 
-// Fields that a history of a point shows, in this order, when the run has them.
-const std::vector<std::string> kShown = {"effective_tension",
-                                         "effective_tension_before",
-                                         "effective_tension_after",
-                                         "shear_force",
-                                         "bending_moment",
-                                         "bending_moment_2",
-                                         "bending_moment_3",
-                                         "torsion_moment",
-                                         "curvature",
-                                         "contact_normal_force",
-                                         "penetration"};
-// Likewise, after the columns of ends.
-const std::vector<std::string> kShownLast = {"wall_tension", "declination", "utilisation",
-                                             "bend_utilisation"};
-
 const std::vector<io::ResultField> kBody = {{"position", "m", 3},   {"rotation_vector", "rad", 3},
                                             {"velocity", "m/s", 3}, {"angular_velocity", "rad/s", 3},
                                             {"force", "N", 3},      {"moment", "N m", 3}};
@@ -37,11 +21,6 @@ constexpr double kSamePlace = 1e-9;
 
 }  // namespace
 
-bool Histories::shows(const std::string& field) {
-  return std::find(kShown.begin(), kShown.end(), field) != kShown.end() ||
-         std::find(kShownLast.begin(), kShownLast.end(), field) != kShownLast.end();
-}
-
 Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& ends,
                      std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields)
     : comm_(comm), sim_(simulation), ends_(ends) {
@@ -50,9 +29,10 @@ Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& end
       if (fields[f].name == name) return static_cast<int>(f);
     return -1;
   };
-  for (const auto& [names, into] : {std::pair{&kShown, &shown_}, std::pair{&kShownLast, &shown_last_}})
-    for (const std::string& name : *names)
-      if (const int f = find(name); f >= 0) into->push_back(static_cast<size_t>(f));
+  for (size_t f = 0; f < fields.size(); ++f) {
+    if (fields[f].history == Field::History::yes) shown_.push_back(f);
+    if (fields[f].history == Field::History::behind_ends) shown_last_.push_back(f);
+  }
   tension_ = find("effective_tension"), wall_ = find("wall_tension");
   before_ = find("effective_tension_before"), after_ = find("effective_tension_after");
 

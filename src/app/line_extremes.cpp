@@ -12,40 +12,32 @@
 namespace hawser::app {
 namespace {
 
-// Name, field (or two), largest (or smallest).
-struct Wanted {
-  const char* quantity;
-  std::array<std::string_view, 2> fields;
-  bool largest;
-};
-constexpr std::array<std::string_view, 2> kTension = {"effective_tension_before", "effective_tension_after"};
-constexpr Wanted kWanted[] = {
-    {"max effective tension", kTension, true},  {"min effective tension", kTension, false},
-    {"max utilisation", {"utilisation"}, true}, {"max bend utilisation", {"bend_utilisation"}, true},
-    {"max curvature", {"curvature"}, true},     {"max bending moment", {"bending_moment"}, true},
-    {"max penetration", {"penetration"}, true}};
-
-bool among(const Wanted& w, std::string_view field) {
-  return std::find(w.fields.begin(), w.fields.end(), field) != w.fields.end();
+// Of a table that people read: in the order that fields ask for.
+std::vector<size_t> shown(const std::vector<io::ResultField>& fields) {
+  std::vector<size_t> out;
+  for (size_t f = 0; f < fields.size(); ++f)
+    if (!fields[f].extreme.empty()) out.push_back(f);
+  std::stable_sort(out.begin(), out.end(),
+                   [&](size_t a, size_t b) { return fields[a].order < fields[b].order; });
+  return out;
 }
 
 }  // namespace
-
-bool LineExtremes::wants(std::string_view field) {
-  return std::any_of(std::begin(kWanted), std::end(kWanted),
-                     [&](const Wanted& w) { return among(w, field); });
-}
 
 LineExtremes::LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
                            const Feeders* feeders, const std::vector<io::ResultField>& fields)
     : comm_(comm), local_(local), feeders_(feeders) {
   for (const model::Line& line : c.lines) names_.push_back(line.name);
-  for (const Wanted& w : kWanted) {
-    Quantity q{w.quantity, "", {}, w.largest, std::vector<Extreme>(names_.size())};
-    for (size_t f = 0; f < fields.size(); ++f)
-      if (among(w, fields[f].name)) q.fields.push_back(f), q.unit = fields[f].unit;
-    if (!q.fields.empty()) quantities_.push_back(std::move(q));
-  }
+  for (const size_t f : shown(fields))
+    for (const bool largest : {true, false}) {
+      if (!largest && !fields[f].smallest) continue;
+      const std::string name = (largest ? "max " : "min ") + fields[f].extreme;
+      auto q = std::find_if(quantities_.begin(), quantities_.end(),
+                            [&](const Quantity& other) { return other.name == name; });
+      if (q == quantities_.end())
+        q = quantities_.insert(q, {name, fields[f].unit, {}, largest, std::vector<Extreme>(names_.size())});
+      q->fields.push_back(f);
+    }
 }
 
 void LineExtremes::add(double time, const std::vector<std::vector<double>>& values,

@@ -1,32 +1,13 @@
-// The class NodeStatistics: of which fields statistics are kept, their update at a step, their table, and
-// their place in a checkpoint.
+// The class NodeStatistics: the update of statistics at a step, their table, and their place in a checkpoint.
 #include "hawser/app/node_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
-
-#include "hawser/app/stations.hpp"
 
 namespace hawser::app {
 namespace {
 
-constexpr std::string_view kFields[] = {"effective_tension",
-                                        "effective_tension_before",
-                                        "effective_tension_after",
-                                        "wall_tension",
-                                        "declination",
-                                        "utilisation",
-                                        "bend_utilisation",
-                                        "bending_moment",
-                                        "bending_moment_2",
-                                        "shear_force",
-                                        "bending_moment_3",
-                                        "torsion_moment",
-                                        "curvature",
-                                        "penetration",
-                                        "contact_normal_force"};
 // In a checkpoint.
 const std::string kPrefix = "statistics.", kBegun = "statistics.begun", kLatest = "statistics.latest";
 // Of Sums, which hold no NaN there; then 1: there are some, 3: at the latest step too; 0: none.
@@ -34,15 +15,10 @@ constexpr int kNumbers = 9;
 
 }  // namespace
 
-bool NodeStatistics::wants(std::string_view field) {
-  return field.ends_with(kAtStations) ||
-         std::find(std::begin(kFields), std::end(kFields), field) != std::end(kFields);
-}
-
 NodeStatistics::NodeStatistics(const std::vector<io::ResultField>& fields, std::size_t nodes, double from)
     : from_(from) {
   for (std::size_t f = 0; f < fields.size(); ++f) {
-    if (!wants(fields[f].name)) continue;
+    if (!fields[f].statistics) continue;
     fields_.push_back(fields[f]), place_.push_back(f);
     const double none = std::nan("");
     sums_.emplace_back(nodes * static_cast<std::size_t>(fields[f].components),

@@ -24,12 +24,18 @@
 namespace hawser::app {
 namespace {
 
-// Both sides of a node, of the registry's field of that name.
-constexpr const char* kBefore = "effective_tension_before";
-constexpr const char* kAfter = "effective_tension_after";
-
-// What the bed, soil, volumes and other lines exert on a node.
-const char* const kCarriers[] = {"seabed_force", "soil_force", "contact_force", "line_contact_force"};
+// Of one side of a node, where they may differ (correct_ends).
+FieldSource tension_of_side(const char* name, const std::string& tension) {
+  return {{.name = name,
+           .unit = "N",
+           .history = Field::History::yes,
+           .statistics = true,
+           .extreme = "effective tension",
+           .smallest = true,
+           .order = 1},
+          [](const Kinematics&, std::span<double>) {},
+          tension};
+}
 
 // Of ends: the last is that of beams only.
 const io::ResultField kEnds[] = {{"force", "N", 3}, {"direction", "", 3}, {"moment", "N m", 3}};
@@ -66,10 +72,11 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   const model::Case& c = sim_.model();
   const LocalMesh& local = sim_.local();
   fields_ = {{"position", "m", 3}, {"velocity", "m/s", 3}};
-  for (const FieldSource& s : registry_.sources()) fields_.push_back({s.name, s.unit, s.components});
-  if (std::any_of(fields_.begin(), fields_.end(),
-                  [](const auto& f) { return f.name == "effective_tension"; }))
-    for (const char* side : {kBefore, kAfter}) fields_.push_back({side, "N", 1});
+  const auto& all = registry_.sources();
+  const std::string tension = "effective_tension", before = tension + "_before", after = tension + "_after";
+  if (std::any_of(all.begin(), all.end(), [&](const Field& f) { return f.name == tension; }))
+    for (const std::string& side : {before, after}) registry_.add(tension_of_side(side.c_str(), tension));
+  fields_.insert(fields_.end(), all.begin(), all.end());
   utilisation_.add_fields(fields_);
   for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
   auto find = [&](const std::string& name) {
@@ -78,24 +85,20 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     return -1;
   };
   pressed_ = find("contact_normal_force");
-  tension_ = find("effective_tension"), before_ = find(kBefore), after_ = find(kAfter);
+  tension_ = find(tension), before_ = find(before), after_ = find(after);
   declination_ = find("declination");
   wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
   moment_ = find("bending_moment"), moment_2_ = find("bending_moment_2"),
   moment_3_ = find("bending_moment_3");
   for (const FieldSource& f : registry_.sources()) onto_.push_back(f.onto.empty() ? -1 : find(f.onto));
-  for (const char* name : kCarriers)
-    if (const int f = find(name); f >= 0) carriers_.push_back(f);
+  for (size_t f = 0; f < fields_.size(); ++f)
+    if (fields_[f].carries) carriers_.push_back(static_cast<int>(f));
   ends_.resize(moment_ >= 0 ? 3 : 2);
-  const auto among = [](const auto& names, const std::string& name) {
-    return std::find(std::begin(names), std::end(names), name) != std::end(names);
-  };
   const bool points = std::any_of(c.output.histories.begin(), c.output.histories.end(),
                                   [](const auto& h) { return h.body.empty(); });
   for (const FieldSource& s : registry_.sources())
-    every_step_.push_back(s.name == "effective_tension" || among(kCarriers, s.name) ||
-                          (points && Histories::shows(s.name)) || LineExtremes::wants(s.name) ||
-                          (c.output.statistics && NodeStatistics::wants(s.name)));
+    every_step_.push_back(s.name == tension || s.carries || (points && s.history != Field::History::no) ||
+                          !s.extreme.empty() || (c.output.statistics && s.statistics));
   const int corrected[] = {tension_, declination_, wall_, shear_, torsion_, moment_, moment_2_, moment_3_};
   rest_apart_ = std::all_of(std::begin(corrected), std::end(corrected),
                             [this](int f) { return f < 0 || every_step_[static_cast<size_t>(f) - 2]; });
@@ -183,8 +186,6 @@ void Recorder::fill(const Kinematics& at, bool all) {
     }
   for (size_t f = 0; f < registry_.sources().size(); ++f)
     if (all || every_step_[f]) fill_field(f, at);
-  for (const int side : {before_, after_})
-    if (side >= 0) values_[static_cast<size_t>(side)] = values_[static_cast<size_t>(tension_)];
   correct_ends(at);
   utilisation_.fill(values_);
 }
@@ -388,7 +389,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
       if (const std::string w = turns_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
           !w.empty())
         warnings_.push_back(w);
-    if (const std::string w = overused(r); !w.empty()) warnings_.push_back(w);
+    if (const std::string w = overused(fields_, r); !w.empty()) warnings_.push_back(w);
     if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;
     double radius = 0;

@@ -56,9 +56,7 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
   std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
   const FieldRegistry fields = sim.system().fields();
   for (const FieldSource& f : fields.sources()) {
-    if (f.name != "seabed_force" && f.name != "soil_force" && f.name != "contact_force" &&
-        f.name != "line_contact_force")
-      continue;
+    if (!f.carries) continue;
     std::vector<double> values(3 * static_cast<size_t>(local.owned));
     f.fill(at, values);
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)

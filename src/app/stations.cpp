@@ -4,25 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
 #include <utility>
 
 namespace hawser::app {
-namespace {
-
-constexpr std::string_view kFields[] = {"effective_tension", "bending_moment", "curvature", "utilisation",
-                                        "bend_utilisation"};
-
-}  // namespace
-
 Stations::Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
                    const std::vector<io::ResultField>& fields)
     : comm_(comm), mesh_(mesh), feeders_(feeders) {
   if (!feeders) return;
   for (size_t f = 0; f < fields.size(); ++f) {
-    if (std::find(std::begin(kFields), std::end(kFields), fields[f].name) == std::end(kFields)) continue;
-    fields_.push_back({fields[f].name + std::string(kAtStations), fields[f].unit, 1}), place_.push_back(f);
+    if (!fields[f].at_stations) continue;
+    fields_.push_back({.name = fields[f].name + "_at_stations", .unit = fields[f].unit, .statistics = true});
+    place_.push_back(f);
   }
   values_.assign(fields_.size(), std::vector<double>(static_cast<size_t>(mesh.owned), std::nan("")));
 }

@@ -8,7 +8,28 @@
 namespace hawser::app {
 namespace {
 
-constexpr const char *kTension = "utilisation", *kBending = "bend_utilisation";
+const Field kTension = {.name = "utilisation",
+                        .unit = "1",
+                        .label = "breaking load utilisation",
+                        .history = Field::History::behind_ends,
+                        .statistics = true,
+                        .at_stations = true,
+                        .extreme = "utilisation",
+                        .report = Field::Report::graph,
+                        .order = 2,
+                        .meaning = "effective tension over the breaking load of the line type",
+                        .exceeded = "pulled with more than its breaking load"};
+const Field kBending = {.name = "bend_utilisation",
+                        .unit = "1",
+                        .label = "bend radius utilisation",
+                        .history = Field::History::behind_ends,
+                        .statistics = true,
+                        .at_stations = true,
+                        .extreme = "bend utilisation",
+                        .report = Field::Report::graph,
+                        .order = 3,
+                        .meaning = "least bend radius that it allows over the radius of the bend",
+                        .exceeded = "bent more sharply than its minimum bend radius allows"};
 
 }  // namespace
 
@@ -35,17 +56,15 @@ Utilisation::Utilisation(const model::Case& c, const LocalMesh& local) {
   }
 }
 
-void Utilisation::add_fields(std::vector<io::ResultField>& fields) {
+void Utilisation::add_fields(std::vector<Field>& fields) {
   const auto find = [&](const char* name) {
     const auto at = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
     return at == fields.end() ? -1 : static_cast<int>(at - fields.begin());
   };
   before_ = find("effective_tension_before"), after_ = find("effective_tension_after");
   curvature_ = find("curvature");
-  if (tension_ && before_ >= 0)
-    of_tension_ = static_cast<int>(fields.size()), fields.push_back({kTension, "1", 1});
-  if (bending_ && curvature_ >= 0)
-    of_bending_ = static_cast<int>(fields.size()), fields.push_back({kBending, "1", 1});
+  if (tension_ && before_ >= 0) of_tension_ = static_cast<int>(fields.size()), fields.push_back(kTension);
+  if (bending_ && curvature_ >= 0) of_bending_ = static_cast<int>(fields.size()), fields.push_back(kBending);
 }
 
 void Utilisation::fill(std::vector<std::vector<double>>& values) const {
@@ -63,14 +82,12 @@ bool Utilisation::known(int field, std::size_t node) const {
   return field != of_bending_ || radius_[node] > 0;
 }
 
-std::string overused(const io::SummaryRow& row) {
-  const bool bending = row.quantity == "max bend utilisation";
-  if ((!bending && row.quantity != "max utilisation") || !(row.value > 1)) return {};
-  return fmt::format("line {} is {} at arc length {:.6g} m, t = {:.6g} s: its {} utilisation is {:.3g}",
-                     row.line,
-                     bending ? "bent more sharply than its minimum bend radius allows"
-                             : "pulled with more than its breaking load",
-                     row.arc_length, row.time, bending ? "bend radius" : "breaking load", row.value);
+std::string overused(const std::vector<Field>& fields, const io::SummaryRow& row) {
+  for (const Field& f : fields)
+    if (!f.exceeded.empty() && row.quantity == "max " + f.extreme && row.value > 1)
+      return fmt::format("line {} is {} at arc length {:.6g} m, t = {:.6g} s: its {} is {:.3g}", row.line,
+                         f.exceeded, row.arc_length, row.time, label_of(f), row.value);
+  return {};
 }
 
 }  // namespace hawser::app

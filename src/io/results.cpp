@@ -222,8 +222,7 @@ struct ResultsFile::Impl {
     const long long rows_of_steps = write_steps(w.times.back());
     file.write_rows("outputs/time", H5T_NATIVE_DOUBLE, row, n, root(), w.times.data());
     for (size_t i = 0; i < w.fields.size(); ++i)
-      file.write_runs("fields/" + safe_name(contents.fields[i].name), H5T_NATIVE_DOUBLE, row, runs,
-                      w.fields[i].data(), n);
+      file.write_runs(field_place(contents.fields[i]), H5T_NATIVE_DOUBLE, row, runs, w.fields[i].data(), n);
     for (size_t i = 0; i < w.ends.size(); ++i)
       file.write_runs("ends/" + contents.end_fields[i].name, H5T_NATIVE_DOUBLE, row, end_runs,
                       w.ends[i].data(), n);

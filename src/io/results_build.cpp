@@ -115,6 +115,18 @@ hsize_t rows_in(const RowSet& s, long long outputs, long long steps, const Resul
   return static_cast<hsize_t>(s.by == RowsBy::step ? steps : outputs);
 }
 
+// What tools beside the program show of a field, and how they call it.
+void describe_fields(hid_t file, const std::vector<Field>& fields) {
+  for (const Field& f : fields) {
+    const h5::Id set = h5::open_dataset(file, field_place(f));
+    h5::text_attribute(set, "label", label_of(f));
+    const char* const report[] = {"no", "table", "graph"};
+    h5::text_attribute(set, "report", report[static_cast<int>(f.report)]);
+    h5::int_attribute(set, "order", f.order);
+    if (!f.meaning.empty()) h5::text_attribute(set, "utilisation", f.meaning);
+  }
+}
+
 void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room) {
   for (const char* name : {"outputs", "fields", "series"}) h5::group(file, name);
   if (!c.statistics.empty()) h5::group(file, "statistics");
@@ -133,6 +145,7 @@ void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room)
       h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nan.data()), s.name);
     }
   }
+  describe_fields(file, c.fields);
   const auto places = series_places(c);
   for (size_t i = 0; i < places.size(); ++i) {
     std::vector<std::string> columns, units;
@@ -302,6 +315,8 @@ std::vector<std::string> series_places(const ResultContents& c) {
   return names;
 }
 
+std::string field_place(const ResultField& field) { return "fields/" + safe_name(field.name); }
+
 std::string statistics_place(const ResultField& field) { return "statistics/" + safe_name(field.name); }
 
 h5::Id result_count_type() {
@@ -337,7 +352,7 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
   for (const auto& f : c.fields) {
     h5::Shape tail{nodes};
     if (f.components > 1) tail.push_back(static_cast<hsize_t>(f.components));
-    sets.push_back({"fields/" + safe_name(f.name), RowsBy::output, H5T_IEEE_F64LE, tail, f.unit});
+    sets.push_back({field_place(f), RowsBy::output, H5T_IEEE_F64LE, tail, f.unit});
   }
   for (const auto& f : c.end_fields)
     sets.push_back({"ends/" + f.name,

@@ -100,7 +100,8 @@ Energy BuriedTerm::energy(const Kinematics& at) const {
 }
 
 void BuriedTerm::fields(FieldRegistry& registry) const {
-  registry.add({"soil_force", "N", 3, [this](const Kinematics&, std::span<double> out) {
+  registry.add({{.name = "soil_force", .unit = "N", .components = 3, .carries = true},
+                [this](const Kinematics&, std::span<double> out) {
                   std::fill(out.begin(), out.end(), 0.0);
                   for (const Point& p : points_)
                     for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * p.node + c)] = p.force[c];

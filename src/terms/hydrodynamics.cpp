@@ -270,7 +270,12 @@ void Hydrodynamics::fields(FieldRegistry& registry) const {
   const std::string effective = "effective_tension";
   const auto& all = registry.sources();
   if (std::none_of(all.begin(), all.end(), [&](const FieldSource& f) { return f.name == effective; })) return;
-  registry.add({"wall_tension", "N", 1,
+  registry.add({{.name = "wall_tension",
+                 .unit = "N",
+                 .history = Field::History::behind_ends,
+                 .statistics = true,
+                 .report = Field::Report::table,
+                 .order = 10},
                 [this](const Kinematics& k, std::span<double> out) {
                   std::vector<double> weight(out.size(), 0), sum(out.size(), 0);
                   for (const Piece& p : pieces_)

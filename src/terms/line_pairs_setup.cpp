@@ -122,7 +122,11 @@ double LinePairs::friction_force() const {
 void LinePairs::fields(FieldRegistry& registry) const {
   add_contact_fields(
       registry,
-      {"line_contact_force", "line_contact_normal_force", "line_friction_force", "line_penetration"},
+      {.force = {.name = "line_contact_force", .unit = "N", .carries = true},
+       .normal_force =
+           {.name = "line_contact_normal_force", .unit = "N", .report = Field::Report::graph, .order = 9},
+       .friction = {.name = "line_friction_force", .unit = "N"},
+       .penetration = {.name = "line_penetration", .unit = "m", .report = Field::Report::table, .order = 12}},
       [this](const Kinematics&, const ShowPoint& show) {
         const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairHistory& h) {
           share_at_ends(element(s.global), s.first, s.second, mesh_.owned, xi,

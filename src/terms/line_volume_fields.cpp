@@ -10,7 +10,23 @@
 namespace hawser {
 
 void LineVolumeContact::fields(FieldRegistry& registry) const {
-  add_contact_fields(registry, {"contact_force", "contact_normal_force", "friction_force", "penetration"},
+  using Report = Field::Report;
+  add_contact_fields(registry,
+                     {.force = {.name = "contact_force", .unit = "N", .carries = true},
+                      .normal_force = {.name = "contact_normal_force",
+                                       .unit = "N",
+                                       .history = Field::History::yes,
+                                       .statistics = true,
+                                       .report = Report::graph,
+                                       .order = 8},
+                      .friction = {.name = "friction_force", .unit = "N"},
+                      .penetration = {.name = "penetration",
+                                      .unit = "m",
+                                      .history = Field::History::yes,
+                                      .statistics = true,
+                                      .extreme = "penetration",
+                                      .report = Report::table,
+                                      .order = 11}},
                      [this](const Kinematics& at, const ShowPoint& show) {
                        std::vector<Mat3> axes;
                        for (int v = 0; v < volumes(); ++v)

@@ -14,7 +14,9 @@ namespace hawser {
 
 // A point half way along an element shows at its nodes, half at either.
 void SeabedTerm::fields(FieldRegistry& registry) const {
-  add_contact_fields(registry, {"seabed_force", "", "seabed_friction", ""},
+  add_contact_fields(registry,
+                     {.force = {.name = "seabed_force", .unit = "N", .carries = true},
+                      .friction = {.name = "seabed_friction", .unit = "N"}},
                      [this](const Kinematics&, const ShowPoint& show) {
                        for (const Point& p : points_)
                          for (const int node : {p.node, p.second})

@@ -345,55 +345,90 @@ void StructureTerm::fields(FieldRegistry& registry) const {
     };
   };
   auto nothing = [](const CableSection&, const CableEnds&) { return 0.0; };
+  using History = Field::History;
+  using Report = Field::Report;
   registry.add(
-      {"effective_tension", "N", 1,
+      {{.name = "effective_tension",
+        .unit = "N",
+        .history = History::yes,
+        .statistics = true,
+        .at_stations = true,
+        .report = Report::graph,
+        .order = 1},
        at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.tension; },
                 [](const CableSection& s, const CableEnds& e) { return cable_stress(s, e).tension; })});
   // Of the line's direction, from end A to end B: 0 is straight up.
   registry.add(
-      {"declination", "deg", 1,
+      {{.name = "declination", .unit = "deg", .history = History::behind_ends, .statistics = true},
        at_nodes([](const BeamStress&, const BeamEnds& e,
                    int end) { return degrees(declination((end ? e.q2 : e.q1) * Vec3::UnitX())); },
                 [](const CableSection&, const CableEnds& e) { return degrees(declination(e.x2 - e.x1)); })});
   // Of the whole model, not of this rank: all ranks write the same fields.
   const auto& all = mesh_.mesh->elements;
   if (std::none_of(all.begin(), all.end(), [](const Element& e) { return e.beam; })) return;
-  registry.add({"shear_force", "N", 1,
+  registry.add({{.name = "shear_force",
+                 .unit = "N",
+                 .history = History::yes,
+                 .statistics = true,
+                 .report = Report::graph,
+                 .order = 6},
                 at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.shear; }, nothing)});
   // Magnitudes are taken element by element, so that torsion of the axes between neighbours does not matter.
-  registry.add({"bending_moment", "N m", 1,
+  registry.add({{.name = "bending_moment",
+                 .unit = "N m",
+                 .history = History::yes,
+                 .statistics = true,
+                 .at_stations = true,
+                 .extreme = "bending moment",
+                 .report = Report::graph,
+                 .order = 5},
                 at_nodes([](const BeamStress& s, const BeamEnds&,
                             int end) { return (end ? s.moment2 : s.moment1).tail<2>().norm(); },
                          nothing)});
   // The element's axes are half way between those of its nodes, whose the components are.
   for (const int axis : {1, 2})
-    registry.add({axis == 1 ? "bending_moment_2" : "bending_moment_3", "N m", 1,
+    registry.add({{.name = axis == 1 ? "bending_moment_2" : "bending_moment_3",
+                   .unit = "N m",
+                   .history = History::yes,
+                   .statistics = true},
                   at_nodes(
                       [axis](const BeamStress& s, const BeamEnds& e, int end) {
                         const Quat half = exp_so3((end ? -0.5 : 0.5) * log_so3(e.q1.conjugate() * e.q2));
                         return (half * (end ? s.moment2 : s.moment1))[axis];
                       },
                       nothing)});
-  registry.add({"torsion_moment", "N m", 1,
+  registry.add({{.name = "torsion_moment",
+                 .unit = "N m",
+                 .history = History::yes,
+                 .statistics = true,
+                 .report = Report::graph,
+                 .order = 7},
                 at_nodes([](const BeamStress& s, const BeamEnds&,
                             int end) { return (end ? s.moment2 : s.moment1).x(); },
                          nothing)});
   // Two of three: a rotation vector would jump where it comes to half a turn.
   for (const int axis : {0, 1})
-    registry.add(
-        {axis ? "axis_2" : "axis_1", "", 3, [this, axis](const Kinematics& k, std::span<double> out) {
-           for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) {
-             const bool beam = mesh_.rotates(static_cast<int>(n));
-             const Vec3 a = beam ? Vec3(k.q[n] * Vec3::Unit(axis)) : Vec3(0, 0, 0);
-             for (size_t c = 0; c < 3; ++c) out[3 * n + c] = a[static_cast<Eigen::Index>(c)];
-           }
-         }});
-  registry.add({"curvature", "1/m", 1,
+    registry.add({{.name = axis ? "axis_2" : "axis_1", .unit = "", .components = 3},
+                  [this, axis](const Kinematics& k, std::span<double> out) {
+                    for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) {
+                      const bool beam = mesh_.rotates(static_cast<int>(n));
+                      const Vec3 a = beam ? Vec3(k.q[n] * Vec3::Unit(axis)) : Vec3(0, 0, 0);
+                      for (size_t c = 0; c < 3; ++c) out[3 * n + c] = a[static_cast<Eigen::Index>(c)];
+                    }
+                  }});
+  registry.add({{.name = "curvature",
+                 .unit = "1/m",
+                 .history = History::yes,
+                 .statistics = true,
+                 .at_stations = true,
+                 .extreme = "curvature",
+                 .report = Report::graph,
+                 .order = 4},
                 at_nodes([](const BeamStress& s, const BeamEnds&,
                             int end) { return (end ? s.curvature2 : s.curvature1).tail<2>().norm(); },
                          nothing)});
   if (yields_)
-    registry.add({"residual_curvature", "1/m", 1,
+    registry.add({{.name = "residual_curvature", .unit = "1/m"},
                   at_nodes([](const BeamStress& s, const BeamEnds&,
                               int end) { return end ? s.residual2 : s.residual1; },
                            nothing)});

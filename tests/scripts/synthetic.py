@@ -4,10 +4,10 @@ import numpy as np
 
 
 def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statistics=None, case="hawser: 1\n",
-                 attributes=None, ended=True):
+                 attributes=None, ended=True, declared=None):
     """lines: {name: arc lengths of its nodes}; fields: {name: (unit, outputs x all nodes (x 3))}; statistics: {field:
-    (unit, all nodes (x 3) x 6)}; series: (times, {name: ([columns], [units], steps x columns)}). Without the field
-    `position` nodes lie along x."""
+    (unit, all nodes (x 3) x 6)}; series: (times, {name: ([columns], [units], steps x columns)}); declared: {field:
+    attributes that say how it is shown}. Without the field `position` nodes lie along x."""
     lines = lines or {"line": np.linspace(0, 10, 3)}
     fields = dict(fields or {})
     arc = np.concatenate(list(lines.values()))
@@ -34,6 +34,8 @@ def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statis
             for name, (unit, values) in found.items():
                 file[f"{group}/{name}"] = values
                 file[f"{group}/{name}"].attrs["unit"] = unit.encode()
+        for name, said in (declared or {}).items():
+            file[f"fields/{name}"].attrs.update(said)
         if len(step_time):
             file["series/time"] = step_time
         for name, (columns, units, values) in tables.items():

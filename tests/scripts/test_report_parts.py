@@ -205,12 +205,34 @@ class Parts(unittest.TestCase):
     def test_utilisation(self):
         share = np.outer(0.5 + 0.1 * np.sin(TIME), 1 - ARC / 200)
         path = results_file(self.folder / "u.h5", TIME, {"riser": ARC}, {
-            "utilisation": ("1", share), "bend_utilisation": ("1", np.where(ARC < 50, np.nan, 2 * share))})
+            "utilisation": ("1", share), "bend_utilisation": ("1", np.where(ARC < 50, np.nan, 2 * share))},
+            declared={"utilisation": {"order": 1, "utilisation": "tension over the breaking load"},
+                      "bend_utilisation": {"order": 2, "utilisation": "bend radius over that of the bend"}})
         head, rows = tables.utilisation(Results(path))
         self.assertEqual(head, ["line", "quantity", "largest", "at [s]", "at [m]"])
         k = int(np.argmax(share[:, 0]))
         self.assertEqual(rows[0], ["riser", "utilisation", share[k, 0], TIME[k], 0.0])
         self.assertEqual(rows[1], ["riser", "bend utilisation", 2 * share[k, 25], TIME[k], 50.0])
+
+    def test_a_field_is_shown_as_the_file_says(self):
+        # Fields that no tool knows by name: in a graph, in the table alone, at a feeder's stations, nowhere.
+        n = len(ARC)
+        values = {name: ("N", np.outer(np.sin(TIME), k + ARC)) for k, name in enumerate(("one", "two", "three"))}
+        share = ("1", np.outer(0.5 + 0.1 * np.sin(TIME), 1 - ARC / 200))
+        stations = {"one_at_stations": ("N", np.tile([1e3, 1.0, 5e3, 2.0, 3e3, 0.1], (n, 1)))}
+        case = "hawser: 1\nlines: {riser: {end_a: {anchor: [0, 0, 0], feed: {stock: 5, speed: 1}}}}\n"
+        path = results_file(self.folder / "shown.h5", TIME, {"riser": ARC}, {**values, "four": share}, statistics=stations, case=case, declared={
+            "one": {"label": "pull of the one", "report": "graph", "order": 2}, "two": {"report": "table", "order": 1},
+            "three": {"report": "no"}, "four": {"report": "no", "utilisation": "a half over the whole"}})
+        words = self.words(path)
+        self.assertIn("Pull of the one along riser", words)
+        self.assertIn("Pull of the one of riser at stations", words)
+        self.assertIn("riser pull of the one kN", words)
+        self.assertIn("riser two kN", words)
+        self.assertLess(words.index("riser two kN"), words.index("riser pull of the one kN"))
+        self.assertNotIn("Two along riser", words)
+        self.assertNotIn("three", words.split("Case file")[0].lower())
+        self.assertIn("Largest a half over the whole", words)
 
     def test_clearances_and_input(self):
         gap = np.stack([1 + np.cos(TIME), TIME, 0 * TIME], axis=1)

@@ -8,8 +8,9 @@
 namespace hawser::app {
 namespace {
 
-const std::vector<io::ResultField> kFields = {
-    {"position", "m", 3}, {"effective_tension", "N", 1}, {"curvature", "1/m", 1}};
+const std::vector<io::ResultField> kFields = {{"position", "m", 3},
+                                              {.name = "effective_tension", .unit = "N", .statistics = true},
+                                              {.name = "curvature", .unit = "1/m", .statistics = true}};
 
 std::vector<std::vector<double>> values(double tension, double curvature) {
   return {std::vector<double>(6, 7), {tension, 2 * tension}, {curvature, -curvature}};

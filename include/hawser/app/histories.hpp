@@ -21,9 +21,6 @@ class Histories {
   Histories(MPI_Comm comm, Simulation& simulation, const EndForces& ends,
             std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields);
 
-  // Whether points show the field of that name.
-  static bool shows(const std::string& field);
-
   // One for each history of the case, in its order.
   const std::vector<io::ResultSeries>& series() const { return series_; }
 

@@ -5,7 +5,6 @@
 #include <mpi.h>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hawser/app/utilisation.hpp"
@@ -25,9 +24,6 @@ class LineExtremes {
   // fields: those of which add() gets the values; feeders: null where no line is fed.
   LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local, const Feeders* feeders,
                const std::vector<io::ResultField>& fields);
-
-  // Whether a table of this field is kept.
-  static bool wants(std::string_view field);
 
   // An accepted step: values by field, of the owned nodes; a utilisation that is not known
   // does not count, nor what is inside a feeder.

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hawser/io/checkpoint.hpp"
@@ -15,11 +14,9 @@ namespace hawser::app {
 // steps of any length count by their length. Where a value is NaN there is none: that time does not count.
 class NodeStatistics {
  public:
-  // Those of `fields` that statistics are kept of, of so many owned nodes, over all that comes at `from` [s]
+  // Those of `fields` that have statistics, of so many owned nodes, over all that comes at `from` [s]
   // or later.
   NodeStatistics(const std::vector<io::ResultField>& fields, std::size_t nodes, double from);
-
-  static bool wants(std::string_view field);
 
   const std::vector<io::ResultField>& fields() const { return fields_; }
   // An accepted step: values of all fields of the constructor, by field, nodes x components.

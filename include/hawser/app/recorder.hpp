@@ -79,9 +79,8 @@ class Recorder {
   bool stepped_ = false;          // values_ have them of the last step
   std::vector<int> onto_;         // likewise: among values_, the field it is computed from; -1: none
   EndForces end_forces_;
-  std::vector<std::vector<double>>
-      values_;                             // position, velocity, the registry's fields, tension of both sides
-  std::vector<std::vector<double>> ends_;  // force, direction, moment, of the owned ends in file order
+  std::vector<std::vector<double>> values_;  // position, velocity, the registry's fields, utilisations
+  std::vector<std::vector<double>> ends_;    // force, direction, moment, of the owned ends in file order
   std::vector<io::ResultField> fields_;
   // Among values_.
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,

@@ -3,7 +3,6 @@
 
 #include <mpi.h>
 
-#include <string_view>
 #include <vector>
 
 #include "hawser/io/results.hpp"
@@ -12,18 +11,17 @@
 
 namespace hawser::app {
 
-// What the names of these fields end with.
-inline constexpr std::string_view kAtStations = "_at_stations";
-
 // A fed line has as many stations as nodes. Counted from the fed end, station i is where node i is when all
 // of the line is outside: as much unstretched line lies between it and the feeder as between node i and that
 // end. Of a line that is fed at both ends they are those of end A.
 class Stations {
  public:
-  // Of some of the fields of the nodes; feeders: null where no line is fed. Outlived by mesh and feeders.
+  // Of those fields of the nodes that are kept at stations; feeders: null where no line is fed. Outlived by
+  // mesh and feeders.
   Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
            const std::vector<io::ResultField>& fields);
 
+  // Their names end with "_at_stations".
   const std::vector<io::ResultField>& fields() const { return fields_; }
   // values: of the constructor's fields, by field and owned node. Of fields(), by field and owned node, in
   // the place of node i what the line has at station i: linear between its free nodes, in the element at the

@@ -18,7 +18,7 @@ class Utilisation {
 
   // Adds `utilisation` and `bend_utilisation` behind the fields they are made from, each where a line type
   // says what it bears; bending where beams are.
-  void add_fields(std::vector<io::ResultField>& fields);
+  void add_fields(std::vector<Field>& fields);
   // values: by field and owned node. Of a node between two types the larger tension utilisation of both
   // sides; the curvature there with the larger radius.
   void fill(std::vector<std::vector<double>>& values) const;
@@ -33,7 +33,7 @@ class Utilisation {
   int before_ = -1, after_ = -1, curvature_ = -1, of_tension_ = -1, of_bending_ = -1;  // among the fields
 };
 
-// A sentence where a row of the summary is such an extreme and more than 1; else empty.
-std::string overused(const io::SummaryRow& row);
+// A sentence where a row of the summary is of a utilisation among these fields, and more than 1; else empty.
+std::string overused(const std::vector<Field>& fields, const io::SummaryRow& row);
 
 }  // namespace hawser::app

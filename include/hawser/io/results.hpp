@@ -15,6 +15,7 @@
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/io/clash_rows.hpp"
 #include "hawser/math/types.hpp"
+#include "hawser/system/field.hpp"
 
 namespace hawser::io {
 
@@ -31,10 +32,7 @@ struct ResultLine {
   std::vector<double> arc;  // m from end A, one a node
 };
 
-struct ResultField {
-  std::string name, unit;
-  int components = 1;
-};
+using ResultField = Field;  // of columns name, unit and components alone
 
 // Numbers that statistics of a field have, for each node and component: minimum and its time, maximum and its
 // time, mean, standard deviation.

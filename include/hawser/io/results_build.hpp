@@ -44,6 +44,7 @@ struct RowSet {
   std::string unit;
 };
 std::vector<RowSet> row_sets(const ResultContents& contents);
+std::string field_place(const ResultField& field);
 std::string statistics_place(const ResultField& field);
 
 // "volumes/<name>" and "series/<name>", in the order of the contents.

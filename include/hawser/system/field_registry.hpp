@@ -1,5 +1,5 @@
-// The node fields that terms can show in a result file. Those made of other fields (utilisation) are added in
-// app/utilisation.cpp; histories, statistics and extremes name the fields they show.
+// The node fields that terms can show in a result file: what is known of each, and how its values are made.
+// Those made of other fields (utilisation) are added in app/utilisation.cpp.
 #pragma once
 
 #include <functional>
@@ -9,13 +9,11 @@
 #include <vector>
 
 #include "hawser/state/kinematics.hpp"
+#include "hawser/system/field.hpp"
 
 namespace hawser {
 
-struct FieldSource {
-  std::string name;  // "effective_tension"
-  std::string unit;  // "N"
-  int components = 1;
+struct FieldSource : Field {
   // Fills values[node * components + c] for this rank's owned nodes from an accepted state.
   std::function<void(const Kinematics& at, std::span<double> values)> fill;
   // A field added before, of the same shape, whose values `values` holds when fill is called; empty: none.
@@ -24,7 +22,8 @@ struct FieldSource {
 
 class FieldRegistry {
  public:
-  void add(FieldSource source) { sources_.push_back(std::move(source)); }
+  // A field that is made onto another stands behind it, and behind those that are already.
+  void add(FieldSource source);
   const std::vector<FieldSource>& sources() const { return sources_; }
 
  private:

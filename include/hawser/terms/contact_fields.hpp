@@ -3,7 +3,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "hawser/kernels/contact_point.hpp"
 #include "hawser/system/field_registry.hpp"
@@ -15,13 +14,13 @@ namespace hawser {
 using ShowPoint = std::function<void(int node, double share, const Mat3& axes, const ContactPoint& p)>;
 using EachPoint = std::function<void(const Kinematics& at, const ShowPoint& show)>;
 
-// Names of the fields; empty: it is not shown.
+// The fields but for their components; one without a name is not shown.
 struct ContactFields {
-  std::string force, normal_force, friction, penetration;
+  Field force = {}, normal_force = {}, friction = {}, penetration = {};
 };
 
 // Adds force and friction [N, space axes], sum of the sizes of normal forces [N], and largest penetration of
 // points that are nearer to the node than to others [m].
-void add_contact_fields(FieldRegistry& registry, const ContactFields& names, const EachPoint& each);
+void add_contact_fields(FieldRegistry& registry, const ContactFields& shown, const EachPoint& each);
 
 }  // namespace hawser

@@ -1,0 +1,23 @@
+// The class FieldRegistry: where a field stands; and what fields are called where people read.
+#include "hawser/system/field_registry.hpp"
+
+#include <algorithm>
+
+namespace hawser {
+
+std::string label_of(const Field& field) {
+  std::string label = field.label.empty() ? field.name : field.label;
+  if (field.label.empty()) std::replace(label.begin(), label.end(), '_', ' ');
+  return label;
+}
+
+void FieldRegistry::add(FieldSource source) {
+  const auto of_kin = [&](const FieldSource& f) { return f.name == source.onto || f.onto == source.onto; };
+  auto at = sources_.end();
+  if (!source.onto.empty())
+    for (auto f = sources_.begin(); f != sources_.end(); ++f)
+      if (of_kin(*f)) at = f + 1;
+  sources_.insert(at, std::move(source));
+}
+
+}  // namespace hawser

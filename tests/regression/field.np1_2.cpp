@@ -1,0 +1,133 @@
+// A field that a force term declares is shown wherever its declaration says: at outputs, in histories, in
+// statistics over every step and at stations, in the table of extremes; and tools can read what is said.
+#include <memory>
+
+#include "hawser/app/recorder.hpp"
+#include "hawser/app/simulation.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "regression/runs.hpp"
+
+namespace hawser::runs::field {
+namespace {
+
+const char* const kWeight = R"(hawser: 1
+title: A weight on a winch
+line_types:
+  rope: {outer_diameter: 0.05, mass_per_length: 10, EA: 1e7, bending: false, stiffness_damping: 0.02}
+lines:
+  rope:
+    sections: [{type: rope, length: 60, elements: 30}]
+    end_a: {anchor: [0, 0, 100], feed: {stock: 40.5, speed_table: [[0, 0], [2, 0.5]]}}
+    end_b: free
+    masses: [{at: end_b, mass: 1000}]
+dynamics: {duration: 1}
+output: {every: 0.5, histories: [{line: rope, at: end_b, name: weight}]}
+contact: {between_lines: false}
+)";
+
+// A field and no force: the height of nodes and, with their sum, the tension.
+class Height : public ForceTerm {
+ public:
+  explicit Height(const LocalMesh& mesh) : mesh_(mesh) {}
+  std::string_view name() const override { return "height"; }
+  void evaluate(const Kinematics&, Assembler&) override {}
+  void fields(FieldRegistry& registry) const override {
+    registry.add({{.name = "height",
+                   .unit = "m",
+                   .label = "height above the sea",
+                   .history = Field::History::yes,
+                   .statistics = true,
+                   .at_stations = true,
+                   .extreme = "height of it",
+                   .smallest = true,
+                   .report = Field::Report::table,
+                   .order = 0},
+                  [this](const Kinematics& at, std::span<double> out) {
+                    for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) out[n] = at.x[n].z();
+                  }});
+    registry.add({{.name = "raised_tension", .unit = "N", .history = Field::History::behind_ends},
+                  [](const Kinematics&, std::span<double> out) {
+                    for (double& v : out) v += 1;
+                  },
+                  "effective_tension"});
+  }
+
+ private:
+  const LocalMesh& mesh_;
+};
+
+std::string attribute(const io::h5::Id& file, const std::string& set, const char* name) {
+  const auto data = io::h5::open_dataset(file, set);
+  const auto at = io::h5::own(H5Aopen(data, name, H5P_DEFAULT), H5Aclose, name);
+  const auto type = io::h5::own(H5Aget_type(at), H5Tclose, name);
+  std::string text(H5Tget_size(type), '\0');
+  io::h5::check(H5Aread(at, type, text.data()), name);
+  return text.c_str();
+}
+
+TEST(Field, IsShownWhereItsDeclarationSays) {
+  const std::string path = folder("field"), input = path + "/case.yaml", output = path + "/run.h5";
+  write_case(input, kWeight);
+  model::Case c = io::read_case(input);
+  c.output.file = output;
+  {
+    app::Simulation sim(MPI_COMM_WORLD, c);
+    sim.system().add(std::make_unique<Height>(sim.local()));
+    sim.solve_statics();
+    app::Recorder recorder(MPI_COMM_WORLD, sim, {}, {}, {});
+    sim.dynamics().start(sim.state());
+    recorder.start(sim.dynamics().kinematics(), sim.state().view(0));
+    sim.dynamics().run(
+        1, [](double) { return 1.0; },
+        [&](const StepInfo& info) {
+          recorder.step(info, sim.dynamics().kinematics(), sim.dynamics().support_work());
+          return true;
+        });
+    recorder.output(sim.dynamics().kinematics());
+    recorder.finish({});
+  }
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(output);
+  ASSERT_EQ(r.output_times.size(), 2u);
+  // At outputs, the height of the last node of all.
+  EXPECT_EQ(r.fields.at("height").back(), r.fields.at("position").back());
+  // In histories, of which those behind the ends' own columns come last but for acceleration and angles.
+  const auto z = named(output, r, "weight", "position_z");
+  EXPECT_EQ(named(output, r, "weight", "height"), z);
+  EXPECT_LT(z.back(), z.front() - 0.1);  // it is lowered
+  const auto tension = named(output, r, "weight", "effective_tension"),
+             raised = named(output, r, "weight", "raised_tension");
+  EXPECT_GT(largest_difference(tension, raised), 0.5);  // of the element's middle, and 1 N
+  EXPECT_LT(largest_difference(tension, raised), 200);
+  const auto columns = columns_of(output, "weight");
+  const auto place = [&](const char* name) { return std::find(columns.begin(), columns.end(), name); };
+  EXPECT_LT(place("height"), place("end_force_x"));
+  EXPECT_LT(place("end_force_x"), place("raised_tension"));
+  EXPECT_LT(place("raised_tension"), place("acceleration_x"));
+  // Statistics: least, its time, largest.
+  const auto file = io::h5::open_read(output);
+  const auto every = io::h5::read_array(file, "statistics/height").values;
+  ASSERT_EQ(every.size(), 31u * io::kStatistics);
+  const double* last = every.data() + 30 * io::kStatistics;
+  EXPECT_EQ(last[0], *std::min_element(z.begin(), z.end()));
+  EXPECT_EQ(last[2], *std::max_element(z.begin(), z.end()));
+  EXPECT_FALSE(io::h5::exists(file, "statistics/raised_tension"));
+  // The station whose distance is what is outside at first has the height of the weight.
+  const auto stations = io::h5::read_array(file, "statistics/height_at_stations").values;
+  EXPECT_NEAR(stations[9 * io::kStatistics + 2], 100 - 18, 0.1);
+  EXPECT_FALSE(io::h5::exists(file, "statistics/raised_tension_at_stations"));
+  // First in the table of extremes: the largest of it, then the least.
+  ASSERT_GE(r.summary.size(), 6u);
+  EXPECT_NEAR(r.summary[0], 100, 1e-9);
+  EXPECT_EQ(r.summary[3], *std::min_element(z.begin(), z.end()));
+  EXPECT_EQ(r.summary[5], 60);
+  EXPECT_EQ(attribute(file, "fields/height", "label"), "height above the sea");
+  EXPECT_EQ(attribute(file, "fields/height", "report"), "table");
+  EXPECT_EQ(attribute(file, "fields/height", "unit"), "m");
+  EXPECT_EQ(attribute(file, "fields/raised_tension", "label"), "raised tension");
+  EXPECT_EQ(attribute(file, "fields/raised_tension", "report"), "no");
+}
+
+}  // namespace
+}  // namespace hawser::runs::field
