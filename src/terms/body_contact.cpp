@@ -1,5 +1,5 @@
 // The part of BodyContactTerm that acts: pairs of volumes, forces and tangent summed over corners and edges,
-// energies, history; steps are in body_contact_ahead.cpp.
+// energies, history; steps are in body_contact_step_limits.cpp.
 #include "hawser/terms/body_contact.hpp"
 
 #include <algorithm>

@@ -20,7 +20,7 @@ enum Kind { kPoints, kSums, kSprings };
 
 std::vector<HistoryKind> LineVolumeContact::history() const {
   return {history_kind<AxisContactPoint>("points that touch"),
-          history_kind<ContactAccount>("sums of an element"), history_kind<GapSpring>("gap springs")};
+          history_kind<ContactWork>("sums of an element"), history_kind<GapSpring>("gap springs")};
 }
 
 std::vector<HistoryRecord> LineVolumeContact::save() const {
@@ -64,7 +64,7 @@ void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
     const auto found = side.find(r.node);
     if (found == side.end()) continue;
     if (sums) {
-      accounts_[static_cast<size_t>(found->second)] = entry<ContactAccount>(r);
+      accounts_[static_cast<size_t>(found->second)] = entry<ContactWork>(r);
       continue;
     }
     if (r.key < 0 || r.key / 2 >= volumes())

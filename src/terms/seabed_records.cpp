@@ -1,4 +1,4 @@
-// What the seabed shows, and its history through a checkpoint.
+// History of contact with the seabed through a checkpoint.
 //
 // Both ranks of a shared element need the history of the point half way along it, and a rank gets the records
 // of its own nodes only: so it is kept twice, at either node. Keys: 0 for a node, 1 for the element behind
@@ -7,23 +7,9 @@
 #include <map>
 #include <stdexcept>
 
-#include "hawser/terms/contact_fields.hpp"
 #include "hawser/terms/seabed.hpp"
 
 namespace hawser {
-
-// A point half way along an element shows at its nodes, half at either.
-void SeabedTerm::fields(FieldRegistry& registry) const {
-  add_contact_fields(registry,
-                     {.force = {.name = "seabed_force", .unit = "N", .carries = true},
-                      .friction = {.name = "seabed_friction", .unit = "N"}},
-                     [this](const Kinematics&, const ShowPoint& show) {
-                       for (const Point& p : points_)
-                         for (const int node : {p.node, p.second})
-                           if (node >= 0 && node < mesh_.owned)
-                             show(node, share(p, node), Mat3::Identity(), p.history);
-                     });
-}
 
 std::vector<HistoryKind> SeabedTerm::history() const { return {history_kind<History>("points")}; }
 

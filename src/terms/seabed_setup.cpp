@@ -1,4 +1,5 @@
-// What SeabedTerm is made from; what it shows and keeps is in seabed_records.cpp.
+// What SeabedTerm is made from; what it shows and saves is in seabed_fields.cpp and
+// seabed_records.cpp.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -140,7 +140,8 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
                    const AxisContactMode& mode, double* f, double* K, double* C, Sum& sum) const;
   bool passes(const Pair& pair, const Kinematics& trial) const;
   void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
-  // What looks ahead, body_contact_ahead.cpp. rad/s, of the fastest motion of the bodies on those springs.
+  // What looks ahead, body_contact_step_limits.cpp. rad/s, of the fastest motion of the bodies on those
+  // springs.
   double frequency(const Pair& pair, const Sum& stiffness) const;
   // J, of the motion of the bodies against each other.
   double relative_energy(const Pair& pair, const Both& at) const;
@@ -151,7 +152,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   // s, at most `most`: a step from there that what it meets in it is followed with.
   double followed(const Pair& pair, const Both& at, double most) const;
   void limit_by(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
-  // body_contact_watch.cpp. m, of the deepest place of the faces of one volume in the other.
+  // body_contact_penetration.cpp. m, of the deepest place of the faces of one volume in the other.
   double deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const;
   void look(double time);
 

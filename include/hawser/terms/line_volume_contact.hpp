@@ -8,7 +8,7 @@
 
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/axis_contact.hpp"
-#include "hawser/terms/contact_account.hpp"
+#include "hawser/terms/contact_work.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/line_volume_finder.hpp"
 #include "hawser/terms/touch.hpp"
@@ -150,8 +150,8 @@ class LineVolumeContact final : public ForceTerm,
   ContactVolumes volumes_;
   LineVolumeFinder finder_;
   std::vector<LineContactElement> elements_;
-  std::vector<Pair> pairs_;               // sorted by element and volume
-  std::vector<ContactAccount> accounts_;  // of the elements
+  std::vector<Pair> pairs_;            // sorted by element and volume
+  std::vector<ContactWork> accounts_;  // of the elements
   bool friction_on_ = true;
   std::vector<Vec3> start_x_;  // m, of the nodes at the start of the step
   std::vector<Quat> start_q_;

@@ -1,8 +1,10 @@
-// What of two lines touches in the accepted state, for the clash report.
+// What touches of two lines in the accepted state, shown at the nodes and told to the clash report.
 #include <algorithm>
 #include <cmath>
 
 #include "hawser/mesh/arc.hpp"
+#include "hawser/terms/contact_fields.hpp"
+#include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {
@@ -35,6 +37,29 @@ void LinePairs::touches(Touches& out) const {
     }
     out.push_back(t);
   }
+}
+
+void LinePairs::fields(FieldRegistry& registry) const {
+  add_contact_fields(
+      registry,
+      {.force = {.name = "line_contact_force", .unit = "N", .carries = true},
+       .normal_force =
+           {.name = "line_contact_normal_force", .unit = "N", .report = Field::Report::graph, .order = 9},
+       .friction = {.name = "line_friction_force", .unit = "N"},
+       .penetration = {.name = "line_penetration", .unit = "m", .report = Field::Report::table, .order = 12}},
+      [this](const Kinematics&, const ShowPoint& show) {
+        const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairHistory& h) {
+          share_at_ends(element(s.global), s.first, s.second, mesh_.owned, xi,
+                        [&](int node, double share) { show(node, share, sign * Mat3::Identity(), h); });
+        };
+        for (const Pair& p : pairs_) {
+          if (!p.history) continue;
+          const ContactSegment &a = segment(p.a), &b = segment(p.b);
+          for (size_t k = 0; k < kParts; ++k)
+            for (const LinePairHistory& h : (*p.history)[k])
+              put(k < 3 ? a : b, h.xi, 1, h), put(k < 3 ? b : a, h.eta, -1, h);
+        }
+      });
 }
 
 }  // namespace hawser

@@ -24,7 +24,7 @@ struct StepOfBody {
 };
 
 // Sums of an element over the accepted steps.
-struct ContactAccount {
+struct ContactWork {
   double friction = 0, damping = 0, work = 0;  // J
   double depth = 0, time = 0;                  // m, s: largest penetration
   int volume = -1, end = 0;                    // of that; which end of the element is nearer

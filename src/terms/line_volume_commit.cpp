@@ -39,7 +39,7 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   const RigidPose &before = pair.start.pose, &after = volumes_.trial_pose(pair.volume);
   const StepOfBody step(before, after, !volumes_.floats(pair.volume));
   const double smoothing = pair.smoothing();
-  ContactAccount& sum = accounts_[static_cast<size_t>(pair.element)];
+  ContactWork& sum = accounts_[static_cast<size_t>(pair.element)];
   // The way of a place, and how far it came off the surface otherwise than by sliding along its own line: a
   // pipe that is drawn over a roller comes and goes all the time, yet as much of it touches as before. Of a
   // node there is but one: what it slides into or out of, it meets or leaves.
@@ -109,7 +109,7 @@ Penetration LineVolumeContact::largest_penetration() const {
   Penetration p;
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const LocalElement& e = mesh_.elements[i];
-    const ContactAccount& a = accounts_[i];
+    const ContactWork& a = accounts_[i];
     if (e.counted && a.depth > p.depth)
       p = {a.depth, mesh_.global[static_cast<size_t>(a.end ? e.second : e.first)], a.volume, a.time};
   }

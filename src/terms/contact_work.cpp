@@ -1,6 +1,6 @@
 // Work of friction, damping and prescribed bodies at one contact point over a step, from the motion relative
 // to the body and the motion of the body itself.
-#include "hawser/terms/contact_account.hpp"
+#include "hawser/terms/contact_work.hpp"
 
 namespace hawser {
 
@@ -10,8 +10,8 @@ StepOfBody::StepOfBody(const RigidPose& before, const RigidPose& after, bool pre
       shift(after.position - before.position),
       prescribed(prescribes) {}
 
-void ContactAccount::add(const StepOfBody& b, const ContactPoint& p, const Mat3& R, const Vec3& y0,
-                         const Vec3& y1, double share) {
+void ContactWork::add(const StepOfBody& b, const ContactPoint& p, const Mat3& R, const Vec3& y0,
+                      const Vec3& y1, double share) {
   const Vec3 relative = 0.5 * (b.R0 + b.R1) * (y1 - y0);
   const Vec3 carried = b.shift + 0.5 * (b.R1 - b.R0) * (y0 + y1);
   const double w = 0.5 * share;

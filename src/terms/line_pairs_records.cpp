@@ -1,0 +1,92 @@
+// History of contact of lines with lines through a checkpoint.
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "hawser/terms/line_pairs.hpp"
+
+namespace hawser {
+namespace {
+
+enum Kind { kPoints, kSums, kDeepest };
+
+// A point that touches, with the elements of its pair and the part of the pair that it is of.
+struct PairPoint {
+  int first = 0, second = 0, part = 0;
+  LinePairHistory point;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("element", "", self.first), each("other element", "", self.second), each("part", "", self.part);
+    LinePairHistory::quantities(self.point, each);
+  }
+};
+
+}  // namespace
+
+// Every rank that owns a node of a pair needs its history, and a rank gets the records of its own nodes only:
+// so it is kept at each node of the pair.
+std::vector<HistoryKind> LinePairs::history() const {
+  return {history_kind<PairPoint>("points that touch"), history_kind<Account>("sums of a node"),
+          history_kind<Deepest>("deepest")};
+}
+
+std::vector<HistoryRecord> LinePairs::save() const {
+  std::vector<HistoryRecord> records;
+  for (int n = 0; n < mesh_.owned; ++n) {
+    const Account& a = accounts_[static_cast<size_t>(n)];
+    if (a.friction != 0 || a.damping != 0)
+      records.push_back(record_of(mesh_.global[static_cast<size_t>(n)], 0, a, kSums));
+  }
+  if (deepest_.first >= 0) records.push_back(record_of(element(deepest_.first).first, 0, deepest_, kDeepest));
+  std::map<int, int> number;  // of records at a node
+  for (const Pair& p : pairs_) {
+    if (!p.history) continue;
+    HistoryRecord r;
+    int part = 0;
+    for (const auto& points : *p.history) {
+      for (const LinePairHistory& h : points) put(PairPoint{p.key.first, p.key.second, part, h}, r.values);
+      ++part;
+    }
+    for (const ContactSegment* s : {&segment(p.a), &segment(p.b)})
+      for (const int node : {s->first, s->second}) {
+        if (node >= mesh_.owned) continue;
+        r.node = mesh_.global[static_cast<size_t>(node)];
+        r.key = number[r.node]++;
+        records.push_back(r);
+      }
+  }
+  return records;
+}
+
+void LinePairs::restore(const std::vector<HistoryRecord>& records) {
+  pairs_.clear(), kept_.clear();
+  candidates_.forget();
+  listed_ = false;
+  accounts_.assign(accounts_.size(), {});
+  deepest_ = {};
+  for (const HistoryRecord& r : records) {
+    if (r.kind == kSums) {
+      const int n = mesh_.find(r.node);
+      if (n >= 0 && n < mesh_.owned) accounts_[static_cast<size_t>(n)] = entry<Account>(r);
+      continue;
+    }
+    if (r.kind == kDeepest) {
+      if (const Deepest d = entry<Deepest>(r); d.depth > deepest_.depth) deepest_ = d;
+      continue;
+    }
+    const std::vector<PairPoint> points = entries<PairPoint>(r);
+    if (points.empty()) continue;
+    const Key key{points.front().first, points.front().second};
+    if (kept_.count(key)) continue;  // from another of its nodes
+    auto history = std::make_unique<History>();
+    for (const PairPoint& p : points) {
+      if (p.part < 0 || static_cast<size_t>(p.part) >= history->size())
+        throw std::invalid_argument("a record of line-line contact in the checkpoint does not fit");
+      (*history)[static_cast<size_t>(p.part)].push_back(p.point);
+    }
+    kept_[key] = std::move(history);
+  }
+}
+
+}  // namespace hawser

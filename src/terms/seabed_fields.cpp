@@ -1,0 +1,20 @@
+// What the seabed exerts, shown at the nodes.
+#include "hawser/terms/contact_fields.hpp"
+#include "hawser/terms/seabed.hpp"
+
+namespace hawser {
+
+// A point half way along an element shows at its nodes, half at either.
+void SeabedTerm::fields(FieldRegistry& registry) const {
+  add_contact_fields(registry,
+                     {.force = {.name = "seabed_force", .unit = "N", .carries = true},
+                      .friction = {.name = "seabed_friction", .unit = "N"}},
+                     [this](const Kinematics&, const ShowPoint& show) {
+                       for (const Point& p : points_)
+                         for (const int node : {p.node, p.second})
+                           if (node >= 0 && node < mesh_.owned)
+                             show(node, share(p, node), Mat3::Identity(), p.history);
+                     });
+}
+
+}  // namespace hawser
