@@ -8,7 +8,7 @@
 #include <map>
 
 #include "hawser/base/gather.hpp"
-#include "hawser/kernels/contact_stretches.hpp"
+#include "hawser/kernels/contact_intervals.hpp"
 #include "hawser/mesh/arc.hpp"
 
 namespace hawser::app {

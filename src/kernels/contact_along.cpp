@@ -1,5 +1,5 @@
 // Derivatives along an element axis of the contact force with a volume and of the elastic slip, by automatic
-// differentiation: what moving ends of a contact stretch add to the tangent.
+// differentiation: what moving ends of a contact interval add to the tangent.
 #include "hawser/kernels/contact_along.hpp"
 
 #include <unsupported/Eigen/AutoDiff>

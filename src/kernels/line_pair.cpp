@@ -90,8 +90,8 @@ std::vector<LinePairSide::Panel> LinePairSide::panels() const {
   };
   const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
   std::vector<Panel> out;
-  for (const ContactStretch& s :
-       cut_stretches(contact_stretches(gap, {slave_.now.reach()}, levels, kinks(levels)), levels)) {
+  for (const ContactInterval& s :
+       split_intervals(contact_intervals(gap, {slave_.now.reach()}, levels, kinks(levels)), levels)) {
     const Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
     if (part_ == ProjectOn::element)
       split(p, out);
@@ -141,7 +141,7 @@ void LinePairSide::close(const Point& p, bool derivatives, Start& s) const {
   for (size_t k = 0; k < nb; ++k) s.closing_by[na + k] = -p.G[k] * by(C::kAway) + dG[k] * by(C::kAlong);
 }
 
-// Slip is interpolated between the Gauss points of one stretch. Material that did not touch has none.
+// Slip is interpolated between the Gauss points of one interval. Material that did not touch has none.
 LinePairSide::Start LinePairSide::start(const Point& p, bool derivatives) const {
   Start s;
   const double xi = p.xi;
@@ -218,7 +218,7 @@ double LinePairSide::potential(const std::vector<Panel>& panels) const {
   double sum = 0;
   for (const Panel& s : panels)
     for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-      const double xi = s.from + (s.to - s.from) * ContactRule::place()[q];
+      const double xi = s.from + (s.to - s.from) * ContactRule::abscissae()[q];
       const double d = projection(master_.now, part_, slave_.now.point(xi)).distance;
       sum += set_.share * slave_.ends.length * (s.to - s.from) * ContactRule::weight()[q] *
              normal_force(set_.law.normal, d - set_.law.reach, 0).potential;

@@ -184,7 +184,7 @@ void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, Attac
     std::array<MovingEnd, 2> ends;
     if (exact) ends = {moving_end(panel.from, panel.at_from), moving_end(panel.to, panel.at_to)};
     for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-      const double place = ContactRule::place()[q], part = ContactRule::weight()[q], w = L * span * part;
+      const double place = ContactRule::abscissae()[q], part = ContactRule::weight()[q], w = L * span * part;
       const Point p = point(panel.from + span * place);
       const Start from = rubs ? start(p, exact) : Start{};
       const LinePairForce c = line_pair_force(set_.law, local(p, from), derivatives);
@@ -215,8 +215,8 @@ void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, Attac
             (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.share[r] * s.by_xi.segment<3>(first);
         for (const bool last : {false, true}) {
           if (!ends[last].moves) continue;
-          const double stretch = last ? part : -part, shift = span * part * (last ? place : 1 - place);
-          ends[last].force[r] -= L * (stretch * rows.share[r] * v + shift * along);
+          const double interval = last ? part : -part, shift = span * part * (last ? place : 1 - place);
+          ends[last].force[r] -= L * (interval * rows.share[r] * v + shift * along);
         }
       }
     }

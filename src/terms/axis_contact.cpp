@@ -127,13 +127,13 @@ void AxisContact::add_panel(const ContactPlaces& found, size_t panel, std::vecto
     const std::array<double, 2> N{1 - xi, xi};
     for (size_t i = 0; i < 2; ++i) {
       if (!ends[i].on) continue;
-      const double stretch = i ? there.part : -there.part,
+      const double interval = i ? there.part : -there.part,
                    shift = span * there.part * (i ? there.along : 1 - there.along);
       for (size_t j = 0; j < n_; ++j)
-        ends[i].force[j] += L * ((stretch * H[j] + shift * dH[j]) * f + shift * H[j] * slope);
+        ends[i].force[j] += L * ((interval * H[j] + shift * dH[j]) * f + shift * H[j] * slope);
       for (size_t j = 0; j < 2 && rolls_; ++j)
         ends[i].torque[j] +=
-            L * ((stretch * N[j] + (j ? shift : -shift)) * torque + shift * N[j] * torque_along);
+            L * ((interval * N[j] + (j ? shift : -shift)) * torque + shift * N[j] * torque_along);
     }
   }
   for (const Moving& m : ends) {

@@ -151,7 +151,7 @@ void BodyContactTerm::touch_along(const Pair& pair, const Both& at, const RigidP
   ContactPlaces found;
   if (length > 0) {
     const AxisGapFunction gap = axis_distance(surface, pose, shape, touch);
-    found.add_panels(cut_stretches(contact_stretches(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
+    found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
                      [&](double xi) { return see(xi, touch); });
   } else if (const auto p = see(0, touch)) {
     found.panels.emplace_back();

@@ -1,4 +1,4 @@
-// The class ContactVolumes: its checks at construction and the stretches at ends of lines that have no
+// The class ContactVolumes: its checks at construction and the intervals at ends of lines that have no
 // contact; poses and stiffness are in contact_volumes_bodies.cpp and _stiffness.cpp.
 #include "hawser/terms/contact_volumes.hpp"
 
@@ -40,7 +40,7 @@ ContactShare ContactVolumes::takes_part(int line, int volume, double from, doubl
   });
   if (found == left_out_.end() || std::pair(found->line, found->volume) != key) return {};
   const double end = mesh_.mesh->lines[static_cast<size_t>(line)].length - found->end_b, span = to - from;
-  // A single place, or a stretch.
+  // A single place, or an interval.
   if (!(span > 0)) return from >= found->end_a && from <= end ? ContactShare{} : ContactShare{1, 0};
   return {std::max(0.0, (found->end_a - from) / span), std::min(1.0, (end - from) / span)};
 }

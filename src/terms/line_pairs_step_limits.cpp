@@ -97,7 +97,7 @@ double LinePairs::slowness(const Pair& p) const {
   return std::sqrt(mass_per_length(p) / p.law.normal.stiffness);
 }
 
-// kg. The stretch that touches is at most one of the elements.
+// kg. The interval that touches is at most one of the elements.
 double LinePairs::mass(const Pair& p) const {
   return mass_per_length(p) * std::min(element(p.key.first).length, element(p.key.second).length);
 }

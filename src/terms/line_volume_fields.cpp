@@ -40,7 +40,7 @@ void LineVolumeContact::fields(FieldRegistry& registry) const {
                      });
 }
 
-// One for each panel: panels that meet are put together where stretches are.
+// One for each panel: panels that meet are put together where intervals are.
 void LineVolumeContact::touches(Touches& out) const {
   for (const Pair& pair : pairs_) {
     if (!local(pair).counted) continue;

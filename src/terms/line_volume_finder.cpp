@@ -1,4 +1,4 @@
-// The part of LineVolumeFinder that finds contact in a trial: stretches and Gauss points along an element or
+// The part of LineVolumeFinder that finds contact in a trial: intervals and Gauss points along an element or
 // at its ends, and the free space that makes the search needless.
 #include "hawser/terms/line_volume_finder.hpp"
 
@@ -17,12 +17,12 @@ constexpr double kRoom = 0.5;
 constexpr double kFirst = 2;
 
 // The end of the part is one of the material: it does not move with the gap.
-void keep_part(const ContactShare& part, std::vector<ContactStretch>& panels) {
-  for (ContactStretch& s : panels) {
+void keep_part(const ContactShare& part, std::vector<ContactInterval>& panels) {
+  for (ContactInterval& s : panels) {
     if (s.from < part.from) s.from = part.from, s.from_moves = false;
     if (s.to > part.to) s.to = part.to, s.to_moves = false;
   }
-  std::erase_if(panels, [](const ContactStretch& s) { return !(s.from < s.to); });
+  std::erase_if(panels, [](const ContactInterval& s) { return !(s.from < s.to); });
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose) {
   return b;
 }
 
-// The gap along the axis less the smoothing, as the search for stretches sees it, and how far the volume is.
+// The gap along the axis less the smoothing, as the search for intervals sees it, and how far the volume is.
 class LineVolumeFinder::Gap {
  public:
   Gap(const LineVolumeFinder& finder, LineVolumePair& pair, int wall, const AxisShape& shape,
@@ -107,8 +107,8 @@ void LineVolumeFinder::keep_free(const LineVolumePair& pair, const AxisShape& sh
   pair.free.offer(axis_points(shape, pose), free);
 }
 
-const std::vector<ContactStretch>& LineVolumeFinder::touched_before(LineVolumePair& pair) const {
-  static const std::vector<ContactStretch> kNone;
+const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVolumePair& pair) const {
+  static const std::vector<ContactInterval> kNone;
   if (pair.wall(0)) return kNone;
   if (pair.before) return *pair.before;
   pair.before.emplace();
@@ -117,24 +117,24 @@ const std::vector<ContactStretch>& LineVolumeFinder::touched_before(LineVolumePa
   const AxisShape& start = pair.start.shape;
   std::vector<FreePlace> places;
   Gap gap(*this, pair, 0, start, pair.start.pose, places);
-  *pair.before = contact_stretches(std::ref(gap), {start.reach(), pair.touch, start.bend_bound()},
+  *pair.before = contact_intervals(std::ref(gap), {start.reach(), pair.touch, start.bend_bound()},
                                    pair.levels + kCloser);
   return *pair.before;
 }
 
-std::vector<ContactStretch> LineVolumeFinder::locate(LineVolumePair& pair, int wall, const AxisShape& shape,
-                                                     const RigidPose& pose) const {
+std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int wall, const AxisShape& shape,
+                                                      const RigidPose& pose) const {
   Gap gap(*this, pair, wall, shape, pose, places_);
   const bool near = gap.may_touch();
-  const std::vector<ContactStretch>& before = touched_before(pair);
-  std::vector<ContactStretch> stretches;
+  const std::vector<ContactInterval>& before = intervals_at_start(pair);
+  std::vector<ContactInterval> intervals;
   if (near)
-    stretches = contact_stretches(std::ref(gap), {shape.reach(), pair.touch, shape.bend_bound()}, pair.levels,
-                                  middles(hollows(before)));
+    intervals = contact_intervals(std::ref(gap), {shape.reach(), pair.touch, shape.bend_bound()}, pair.levels,
+                                  middles(inactive_intervals(before)));
   // Of one wall alone it says nothing of the others.
-  if (stretches.empty() && !pair.wall(wall)) keep_free(pair, shape, pose, places_);
-  std::vector<ContactStretch> panels =
-      cut_stretches(as_parted_before(stretches, before, pair.found.filled), pair.levels);
+  if (intervals.empty() && !pair.wall(wall)) keep_free(pair, shape, pose, places_);
+  std::vector<ContactInterval> panels =
+      split_intervals(as_split_before(intervals, before, pair.found.filled), pair.levels);
   if (!pair.part.all()) keep_part(pair.part, panels);
   return panels;
 }

@@ -6,7 +6,7 @@
 namespace hawser {
 namespace {
 
-// Slip is interpolated between the points of one stretch.
+// Slip is interpolated between the points of one interval.
 void take_slip(const std::vector<AxisContactPoint>& past, double xi, ContactStart& s, ContactRates* rates) {
   const auto after =
       std::find_if(past.begin(), past.end(), [&](const AxisContactPoint& p) { return p.xi > xi; });

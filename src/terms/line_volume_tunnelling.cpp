@@ -81,9 +81,10 @@ bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, cons
   if (finder_.at_nodes())
     return std::any_of(kEnds.begin(), kEnds.end(),
                        [&](double xi) { return finder_.takes_part(pair, xi) && gap(xi, 0).gap < 0; });
-  const auto stretches = contact_stretches(gap, {shape.reach(), 0, shape.bend_bound()}, pair.levels);
-  return std::any_of(stretches.begin(), stretches.end(),
-                     [&](const ContactStretch& s) { return s.from < pair.part.to && pair.part.from < s.to; });
+  const auto intervals = contact_intervals(gap, {shape.reach(), 0, shape.bend_bound()}, pair.levels);
+  return std::any_of(intervals.begin(), intervals.end(), [&](const ContactInterval& s) {
+    return s.from < pair.part.to && pair.part.from < s.to;
+  });
 }
 
 // Most are far away, or move less than they are thick. What is looked for at the nodes only passes between

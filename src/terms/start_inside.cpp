@@ -1,4 +1,4 @@
-// The search in the start shape for stretches of lines inside volumes, and for nodes that a volume separates
+// The search in the start shape for intervals of lines inside volumes, and for nodes that a volume separates
 // from the straight way between the ends of their line.
 #include "hawser/terms/start_inside.hpp"
 
@@ -13,12 +13,12 @@
 
 namespace hawser {
 
-void join(std::vector<Inside>& stretches, const Mesh& mesh) {
-  std::sort(stretches.begin(), stretches.end(), [](const Inside& a, const Inside& b) {
+void join(std::vector<Inside>& intervals, const Mesh& mesh) {
+  std::sort(intervals.begin(), intervals.end(), [](const Inside& a, const Inside& b) {
     return std::tie(a.line, a.volume, a.from, a.to) < std::tie(b.line, b.volume, b.from, b.to);
   });
   std::vector<Inside> out;
-  for (const Inside& s : stretches) {
+  for (const Inside& s : intervals) {
     const double rounding = 1e-9 * mesh.lines[static_cast<size_t>(s.line)].length;
     if (out.empty() || out.back().line != s.line || out.back().volume != s.volume ||
         s.from > out.back().to + rounding) {
@@ -29,13 +29,13 @@ void join(std::vector<Inside>& stretches, const Mesh& mesh) {
     if (s.to > o.to) o.to = s.to, o.rise_to = s.rise_to;
     if (s.depth > o.depth) o.depth = s.depth, o.at = s.at, o.place = s.place;
   }
-  stretches = std::move(out);
+  intervals = std::move(out);
 }
 
 std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
                                    const std::vector<double>& radius, const Feeders* feeders) {
-  constexpr int kSamples = 32;  // of a stretch, for where it is deepest
+  constexpr int kSamples = 32;  // of an interval, for where it is deepest
   std::vector<Inside> out;
   for (size_t v = 0; v < volumes.size(); ++v) {
     if (volumes[v].off) continue;
@@ -56,8 +56,8 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       if (distance(box, pose.to_body(shape.point(0.5))) > 0.5 * shape.reach() + radius[i]) continue;
       const auto point = [&](double xi) { return pose.to_body(shape.point(xi)); };
       // Twice as close as contact looks: what goes through a thin plate is short.
-      const auto stretches =
-          contact_stretches(axis_distance(surface, pose, shape), {shape.reach(), 0, shape.bend_bound()},
+      const auto intervals =
+          contact_intervals(axis_distance(surface, pose, shape), {shape.reach(), 0, shape.bend_bound()},
                             contact_levels(ends.length, radius[i]) + 1);
       const auto rise = [&](double xi) {
         const auto p = surface.query(point(xi), radius[i]);
@@ -87,7 +87,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
         }
         out.push_back(s);
       };
-      for (const ContactStretch& s : stretches) add(s.from, s.to);
+      for (const ContactInterval& s : intervals) add(s.from, s.to);
       // The ends of the line.
       for (const int end : {0, 1}) {
         if (!is_end(end)) continue;

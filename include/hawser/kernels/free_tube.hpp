@@ -37,7 +37,7 @@ struct FreePlace {
 };
 
 // The same of the whole axis, |dx/dxi| <= reach, |d²x/dxi²| <= bend [m]: places by xi, one at least. As in
-// contact_stretches(): distances change no faster than their points move, and the square of one less |x|² is
+// contact_intervals(): distances change no faster than their points move, and the square of one less |x|² is
 // concave. worst: where between the places (or between them and the ends) it is least.
 double least_distance(const std::vector<FreePlace>& places, double reach, double bend, double& worst);
 

@@ -1,4 +1,4 @@
-// Contact of an element of one line with an element of another, along the stretches of the first that touch
+// Contact of an element of one line with an element of another, along the intervals of the first that touch
 // the second. See docs/theory/line-line.md. Pure: (state and history at the start of the step, trial) ->
 // forces.
 #pragma once
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hawser/kernels/axis_projection.hpp"
+#include "hawser/kernels/contact_intervals.hpp"
 #include "hawser/kernels/contact_point.hpp"
-#include "hawser/kernels/contact_stretches.hpp"
 #include "hawser/kernels/line_pair_law.hpp"
 
 namespace hawser {
@@ -67,7 +67,7 @@ class LinePairSide {
   LinePairSide(const PairAxis& slave, const PairAxis& master, ProjectOn part, const Settings& settings,
                const std::vector<LinePairHistory>& history);
 
-  // One rule's stretch of the slave. An end that moves does so with the gap or with the place where the
+  // One rule's interval of the slave. An end that moves does so with the gap or with the place where the
   // master's nearest point reaches one of its ends.
   enum class End { fixed, gap, first_joint, second_joint };
   struct Panel {

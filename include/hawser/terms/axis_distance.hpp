@@ -4,12 +4,12 @@
 #include "hawser/geometry/surface.hpp"
 #include "hawser/kernels/axis_clearance.hpp"
 #include "hawser/kernels/axis_shape.hpp"
-#include "hawser/kernels/contact_stretches.hpp"
+#include "hawser/kernels/contact_intervals.hpp"
 #include "hawser/kernels/motion.hpp"
 
 namespace hawser {
 
-// Less `most` [m]: contact_stretches() finds where it is nearer than that, or deeper inside than -most. The
+// Less `most` [m]: contact_intervals() finds where it is nearer than that, or deeper inside than -most. The
 // surface, its pose and the axis outlive the function.
 inline AxisGapFunction axis_distance(const Surface& surface, const RigidPose& pose, const AxisShape& shape,
                                      double most = 0) {

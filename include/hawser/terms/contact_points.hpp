@@ -6,8 +6,8 @@
 
 #include "hawser/geometry/surface.hpp"
 #include "hawser/kernels/axis_shape.hpp"
+#include "hawser/kernels/contact_intervals.hpp"
 #include "hawser/kernels/contact_point.hpp"
-#include "hawser/kernels/contact_stretches.hpp"
 #include "hawser/kernels/motion.hpp"
 #include "hawser/kernels/volume_contact.hpp"
 
@@ -69,8 +69,8 @@ struct AxisBeside {
   }
 };
 
-// A stretch of an axis that touches, or a part of one; of which wall of the surface, where it has several.
-struct ContactPanel : ContactStretch {
+// An interval of an axis that touches, or a part of one; of which wall of the surface, where it has several.
+struct ContactPanel : ContactInterval {
   int wall = 0;
 };
 
@@ -86,17 +86,17 @@ struct ContactPlace {
 struct ContactPlaces {
   AxisBeside of;
   std::vector<ContactPanel> panels;
-  std::vector<ContactHollow> filled;  // parts of panels that do not touch
+  std::vector<InactiveInterval> filled;  // parts of panels that do not touch
   std::vector<ContactPlace> places;
 
   void clear() { of.known = false, panels.clear(), filled.clear(), places.clear(); }
   // Adds panels, and their Gauss points, to an axis of that length [m]. see(xi): the surface there, or
   // nothing where it is out of touch.
   template <class See>
-  void add_panels(const std::vector<ContactStretch>& stretches, int wall, double length, const See& see) {
-    for (const ContactStretch& s : stretches) {
+  void add_panels(const std::vector<ContactInterval>& intervals, int wall, double length, const See& see) {
+    for (const ContactInterval& s : intervals) {
       for (size_t q = 0; q < ContactRule::kPoints; ++q) {
-        const double along = ContactRule::place()[q], part = ContactRule::weight()[q];
+        const double along = ContactRule::abscissae()[q], part = ContactRule::weight()[q];
         const double xi = s.from + (s.to - s.from) * along;
         if (const auto p = see(xi))
           places.push_back({xi, length * (s.to - s.from) * part, along, part, panels.size(), *p});

@@ -35,7 +35,7 @@ struct LeftOut {
   double end_a = 0, end_b = 0;  // m of line from end A and from end B on
 };
 
-// Of a stretch of a line what touches a volume if it is near enough, as a share of the stretch; none:
+// Of an interval of a line what touches a volume if it is near enough, as a share of the interval; none:
 // nothing.
 struct ContactShare {
   double from = 0, to = 1;
@@ -87,7 +87,7 @@ class ContactVolumes {
   void enable(int volume, bool on) { volumes_[static_cast<size_t>(volume)].off = !on; }
   // Before the first step, and the same on all ranks.
   void leave_out(std::vector<LeftOut> ends);
-  // Of the stretch [from, to] of a line's arc [m].
+  // Of the interval [from, to] of a line's arc [m].
   ContactShare takes_part(int line, int volume, double from, double to) const;
 
   // Stiffness in the volume's basis, of the last accepted state; so far an automatic one is raised again when

@@ -1,5 +1,5 @@
 // Finds where the axis of an element touches a volume: panels of the axis, and the places on them that stand
-// for them. Of the method `line` those are the Gauss points of the stretches that touch, of `nodes` and `gap`
+// for them. Of the method `line` those are the Gauss points of the intervals that touch, of `nodes` and `gap`
 // the ends of the element, each for its half of it. See docs/theory/line-volume-contact.md.
 #pragma once
 
@@ -53,9 +53,9 @@ class LineVolumeFinder {
   void find_at_nodes(LineVolumePair& pair, int wall, const AxisShape& shape, const RigidPose& pose) const;
   // Where it touched at the start of the step; of one of several walls, which may be another each trial,
   // nothing.
-  const std::vector<ContactStretch>& touched_before(LineVolumePair& pair) const;
-  std::vector<ContactStretch> locate(LineVolumePair& pair, int wall, const AxisShape& shape,
-                                     const RigidPose& pose) const;
+  const std::vector<ContactInterval>& intervals_at_start(LineVolumePair& pair) const;
+  std::vector<ContactInterval> locate(LineVolumePair& pair, int wall, const AxisShape& shape,
+                                      const RigidPose& pose) const;
   // What is known free of the volume at places of the axis goes for the tube about it.
   void keep_free(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
                  std::vector<FreePlace>& places) const;

@@ -39,14 +39,14 @@ struct LineVolumePair {
   double touch = 0;                      // m, distance below which there is a force: radius + smoothing
   ContactShare part;                     // of the axis: the rest has no contact with this volume
   std::array<bool, 2> held{};            // ends
-  int levels = 1;                        // of the search, kernels/contact_stretches.hpp
+  int levels = 1;                        // of the search, kernels/contact_intervals.hpp
   std::array<ContactLaw, 2> laws;        // per length, of its halves: at nodes they may differ
   AxisBeside start;                      // at the start of the step
   std::vector<AxisContactPoint> points;  // that touch, of the last accepted state; by wall and xi
   std::array<GapSpring, 2> springs;      // of its ends
   bool several = false;                  // walls may be met in this step
   // Where the axis touched at the start of the step, looked for closely; none: not looked for yet.
-  std::optional<std::vector<ContactStretch>> before;
+  std::optional<std::vector<ContactInterval>> before;
   // Kept from step to step, changes the time and never the answer: where nothing of the volume is within
   // `touch`; nearest triangles of the last query and of those that look ahead; whether there is one wall only
   // about a chord, where that was asked.

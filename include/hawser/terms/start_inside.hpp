@@ -12,7 +12,7 @@ namespace hawser {
 
 class Feeders;
 
-// A stretch of a line whose axis is inside a volume, or an end of the line that lies at its surface: nearer
+// An interval of a line whose axis is inside a volume, or an end of the line that lies at its surface: nearer
 // than half a radius, which is half way between a fairlead on the plating and a line that lies on it.
 struct Inside {
   int line = 0, volume = 0;   // volume: index into what was asked about
@@ -24,13 +24,13 @@ struct Inside {
 
 // Of the elements this rank counts, those with a radius [m, one for each of mesh.elements], outside of
 // feeders (null: there are none): the stock is at the mouth, and inside with it. Sorted by line, volume and
-// arc length, stretches that meet put together.
+// arc length, intervals that meet put together.
 std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
                                    const std::vector<double>& radius, const Feeders* feeders);
 
-// Sorts, and puts stretches together that meet.
-void join(std::vector<Inside>& stretches, const Mesh& mesh);
+// Sorts, and puts intervals together that meet.
+void join(std::vector<Inside>& intervals, const Mesh& mesh);
 
 // A node that a volume parts from its place on the straight way between the ends of its line, which passes
 // the volume on the other side.

@@ -1,4 +1,4 @@
-// Where along the axis of an element there is contact: the stretches of xi in [0, 1] on which the gap to a
+// Where along the axis of an element there is contact: the intervals of xi in [0, 1] on which the gap to a
 // surface is negative, and the Gauss points on them. Pure: same gap, same answer.
 #pragma once
 
@@ -17,7 +17,7 @@ struct AxisGap {
 // the gap is larger than `within` [m, >= 0].
 using AxisGapFunction = std::function<AxisGap(double xi, double within)>;
 
-struct ContactStretch {
+struct ContactInterval {
   double from = 0, to = 1;
   bool from_moves = false, to_moves = false;  // that end is a root of the gap, not an end of the element
 };
@@ -30,43 +30,44 @@ struct AxisBounds {
   double reach = 0, touch = 0, bend = 0;
 };
 
-// Between two stretches, where there is none.
-struct ContactHollow {
+// Between two intervals, where there is none.
+struct InactiveInterval {
   double from = 0, to = 0;
   double middle() const { return 0.5 * (from + to); }
 };
-std::vector<ContactHollow> hollows(const std::vector<ContactStretch>& stretches);
-std::vector<double> middles(const std::vector<ContactHollow>& of);
+std::vector<InactiveInterval> inactive_intervals(const std::vector<ContactInterval>& intervals);
+std::vector<double> middles(const std::vector<InactiveInterval>& of);
 
-// All stretches of contact, in order. The element is halved where contact cannot be excluded until pieces are
+// All intervals of contact, in order. The element is halved where contact cannot be excluded until pieces are
 // 2^-levels (levels >= 1) of it, and up to four times more where an end of a piece is out of touch: over the
 // facets of a mesh the gap goes up and down, and a contact that was overlooked would vanish when its end
 // passes from one piece into the next. On the pieces that are left the gap has one minimum or one maximum at
 // most. Ends are roots to 1e-14. At `places`, ascending, the gap is asked first.
-std::vector<ContactStretch> contact_stretches(const AxisGapFunction& gap, const AxisBounds& bounds,
-                                              int levels, const std::vector<double>& places = {});
+std::vector<ContactInterval> contact_intervals(const AxisGapFunction& gap, const AxisBounds& bounds,
+                                               int levels, const std::vector<double>& places = {});
 
-// Where a stretch parts in two, or two grow together, the sum over the Gauss points jumps by the rule's
+// Where an interval parts in two, or two grow together, the sum over the Gauss points jumps by the rule's
 // error; were it to jump within a step, there might be no equilibrium on either side of the jump. So in a
-// step stretches part where they did at its start: a hollow that opens where all touched then is filled (in
-// it there is no force anyway, its place goes to `filled`), and where one closes the stretch is cut.
-std::vector<ContactStretch> as_parted_before(const std::vector<ContactStretch>& now,
-                                             const std::vector<ContactStretch>& before,
-                                             std::vector<ContactHollow>& filled);
+// step intervals part where they did at its start: an inactive interval that opens where all touched then is
+// filled (in it there is no force anyway, its place goes to `filled`), and where one closes the interval is
+// cut.
+std::vector<ContactInterval> as_split_before(const std::vector<ContactInterval>& now,
+                                             const std::vector<ContactInterval>& before,
+                                             std::vector<InactiveInterval>& filled);
 
 // Levels at which pieces are no longer than 4 radii, from 1/4 to 1/32 of the element: two places of contact
 // on one piece would be nearer to each other than the line is thick.
 int contact_levels(double length, double radius);
 
-// Stretches cut where pieces of 2^-levels meet: what one Gauss rule integrates. Fixed cuts, so that the
-// integral is continuous when a stretch grows; fine ones, so that it hardly changes when a stretch parts in
-// two.
-std::vector<ContactStretch> cut_stretches(const std::vector<ContactStretch>& stretches, int levels);
+// Intervals cut where pieces of 2^-levels meet: what one Gauss rule integrates. Fixed cuts, so that the
+// integral is continuous when an interval grows; fine ones, so that it hardly changes when an interval parts
+// in two.
+std::vector<ContactInterval> split_intervals(const std::vector<ContactInterval>& intervals, int levels);
 
 // Gauss-Legendre on (0, 1).
 struct ContactRule {
   static constexpr int kPoints = 4;  // a pressure as a parabola, times Hermite's cubics, with one to spare
-  static const std::array<double, kPoints>& place();
+  static const std::array<double, kPoints>& abscissae();
   static const std::array<double, kPoints>& weight();
 };
 

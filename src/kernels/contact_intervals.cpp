@@ -1,6 +1,6 @@
-// The search along an element axis for stretches with a negative gap, where they are split and cut, and the
+// The search along an element axis for intervals with a negative gap, where they are split and cut, and the
 // Gauss points of the integral over them.
-#include "hawser/kernels/contact_stretches.hpp"
+#include "hawser/kernels/contact_intervals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ constexpr int kFiner = 4;  // further halvings where contact is not excluded
 
 class Scan {
  public:
-  Scan(const AxisGapFunction& gap, const AxisBounds& bounds, std::vector<ContactStretch>& out)
+  Scan(const AxisGapFunction& gap, const AxisBounds& bounds, std::vector<ContactInterval>& out)
       : gap_(gap), bounds_(bounds), reach_(bounds.reach), out_(out) {}
 
   void piece(double a, const AxisGap& A, double b, const AxisGap& B, int levels) {
@@ -66,7 +66,7 @@ class Scan {
     return most < 0 ? most + off > 0 : least >= 0 ? least - off < 0 : true;
   }
 
-  void add(const ContactStretch& s) {
+  void add(const ContactInterval& s) {
     if (!out_.empty() && out_.back().to == s.from && !out_.back().to_moves && !s.from_moves)
       out_.back().to = s.to, out_.back().to_moves = s.to_moves;
     else
@@ -158,27 +158,27 @@ class Scan {
   const AxisGapFunction& gap_;
   AxisBounds bounds_;
   double reach_;
-  std::vector<ContactStretch>& out_;
+  std::vector<ContactInterval>& out_;
 };
 
 }  // namespace
 
-std::vector<double> middles(const std::vector<ContactHollow>& of) {
+std::vector<double> middles(const std::vector<InactiveInterval>& of) {
   std::vector<double> out;
-  for (const ContactHollow& h : of) out.push_back(h.middle());
+  for (const InactiveInterval& h : of) out.push_back(h.middle());
   return out;
 }
 
-std::vector<ContactHollow> hollows(const std::vector<ContactStretch>& stretches) {
-  std::vector<ContactHollow> out;
-  for (std::size_t i = 1; i < stretches.size(); ++i)
-    if (stretches[i - 1].to < stretches[i].from) out.push_back({stretches[i - 1].to, stretches[i].from});
+std::vector<InactiveInterval> inactive_intervals(const std::vector<ContactInterval>& intervals) {
+  std::vector<InactiveInterval> out;
+  for (std::size_t i = 1; i < intervals.size(); ++i)
+    if (intervals[i - 1].to < intervals[i].from) out.push_back({intervals[i - 1].to, intervals[i].from});
   return out;
 }
 
-std::vector<ContactStretch> contact_stretches(const AxisGapFunction& gap, const AxisBounds& bounds,
-                                              int levels, const std::vector<double>& places) {
-  std::vector<ContactStretch> out;
+std::vector<ContactInterval> contact_intervals(const AxisGapFunction& gap, const AxisBounds& bounds,
+                                               int levels, const std::vector<double>& places) {
+  std::vector<ContactInterval> out;
   const double half = 0.5 * bounds.reach;
   const AxisGap M = gap(0.5, half);
   if (M.gap >= half) return out;
@@ -198,14 +198,14 @@ std::vector<ContactStretch> contact_stretches(const AxisGapFunction& gap, const 
   return out;
 }
 
-std::vector<ContactStretch> as_parted_before(const std::vector<ContactStretch>& now,
-                                             const std::vector<ContactStretch>& before,
-                                             std::vector<ContactHollow>& filled) {
+std::vector<ContactInterval> as_split_before(const std::vector<ContactInterval>& now,
+                                             const std::vector<ContactInterval>& before,
+                                             std::vector<InactiveInterval>& filled) {
   filled.clear();
-  std::vector<ContactStretch> out;
-  for (const ContactStretch& s : now) {
+  std::vector<ContactInterval> out;
+  for (const ContactInterval& s : now) {
     const bool touched =
-        !out.empty() && std::any_of(before.begin(), before.end(), [&](const ContactStretch& b) {
+        !out.empty() && std::any_of(before.begin(), before.end(), [&](const ContactInterval& b) {
           return b.from <= out.back().to && s.from <= b.to;
         });
     if (touched) {
@@ -214,10 +214,10 @@ std::vector<ContactStretch> as_parted_before(const std::vector<ContactStretch>& 
     } else {
       out.push_back(s);
     }
-    for (const ContactHollow& h : hollows(before)) {
+    for (const InactiveInterval& h : inactive_intervals(before)) {
       const double m = h.middle();
       if (!(out.back().from < m && m < out.back().to)) continue;
-      const ContactStretch rest{m, out.back().to, false, out.back().to_moves};
+      const ContactInterval rest{m, out.back().to, false, out.back().to_moves};
       out.back().to = m, out.back().to_moves = false;
       out.push_back(rest);
     }
@@ -231,20 +231,20 @@ int contact_levels(double length, double radius) {
   return levels;
 }
 
-std::vector<ContactStretch> cut_stretches(const std::vector<ContactStretch>& stretches, int levels) {
-  std::vector<ContactStretch> panels;
+std::vector<ContactInterval> split_intervals(const std::vector<ContactInterval>& intervals, int levels) {
+  std::vector<ContactInterval> panels;
   const double size = std::ldexp(1.0, -levels);
-  for (const ContactStretch& s : stretches)
+  for (const ContactInterval& s : intervals)
     for (double a = size * std::floor(s.from / size); a < s.to; a += size) {
       const bool first = a <= s.from, last = a + size >= s.to;
-      const ContactStretch p{first ? s.from : a, last ? s.to : a + size, first && s.from_moves,
-                             last && s.to_moves};
+      const ContactInterval p{first ? s.from : a, last ? s.to : a + size, first && s.from_moves,
+                              last && s.to_moves};
       if (p.to > p.from) panels.push_back(p);
     }
   return panels;
 }
 
-const std::array<double, ContactRule::kPoints>& ContactRule::place() {
+const std::array<double, ContactRule::kPoints>& ContactRule::abscissae() {
   static const std::array<double, kPoints> p = [] {
     const double far = std::sqrt(3.0 / 7 + 2.0 / 7 * std::sqrt(1.2)),
                  near = std::sqrt(3.0 / 7 - 2.0 / 7 * std::sqrt(1.2));

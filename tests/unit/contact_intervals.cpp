@@ -1,5 +1,5 @@
-// Stretches of contact along an axis against gaps whose roots are known.
-#include "hawser/kernels/contact_stretches.hpp"
+// Intervals of contact along an axis against gaps whose roots are known.
+#include "hawser/kernels/contact_intervals.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ TEST(LineContactStretches, FindsARollerAnywhere) {
     const double half = std::sqrt(R * R - height * height);
     const double from = std::max(0.0, (c - half) / L), to = std::min(1.0, (c + half) / L);
     Gap g = circle(L, c, height, R);
-    const auto found = contact_stretches(std::ref(g), {L}, contact_levels(L, 0.16));
+    const auto found = contact_intervals(std::ref(g), {L}, contact_levels(L, 0.16));
     most = std::max(most, g.calls);
     if (from >= to) {
       EXPECT_TRUE(found.empty());
@@ -51,7 +51,7 @@ TEST(LineContactStretches, FindsARollerAnywhere) {
     EXPECT_EQ(found[0].from_moves, from > 0);
     EXPECT_EQ(found[0].to_moves, to < 1);
     Gap bounded = circle(L, c, height, R);
-    const auto same = contact_stretches(std::ref(bounded), {L, R, 0}, contact_levels(L, 0.16));
+    const auto same = contact_intervals(std::ref(bounded), {L, R, 0}, contact_levels(L, 0.16));
     most = std::max(most, bounded.calls);
     ASSERT_EQ(same.size(), 1u);
     EXPECT_NEAR(same[0].from, found[0].from, 1e-13 + 1e-15 * R / half);
@@ -63,23 +63,24 @@ TEST(LineContactStretches, FindsARollerAnywhere) {
 
 TEST(LineContactStretches, FarCostsOneDistance) {
   Gap g = circle(1, 0.5, 3, 0.5);
-  EXPECT_TRUE(contact_stretches(std::ref(g), {1}, 5).empty());
+  EXPECT_TRUE(contact_intervals(std::ref(g), {1}, 5).empty());
   EXPECT_EQ(g.calls, 1);
 }
 
-double depth(const Gap& g, double L, const std::vector<ContactStretch>& stretches) {  // m², integrated
+double depth(const Gap& g, double L, const std::vector<ContactInterval>& intervals) {  // m², integrated
   double sum = 0;
-  for (const ContactStretch& s : cut_stretches(stretches, 2))
+  for (const ContactInterval& s : split_intervals(intervals, 2))
     for (size_t i = 0; i < ContactRule::kPoints; ++i) {
-      const double xi = s.from + (s.to - s.from) * ContactRule::place()[i];
+      const double xi = s.from + (s.to - s.from) * ContactRule::abscissae()[i];
       sum += L * (s.to - s.from) * ContactRule::weight()[i] * std::max(-g.value(xi), 0.0);
     }
   return sum;
 }
 
 // Two round humps a hand apart, drawn past below an axis: how much of it touches changes no faster within a
-// step than they move, wherever the humps and the hollow between them are on the pieces of the element, and
-// whether the hollow opens or closes. From step to step it may change by what the rule makes of the hollow.
+// step than they move, wherever the humps and the inactive interval between them are on the pieces of the
+// element, and whether the inactive interval opens or closes. From step to step it may change by what the
+// rule makes of the inactive interval.
 TEST(LineContactStretches, HumpsComeAndGoSmoothly) {
   const double L = 1.3, R = 7, r = 0.25, move = 1e-4;
   double within = 0, between_steps = 0, most = 0;
@@ -95,14 +96,15 @@ TEST(LineContactStretches, HumpsComeAndGoSmoothly) {
       };
       for (double c = -1; c < L; c += move, height += assembler) {
         Gap was = humps(c - move);
-        const auto before = contact_stretches(std::ref(was), {L, r, 0}, 4);
+        const auto before = contact_intervals(std::ref(was), {L, r, 0}, 4);
         Gap g = humps(c);
-        std::vector<ContactHollow> filled;
-        const auto now = as_parted_before(
-            contact_stretches(std::ref(g), {L, r, 0}, 2, middles(hollows(before))), before, filled);
+        std::vector<InactiveInterval> filled;
+        const auto now =
+            as_split_before(contact_intervals(std::ref(g), {L, r, 0}, 2, middles(inactive_intervals(before))),
+                            before, filled);
         const double d = depth(g, L, now);
-        std::vector<ContactHollow> none;
-        within = std::max(within, std::abs(d - depth(was, L, as_parted_before(before, before, none))));
+        std::vector<InactiveInterval> none;
+        within = std::max(within, std::abs(d - depth(was, L, as_split_before(before, before, none))));
         EXPECT_TRUE(none.empty());
         if (last >= 0) between_steps = std::max(between_steps, std::abs(d - last));
         last = d, most = std::max(most, d);
@@ -121,37 +123,38 @@ TEST(LineContactStretches, HumpsComeAndGoSmoothly) {
 TEST(LineContactStretches, LyingAndArching) {
   Gap g;
   g.value = [](double) { return -1e-3; }, g.slope = [](double) { return 0.0; };
-  auto found = contact_stretches(std::ref(g), {1}, 1);
+  auto found = contact_intervals(std::ref(g), {1}, 1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(g.calls, 3);
   EXPECT_FALSE(found[0].from_moves || found[0].to_moves);
   // An arch over the second half: roots of -1e-3 + 0.1 (x - 0.6)(0.9 - x) by the formula.
   g.value = [](double x) { return -1e-3 + 0.1 * (x - 0.6) * (0.9 - x); };
   g.slope = [](double x) { return 0.1 * (1.5 - 2 * x); };
-  found = contact_stretches(std::ref(g), {1}, 1);
+  found = contact_intervals(std::ref(g), {1}, 1);
   ASSERT_EQ(found.size(), 2u);
   const double half = std::sqrt(0.15 * 0.15 - 0.01);
   EXPECT_NEAR(found[0].to, 0.75 - half, 1e-13);
   EXPECT_NEAR(found[1].from, 0.75 + half, 1e-13);
-  const auto panels = cut_stretches(found, 1);
+  const auto panels = split_intervals(found, 1);
   ASSERT_EQ(panels.size(), 3u);
   EXPECT_EQ(panels[0].to, 0.5);
   EXPECT_TRUE(panels[1].to_moves);
   EXPECT_FALSE(panels[1].from_moves);
   double length = 0;
-  for (const ContactStretch& s : cut_stretches(found, 5)) length += s.to - s.from;
+  for (const ContactInterval& s : split_intervals(found, 5)) length += s.to - s.from;
   EXPECT_NEAR(length, 1 - 2 * half, 1e-12);
 }
 
-// A shallow hollow that begins close to the end of a piece and ends in a kink, as over two facets of a hull:
-// it is found whether that end lies in it or just before it.
+// A shallow inactive interval that begins close to the end of a piece and ends in a kink, as over two facets
+// of a hull: it is found whether that end lies in it or just before it.
 TEST(LineContactStretches, AHollowWithAKinkIsFoundFromTheFirst) {
   const double move = 1e-4;
   for (const double rise : {2e-3, 6e-3, 0.03})
     for (const double fall : {0.02, 0.09, 0.4}) {
       double last = -1;
       for (double c = 0.24033; c < 0.2503; c += move) {
-        const double kink = c + 0.01;  // the hollow from c on, over the kink, to where it has fallen again
+        const double kink =
+            c + 0.01;  // the inactive interval from c on, over the kink, to where it has fallen again
         Gap g;
         const auto bottom = [&](double x) { return x < kink ? -1 : -0.004 + 0.01 * (x - 0.6) * (x - 0.6); };
         const auto top = [&](double x) {
@@ -160,10 +163,10 @@ TEST(LineContactStretches, AHollowWithAKinkIsFoundFromTheFirst) {
         g.value = [&](double x) { return std::max(top(x), bottom(x)); };
         g.slope = [&](double x) { return top(x) < bottom(x) ? 0.02 * (x - 0.6) : x < kink ? rise : -fall; };
         double length = 0;
-        for (const ContactStretch& s : contact_stretches(std::ref(g), {1, 0.15, 0}, 2))
+        for (const ContactInterval& s : contact_intervals(std::ref(g), {1, 0.15, 0}, 2))
           length += s.to - s.from;
-        const double hollow = (kink - c) * (1 + rise / fall);
-        EXPECT_NEAR(length, 1 - hollow, 1e-12) << rise << " " << fall << " " << c;
+        const double inactive = (kink - c) * (1 + rise / fall);
+        EXPECT_NEAR(length, 1 - inactive, 1e-12) << rise << " " << fall << " " << c;
         if (last >= 0) {
           EXPECT_LT(std::abs(length - last), move);
         }
@@ -178,7 +181,7 @@ TEST(LineContactStretches, TwoRollersUnderOneElement) {
   const auto slope = [](double x, double c) { return 4 * (4 * x - c) / std::hypot(4 * x - c, 0.4); };
   g.value = [&](double x) { return std::min(one(x, 0.0), one(x, 2.0)); };
   g.slope = [&](double x) { return slope(x, one(x, 0.0) < one(x, 2.0) ? 0.0 : 2.0); };
-  const auto found = contact_stretches(std::ref(g), {4}, contact_levels(4, 0.16));
+  const auto found = contact_intervals(std::ref(g), {4}, contact_levels(4, 0.16));
   ASSERT_EQ(found.size(), 2u);  // both ends of the first half touch, its middle does not
   EXPECT_NEAR(found[0].to, std::sqrt(0.41 * 0.41 - 0.16) / 4, 1e-13);
   EXPECT_NEAR(found[1].from + found[1].to, 1, 1e-13);
@@ -188,7 +191,7 @@ TEST(LineContactRule, IsExactToTheSeventhDegree) {
   for (int n = 0; n < 9; ++n) {
     double sum = 0;
     for (size_t q = 0; q < ContactRule::kPoints; ++q)
-      sum += ContactRule::weight()[q] * std::pow(ContactRule::place()[q], n);
+      sum += ContactRule::weight()[q] * std::pow(ContactRule::abscissae()[q], n);
     if (n < 8)
       EXPECT_NEAR(sum, 1.0 / (n + 1), 1e-15);
     else
