@@ -11,7 +11,7 @@
 #include "defects.hpp"
 #include "hawser/geometry/packing.hpp"
 #include "hawser/geometry/winding_tree.hpp"
-#include "mesh_walls.hpp"
+#include "mesh_facet_groups.hpp"
 #include "pseudonormals.hpp"
 
 namespace hawser {
@@ -34,7 +34,7 @@ struct MeshSurface::Data {
   std::vector<bool> unsure;  // facets near which the winding number decides; empty: none
   int curved = 0, sharp = 0, internal = 0;
   double bulge = 0;
-  bool convex = false;  // one wall everywhere
+  bool convex = false;  // one facet group everywhere
 
   template <class Self, class P>
   static void pack(Self& self, P& p) {
@@ -51,7 +51,7 @@ struct MeshSurface::Data {
     p.value(self.curved), p.value(self.sharp), p.value(self.internal), p.value(self.bulge);
     p.value(self.convex);
   }
-  detail::MeshWalls walls() const { return {facets, normals, active.tree()}; }
+  detail::MeshFacetGroups facet_groups() const { return {facets, normals, active.tree()}; }
   MeshView mesh() const { return facets.mesh(); }
   std::optional<FacetSearch::Foot> nearest(const FacetSearch& among, const Vec3& y, double max_distance,
                                            int hint) const {
@@ -161,7 +161,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   }
   d.active = FacetSearch(d.facets, met);
   d.partial = !active.empty();
-  d.convex = detail::MeshWalls::convex(d.facets, d.normals, topo.components);
+  d.convex = detail::MeshFacetGroups::convex(d.facets, d.normals, topo.components);
   if (d.partial) {
     d.whole = FacetSearch(d.facets, outer);
     d.border_vertex.assign(d.mesh().vertices.size(), false);
@@ -285,27 +285,27 @@ double MeshSurface::free_radius(const Vec3& y, double distance) const {
   return std::min(distance - 2 * data_->bulge, data_->coarse.closed_within(y));
 }
 
-void MeshSurface::walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const {
+void MeshSurface::facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const {
   out.of.clear();
-  if (!data_->convex) data_->walls().find(axis, reach, out);
+  if (!data_->convex) data_->facet_groups().find(axis, reach, out);
 }
 
-bool MeshSurface::one_wall(std::span<const Vec3> axis, double reach) const {
+bool MeshSurface::one_facet_group(std::span<const Vec3> axis, double reach) const {
   if (data_->convex) return true;
-  return reach < data_->bounds.diagonal() && data_->walls().one(axis, reach);
+  return reach < data_->bounds.diagonal() && data_->facet_groups().one(axis, reach);
 }
 
-std::optional<SurfacePoint> MeshSurface::query_wall(const SurfaceWall& wall, const Vec3& y,
-                                                    double max_distance, bool either_side) const {
-  const auto near = data_->walls().nearest(wall, y, max_distance);
+std::optional<SurfacePoint> MeshSurface::query_group(const FacetGroup& group, const Vec3& y,
+                                                     double max_distance, bool either_side) const {
+  const auto near = data_->facet_groups().nearest(group, y, max_distance);
   const bool front = near && near->front;
-  if (near && (either_side || (front && !data_->walls().through(wall, near->foot, y))))
+  if (near && (either_side || (front && !data_->facet_groups().through(group, near->foot, y))))
     return data_->point_at(y, near->foot, near->pseudonormal, !front);
   if (!near && data_->coarse.about(y).outside) return std::nullopt;
   auto all = query(y, max_distance, near ? near->foot.triangle : -1);
   if (!all || all->distance > 0) return std::nullopt;
   if (front) return data_->point_at(y, near->foot, near->pseudonormal, false);
-  if (!detail::MeshWalls::holds(wall, all->triangle)) return std::nullopt;
+  if (!detail::MeshFacetGroups::holds(group, all->triangle)) return std::nullopt;
   return all;
 }
 

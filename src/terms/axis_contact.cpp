@@ -95,7 +95,7 @@ void AxisContact::add_panel(const ContactPlaces& found, size_t panel, std::vecto
     const PointContact c = volume_contact(law, begin, trial, mode_.tangent);
     if (c.normal.elastic > 0 && points) {
       AxisContactPoint& p = points->emplace_back(c, trial.normal);
-      p.xi = xi, p.from = s.from, p.to = s.to, p.wall = s.wall;
+      p.xi = xi, p.from = s.from, p.to = s.to, p.group = s.group;
       p.weight = w, p.gap = trial.gap;
     }
     if (!(c.normal.force > 0)) continue;

@@ -1,5 +1,5 @@
 // The part of LineVolumeContact that prepares a step: contact laws of each element, and which pairs of
-// element and volume, or of its walls, may touch; the rest is in line_volume_*.cpp.
+// element and volume, or of its facet groups, may touch; the rest is in line_volume_*.cpp.
 #include "hawser/terms/line_volume_contact.hpp"
 
 #include <algorithm>
@@ -77,7 +77,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   volumes_.pose_start(committed);
   start_x_.assign(committed.x.begin(), committed.x.end());
   start_q_.assign(committed.q.begin(), committed.q.end());
-  groups_.clear(), near_.clear();
+  bounds_.clear(), near_.clear();
   std::vector<Pair> old;
   old.swap(pairs_);
   pairs_.reserve(old.size());
@@ -94,7 +94,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
       double motion = 0;
       if (!start_pair(pair, at, shape, h, motion)) continue;
       if (known < old.size() && key() == std::pair(e, k)) carry_over(old[known], pair);
-      start_walls(pair, motion);
+      start_facet_groups(pair, motion);
       pairs_.push_back(std::move(pair));
       pair = {};
     }
@@ -124,8 +124,8 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
   return true;
 }
 
-// What was found on all of the surface is found again; of a wall it may be another. So are panels of what
-// touched: they part as at the start of this step.
+// What was found on all of the surface is found again; of a facet group it may be another. So are panels of
+// what touched: they part as at the start of this step.
 void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   if (!was.several && was.points.empty()) pair.found = std::move(was.found);
   pair.points = std::move(was.points);
@@ -134,13 +134,13 @@ void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   pair.one_chord = was.one_chord, pair.one_reach = was.one_reach, pair.one = was.one;
 }
 
-// Whether several walls may be met in the step; gap springs see none, but where they begin.
-void LineVolumeContact::start_walls(Pair& pair, double motion) const {
+// Whether several facet groups may be met in the step; gap springs see none, but where they begin.
+void LineVolumeContact::start_facet_groups(Pair& pair, double motion) const {
   const AxisShape& shape = pair.start.shape;
   const RigidPose& pose = pair.start.pose;
   if (!finder_.by_gap()) {
-    const bool touched = !pair.points.empty() && pair.points.back().wall > 0;
-    pair.several = touched || !finder_.one_wall(pair, shape, pose, motion);
+    const bool touched = !pair.points.empty() && pair.points.back().group > 0;
+    pair.several = touched || !finder_.one_facet_group(pair, shape, pose, motion);
     if (pair.several) pair.found = {};
     return;
   }

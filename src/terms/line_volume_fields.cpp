@@ -45,13 +45,13 @@ void LineVolumeContact::touches(Touches& out) const {
   for (const Pair& pair : pairs_) {
     if (!local(pair).counted) continue;
     const Element& e = element(pair);
-    std::pair<int, double> panel(-1, 0);  // wall and where it begins
+    std::pair<int, double> panel(-1, 0);  // facet group and where it begins
     for (const AxisContactPoint& p : pair.points) {
-      if (std::pair(p.wall, p.from) != panel) {
+      if (std::pair(p.group, p.from) != panel) {
         Touch& t = out.emplace_back();
         t.line = e.line, t.volume = pair.volume;
         t.from = arc_at(*mesh_.mesh, e, p.from), t.to = arc_at(*mesh_.mesh, e, p.to);
-        panel = {p.wall, p.from};
+        panel = {p.group, p.from};
       }
       Touch& t = out.back();
       t.force += p.weight * p.normal_force, t.energy += p.weight * p.potential;

@@ -36,15 +36,15 @@ AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose) {
 // The gap along the axis less the smoothing, as the search for intervals sees it, and how far the volume is.
 class LineVolumeFinder::Gap {
  public:
-  Gap(const LineVolumeFinder& finder, LineVolumePair& pair, int wall, const AxisShape& shape,
+  Gap(const LineVolumeFinder& finder, LineVolumePair& pair, int group, const AxisShape& shape,
       const RigidPose& pose, std::vector<FreePlace>& places)
-      : finder_(finder), pair_(pair), wall_(wall), shape_(shape), pose_(pose), places_(places) {
+      : finder_(finder), pair_(pair), group_(group), shape_(shape), pose_(pose), places_(places) {
     places_.clear();
   }
 
   std::optional<SurfacePoint> see(double xi, double within) {
     const Vec3 y = pose_.to_body(shape_.point(xi));
-    const auto p = finder_.see(pair_, wall_, xi, y, pair_.touch + within);
+    const auto p = finder_.see(pair_, group_, xi, y, pair_.touch + within);
     const double distance = (p ? p->distance - pair_.touch : within) + pair_.touch;
     places_.push_back({xi, finder_.surface(pair_).free_radius(y, distance)});
     if (p) pair_.hint = p->triangle;
@@ -69,7 +69,7 @@ class LineVolumeFinder::Gap {
   }
   const LineVolumeFinder& finder_;
   LineVolumePair& pair_;
-  int wall_;
+  int group_;
   const AxisShape& shape_;
   const RigidPose& pose_;
   std::vector<FreePlace>& places_;
@@ -109,7 +109,7 @@ void LineVolumeFinder::keep_free(const LineVolumePair& pair, const AxisShape& sh
 
 const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVolumePair& pair) const {
   static const std::vector<ContactInterval> kNone;
-  if (pair.wall(0)) return kNone;
+  if (pair.group(0)) return kNone;
   if (pair.before) return *pair.before;
   pair.before.emplace();
   if (pair.points.empty()) return kNone;
@@ -122,47 +122,47 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
   return *pair.before;
 }
 
-std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int wall, const AxisShape& shape,
+std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int group, const AxisShape& shape,
                                                       const RigidPose& pose) const {
-  Gap gap(*this, pair, wall, shape, pose, places_);
+  Gap gap(*this, pair, group, shape, pose, places_);
   const bool near = gap.may_touch();
   const std::vector<ContactInterval>& before = intervals_at_start(pair);
   std::vector<ContactInterval> intervals;
   if (near)
     intervals = contact_intervals(std::ref(gap), {shape.reach(), pair.touch, shape.bend_bound()}, pair.levels,
                                   middles(inactive_intervals(before)));
-  // Of one wall alone it says nothing of the others.
-  if (intervals.empty() && !pair.wall(wall)) keep_free(pair, shape, pose, places_);
+  // Of one facet group alone it says nothing of the others.
+  if (intervals.empty() && !pair.group(group)) keep_free(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
       split_intervals(as_split_before(intervals, before, pair.found.filled), pair.levels);
   if (!pair.part.all()) keep_part(pair.part, panels);
   return panels;
 }
 
-void LineVolumeFinder::find_along(LineVolumePair& pair, int wall, const AxisShape& shape,
+void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisShape& shape,
                                   const RigidPose& pose) const {
-  pair.found.add_panels(locate(pair, wall, shape, pose), wall, pair.length, [&](double xi) {
-    const auto p = see(pair, wall, xi, pose.to_body(shape.point(xi)), pair.touch);
+  pair.found.add_panels(locate(pair, group, shape, pose), group, pair.length, [&](double xi) {
+    const auto p = see(pair, group, xi, pose.to_body(shape.point(xi)), pair.touch);
     if (p) pair.hint = p->triangle;
     return p;
   });
 }
 
 // The trapezoidal rule: each end stands for its half of the element.
-void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int wall, const AxisShape& shape,
+void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const AxisShape& shape,
                                      const RigidPose& pose) const {
   ContactPlaces& f = pair.found;
-  Gap gap(*this, pair, wall, shape, pose, places_);
-  // Behind one of several walls the middle sees nothing.
-  const bool near = by_gap() || pair.wall(wall) || gap.may_touch();
+  Gap gap(*this, pair, group, shape, pose, places_);
+  // Behind one of several facet groups the middle sees nothing.
+  const bool near = by_gap() || pair.group(group) || gap.may_touch();
   for (const double xi : {0.0, 1.0}) {
     if (!near || !takes_part(pair, xi)) continue;
     const auto p = gap.see(xi, 0.5 * shape.reach());
     if (!p || !pair.sees(*p)) continue;
     f.places.push_back({xi, 0.5 * pair.length, xi, 1, f.panels.size(), *p});
-    f.panels.push_back({{0.5 * xi, 0.5 + 0.5 * xi}, wall});
+    f.panels.push_back({{0.5 * xi, 0.5 + 0.5 * xi}, group});
   }
-  if (f.panels.empty() && !pair.wall(wall) && !by_gap()) keep_free(pair, shape, pose, places_);
+  if (f.panels.empty() && !pair.group(group) && !by_gap()) keep_free(pair, shape, pose, places_);
 }
 
 bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
@@ -177,8 +177,8 @@ const ContactPlaces& LineVolumeFinder::find(LineVolumePair& pair, const AxisShap
   pair.found.clear();
   pair.found.of = {true, shape, pose};
   pair.seen = {};
-  if (pair.several) see_walls(pair, shape, pose);
-  for (int w = 0; w < pair.walls(); ++w)
+  if (pair.several) find_facet_groups(pair, shape, pose);
+  for (int w = 0; w < pair.facet_groups(); ++w)
     at_nodes() ? find_at_nodes(pair, w, shape, pose) : find_along(pair, w, shape, pose);
   return pair.found;
 }

@@ -24,10 +24,10 @@ AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
                 {pair.radius, pair.length,
                  [&](const ContactPanel& s) { return applied(pair.law(0.5 * (s.from + s.to))); },
                  [&](const ContactPanel& s, double xi) {
-                   return finder_.see(pair, s.wall, xi, pose.to_body(shape.point(xi)), pair.touch + 1e-9);
+                   return finder_.see(pair, s.group, xi, pose.to_body(shape.point(xi)), pair.touch + 1e-9);
                  },
                  [&](const ContactPanel& s, double xi, ContactRates* rates) {
-                   return finder_.start(pair, s.wall, xi, rates);
+                   return finder_.start(pair, s.group, xi, rates);
                  }},
                 mode, rolls(pair, shape));
   pair.evaluated.clear();

@@ -7,10 +7,10 @@
 
 namespace hawser {
 
-std::vector<LineVolumeContact::Group> LineVolumeContact::groups() const {
-  std::vector<Group> groups;
+std::vector<LineVolumeContact::PairBounds> LineVolumeContact::pair_bounds() const {
+  std::vector<PairBounds> pair_bounds;
   for (size_t i = 0; i < pairs_.size(); ++i) {
-    Group& g = groups.emplace_back();
+    PairBounds& g = pair_bounds.emplace_back();
     g.pair = i;
     g.volume = pairs_[i].volume;
     g.nodes[0] = local(pairs_[i]).first, g.nodes[1] = local(pairs_[i]).second;
@@ -19,11 +19,11 @@ std::vector<LineVolumeContact::Group> LineVolumeContact::groups() const {
     g.grows = element(pairs_[i]).beam && feeders_ && feeders_->fed_end(local(pairs_[i]).global) >= 0;
     g.room = LineVolumeFinder::room_at_start(pairs_[i]);
   }
-  return groups;
+  return pair_bounds;
 }
 
 // m, that points of the axis may have got by since the start of the step with one of its nodes.
-double LineVolumeContact::way(const Kinematics& trial, const Group& g) const {
+double LineVolumeContact::way(const Kinematics& trial, const PairBounds& g) const {
   double most = 0;
   for (const int node : g.nodes) {
     const size_t n = static_cast<size_t>(node);
@@ -37,8 +37,8 @@ double LineVolumeContact::way(const Kinematics& trial, const Group& g) const {
 
 void LineVolumeContact::look(const Kinematics& trial) {
   near_.clear();
-  if (groups_.empty()) groups_ = groups();
-  for (Group& g : groups_) {
+  if (bounds_.empty()) bounds_ = pair_bounds();
+  for (PairBounds& g : bounds_) {
     if (volumes_.still(g.volume) && way(trial, g) < g.room) continue;
     Pair& pair = pairs_[g.pair];
     const AxisShape shape(ends(trial, pair.element));

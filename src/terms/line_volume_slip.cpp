@@ -28,7 +28,7 @@ void take_slip(const std::vector<AxisContactPoint>& past, double xi, ContactStar
 }  // namespace
 
 // Material that did not touch has no slip, and a gap.
-ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int wall, double xi,
+ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int group, double xi,
                                      ContactRates* rates) const {
   const AxisShape& shape = pair.start.shape;
   const RigidPose& pose = pair.start.pose;
@@ -42,13 +42,13 @@ ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int wall, doubl
     const Vec3 bend = back * shape.bend(xi);
     rates->start_tangent = (bend - s.tangent * s.tangent.dot(bend)) / slope.norm();
   }
-  const std::vector<AxisContactPoint>& past = pair.past(wall);
+  const std::vector<AxisContactPoint>& past = pair.past(group);
   if (std::any_of(past.begin(), past.end(), [&](const auto& p) { return p.from <= xi && xi <= p.to; })) {
     take_slip(past, xi, s, rates);
     return s;
   }
   const double within = 2 * shape.reach() + pair.length;
-  const auto p = see(pair, wall, xi, s.point, pair.touch + within, true);
+  const auto p = see(pair, group, xi, s.point, pair.touch + within, true);
   s.gap = p ? p->distance - pair.radius : within + pair.smoothing();
   if (p && rates) rates->start_gap = p->normal.dot(slope);
   return s;

@@ -49,11 +49,11 @@ void LineVolumeContact::strike_at(const Pair& pair, const Kinematics& committed,
 
 void LineVolumeContact::limit_by_touch(const Pair& pair, const Kinematics& committed,
                                        ImpactEvents& to) const {
-  // All of the contact with a wall ends with its deepest place; nodes are each by themselves.
+  // All of the contact with a facet group ends with its deepest place; nodes are each by themselves.
   const bool apart = finder_.at_nodes();
   const auto last = pair.points.end();
   for (auto first = pair.points.begin(), end = first; first != last; first = end) {
-    end = std::find_if(first, last, [&](const AxisContactPoint& p) { return p.wall != first->wall; });
+    end = std::find_if(first, last, [&](const AxisContactPoint& p) { return p.group != first->group; });
     const auto deepest =
         std::min_element(first, end, [](const auto& a, const auto& b) { return a.gap < b.gap; });
     double all = 0;
@@ -64,8 +64,8 @@ void LineVolumeContact::limit_by_touch(const Pair& pair, const Kinematics& commi
   }
 }
 
-void LineVolumeContact::look_ahead(const Pair& pair, const Kinematics& committed, double xi,
-                                   const SurfacePoint& p, ImpactEvents& to) const {
+void LineVolumeContact::predict_impacts(const Pair& pair, const Kinematics& committed, double xi,
+                                        const SurfacePoint& p, ImpactEvents& to) const {
   const bool apart = finder_.at_nodes();
   const bool touching = std::any_of(pair.points.begin(), pair.points.end(),
                                     [&](const AxisContactPoint& h) { return !apart || h.xi == xi; });
@@ -74,20 +74,21 @@ void LineVolumeContact::look_ahead(const Pair& pair, const Kinematics& committed
   strike_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to);
 }
 
-bool LineVolumeContact::look_ahead_at_walls(const Pair& pair, const Kinematics& committed,
-                                            ImpactEvents& to) const {
+bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinematics& committed,
+                                                 ImpactEvents& to) const {
   const auto speed = [&](double xi) { return velocity_at_start(pair, xi).norm(); };
-  SurfaceWalls walls;
-  finder_.walls_ahead(pair, std::min(0.5, 2 * to.most) * std::max({speed(0), speed(0.5), speed(1)}), walls);
-  for (const SurfaceWall& w : walls.of)
+  FacetGroups facet_groups;
+  finder_.facet_groups_ahead(pair, std::min(0.5, 2 * to.most) * std::max({speed(0), speed(0.5), speed(1)}),
+                             facet_groups);
+  for (const FacetGroup& w : facet_groups.of)
     for (const double xi : kPlaces) {
       if (!finder_.takes_part(pair, xi)) continue;
       const auto p = volumes_.surface(pair.volume)
-                         .query_wall(w, pair.start.pose.to_body(pair.start.shape.point(xi)),
-                                     pair.touch + 0.5 * (pair.start.shape.reach() + speed(xi)));
-      if (p) look_ahead(pair, committed, xi, *p, to);
+                         .query_group(w, pair.start.pose.to_body(pair.start.shape.point(xi)),
+                                      pair.touch + 0.5 * (pair.start.shape.reach() + speed(xi)));
+      if (p) predict_impacts(pair, committed, xi, *p, to);
     }
-  return walls.several();
+  return facet_groups.several();
 }
 
 // Nothing is asked of a place that is known to have nothing ahead, nor where nothing it may come to could
@@ -96,7 +97,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);
   const double room = LineVolumeFinder::room_at_start(pair);
-  const bool walls = pair.several && look_ahead_at_walls(pair, committed, to);
+  const bool facet_groups = pair.several && predict_impacts_by_group(pair, committed, to);
   std::vector<FreePlace> free;
   for (size_t i = 0; i < kPlaces.size(); ++i) {
     const double xi = kPlaces[i], speed = velocity_at_start(pair, xi).norm();
@@ -113,7 +114,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
       free.push_back({xi, f});
     if (!p) continue;
     pair.ahead[i] = p->triangle;
-    if (!walls) look_ahead(pair, committed, xi, *p, to);
+    if (!facet_groups) predict_impacts(pair, committed, xi, *p, to);
   }
   if (free.size() < kPlaces.size()) return;
   double worst = 0;
@@ -125,15 +126,15 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
 void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   volumes_.pose_trial(trial);
   for (Pair& pair : pairs_) {
-    // What touched may be that of another of its walls; what touches was found when it was evaluated.
+    // What touched may be that of another of its facet groups; what touches was found when it was evaluated.
     if (!local(pair).counted || (pair.points.empty() && !pair.several && pair.found.panels.empty())) continue;
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
     const ContactPlaces& found = finder_.find(pair, shape, pose);
-    for (int w = 0; w < pair.walls(); ++w) {
+    for (int w = 0; w < pair.facet_groups(); ++w) {
       double deepest = 0, was = 0;
       for (const ContactPlace& p : found.places)
-        if (found.panels[p.panel].wall == w) deepest = std::max(deepest, pair.radius - p.at.distance);
+        if (found.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.at.distance);
       for (const AxisContactPoint& p : pair.past(w)) was = std::max(was, -p.gap);
       to.too_deep = to.too_deep || sinks_too_far(pair.radius, was, deepest);
     }
@@ -148,12 +149,12 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     const auto moved = [&](double xi) -> Vec3 {
       return pose.to_body(shape.point(xi)) - pair.start.pose.to_body(pair.start.shape.point(xi));
     };
-    // On the wall it was on then, or is on now.
-    for (int w = 0; w < pair.walls(); ++w)
+    // On the facet group it was on then, or is on now.
+    for (int w = 0; w < pair.facet_groups(); ++w)
       for (const AxisContactPoint& p : pair.past(w)) {
         const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
         if (std::any_of(found.panels.begin(), found.panels.end(),
-                        [&](const ContactPanel& s) { return s.wall == w && holds(s); }) &&
+                        [&](const ContactPanel& s) { return s.group == w && holds(s); }) &&
             std::none_of(found.filled.begin(), found.filled.end(), holds))
           continue;
         const Vec3 x = shape.point(p.xi), leaves = shape.velocity(p.xi) - pose.velocity_at(x);
@@ -161,7 +162,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
             (pose.rotation * p.normal).dot(leaves));
       }
     for (const ContactPlace& p : found.places) {
-      const auto& past = pair.past(found.panels[p.panel].wall);
+      const auto& past = pair.past(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
       if (!pair.sees(p.at) || std::any_of(past.begin(), past.end(), holds)) continue;
       // What slides along its own line comes and goes, and as much of it touches as before.

@@ -50,12 +50,12 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
     for (const double xi : {0.0, 1.0})
       at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
     if (touches) finder_.find(pair, shape, pose);
-    for (int w = 0; w < pair.walls(); ++w) {
-      double force = 0;  // N, of all of the wall
+    for (int w = 0; w < pair.facet_groups(); ++w) {
+      double force = 0;  // N, of all of the facet group
       Vec3 normal = Vec3::Zero();
       at.depth = 0;
       for (const ContactPlace& there : pair.found.places) {
-        if (!touches || pair.found.panels[there.panel].wall != w || !pair.sees(there.at)) continue;
+        if (!touches || pair.found.panels[there.panel].group != w || !pair.sees(there.at)) continue;
         const double gap = there.at.distance - pair.radius;
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
         if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * there.at.normal;
@@ -72,7 +72,7 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
 bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
   constexpr double kStiffer = 4;
   std::vector<double> wanted = volumes_.stiffnesses();
-  for (const Group& g : groups()) {
+  for (const PairBounds& g : pair_bounds()) {
     double& there = wanted[static_cast<size_t>(g.volume)];
     const double stiffer = kStiffer * volumes_.settings(g.volume).normal_stiffness;
     if (there < stiffer && volumes_.automatic(g.volume) && is_drawn_in(trial, g)) there = stiffer;

@@ -41,8 +41,8 @@ Verdict LineVolumeContact::judge(const Kinematics& trial) const {
     if (std::string why = deeper_than_allowed(trial); !why.empty())
       return {Verdict::Kind::shorter, std::move(why)};
   // Before the first evaluation none are known.
-  const std::vector<Group> made = groups_.empty() ? groups() : std::vector<Group>{};
-  for (const Group& g : groups_.empty() ? made : groups_) {
+  const std::vector<PairBounds> made = bounds_.empty() ? pair_bounds() : std::vector<PairBounds>{};
+  for (const PairBounds& g : bounds_.empty() ? made : bounds_) {
     const bool drawn = rests && is_drawn_in(trial, g);
     if (!drawn && !tunnels(trial, g)) continue;
     if (!rests) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
@@ -56,7 +56,7 @@ Verdict LineVolumeContact::judge(const Kinematics& trial) const {
 
 // Whether a group has not moved by as much as `room` [m] and its volume not at all. In motion the trial has
 // been evaluated, and poses are known.
-bool LineVolumeContact::near_start(const Kinematics& trial, const Group& g, double room) const {
+bool LineVolumeContact::near_start(const Kinematics& trial, const PairBounds& g, double room) const {
   if (!(room > 0) || way(trial, g) >= room) return false;
   return trial.step > 0 ? volumes_.still(g.volume)
                         : volumes_.still(g.volume, volumes_.pose_of(g.volume, trial));
@@ -65,7 +65,7 @@ bool LineVolumeContact::near_start(const Kinematics& trial, const Group& g, doub
 // Where contact is too soft the axis of a line can reach the surface. Once it is inside, the nearest facet
 // may be on the far side of the volume, and contact would push the line out there. An element that is inside
 // at the start of the step may leave on any side.
-bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const Group& g) const {
+bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const PairBounds& g) const {
   const Pair& pair = pairs_[g.pair];
   if (near_start(trial, g, g.room) || finder_.by_gap() || is_held(pair)) return false;
   return is_inside(pair, AxisShape(ends(trial, pair.element)), volumes_.pose_of(g.volume, trial)) &&
@@ -90,7 +90,7 @@ bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, cons
 // Most are far away, or move less than they are thick. What is looked for at the nodes only passes between
 // them as it likes, and a gap spring sees no surface. In statics, where a search creeps where it is blocked,
 // shorter ways count as well.
-bool LineVolumeContact::tunnels(const Kinematics& trial, const Group& g) const {
+bool LineVolumeContact::tunnels(const Kinematics& trial, const PairBounds& g) const {
   const Pair& pair = pairs_[g.pair];
   const double radius = pair.radius;
   const bool rests = !(trial.step > 0);

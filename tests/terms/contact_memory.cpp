@@ -26,16 +26,16 @@ class Counting final : public Surface {
   }
   double free_radius(const Vec3& y, double distance) const override { return of_->free_radius(y, distance); }
   Box bounds() const override { return of_->bounds(); }
-  void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const override {
-    of_->walls(axis, reach, out);
+  void facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const override {
+    of_->facet_groups(axis, reach, out);
   }
-  bool one_wall(std::span<const Vec3> axis, double reach) const override {
-    return of_->one_wall(axis, reach);
+  bool one_facet_group(std::span<const Vec3> axis, double reach) const override {
+    return of_->one_facet_group(axis, reach);
   }
-  std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,
-                                         bool either_side) const override {
+  std::optional<SurfacePoint> query_group(const FacetGroup& group, const Vec3& y, double max_distance,
+                                          bool either_side) const override {
     ++questions;
-    return of_->query_wall(wall, y, max_distance, either_side);
+    return of_->query_group(group, y, max_distance, either_side);
   }
   mutable int questions = 0;
 

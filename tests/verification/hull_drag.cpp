@@ -34,15 +34,15 @@ class CountedSurface final : public Surface {
   }
   Box bounds() const override { return s_->bounds(); }
   // Questions about walls count as well.
-  void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const override {
-    timed([&] { return s_->walls(axis, reach, out), 0; });
+  void facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const override {
+    timed([&] { return s_->facet_groups(axis, reach, out), 0; });
   }
-  bool one_wall(std::span<const Vec3> axis, double reach) const override {
-    return timed([&] { return s_->one_wall(axis, reach); });
+  bool one_facet_group(std::span<const Vec3> axis, double reach) const override {
+    return timed([&] { return s_->one_facet_group(axis, reach); });
   }
-  std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,
-                                         bool either_side) const override {
-    return timed([&] { return s_->query_wall(wall, y, max_distance, either_side); });
+  std::optional<SurfacePoint> query_group(const FacetGroup& group, const Vec3& y, double max_distance,
+                                          bool either_side) const override {
+    return timed([&] { return s_->query_group(group, y, max_distance, either_side); });
   }
   long asked() const { return asked_; }
   double microseconds() const {  // less what reading the clock takes

@@ -13,7 +13,7 @@
 //
 // Of an open mesh the inside is where the winding number is above 1/2. It is asked near holes, and near
 // facets about which it does not pass 1/2; elsewhere the pseudonormal gives the same sign at once. Facets
-// with the inside on both sides (walls within the body, pieces that overlap) are left out.
+// with the inside on both sides (facet groups within the body, pieces that overlap) are left out.
 //
 // Only `active` triangles are met. The sign is that of the whole mesh, so the inactive rest closes the
 // body. A point inside whose nearest active point is on the border of the active part, and which does
@@ -52,10 +52,10 @@ class MeshSurface final : public Surface {
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   double free_radius(const Vec3& y, double distance) const override;
   Box bounds() const override;  // of the active part and all inside the mesh
-  void walls(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const override;
-  bool one_wall(std::span<const Vec3> axis, double reach) const override;
-  std::optional<SurfacePoint> query_wall(const SurfaceWall& wall, const Vec3& y, double max_distance,
-                                         bool either_side = false) const override;
+  void facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const override;
+  bool one_facet_group(std::span<const Vec3> axis, double reach) const override;
+  std::optional<SurfacePoint> query_group(const FacetGroup& group, const Vec3& y, double max_distance,
+                                          bool either_side = false) const override;
 
   MeshView mesh() const;
   SmoothPatch patch(int triangle) const;  // without bends if flat

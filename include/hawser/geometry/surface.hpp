@@ -15,7 +15,7 @@
 
 #include "hawser/geometry/box.hpp"
 #include "hawser/geometry/closest_point.hpp"
-#include "hawser/geometry/surface_walls.hpp"
+#include "hawser/geometry/facet_groups.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -48,16 +48,18 @@ class Surface {
   // Contains the surface that can be met and all points inside it; may be infinite.
   virtual Box bounds() const = 0;
 
-  // Walls that can be touched together, see surface_walls.hpp; only meshes that are not convex have several.
-  // Of those within `reach` [m] of a polyline (one point or more): none where query() says all there is. What
-  // is one wall and what are two depends on the place and on nothing else.
-  virtual void walls(std::span<const Vec3>, double /*reach*/, SurfaceWalls& out) const { out.of.clear(); }
+  // Facet groups that can be touched together, see facet_groups.hpp; only meshes that are not convex have
+  // several. Of those within `reach` [m] of a polyline (one point or more): none where query() says all there
+  // is. What is one facet group and what are two depends on the place and on nothing else.
+  virtual void facet_groups(std::span<const Vec3>, double /*reach*/, FacetGroups& out) const {
+    out.of.clear();
+  }
   // Whether no more than one is known to be there; quicker.
-  virtual bool one_wall(std::span<const Vec3>, double /*reach*/) const { return true; }
-  // query() of a wall alone. What is behind it gets no answer unless it is inside and the wall is the nearest
-  // of all; either_side: it does, with its distance from the wall, negative there.
-  virtual std::optional<SurfacePoint> query_wall(const SurfaceWall&, const Vec3& y, double max_distance,
-                                                 bool /*either_side*/ = false) const {
+  virtual bool one_facet_group(std::span<const Vec3>, double /*reach*/) const { return true; }
+  // query() of a facet group alone. What is behind it gets no answer unless it is inside and the facet group
+  // is the nearest of all; either_side: it does, with its distance from the facet group, negative there.
+  virtual std::optional<SurfacePoint> query_group(const FacetGroup&, const Vec3& y, double max_distance,
+                                                  bool /*either_side*/ = false) const {
     return query(y, max_distance);
   }
 };

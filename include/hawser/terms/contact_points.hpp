@@ -35,12 +35,12 @@ struct SurfaceContactPoint : ContactPoint {
 struct AxisContactPoint : SurfaceContactPoint {
   using SurfaceContactPoint::SurfaceContactPoint;
   double xi = 0, from = 0, to = 0;  // where; its panel: all of it touches
-  int wall = 0;                     // of the surface, where it has several
+  int group = 0;                    // of the surface, where it has several
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
     each("place", "", self.xi), each("from", "", self.from), each("to", "", self.to);
-    each("wall", "", self.wall), each("weight", "m", self.weight), each("gap", "m", self.gap);
+    each("wall", "", self.group), each("weight", "m", self.weight), each("gap", "m", self.gap);
     SurfaceContactPoint::quantities(self, each, "N/m", "J/m");
   }
 };
@@ -69,9 +69,10 @@ struct AxisBeside {
   }
 };
 
-// An interval of an axis that touches, or a part of one; of which wall of the surface, where it has several.
+// An interval of an axis that touches, or a part of one; of which facet group of the surface, where it has
+// several.
 struct ContactPanel : ContactInterval {
-  int wall = 0;
+  int group = 0;
 };
 
 // A place of a panel, and the surface there.
@@ -93,7 +94,7 @@ struct ContactPlaces {
   // Adds panels, and their Gauss points, to an axis of that length [m]. see(xi): the surface there, or
   // nothing where it is out of touch.
   template <class See>
-  void add_panels(const std::vector<ContactInterval>& intervals, int wall, double length, const See& see) {
+  void add_panels(const std::vector<ContactInterval>& intervals, int group, double length, const See& see) {
     for (const ContactInterval& s : intervals) {
       for (size_t q = 0; q < ContactRule::kPoints; ++q) {
         const double along = ContactRule::abscissae()[q], part = ContactRule::weight()[q];
@@ -101,7 +102,7 @@ struct ContactPlaces {
         if (const auto p = see(xi))
           places.push_back({xi, length * (s.to - s.from) * part, along, part, panels.size(), *p});
       }
-      panels.push_back({s, wall});
+      panels.push_back({s, group});
     }
   }
 };

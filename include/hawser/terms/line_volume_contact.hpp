@@ -82,7 +82,7 @@ class LineVolumeContact final : public ForceTerm,
   using Pair = LineVolumePair;
   // Of a pair, few bytes of what is asked of each in every trial: whether it is clear for certain by how
   // little its nodes have moved.
-  struct Group {
+  struct PairBounds {
     size_t pair = 0;
     int volume = 0;
     int nodes[2] = {};
@@ -117,10 +117,10 @@ class LineVolumeContact final : public ForceTerm,
   // Pairs of an element and a volume at the start of a step, with what is known of them.
   bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
   void carry_over(Pair& was, Pair& pair) const;
-  void start_walls(Pair& pair, double motion) const;
-  std::vector<Group> groups() const;
+  void start_facet_groups(Pair& pair, double motion) const;
+  std::vector<PairBounds> pair_bounds() const;
   bool idle(const Kinematics& at, int element) const;
-  double way(const Kinematics& trial, const Group& g) const;
+  double way(const Kinematics& trial, const PairBounds& g) const;
   void look(const Kinematics& trial);
 
   std::optional<AxisContact::Rolls> rolls(const Pair& pair, const AxisShape& shape) const;
@@ -130,16 +130,16 @@ class LineVolumeContact final : public ForceTerm,
   // What strikes at xi, `share` m of the line with it; what it may come to, which touches elsewhere already.
   void strike_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
                  const Vec3& normal, bool last, ImpactEvents& to) const;
-  void look_ahead(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
-                  ImpactEvents& to) const;
-  // The same at each of the walls it may come to in the step, if there are several.
-  bool look_ahead_at_walls(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
+  void predict_impacts(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
+                       ImpactEvents& to) const;
+  // The same at each of the facet groups it may come to in the step, if there are several.
+  bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_touch(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
-  bool tunnels(const Kinematics& trial, const Group& g) const;
-  bool is_drawn_in(const Kinematics& trial, const Group& g) const;
+  bool tunnels(const Kinematics& trial, const PairBounds& g) const;
+  bool is_drawn_in(const Kinematics& trial, const PairBounds& g) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  bool near_start(const Kinematics& trial, const Group& g, double room) const;
+  bool near_start(const Kinematics& trial, const PairBounds& g, double room) const;
   // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
   double still_part(const Pair& pair, const Kinematics& at, double force, double depth,
@@ -155,8 +155,8 @@ class LineVolumeContact final : public ForceTerm,
   bool friction_on_ = true;
   std::vector<Vec3> start_x_;  // m, of the nodes at the start of the step
   std::vector<Quat> start_q_;
-  std::vector<Group> groups_;  // of pairs_; none: to be made anew
-  std::vector<Near> near_;     // in the trial that was looked at last
+  std::vector<PairBounds> bounds_;  // of pairs_; none: to be made anew
+  std::vector<Near> near_;          // in the trial that was looked at last
 };
 
 }  // namespace hawser

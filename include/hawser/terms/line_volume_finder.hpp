@@ -30,36 +30,37 @@ class LineVolumeFinder {
   bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // m: of the tube about the axis at the start of the step in which nothing is met.
   static double room_at_start(const LineVolumePair& pair);
-  // What a pair sees of a wall of its volume from the place xi, which is at y.
-  std::optional<SurfacePoint> see(const LineVolumePair& pair, int wall, double xi, const Vec3& y,
+  // What a pair sees of a facet group of its volume from the place xi, which is at y.
+  std::optional<SurfacePoint> see(const LineVolumePair& pair, int group, double xi, const Vec3& y,
                                   double within, bool either_side = false) const;
   // Whether there may be contact at this place of a pair.
   bool takes_part(const LineVolumePair& pair, double xi) const;
   GapSpring spring_at(int volume, const Vec3& y, double touch) const;
 
-  // Of a point that touches a wall in the trial, at the start of the step: from what touched then, or where
-  // it came from. rates: of that along the axis, on request.
-  ContactStart start(const LineVolumePair& pair, int wall, double xi, ContactRates* rates = nullptr) const;
+  // Of a point that touches a facet group in the trial, at the start of the step: from what touched then, or
+  // where it came from. rates: of that along the axis, on request.
+  ContactStart start(const LineVolumePair& pair, int group, double xi, ContactRates* rates = nullptr) const;
 
-  // What may be met of a volume while the element moves by `motion` [m]: whether it is one wall.
-  bool one_wall(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose, double motion) const;
-  // The walls within `ahead` [m] of the distance of contact at the start of the step.
-  void walls_ahead(const LineVolumePair& pair, double ahead, SurfaceWalls& out) const;
+  // What may be met of a volume while the element moves by `motion` [m]: whether it is one facet group.
+  bool one_facet_group(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
+                       double motion) const;
+  // The facet groups within `ahead` [m] of the distance of contact at the start of the step.
+  void facet_groups_ahead(const LineVolumePair& pair, double ahead, FacetGroups& out) const;
 
  private:
   class Gap;
 
-  void find_along(LineVolumePair& pair, int wall, const AxisShape& shape, const RigidPose& pose) const;
-  void find_at_nodes(LineVolumePair& pair, int wall, const AxisShape& shape, const RigidPose& pose) const;
-  // Where it touched at the start of the step; of one of several walls, which may be another each trial,
-  // nothing.
+  void find_along(LineVolumePair& pair, int group, const AxisShape& shape, const RigidPose& pose) const;
+  void find_at_nodes(LineVolumePair& pair, int group, const AxisShape& shape, const RigidPose& pose) const;
+  // Where it touched at the start of the step; of one of several facet groups, which may be another each
+  // trial, nothing.
   const std::vector<ContactInterval>& intervals_at_start(LineVolumePair& pair) const;
-  std::vector<ContactInterval> locate(LineVolumePair& pair, int wall, const AxisShape& shape,
+  std::vector<ContactInterval> locate(LineVolumePair& pair, int group, const AxisShape& shape,
                                       const RigidPose& pose) const;
   // What is known free of the volume at places of the axis goes for the tube about it.
   void keep_free(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
                  std::vector<FreePlace>& places) const;
-  void see_walls(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  void find_facet_groups(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   void assign_past(LineVolumePair& pair) const;
   const Surface& surface(const LineVolumePair& pair) const { return volumes_.surface(pair.volume); }
 

@@ -26,10 +26,11 @@ struct GapSpring {
   }
 };
 
-// Where a surface may have several walls (surface_walls.hpp): what of them is near an axis, and which of the
-// points of before lay on each: on each wall, or on the one there is; empty: all that there are.
-struct SeenWalls {
-  SurfaceWalls walls;
+// Where a surface may have several facet groups (facet_groups.hpp): what of them is near an axis, and which
+// of the points of before lay on each: on each facet group, or on the one there is; empty: all that there
+// are.
+struct NearGroups {
+  FacetGroups facet_groups;
   std::vector<std::vector<AxisContactPoint>> past;
 };
 
@@ -42,14 +43,14 @@ struct LineVolumePair {
   int levels = 1;                        // of the search, kernels/contact_intervals.hpp
   std::array<ContactLaw, 2> laws;        // per length, of its halves: at nodes they may differ
   AxisBeside start;                      // at the start of the step
-  std::vector<AxisContactPoint> points;  // that touch, of the last accepted state; by wall and xi
+  std::vector<AxisContactPoint> points;  // that touch, of the last accepted state; by facet group and xi
   std::array<GapSpring, 2> springs;      // of its ends
-  bool several = false;                  // walls may be met in this step
+  bool several = false;                  // facet groups may be met in this step
   // Where the axis touched at the start of the step, looked for closely; none: not looked for yet.
   std::optional<std::vector<ContactInterval>> before;
   // Kept from step to step, changes the time and never the answer: where nothing of the volume is within
-  // `touch`; nearest triangles of the last query and of those that look ahead; whether there is one wall only
-  // about a chord, where that was asked.
+  // `touch`; nearest triangles of the last query and of those that look ahead; whether there is one facet
+  // group only about a chord, where that was asked.
   mutable FreeTube free;
   int hint = -1;
   mutable std::array<int, 3> ahead{-1, -1, -1};
@@ -58,7 +59,7 @@ struct LineVolumePair {
   bool one = false;
   // Of the trial.
   ContactPlaces found;
-  SeenWalls seen;  // of the axis of `found`
+  NearGroups seen;  // of the axis of `found`
   // Contact points by the last evaluation of the law without derivatives, and the state it was of: commit of
   // that state takes them.
   std::vector<AxisContactPoint> evaluated;
@@ -68,10 +69,12 @@ struct LineVolumePair {
   const ContactLaw& law(double xi) const { return laws[xi > 0.5]; }
   double smoothing() const { return laws[0].normal.smoothing; }
   bool sees(const SurfacePoint& p) const { return p.distance <= touch; }
-  int walls() const { return seen.walls.several() ? static_cast<int>(seen.walls.of.size()) : 1; }
+  int facet_groups() const {
+    return seen.facet_groups.several() ? static_cast<int>(seen.facet_groups.of.size()) : 1;
+  }
   // Null: all of the surface.
-  const SurfaceWall* wall(int w) const {
-    return seen.walls.several() ? &seen.walls.of[static_cast<size_t>(w)] : nullptr;
+  const FacetGroup* group(int w) const {
+    return seen.facet_groups.several() ? &seen.facet_groups.of[static_cast<size_t>(w)] : nullptr;
   }
   const std::vector<AxisContactPoint>& past(int w) const {
     return seen.past.empty() ? points : seen.past[static_cast<size_t>(w)];

@@ -1,5 +1,6 @@
-// How the facets of a mesh near a place are sorted into walls, and the nearest point of one wall.
-#include "mesh_walls.hpp"
+// How the facets of a mesh near a place are sorted into facet groups, and the nearest point of one facet
+// group.
+#include "mesh_facet_groups.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,9 @@
 namespace hawser::detail {
 namespace {
 
-constexpr double kAlike = 0.9;       // cosine: directions nearer than that are of one wall
+constexpr double kAlike = 0.9;       // cosine: directions nearer than that are of one facet group
 constexpr double kCone = 0.974;      // of half that angle
-constexpr double kConcave = 0.2;     // rad, in all: less makes no second wall
+constexpr double kConcave = 0.2;     // rad, in all: less makes no second facet group
 constexpr double kFlatEdge = 1e-10;  // 1 - cosine of an edge that counts as flat
 
 double squared_distance_to_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
@@ -47,7 +48,7 @@ bool rises(const Facets& facets, const Vec3& n, int t, int edge, int u) {
   return n.dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
 }
 
-int index_of(const SurfaceWall::Facet& f) { return f.triangle; }
+int index_of(const FacetGroup::Facet& f) { return f.triangle; }
 template <class F>
 int index_of(const F& f) {
   return f.facet.triangle;
@@ -62,7 +63,7 @@ int place_of(const std::vector<F>& facets, int triangle) {
 
 }  // namespace
 
-bool MeshWalls::convex(const Facets& facets, const Pseudonormals& normals, int components) {
+bool MeshFacetGroups::convex(const Facets& facets, const Pseudonormals& normals, int components) {
   if (components != 1) return false;
   // Computed up to the last asked for: most meshes turn out not to be convex within a few facets.
   std::vector<Vec3> known;
@@ -82,8 +83,8 @@ bool MeshWalls::convex(const Facets& facets, const Pseudonormals& normals, int c
   return true;
 }
 
-SurfaceWall::Facet MeshWalls::ball(int t) const {
-  SurfaceWall::Facet f;
+FacetGroup::Facet MeshFacetGroups::ball(int t) const {
+  FacetGroup::Facet f;
   f.triangle = t;
   Box box;
   for (int i = 0; i < 3; ++i) box.add(facets_.corner(t, i));
@@ -94,7 +95,7 @@ SurfaceWall::Facet MeshWalls::ball(int t) const {
 }
 
 // What may come within reach of the axis, with its normals; true if all of it looks alike.
-bool MeshWalls::alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const {
+bool MeshFacetGroups::alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const {
   out.clear();
   Vec3 mean = Vec3::Zero();
   Box around;
@@ -110,7 +111,7 @@ bool MeshWalls::alike(std::span<const Vec3> axis, double reach, std::vector<Near
     });
   };
   tree_.walk(in, [&](int t) {
-    const SurfaceWall::Facet f = ball(t);
+    const FacetGroup::Facet f = ball(t);
     const double far = f.radius + reach, off = bulge(t) + reach;
     any_chord(axis, [&](const Vec3& p, const Vec3& q) {
       if (squared_distance_to_chord(f.centre, p, q) > far * far) return false;
@@ -127,12 +128,12 @@ bool MeshWalls::alike(std::span<const Vec3> axis, double reach, std::vector<Near
 }
 
 // Whether facets hang together and are convex, or nearly. Sorts them.
-bool MeshWalls::bulging(std::vector<Near>& near) const {
-  thread_local std::vector<int> group;
+bool MeshFacetGroups::bulging(std::vector<Near>& near) const {
+  thread_local std::vector<int> sets;
   if (near.size() < 2) return true;
   std::sort(near.begin(), near.end(),
             [](const Near& a, const Near& b) { return a.facet.triangle < b.facet.triangle; });
-  separate(group, near.size());
+  separate(sets, near.size());
   double concave = 0;
   for (int k = 0; k < static_cast<int>(near.size()); ++k) {
     const Near& f = near[static_cast<std::size_t>(k)];
@@ -141,26 +142,26 @@ bool MeshWalls::bulging(std::vector<Near>& near) const {
       const int u = normals_.neighbour(t, i);
       const int l = u > t ? place_of(near, u) : -1;
       if (l < 0) continue;
-      unite(group, k, l);
+      unite(sets, k, l);
       const double off = 1 - f.normal.dot(near[static_cast<std::size_t>(l)].normal);
       if (off <= kFlatEdge || !rises(facets_, f.normal, t, i, u)) continue;
       concave += std::acos(std::clamp(1 - off, -1.0, 1.0));
       if (concave > kConcave) return false;
     }
   }
-  const int first = root_of(group, 0);
+  const int first = root_of(sets, 0);
   for (int k = 1; k < static_cast<int>(near.size()); ++k)
-    if (root_of(group, k) != first) return false;
+    if (root_of(sets, k) != first) return false;
   return true;
 }
 
-bool MeshWalls::one(std::span<const Vec3> axis, double reach) const {
+bool MeshFacetGroups::one(std::span<const Vec3> axis, double reach) const {
   thread_local std::vector<Near> near;
   return alike(axis, reach, near) || bulging(near);
 }
 
 // Whether the edge is reentrant and sharp. Patches may meet smoothly where their facets do not.
-bool MeshWalls::cut(int t, int edge, int other) const {
+bool MeshFacetGroups::cut(int t, int edge, int other) const {
   const Vec3 n = normals_.quick_face(facets_, t), m = normals_.quick_face(facets_, other);
   if (n.isZero(0) || m.isZero(0) || n.dot(m) > kAlike || !rises(facets_, n, t, edge, other)) return false;
   if (!facets_.curved(t) && !facets_.curved(other)) return true;
@@ -174,12 +175,12 @@ bool MeshWalls::cut(int t, int edge, int other) const {
 }
 
 // The nearest points of the flat facet and a chord.
-struct MeshWalls::Approach {
+struct MeshFacetGroups::Approach {
   double distance = std::numeric_limits<double>::infinity();  // m
   Vec3 from = Vec3::Zero();                                   // on the chord
 };
 
-MeshWalls::Approach MeshWalls::approach(int t, const Vec3& a, const Vec3& b) const {
+MeshFacetGroups::Approach MeshFacetGroups::approach(int t, const Vec3& a, const Vec3& b) const {
   Approach best;
   const Vec3 &p = facets_.corner(t, 0), &q = facets_.corner(t, 1), &r = facets_.corner(t, 2);
   const auto offer = [&](double distance, const Vec3& from) {
@@ -202,20 +203,22 @@ MeshWalls::Approach MeshWalls::approach(int t, const Vec3& a, const Vec3& b) con
   return best;
 }
 
-bool MeshWalls::holds(const SurfaceWall& wall, int triangle) { return place_of(wall.facets, triangle) >= 0; }
+bool MeshFacetGroups::holds(const FacetGroup& group, int triangle) {
+  return place_of(group.facets, triangle) >= 0;
+}
 
-Vec3 MeshWalls::pseudonormal(const SurfaceWall& wall, const FacetSearch::Foot& foot) const {
+Vec3 MeshFacetGroups::pseudonormal(const FacetGroup& group, const FacetSearch::Foot& foot) const {
   const int t = foot.triangle, i = feature_index(foot.feature);
   if (foot.feature == Feature::face) return normals_.at(facets_, t, foot);
   if (is_edge(foot.feature)) {
     const int u = normals_.neighbour(t, i);
-    if (u >= 0 && holds(wall, u)) return normals_.at(facets_, t, foot);
+    if (u >= 0 && holds(group, u)) return normals_.at(facets_, t, foot);
     return facets_.curved(t) ? Vec3(facets_.patch(t).normal(foot.u, foot.v).normalized())
                              : normals_.face(facets_, t);
   }
   const int v = triangle(t)[static_cast<std::size_t>(i)];
   Vec3 sum = Vec3::Zero();
-  for (const SurfaceWall::Facet& f : wall.facets) {
+  for (const FacetGroup::Facet& f : group.facets) {
     const auto& corners = triangle(f.triangle);
     const auto at = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin());
     if (at == 3) continue;
@@ -228,16 +231,16 @@ Vec3 MeshWalls::pseudonormal(const SurfaceWall& wall, const FacetSearch::Foot& f
   return sum;
 }
 
-bool MeshWalls::through(const SurfaceWall& wall, const FacetSearch::Foot& foot, const Vec3& y) const {
+bool MeshFacetGroups::through(const FacetGroup& group, const FacetSearch::Foot& foot, const Vec3& y) const {
   const int i = feature_index(foot.feature);
   const auto back = [&](int t, int edge) {
     const int u = normals_.neighbour(t, edge);
-    return u >= 0 && !holds(wall, u) && normals_.face(facets_, u).dot(y - foot.point) < 0;
+    return u >= 0 && !holds(group, u) && normals_.face(facets_, u).dot(y - foot.point) < 0;
   };
   if (foot.feature == Feature::face) return false;
   if (is_edge(foot.feature)) return back(foot.triangle, i);
   const int v = triangle(foot.triangle)[static_cast<std::size_t>(i)];
-  for (const SurfaceWall::Facet& f : wall.facets) {
+  for (const FacetGroup::Facet& f : group.facets) {
     const auto& corners = triangle(f.triangle);
     const int k = static_cast<int>(std::find(corners.begin(), corners.end(), v) - corners.begin());
     if (k < 3 && (back(f.triangle, k) || back(f.triangle, (k + 2) % 3))) return true;
@@ -245,8 +248,8 @@ bool MeshWalls::through(const SurfaceWall& wall, const FacetSearch::Foot& foot, 
   return false;
 }
 
-std::optional<MeshWalls::Foot> MeshWalls::nearest(const SurfaceWall& wall, const Vec3& y,
-                                                  double within) const {
+std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& group, const Vec3& y,
+                                                              double within) const {
   std::optional<FacetSearch::Foot> best;
   double limit = within * within;
   const auto test = [&](int t) {
@@ -257,26 +260,26 @@ std::optional<MeshWalls::Foot> MeshWalls::nearest(const SurfaceWall& wall, const
     limit = p.squared_distance;
   };
   // The most promising first; then most of the others are out of reach.
-  const SurfaceWall::Facet* first = nullptr;
+  const FacetGroup::Facet* first = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const SurfaceWall::Facet& f : wall.facets)
+  for (const FacetGroup::Facet& f : group.facets)
     if (const double squared = (f.centre - y).squaredNorm(); squared < least) least = squared, first = &f;
   if (first) test(first->triangle);
-  for (const SurfaceWall::Facet& f : wall.facets) {
+  for (const FacetGroup::Facet& f : group.facets) {
     const double far = std::sqrt(limit) + f.radius;
     if (&f != first && (f.centre - y).squaredNorm() <= far * far * (1 + 1e-12)) test(f.triangle);
   }
   if (!best) return std::nullopt;
-  const Vec3 normal = pseudonormal(wall, *best);
+  const Vec3 normal = pseudonormal(group, *best);
   const bool flat = best->feature == Feature::face && !facets_.curved(best->triangle);
   const Vec3& on = flat ? facets_.corner(best->triangle, 0) : best->point;
   return Foot{*best, normal, normal.dot(y - on) >= 0};
 }
 
-// What may come within reach of the axis, by triangle; nothing where all there is one wall for sure.
-std::vector<SurfaceWall::Facet> MeshWalls::around(std::span<const Vec3> axis, double reach) const {
+// What may come within reach of the axis, by triangle; nothing where all there is one facet group for sure.
+std::vector<FacetGroup::Facet> MeshFacetGroups::around(std::span<const Vec3> axis, double reach) const {
   thread_local std::vector<Near> near;
-  std::vector<SurfaceWall::Facet> out;
+  std::vector<FacetGroup::Facet> out;
   if (alike(axis, reach, near) || bulging(near)) return out;
   for (const Near& f : near)
     if (!f.normal.isZero(0)) out.push_back(f.facet);
@@ -284,7 +287,7 @@ std::vector<SurfaceWall::Facet> MeshWalls::around(std::span<const Vec3> axis, do
 }
 
 // Whether the segment from p to q comes within reach of the axis.
-bool MeshWalls::comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q) {
+bool MeshFacetGroups::comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q) {
   const Vec3 middle = 0.5 * (p + q);
   const double far = reach + 0.5 * (p - q).norm();
   return any_chord(axis, [&](const Vec3& a, const Vec3& b) {
@@ -295,67 +298,67 @@ bool MeshWalls::comes_near(std::span<const Vec3> axis, double reach, const Vec3&
   });
 }
 
-void MeshWalls::join(std::span<const Vec3> axis, double reach, const std::vector<SurfaceWall::Facet>& facets,
-                     std::vector<int>& group) const {
-  separate(group, facets.size());
+void MeshFacetGroups::join(std::span<const Vec3> axis, double reach,
+                           const std::vector<FacetGroup::Facet>& facets, std::vector<int>& sets) const {
+  separate(sets, facets.size());
   for (int k = 0; k < static_cast<int>(facets.size()); ++k) {
     const int t = facets[static_cast<std::size_t>(k)].triangle;
     for (int e = 0; e < 3; ++e) {
       const int u = normals_.neighbour(t, e), l = u > t ? place_of(facets, u) : -1;
-      if (l < 0 || root_of(group, k) == root_of(group, l) || cut(t, e, u)) continue;
+      if (l < 0 || root_of(sets, k) == root_of(sets, l) || cut(t, e, u)) continue;
       const Vec3 &p = facets_.corner(t, e), &q = facets_.corner(t, (e + 1) % 3);
       const double bent =
           facets_.curved(t) ? 0.25 * facets_.patch(t).c[static_cast<std::size_t>(e)].norm() : 0;
-      if (comes_near(axis, reach + bent, p, q)) unite(group, k, l);
+      if (comes_near(axis, reach + bent, p, q)) unite(sets, k, l);
     }
   }
 }
 
-struct MeshWalls::Part {
-  SurfaceWall wall;
+struct MeshFacetGroups::Part {
+  FacetGroup group;
   double distance = 0;  // m
   Vec3 direction;       // to where the axis is nearest
   bool back = false;    // all of the axis is behind it
 };
 
 // The nearest facet is number `nearest`, seen from a place on the axis.
-MeshWalls::Part MeshWalls::look(SurfaceWall wall, int nearest, const Vec3& from,
-                                std::span<const Vec3> axis) const {
+MeshFacetGroups::Part MeshFacetGroups::look(FacetGroup group, int nearest, const Vec3& from,
+                                            std::span<const Vec3> axis) const {
   Part part;
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  const auto foot = this->nearest(wall, from, kFar);
+  const auto foot = this->nearest(group, from, kFar);
   part.distance = std::sqrt(foot->foot.squared_distance);
   const Vec3 r = from - foot->foot.point;
   part.direction =
       foot->front && part.distance > 0 ? Vec3(r / part.distance) : foot->pseudonormal.normalized();
   if (part.direction.isZero(0)) part.direction = normals_.face(facets_, nearest);
   part.back = !foot->front;
-  for (const Vec3& p : axis) part.back = part.back && !this->nearest(wall, p, kFar)->front;
-  part.wall = std::move(wall);
+  for (const Vec3& p : axis) part.back = part.back && !this->nearest(group, p, kFar)->front;
+  part.group = std::move(group);
   return part;
 }
 
-void MeshWalls::find(std::span<const Vec3> axis, double reach, SurfaceWalls& out) const {
+void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups& out) const {
   out.of.clear();
-  const std::vector<SurfaceWall::Facet> facets = around(axis, reach);
+  const std::vector<FacetGroup::Facet> facets = around(axis, reach);
   if (facets.size() < 2) return;
-  std::vector<int> group;
-  join(axis, reach, facets, group);
+  std::vector<int> sets;
+  join(axis, reach, facets, sets);
   struct Found {
-    SurfaceWall wall;
+    FacetGroup group;
     int nearest = -1;
     Approach at;
   };
   std::vector<Found> found;
   std::vector<int> number(facets.size(), -1);
   for (int k = 0; k < static_cast<int>(facets.size()); ++k) {
-    int& n = number[static_cast<std::size_t>(root_of(group, k))];
+    int& n = number[static_cast<std::size_t>(root_of(sets, k))];
     if (n < 0) n = static_cast<int>(found.size()), found.emplace_back();
-    found[static_cast<std::size_t>(n)].wall.facets.push_back(facets[static_cast<std::size_t>(k)]);
+    found[static_cast<std::size_t>(n)].group.facets.push_back(facets[static_cast<std::size_t>(k)]);
   }
   if (found.size() < 2) return;
   for (Found& f : found)
-    for (const SurfaceWall::Facet& facet : f.wall.facets)
+    for (const FacetGroup::Facet& facet : f.group.facets)
       any_chord(axis, [&](const Vec3& p, const Vec3& q) {
         const Approach a = approach(facet.triangle, p, q);
         if (a.distance < f.at.distance) f.at = a, f.nearest = facet.triangle;
@@ -365,33 +368,34 @@ void MeshWalls::find(std::span<const Vec3> axis, double reach, SurfaceWalls& out
   std::erase_if(found, [&](const Found& f) { return f.at.distance - bulge(f.nearest) > reach; });
   if (found.size() < 2) return;
   std::vector<Part> parts;
-  for (Found& f : found) parts.push_back(look(std::move(f.wall), f.nearest, f.at.from, axis));
+  for (Found& f : found) parts.push_back(look(std::move(f.group), f.nearest, f.at.from, axis));
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.distance < b.distance; });
   parts.front().back = false;  // the nearest is met from either side
-  const auto add = [](SurfaceWall& to, const SurfaceWall& from) {
+  const auto add = [](FacetGroup& to, const FacetGroup& from) {
     to.facets.insert(to.facets.end(), from.facets.begin(), from.facets.end());
   };
-  std::vector<Part> walls;
-  SurfaceWall backs;
+  std::vector<Part> facet_groups;
+  FacetGroup backs;
   for (Part& p : parts) {
     if (p.back) {
-      add(backs, p.wall);
+      add(backs, p.group);
       continue;
     }
-    const auto alike = std::max_element(walls.begin(), walls.end(), [&](const Part& a, const Part& b) {
-      return a.direction.dot(p.direction) < b.direction.dot(p.direction);
-    });
-    if (alike != walls.end() && (alike->direction.dot(p.direction) > kAlike ||
-                                 static_cast<int>(walls.size()) == SurfaceWalls::kMost - 1))
-      add(alike->wall, p.wall);
+    const auto alike =
+        std::max_element(facet_groups.begin(), facet_groups.end(), [&](const Part& a, const Part& b) {
+          return a.direction.dot(p.direction) < b.direction.dot(p.direction);
+        });
+    if (alike != facet_groups.end() && (alike->direction.dot(p.direction) > kAlike ||
+                                        static_cast<int>(facet_groups.size()) == FacetGroups::kMost - 1))
+      add(alike->group, p.group);
     else
-      walls.push_back(std::move(p));
+      facet_groups.push_back(std::move(p));
   }
-  if (walls.size() < 2) return;
-  for (Part& p : walls) out.of.push_back(std::move(p.wall));
+  if (facet_groups.size() < 2) return;
+  for (Part& p : facet_groups) out.of.push_back(std::move(p.group));
   if (!backs.facets.empty()) out.of.push_back(std::move(backs));
-  for (SurfaceWall& w : out.of)
+  for (FacetGroup& w : out.of)
     std::sort(w.facets.begin(), w.facets.end(),
               [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
 }

@@ -17,57 +17,57 @@ Vec3 random_in(const Box& b, std::mt19937& gen) {
 
 // The nearest point of each wall within max_distance [m] of y, the nearest of all first; of a wall that is
 // behind y none. One at most where the surface is convex or smooth.
-std::vector<SurfacePoint> nearest_on_walls(const Surface& surface, const Vec3& y, double max_distance) {
-  SurfaceWalls walls;
-  if (!surface.one_wall({&y, 1}, max_distance)) surface.walls({&y, 1}, max_distance, walls);
+std::vector<SurfacePoint> nearest_on_groups(const Surface& surface, const Vec3& y, double max_distance) {
+  FacetGroups groups;
+  if (!surface.one_facet_group({&y, 1}, max_distance)) surface.facet_groups({&y, 1}, max_distance, groups);
   std::vector<SurfacePoint> out;
-  if (!walls.several()) {
+  if (!groups.several()) {
     if (const auto p = surface.query(y, max_distance)) out.push_back(*p);
     return out;
   }
-  for (const SurfaceWall& w : walls.of)
-    if (const auto p = surface.query_wall(w, y, max_distance)) out.push_back(*p);
+  for (const FacetGroup& w : groups.of)
+    if (const auto p = surface.query_group(w, y, max_distance)) out.push_back(*p);
   std::stable_sort(out.begin(), out.end(),
                    [](const SurfacePoint& a, const SurfacePoint& b) { return a.distance < b.distance; });
   return out;
 }
 
 // The L of l_prism_mesh: walls x = 1 and y = 1 meet in a reentrant edge at (1, 1).
-TEST(SurfaceWalls, BothSidesOfACorner) {
+TEST(FacetGroups, BothSidesOfACorner) {
   const MeshSurface s(l_prism_mesh());
-  const auto near = nearest_on_walls(s, Vec3(1.2, 1.3, 0.5), 0.4);
+  const auto near = nearest_on_groups(s, Vec3(1.2, 1.3, 0.5), 0.4);
   ASSERT_EQ(near.size(), 2u);
   EXPECT_DOUBLE_EQ(near[0].distance, 0.2);
   EXPECT_EQ(near[0].normal, Vec3::UnitX());
   EXPECT_NEAR(near[1].distance, 0.3, 1e-15);
   EXPECT_EQ(near[1].normal, Vec3::UnitY());
-  EXPECT_EQ(nearest_on_walls(s, Vec3(1.2, 1.3, 0.5), 0.25).size(), 1u);
+  EXPECT_EQ(nearest_on_groups(s, Vec3(1.2, 1.3, 0.5), 0.25).size(), 1u);
   // On the line that is equally far from both.
-  EXPECT_EQ(nearest_on_walls(s, Vec3(1.2, 1.2, 0.5), 0.25).size(), 2u);
+  EXPECT_EQ(nearest_on_groups(s, Vec3(1.2, 1.2, 0.5), 0.25).size(), 2u);
   // Behind one of them and in front of the other.
-  const auto behind = nearest_on_walls(s, Vec3(0.99, 1.3, 0.5), 0.4);
+  const auto behind = nearest_on_groups(s, Vec3(0.99, 1.3, 0.5), 0.4);
   ASSERT_EQ(behind.size(), 2u);
   EXPECT_NEAR(behind[0].distance, -0.01, 1e-15);
   EXPECT_EQ(behind[0].normal, Vec3::UnitX());
   EXPECT_NEAR(behind[1].distance, std::hypot(0.3, 0.01), 1e-15);  // of a wall that ends at the edge
   // Inside, both behind it: the nearest alone.
-  const auto inside = nearest_on_walls(s, Vec3(0.8, 0.5, 0.5), 0.4);
+  const auto inside = nearest_on_groups(s, Vec3(0.8, 0.5, 0.5), 0.4);
   ASSERT_EQ(inside.size(), 1u);
   EXPECT_LT(inside[0].distance, 0);
 }
 
 // Where a wall goes on round a convex edge and comes back as the next, they still are two: [0,3] x [0,2]
 // without (1,2) x (1,2).
-TEST(SurfaceWalls, ASlit) {
+TEST(FacetGroups, ASlit) {
   const MeshSurface s(u_channel_mesh());
-  const auto two = nearest_on_walls(s, Vec3(1.45, 1.9, 2), 0.7);
+  const auto two = nearest_on_groups(s, Vec3(1.45, 1.9, 2), 0.7);
   ASSERT_EQ(two.size(), 2u);
   EXPECT_NEAR(two[0].distance, 0.45, 1e-15);
   EXPECT_EQ(two[0].normal, Vec3::UnitX());
   EXPECT_NEAR(two[1].distance, 0.55, 1e-15);
   EXPECT_EQ(two[1].normal, Vec3(-Vec3::UnitX()));
-  EXPECT_EQ(nearest_on_walls(s, Vec3(1.45, 1.6, 2), 0.7).size(), 3u);  // and the bottom
-  EXPECT_EQ(nearest_on_walls(s, Vec3(1.45, 2.6, 2), 0.9).size(), 2u);  // the two ends
+  EXPECT_EQ(nearest_on_groups(s, Vec3(1.45, 1.6, 2), 0.7).size(), 3u);  // and the bottom
+  EXPECT_EQ(nearest_on_groups(s, Vec3(1.45, 2.6, 2), 0.9).size(), 2u);  // the two ends
 }
 
 // Every one of many points has one answer, which is query()'s to the last bit.
@@ -77,10 +77,10 @@ void expect_one(const Surface& s, double reach, const char* what) {
   int near = 0;
   for (int i = 0; i < 20000; ++i) {
     const Vec3 y = random_in(box, gen);
-    SurfaceWalls walls;
-    s.walls({&y, 1}, reach, walls);
-    ASSERT_TRUE(walls.of.empty()) << what << " at " << y.transpose();
-    const auto all = nearest_on_walls(s, y, reach);
+    FacetGroups groups;
+    s.facet_groups({&y, 1}, reach, groups);
+    ASSERT_TRUE(groups.of.empty()) << what << " at " << y.transpose();
+    const auto all = nearest_on_groups(s, y, reach);
     const auto one = s.query(y, reach);
     ASSERT_EQ(all.size(), one ? 1u : 0u);
     if (!one) continue;
@@ -91,7 +91,7 @@ void expect_one(const Surface& s, double reach, const char* what) {
   EXPECT_GT(near, 1000) << what;
 }
 
-TEST(SurfaceWalls, OneOfWhatIsConvex) {
+TEST(FacetGroups, OneOfWhatIsConvex) {
   expect_one(MeshSurface(box_mesh(Vec3::Zero(), Vec3(3, 2, 1))), 0.6, "box");
   expect_one(MeshSurface(box_mesh(Vec3::Zero(), Vec3(3, 2, 0.01))), 0.6, "thin box");
   expect_one(MeshSurface(sphere_mesh(3, 1)), 0.7, "sphere");
@@ -102,7 +102,7 @@ TEST(SurfaceWalls, OneOfWhatIsConvex) {
 }
 
 // The inside of a tank of many sides, for balls that fit into it.
-TEST(SurfaceWalls, OneOfAHollowOfManySides) {
+TEST(FacetGroups, OneOfAHollowOfManySides) {
   const TriangleMesh tank = revolution_mesh({{0, -2}, {2, -2}, {2, 2}, {1, 2}, {1, -1}, {0, -1}}, 48);
   for (const bool curved : {false, true}) {
     MeshSurfaceOptions o;
@@ -110,16 +110,16 @@ TEST(SurfaceWalls, OneOfAHollowOfManySides) {
     const MeshSurface s(tank, {}, o);
     for (int i = 0; i < 1000; ++i) {
       const double a = 0.0137 * i, r = 1 - 0.05 - 0.0003 * i;
-      const auto near = nearest_on_walls(s, Vec3(r * std::cos(a), r * std::sin(a), 0.5), 0.4);
+      const auto near = nearest_on_groups(s, Vec3(r * std::cos(a), r * std::sin(a), 0.5), 0.4);
       ASSERT_EQ(near.size(), 1u) << r << " " << a << curved;
     }
     // Its bottom is another wall.
-    EXPECT_EQ(nearest_on_walls(s, Vec3(0.8, 0.05, -0.8), 0.3).size(), 2u);
+    EXPECT_EQ(nearest_on_groups(s, Vec3(0.8, 0.05, -0.8), 0.3).size(), 2u);
   }
 }
 
 // A deck with a thin bulwark: what stands behind the bulwark does not push back.
-TEST(SurfaceWalls, BacksAreNoWalls) {
+TEST(FacetGroups, BacksAreNoWalls) {
   TriangleMesh m = prism_mesh({{0, 0}, {4, 0}, {5, 0}, {5, 1}, {4.02, 1}, {4.02, 2}, {4, 2}, {4, 1}, {0, 1}},
                               {{0, 1, 7, 8}, {1, 2, 3, 4, 7}, {7, 4, 5, 6}}, 3);
   const MeshSurface s(m);
@@ -127,7 +127,7 @@ TEST(SurfaceWalls, BacksAreNoWalls) {
   const double reach = 0.3;
   for (int i = 0; i < 20000; ++i) {
     const Vec3 y = random_in({{3, 1, 0.5}, {4, 2.5, 2.5}}, gen);
-    const auto near = nearest_on_walls(s, y, reach);
+    const auto near = nearest_on_groups(s, y, reach);
     for (const SurfacePoint& p : near) {
       ASSERT_GT(p.distance, 0);
       ASSERT_GT(p.normal.dot(near[0].normal), -1e-9) << y.transpose();
@@ -141,7 +141,7 @@ TEST(SurfaceWalls, BacksAreNoWalls) {
 }
 
 // A rounded corner is one wall for what fits into it and two for what is larger.
-TEST(SurfaceWalls, ARoundedCorner) {
+TEST(FacetGroups, ARoundedCorner) {
   constexpr double kFillet = 0.1;
   std::vector<std::pair<double, double>> p{{-1, -1}, {2, -1}, {2, 0}, {kFillet, 0}};
   for (int i = 1; i < 9; ++i) {
@@ -155,12 +155,12 @@ TEST(SurfaceWalls, ARoundedCorner) {
   MeshSurfaceOptions o;
   o.smooth = true;
   const MeshSurface s(prism_mesh(p, pieces, 3), {}, o);
-  EXPECT_EQ(nearest_on_walls(s, Vec3(0.21, 0.22, 1.5), 0.23).size(), 2u);
-  EXPECT_EQ(nearest_on_walls(s, Vec3(0.06, 0.07, 1.5), 0.08).size(), 1u);
+  EXPECT_EQ(nearest_on_groups(s, Vec3(0.21, 0.22, 1.5), 0.23).size(), 2u);
+  EXPECT_EQ(nearest_on_groups(s, Vec3(0.06, 0.07, 1.5), 0.08).size(), 1u);
 }
 
 // What was found for a ball holds for all balls in it.
-TEST(SurfaceWalls, OneInALargeBallIsOneInSmallOnes) {
+TEST(FacetGroups, OneInALargeBallIsOneInSmallOnes) {
   std::mt19937 gen(11);
   std::uniform_real_distribution<double> u(-1, 1);
   for (const TriangleMesh& m : {u_channel_mesh(), l_prism_mesh(), flanged_drum_mesh(24, 1, 2, 1.5, 0.1)}) {
@@ -168,12 +168,12 @@ TEST(SurfaceWalls, OneInALargeBallIsOneInSmallOnes) {
     int one = 0, several = 0;
     for (int i = 0; i < 4000; ++i) {
       const Vec3 y = random_in(s.bounds().grown(0.3), gen);
-      const bool alone = s.one_wall({&y, 1}, 0.5);
+      const bool alone = s.one_facet_group({&y, 1}, 0.5);
       const Vec3 x = y + 0.25 * Vec3(u(gen), u(gen), u(gen)).normalized();
-      SurfaceWalls walls;
-      s.walls({&x, 1}, 0.25, walls);
-      (walls.several() ? several : one) += 1;
-      ASSERT_FALSE(alone && walls.several()) << y.transpose();
+      FacetGroups groups;
+      s.facet_groups({&x, 1}, 0.25, groups);
+      (groups.several() ? several : one) += 1;
+      ASSERT_FALSE(alone && groups.several()) << y.transpose();
     }
     EXPECT_GT(one, 100);
     EXPECT_GT(several, 20);

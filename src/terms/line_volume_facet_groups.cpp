@@ -1,5 +1,5 @@
-// What a pair sees of its volume; where that has several walls, which of them a pair is about, and which of
-// the points of before were its own.
+// What a pair sees of its volume; where that has several facet groups, which of them a pair is about, and
+// which of the points of before were its own.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,11 +9,12 @@
 namespace hawser {
 namespace {
 
-// Parts of a surface are one wall where they hang together no farther away than this, times the distance at
-// which contact begins: so walls part and come together while the farther of them is out of touch.
+// Parts of a surface are one facet group where they hang together no farther away than this, times the
+// distance at which contact begins: so facet groups part and come together while the farther of them is out
+// of touch.
 constexpr double kTogether = 1.1;
 constexpr double kSagitta = 0.05;  // of that distance: how far the axis is from its polyline
-constexpr double kGrid = 0.125;    // the same: of places that are asked whether there is one wall
+constexpr double kGrid = 0.125;    // the same: of places that are asked whether there is one facet group
 
 // The axis as a polyline in the body's frame.
 std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double touch) {
@@ -26,7 +27,7 @@ std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double
 
 }  // namespace
 
-std::optional<SurfacePoint> LineVolumeFinder::see(const LineVolumePair& pair, int wall, double xi,
+std::optional<SurfacePoint> LineVolumeFinder::see(const LineVolumePair& pair, int group, double xi,
                                                   const Vec3& y, double within, bool either_side) const {
   if (by_gap()) {
     const GapSpring& s = pair.springs[xi > 0.5];
@@ -34,15 +35,15 @@ std::optional<SurfacePoint> LineVolumeFinder::see(const LineVolumePair& pair, in
     if (!s.paired || distance > within) return std::nullopt;
     return SurfacePoint{distance, s.direction, Mat3::Zero(), s.anchor};
   }
-  const SurfaceWall* only = pair.wall(wall);
-  return only ? surface(pair).query_wall(*only, y, within, either_side)
+  const FacetGroup* only = pair.group(group);
+  return only ? surface(pair).query_group(*only, y, within, either_side)
               : surface(pair).query(y, within, pair.hint);
 }
 
 // Asked of a chord and a reach on a grid: what is remembered of another step is then what would be answered
 // now, and a run that goes on from a checkpoint decides as the one that made it.
-bool LineVolumeFinder::one_wall(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
-                                double motion) const {
+bool LineVolumeFinder::one_facet_group(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
+                                       double motion) const {
   const double grid = kGrid * pair.touch;
   std::array<Vec3, 2> chord{pose.to_body(shape.point(0)), pose.to_body(shape.point(1))};
   for (Vec3& end : chord)
@@ -50,40 +51,42 @@ bool LineVolumeFinder::one_wall(LineVolumePair& pair, const AxisShape& shape, co
   const double need = kTogether * pair.touch + motion + shape.bend_bound() / 8;
   const double reach = grid * std::ceil(need / grid + 0.5 * std::sqrt(3.0));
   if (reach == pair.one_reach && chord == pair.one_chord) return pair.one;
-  pair.one = surface(pair).one_wall(chord, reach);
+  pair.one = surface(pair).one_facet_group(chord, reach);
   pair.one_chord = chord, pair.one_reach = reach;
   return pair.one;
 }
 
-// Walls of the trial alone: of the axis, and of what was left by the last step.
-void LineVolumeFinder::see_walls(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
+// Facet groups of the trial alone: of the axis, and of what was left by the last step.
+void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& shape,
+                                         const RigidPose& pose) const {
   const auto p =
       surface(pair).query(pose.to_body(shape.point(0.5)), pair.touch + 2 * shape.reach(), pair.hint);
   if (p) pair.hint = p->triangle;
   if (p && p->distance - pair.touch < 0.5 * shape.reach())
-    surface(pair).walls(polyline(shape, pose, pair.touch), kTogether * pair.touch, pair.seen.walls);
+    surface(pair).facet_groups(polyline(shape, pose, pair.touch), kTogether * pair.touch,
+                               pair.seen.facet_groups);
   assign_past(pair);
 }
 
-// A point of before lay on the wall whose normal there is most like its own. On the one wall there is: of
-// two that lay side by side, the more heavily pressed.
+// A point of before lay on the facet group whose normal there is most like its own. On the one facet group
+// there is: of two that lay side by side, the more heavily pressed.
 void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
-  SeenWalls& seen = pair.seen;
-  if (!seen.walls.several() && (pair.points.empty() || pair.points.back().wall == 0)) return;
-  const size_t walls = static_cast<size_t>(pair.walls());
-  // The points of each of the walls of before, by wall.
+  NearGroups& seen = pair.seen;
+  if (!seen.facet_groups.several() && (pair.points.empty() || pair.points.back().group == 0)) return;
+  const size_t facet_groups = static_cast<size_t>(pair.facet_groups());
+  // The points of each of the facet groups of before, by facet group.
   using Points = std::vector<AxisContactPoint>;
-  std::vector<std::vector<Points>> of(walls, std::vector<Points>(SurfaceWalls::kMost));
+  std::vector<std::vector<Points>> of(facet_groups, std::vector<Points>(FacetGroups::kMost));
   for (const AxisContactPoint& p : pair.points) {
     size_t best = 0;
     double like = -2;
     const Vec3 y = pair.start.pose.to_body(pair.start.shape.point(p.xi));
-    for (size_t w = 0; w < walls && walls > 1; ++w) {
+    for (size_t w = 0; w < facet_groups && facet_groups > 1; ++w) {
       const auto there =
-          surface(pair).query_wall(seen.walls.of[w], y, std::numeric_limits<double>::max(), true);
+          surface(pair).query_group(seen.facet_groups.of[w], y, std::numeric_limits<double>::max(), true);
       if (there && there->normal.dot(p.normal) > like) like = there->normal.dot(p.normal), best = w;
     }
-    of[best][static_cast<size_t>(p.wall)].push_back(p);
+    of[best][static_cast<size_t>(p.group)].push_back(p);
   }
   for (std::vector<Points>& before : of) {
     const auto force = [](const Points& points) {
@@ -105,9 +108,9 @@ void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
   }
 }
 
-void LineVolumeFinder::walls_ahead(const LineVolumePair& pair, double ahead, SurfaceWalls& out) const {
-  surface(pair).walls(polyline(pair.start.shape, pair.start.pose, pair.touch), kTogether * pair.touch + ahead,
-                      out);
+void LineVolumeFinder::facet_groups_ahead(const LineVolumePair& pair, double ahead, FacetGroups& out) const {
+  surface(pair).facet_groups(polyline(pair.start.shape, pair.start.pose, pair.touch),
+                             kTogether * pair.touch + ahead, out);
 }
 
 }  // namespace hawser

@@ -1,0 +1,70 @@
+// The facet groups of a mesh near a place (facet_groups.hpp).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "facets.hpp"
+#include "hawser/geometry/facet_groups.hpp"
+#include "pseudonormals.hpp"
+
+namespace hawser::detail {
+
+class MeshFacetGroups {
+ public:
+  // `tree`: of the boxes of those facets that can be met.
+  MeshFacetGroups(const Facets& facets, const Pseudonormals& normals, const BoxTree& tree)
+      : facets_(facets), normals_(normals), tree_(tree) {}
+
+  // Whether the facets form a convex body, which has no two facet groups anywhere.
+  static bool convex(const Facets& facets, const Pseudonormals& normals, int components);
+  // Whether what is within reach of a polyline is one facet group: its facets all look alike, or hang
+  // together and are convex.
+  bool one(std::span<const Vec3> axis, double reach) const;
+  // As of Surface::facet groups().
+  void find(std::span<const Vec3> axis, double reach, FacetGroups& out) const;
+
+  // Whether a triangle is of a facet group.
+  static bool holds(const FacetGroup& group, int triangle);
+
+  struct Foot {
+    FacetSearch::Foot foot;
+    Vec3 pseudonormal = Vec3::Zero();  // of the facet group alone: beyond its border it goes on as it ends
+    bool front = false;
+  };
+  // Nearest point of a facet group within a distance [m] of y.
+  std::optional<Foot> nearest(const FacetGroup& group, const Vec3& y, double within) const;
+  // Whether the facet group goes on, where its nearest point is on its border, in what turns its back on y:
+  // then the way to it leads through a body.
+  bool through(const FacetGroup& group, const FacetSearch::Foot& foot, const Vec3& y) const;
+
+ private:
+  struct Part;
+  struct Near {
+    FacetGroup::Facet facet;
+    Vec3 normal;
+  };
+  static bool comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q);
+  bool alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const;
+  bool bulging(std::vector<Near>& near) const;
+  struct Approach;
+  const std::array<int, 3>& triangle(int t) const {
+    return facets_.mesh().triangles[static_cast<std::size_t>(t)];
+  }
+  FacetGroup::Facet ball(int t) const;
+  double bulge(int t) const { return facets_.bulge(t); }
+  bool cut(int t, int edge, int other) const;
+  Approach approach(int t, const Vec3& a, const Vec3& b) const;
+  Vec3 pseudonormal(const FacetGroup& group, const FacetSearch::Foot& foot) const;
+  std::vector<FacetGroup::Facet> around(std::span<const Vec3> axis, double reach) const;
+  void join(std::span<const Vec3> axis, double reach, const std::vector<FacetGroup::Facet>& facets,
+            std::vector<int>& sets) const;
+  Part look(FacetGroup group, int nearest, const Vec3& from, std::span<const Vec3> axis) const;
+
+  const Facets& facets_;
+  const Pseudonormals& normals_;
+  const BoxTree& tree_;
+};
+
+}  // namespace hawser::detail
