@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSmoothing = 1e-3;      // of the size of what leads, m/m
 constexpr double kMostSmoothing = 0.01;  // m
-constexpr double kRoom = 0.05;           // of that size, m/m; less where it would get through something thin
+constexpr double kDeepestAtOnce = 0.05;  // of that size, m/m; less where it would get through something thin
 constexpr int kEdgeLevels = 5;           // an edge is looked at in pieces of 1/32
 
 AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
@@ -60,10 +60,10 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
       pair.middle = around.centre() - sides_[p.a].centre, pair.radius = 0.5 * around.extent().norm();
     const Vec3 extent = boxes_[p.a].extent();
     if (extent.allFinite()) pair.size = extent.maxCoeff();
-    pair.room = kRoom * pair.size;
+    pair.most_depth = kDeepestAtOnce * pair.size;
     for (const size_t i : {p.a, p.b}) {
       const Vec3 e = boxes_[i].extent();
-      if (e.allFinite() && e.minCoeff() > 0) pair.room = std::min(pair.room, 0.5 * e.minCoeff());
+      if (e.allFinite() && e.minCoeff() > 0) pair.most_depth = std::min(pair.most_depth, 0.5 * e.minCoeff());
     }
     // The mass that belongs to a unit of length or area is that over the whole of it.
     const double units = v.basis == model::StiffnessBasis::per_point    ? 1

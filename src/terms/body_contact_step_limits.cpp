@@ -115,9 +115,9 @@ void BodyContactTerm::limit_by(const Pair& p, const Kinematics& committed, Impac
   const Vec3 middle = p.at.Bs.to_body(p.at.A.to_space(p.middle));
   const double far = p.radius + p.law.smoothing + reach;
   if (squared_distance(boxes_[p.b], middle) > far * far || !surface.query(middle, far)) return;
-  const double room = speed > 0 ? std::max(p.room / speed, 1e-6) : HUGE_VAL;
-  to.limit(room);  // it must not go deeper at once than a first touch would
-  const double most = std::min(to.most, room);
+  const double time_to_depth = speed > 0 ? std::max(p.most_depth / speed, 1e-6) : HUGE_VAL;
+  to.limit(time_to_depth);  // it must not go deeper at once than a first touch would
+  const double most = std::min(to.most, time_to_depth);
   if (p.frequency > 0) {
     const double period = 2 * M_PI / p.frequency;
     to.limit(followed(p, p.at, std::min(most, period / kStepsAPeriod)));

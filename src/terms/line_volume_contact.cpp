@@ -130,7 +130,7 @@ void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   if (!was.several && was.points.empty()) pair.found = std::move(was.found);
   pair.points = std::move(was.points);
   pair.springs = was.springs;
-  pair.hint = was.hint, pair.ahead = was.ahead, pair.free = was.free;
+  pair.hint = was.hint, pair.ahead = was.ahead, pair.clearance = was.free;
   pair.one_chord = was.one_chord, pair.one_reach = was.one_reach, pair.one = was.one;
 }
 

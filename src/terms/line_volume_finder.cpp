@@ -12,7 +12,7 @@ namespace {
 
 // What is found free is looked at in up to so many places more to keep that much of it.
 constexpr int kPlaces = 4;
-constexpr double kRoom = 0.5;
+constexpr double kCertain = 0.5;
 // Times the bound of the slope: how far the middle is asked about first.
 constexpr double kFirst = 2;
 
@@ -37,7 +37,7 @@ AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose) {
 class LineVolumeFinder::Gap {
  public:
   Gap(const LineVolumeFinder& finder, LineVolumePair& pair, int group, const AxisShape& shape,
-      const RigidPose& pose, std::vector<FreePlace>& places)
+      const RigidPose& pose, std::vector<ClearancePoint>& places)
       : finder_(finder), pair_(pair), group_(group), shape_(shape), pose_(pose), places_(places) {
     places_.clear();
   }
@@ -72,39 +72,39 @@ class LineVolumeFinder::Gap {
   int group_;
   const AxisShape& shape_;
   const RigidPose& pose_;
-  std::vector<FreePlace>& places_;
+  std::vector<ClearancePoint>& places_;
   std::optional<AxisGap> middle_;
 };
 
 bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
-  if (!(pair.free.left(axis_points(shape, pose)) > 0)) return false;
+  if (!(pair.clearance.left(axis_points(shape, pose)) > 0)) return false;
   pair.found.clear();
   pair.seen = {};
   return true;
 }
 
-double LineVolumeFinder::room_at_start(const LineVolumePair& pair) {
-  return pair.free.left(axis_points(pair.start.shape, pair.start.pose));
+double LineVolumeFinder::clearance_at_start(const LineVolumePair& pair) {
+  return pair.clearance.left(axis_points(pair.start.shape, pair.start.pose));
 }
 
-void LineVolumeFinder::keep_free(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
-                                 std::vector<FreePlace>& places) const {
-  const auto by_xi = [](const FreePlace& a, const FreePlace& b) { return a.xi < b.xi; };
+void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisShape& shape,
+                                        const RigidPose& pose, std::vector<ClearancePoint>& places) const {
+  const auto by_xi = [](const ClearancePoint& a, const ClearancePoint& b) { return a.xi < b.xi; };
   std::sort(places.begin(), places.end(), by_xi);
   double least = std::numeric_limits<double>::infinity(), worst = 0;
-  for (const FreePlace& p : places) least = std::min(least, p.distance - pair.touch);
+  for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.touch);
   if (!(least > 0)) return;
   double free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.touch;
-  for (int i = 0; i < kPlaces && free < kRoom * least; ++i) {
+  for (int i = 0; i < kPlaces && free < kCertain * least; ++i) {
     const Vec3 y = pose.to_body(shape.point(worst));
     const double within = pair.touch + 2 * least;
     const auto p = surface(pair).query(y, within, pair.hint);
-    const FreePlace more{worst, surface(pair).free_radius(y, p ? p->distance : within)};
+    const ClearancePoint more{worst, surface(pair).free_radius(y, p ? p->distance : within)};
     places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
     least = std::min(least, more.distance - pair.touch);
     free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.touch;
   }
-  pair.free.offer(axis_points(shape, pose), free);
+  pair.clearance.offer(axis_points(shape, pose), free);
 }
 
 const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVolumePair& pair) const {
@@ -115,7 +115,7 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
   if (pair.points.empty()) return kNone;
   constexpr int kCloser = 2;  // halvings more than in a trial: what is not seen here is filled there
   const AxisShape& start = pair.start.shape;
-  std::vector<FreePlace> places;
+  std::vector<ClearancePoint> places;
   Gap gap(*this, pair, 0, start, pair.start.pose, places);
   *pair.before = contact_intervals(std::ref(gap), {start.reach(), pair.touch, start.bend_bound()},
                                    pair.levels + kCloser);
@@ -132,7 +132,7 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
     intervals = contact_intervals(std::ref(gap), {shape.reach(), pair.touch, shape.bend_bound()}, pair.levels,
                                   middles(inactive_intervals(before)));
   // Of one facet group alone it says nothing of the others.
-  if (intervals.empty() && !pair.group(group)) keep_free(pair, shape, pose, places_);
+  if (intervals.empty() && !pair.group(group)) update_clearance(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
       split_intervals(as_split_before(intervals, before, pair.found.filled), pair.levels);
   if (!pair.part.all()) keep_part(pair.part, panels);
@@ -162,7 +162,7 @@ void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const Axis
     f.places.push_back({xi, 0.5 * pair.length, xi, 1, f.panels.size(), *p});
     f.panels.push_back({{0.5 * xi, 0.5 + 0.5 * xi}, group});
   }
-  if (f.panels.empty() && !pair.group(group) && !by_gap()) keep_free(pair, shape, pose, places_);
+  if (f.panels.empty() && !pair.group(group) && !by_gap()) update_clearance(pair, shape, pose, places_);
 }
 
 bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {

@@ -17,7 +17,7 @@ std::vector<LineVolumeContact::PairBounds> LineVolumeContact::pair_bounds() cons
     // Bézier's inner points are a third of the length along the tangents; |R - R0| <= 2 |q - q0|.
     if (element(pairs_[i]).beam) g.turn = 2.0 / 3 * pairs_[i].length;
     g.grows = element(pairs_[i]).beam && feeders_ && feeders_->fed_end(local(pairs_[i]).global) >= 0;
-    g.room = LineVolumeFinder::room_at_start(pairs_[i]);
+    g.clearance = LineVolumeFinder::clearance_at_start(pairs_[i]);
   }
   return pair_bounds;
 }
@@ -39,12 +39,12 @@ void LineVolumeContact::look(const Kinematics& trial) {
   near_.clear();
   if (bounds_.empty()) bounds_ = pair_bounds();
   for (PairBounds& g : bounds_) {
-    if (volumes_.still(g.volume) && way(trial, g) < g.room) continue;
+    if (volumes_.still(g.volume) && way(trial, g) < g.clearance) continue;
     Pair& pair = pairs_[g.pair];
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(g.volume);
     if (finder_.clear(pair, shape, pose)) {
-      g.room = LineVolumeFinder::room_at_start(pair);  // it may have grown
+      g.clearance = LineVolumeFinder::clearance_at_start(pair);  // it may have grown
       continue;
     }
     near_.push_back({g.pair, shape});

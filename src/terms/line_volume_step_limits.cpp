@@ -96,17 +96,17 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
 void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const {
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);
-  const double room = LineVolumeFinder::room_at_start(pair);
+  const double clearance = LineVolumeFinder::clearance_at_start(pair);
   const bool facet_groups = pair.several && predict_impacts_by_group(pair, committed, to);
-  std::vector<FreePlace> free;
+  std::vector<ClearancePoint> free;
   for (size_t i = 0; i < kPlaces.size(); ++i) {
     const double xi = kPlaces[i], speed = velocity_at_start(pair, xi).norm();
     // Look ahead as far as it gets in half a second.
     const double far = 0.5 * (start.reach() + speed), within = pair.touch + far;
     const ContactSpring s = spring(pair, xi);
-    const bool matters = may_limit_depth(pair.radius, room, speed, to) ||
+    const bool matters = may_limit_depth(pair.radius, clearance, speed, to) ||
                          may_impact(s.slowness, s.seen, speed, along(committed.a, local(pair), xi).norm());
-    if (room > far || !matters || !finder_.takes_part(pair, xi)) continue;
+    if (clearance > far || !matters || !finder_.takes_part(pair, xi)) continue;
     const Vec3 y = pair.start.pose.to_body(start.point(xi));
     const bool by_gap = finder_.by_gap();
     const auto p = by_gap ? finder_.see(pair, 0, xi, y, within) : surface.query(y, within, pair.ahead[i]);
@@ -118,8 +118,8 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   }
   if (free.size() < kPlaces.size()) return;
   double worst = 0;
-  pair.free.offer(axis_points(start, pair.start.pose),
-                  least_distance(free, start.reach(), start.bend_bound(), worst) - pair.touch);
+  pair.clearance.offer(axis_points(start, pair.start.pose),
+                       least_distance(free, start.reach(), start.bend_bound(), worst) - pair.touch);
 }
 
 // The places that a contact no longer reaches, where it ended or grew shorter, and those that it newly does.

@@ -56,8 +56,8 @@ Verdict LineVolumeContact::judge(const Kinematics& trial) const {
 
 // Whether a group has not moved by as much as `room` [m] and its volume not at all. In motion the trial has
 // been evaluated, and poses are known.
-bool LineVolumeContact::near_start(const Kinematics& trial, const PairBounds& g, double room) const {
-  if (!(room > 0) || way(trial, g) >= room) return false;
+bool LineVolumeContact::near_start(const Kinematics& trial, const PairBounds& g, double clearance) const {
+  if (!(clearance > 0) || way(trial, g) >= clearance) return false;
   return trial.step > 0 ? volumes_.still(g.volume)
                         : volumes_.still(g.volume, volumes_.pose_of(g.volume, trial));
 }
@@ -67,7 +67,7 @@ bool LineVolumeContact::near_start(const Kinematics& trial, const PairBounds& g,
 // at the start of the step may leave on any side.
 bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const PairBounds& g) const {
   const Pair& pair = pairs_[g.pair];
-  if (near_start(trial, g, g.room) || finder_.by_gap() || is_held(pair)) return false;
+  if (near_start(trial, g, g.clearance) || finder_.by_gap() || is_held(pair)) return false;
   return is_inside(pair, AxisShape(ends(trial, pair.element)), volumes_.pose_of(g.volume, trial)) &&
          !is_inside(pair, pair.start.shape, pair.start.pose);
 }
@@ -95,7 +95,7 @@ bool LineVolumeContact::tunnels(const Kinematics& trial, const PairBounds& g) co
   const double radius = pair.radius;
   const bool rests = !(trial.step > 0);
   const double least = rests ? kCreeps * radius : radius;
-  if (near_start(trial, g, std::max(g.room, least)) || finder_.by_gap()) return false;
+  if (near_start(trial, g, std::max(g.clearance, least)) || finder_.by_gap()) return false;
   if (rests && (!volumes_.has_back(pair.volume) || is_inside(pair, pair.start.shape, pair.start.pose)))
     return false;
   const AxisShape shape(ends(trial, pair.element));
@@ -107,7 +107,7 @@ bool LineVolumeContact::tunnels(const Kinematics& trial, const PairBounds& g) co
   };
   if (!finder_.at_nodes())
     return passes(part_of(pair, pair.start.shape, pair.start.pose), part_of(pair, shape, pose),
-                  LineVolumeFinder::room_at_start(pair));
+                  LineVolumeFinder::clearance_at_start(pair));
   return std::any_of(kEnds.begin(), kEnds.end(), [&](double xi) {
     AxisPoints from, to;
     from.fill(pair.start.pose.to_body(pair.start.shape.point(xi))), to.fill(pose.to_body(shape.point(xi)));

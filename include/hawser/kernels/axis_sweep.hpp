@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hawser/kernels/axis_clearance.hpp"
-#include "hawser/kernels/free_tube.hpp"
+#include "hawser/kernels/clearance_tube.hpp"
 
 namespace hawser {
 

@@ -94,7 +94,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     NormalLaw law;               // of what stands out of a against the surface of b, per unit of the basis
     double share = 1, mass = 0;  // of the force; kg, effective
     double size = 0;             // m, of what stands out
-    double room = 0;             // m, most that passes in a step where they may meet
+    double most_depth = 0;       // m, most that passes in a step where they may meet
     Vec3 middle = Vec3::Zero();  // m, of what stands out, from the centre of mass; and a ball about it
     double radius = 0;
     bool hides = false;                        // as of model::BodyPair

@@ -86,9 +86,9 @@ class LineVolumeContact final : public ForceTerm,
     size_t pair = 0;
     int volume = 0;
     int nodes[2] = {};
-    double turn = 0;     // m: how far a point of the axis gets where |q - q0| = 1
-    bool grows = false;  // a beam at a feeder's mouth: its tangents have its length
-    double room = -1;    // m, of the tube about the axis at the start of the step
+    double turn = 0;        // m: how far a point of the axis gets where |q - q0| = 1
+    bool grows = false;     // a beam at a feeder's mouth: its tangents have its length
+    double clearance = -1;  // m, of the tube about the axis at the start of the step
   };
   // A pair that is not clear for certain in the trial.
   struct Near {
@@ -139,7 +139,7 @@ class LineVolumeContact final : public ForceTerm,
   bool tunnels(const Kinematics& trial, const PairBounds& g) const;
   bool is_drawn_in(const Kinematics& trial, const PairBounds& g) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  bool near_start(const Kinematics& trial, const PairBounds& g, double room) const;
+  bool near_start(const Kinematics& trial, const PairBounds& g, double clearance) const;
   // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
   double still_part(const Pair& pair, const Kinematics& at, double force, double depth,

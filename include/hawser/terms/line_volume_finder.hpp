@@ -29,7 +29,7 @@ class LineVolumeFinder {
   // Whether the axis is out of touch for sure; then nothing is found.
   bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // m: of the tube about the axis at the start of the step in which nothing is met.
-  static double room_at_start(const LineVolumePair& pair);
+  static double clearance_at_start(const LineVolumePair& pair);
   // What a pair sees of a facet group of its volume from the place xi, which is at y.
   std::optional<SurfacePoint> see(const LineVolumePair& pair, int group, double xi, const Vec3& y,
                                   double within, bool either_side = false) const;
@@ -58,15 +58,15 @@ class LineVolumeFinder {
   std::vector<ContactInterval> locate(LineVolumePair& pair, int group, const AxisShape& shape,
                                       const RigidPose& pose) const;
   // What is known free of the volume at places of the axis goes for the tube about it.
-  void keep_free(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
-                 std::vector<FreePlace>& places) const;
+  void update_clearance(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
+                        std::vector<ClearancePoint>& places) const;
   void find_facet_groups(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   void assign_past(LineVolumePair& pair) const;
   const Surface& surface(const LineVolumePair& pair) const { return volumes_.surface(pair.volume); }
 
   const ContactVolumes& volumes_;
   model::ContactMethod method_;
-  mutable std::vector<FreePlace> places_;  // while a trial is looked at
+  mutable std::vector<ClearancePoint> places_;  // while a trial is looked at
 };
 
 }  // namespace hawser

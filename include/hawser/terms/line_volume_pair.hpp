@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "hawser/kernels/free_tube.hpp"
+#include "hawser/kernels/clearance_tube.hpp"
 #include "hawser/terms/contact_points.hpp"
 #include "hawser/terms/contact_volumes.hpp"
 
@@ -51,7 +51,7 @@ struct LineVolumePair {
   // Kept from step to step, changes the time and never the answer: where nothing of the volume is within
   // `touch`; nearest triangles of the last query and of those that look ahead; whether there is one facet
   // group only about a chord, where that was asked.
-  mutable FreeTube free;
+  mutable ClearanceTube clearance;
   int hint = -1;
   mutable std::array<int, 3> ahead{-1, -1, -1};
   std::array<Vec3, 2> one_chord{Vec3::Zero(), Vec3::Zero()};

@@ -1,6 +1,6 @@
 // Lower bounds of the distance between an element axis and a volume from distances already known, which spare
 // most searches for contact.
-#include "hawser/kernels/free_tube.hpp"
+#include "hawser/kernels/clearance_tube.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,28 +26,28 @@ double least_between(double w, double a, double b, double reach, double bend) {
 
 }  // namespace
 
-void FreeTube::set(const AxisPoints& axis, double free) {
+void ClearanceTube::set(const AxisPoints& axis, double clearance) {
   double size = 0;
   for (const Vec3& p : axis) size = std::max(size, p.cwiseAbs().maxCoeff());
   at_ = axis;
-  free_ = (1 - kMargin) * free - kRounding * size;
+  clearance_ = (1 - kMargin) * clearance - kRounding * size;
 }
 
-double FreeTube::left(const AxisPoints& axis) const {
-  if (!(free_ > 0)) return -1;
+double ClearanceTube::left(const AxisPoints& axis) const {
+  if (!(clearance_ > 0)) return -1;
   double squared = 0;
   for (std::size_t i = 0; i < axis.size(); ++i) squared = std::max(squared, (axis[i] - at_[i]).squaredNorm());
-  return free_ - (1 + kMargin) * std::sqrt(squared);
+  return clearance_ - (1 + kMargin) * std::sqrt(squared);
 }
 
-double least_distance(const std::vector<FreePlace>& places, double reach, double bend, double& worst) {
+double least_distance(const std::vector<ClearancePoint>& places, double reach, double bend, double& worst) {
   double least = std::numeric_limits<double>::infinity();
   const auto take = [&](double distance, double xi) {
     if (!(distance >= least)) least = distance, worst = xi;
   };
   take(places.front().distance - reach * places.front().xi, 0);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const FreePlace &a = places[i], &b = places[i + 1];
+    const ClearancePoint &a = places[i], &b = places[i + 1];
     take(least_between(b.xi - a.xi, a.distance, b.distance, reach, bend), 0.5 * (a.xi + b.xi));
   }
   take(places.back().distance - reach * (1 - places.back().xi), 1);
