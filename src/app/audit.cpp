@@ -17,15 +17,15 @@ constexpr double kMadeTold = 0.01, kMadeWrong = 0.05, kLostTold = 0.05, kLostWro
 // Rounding and Newton's tolerance: of the strain energy that is there; and what is nothing to any line, J.
 constexpr double kRounding = 1e-6, kNothing = 1e-6;
 
-const char* words(Audit::Step::Touch touch) {
-  switch (touch) {
-    case Audit::Step::Touch::volume:
+const char* words(Audit::Step::ContactWith with) {
+  switch (with) {
+    case Audit::Step::ContactWith::volume:
       return "it touches a volume there";
-    case Audit::Step::Touch::line:
+    case Audit::Step::ContactWith::line:
       return "it touches a line there";
-    case Audit::Step::Touch::seabed:
+    case Audit::Step::ContactWith::seabed:
       return "it touches the seabed there";
-    case Audit::Step::Touch::nothing:
+    case Audit::Step::ContactWith::nothing:
       break;
   }
   return "its motion changes faster than the time steps resolve";
@@ -55,14 +55,14 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   const double rise = error - least_error;
   there = std::max(there, e.kinetic + std::abs(e.strain - start.strain) - rise);
   const bool most = error - before > climb.value;
-  if (most) climb = {error - before, time, h, -1, Step::Touch::nothing};
+  if (most) climb = {error - before, time, h, -1, Step::ContactWith::nothing};
   if (rise > made.value) made = {rise, time, h}, worst = climb;
   if (-error > lost.value) lost = {-error, time, h};
   return most && climb.value > 1e-4 * size();
 }
 
-void Audit::located(int node, Step::Touch touch) {
-  climb.node = node, climb.touch = touch;
+void Audit::located(int node, Step::ContactWith with) {
+  climb.node = node, climb.with = with;
   if (worst.time == climb.time) worst = climb;
 }
 
@@ -96,7 +96,7 @@ std::string Audit::warning(bool fixed, const std::string& where, const std::stri
         "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of "
         "{:.3g} s that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",
         made.value, made.time, 100 * made.value / size(), worst.length, worst.time, worst.value, where,
-        words(worst.touch), remedy(fixed, worst.length));
+        words(worst.with), remedy(fixed, worst.length));
   else
     text = fmt::format(
         "the steps lost {:.3g} J by t = {:.6g} s, {:.3g} % of the work done: they are too long for what "

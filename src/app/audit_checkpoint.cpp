@@ -27,7 +27,7 @@ void numbers(AnAudit& a, Each&& each) {
   for (const auto& [name, s] : {std::pair{"audit.climb.", &a.climb}, {"audit.worst.", &a.worst}}) {
     const std::string prefix = name;
     each(prefix + "value", s->value), each(prefix + "time", s->time), each(prefix + "length", s->length);
-    each(prefix + "node", s->node), each(prefix + "touch", s->touch);
+    each(prefix + "node", s->node), each(prefix + "touch", s->with);
   }
 }
 

@@ -30,7 +30,7 @@ void widen(auto& to, const auto& by) {
   to.other_from = std::min(to.other_from, by.other_from), to.other_to = std::max(to.other_to, by.other_to);
 }
 
-void add(Touch& sum, const Touch& t) {
+void add(ActiveContact& sum, const ActiveContact& t) {
   widen(sum, t);
   sum.force += t.force, sum.energy += t.energy, sum.depth = std::max(sum.depth, t.depth);
 }
@@ -49,13 +49,14 @@ void add(io::ClashRow& sum, const io::ClashRow& r) {
 
 }  // namespace
 
-Touches put_together(Touches touches, const std::vector<double>& by_line) {
-  const auto key = [](const Touch& t) {
+ActiveContacts put_together(ActiveContacts touches, const std::vector<double>& by_line) {
+  const auto key = [](const ActiveContact& t) {
     return std::tuple(pair_of(t), t.from, t.to, t.other_from, t.other_to);
   };
-  std::sort(touches.begin(), touches.end(), [&](const Touch& a, const Touch& b) { return key(a) < key(b); });
-  Touches out;
-  for (const Touch& t : touches) {
+  std::sort(touches.begin(), touches.end(),
+            [&](const ActiveContact& a, const ActiveContact& b) { return key(a) < key(b); });
+  ActiveContacts out;
+  for (const ActiveContact& t : touches) {
     if (out.empty() || pair_of(out.back()) != pair_of(t) ||
         t.from > out.back().to + merge_length(by_line, t.line))
       out.push_back(t);
@@ -65,7 +66,7 @@ Touches put_together(Touches touches, const std::vector<double>& by_line) {
   return out;
 }
 
-void ClashLog::step(double time, std::span<const Touch> touches) {
+void ClashLog::step(double time, std::span<const ActiveContact> touches) {
   // What did not touch at the last step may have been apart for too long by now to go on.
   std::erase_if(open_, [&](const Open& o) {
     const bool over = o.row.end < time_ && time - o.row.end > settings_.merge_gap;
@@ -77,7 +78,7 @@ void ClashLog::step(double time, std::span<const Touch> touches) {
 }
 
 // Open clashes are looked at by pair, as touches are sorted: a step costs what touches and not its square.
-std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const Touch> touches) {
+std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const ActiveContact> touches) {
   const size_t before = open_.size();
   std::vector<Now> now(before);
   std::vector<size_t> by_pair(before);
@@ -85,7 +86,7 @@ std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const Touch> 
   std::stable_sort(by_pair.begin(), by_pair.end(),
                    [&](size_t a, size_t b) { return pair_of(open_[a].row) < pair_of(open_[b].row); });
   size_t known = 0;
-  for (const Touch& t : touches) {
+  for (const ActiveContact& t : touches) {
     const double reach = merge_length(settings_.merge_length, t.line);
     while (known < before && pair_of(open_[by_pair[known]].row) < pair_of(t)) ++known;
     size_t mine = open_.size();
@@ -114,7 +115,7 @@ std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const Touch> 
   return now;
 }
 
-void ClashLog::Now::take(const Touch& t) {
+void ClashLog::Now::take(const ActiveContact& t) {
   if (places.empty())
     sum = t;
   else
@@ -142,7 +143,7 @@ void ClashLog::follow(double time, std::vector<Now> now) {
   for (size_t i = 0; i < open_.size(); ++i) {
     if (now[i].joined) continue;
     Open& o = open_[i];
-    const Touch& t = now[i].sum;  // without a touch: no force
+    const ActiveContact& t = now[i].sum;  // without a touch: no force
     if (time > time_) o.row.impulse += 0.5 * (time - time_) * (o.force + t.force);
     o.force = t.force;
     if (!now[i].places.empty()) {

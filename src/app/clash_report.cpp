@@ -30,13 +30,13 @@ ClashSettings settings_of(const model::Case& c) {
   return s;
 }
 
-void put(std::vector<double>& to, const Touch& t) {
+void put(std::vector<double>& to, const ActiveContact& t) {
   for (const int i : {t.line, t.other_line, t.volume, t.other_volume}) to.push_back(i);
   to.insert(to.end(), {t.from, t.to, t.other_from, t.other_to, t.force, t.energy, t.depth});
 }
 
-Touch touch_at(const double* v) {
-  Touch t;
+ActiveContact touch_at(const double* v) {
+  ActiveContact t;
   int* which[] = {&t.line, &t.other_line, &t.volume, &t.other_volume};
   for (int* i : which) *i = static_cast<int>(*v++);
   for (double* x : {&t.from, &t.to, &t.other_from, &t.other_to, &t.force, &t.energy, &t.depth}) *x = *v++;
@@ -62,14 +62,14 @@ ClashReport::ClashReport(MPI_Comm comm, Simulation& simulation)
 }
 
 void ClashReport::step(double time) {
-  Touches touches;
-  if (sim_.contact()) sim_.contact()->touches(touches);
-  for (Touch& t : touches) t.volume = volumes_[static_cast<size_t>(t.volume)];
-  if (sim_.line_pairs()) sim_.line_pairs()->touches(touches);
-  if (sim_.body_contact()) sim_.body_contact()->touches(touches);
+  ActiveContacts touches;
+  if (sim_.contact()) sim_.contact()->active_contacts(touches);
+  for (ActiveContact& t : touches) t.volume = volumes_[static_cast<size_t>(t.volume)];
+  if (sim_.line_pairs()) sim_.line_pairs()->active_contacts(touches);
+  if (sim_.body_contact()) sim_.body_contact()->active_contacts(touches);
   touches = put_together(std::move(touches), settings_.merge_length);
   steps_.insert(steps_.end(), {time, static_cast<double>(touches.size())});
-  for (const Touch& t : touches) put(steps_, t);
+  for (const ActiveContact& t : touches) put(steps_, t);
   if (++waiting_ >= kMostSteps) collect();
 }
 
@@ -87,7 +87,7 @@ void ClashReport::collect() {
   if (rank_ > 0) return;
   std::vector<size_t> at(starts.begin(), starts.end() - 1);
   for (int k = 0; k < steps; ++k) {
-    Touches touches;
+    ActiveContacts touches;
     double time = 0;
     for (size_t& a : at) {
       time = all[a];

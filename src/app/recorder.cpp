@@ -328,21 +328,23 @@ double Recorder::passed_through(double h) const {
 void Recorder::find_worst(const Kinematics& at) {
   fill(at, true);
   const NodeValue most = sim_.dynamics().roughest();
-  int touch = 0;
+  int with = 0;
   const int n = sim_.local().find(most.node);
   if (n >= 0 && n < sim_.local().owned)
-    for (size_t f = 2; f < fields_.size() && touch == 0; ++f) {
+    for (size_t f = 2; f < fields_.size() && with == 0; ++f) {
       const int components = fields_[f].components;
       double size = 0;
       for (int c = 0; c < components; ++c)
         size += std::abs(values_[f][static_cast<size_t>(n * components + c)]);
       if (size == 0) continue;
-      if (fields_[f].name == "contact_normal_force") touch = static_cast<int>(Audit::Step::Touch::volume);
-      if (fields_[f].name == "line_contact_normal_force") touch = static_cast<int>(Audit::Step::Touch::line);
-      if (fields_[f].name == "seabed_force") touch = static_cast<int>(Audit::Step::Touch::seabed);
+      if (fields_[f].name == "contact_normal_force")
+        with = static_cast<int>(Audit::Step::ContactWith::volume);
+      if (fields_[f].name == "line_contact_normal_force")
+        with = static_cast<int>(Audit::Step::ContactWith::line);
+      if (fields_[f].name == "seabed_force") with = static_cast<int>(Audit::Step::ContactWith::seabed);
     }
-  MPI_Allreduce(MPI_IN_PLACE, &touch, 1, MPI_INT, MPI_MAX, comm_);
-  audit_.located(most.node, static_cast<Audit::Step::Touch>(touch));
+  MPI_Allreduce(MPI_IN_PLACE, &with, 1, MPI_INT, MPI_MAX, comm_);
+  audit_.located(most.node, static_cast<Audit::Step::ContactWith>(with));
 }
 
 std::string Recorder::audit_warning() const {

@@ -210,7 +210,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     }
   }
   if (!model::body_pairs(c).empty() && skeletons.size() == c.volumes.size()) {
-    std::vector<TouchingVolume> touching;
+    std::vector<BodyVolume> touching;
     for (size_t v = 0; v < c.volumes.size(); ++v) touching.push_back({surfaces[v], std::move(skeletons[v])});
     auto contact = std::make_unique<BodyContactTerm>(comm, c, local, bodies_, std::move(touching));
     body_contact_ = contact.get();

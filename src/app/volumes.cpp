@@ -208,7 +208,7 @@ std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVol
 std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<LoadedVolume>& volumes) {
   std::vector<BodySkeleton> out(volumes.size());
   for (const model::BodyPair& p : model::body_pairs(c))
-    if (out[p.a].touches.empty())
+    if (out[p.a].features.empty())
       out[p.a] = body_skeleton(c.volumes[p.a], *volumes[p.a].facets, volumes[p.a].active);
   for (const model::BodyPair& p : model::body_pairs(c))
     for (const size_t v : {p.a, p.b}) {

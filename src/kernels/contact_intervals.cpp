@@ -24,7 +24,7 @@ class Scan {
     const double span = reach_ * (b - a);
     if (!in_a && !in_b && apart(b - a, A.gap, B.gap)) return;
     const bool both = in_a && in_b;
-    if (levels > 0 || (levels > -kFiner && ((bounds_.touch > 0 && !both) || mixed(b - a, A, B)))) {
+    if (levels > 0 || (levels > -kFiner && ((bounds_.contact_distance > 0 && !both) || mixed(b - a, A, B)))) {
       const double m = 0.5 * (a + b);
       const AxisGap M = gap_(m, span);
       piece(a, A, m, M, levels - 1);
@@ -45,11 +45,12 @@ class Scan {
   bool apart(double w, double A, double B) const {
     const double span = reach_ * w;
     if (A + B >= span) return true;
-    const double touch = bounds_.touch;
-    if (!(touch > 0)) return false;
-    const double p = A * (A + 2 * touch), q = B * (B + 2 * touch);  // squares of the distances less touch²
+    const double contact_distance = bounds_.contact_distance;
+    if (!(contact_distance > 0)) return false;
+    const double p = A * (A + 2 * contact_distance),
+                 q = B * (B + 2 * contact_distance);  // squares of the distances less contact_distance²
     // Half the second derivative of the square is at most |x'|² + distance |x''|.
-    const double c = span * span + (std::max(A, B) + touch + span) * bounds_.bend * w * w;
+    const double c = span * span + (std::max(A, B) + contact_distance + span) * bounds_.bend * w * w;
     // Least of (1 - t) p + t q - c t (1 - t).
     const double t = std::clamp(0.5 - (q - p) / (2 * c), 0.0, 1.0);
     return (1 - t) * p + t * q - c * t * (1 - t) > 0;

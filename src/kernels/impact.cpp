@@ -17,7 +17,7 @@ constexpr double kRounding = 1e-12;  // of the energy of what moves as a whole
 
 // Time until something `away` [m], which comes at `speed` [m/s, > 0] and is pushed back by `acceleration`
 // [m/s²], is there; infinite: it turns before.
-double until_touch(double away, double speed, double acceleration) {
+double until_contact(double away, double speed, double acceleration) {
   const double root = speed * speed - 2 * acceleration * away;
   if (root < 0) return kNever;
   return 2 * away / (speed + std::sqrt(root));
@@ -68,10 +68,10 @@ std::optional<ImpactEvent> impact_event(double slowness, double seen, double mas
   s.resolved_ = kAbove * step;
   if (at.gap < 0) {
     // The contact pushes at the start of that step and no more at its end: the trapezoid sees half of it.
-    if (at.last && at.closing < 0) s.crossing_ = until_touch(-at.gap, -at.closing, -0.5 * at.acceleration);
+    if (at.last && at.closing < 0) s.crossing_ = until_contact(-at.gap, -at.closing, -0.5 * at.acceleration);
   } else if (at.closing > 0) {
     // Accelerations change on the way.
-    s.crossing_ = std::min(until_touch(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
+    s.crossing_ = std::min(until_contact(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
     s.resolved_ += s.crossing_;
   } else if (!(by_acceleration > seen)) {
     return {};  // it leaves; else it shakes as fast as the contact would

@@ -86,7 +86,7 @@ std::vector<LinePairSide::Panel> LinePairSide::panels() const {
   // Along the slave, less the smoothing.
   const auto gap = [this](double xi, double) -> AxisGap {
     const AxisProjection f = projection(master_.now, part_, slave_.now.point(xi));
-    return {f.distance - touch(), f.normal.dot(slave_.now.slope(xi))};
+    return {f.distance - contact_distance(), f.normal.dot(slave_.now.slope(xi))};
   };
   const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
   std::vector<Panel> out;
@@ -109,7 +109,8 @@ void LinePairSide::split(const Panel& panel, std::vector<Panel>& out) const {
     if (!xi) continue;
     const Vec3 x1 = slave_.now.slope(*xi), t = master_.now.slope(eta);
     if (std::abs(x1.dot(t)) < kSteep * x1.norm() * t.norm()) continue;
-    if ((slave_.now.point(*xi) - master_.now.point(eta)).norm() >= touch()) continue;  // another bend
+    if ((slave_.now.point(*xi) - master_.now.point(eta)).norm() >= contact_distance())
+      continue;  // another bend
     cuts[n].from = *xi;
     cuts[n++].at_from = eta == 0 ? End::first_joint : End::second_joint;
   }

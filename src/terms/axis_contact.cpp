@@ -68,7 +68,7 @@ void AxisContact::add_panel(const ContactPlaces& found, size_t panel, std::vecto
   const bool moves = mode_.moves;
   const double L = pair_.length, span = s.to - s.from;
   const ContactLaw law = pair_.law(s);
-  const double touch = pair_.radius + law.normal.smoothing;
+  const double contact_distance = pair_.radius + law.normal.smoothing;
   std::array<Moving, 2> ends;
   if (mode_.tangent && !mode_.convex) ends = moving_ends(s);
   const bool moving = ends[0].on || ends[1].on;
@@ -77,7 +77,7 @@ void AxisContact::add_panel(const ContactPlaces& found, size_t panel, std::vecto
                                     [&](const ContactPlace& p) { return p.panel < panel; });
   for (; place != found.places.end() && place->panel == panel; ++place) {
     const ContactPlace& there = *place;
-    if (!(there.at.distance <= touch)) continue;
+    if (!(there.at.distance <= contact_distance)) continue;
     const double xi = there.xi, w = there.weight;
     const Vec3 x = shape_.point(xi);
     ContactTrial trial;

@@ -29,7 +29,7 @@ AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
 }  // namespace
 
 BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                                 std::shared_ptr<const Bodies> bodies, std::vector<TouchingVolume> volumes)
+                                 std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes)
     : comm_(comm), mesh_(mesh), bodies_(std::move(bodies)), volumes_(std::move(volumes)) {
   if (volumes_.size() != c.volumes.size()) throw std::invalid_argument("body contact needs all volumes");
   for (const model::Volume& v : c.volumes) {
@@ -43,7 +43,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     sides_.push_back(s);
     names_.push_back("volume " + v.name + (v.body.empty() ? "" : " of body " + v.body));
   }
-  for (const TouchingVolume& v : volumes_) boxes_.push_back(v.surface->bounds());
+  for (const BodyVolume& v : volumes_) boxes_.push_back(v.surface->bounds());
   for (const model::BodyPair& p : model::body_pairs(c)) {
     const model::Volume& v = c.volumes[p.a];
     Pair pair;
@@ -55,7 +55,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
       around.add(Box{b.centre, b.centre}.grown(b.radius));
     };
     const BodySkeleton& leads = volumes_[p.a].skeleton;
-    std::for_each(leads.touches.begin(), leads.touches.end(), add);
+    std::for_each(leads.features.begin(), leads.features.end(), add);
     if (!around.empty())
       pair.middle = around.centre() - sides_[p.a].centre, pair.radius = 0.5 * around.extent().norm();
     const Vec3 extent = boxes_[p.a].extent();
@@ -78,7 +78,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     }
     pairs_.push_back(pair);
   }
-  for (const TouchingVolume& v : volumes_) {
+  for (const BodyVolume& v : volumes_) {
     Box around;
     for (const auto& b : v.skeleton.faces) around.add(Box{b.centre, b.centre}.grown(b.radius));
     faces_.push_back(around);
@@ -138,11 +138,11 @@ BodyContactTerm::Both BodyContactTerm::both(const Pair& pair, const Kinematics& 
 }
 
 // A corner is an edge of no length.
-void BodyContactTerm::touch_along(const Pair& pair, const Both& at, const RigidPose& pose,
-                                  const SkeletonPart& e, const AxisContactMode& mode, double* f, double* K,
-                                  double* C, Sum& sum) const {
+void BodyContactTerm::contact_along_axis(const Pair& pair, const Both& at, const RigidPose& pose,
+                                         const SkeletonPart& e, const AxisContactMode& mode, double* f,
+                                         double* K, double* C, Sum& sum) const {
   const Surface& surface = *volumes_[pair.b].surface;
-  const double touch = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
+  const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
                weight = pair.share * (length > 0 ? length : e.weight);
   const AxisShape shape = chord(at.A, e.from, e.to);
   const auto see = [&](double xi, double within) {
@@ -150,10 +150,10 @@ void BodyContactTerm::touch_along(const Pair& pair, const Both& at, const RigidP
   };
   ContactPlaces found;
   if (length > 0) {
-    const AxisGapFunction gap = axis_distance(surface, pose, shape, touch);
+    const AxisGapFunction gap = axis_distance(surface, pose, shape, contact_distance);
     found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
-                     [&](double xi) { return see(xi, touch); });
-  } else if (const auto p = see(0, touch)) {
+                     [&](double xi) { return see(xi, contact_distance); });
+  } else if (const auto p = see(0, contact_distance)) {
     found.panels.emplace_back();
     found.places.push_back({0, weight, 0, 1, 0, *p});
   }
@@ -164,7 +164,7 @@ void BodyContactTerm::touch_along(const Pair& pair, const Both& at, const RigidP
                        [&](const ContactPanel&) {
                          return ContactLaw{pair.law, {}};
                        },
-                       [&](const ContactPanel&, double xi) { return see(xi, touch + 1e-9); },
+                       [&](const ContactPanel&, double xi) { return see(xi, contact_distance + 1e-9); },
                        {}},
                       mode);
   std::vector<AxisContactPoint> points;
@@ -174,7 +174,7 @@ void BodyContactTerm::touch_along(const Pair& pair, const Both& at, const RigidP
   stencil.blocks = 2;
   for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, y, at.A.R, at.A.w});
   contact.to_blocks(stencil, f, K, C);
-  sum.touches = true;
+  sum.active = true;
   for (const AxisContactPoint& p : points) {
     const Vec3 x = shape.point(p.xi), speed = shape.velocity(p.xi) - pose.velocity_at(x);
     sum.potential += p.weight * p.potential;
@@ -183,8 +183,8 @@ void BodyContactTerm::touch_along(const Pair& pair, const Both& at, const RigidP
   }
 }
 
-BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Both& at,
-                                            const AxisContactMode& mode) const {
+BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
+                                              const AxisContactMode& mode) const {
   const BodyFrame &A = at.A, &B = at.B, &Bs = at.Bs;
   const Vec3& ca = sides_[pair.a].centre;  // zero of one with prescribed motion
   RigidPose pose;
@@ -202,13 +202,13 @@ BodyContactTerm::Sum BodyContactTerm::touch(const Pair& pair, const Both& at,
   std::array<double, 6> f{};
   std::array<double, 36> K{}, C{};
   double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
-  for (const SkeletonBundle& b : skeleton.touches)
+  for (const SkeletonBundle& b : skeleton.features)
     if (near(b))
       for (SkeletonPart p : b.parts) {
         p.from -= ca, p.to -= ca;
-        touch_along(pair, at, pose, p, mode, f.data(), k, c, sum);
+        contact_along_axis(pair, at, pose, p, mode, f.data(), k, c, sum);
       }
-  if (!sum.touches) return sum;
+  if (!sum.active) return sum;
   const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};
   sum.on = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f.data(), k, c);
   return sum;
@@ -219,8 +219,8 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!p.here) continue;
     const Side &a = sides_[p.a], &b = sides_[p.b];
     const bool tangent = assembler.wants_tangent();
-    const Sum s = touch(p, both(p, trial), {true, tangent, false});
-    if (!s.touches) continue;
+    const Sum s = contact(p, both(p, trial), {true, tangent, false});
+    if (!s.active) continue;
     std::array<int, 4> blocks{};
     std::array<int, 12> row{};  // of the twelve
     int n = 0;
@@ -259,9 +259,9 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
   for (Pair& p : pairs_) {
     if (!p.here) continue;
     p.at = both(p, committed);
-    const Sum s = touch(p, p.at, kStiffness);
+    const Sum s = contact(p, p.at, kStiffness);
     p.potential = s.potential, p.seen = s.depth;
-    p.elastic = s.touches ? Vec12(touch(p, p.at, kSprings).on.f) : Vec12(Vec12::Zero());
+    p.elastic = s.active ? Vec12(contact(p, p.at, kSprings).on.f) : Vec12(Vec12::Zero());
     p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.at) + s.potential;
     if (p.counted) powers(p, s, committed, p.damping_power, p.work_power);
@@ -272,7 +272,7 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
 void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
     if (!p.counted) continue;
-    const Sum s = touch(p, both(p, accepted), {true});
+    const Sum s = contact(p, both(p, accepted), {true});
     p.depth = std::max(p.depth, s.depth), p.potential = s.potential;
     p.now.force = s.on.f.segment<3>(0).norm();
     p.now.energy = s.potential, p.now.depth = s.depth;
@@ -289,17 +289,17 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
-    e.strain += at.step > 0 ? p.potential : touch(p, both(p, at), kSprings).potential;
+    e.strain += at.step > 0 ? p.potential : contact(p, both(p, at), kSprings).potential;
     e.damping += p.damping, e.work += p.work;
   }
   return e;
 }
 
 // Of a pair of which both lead it is one touch, told by two.
-void BodyContactTerm::touches(Touches& out) const {
+void BodyContactTerm::active_contacts(ActiveContacts& out) const {
   for (const Pair& p : pairs_) {
     if (!p.counted || !(p.now.force > 0)) continue;
-    Touch t = p.now;
+    ActiveContact t = p.now;
     t.volume = static_cast<int>(std::min(p.a, p.b)), t.other_volume = static_cast<int>(std::max(p.a, p.b));
     out.push_back(t);
   }

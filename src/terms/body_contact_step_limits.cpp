@@ -39,7 +39,7 @@ void BodyContactTerm::Both::move(double time) {
 }
 
 double BodyContactTerm::frequency(const Pair& pair, const Sum& s) const {
-  if (!s.touches) return 0;
+  if (!s.active) return 0;
   Mat12 W = Mat12::Zero();  // inverse of the root of the mass
   for (const auto& [side, first] : {std::pair(&sides_[pair.a], 0), std::pair(&sides_[pair.b], 6)}) {
     if (side->global < 0) continue;
@@ -73,7 +73,7 @@ std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pai
   const SkeletonPart* best = nullptr;
   AxisToSurface found;
   double gap = within;
-  for (const SkeletonBundle& b : volumes_[pair.a].skeleton.touches) {
+  for (const SkeletonBundle& b : volumes_[pair.a].skeleton.features) {
     const Vec3 z = there(b.centre);
     const double reach = b.radius + std::max(gap, 0.0);
     if (squared_distance(boxes_[pair.b], z) > reach * reach) continue;
@@ -97,7 +97,7 @@ double BodyContactTerm::followed(const Pair& pair, const Both& at, double most) 
   const auto follows = [&](double h) {
     Both there = at;
     there.move(h);
-    const double w = frequency(pair, touch(pair, there, kStiffness));
+    const double w = frequency(pair, contact(pair, there, kStiffness));
     return h * w <= 2 * M_PI / kStepsAPeriod;
   };
   if (follows(most)) return most;
@@ -177,15 +177,15 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const Both now = both(p, trial);
-    const Sum s = touch(p, now, kSprings);
-    if (!s.touches && p.potential == 0) continue;
+    const Sum s = contact(p, now, kSprings);
+    if (!s.active && p.potential == 0) continue;
     Vec12 way;
     way.segment<3>(0) = now.A.x - p.at.A.x, way.segment<3>(6) = now.B.x - p.at.B.x;
     way.segment<3>(3) = log_so3(Quat(Mat3(p.at.A.R.transpose() * now.A.R)));
     way.segment<3>(9) = log_so3(Quat(Mat3(p.at.B.R.transpose() * now.B.R)));
     const double made = s.potential - p.potential - 0.5 * (p.elastic + s.on.f).dot(way);
     if (!(std::abs(made) > kEnergyError * std::max(p.energy, s.potential))) continue;
-    const double w = std::max(p.frequency, frequency(p, touch(p, now, kStiffness)));
+    const double w = std::max(p.frequency, frequency(p, contact(p, now, kStiffness)));
     if (trial.step * w > 2 * M_PI / kShortest) to.too_deep = true;
   }
 }
@@ -212,7 +212,7 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
                         BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing),
                         true);
   };
-  return std::any_of(skeleton.touches.begin(), skeleton.touches.end(), [&](const SkeletonBundle& b) {
+  return std::any_of(skeleton.features.begin(), skeleton.features.end(), [&](const SkeletonBundle& b) {
     return near(b) && std::any_of(b.parts.begin(), b.parts.end(),
                                   [&](const SkeletonPart& p) { return meets(p.from, p.to, p.radius); });
   });

@@ -119,7 +119,7 @@ LinePairs::Trial& LinePairs::find(Pair& pair, const PairAxis& A, const PairAxis&
   t = std::make_unique<Trial>(Trial{A.now, B.now});
   sides(pair, A, B, false, false, [&](size_t part, const LinePairSide& side) {
     t->panels[part] = side.panels();
-    t->touches |= !t->panels[part].empty();
+    t->active |= !t->panels[part].empty();
   });
   return *t;
 }
@@ -147,7 +147,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!near(pair, is)) continue;
     const PairAxis A = axis(trial, pair.a), B = axis(trial, pair.b);
     Trial& found = find(pair, A, B);
-    if (!found.touches) continue;
+    if (!found.active) continue;
     for (const bool swapped : {false, true}) {
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
       const std::optional<AttachedForces> g = forces(pair, A, B, found, swapped, mode);

@@ -14,12 +14,12 @@ void reach(double& from, double& to, double arc) { from = std::min(from, arc), t
 
 }  // namespace
 
-void LinePairs::touches(Touches& out) const {
+void LinePairs::active_contacts(ActiveContacts& out) const {
   const Mesh& mesh = *mesh_.mesh;
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.history) continue;
     const Element &a = element(pair.key.first), &b = element(pair.key.second);
-    Touch t;
+    ActiveContact t;
     t.line = a.line, t.other_line = b.line;
     t.from = t.other_from = HUGE_VAL, t.to = t.other_to = -HUGE_VAL;
     for (size_t k = 0; k < kParts; ++k) {

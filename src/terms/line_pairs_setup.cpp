@@ -91,7 +91,7 @@ bool LinePairs::joint(int element, int end) const {
   return !candidates_.left_out(end ? element + 1 : element - 1);
 }
 
-int LinePairs::touching() const {
+int LinePairs::active_count() const {
   return static_cast<int>(
       std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.counted && p.history; }));
 }

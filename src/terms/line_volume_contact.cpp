@@ -110,12 +110,12 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
   const RigidPose& pose = volumes_.start_pose(pair.volume);
   pair.length = at.length, pair.radius = settings(pair).radius, pair.held = settings(pair).held;
   pair.laws = laws(pair);
-  pair.touch = pair.radius + pair.smoothing();
+  pair.contact_distance = pair.radius + pair.smoothing();
   const double speed =
       std::max((at.v1 - pose.velocity_at(at.x1)).norm(), (at.v2 - pose.velocity_at(at.x2)).norm());
   const double margin = std::max(2 * h * speed, 0.5 * pair.length);
   const double away = distance(volumes_.box(pair.volume), pose.to_body(shape.point(0.5)));
-  if (h > 0 && away > pair.touch + margin + 0.5 * shape.reach() && !finder_.by_gap()) return false;
+  if (h > 0 && away > pair.contact_distance + margin + 0.5 * shape.reach() && !finder_.by_gap()) return false;
   pair.part = volumes_.takes_part(e.line, pair.volume, arc_at(*mesh_.mesh, e, 0), arc_at(*mesh_.mesh, e, 1));
   if (pair.part.none()) return false;
   pair.levels = contact_levels(pair.length, pair.radius);
@@ -146,8 +146,8 @@ void LineVolumeContact::start_facet_groups(Pair& pair, double motion) const {
   }
   for (size_t i = 0; i < 2; ++i)
     if (!pair.springs[i].paired)
-      pair.springs[i] =
-          finder_.spring_at(pair.volume, pose.to_body(shape.point(static_cast<double>(i))), pair.touch);
+      pair.springs[i] = finder_.spring_at(pair.volume, pose.to_body(shape.point(static_cast<double>(i))),
+                                          pair.contact_distance);
 }
 
 int LineVolumeContact::candidates() const { return static_cast<int>(pairs_.size()); }

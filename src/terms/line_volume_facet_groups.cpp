@@ -17,8 +17,8 @@ constexpr double kSagitta = 0.05;  // of that distance: how far the axis is from
 constexpr double kGrid = 0.125;    // the same: of places that are asked whether there is one facet group
 
 // The axis as a polyline in the body's frame.
-std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double touch) {
-  const double chords = std::sqrt(shape.bend_bound() / (8 * kSagitta * touch));
+std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double contact_distance) {
+  const double chords = std::sqrt(shape.bend_bound() / (8 * kSagitta * contact_distance));
   const int n = static_cast<int>(std::clamp(std::ceil(chords), 1.0, 16.0));
   std::vector<Vec3> points;
   for (int i = 0; i <= n; ++i) points.push_back(pose.to_body(shape.point(static_cast<double>(i) / n)));
@@ -44,11 +44,11 @@ std::optional<SurfacePoint> LineVolumeFinder::see(const LineVolumePair& pair, in
 // now, and a run that goes on from a checkpoint decides as the one that made it.
 bool LineVolumeFinder::one_facet_group(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
                                        double motion) const {
-  const double grid = kGrid * pair.touch;
+  const double grid = kGrid * pair.contact_distance;
   std::array<Vec3, 2> chord{pose.to_body(shape.point(0)), pose.to_body(shape.point(1))};
   for (Vec3& end : chord)
     for (double& x : end) x = grid * std::round(x / grid);
-  const double need = kTogether * pair.touch + motion + shape.bend_bound() / 8;
+  const double need = kTogether * pair.contact_distance + motion + shape.bend_bound() / 8;
   const double reach = grid * std::ceil(need / grid + 0.5 * std::sqrt(3.0));
   if (reach == pair.one_reach && chord == pair.one_chord) return pair.one;
   pair.one = surface(pair).one_facet_group(chord, reach);
@@ -59,12 +59,12 @@ bool LineVolumeFinder::one_facet_group(LineVolumePair& pair, const AxisShape& sh
 // Facet groups of the trial alone: of the axis, and of what was left by the last step.
 void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& shape,
                                          const RigidPose& pose) const {
-  const auto p =
-      surface(pair).query(pose.to_body(shape.point(0.5)), pair.touch + 2 * shape.reach(), pair.hint);
+  const auto p = surface(pair).query(pose.to_body(shape.point(0.5)),
+                                     pair.contact_distance + 2 * shape.reach(), pair.hint);
   if (p) pair.hint = p->triangle;
-  if (p && p->distance - pair.touch < 0.5 * shape.reach())
-    surface(pair).facet_groups(polyline(shape, pose, pair.touch), kTogether * pair.touch,
-                               pair.seen.facet_groups);
+  if (p && p->distance - pair.contact_distance < 0.5 * shape.reach())
+    surface(pair).facet_groups(polyline(shape, pose, pair.contact_distance),
+                               kTogether * pair.contact_distance, pair.seen.facet_groups);
   assign_past(pair);
 }
 
@@ -109,8 +109,8 @@ void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
 }
 
 void LineVolumeFinder::facet_groups_ahead(const LineVolumePair& pair, double ahead, FacetGroups& out) const {
-  surface(pair).facet_groups(polyline(pair.start.shape, pair.start.pose, pair.touch),
-                             kTogether * pair.touch + ahead, out);
+  surface(pair).facet_groups(polyline(pair.start.shape, pair.start.pose, pair.contact_distance),
+                             kTogether * pair.contact_distance + ahead, out);
 }
 
 }  // namespace hawser

@@ -41,19 +41,19 @@ void LineVolumeContact::fields(FieldRegistry& registry) const {
 }
 
 // One for each panel: panels that meet are put together where intervals are.
-void LineVolumeContact::touches(Touches& out) const {
+void LineVolumeContact::active_contacts(ActiveContacts& out) const {
   for (const Pair& pair : pairs_) {
     if (!local(pair).counted) continue;
     const Element& e = element(pair);
     std::pair<int, double> panel(-1, 0);  // facet group and where it begins
     for (const AxisContactPoint& p : pair.points) {
       if (std::pair(p.group, p.from) != panel) {
-        Touch& t = out.emplace_back();
+        ActiveContact& t = out.emplace_back();
         t.line = e.line, t.volume = pair.volume;
         t.from = arc_at(*mesh_.mesh, e, p.from), t.to = arc_at(*mesh_.mesh, e, p.to);
         panel = {p.group, p.from};
       }
-      Touch& t = out.back();
+      ActiveContact& t = out.back();
       t.force += p.weight * p.normal_force, t.energy += p.weight * p.potential;
       t.depth = std::max(t.depth, -p.gap);
     }
@@ -71,7 +71,7 @@ std::vector<Vec3> LineVolumeContact::forces_by_volume(const Kinematics& at) cons
   return out;
 }
 
-int LineVolumeContact::touching() const {
+int LineVolumeContact::active_count() const {
   return static_cast<int>(std::count_if(
       pairs_.begin(), pairs_.end(), [this](const Pair& p) { return !p.points.empty() && local(p).counted; }));
 }

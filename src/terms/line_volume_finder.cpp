@@ -44,8 +44,8 @@ class LineVolumeFinder::Gap {
 
   std::optional<SurfacePoint> see(double xi, double within) {
     const Vec3 y = pose_.to_body(shape_.point(xi));
-    const auto p = finder_.see(pair_, group_, xi, y, pair_.touch + within);
-    const double distance = (p ? p->distance - pair_.touch : within) + pair_.touch;
+    const auto p = finder_.see(pair_, group_, xi, y, pair_.contact_distance + within);
+    const double distance = (p ? p->distance - pair_.contact_distance : within) + pair_.contact_distance;
     places_.push_back({xi, finder_.surface(pair_).free_radius(y, distance)});
     if (p) pair_.hint = p->triangle;
     return p;
@@ -54,13 +54,13 @@ class LineVolumeFinder::Gap {
   bool may_touch() {
     const double within = kFirst * shape_.reach();
     const auto p = see(0.5, within);
-    middle_ = {p ? p->distance - pair_.touch : within, p ? slope(0.5, *p) : 0};
+    middle_ = {p ? p->distance - pair_.contact_distance : within, p ? slope(0.5, *p) : 0};
     return middle_->gap < 0.5 * shape_.reach();
   }
   AxisGap operator()(double xi, double within) {
     if (xi == 0.5 && middle_) return *middle_;
     const auto p = see(xi, within);
-    return p ? AxisGap{p->distance - pair_.touch, slope(xi, *p)} : AxisGap{within, 0};
+    return p ? AxisGap{p->distance - pair_.contact_distance, slope(xi, *p)} : AxisGap{within, 0};
   }
 
  private:
@@ -92,17 +92,17 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
   const auto by_xi = [](const ClearancePoint& a, const ClearancePoint& b) { return a.xi < b.xi; };
   std::sort(places.begin(), places.end(), by_xi);
   double least = std::numeric_limits<double>::infinity(), worst = 0;
-  for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.touch);
+  for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.contact_distance);
   if (!(least > 0)) return;
-  double free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.touch;
+  double free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.contact_distance;
   for (int i = 0; i < kPlaces && free < kCertain * least; ++i) {
     const Vec3 y = pose.to_body(shape.point(worst));
-    const double within = pair.touch + 2 * least;
+    const double within = pair.contact_distance + 2 * least;
     const auto p = surface(pair).query(y, within, pair.hint);
     const ClearancePoint more{worst, surface(pair).free_radius(y, p ? p->distance : within)};
     places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
-    least = std::min(least, more.distance - pair.touch);
-    free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.touch;
+    least = std::min(least, more.distance - pair.contact_distance);
+    free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.contact_distance;
   }
   pair.clearance.offer(axis_points(shape, pose), free);
 }
@@ -117,7 +117,7 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
   const AxisShape& start = pair.start.shape;
   std::vector<ClearancePoint> places;
   Gap gap(*this, pair, 0, start, pair.start.pose, places);
-  *pair.before = contact_intervals(std::ref(gap), {start.reach(), pair.touch, start.bend_bound()},
+  *pair.before = contact_intervals(std::ref(gap), {start.reach(), pair.contact_distance, start.bend_bound()},
                                    pair.levels + kCloser);
   return *pair.before;
 }
@@ -129,8 +129,8 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
   const std::vector<ContactInterval>& before = intervals_at_start(pair);
   std::vector<ContactInterval> intervals;
   if (near)
-    intervals = contact_intervals(std::ref(gap), {shape.reach(), pair.touch, shape.bend_bound()}, pair.levels,
-                                  middles(inactive_intervals(before)));
+    intervals = contact_intervals(std::ref(gap), {shape.reach(), pair.contact_distance, shape.bend_bound()},
+                                  pair.levels, middles(inactive_intervals(before)));
   // Of one facet group alone it says nothing of the others.
   if (intervals.empty() && !pair.group(group)) update_clearance(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
@@ -142,7 +142,7 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
 void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisShape& shape,
                                   const RigidPose& pose) const {
   pair.found.add_panels(locate(pair, group, shape, pose), group, pair.length, [&](double xi) {
-    const auto p = see(pair, group, xi, pose.to_body(shape.point(xi)), pair.touch);
+    const auto p = see(pair, group, xi, pose.to_body(shape.point(xi)), pair.contact_distance);
     if (p) pair.hint = p->triangle;
     return p;
   });
@@ -184,10 +184,10 @@ const ContactPlaces& LineVolumeFinder::find(LineVolumePair& pair, const AxisShap
 }
 
 // Anywhere on the surface; a plane's box is of no size to speak of.
-GapSpring LineVolumeFinder::spring_at(int volume, const Vec3& y, double touch) const {
+GapSpring LineVolumeFinder::spring_at(int volume, const Vec3& y, double contact_distance) const {
   const Surface& surface = volumes_.surface(volume);
   const Box box = surface.bounds();
-  const auto p = surface.query(y, distance(box, y) + std::min(box.extent().norm(), 1e6) + touch);
+  const auto p = surface.query(y, distance(box, y) + std::min(box.extent().norm(), 1e6) + contact_distance);
   return p ? GapSpring{true, y - p->distance * p->normal, p->normal} : GapSpring{};
 }
 

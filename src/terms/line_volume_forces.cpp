@@ -24,7 +24,8 @@ AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
                 {pair.radius, pair.length,
                  [&](const ContactPanel& s) { return applied(pair.law(0.5 * (s.from + s.to))); },
                  [&](const ContactPanel& s, double xi) {
-                   return finder_.see(pair, s.group, xi, pose.to_body(shape.point(xi)), pair.touch + 1e-9);
+                   return finder_.see(pair, s.group, xi, pose.to_body(shape.point(xi)),
+                                      pair.contact_distance + 1e-9);
                  },
                  [&](const ContactPanel& s, double xi, ContactRates* rates) {
                    return finder_.start(pair, s.group, xi, rates);

@@ -30,7 +30,7 @@ bool sinks_too_far(double radius, double before, double after) {
 
 void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to) const {
   for (const Pair& pair : pairs_) {
-    limit_by_touch(pair, committed, to);
+    limit_by_active_contacts(pair, committed, to);
     limit_ahead(pair, committed, to);
   }
 }
@@ -47,8 +47,8 @@ void LineVolumeContact::strike_at(const Pair& pair, const Kinematics& committed,
     to.add(impact_event(s.slowness, s.seen, settings(pair).mass_per_length * share, at), element(pair).line);
 }
 
-void LineVolumeContact::limit_by_touch(const Pair& pair, const Kinematics& committed,
-                                       ImpactEvents& to) const {
+void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinematics& committed,
+                                                 ImpactEvents& to) const {
   // All of the contact with a facet group ends with its deepest place; nodes are each by themselves.
   const bool apart = finder_.at_nodes();
   const auto last = pair.points.end();
@@ -70,7 +70,7 @@ void LineVolumeContact::predict_impacts(const Pair& pair, const Kinematics& comm
   const bool touching = std::any_of(pair.points.begin(), pair.points.end(),
                                     [&](const AxisContactPoint& h) { return !apart || h.xi == xi; });
   // Simpson's rule, or that of the nodes; what touches has been looked at.
-  const double gap = p.distance - pair.touch, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
+  const double gap = p.distance - pair.contact_distance, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
   strike_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to);
 }
 
@@ -85,7 +85,7 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
       if (!finder_.takes_part(pair, xi)) continue;
       const auto p = volumes_.surface(pair.volume)
                          .query_group(w, pair.start.pose.to_body(pair.start.shape.point(xi)),
-                                      pair.touch + 0.5 * (pair.start.shape.reach() + speed(xi)));
+                                      pair.contact_distance + 0.5 * (pair.start.shape.reach() + speed(xi)));
       if (p) predict_impacts(pair, committed, xi, *p, to);
     }
   return facet_groups.several();
@@ -102,7 +102,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   for (size_t i = 0; i < kPlaces.size(); ++i) {
     const double xi = kPlaces[i], speed = velocity_at_start(pair, xi).norm();
     // Look ahead as far as it gets in half a second.
-    const double far = 0.5 * (start.reach() + speed), within = pair.touch + far;
+    const double far = 0.5 * (start.reach() + speed), within = pair.contact_distance + far;
     const ContactSpring s = spring(pair, xi);
     const bool matters = may_limit_depth(pair.radius, clearance, speed, to) ||
                          may_impact(s.slowness, s.seen, speed, along(committed.a, local(pair), xi).norm());
@@ -118,8 +118,9 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   }
   if (free.size() < kPlaces.size()) return;
   double worst = 0;
-  pair.clearance.offer(axis_points(start, pair.start.pose),
-                       least_distance(free, start.reach(), start.bend_bound(), worst) - pair.touch);
+  pair.clearance.offer(
+      axis_points(start, pair.start.pose),
+      least_distance(free, start.reach(), start.bend_bound(), worst) - pair.contact_distance);
 }
 
 // The places that a contact no longer reaches, where it ended or grew shorter, and those that it newly does.
@@ -169,7 +170,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
       const double came = -p.at.normal.dot(way);
-      if (!(came > pair.touch - p.at.distance)) continue;
+      if (!(came > pair.contact_distance - p.at.distance)) continue;
       const NormalForce f = normal_force(pair.law(p.xi).normal, p.at.distance - pair.radius, 0);
       add(p.xi, p.weight, f.elastic, f.potential, came, came / trial.step);
     }

@@ -25,16 +25,16 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double reach, ContactTria
   trial.gap = smoothing + reach;
   if (p.clear - (1 + 1e-9) * (x - p.centre).norm() > reach) return false;
   const double look = std::max(2 * reach, 0.5 * element_[static_cast<size_t>(p.node)]);
-  const auto s = surface_->query(x, touch(p) + look, p.hint);
+  const auto s = surface_->query(x, contact_distance(p) + look, p.hint);
   p.centre = x;
   if (!s) {
     // Of a mesh it may also lie under the bed beyond the edge: only above the box is nothing near for sure.
     const bool endless = !std::isfinite(bounds_.hi.z());
-    p.clear = endless ? look : std::min(look, distance(bounds_, x) - touch(p));
+    p.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
     return false;
   }
   p.hint = s->triangle;
-  p.clear = s->distance - touch(p);
+  p.clear = s->distance - contact_distance(p);
   // Not what was asked before but where it is decides.
   trial.gap = std::min(s->distance - p.radius, smoothing + reach);
   trial.normal = s->normal, trial.curvature = s->curvature;
@@ -166,14 +166,14 @@ void SeabedTerm::commit(const Kinematics& accepted) {
     ContactTrial at;
     const PointContact c = contact(p, accepted, false, at);
     History next;
-    if (c.normal.elastic > 0) next = History(c, at.normal), next.touches = true;
+    if (c.normal.elastic > 0) next = History(c, at.normal), next.active = true;
     if (const double pulled = pull(p, at, accepted.step).force; pulled > 0) {
       next.normal = at.normal;
       next.force -= pulled * at.normal, next.damping_force -= pulled;
     }
     hold(p, at.gap, accepted.step > 0, next);
     next.friction_work = p.history.friction_work, next.damping_work = p.history.damping_work;
-    if (accepted.step > 0 && (next.touches || p.history.touches || p.history.held)) {
+    if (accepted.step > 0 && (next.active || p.history.active || p.history.held)) {
       const Vec3 moved = of_nodes(p, accepted.x) - p.start.point;
       next.friction_work -= 0.5 * (next.friction + p.history.friction).dot(moved);
       next.damping_work -=
@@ -229,9 +229,9 @@ Vec3 SeabedTerm::node_force(int node) const {
   return sum;
 }
 
-int SeabedTerm::touching() const {
+int SeabedTerm::active_count() const {
   return static_cast<int>(std::count_if(points_.begin(), points_.end(),
-                                        [](const Point& p) { return p.counted && p.history.touches; }));
+                                        [](const Point& p) { return p.counted && p.history.active; }));
 }
 
 }  // namespace hawser

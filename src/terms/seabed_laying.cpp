@@ -22,7 +22,7 @@ SeabedTerm::Lying SeabedTerm::lying(MPI_Comm comm, const Kinematics& at) const {
       all.x[static_cast<size_t>(3 * mesh_.global[static_cast<size_t>(i)] + c)] =
           at.x[static_cast<size_t>(i)][c];
   for (const Point& p : points_)
-    if (p.second < 0) all.reach[number(p)] = touch(p);
+    if (p.second < 0) all.reach[number(p)] = contact_distance(p);
   MPI_Allreduce(MPI_IN_PLACE, all.x.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
   MPI_Allreduce(MPI_IN_PLACE, all.reach.data(), static_cast<int>(n), MPI_DOUBLE, MPI_MAX, comm);
   return all;

@@ -17,7 +17,7 @@ std::vector<HistoryRecord> SeabedTerm::save() const {
   std::vector<HistoryRecord> records;
   for (const Point& p : points_) {
     const History& h = p.history;
-    if (!h.touches && h.deepest == 0 && h.friction_work == 0 && h.damping_work == 0) continue;
+    if (!h.active && h.deepest == 0 && h.friction_work == 0 && h.damping_work == 0) continue;
     HistoryRecord r;
     put(h, r.values);
     for (const int node : {p.node, p.second}) {

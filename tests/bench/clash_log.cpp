@@ -8,12 +8,12 @@ namespace {
 
 // Lines that lie on a volume at ten places each, panels of half a metre, three to a place; half of the places
 // come and go.
-Touches touching(int number, int step) {
-  Touches out;
+ActiveContacts touching(int number, int step) {
+  ActiveContacts out;
   for (int i = 0; i < number; ++i) {
     const int line = i / 30, place = i / 3;
     if (place % 2 && (place + step) % 7 == 0) continue;
-    Touch t;
+    ActiveContact t;
     t.line = line, t.volume = 0;
     t.from = 50.0 * (place % 10) + 0.5 * (i % 3), t.to = t.from + 0.5;
     t.force = 100 + i % 17, t.energy = 1, t.depth = 1e-3;
@@ -25,7 +25,7 @@ Touches touching(int number, int step) {
 void BM_ClashStep(benchmark::State& state) {
   const int n = static_cast<int>(state.range(0));
   const std::vector<double> merge(static_cast<size_t>(n / 30 + 1), 2.0);
-  std::vector<Touches> steps;
+  std::vector<ActiveContacts> steps;
   for (int s = 0; s < 7; ++s) steps.push_back(touching(n, s));
   ClashLog log({0.1, merge});
   double time = 0;

@@ -131,7 +131,7 @@ struct BodyModel {
          floats ? MotionLaw() : MotionLaw(SteadyLaw{{0.2, -0.1, 0.3}, {1, 2, -2}, 0.4})}});
     system = std::make_unique<System>(PETSC_COMM_SELF,
                                       local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1));
-    std::vector<TouchingVolume> touching;
+    std::vector<BodyVolume> touching;
     auto skeletons = app::skeletons(c, volumes);
     const auto faces = app::surfaces(volumes);
     for (size_t v = 0; v < 2; ++v) touching.push_back({faces[v], skeletons[v]});

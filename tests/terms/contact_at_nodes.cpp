@@ -99,7 +99,7 @@ TEST(ContactAtNodes, IsCarriedByItsBody) {
   }
   EXPECT_NEAR(term.largest_penetration().depth, 0.01, 1e-12);
   EXPECT_EQ(term.largest_penetration().node, 0);
-  EXPECT_EQ(term.touching(), 1);
+  EXPECT_EQ(term.active_count(), 1);
   // Only friction and its body work here: the spring in the tangent plane took what the sideways push gave.
   EXPECT_NEAR(term.energy(m.state.view(h)).friction, 0.5 * 4e4 * 9e-6, 1e-3);
 }

@@ -167,14 +167,14 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
       ASSERT_EQ(a.size(), b.size()) << scene.name << " step " << n << " off by " << far;
       for (size_t i = 0; i < a.size(); ++i)
         EXPECT_EQ(a[i].values, b[i].values) << scene.name << " step " << n;
-      EXPECT_EQ(mine.touching(), other.touching());
+      EXPECT_EQ(mine.active_count(), other.active_count());
     }
     fresh.prepare(from.view(kStep), kStep);
     const Outcome mine = limits(term), other = limits(fresh);
     EXPECT_EQ(mine.longest, other.longest) << scene.name << " step " << n;
     EXPECT_EQ(mine.energies, other.energies) << scene.name << " step " << n;
     term.commit(to.view(kStep));
-    touched += term.touching();
+    touched += term.active_count();
   }
   EXPECT_GT(touched, 5) << scene.name;
 }

@@ -18,7 +18,7 @@ TEST(LinePairs, TouchWhereTheCaseSaysSo) {
     PairModel m(c);
     const State end = state_of(m.system->mesh(), m.trial);
     m.system->commit(end.view(m.trial.h));
-    EXPECT_EQ(m.contact->touching() > 0, c.gap < 1e-3) << c.name;
+    EXPECT_EQ(m.contact->active_count() > 0, c.gap < 1e-3) << c.name;
     if (c.gap < 0) {
       EXPECT_GT(m.contact->normal_force(), 5) << c.name;
     }

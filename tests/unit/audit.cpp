@@ -30,7 +30,7 @@ TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
   app::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   EXPECT_TRUE(a.update(moving(100), moving(103), 0.3, 0.1));
-  a.worst.touch = app::Audit::Step::Touch::volume;
+  a.worst.with = app::Audit::Step::ContactWith::volume;
   EXPECT_FALSE(a.update(moving(100), moving(102), 0.35, 0.05));
   EXPECT_NEAR(a.size(), 100, 1e-5);  // without what was made
   EXPECT_EQ(
@@ -39,7 +39,7 @@ TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
       "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: it touches a volume there; give "
       "dynamics.step: 0.025 s");
   EXPECT_FALSE(a.wrong());
-  a.worst.touch = app::Audit::Step::Touch::nothing;
+  a.worst.with = app::Audit::Step::ContactWith::nothing;
   const std::string w = a.warning(false, "here");
   EXPECT_NE(w.find("its motion changes faster than the time steps resolve; give dynamics.max_step: 0.025 s"),
             std::string::npos)

@@ -6,8 +6,8 @@
 namespace hawser::app::clash_log_test {
 namespace {
 
-Touch touch(int line, int volume, double from, double to, double force = 1, double depth = 0) {
-  Touch t;
+ActiveContact touch(int line, int volume, double from, double to, double force = 1, double depth = 0) {
+  ActiveContact t;
   t.line = line, t.volume = volume, t.from = from, t.to = to;
   t.force = force, t.depth = depth, t.energy = 0.1 * force;
   return t;
@@ -15,13 +15,13 @@ Touch touch(int line, int volume, double from, double to, double force = 1, doub
 
 ClashSettings settings(double gap = 0.1) { return {gap, {0.5, 0.5}}; }
 
-void step(ClashLog& log, double time, const Touches& touches) {
+void step(ClashLog& log, double time, const ActiveContacts& touches) {
   log.step(time, put_together(touches, settings().merge_length));
 }
 
 TEST(ClashLog, PlacesNearerThanTheMergeLengthAreOne) {
-  Touch a = touch(0, 0, 1, 2, 3, 0.1), b = touch(0, 0, 2.4, 3, 4, 0.2), c = touch(0, 0, 3.6, 4);
-  const Touches t = put_together({c, b, touch(1, 0, 1, 2), touch(0, 1, 1.5, 2.5), a}, {0.5, 0.5});
+  ActiveContact a = touch(0, 0, 1, 2, 3, 0.1), b = touch(0, 0, 2.4, 3, 4, 0.2), c = touch(0, 0, 3.6, 4);
+  const ActiveContacts t = put_together({c, b, touch(1, 0, 1, 2), touch(0, 1, 1.5, 2.5), a}, {0.5, 0.5});
   ASSERT_EQ(t.size(), 4u);
   EXPECT_EQ(t[0].from, 1);
   EXPECT_EQ(t[0].to, 3);
@@ -111,7 +111,7 @@ TEST(ClashLog, GoesOnFromItsRecord) {
   ClashLog whole(settings()), half(settings());
   const auto run = [](ClashLog& log, int from, int to) {
     for (int i = from; i < to; ++i) {
-      Touches t;
+      ActiveContacts t;
       if (i % 7 < 4) t.push_back(touch(0, 0, 0.1 * i, 1 + 0.1 * i, i));
       if (i % 5 < 2) t.push_back(touch(1, 0, 3, 4, 2 * i));
       if (i > 20) t.push_back(touch(0, 1, 20, 21, 1));

@@ -51,7 +51,7 @@ void look(Simulation& s, const Kinematics& at, Rest& r) {
   r.total.setZero();
   for (size_t i = 0; i < r.force.size(); ++i) r.total[static_cast<int>(i % 3)] += r.force[i];
   for (int c = 0; c < 3; ++c) r.total[c] = sum(r.total[c]);
-  r.touching = s.contact()->touching();
+  r.touching = s.contact()->active_count();
   r.deepest = largest(s.contact()->largest_penetration().depth);
 }
 

@@ -56,9 +56,9 @@ Found hose(double EI, double EA, double stiffness, int elements, model::Relaxati
   f.curvature = *std::max_element(curvature.begin(), curvature.end());
   if (!sim.contact()) return f;
   f.first = kLength;
-  Touches touches;
-  sim.contact()->touches(touches);
-  for (const Touch& touch : touches)
+  ActiveContacts touches;
+  sim.contact()->active_contacts(touches);
+  for (const ActiveContact& touch : touches)
     f.force += touch.force, f.first = std::min(f.first, touch.from), f.last = std::max(f.last, touch.to);
   return f;
 }

@@ -117,7 +117,7 @@ Outcome drag(const Drag& d) {
       d.duration, [](double t) { return t + 1000; },
       [&](const StepInfo& i) {
         ++steps, iterations += i.iterations;
-        out.most_touching = std::max(out.most_touching, s.contact()->touching());
+        out.most_touching = std::max(out.most_touching, s.contact()->active_count());
         if (std::floor(2 * i.time) > std::floor(2 * (i.time - i.h)) || i.time >= d.duration)
           for (const Vec3& x : dynamics.kinematics().x) places.push_back(x);
         return true;

@@ -37,10 +37,10 @@ TEST(LineContactWalls, BothBear) {
     d.run(
         8, [](double t) { return t + 100; }, [&](const StepInfo&) { return ++steps < 4000; });
     EXPECT_LT(steps, 4000);
-    Touches touches;
-    s.contact()->touches(touches);
+    ActiveContacts touches;
+    s.contact()->active_contacts(touches);
     double force[2] = {0, 0};
-    for (const Touch& t : touches) force[t.volume] += t.force;
+    for (const ActiveContact& t : touches) force[t.volume] += t.force;
     const double each = kMass * 10 * kLength / (2 * std::cos(angle));
     std::printf("groove of %.1f rad: %.2f and %.2f N, expected %.2f N; %d steps\n", angle, force[0], force[1],
                 each, steps);

@@ -95,7 +95,7 @@ inline Throw throw_lines(unsigned seed, double step_diameters, bool cables) {
           [&](const StepInfo& info) {
             out.crossed |= crossed(s.mesh(), last, d.committed().s.x);
             const double energy = total() / first;
-            const bool touches = s.line_pairs()->touching() > 0;
+            const bool touches = s.line_pairs()->active_count() > 0;
             out.gain = std::max(out.gain, energy);
             if (touches || touched) out.made = std::max(out.made, energy - apart);
             if (!touches) apart = energy;

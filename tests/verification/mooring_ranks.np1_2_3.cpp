@@ -22,9 +22,9 @@ TEST(MooringRanks, TheSameOnAnyNumber) {
   Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
   all.solve_statics(), one.solve_statics();
   expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-7, "statics");
-  int touching = all.seabed()->touching();
+  int touching = all.seabed()->active_count();
   MPI_Allreduce(MPI_IN_PLACE, &touching, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
-  EXPECT_EQ(touching, one.seabed()->touching());
+  EXPECT_EQ(touching, one.seabed()->active_count());
   EXPECT_GT(touching, 20);
   run(all, 6), run(one, 6);
   expect_same_positions(all, all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-6, "after 6 s");

@@ -112,9 +112,10 @@ inline Laid laid(const Setting& s) {
     if (over)
       out.depth = std::max(out.depth, kRadius - std::hypot(at.x[n].x(), at.x[n].z() - kTop + kRadius));
   }
-  Touches touches;
-  sim.contact()->touches(touches);
-  for (const Touch& t : touches) out.last_touch = std::max(out.last_touch, t.to / kRadius * 180 / M_PI);
+  ActiveContacts touches;
+  sim.contact()->active_contacts(touches);
+  for (const ActiveContact& t : touches)
+    out.last_touch = std::max(out.last_touch, t.to / kRadius * 180 / M_PI);
   // Back to the lift-off by a parabola through nodes from an element beyond on, where its force is spread no
   // more.
   const double lift_off = s.lift_off / 180 * M_PI * kRadius;

@@ -24,7 +24,7 @@ struct Audit {
   struct Step {
     double value = 0, time = 0, length = 0;  // J; s, at its end; s
     int node = -1;                           // of the mesh, where the motion changed most; -1: not known
-    enum class Touch { nothing, volume, line, seabed } touch = Touch::nothing;  // what acted there
+    enum class ContactWith { nothing, volume, line, seabed } with = ContactWith::nothing;  // what acted there
   } climb;  // the step that made most since the error was least
   struct Largest {
     double value = 0, time = 0, step = 0;  // J; s, at the end of the step; s, its length
@@ -35,7 +35,7 @@ struct Audit {
   // out within the step, of which brought_in has nothing. True: where it changed the motion most is worth
   // knowing; located() follows.
   bool update(const Energy& start, const Energy& now, double time, double h, double passed = 0);
-  void located(int node, Step::Touch touch);
+  void located(int node, Step::ContactWith with);
   double size() const;
   // %, of the error against size().
   double percent() const;

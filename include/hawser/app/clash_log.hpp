@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hawser/io/clash_rows.hpp"
-#include "hawser/terms/touch.hpp"
+#include "hawser/terms/active_contact.hpp"
 
 namespace hawser::app {
 
@@ -17,7 +17,7 @@ struct ClashSettings {
 
 // Touches sorted by pair and place, those of a pair that are nearer to each other along `line` than the merge
 // length put together: forces and energies add, the largest penetration counts.
-Touches put_together(Touches touches, const std::vector<double>& merge_length);
+ActiveContacts put_together(ActiveContacts touches, const std::vector<double>& merge_length);
 
 class ClashLog {
  public:
@@ -29,7 +29,7 @@ class ClashLog {
   // than the merge length. One that touches several joins them: the earliest goes on. A clash whose place
   // parts in several stays one. Impulses are trapezoids over the steps; a clash begins with the first step
   // that finds it touching and ends with the last one.
-  void step(double time, std::span<const Touch> touches);
+  void step(double time, std::span<const ActiveContact> touches);
 
   // Still going on, by start.
   std::vector<io::ClashRow> open() const;
@@ -54,13 +54,13 @@ class ClashLog {
   };
   // What an open clash is at this step: its touches together and where they are. joined: with another.
   struct Now {
-    Touch sum;
+    ActiveContact sum;
     std::vector<std::pair<double, double>> places;
     bool joined = false;
-    void take(const Touch& t);
+    void take(const ActiveContact& t);
   };
   // Gives each touch to a clash, an open one or a new one.
-  std::vector<Now> assign(double time, std::span<const Touch> touches);
+  std::vector<Now> assign(double time, std::span<const ActiveContact> touches);
   void join(size_t first, size_t second, std::vector<Now>& now);
   // Takes a step's touches into the clashes; what was apart for too long ends.
   void follow(double time, std::vector<Now> now);

@@ -22,12 +22,12 @@ struct ContactInterval {
   bool from_moves = false, to_moves = false;  // that end is a root of the gap, not an end of the element
 };
 
-// What excludes contact of a piece of the axis: the gap is the distance to a body less `touch` [m], and the
-// square of a distance less |x|² is concave, being the least of functions that are linear in x. So on a piece
-// it stays above what its ends and |dx/dxi| <= reach, |d²x/dxi²| <= bend [m] allow. touch = 0: not known;
-// only that no distance changes faster than its point moves.
+// What excludes contact of a piece of the axis: the gap is the distance to a body less `contact_distance`
+// [m], and the square of a distance less |x|² is concave, being the least of functions that are linear in x.
+// So on a piece it stays above what its ends and |dx/dxi| <= reach, |d²x/dxi²| <= bend [m] allow.
+// contact_distance = 0: not known; only that no distance changes faster than its point moves.
 struct AxisBounds {
-  double reach = 0, touch = 0, bend = 0;
+  double reach = 0, contact_distance = 0, bend = 0;
 };
 
 // Between two intervals, where there is none.

@@ -93,7 +93,9 @@ class LinePairSide {
   Point point(double xi) const;
   Start start(const Point& p, bool derivatives) const;
   void close(const Point& p, bool derivatives, Start& s) const;
-  double touch() const { return set_.law.reach + set_.law.normal.smoothing; }  // m, between the axes
+  double contact_distance() const {
+    return set_.law.reach + set_.law.normal.smoothing;
+  }  // m, between the axes
   std::optional<double> passes(double eta, double lo, double hi) const;
   std::vector<double> kinks(int levels) const;
   void split(const Panel& panel, std::vector<Panel>& out) const;

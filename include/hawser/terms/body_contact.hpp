@@ -17,11 +17,11 @@
 
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/against_body.hpp"
 #include "hawser/terms/axis_contact.hpp"
 #include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
-#include "hawser/terms/touch.hpp"
 
 namespace hawser {
 
@@ -40,7 +40,7 @@ struct BodyFrame {
   Vec3 velocity(const Vec3& y) const { return v + R * w.cross(y); }
 };
 
-struct TouchingVolume {
+struct BodyVolume {
   std::shared_ptr<const Surface> surface;
   BodySkeleton skeleton;
 };
@@ -49,7 +49,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
  public:
   // volumes: all of the case, in its order. Pairs are those of model::body_pairs. comm: of all ranks.
   BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                  std::shared_ptr<const Bodies> bodies, std::vector<TouchingVolume> volumes);
+                  std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
 
   std::string_view name() const override { return "body contact"; }
   void couple(Couplings& to) const override;
@@ -73,7 +73,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   // m, over the accepted steps, of the pairs this rank counts.
   double largest_penetration() const;
   // Adds what touches in the accepted state, of those pairs; volumes are those of the case.
-  void touches(Touches& out) const;
+  void active_contacts(ActiveContacts& out) const;
 
  private:
   struct Side {
@@ -108,10 +108,10 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double energy = 0;              // J, of the motion of the bodies against each other, and potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
     Both at;
-    double seen = 0;   // m, penetration
-    double met = 0;    // m, largest of that since the two were clear of each other
-    double depth = 0;  // m, largest, over the accepted steps
-    Touch now;         // in the accepted state
+    double seen = 0;    // m, penetration
+    double met = 0;     // m, largest of that since the two were clear of each other
+    double depth = 0;   // m, largest, over the accepted steps
+    ActiveContact now;  // in the accepted state
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
@@ -125,7 +125,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     AgainstBody on;
     double potential = 0, damping_power = 0;  // J, W
     double depth = 0;                         // m, largest penetration
-    bool touches = false;
+    bool active = false;
   };
   // What tells how stiff the springs are, dampers included, where they stand; and their forces alone.
   static constexpr AxisContactMode kStiffness{true, true, true}, kSprings{};
@@ -135,9 +135,10 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   };
   BodyFrame frame(const Side& side, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
-  Sum touch(const Pair& pair, const Both& at, const AxisContactMode& mode) const;
-  void touch_along(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
-                   const AxisContactMode& mode, double* f, double* K, double* C, Sum& sum) const;
+  Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const;
+  void contact_along_axis(const Pair& pair, const Both& at, const RigidPose& surface,
+                          const SkeletonPart& part, const AxisContactMode& mode, double* f, double* K,
+                          double* C, Sum& sum) const;
   bool passes(const Pair& pair, const Kinematics& trial) const;
   void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
   // What looks ahead, body_contact_step_limits.cpp. rad/s, of the fastest motion of the bodies on those
@@ -159,7 +160,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
-  std::vector<TouchingVolume> volumes_;
+  std::vector<BodyVolume> volumes_;
   std::vector<Box> boxes_;   // of their surfaces
   std::vector<Box> faces_;   // of the places where they are watched, empty: of none
   std::vector<Side> sides_;  // likewise

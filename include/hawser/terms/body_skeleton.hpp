@@ -29,8 +29,8 @@ struct SkeletonBundle {
   std::vector<SkeletonPart> parts;
 };
 struct BodySkeleton {
-  std::vector<SkeletonBundle> touches;  // what may touch
-  std::vector<SkeletonBundle> faces;    // places all over them, where they are watched
+  std::vector<SkeletonBundle> features;  // what may touch
+  std::vector<SkeletonBundle> faces;     // places all over them, where they are watched
 };
 
 // By the basis of the stiffness: per_point: the corners of a mesh or box, balls (sphere); per_length: edges

@@ -13,9 +13,9 @@
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/line_candidates.hpp"
+#include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/axis_contact.hpp"
 #include "hawser/terms/line_contact_element.hpp"
-#include "hawser/terms/touch.hpp"
 
 namespace hawser {
 
@@ -88,12 +88,12 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   };
   Deepest deepest() const { return deepest_; }
   // Pairs that touch, of those this rank counts.
-  int touching() const;
+  int active_count() const;
   // Sum of the normal forces of those pairs, N, and of the sizes of their friction forces.
   double normal_force() const;
   double friction_force() const;
   // Adds what touches in the accepted state, of those pairs.
-  void touches(Touches& out) const;
+  void active_contacts(ActiveContacts& out) const;
 
  private:
   // Slave and part: first with second's element, its first end, its second end; then second with first's.
@@ -105,7 +105,7 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   struct Trial {
     AxisShape a, b;
     std::array<std::vector<LinePairSide::Panel>, kParts> panels{};
-    bool touches = false;
+    bool active = false;
     bool evaluated = false, moves = false;  // moves: with velocities
     History points{};
   };

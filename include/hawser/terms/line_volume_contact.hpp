@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/axis_contact.hpp"
 #include "hawser/terms/contact_work.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/line_volume_finder.hpp"
-#include "hawser/terms/touch.hpp"
 
 namespace hawser {
 
@@ -71,10 +71,10 @@ class LineVolumeContact final : public ForceTerm,
   // Of what this rank counts: the largest penetration over the run (its node: the nearer end of the element);
   // pairs of an element and a volume that touch; how many may in the step that is tried.
   Penetration largest_penetration() const;
-  int touching() const;
+  int active_count() const;
   int candidates() const;
   // Adds what touches in the accepted state, of what this rank counts; volumes are those of volume_name().
-  void touches(Touches& out) const;
+  void active_contacts(ActiveContacts& out) const;
   // What each volume exerts on lines in the accepted state, of what this rank counts [N, space axes].
   std::vector<Vec3> forces_by_volume(const Kinematics& at) const;
 
@@ -134,7 +134,7 @@ class LineVolumeContact final : public ForceTerm,
                        ImpactEvents& to) const;
   // The same at each of the facet groups it may come to in the step, if there are several.
   bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
-  void limit_by_touch(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
+  void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   bool tunnels(const Kinematics& trial, const PairBounds& g) const;
   bool is_drawn_in(const Kinematics& trial, const PairBounds& g) const;

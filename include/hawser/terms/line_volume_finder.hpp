@@ -35,7 +35,7 @@ class LineVolumeFinder {
                                   double within, bool either_side = false) const;
   // Whether there may be contact at this place of a pair.
   bool takes_part(const LineVolumePair& pair, double xi) const;
-  GapSpring spring_at(int volume, const Vec3& y, double touch) const;
+  GapSpring spring_at(int volume, const Vec3& y, double contact_distance) const;
 
   // Of a point that touches a facet group in the trial, at the start of the step: from what touched then, or
   // where it came from. rates: of that along the axis, on request.

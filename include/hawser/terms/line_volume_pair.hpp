@@ -37,7 +37,7 @@ struct NearGroups {
 struct LineVolumePair {
   int element = 0, volume = 0;
   double length = 0, radius = 0;         // m, of the element
-  double touch = 0;                      // m, distance below which there is a force: radius + smoothing
+  double contact_distance = 0;           // m, distance below which there is a force: radius + smoothing
   ContactShare part;                     // of the axis: the rest has no contact with this volume
   std::array<bool, 2> held{};            // ends
   int levels = 1;                        // of the search, kernels/contact_intervals.hpp
@@ -49,8 +49,8 @@ struct LineVolumePair {
   // Where the axis touched at the start of the step, looked for closely; none: not looked for yet.
   std::optional<std::vector<ContactInterval>> before;
   // Kept from step to step, changes the time and never the answer: where nothing of the volume is within
-  // `touch`; nearest triangles of the last query and of those that look ahead; whether there is one facet
-  // group only about a chord, where that was asked.
+  // `contact_distance`; nearest triangles of the last query and of those that look ahead; whether there is
+  // one facet group only about a chord, where that was asked.
   mutable ClearanceTube clearance;
   int hint = -1;
   mutable std::array<int, 3> ahead{-1, -1, -1};
@@ -68,7 +68,7 @@ struct LineVolumePair {
 
   const ContactLaw& law(double xi) const { return laws[xi > 0.5]; }
   double smoothing() const { return laws[0].normal.smoothing; }
-  bool sees(const SurfacePoint& p) const { return p.distance <= touch; }
+  bool sees(const SurfacePoint& p) const { return p.distance <= contact_distance; }
   int facet_groups() const {
     return seen.facet_groups.several() ? static_cast<int>(seen.facet_groups.of.size()) : 1;
   }

@@ -72,12 +72,12 @@ class SeabedTerm final : public ForceTerm {
   std::vector<int> lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held,
                        const std::vector<double>& tension = {});
 
-  int touching() const;
+  int active_count() const;
 
  private:
   struct History : SurfaceContactPoint {
     using SurfaceContactPoint::SurfaceContactPoint;
-    bool touches = false;
+    bool active = false;
     double friction_work = 0, damping_work = 0;  // J, taken out so far; suction's is damping's
     // How deep it has been since it landed [m], and whether the soil holds it: until it is lifted too far.
     double deepest = 0;
@@ -86,7 +86,7 @@ class SeabedTerm final : public ForceTerm {
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
       SurfaceContactPoint::quantities(self, each, "N", "J");
-      each("touches", "", self.touches);
+      each("touches", "", self.active);
       each("friction work", "J", self.friction_work), each("damping work", "J", self.damping_work);
       each("deepest", "m", self.deepest), each("held by suction", "", self.held);
     }
@@ -140,7 +140,7 @@ class SeabedTerm final : public ForceTerm {
   // of statics. Nothing of other points and later.
   bool kept(const Point& p, double step) const { return !friction_on_ && !(step > 0) && p.origin; }
   static Vec3 strayed(const Point& p, const Vec3& x);
-  double touch(const Point& p) const { return p.radius + p.law.normal.smoothing; }
+  double contact_distance(const Point& p) const { return p.radius + p.law.normal.smoothing; }
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
   // is then cut to `reach` [m] more than where it touches.
   bool locate(const Point& p, const Vec3& x, double reach, ContactTrial& trial) const;

@@ -7,7 +7,7 @@ namespace hawser {
 
 // A stretch of a line that touches another line (or itself) or a volume; or two volumes of bodies that touch.
 // Each is told by one rank only, the one that counts it.
-struct Touch {
+struct ActiveContact {
   // What touches: lines of the mesh; volumes of the term that tells it. -1: none. Of two lines `line` is not
   // the larger, nor is `volume` of two volumes.
   int line = -1, other_line = -1, volume = -1, other_volume = -1;
@@ -17,6 +17,6 @@ struct Touch {
   double energy = 0;                    // J, in the contact springs
   double depth = 0;                     // m, largest penetration
 };
-using Touches = std::vector<Touch>;
+using ActiveContacts = std::vector<ActiveContact>;
 
 }  // namespace hawser
