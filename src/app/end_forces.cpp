@@ -53,11 +53,11 @@ void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
     if (p.before < 0) p.sides[0] = p.sides[1];
     if (p.after < 0) p.sides[1] = p.sides[0];
   }
-  if (feeders_) look_at_mouths(at, carried);
+  if (feeders_) evaluate_mouths(at, carried);
 }
 
 // The ends of what is inside feeders have what is at the mouth.
-void EndForces::look_at_mouths(const Kinematics& at, std::span<const Vec3> carried) {
+void EndForces::evaluate_mouths(const Kinematics& at, std::span<const Vec3> carried) {
   const auto& elements = system_.mesh().elements;
   mouths_.assign(feeders_->list().size(), {});
   felt_.assign(mouths_.size(), 0);

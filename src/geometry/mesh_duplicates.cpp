@@ -13,7 +13,7 @@
 #include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/winding_tree.hpp"
 #include "hawser/math/ordered.hpp"
-#include "patch_sight.hpp"
+#include "patch_visibility.hpp"
 
 namespace hawser {
 namespace {
@@ -182,7 +182,7 @@ class Patches {
     for (const auto& [p, attached] : asked) {
       const auto& of = triangles[p];
       if (detail::enclosing(all, tree, of, attached ? kAttached : kLone) >= 0.5 &&
-          (!attached || detail::one_sided_sight(all, tree, of) > kOneSided))
+          (!attached || detail::one_sided_visibility(all, tree, of) > kOneSided))
         continue;
       kept[p] = false;
       dropped = true;

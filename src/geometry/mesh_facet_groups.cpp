@@ -322,8 +322,8 @@ struct MeshFacetGroups::Part {
 };
 
 // The nearest facet is number `nearest`, seen from a place on the axis.
-MeshFacetGroups::Part MeshFacetGroups::look(FacetGroup group, int nearest, const Vec3& from,
-                                            std::span<const Vec3> axis) const {
+MeshFacetGroups::Part MeshFacetGroups::describe(FacetGroup group, int nearest, const Vec3& from,
+                                                std::span<const Vec3> axis) const {
   Part part;
   constexpr double kFar = std::numeric_limits<double>::infinity();
   const auto foot = this->nearest(group, from, kFar);
@@ -368,7 +368,7 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
   std::erase_if(found, [&](const Found& f) { return f.at.distance - bulge(f.nearest) > reach; });
   if (found.size() < 2) return;
   std::vector<Part> parts;
-  for (Found& f : found) parts.push_back(look(std::move(f.group), f.nearest, f.at.from, axis));
+  for (Found& f : found) parts.push_back(describe(std::move(f.group), f.nearest, f.at.from, axis));
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.distance < b.distance; });
   parts.front().back = false;  // the nearest is met from either side

@@ -60,7 +60,7 @@ class MeshFacetGroups {
   std::vector<FacetGroup::Facet> around(std::span<const Vec3> axis, double reach) const;
   void join(std::span<const Vec3> axis, double reach, const std::vector<FacetGroup::Facet>& facets,
             std::vector<int>& sets) const;
-  Part look(FacetGroup group, int nearest, const Vec3& from, std::span<const Vec3> axis) const;
+  Part describe(FacetGroup group, int nearest, const Vec3& from, std::span<const Vec3> axis) const;
 
   const Facets& facets_;
   const Pseudonormals& normals_;

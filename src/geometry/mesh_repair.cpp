@@ -6,7 +6,7 @@
 
 #include "hawser/geometry/winding_tree.hpp"
 #include "nesting.hpp"
-#include "patch_sight.hpp"
+#include "patch_visibility.hpp"
 
 namespace hawser {
 namespace {

@@ -49,7 +49,7 @@ std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& 
   for (size_t i = 0; i < 2; ++i) {
     if (!(i ? s.to_moves : s.from_moves)) continue;
     const double xi = i ? s.to : s.from;
-    const auto p = pair_.see(s, xi);
+    const auto p = pair_.query(s, xi);
     if (!p) continue;
     const Vec3 normal = R_ * p->normal;
     const double slope = normal.dot(shape_.slope(xi));

@@ -145,15 +145,15 @@ void BodyContactTerm::contact_along_axis(const Pair& pair, const Both& at, const
   const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
                weight = pair.share * (length > 0 ? length : e.weight);
   const AxisShape shape = chord(at.A, e.from, e.to);
-  const auto see = [&](double xi, double within) {
+  const auto query = [&](double xi, double within) {
     return surface.query(pose.to_body(shape.point(xi)), within);
   };
   ContactPlaces found;
   if (length > 0) {
     const AxisGapFunction gap = axis_distance(surface, pose, shape, contact_distance);
     found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
-                     [&](double xi) { return see(xi, contact_distance); });
-  } else if (const auto p = see(0, contact_distance)) {
+                     [&](double xi) { return query(xi, contact_distance); });
+  } else if (const auto p = query(0, contact_distance)) {
     found.panels.emplace_back();
     found.places.push_back({0, weight, 0, 1, 0, *p});
   }
@@ -164,7 +164,7 @@ void BodyContactTerm::contact_along_axis(const Pair& pair, const Both& at, const
                        [&](const ContactPanel&) {
                          return ContactLaw{pair.law, {}};
                        },
-                       [&](const ContactPanel&, double xi) { return see(xi, contact_distance + 1e-9); },
+                       [&](const ContactPanel&, double xi) { return query(xi, contact_distance + 1e-9); },
                        {}},
                       mode);
   std::vector<AxisContactPoint> points;
@@ -260,13 +260,13 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
     if (!p.here) continue;
     p.at = both(p, committed);
     const Sum s = contact(p, p.at, kStiffness);
-    p.potential = s.potential, p.seen = s.depth;
+    p.potential = s.potential, p.penetration = s.depth;
     p.elastic = s.active ? Vec12(contact(p, p.at, kSprings).on.f) : Vec12(Vec12::Zero());
     p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.at) + s.potential;
     if (p.counted) powers(p, s, committed, p.damping_power, p.work_power);
   }
-  if (h > 0) look(committed.time);
+  if (h > 0) check_overlap(committed.time);
 }
 
 void BodyContactTerm::commit(const Kinematics& accepted) {

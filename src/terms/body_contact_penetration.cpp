@@ -41,10 +41,10 @@ double BodyContactTerm::deepest(size_t volume, const BodyFrame& of, size_t in, c
 
 void BodyContactTerm::watch(const Kinematics& at) {
   prepare(at, 0);
-  look(at.time);
+  check_overlap(at.time);
 }
 
-void BodyContactTerm::look(double time) {
+void BodyContactTerm::check_overlap(double time) {
   struct {
     double depth;
     int pair;
@@ -60,8 +60,9 @@ void BodyContactTerm::look(double time) {
     if (a.global >= 0) As.x = As.to_space(-a.centre);
     const double depth = std::max(deepest(p.a, As, p.b, p.at.Bs), deepest(p.b, p.at.Bs, p.a, As));
     // Of two that both lead the other may see it.
-    const double seen = std::max(p.seen, p.other < 0 ? 0 : pairs_[static_cast<size_t>(p.other)].seen);
-    p.met = depth > 0 ? std::max(p.met, seen) : 0;
+    const double penetration =
+        std::max(p.penetration, p.other < 0 ? 0 : pairs_[static_cast<size_t>(p.other)].penetration);
+    p.met = depth > 0 ? std::max(p.met, penetration) : 0;
     double size = HUGE_VAL;
     for (const size_t v : {p.a, p.b})
       if (const Vec3 e = boxes_[v].extent(); e.allFinite()) size = std::min(size, e.maxCoeff());

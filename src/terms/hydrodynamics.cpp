@@ -43,7 +43,7 @@ Water Hydrodynamics::water(const Kinematics& at, size_t node) const {
   return sea_.waves.none() || !(at.step > 0) ? still : still + waves(at)[node];
 }
 
-void Hydrodynamics::look(const Kinematics& at, std::vector<Water>& out) const {
+void Hydrodynamics::water_at_nodes(const Kinematics& at, std::vector<Water>& out) const {
   if (sea_.calm()) {  // the same everywhere and always
     if (out.size() == at.x.size()) return;
     Water calm;
@@ -99,7 +99,7 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
 
 void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
   see_feeders(trial, false);
-  look(trial, water_);
+  water_at_nodes(trial, water_);
   const bool tangent = assembler.wants_tangent();
   for (const Four& q : fours_) evaluate(q, trial, assembler);
   for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, assembler);
@@ -130,7 +130,7 @@ void Hydrodynamics::places(const Piece& p, const Kinematics& k, Vec3* out) const
 // Cables, beams, balls: a force at one place.
 void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
   std::vector<Water>& water = seen_;
-  look(at, water);
+  water_at_nodes(at, water);
   out.clear();
   const auto put = [&](const Piece& p, const WaterForce& force) {
     Vec3 place[4];

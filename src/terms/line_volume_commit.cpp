@@ -7,7 +7,7 @@ namespace hawser {
 
 void LineVolumeContact::commit(const Kinematics& accepted) {
   volumes_.pose_trial(accepted);
-  look(accepted);
+  find_near_pairs(accepted);
   auto near = near_.begin();
   for (size_t i = 0; i < pairs_.size(); ++i) {
     Pair& pair = pairs_[i];
@@ -94,7 +94,7 @@ Energy LineVolumeContact::energy(const Kinematics& at) const {
     Pair pair = p;
     const AxisShape shape(ends(at, p.element));
     for (const ContactPlace& there : finder_.find(pair, shape, volumes_.pose_of(p.volume, at)).places)
-      if (p.sees(there.at))
+      if (p.in_contact(there.at))
         e.strain +=
             there.weight * normal_force(p.law(there.xi).normal, there.at.distance - p.radius, 0).potential;
   }

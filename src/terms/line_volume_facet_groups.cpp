@@ -1,4 +1,4 @@
-// What a pair sees of its volume; where that has several facet groups, which of them a pair is about, and
+// Surface queries of a pair; where that has several facet groups, which of them a pair is about, and
 // which of the points of before were its own.
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double
 
 }  // namespace
 
-std::optional<SurfacePoint> LineVolumeFinder::see(const LineVolumePair& pair, int group, double xi,
-                                                  const Vec3& y, double within, bool either_side) const {
+std::optional<SurfacePoint> LineVolumeFinder::query(const LineVolumePair& pair, int group, double xi,
+                                                    const Vec3& y, double within, bool either_side) const {
   if (by_gap()) {
     const GapSpring& s = pair.springs[xi > 0.5];
     const double distance = s.direction.dot(y - s.anchor);
@@ -64,15 +64,15 @@ void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& 
   if (p) pair.hint = p->triangle;
   if (p && p->distance - pair.contact_distance < 0.5 * shape.reach())
     surface(pair).facet_groups(polyline(shape, pose, pair.contact_distance),
-                               kTogether * pair.contact_distance, pair.seen.facet_groups);
+                               kTogether * pair.contact_distance, pair.near.facet_groups);
   assign_past(pair);
 }
 
 // A point of before lay on the facet group whose normal there is most like its own. On the one facet group
 // there is: of two that lay side by side, the more heavily pressed.
 void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
-  NearGroups& seen = pair.seen;
-  if (!seen.facet_groups.several() && (pair.points.empty() || pair.points.back().group == 0)) return;
+  NearGroups& near = pair.near;
+  if (!near.facet_groups.several() && (pair.points.empty() || pair.points.back().group == 0)) return;
   const size_t facet_groups = static_cast<size_t>(pair.facet_groups());
   // The points of each of the facet groups of before, by facet group.
   using Points = std::vector<AxisContactPoint>;
@@ -83,7 +83,7 @@ void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
     const Vec3 y = pair.start.pose.to_body(pair.start.shape.point(p.xi));
     for (size_t w = 0; w < facet_groups && facet_groups > 1; ++w) {
       const auto there =
-          surface(pair).query_group(seen.facet_groups.of[w], y, std::numeric_limits<double>::max(), true);
+          surface(pair).query_group(near.facet_groups.of[w], y, std::numeric_limits<double>::max(), true);
       if (there && there->normal.dot(p.normal) > like) like = there->normal.dot(p.normal), best = w;
     }
     of[best][static_cast<size_t>(p.group)].push_back(p);
@@ -96,7 +96,7 @@ void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
     };
     std::stable_sort(before.begin(), before.end(),
                      [&](const Points& a, const Points& b) { return force(a) > force(b); });
-    Points& past = seen.past.emplace_back();
+    Points& past = near.past.emplace_back();
     for (const Points& points : before) {
       const auto known = static_cast<std::ptrdiff_t>(past.size());
       for (const AxisContactPoint& p : points)

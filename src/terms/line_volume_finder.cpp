@@ -42,9 +42,9 @@ class LineVolumeFinder::Gap {
     places_.clear();
   }
 
-  std::optional<SurfacePoint> see(double xi, double within) {
+  std::optional<SurfacePoint> query(double xi, double within) {
     const Vec3 y = pose_.to_body(shape_.point(xi));
-    const auto p = finder_.see(pair_, group_, xi, y, pair_.contact_distance + within);
+    const auto p = finder_.query(pair_, group_, xi, y, pair_.contact_distance + within);
     const double distance = (p ? p->distance - pair_.contact_distance : within) + pair_.contact_distance;
     places_.push_back({xi, finder_.surface(pair_).free_radius(y, distance)});
     if (p) pair_.hint = p->triangle;
@@ -53,13 +53,13 @@ class LineVolumeFinder::Gap {
   // Less than half the bound of the slope: it may touch somewhere.
   bool may_touch() {
     const double within = kFirst * shape_.reach();
-    const auto p = see(0.5, within);
+    const auto p = query(0.5, within);
     middle_ = {p ? p->distance - pair_.contact_distance : within, p ? slope(0.5, *p) : 0};
     return middle_->gap < 0.5 * shape_.reach();
   }
   AxisGap operator()(double xi, double within) {
     if (xi == 0.5 && middle_) return *middle_;
-    const auto p = see(xi, within);
+    const auto p = query(xi, within);
     return p ? AxisGap{p->distance - pair_.contact_distance, slope(xi, *p)} : AxisGap{within, 0};
   }
 
@@ -79,7 +79,7 @@ class LineVolumeFinder::Gap {
 bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (!(pair.clearance.left(axis_points(shape, pose)) > 0)) return false;
   pair.found.clear();
-  pair.seen = {};
+  pair.near = {};
   return true;
 }
 
@@ -142,7 +142,7 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
 void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisShape& shape,
                                   const RigidPose& pose) const {
   pair.found.add_panels(locate(pair, group, shape, pose), group, pair.length, [&](double xi) {
-    const auto p = see(pair, group, xi, pose.to_body(shape.point(xi)), pair.contact_distance);
+    const auto p = query(pair, group, xi, pose.to_body(shape.point(xi)), pair.contact_distance);
     if (p) pair.hint = p->triangle;
     return p;
   });
@@ -157,8 +157,8 @@ void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const Axis
   const bool near = by_gap() || pair.group(group) || gap.may_touch();
   for (const double xi : {0.0, 1.0}) {
     if (!near || !takes_part(pair, xi)) continue;
-    const auto p = gap.see(xi, 0.5 * shape.reach());
-    if (!p || !pair.sees(*p)) continue;
+    const auto p = gap.query(xi, 0.5 * shape.reach());
+    if (!p || !pair.in_contact(*p)) continue;
     f.places.push_back({xi, 0.5 * pair.length, xi, 1, f.panels.size(), *p});
     f.panels.push_back({{0.5 * xi, 0.5 + 0.5 * xi}, group});
   }
@@ -176,7 +176,7 @@ const ContactPlaces& LineVolumeFinder::find(LineVolumePair& pair, const AxisShap
   if (clear(pair, shape, pose) || pair.found.of.same_places(shape, pose)) return pair.found;
   pair.found.clear();
   pair.found.of = {true, shape, pose};
-  pair.seen = {};
+  pair.near = {};
   if (pair.several) find_facet_groups(pair, shape, pose);
   for (int w = 0; w < pair.facet_groups(); ++w)
     at_nodes() ? find_at_nodes(pair, w, shape, pose) : find_along(pair, w, shape, pose);

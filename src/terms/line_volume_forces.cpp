@@ -24,8 +24,8 @@ AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
                 {pair.radius, pair.length,
                  [&](const ContactPanel& s) { return applied(pair.law(0.5 * (s.from + s.to))); },
                  [&](const ContactPanel& s, double xi) {
-                   return finder_.see(pair, s.group, xi, pose.to_body(shape.point(xi)),
-                                      pair.contact_distance + 1e-9);
+                   return finder_.query(pair, s.group, xi, pose.to_body(shape.point(xi)),
+                                        pair.contact_distance + 1e-9);
                  },
                  [&](const ContactPanel& s, double xi, ContactRates* rates) {
                    return finder_.start(pair, s.group, xi, rates);
@@ -40,7 +40,7 @@ AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
 
 void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   volumes_.pose_trial(trial);
-  look(trial);
+  find_near_pairs(trial);
   const bool tangent = assembler.wants_tangent(), moves = trial.step > 0;
   for (const Near& near : near_) {
     Pair& pair = pairs_[near.pair];

@@ -35,7 +35,7 @@ double LineVolumeContact::way(const Kinematics& trial, const PairBounds& g) cons
   return g.grows ? most + std::abs(ends(trial, pair.element).length - pair.length) / 3 : most;
 }
 
-void LineVolumeContact::look(const Kinematics& trial) {
+void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
   near_.clear();
   if (bounds_.empty()) bounds_ = pair_bounds();
   for (PairBounds& g : bounds_) {

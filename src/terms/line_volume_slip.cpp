@@ -48,7 +48,7 @@ ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int group, doub
     return s;
   }
   const double within = 2 * shape.reach() + pair.length;
-  const auto p = see(pair, group, xi, s.point, pair.contact_distance + within, true);
+  const auto p = query(pair, group, xi, s.point, pair.contact_distance + within, true);
   s.gap = p ? p->distance - pair.radius : within + pair.smoothing();
   if (p && rates) rates->start_gap = p->normal.dot(slope);
   return s;

@@ -109,7 +109,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
     if (clearance > far || !matters || !finder_.takes_part(pair, xi)) continue;
     const Vec3 y = pair.start.pose.to_body(start.point(xi));
     const bool by_gap = finder_.by_gap();
-    const auto p = by_gap ? finder_.see(pair, 0, xi, y, within) : surface.query(y, within, pair.ahead[i]);
+    const auto p = by_gap ? finder_.query(pair, 0, xi, y, within) : surface.query(y, within, pair.ahead[i]);
     if (const double f = surface.free_radius(y, p ? p->distance : within); f > 0 && !by_gap)
       free.push_back({xi, f});
     if (!p) continue;
@@ -165,7 +165,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     for (const ContactPlace& p : found.places) {
       const auto& past = pair.past(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
-      if (!pair.sees(p.at) || std::any_of(past.begin(), past.end(), holds)) continue;
+      if (!pair.in_contact(p.at) || std::any_of(past.begin(), past.end(), holds)) continue;
       // What slides along its own line comes and goes, and as much of it touches as before.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));

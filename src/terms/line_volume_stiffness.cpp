@@ -55,7 +55,7 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
       Vec3 normal = Vec3::Zero();
       at.depth = 0;
       for (const ContactPlace& there : pair.found.places) {
-        if (!touches || pair.found.panels[there.panel].group != w || !pair.sees(there.at)) continue;
+        if (!touches || pair.found.panels[there.panel].group != w || !pair.in_contact(there.at)) continue;
         const double gap = there.at.distance - pair.radius;
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
         if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * there.at.normal;

@@ -56,7 +56,7 @@ class EndForces {
  private:
   SectionForce section(const Kinematics& at, int element, bool second, std::span<const Vec3> carried) const;
 
-  void look_at_mouths(const Kinematics& at, std::span<const Vec3> carried);
+  void evaluate_mouths(const Kinematics& at, std::span<const Vec3> carried);
 
   const System& system_;
   const Feeders* feeders_;

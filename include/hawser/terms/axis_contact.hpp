@@ -28,7 +28,7 @@ class AxisContact {
     // The law of a panel, per unit of the weights.
     std::function<ContactLaw(const ContactPanel&)> law;
     // The surface from an end of a panel, some way beyond touch; asked for tangents only.
-    std::function<std::optional<SurfacePoint>(const ContactPanel&, double xi)> see;
+    std::function<std::optional<SurfacePoint>(const ContactPanel&, double xi)> query;
     // What friction starts from at a place of a panel, and how that changes along the axis on request; none
     // where no law has friction.
     std::function<ContactStart(const ContactPanel&, double xi, ContactRates* rates)> start;

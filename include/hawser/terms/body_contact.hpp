@@ -108,10 +108,10 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double energy = 0;              // J, of the motion of the bodies against each other, and potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
     Both at;
-    double seen = 0;    // m, penetration
-    double met = 0;     // m, largest of that since the two were clear of each other
-    double depth = 0;   // m, largest, over the accepted steps
-    ActiveContact now;  // in the accepted state
+    double penetration = 0;  // m, penetration
+    double met = 0;          // m, largest of that since the two were clear of each other
+    double depth = 0;        // m, largest, over the accepted steps
+    ActiveContact now;       // in the accepted state
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
@@ -155,7 +155,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void limit_by(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   // body_contact_penetration.cpp. m, of the deepest place of the faces of one volume in the other.
   double deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const;
-  void look(double time);
+  void check_overlap(double time);
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;

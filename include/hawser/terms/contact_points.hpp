@@ -91,15 +91,16 @@ struct ContactPlaces {
   std::vector<ContactPlace> places;
 
   void clear() { of.known = false, panels.clear(), filled.clear(), places.clear(); }
-  // Adds panels, and their Gauss points, to an axis of that length [m]. see(xi): the surface there, or
+  // Adds panels, and their Gauss points, to an axis of that length [m]. query(xi): the surface there, or
   // nothing where it is out of touch.
-  template <class See>
-  void add_panels(const std::vector<ContactInterval>& intervals, int group, double length, const See& see) {
+  template <class Query>
+  void add_panels(const std::vector<ContactInterval>& intervals, int group, double length,
+                  const Query& query) {
     for (const ContactInterval& s : intervals) {
       for (size_t q = 0; q < ContactRule::kPoints; ++q) {
         const double along = ContactRule::abscissae()[q], part = ContactRule::weight()[q];
         const double xi = s.from + (s.to - s.from) * along;
-        if (const auto p = see(xi))
+        if (const auto p = query(xi))
           places.push_back({xi, length * (s.to - s.from) * part, along, part, panels.size(), *p});
       }
       panels.push_back({s, group});

@@ -75,7 +75,7 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   Water water(const Kinematics& at, size_t node) const;
   Vec3 wave_place(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
-  void look(const Kinematics& at, std::vector<Water>& out) const;
+  void water_at_nodes(const Kinematics& at, std::vector<Water>& out) const;
   WaterEnds ends(const Piece& p, const Kinematics& k, const Water& first, const Water& second) const;
   WaterEnds ends(const Piece& p, const Kinematics& k, const std::vector<Water>& water) const {
     return ends(p, k, water[static_cast<size_t>(p.at.first)], water[static_cast<size_t>(p.at.second)]);

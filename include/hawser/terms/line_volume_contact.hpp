@@ -121,7 +121,7 @@ class LineVolumeContact final : public ForceTerm,
   std::vector<PairBounds> pair_bounds() const;
   bool idle(const Kinematics& at, int element) const;
   double way(const Kinematics& trial, const PairBounds& g) const;
-  void look(const Kinematics& trial);
+  void find_near_pairs(const Kinematics& trial);
 
   std::optional<AxisContact::Rolls> rolls(const Pair& pair, const AxisShape& shape) const;
   AxisContact contact(Pair& pair, const AxisShape& shape, const AxisContactMode& mode) const;

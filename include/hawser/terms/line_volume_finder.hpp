@@ -30,9 +30,9 @@ class LineVolumeFinder {
   bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // m: of the tube about the axis at the start of the step in which nothing is met.
   static double clearance_at_start(const LineVolumePair& pair);
-  // What a pair sees of a facet group of its volume from the place xi, which is at y.
-  std::optional<SurfacePoint> see(const LineVolumePair& pair, int group, double xi, const Vec3& y,
-                                  double within, bool either_side = false) const;
+  // The surface, or one facet group of it, from the point xi of a pair, which is at y.
+  std::optional<SurfacePoint> query(const LineVolumePair& pair, int group, double xi, const Vec3& y,
+                                    double within, bool either_side = false) const;
   // Whether there may be contact at this place of a pair.
   bool takes_part(const LineVolumePair& pair, double xi) const;
   GapSpring spring_at(int volume, const Vec3& y, double contact_distance) const;

@@ -59,7 +59,7 @@ struct LineVolumePair {
   bool one = false;
   // Of the trial.
   ContactPlaces found;
-  NearGroups seen;  // of the axis of `found`
+  NearGroups near;  // of the axis of `found`
   // Contact points by the last evaluation of the law without derivatives, and the state it was of: commit of
   // that state takes them.
   std::vector<AxisContactPoint> evaluated;
@@ -68,16 +68,16 @@ struct LineVolumePair {
 
   const ContactLaw& law(double xi) const { return laws[xi > 0.5]; }
   double smoothing() const { return laws[0].normal.smoothing; }
-  bool sees(const SurfacePoint& p) const { return p.distance <= contact_distance; }
+  bool in_contact(const SurfacePoint& p) const { return p.distance <= contact_distance; }
   int facet_groups() const {
-    return seen.facet_groups.several() ? static_cast<int>(seen.facet_groups.of.size()) : 1;
+    return near.facet_groups.several() ? static_cast<int>(near.facet_groups.of.size()) : 1;
   }
   // Null: all of the surface.
   const FacetGroup* group(int w) const {
-    return seen.facet_groups.several() ? &seen.facet_groups.of[static_cast<size_t>(w)] : nullptr;
+    return near.facet_groups.several() ? &near.facet_groups.of[static_cast<size_t>(w)] : nullptr;
   }
   const std::vector<AxisContactPoint>& past(int w) const {
-    return seen.past.empty() ? points : seen.past[static_cast<size_t>(w)];
+    return near.past.empty() ? points : near.past[static_cast<size_t>(w)];
   }
 };
 

@@ -14,7 +14,7 @@ int front_sees_outside(const MeshView& mesh, const WindingTree& tree, std::vecto
 
 // Of such rays the share that meets nothing: that of one side less that of the other. 1: the patch has the
 // open before it and none of it behind; 0: the same on both sides, as a fin or a wall.
-double one_sided_sight(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch);
+double one_sided_visibility(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch);
 
 // Share of the area of the triangles that has an inside behind it and an outside before it: the winding
 // number on a triangle, its own angle left out, is above `margin` and below 1 - margin. Of very many some are

@@ -1,5 +1,5 @@
 // Rays from the triangles of a patch that tell its outside, and winding numbers that tell what it encloses.
-#include "patch_sight.hpp"
+#include "patch_visibility.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ int front_sees_outside(const MeshView& mesh, const WindingTree& tree, std::vecto
   return sum;
 }
 
-double one_sided_sight(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch) {
+double one_sided_visibility(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch) {
   int rays[2] = {0, 0}, free[2] = {0, 0};
   each_ray(mesh, tree, patch,
            [&](int crossings, bool front) { ++rays[front], free[front] += crossings == 0; });
