@@ -1,4 +1,4 @@
-// The part of LinePairSide that finds where an element touches another and what a point of it brings from the
+// The part of LinePairPass that finds where an element touches another and what a point of it brings from the
 // start of the step, and keeps the history; forces and tangent are in line_pair_forces.cpp.
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ Stencil stencil_of(const PairAxis& slave, const PairAxis& master) {
   return s;
 }
 
-LinePairSide::LinePairSide(const PairAxis& slave, const PairAxis& master, ProjectOn part,
+LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn part,
                            const Settings& settings, const std::vector<LinePairHistory>& history)
     : slave_(slave), master_(master), part_(part), set_(settings), history_(history) {
   if (part_ != ProjectOn::element) set_.share *= -0.5;
@@ -51,7 +51,7 @@ LinePairSide::LinePairSide(const PairAxis& slave, const PairAxis& master, Projec
 }
 
 // Where the nearest point passes the master's end `eta` between two places of the slave; none: it does not.
-std::optional<double> LinePairSide::passes(double eta, double lo, double hi) const {
+std::optional<double> LinePairPass::crossing_of(double eta, double lo, double hi) const {
   const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
   const auto beyond = [&](double xi) { return (slave_.now.point(xi) - V).dot(t); };
   const double a = beyond(lo), b = beyond(hi);
@@ -71,18 +71,18 @@ std::optional<double> LinePairSide::passes(double eta, double lo, double hi) con
 
 // Those places: the gap has a kink there, on one side of which it may fall slowly and on the other rise
 // steeply, and to a scan that does not know of it a contact about there may seem to be none.
-std::vector<double> LinePairSide::kinks(int levels) const {
+std::vector<double> LinePairPass::kinks(int levels) const {
   std::vector<double> out;
   if (part_ != ProjectOn::element) return out;
   const double size = std::ldexp(1.0, -levels);
   for (const double eta : {0.0, 1.0})
     for (double a = 0; a < 1; a += size)
-      if (const auto xi = passes(eta, a, a + size)) out.push_back(*xi);
+      if (const auto xi = crossing_of(eta, a, a + size)) out.push_back(*xi);
   std::sort(out.begin(), out.end());
   return out;
 }
 
-std::vector<LinePairSide::Panel> LinePairSide::panels() const {
+std::vector<LinePairPass::Panel> LinePairPass::panels() const {
   // Along the slave, less the smoothing.
   const auto gap = [this](double xi, double) -> AxisGap {
     const AxisProjection f = projection(master_.now, part_, slave_.now.point(xi));
@@ -101,11 +101,11 @@ std::vector<LinePairSide::Panel> LinePairSide::panels() const {
   return out;
 }
 
-void LinePairSide::split(const Panel& panel, std::vector<Panel>& out) const {
+void LinePairPass::split(const Panel& panel, std::vector<Panel>& out) const {
   Panel cuts[2];
   int n = 0;
   for (const double eta : {0.0, 1.0}) {
-    const auto xi = passes(eta, panel.from, panel.to);
+    const auto xi = crossing_of(eta, panel.from, panel.to);
     if (!xi) continue;
     const Vec3 x1 = slave_.now.slope(*xi), t = master_.now.slope(eta);
     if (std::abs(x1.dot(t)) < kSteep * x1.norm() * t.norm()) continue;
@@ -124,7 +124,7 @@ void LinePairSide::split(const Panel& panel, std::vector<Panel>& out) const {
 }
 
 // Of material that did not touch.
-void LinePairSide::close(const Point& p, bool derivatives, Start& s) const {
+void LinePairPass::close(const Point& p, bool derivatives, Start& s) const {
   using C = LinePairClosing;
   const double eta = p.foot.eta;
   const Vec3 slope0 = slave_.start.slope(p.xi), along0 = master_.start.slope(eta);
@@ -143,7 +143,7 @@ void LinePairSide::close(const Point& p, bool derivatives, Start& s) const {
 }
 
 // Slip is interpolated between the Gauss points of one interval. Material that did not touch has none.
-LinePairSide::Start LinePairSide::start(const Point& p, bool derivatives) const {
+LinePairPass::Start LinePairPass::start(const Point& p, bool derivatives) const {
   Start s;
   const double xi = p.xi;
   const bool touched = std::any_of(history_.begin(), history_.end(),
@@ -174,7 +174,7 @@ LinePairSide::Start LinePairSide::start(const Point& p, bool derivatives) const 
   return s;
 }
 
-LinePairSide::Point LinePairSide::point(double xi) const {
+LinePairPass::Point LinePairPass::point(double xi) const {
   Point p;
   p.xi = xi;
   p.foot = projection(master_.now, part_, slave_.now.point(xi));
@@ -188,7 +188,7 @@ LinePairSide::Point LinePairSide::point(double xi) const {
   return p;
 }
 
-LinePairPoint LinePairSide::local(const Point& p, const Start& s) const {
+LinePairPoint LinePairPass::local(const Point& p, const Start& s) const {
   LinePairPoint l;
   l.away = p.foot.away;
   l.along = p.along;
@@ -201,7 +201,7 @@ LinePairPoint LinePairSide::local(const Point& p, const Start& s) const {
   return l;
 }
 
-LinePairHistory LinePairSide::left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
+LinePairHistory LinePairPass::left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
                                           double weight) const {
   LinePairHistory h;
   h.xi = p.xi, h.from = panel.from, h.to = panel.to;
@@ -215,7 +215,7 @@ LinePairHistory LinePairSide::left_behind(const Panel& panel, const Point& p, co
   return h;
 }
 
-double LinePairSide::potential(const std::vector<Panel>& panels) const {
+double LinePairPass::potential(const std::vector<Panel>& panels) const {
   double sum = 0;
   for (const Panel& s : panels)
     for (size_t q = 0; q < ContactRule::kPoints; ++q) {

@@ -1,4 +1,4 @@
-// The part of LinePairSide that sums forces and couples over the Gauss points, with their exact tangent.
+// The part of LinePairPass that sums forces and couples over the Gauss points, with their exact tangent.
 #include <algorithm>
 #include <cmath>
 
@@ -26,7 +26,7 @@ Mat3 section_turn_by_chord(const PairAxis& cable, const Vec3& v) {
 }  // namespace
 
 // The rows of F that there are, and which share of the force or of the couple at a point each gets.
-struct LinePairSide::Rows {
+struct LinePairPass::Rows {
   std::array<size_t, kMost> used;
   size_t count = 0;
   std::array<double, kMost> share{}, by_xi{}, by_eta{};  // and how the share moves along slave and master
@@ -39,7 +39,7 @@ struct LinePairSide::Rows {
   auto end() const { return used.begin() + static_cast<std::ptrdiff_t>(count); }
 };
 
-LinePairSide::Rows LinePairSide::rows(const Point& p) const {
+LinePairPass::Rows LinePairPass::rows(const Point& p) const {
   Rows r;
   const double xi = p.xi, eta = p.foot.eta;
   const AxisShape::Weights dH = slave_.now.derivatives(xi), dG = master_.now.derivatives(eta);
@@ -53,7 +53,7 @@ LinePairSide::Rows LinePairSide::rows(const Point& p) const {
 }
 
 // The derivatives of force and couple at a point.
-struct LinePairSide::Slopes {
+struct LinePairPass::Slopes {
   std::array<Six, kMost> by;        // of what the rows are conjugate to
   Column by_xi, by_rate;            // by the place on the slave, and by the rate of the gap
   bool slides_on = false;           // the nearest point moves along the master:
@@ -64,7 +64,7 @@ struct LinePairSide::Slopes {
 // With the slave's place xi given, everything depends on D = x - y and T = y' at a given eta, on the
 // sections' turns and on eta, which follows from D . y' = 0:
 //   d eta = ((dx - dy) . y' + D . dy') / (y' . y' - D . y'').
-LinePairSide::Slopes LinePairSide::slopes(const Point& p, const Start& from, const LinePairForce& c,
+LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, const LinePairForce& c,
                                           const Rows& rows) const {
   using F = LinePairForce;
   const bool rubs = set_.law.friction.active();
@@ -129,13 +129,13 @@ LinePairSide::Slopes LinePairSide::slopes(const Point& p, const Start& from, con
 
 // An end of a panel that moves, and what the forces of the panel change by as it takes the Gauss points
 // along.
-struct LinePairSide::MovingEnd {
+struct LinePairPass::MovingEnd {
   bool moves = false;
   std::array<Vec3, kTurns> by;    // of its place, by the positions
   std::array<Vec3, kMost> force;  // of the rows, by its place
 };
 
-LinePairSide::MovingEnd LinePairSide::moving_end(double xi, End end) const {
+LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   MovingEnd m;
   if (end == End::fixed) return m;
   const size_t na = static_cast<size_t>(slave_.now.count()), nb = static_cast<size_t>(master_.now.count());
@@ -162,7 +162,7 @@ LinePairSide::MovingEnd LinePairSide::moving_end(double xi, End end) const {
 }
 
 // Where negative stiffness is left out: as if nearest points and normals stayed.
-void LinePairSide::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
+void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
                               AttachedForces& g) const {
   const Vec3& nrm = p.foot.normal;
   const Six by_moved = c.by.block<6, 3>(0, LinePairForce::kMoved);
@@ -174,7 +174,7 @@ void LinePairSide::add_convex(const Point& p, const LinePairForce& c, const Rows
 }
 
 // The tangent is exact.
-void LinePairSide::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g,
+void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g,
                        std::vector<LinePairHistory>* points) const {
   const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
   const size_t n = g.positions;

@@ -5,7 +5,7 @@
 
 namespace hawser {
 
-struct LinePairSide::Point {
+struct LinePairPass::Point {
   double xi = 0;
   AxisProjection foot;
   AxisShape::Weights H, G;  // slave's at xi, master's at eta
@@ -17,7 +17,7 @@ struct LinePairSide::Point {
 
 // What a material point of the slave brings from the start of the step. Derivatives along the slave, along
 // the master, and by the generalised positions at these places.
-struct LinePairSide::Start {
+struct LinePairPass::Start {
   double slip[2] = {0, 0}, slip_slope[2] = {0, 0};
   double closing = 0, closing_xi = 0, closing_eta = 0;
   std::array<Vec3, AttachedForces::kPositions> closing_by;

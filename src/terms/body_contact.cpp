@@ -33,14 +33,14 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     : comm_(comm), mesh_(mesh), bodies_(std::move(bodies)), volumes_(std::move(volumes)) {
   if (volumes_.size() != c.volumes.size()) throw std::invalid_argument("body contact needs all volumes");
   for (const model::Volume& v : c.volumes) {
-    Side s;
+    PairBody s;
     s.body = c.body_index(v.body);
     if (s.body >= 0 && c.bodies[static_cast<size_t>(s.body)].mass) {
       const model::BodyMass& m = *c.bodies[static_cast<size_t>(s.body)].mass;
       s.centre = m.centre, s.mass = m.mass, s.inertia = m.tensor(), s.inverse_inertia = s.inertia.inverse();
       s.global = mesh.mesh->body_node(s.body);
     }
-    sides_.push_back(s);
+    bodies_of_volumes_.push_back(s);
     names_.push_back("volume " + v.name + (v.body.empty() ? "" : " of body " + v.body));
   }
   for (const BodyVolume& v : volumes_) boxes_.push_back(v.surface->bounds());
@@ -48,7 +48,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     const model::Volume& v = c.volumes[p.a];
     Pair pair;
     pair.a = p.a, pair.b = p.b, pair.share = p.share, pair.hides = p.hides;
-    pair.mass = 1 / (1 / sides_[p.a].mass + 1 / sides_[p.b].mass);
+    pair.mass = 1 / (1 / bodies_of_volumes_[p.a].mass + 1 / bodies_of_volumes_[p.b].mass);
     Box around;
     const auto add = [&](const auto& b) {
       pair.size = std::max(pair.size, 2 * b.radius);
@@ -57,7 +57,8 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     const BodySkeleton& leads = volumes_[p.a].skeleton;
     std::for_each(leads.features.begin(), leads.features.end(), add);
     if (!around.empty())
-      pair.middle = around.centre() - sides_[p.a].centre, pair.radius = 0.5 * around.extent().norm();
+      pair.middle = around.centre() - bodies_of_volumes_[p.a].centre,
+      pair.radius = 0.5 * around.extent().norm();
     const Vec3 extent = boxes_[p.a].extent();
     if (extent.allFinite()) pair.size = extent.maxCoeff();
     pair.most_depth = kDeepestAtOnce * pair.size;
@@ -94,7 +95,7 @@ bool BodyContactTerm::recouple(const Kinematics&, double) {
 
 void BodyContactTerm::couple(Couplings& to) const {
   for (const Pair& p : pairs_) {
-    const int a = sides_[p.a].global, b = sides_[p.b].global;
+    const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;
     const auto here = [&](int n) {
       const int local = n < 0 ? -1 : mesh_.find(n);
       return local >= 0 && local < mesh_.owned;
@@ -104,19 +105,19 @@ void BodyContactTerm::couple(Couplings& to) const {
 }
 
 void BodyContactTerm::update_ghosts() {
-  for (Side& s : sides_) {
+  for (PairBody& s : bodies_of_volumes_) {
     s.node = s.global < 0 ? -1 : mesh_.find(s.global);
     s.block = s.node < 0 ? -1 : mesh_.block[static_cast<size_t>(s.node)];
   }
   for (Pair& p : pairs_) {
-    const Side &a = sides_[p.a], &b = sides_[p.b];
-    const auto owned = [&](const Side& s) { return s.node >= 0 && s.node < mesh_.owned; };
+    const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
+    const auto owned = [&](const PairBody& s) { return s.node >= 0 && s.node < mesh_.owned; };
     p.here = owned(a) || owned(b);
     p.counted = a.global >= 0 ? owned(a) : owned(b);
   }
 }
 
-BodyFrame BodyContactTerm::frame(const Side& s, const Kinematics& at) const {
+BodyFrame BodyContactTerm::frame(const PairBody& s, const Kinematics& at) const {
   BodyFrame f;
   if (s.global < 0) {
     const RigidPose p = bodies_->pose(s.body, at.time);
@@ -130,8 +131,8 @@ BodyFrame BodyContactTerm::frame(const Side& s, const Kinematics& at) const {
 }
 
 BodyContactTerm::Both BodyContactTerm::both(const Pair& pair, const Kinematics& at) const {
-  const Side& b = sides_[pair.b];
-  Both out{frame(sides_[pair.a], at), frame(b, at), {}};
+  const PairBody& b = bodies_of_volumes_[pair.b];
+  Both out{frame(bodies_of_volumes_[pair.a], at), frame(b, at), {}};
   out.Bs = out.B;
   out.Bs.x = out.B.to_space(b.global < 0 ? Vec3(Vec3::Zero()) : Vec3(-b.centre));
   return out;
@@ -186,7 +187,7 @@ void BodyContactTerm::contact_along_axis(const Pair& pair, const Both& at, const
 BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
                                               const AxisContactMode& mode) const {
   const BodyFrame &A = at.A, &B = at.B, &Bs = at.Bs;
-  const Vec3& ca = sides_[pair.a].centre;  // zero of one with prescribed motion
+  const Vec3& ca = bodies_of_volumes_[pair.a].centre;  // zero of one with prescribed motion
   RigidPose pose;
   pose.position = Bs.x, pose.rotation = Quat(Bs.R);
   pose.velocity = B.velocity(B.to_body(Bs.x)), pose.angular_velocity = B.R * B.w;
@@ -217,18 +218,18 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
 void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
-    const Side &a = sides_[p.a], &b = sides_[p.b];
+    const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
     const bool tangent = assembler.wants_tangent();
     const Sum s = contact(p, both(p, trial), {true, tangent, false});
     if (!s.active) continue;
     std::array<int, 4> blocks{};
     std::array<int, 12> row{};  // of the twelve
     int n = 0;
-    for (const auto& [side, first] : {std::pair(&a, 0), std::pair(&b, 6)}) {
-      if (side->global < 0) continue;
+    for (const auto& [body, first] : {std::pair(&a, 0), std::pair(&b, 6)}) {
+      if (body->global < 0) continue;
       for (int k = 0; k < 2; ++k) {
         for (int i = 0; i < 3; ++i) row[static_cast<size_t>(3 * n + i)] = first + 3 * k + i;
-        blocks[static_cast<size_t>(n++)] = side->block + k;
+        blocks[static_cast<size_t>(n++)] = body->block + k;
       }
     }
     const size_t m = 3 * static_cast<size_t>(n);
@@ -248,9 +249,10 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 void BodyContactTerm::powers(const Pair& p, const Sum& s, const Kinematics& at, double& damping,
                              double& work) const {
   damping = s.damping_power, work = 0;
-  for (const auto& [side, first] : {std::pair(&sides_[p.a], 0), std::pair(&sides_[p.b], 6)}) {
-    if (side->global >= 0) continue;
-    const BodyFrame f = frame(*side, at);
+  for (const auto& [body, first] :
+       {std::pair(&bodies_of_volumes_[p.a], 0), std::pair(&bodies_of_volumes_[p.b], 6)}) {
+    if (body->global >= 0) continue;
+    const BodyFrame f = frame(*body, at);
     work += s.on.f.segment<3>(first).dot(f.v) + s.on.f.segment<3>(first + 3).dot(f.w);
   }
 }
@@ -318,7 +320,8 @@ std::vector<HistoryRecord> BodyContactTerm::save() const {
   std::vector<HistoryRecord> out;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
-    const int node = sides_[p.a].global >= 0 ? sides_[p.a].global : sides_[p.b].global;
+    const int node =
+        bodies_of_volumes_[p.a].global >= 0 ? bodies_of_volumes_[p.a].global : bodies_of_volumes_[p.b].global;
     if (p.counted) out.push_back(record_of(node, static_cast<int>(i), p));
   }
   return out;

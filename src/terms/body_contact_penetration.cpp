@@ -55,7 +55,7 @@ void BodyContactTerm::check_overlap(double time) {
     watched = watched || p.hides;
     const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two
     if (!p.hides || !p.counted || again) continue;
-    const Side& a = sides_[p.a];
+    const PairBody& a = bodies_of_volumes_[p.a];
     BodyFrame As = p.at.A;
     if (a.global >= 0) As.x = As.to_space(-a.centre);
     const double depth = std::max(deepest(p.a, As, p.b, p.at.Bs), deepest(p.b, p.at.Bs, p.a, As));

@@ -41,10 +41,11 @@ void BodyContactTerm::Both::move(double time) {
 double BodyContactTerm::frequency(const Pair& pair, const Sum& s) const {
   if (!s.active) return 0;
   Mat12 W = Mat12::Zero();  // inverse of the root of the mass
-  for (const auto& [side, first] : {std::pair(&sides_[pair.a], 0), std::pair(&sides_[pair.b], 6)}) {
-    if (side->global < 0) continue;
-    W.block<3, 3>(first, first) = Mat3::Identity() / std::sqrt(side->mass);
-    W.block<3, 3>(first + 3, first + 3) = side->inverse_inertia.llt().matrixL();
+  for (const auto& [body, first] :
+       {std::pair(&bodies_of_volumes_[pair.a], 0), std::pair(&bodies_of_volumes_[pair.b], 6)}) {
+    if (body->global < 0) continue;
+    W.block<3, 3>(first, first) = Mat3::Identity() / std::sqrt(body->mass);
+    W.block<3, 3>(first + 3, first + 3) = body->inverse_inertia.llt().matrixL();
   }
   const Mat12 K = W.transpose() * s.on.K * W;
   const Eigen::SelfAdjointEigenSolver<Mat12> solver(K, Eigen::EigenvaluesOnly);
@@ -54,8 +55,9 @@ double BodyContactTerm::frequency(const Pair& pair, const Sum& s) const {
 double BodyContactTerm::relative_energy(const Pair& pair, const Both& at) const {
   const Vec3 there = at.B.v + at.B.R * at.B.w.cross(at.B.to_body(at.A.x));
   double e = 0.5 * pair.mass * (at.A.v - there).squaredNorm();
-  for (const auto& [side, f] : {std::pair(&sides_[pair.a], &at.A), std::pair(&sides_[pair.b], &at.B)})
-    if (side->global >= 0) e += 0.5 * f->w.dot(side->inertia * f->w);
+  for (const auto& [body, f] :
+       {std::pair(&bodies_of_volumes_[pair.a], &at.A), std::pair(&bodies_of_volumes_[pair.b], &at.B)})
+    if (body->global >= 0) e += 0.5 * f->w.dot(body->inertia * f->w);
   return e;
 }
 
@@ -66,7 +68,7 @@ double BodyContactTerm::fastest(const Pair& pair, const Both& at) const {
 
 std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pair, const Both& at,
                                                                  double within) const {
-  const Vec3& ca = sides_[pair.a].centre;
+  const Vec3& ca = bodies_of_volumes_[pair.a].centre;
   const Surface& surface = *volumes_[pair.b].surface;
   const DistanceField field = distance_to(surface);
   const auto there = [&](const Vec3& y) { return at.Bs.to_body(at.A.to_space(y - ca)); };
@@ -127,20 +129,20 @@ void BodyContactTerm::limit_by(const Pair& p, const Kinematics& committed, Impac
   if (!place) return;
   Vec12 rates = Vec12::Zero(), accelerations = Vec12::Zero();
   double slowness_of_mass = 0;  // 1/kg
-  for (const auto& [side, f, first] :
-       {std::tuple(&sides_[p.a], &p.at.A, 0), std::tuple(&sides_[p.b], &p.at.B, 6)}) {
+  for (const auto& [body, f, first] :
+       {std::tuple(&bodies_of_volumes_[p.a], &p.at.A, 0), std::tuple(&bodies_of_volumes_[p.b], &p.at.B, 6)}) {
     rates.segment<3>(first) = f->v, rates.segment<3>(first + 3) = f->w;
-    if (side->global < 0) {
-      const RigidPose pose = bodies_->pose(side->body, committed.time);
+    if (body->global < 0) {
+      const RigidPose pose = bodies_->pose(body->body, committed.time);
       accelerations.segment<3>(first) = pose.acceleration;
       accelerations.segment<3>(first + 3) = f->R.transpose() * pose.angular_acceleration;
       continue;
     }
-    const size_t n = static_cast<size_t>(side->node);
+    const size_t n = static_cast<size_t>(body->node);
     accelerations.segment<3>(first) = committed.a[n],
     accelerations.segment<3>(first + 3) = committed.alpha[n];
     const Vec3 push = place->gradient.segment<3>(first), turn = place->gradient.segment<3>(first + 3);
-    slowness_of_mass += push.squaredNorm() / side->mass + turn.dot(side->inverse_inertia * turn);
+    slowness_of_mass += push.squaredNorm() / body->mass + turn.dot(body->inverse_inertia * turn);
   }
   const Approach at{place->gap - p.law.smoothing, -place->gradient.dot(rates),
                     place->gradient.dot(accelerations), true};
@@ -157,12 +159,12 @@ void BodyContactTerm::limit_by(const Pair& p, const Kinematics& committed, Impac
     slowness = h * kStepsAPeriod / (2 * M_PI);
   }
   if (!p.counted) return;
-  const auto group = [&](const Side& s) {
+  const auto group = [&](const PairBody& s) {
     return s.node < 0
                ? -1
                : mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[static_cast<size_t>(s.node)])].line;
   };
-  const int a = group(sides_[p.a]), b = group(sides_[p.b]);
+  const int a = group(bodies_of_volumes_[p.a]), b = group(bodies_of_volumes_[p.b]);
   to.add(impact_event(slowness, p.law.smoothing, 1 / slowness_of_mass, at), std::max(a, b), std::min(a, b));
 }
 
@@ -192,8 +194,8 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
 
 // Corners, edges and balls, in the frame of the other body; a corner is taken for as round as the ramp of its
 // law is wide.
-bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
-  const Side &sa = sides_[pair.a], &sb = sides_[pair.b];
+bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
+  const PairBody &sa = bodies_of_volumes_[pair.a], &sb = bodies_of_volumes_[pair.b];
   const BodyFrame A = frame(sa, trial), B = frame(sb, trial);
   const Vec3 ca = sa.global < 0 ? Vec3(Vec3::Zero()) : sa.centre,
              cb = sb.global < 0 ? Vec3(Vec3::Zero()) : sb.centre;
@@ -220,7 +222,7 @@ bool BodyContactTerm::passes(const Pair& pair, const Kinematics& trial) const {
 
 Verdict BodyContactTerm::judge(const Kinematics& trial) const {
   const bool through = trial.step > 0 && std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-                         return pair.counted && passes(pair, trial);
+                         return pair.counted && tunnels(pair, trial);
                        });
   return through ? Verdict{Verdict::Kind::shorter, "in it a body would pass through another one"} : Verdict{};
 }

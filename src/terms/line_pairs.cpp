@@ -92,10 +92,10 @@ bool LinePairs::near(const Pair& p, const std::vector<Rod>& is) const {
 }
 
 template <class What>
-void LinePairs::sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
-                      const What& what) const {
+void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
+                          const What& what) const {
   static const std::vector<LinePairHistory> nothing;
-  LinePairSide::Settings s;
+  LinePairPass::Settings s;
   s.law = pair.law;
   if (!friction_on_) s.law.friction = {};
   s.moves = moves, s.convex = convex;
@@ -108,7 +108,7 @@ void LinePairs::sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bo
     s.slave_radius = settings(slave).radius;
     s.share = slave_share(s.slave_radius, settings(master).radius);
     if (!(s.share > 0)) continue;
-    what(k, LinePairSide(swapped ? B : A, swapped ? A : B, part, s,
+    what(k, LinePairPass(swapped ? B : A, swapped ? A : B, part, s,
                          pair.history ? (*pair.history)[k] : nothing));
   }
 }
@@ -117,8 +117,8 @@ LinePairs::Trial& LinePairs::find(Pair& pair, const PairAxis& A, const PairAxis&
   std::unique_ptr<Trial>& t = pair.trial;
   if (t && t->a.same_axis(A.now) && t->b.same_axis(B.now)) return *t;
   t = std::make_unique<Trial>(Trial{A.now, B.now});
-  sides(pair, A, B, false, false, [&](size_t part, const LinePairSide& side) {
-    t->panels[part] = side.panels();
+  each_pass(pair, A, B, false, false, [&](size_t part, const LinePairPass& pass) {
+    t->panels[part] = pass.panels();
     t->active |= !t->panels[part].empty();
   });
   return *t;
@@ -128,11 +128,11 @@ std::optional<AttachedForces> LinePairs::forces(const Pair& pair, const PairAxis
                                                 Trial& found, bool swapped,
                                                 const AxisContactMode& mode) const {
   std::optional<AttachedForces> g;
-  sides(pair, A, B, mode.moves, mode.convex, [&](size_t part, const LinePairSide& side) {
+  each_pass(pair, A, B, mode.moves, mode.convex, [&](size_t part, const LinePairPass& pass) {
     if ((part >= 3) != swapped || found.panels[part].empty()) return;
     if (!g) g = no_forces(swapped ? B : A, swapped ? A : B, friction_on_ && pair.law.friction.active());
     found.points[part].clear();
-    side.add(found.panels[part], mode.tangent, *g, mode.tangent ? nullptr : &found.points[part]);
+    pass.add(found.panels[part], mode.tangent, *g, mode.tangent ? nullptr : &found.points[part]);
   });
   found.a = A.now, found.b = B.now, found.moves = mode.moves, found.evaluated = !mode.tangent;
   return g;
@@ -241,8 +241,8 @@ Energy LinePairs::energy(const Kinematics& at) const {
     }
     if (!near(p, is)) continue;
     const PairAxis A = axis(at, p.a), B = axis(at, p.b);
-    sides(p, A, B, false, false,
-          [&](size_t, const LinePairSide& side) { e.strain += side.potential(side.panels()); });
+    each_pass(p, A, B, false, false,
+              [&](size_t, const LinePairPass& pass) { e.strain += pass.potential(pass.panels()); });
   }
   for (const Account& a : accounts_) e.friction += a.friction, e.damping += a.damping;
   return e;

@@ -42,7 +42,7 @@ Verdict LinePairs::judge(const Kinematics& trial) const {
   const Pair* through = nullptr;
   double least = HUGE_VAL;
   for (const Pair& p : pairs_) {
-    if (!met(p, is) || !passes(p, trial)) continue;
+    if (!met(p, is) || !tunnels(p, trial)) continue;
     const double gap = nearest(p, start(p.a), start(p.b)).gap;
     if (!through || gap < least) through = &p, least = gap;
   }
@@ -53,7 +53,7 @@ Verdict LinePairs::judge(const Kinematics& trial) const {
 }
 
 // Whether an axis comes through the other, or nearly, on the way from the start of the step.
-bool LinePairs::passes(const Pair& p, const Kinematics& trial) const {
+bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
   const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
   ApproachLimits limits;
   if (trial.step > 0) {
@@ -128,8 +128,8 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
 // points.
 double LinePairs::deepest(const Pair& p) const {
   double depth = -HUGE_VAL;
-  for (const size_t side : {0, 3})
-    if (p.history && !(*p.history)[side].empty()) depth = std::max(depth, deepest_of((*p.history)[side]));
+  for (const size_t pass : {0, 3})
+    if (p.history && !(*p.history)[pass].empty()) depth = std::max(depth, deepest_of((*p.history)[pass]));
   return depth > -HUGE_VAL ? depth : 0;
 }
 

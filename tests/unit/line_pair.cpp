@@ -133,14 +133,14 @@ std::vector<Situation> situations() {
 }
 
 // What the side leaves behind.
-void keep(const LinePairSide& side, std::vector<LinePairHistory>& points) {
+void keep(const LinePairPass& pass, std::vector<LinePairHistory>& points) {
   AttachedForces unused(AttachedForces::kPositions, true);
-  side.add(side.panels(), false, unused, &points);
+  pass.add(pass.panels(), false, unused, &points);
 }
 
 struct Rig {
   AxisEnds a0, b0, a, b;  // start and trial
-  LinePairSide::Settings settings;
+  LinePairPass::Settings settings;
   std::array<std::vector<LinePairHistory>, 6> history;
 
   Rig(const Situation& s, bool beam_a, bool beam_b, double friction) {
@@ -162,17 +162,17 @@ struct Rig {
       Eigen::Map<Vec3>(w, 3) = Eigen::Map<Vec3>(w + (beam_a ? 6 : 3), 3) = Vec3(2e-4, -3e-4, 0);
       const AxisEnds older = moved(a0, w);
       std::array<std::vector<LinePairHistory>, 6> none;
-      each(a0, b0, older, b0, none, [&](size_t k, const LinePairSide& side) { keep(side, history[k]); });
+      each(a0, b0, older, b0, none, [&](size_t k, const LinePairPass& pass) { keep(pass, history[k]); });
     }
   }
 
   // Both sides, elements and joints.
   void each(const AxisEnds& a1, const AxisEnds& b1, const AxisEnds& sa, const AxisEnds& sb,
             const std::array<std::vector<LinePairHistory>, 6>& past,
-            const std::function<void(size_t, const LinePairSide&)>& what) const {
+            const std::function<void(size_t, const LinePairPass&)>& what) const {
     const PairAxis A(a1, sa), B(b1, sb);
     for (size_t k = 0; k < 6; ++k)
-      what(k, LinePairSide(k < 3 ? A : B, k < 3 ? B : A, static_cast<ProjectOn>(k % 3), settings, past[k]));
+      what(k, LinePairPass(k < 3 ? A : B, k < 3 ? B : A, static_cast<ProjectOn>(k % 3), settings, past[k]));
   }
 
   int unknowns() const { return (a.beam ? 12 : 6) + (b.beam ? 12 : 6); }
@@ -185,7 +185,7 @@ struct Rig {
     if (K) K->assign(static_cast<size_t>(n * n), 0), C->assign(static_cast<size_t>(n * n), 0);
     const AxisEnds at = moved(a, u.data(), du.data()), bt = moved(b, u.data() + na, du.data() + na);
     const PairAxis A(at, a0), B(bt, b0);
-    each(at, bt, a0, b0, history, [&](size_t k, const LinePairSide& s) {
+    each(at, bt, a0, b0, history, [&](size_t k, const LinePairPass& s) {
       if (part >= 0 && static_cast<size_t>(part) != k) return;
       const bool swapped = k >= 3;
       const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
@@ -207,7 +207,7 @@ struct Rig {
   double potential(const std::vector<double>& u) const {
     double sum = 0;
     each(moved(a, u.data()), moved(b, u.data() + (a.beam ? 12 : 6)), a0, b0, history,
-         [&](size_t, const LinePairSide& s) { sum += s.potential(s.panels()); });
+         [&](size_t, const LinePairPass& s) { sum += s.potential(s.panels()); });
     return sum;
   }
 };
@@ -283,7 +283,7 @@ std::array<std::vector<LinePairHistory>, 6> swept(double way, double mu) {
   for (int i = 1; i <= steps; ++i) {
     for (auto& part : next) part.clear();
     rig.each(at((i - steps) * way), rig.b, at((i - 1 - steps) * way), rig.b, past,
-             [&](size_t k, const LinePairSide& side) { keep(side, next[k]); });
+             [&](size_t k, const LinePairPass& pass) { keep(pass, next[k]); });
     past = next;
   }
   return past;
@@ -371,7 +371,7 @@ TEST(LinePair, RigidMotionLeavesTheSlipAlone) {
       };
       std::array<std::vector<LinePairHistory>, 6> next;
       rig.each(turned(rig.a0), turned(rig.b0), rig.a0, rig.b0, rig.history,
-               [&](size_t k, const LinePairSide& side) { keep(side, next[k]); });
+               [&](size_t k, const LinePairPass& pass) { keep(pass, next[k]); });
       for (size_t k = 0; k < 6; ++k) {
         ASSERT_EQ(next[k].size(), rig.history[k].size()) << s.name;
         for (size_t i = 0; i < next[k].size(); ++i) {
@@ -406,7 +406,7 @@ TEST(LinePair, JointsDoNotShow) {
             b.beam = beam, b.length = 4.0 / pieces;
             b.x1 = Vec3(-2 + i * b.length, 0, 0), b.x2 = Vec3(-2 + (i + 1) * b.length, 0, 0);
             const PairAxis A(a, a), B(b, b);
-            LinePairSide::Settings set;
+            LinePairPass::Settings set;
             set.law.reach = 2 * kRadius, set.law.normal = {kStiffness, 1e-5, 0};
             set.slave_radius = kRadius, set.moves = false;
             const std::vector<LinePairHistory> none;
@@ -416,9 +416,9 @@ TEST(LinePair, JointsDoNotShow) {
               if (part != ProjectOn::element && k >= 3) continue;
               if (part == ProjectOn::first_end && i == 0) continue;
               if (part == ProjectOn::second_end && i + 1 == pieces) continue;
-              const LinePairSide side(k < 3 ? A : B, k < 3 ? B : A, part, set, none);
+              const LinePairPass pass(k < 3 ? A : B, k < 3 ? B : A, part, set, none);
               AttachedForces g = no_forces(A, A, false);
-              side.add(side.panels(), false, g);
+              pass.add(pass.panels(), false, g);
               const size_t step = beam ? 2 : 1, first = k < 3 ? 0 : static_cast<size_t>(A.now.count());
               sum += g.F[first] + g.F[first + step];
             }
@@ -448,11 +448,11 @@ TEST(LinePair, ContactAtAJointIsNotMissed) {
     const Vec3 along = Vec3(1, 0.1 * noise(seed, 33), -lean).normalized(), at(b.x2 + Vec3(0, 0, z));
     const AxisEnds a = element(true, at - over * along, at + (0.1 - over) * along, seed + 4000, 0.02);
     const PairAxis A(a, a), B(b, b);
-    LinePairSide::Settings set;
+    LinePairPass::Settings set;
     set.law.reach = 2 * kRadius, set.law.normal = {kStiffness, 1e-6, 0};
     set.slave_radius = kRadius, set.moves = false;
     const std::vector<LinePairHistory> none;
-    const auto panels = LinePairSide(A, B, ProjectOn::element, set, none).panels();
+    const auto panels = LinePairPass(A, B, ProjectOn::element, set, none).panels();
     double least = 1e300, place = 0;
     for (int i = 0; i <= 2000; ++i) {
       const double xi = i / 2000.0, d = closest_point_on(B.now, A.now.point(xi)).distance;

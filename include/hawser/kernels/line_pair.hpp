@@ -32,7 +32,7 @@ struct PairAxis {
   Mat3 turn_at(double xi) const { return (1 - xi) * turn[0] + xi * turn[1]; }
 };
 
-// A Gauss point of the accepted state. Space axes; the weight has the share of the pair's side and the sign.
+// A Gauss point of the accepted state. Space axes; the weight has the share of the pair's pass and the sign.
 struct LinePairHistory : ContactPoint {
   double xi = 0, from = 0, to = 0;     // place; its panel: all of it touches
   bool opens = false, closes = false;  // contact begins at `from`, ends at `to`
@@ -54,7 +54,7 @@ struct LinePairHistory : ContactPoint {
 AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs);
 Stencil stencil_of(const PairAxis& slave, const PairAxis& master);
 
-class LinePairSide {
+class LinePairPass {
  public:
   struct Settings {
     LinePairLaw law;
@@ -64,7 +64,7 @@ class LinePairSide {
     bool convex = false;      // leave out negative stiffness
   };
 
-  LinePairSide(const PairAxis& slave, const PairAxis& master, ProjectOn part, const Settings& settings,
+  LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn part, const Settings& settings,
                const std::vector<LinePairHistory>& history);
 
   // One rule's interval of the slave. An end that moves does so with the gap or with the place where the
@@ -96,7 +96,7 @@ class LinePairSide {
   double contact_distance() const {
     return set_.law.reach + set_.law.normal.smoothing;
   }  // m, between the axes
-  std::optional<double> passes(double eta, double lo, double hi) const;
+  std::optional<double> crossing_of(double eta, double lo, double hi) const;
   std::vector<double> kinks(int levels) const;
   void split(const Panel& panel, std::vector<Panel>& out) const;
   LinePairPoint local(const Point& p, const Start& s) const;

@@ -76,7 +76,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void active_contacts(ActiveContacts& out) const;
 
  private:
-  struct Side {
+  struct PairBody {
     int body = -1, node = -1, block = -1;  // of the case; local node and block, -1: prescribed or elsewhere
     int global = -1;                       // mesh node, -1: prescribed
     Vec3 centre = Vec3::Zero();            // m, of mass, body frame
@@ -133,13 +133,13 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double gap = 0;  // m
     Vec12 gradient = Vec12::Zero();
   };
-  BodyFrame frame(const Side& side, const Kinematics& at) const;
+  BodyFrame frame(const PairBody& body, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
   Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const;
   void contact_along_axis(const Pair& pair, const Both& at, const RigidPose& surface,
                           const SkeletonPart& part, const AxisContactMode& mode, double* f, double* K,
                           double* C, Sum& sum) const;
-  bool passes(const Pair& pair, const Kinematics& trial) const;
+  bool tunnels(const Pair& pair, const Kinematics& trial) const;
   void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
   // What looks ahead, body_contact_step_limits.cpp. rad/s, of the fastest motion of the bodies on those
   // springs.
@@ -161,9 +161,9 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<BodyVolume> volumes_;
-  std::vector<Box> boxes_;   // of their surfaces
-  std::vector<Box> faces_;   // of the places where they are watched, empty: of none
-  std::vector<Side> sides_;  // likewise
+  std::vector<Box> boxes_;                   // of their surfaces
+  std::vector<Box> faces_;                   // of the places where they are watched, empty: of none
+  std::vector<PairBody> bodies_of_volumes_;  // likewise
   std::vector<Pair> pairs_;
   std::vector<std::string> names_;  // of volumes, with their bodies
   bool told_ = false;

@@ -1,5 +1,5 @@
 // Contact of lines with lines and of a line with itself: kernels/line_pair.hpp over all candidate pairs, from
-// both sides. See docs/theory/line-line.md.
+// both passes. See docs/theory/line-line.md.
 #pragma once
 
 #include <map>
@@ -104,7 +104,7 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   // without derivatives: tangent and commitment of the same state take it.
   struct Trial {
     AxisShape a, b;
-    std::array<std::vector<LinePairSide::Panel>, kParts> panels{};
+    std::array<std::vector<LinePairPass::Panel>, kParts> panels{};
     bool active = false;
     bool evaluated = false, moves = false;  // moves: with velocities
     History points{};
@@ -152,10 +152,11 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   AxisEnds ends(const Kinematics& at, int segment) const;
   Rod rod(const Kinematics& at, int segment) const;
   LinePairLaw law(int a, int b) const;
-  // The sides of a pair with something to find; what(part, side).
+  // The passes of a pair with something to find, each with one of its elements as the slave; what(part,
+  // pass).
   template <class What>
-  void sides(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
-             const What& what) const;
+  void each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
+                 const What& what) const;
   Trial& find(Pair& pair, const PairAxis& A, const PairAxis& B) const;
   // What acts on one side's slave and master; none: nothing.
   std::optional<AttachedForces> forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
@@ -172,7 +173,7 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   double mass_per_length(const Pair& pair) const;
   double slowness(const Pair& pair) const;
   double mass(const Pair& pair) const;
-  bool passes(const Pair& pair, const Kinematics& trial) const;
+  bool tunnels(const Pair& pair, const Kinematics& trial) const;
   std::string where(const Pair& pair) const;
   double deepest(const Pair& pair) const;
   double stored(const Pair& pair) const;
