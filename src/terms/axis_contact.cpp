@@ -40,7 +40,7 @@ AxisContact::AxisContact(const AxisShape& shape, const RigidPose& pose, Pair pai
   for (size_t i = 0; i < 2 && rolls_; ++i) about_[i] = shape_.axes(i) * rolls_->ends[i].by_turn;
 }
 
-void AxisContact::add(const ContactPlaces& found, std::vector<AxisContactPoint>* points) {
+void AxisContact::add(const ContactQuadrature& found, std::vector<AxisContactPoint>* points) {
   for (size_t i = 0; i < found.panels.size(); ++i) add_panel(found, i, points);
 }
 
@@ -63,7 +63,8 @@ std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& 
 }
 
 // The tangent is exact, moving ends included.
-void AxisContact::add_panel(const ContactPlaces& found, size_t panel, std::vector<AxisContactPoint>* points) {
+void AxisContact::add_panel(const ContactQuadrature& found, size_t panel,
+                            std::vector<AxisContactPoint>* points) {
   const ContactPanel& s = found.panels[panel];
   const bool moves = mode_.moves;
   const double L = pair_.length, span = s.to - s.from;
@@ -73,10 +74,10 @@ void AxisContact::add_panel(const ContactPlaces& found, size_t panel, std::vecto
   if (mode_.tangent && !mode_.convex) ends = moving_ends(s);
   const bool moving = ends[0].on || ends[1].on;
   // Places lie by panel.
-  auto place = std::partition_point(found.places.begin(), found.places.end(),
-                                    [&](const ContactPlace& p) { return p.panel < panel; });
-  for (; place != found.places.end() && place->panel == panel; ++place) {
-    const ContactPlace& there = *place;
+  auto place = std::partition_point(found.quadrature.begin(), found.quadrature.end(),
+                                    [&](const QuadraturePoint& p) { return p.panel < panel; });
+  for (; place != found.quadrature.end() && place->panel == panel; ++place) {
+    const QuadraturePoint& there = *place;
     if (!(there.at.distance <= contact_distance)) continue;
     const double xi = there.xi, w = there.weight;
     const Vec3 x = shape_.point(xi);

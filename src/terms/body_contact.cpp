@@ -149,16 +149,16 @@ void BodyContactTerm::contact_along_axis(const Pair& pair, const Both& at, const
   const auto query = [&](double xi, double within) {
     return surface.query(pose.to_body(shape.point(xi)), within);
   };
-  ContactPlaces found;
+  ContactQuadrature found;
   if (length > 0) {
     const AxisGapFunction gap = axis_distance(surface, pose, shape, contact_distance);
     found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
                      [&](double xi) { return query(xi, contact_distance); });
   } else if (const auto p = query(0, contact_distance)) {
     found.panels.emplace_back();
-    found.places.push_back({0, weight, 0, 1, 0, *p});
+    found.quadrature.push_back({0, weight, 0, 1, 0, *p});
   }
-  if (found.places.empty()) return;
+  if (found.quadrature.empty()) return;
   AxisContact contact(shape, pose,
                       {e.radius,
                        weight,

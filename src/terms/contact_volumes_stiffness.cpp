@@ -37,7 +37,7 @@ void ContactVolumes::raise_to(int volume, double stiffness) {
   volumes_[k].settings.normal_stiffness = committed_[k] = std::max(stiffness, committed_[k]);
 }
 
-void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPlace& p, double step,
+void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPoint& p, double step,
                          std::vector<double>& wanted) const {
   const size_t k = static_cast<size_t>(volume);
   const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;

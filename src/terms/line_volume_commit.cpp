@@ -93,7 +93,7 @@ Energy LineVolumeContact::energy(const Kinematics& at) const {
     }
     Pair pair = p;
     const AxisShape shape(ends(at, p.element));
-    for (const ContactPlace& there : finder_.find(pair, shape, volumes_.pose_of(p.volume, at)).places)
+    for (const QuadraturePoint& there : finder_.find(pair, shape, volumes_.pose_of(p.volume, at)).quadrature)
       if (p.in_contact(there.at))
         e.strain +=
             there.weight * normal_force(p.law(there.xi).normal, there.at.distance - p.radius, 0).potential;

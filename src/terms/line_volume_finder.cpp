@@ -151,7 +151,7 @@ void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisSha
 // The trapezoidal rule: each end stands for its half of the element.
 void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const AxisShape& shape,
                                      const RigidPose& pose) const {
-  ContactPlaces& f = pair.found;
+  ContactQuadrature& f = pair.found;
   Gap gap(*this, pair, group, shape, pose, places_);
   // Behind one of several facet groups the middle sees nothing.
   const bool near = by_gap() || pair.group(group) || gap.may_touch();
@@ -159,7 +159,7 @@ void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const Axis
     if (!near || !takes_part(pair, xi)) continue;
     const auto p = gap.query(xi, 0.5 * shape.reach());
     if (!p || !pair.in_contact(*p)) continue;
-    f.places.push_back({xi, 0.5 * pair.length, xi, 1, f.panels.size(), *p});
+    f.quadrature.push_back({xi, 0.5 * pair.length, xi, 1, f.panels.size(), *p});
     f.panels.push_back({{0.5 * xi, 0.5 + 0.5 * xi}, group});
   }
   if (f.panels.empty() && !pair.group(group) && !by_gap()) update_clearance(pair, shape, pose, places_);
@@ -171,9 +171,9 @@ bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
   return !at_nodes() || (xi == 0 && !pair.held[0]) || (xi == 1 && !pair.held[1]);
 }
 
-const ContactPlaces& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
-                                            const RigidPose& pose) const {
-  if (clear(pair, shape, pose) || pair.found.of.same_places(shape, pose)) return pair.found;
+const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
+                                                const RigidPose& pose) const {
+  if (clear(pair, shape, pose) || pair.found.of.same_configuration(shape, pose)) return pair.found;
   pair.found.clear();
   pair.found.of = {true, shape, pose};
   pair.near = {};

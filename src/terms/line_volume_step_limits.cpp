@@ -131,10 +131,10 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     if (!local(pair).counted || (pair.points.empty() && !pair.several && pair.found.panels.empty())) continue;
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
-    const ContactPlaces& found = finder_.find(pair, shape, pose);
+    const ContactQuadrature& found = finder_.find(pair, shape, pose);
     for (int w = 0; w < pair.facet_groups(); ++w) {
       double deepest = 0, was = 0;
-      for (const ContactPlace& p : found.places)
+      for (const QuadraturePoint& p : found.quadrature)
         if (found.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.at.distance);
       for (const AxisContactPoint& p : pair.past(w)) was = std::max(was, -p.gap);
       to.too_deep = to.too_deep || sinks_too_far(pair.radius, was, deepest);
@@ -162,7 +162,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
         add(p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
             (pose.rotation * p.normal).dot(leaves));
       }
-    for (const ContactPlace& p : found.places) {
+    for (const QuadraturePoint& p : found.quadrature) {
       const auto& past = pair.past(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
       if (!pair.in_contact(p.at) || std::any_of(past.begin(), past.end(), holds)) continue;

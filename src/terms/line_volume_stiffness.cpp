@@ -45,7 +45,7 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
     if (!volumes_.automatic(pair.volume) || (!touches && !(equilibrium.step > 0))) continue;
     const AxisShape shape(ends(equilibrium, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
-    PressedPlace at;
+    PressedPoint at;
     at.radius = pair.radius, at.mass = settings(pair).mass_per_length, at.held = is_held(pair);
     for (const double xi : {0.0, 1.0})
       at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
@@ -54,7 +54,7 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
       double force = 0;  // N, of all of the facet group
       Vec3 normal = Vec3::Zero();
       at.depth = 0;
-      for (const ContactPlace& there : pair.found.places) {
+      for (const QuadraturePoint& there : pair.found.quadrature) {
         if (!touches || pair.found.panels[there.panel].group != w || !pair.in_contact(there.at)) continue;
         const double gap = there.at.distance - pair.radius;
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
@@ -91,11 +91,11 @@ std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) cons
   const Pair* in = nullptr;
   double deepest = 0, xi = 0;
   for (const Pair& pair : pairs_) {
-    if (is_held(pair) || pair.found.places.empty()) continue;
+    if (is_held(pair) || pair.found.quadrature.empty()) continue;
     // What did not move since it was clear is not looked at in a trial, and keeps what it was before.
     if (!pair.found.of.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
     const double most = volumes_.deepest(pair.volume, pair.radius);
-    for (const ContactPlace& there : pair.found.places)
+    for (const QuadraturePoint& there : pair.found.quadrature)
       if (const double depth = pair.radius - there.at.distance; depth > std::max(most, deepest))
         in = &pair, deepest = depth, xi = there.xi;
   }

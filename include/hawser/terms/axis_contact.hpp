@@ -45,14 +45,14 @@ class AxisContact {
               std::optional<Rolls> rolls = {});
 
   // Adds what acts at the places found; points: the contact points go there, if it is given.
-  void add(const ContactPlaces& found, std::vector<AxisContactPoint>* points = nullptr);
+  void add(const ContactQuadrature& found, std::vector<AxisContactPoint>* points = nullptr);
   // Adds the forces to blocks the positions are attached to: f[3n], K and C (3n)x(3n), row-major; K and C may
   // be null together.
   void to_blocks(const Stencil& stencil, double* f, double* K, double* C);
 
  private:
   struct Moving;
-  void add_panel(const ContactPlaces& found, size_t panel, std::vector<AxisContactPoint>* points);
+  void add_panel(const ContactQuadrature& found, size_t panel, std::vector<AxisContactPoint>* points);
   std::array<Moving, 2> moving_ends(const ContactPanel& s) const;
   void add_rolling(const ContactTrial& trial, const ContactStart& begin, const PointContact& c, double xi,
                    double weight, const Mat3& by_point);

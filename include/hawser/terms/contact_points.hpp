@@ -59,12 +59,12 @@ struct AxisBeside {
   RigidPose pose;
 
   // The same places, whatever their velocities.
-  bool same_places(const AxisShape& s, const RigidPose& p) const {
+  bool same_configuration(const AxisShape& s, const RigidPose& p) const {
     return known && shape.same_axis(s) && pose.position == p.position &&
            pose.rotation.coeffs() == p.rotation.coeffs();
   }
   bool same_motion(const AxisShape& s, const RigidPose& p) const {
-    return same_places(s, p) && shape.same_motion(s) && pose.velocity == p.velocity &&
+    return same_configuration(s, p) && shape.same_motion(s) && pose.velocity == p.velocity &&
            pose.angular_velocity == p.angular_velocity;
   }
 };
@@ -76,7 +76,7 @@ struct ContactPanel : ContactInterval {
 };
 
 // A place of a panel, and the surface there.
-struct ContactPlace {
+struct QuadraturePoint {
   double xi = 0, weight = 0;   // -, m
   double along = 0, part = 1;  // of the panel: where on it; the weight of the rule
   size_t panel = 0;
@@ -84,13 +84,13 @@ struct ContactPlace {
 };
 
 // Where an axis touches: its panels and their places, by panel.
-struct ContactPlaces {
+struct ContactQuadrature {
   AxisBeside of;
   std::vector<ContactPanel> panels;
   std::vector<InactiveInterval> filled;  // parts of panels that do not touch
-  std::vector<ContactPlace> places;
+  std::vector<QuadraturePoint> quadrature;
 
-  void clear() { of.known = false, panels.clear(), filled.clear(), places.clear(); }
+  void clear() { of.known = false, panels.clear(), filled.clear(), quadrature.clear(); }
   // Adds panels, and their Gauss points, to an axis of that length [m]. query(xi): the surface there, or
   // nothing where it is out of touch.
   template <class Query>
@@ -101,7 +101,7 @@ struct ContactPlaces {
         const double along = ContactRule::abscissae()[q], part = ContactRule::weight()[q];
         const double xi = s.from + (s.to - s.from) * along;
         if (const auto p = query(xi))
-          places.push_back({xi, length * (s.to - s.from) * part, along, part, panels.size(), *p});
+          quadrature.push_back({xi, length * (s.to - s.from) * part, along, part, panels.size(), *p});
       }
       panels.push_back({s, group});
     }

@@ -47,7 +47,7 @@ struct ContactShare {
 // A place of a line in the trial, as an automatic stiffness sees it (docs/theory/contact.md, "Stiffness that
 // follows the run"): how deep, the part of its force that inertia does not take (0 to 1), how fast it moves
 // relative to the volume.
-struct PressedPlace {
+struct PressedPoint {
   double depth = 0, radius = 0;  // m
   double still = 1;
   double speed = 0, mass = 0;  // m/s; kg in the sense of the law
@@ -97,7 +97,7 @@ class ContactVolumes {
   bool automatic(int volume) const { return at(volume).automatic; }
   // Of each volume what it has in the trial, to be asked for more.
   std::vector<double> stiffnesses() const;
-  void ask(int volume, const NormalLaw& law, const PressedPlace& p, double step,
+  void ask(int volume, const NormalLaw& law, const PressedPoint& p, double step,
            std::vector<double>& wanted) const;
   // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
   // where a volume is automatic.

@@ -25,7 +25,7 @@ class LineVolumeFinder {
 
   // Where the pair touches in a trial. Kept, since residual, tangent and commit ask for the same one after
   // the other.
-  const ContactPlaces& find(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  const ContactQuadrature& find(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // Whether the axis is out of touch for sure; then nothing is found.
   bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // m: of the tube about the axis at the start of the step in which nothing is met.

@@ -58,7 +58,7 @@ struct LineVolumePair {
   double one_reach = -1;  // m
   bool one = false;
   // Of the trial.
-  ContactPlaces found;
+  ContactQuadrature found;
   NearGroups near;  // of the axis of `found`
   // Contact points by the last evaluation of the law without derivatives, and the state it was of: commit of
   // that state takes them.
