@@ -13,12 +13,12 @@ namespace {
 
 using model::Value;
 
-std::shared_ptr<const StiffnessTable> read_stiffness_table(const Value& table, const std::string& key,
-                                                           bool odd, const CaseSource& source) {
-  std::vector<StiffnessTable::Row> rows;
+std::shared_ptr<const ResponseCurve> read_stiffness_table(const Value& table, const std::string& key,
+                                                          bool odd, const CaseSource& source) {
+  std::vector<ResponseCurve::Row> rows;
   for (const Value& r : table.items) rows.emplace_back(r.items[0].number, r.items[1].number);
   try {
-    return std::make_shared<const StiffnessTable>(rows, odd);
+    return std::make_shared<const ResponseCurve>(rows, odd);
   } catch (const std::invalid_argument& e) {
     source.bad(table, key, e.what());
   }

@@ -72,7 +72,7 @@ model::Link read_link(const std::string& name, const Value& v, const CaseSource&
       source.bad(*table, key, "'damping' and 'damping_table' exclude each other; give only one of them");
     const std::vector<MonotoneCubic::Row> r = rows(*table);
     try {
-      law.damper = std::make_shared<StiffnessTable>(r, r.front().first >= 0);
+      law.damper = std::make_shared<ResponseCurve>(r, r.front().first >= 0);
     } catch (const std::invalid_argument& e) {
       source.bad(*table, key + ".damping_table",
                  std::string(e.what()) +

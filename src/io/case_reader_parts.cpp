@@ -231,12 +231,12 @@ model::TableMotion read_motion_table(const Value& table, const std::string& key,
   return m;
 }
 
-std::shared_ptr<const ForceTable> read_force_table(const Value& table, const std::string& key,
-                                                   const CaseSource& source) {
-  std::vector<ForceTable::Row> rows;
+std::shared_ptr<const ContactForceTable> read_force_table(const Value& table, const std::string& key,
+                                                          const CaseSource& source) {
+  std::vector<ContactForceTable::Row> rows;
   for (const Value& r : table.items) rows.emplace_back(r.items[0].number, r.items[1].number);
   try {
-    return std::make_shared<const ForceTable>(rows);
+    return std::make_shared<const ContactForceTable>(rows);
   } catch (const std::invalid_argument& e) {
     source.bad(table, key, e.what());
   }

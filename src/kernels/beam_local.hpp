@@ -60,7 +60,7 @@ struct Bending {
 
 inline BendingMoment by_table(const BeamSection& s, double c2, double c3) {
   const double c = std::hypot(c2, c3), linear = s.EI2 - s.moment->initial();
-  const StiffnessTable::Value v = s.moment->at(c);
+  const ResponseCurve::Value v = s.moment->at(c);
   const double secant = c > 0 ? v.force / c : s.moment->initial();
   // Secant across the curvature, tangent along it.
   const double rest = c > 0 ? (v.slope - secant) / (c * c) : 0;
@@ -118,7 +118,7 @@ inline Bending bending_by_law(const BeamSection& s, const BeamReference& r, cons
 
 inline void axial_by_table(const BeamSection& s, Local& o) {
   const double share = s.EA / s.tension->initial();
-  const StiffnessTable::Value v = s.tension->at(o.strain);
+  const ResponseCurve::Value v = s.tension->at(o.strain);
   o.N = share * v.force, o.EA = share * v.slope, o.axial_energy = share * v.energy;
 }
 

@@ -12,8 +12,8 @@ namespace {
 struct Local {
   Vec3 t, dv;  // unit chord, v2 - v1
   double l, strain, rate, tension;
-  StiffnessTable::Value axial;  // of the strain
-  bool damped;                  // the damping acts: taut, and tension not cut off at zero
+  ResponseCurve::Value axial;  // of the strain
+  bool damped;                 // the damping acts: taut, and tension not cut off at zero
 };
 
 inline Local local(const CableSection& s, const CableEnds& e) {
@@ -59,12 +59,12 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
     taut = 0.5 * s.EA * (p0 + p1), end = s.EA * p1;
     if (share == 1) return {taut, 0.5 * s.EA, 1};
   } else {
-    const StiffnessTable::Value b = s.axial(p1);
+    const ResponseCurve::Value b = s.axial(p1);
     end = b.force;
     constexpr double kNear =
         1e-4;  // nearer, the difference of energies has lost digits; Simpson's rule has not
     if (std::abs(grown) <= kNear * std::max(p0, p1)) {
-      const StiffnessTable::Value a = s.axial(p0), m = s.axial(0.5 * (p0 + p1));
+      const ResponseCurve::Value a = s.axial(p0), m = s.axial(0.5 * (p0 + p1));
       return {(a.force + 4 * m.force + b.force) / 6, (2 * m.slope + b.slope) / 6, share};
     }
     taut = (b.energy - s.axial(p0).energy) / grown;

@@ -41,7 +41,7 @@ FedElement feed_step(const std::function<FedPull(double)>& pull, const FeedLaw& 
 FedPull cable_feed(const CableSection& s, double chord, double length) {
   const double strain = chord / length - 1 - s.free_strain;
   if (!(strain > 0)) return {};
-  const StiffnessTable::Value axial = s.axial(strain);
+  const ResponseCurve::Value axial = s.axial(strain);
   return {axial.force, -axial.slope * chord / (length * length)};
 }
 

@@ -31,7 +31,7 @@ LinkTension link_tension(const LinkLaw& law, double length, double speed) {
   const Spring s = spring(law, length - law.rest_length);
   double damper = law.damping * speed, slope = law.damping;
   if (law.damper) {
-    const StiffnessTable::Value v = law.damper->at(speed);
+    const ResponseCurve::Value v = law.damper->at(speed);
     damper = v.force, slope = v.slope;
   }
   LinkTension t{s.force + damper, s.slope, slope, s.energy, damper * speed};

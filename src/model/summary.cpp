@@ -94,7 +94,7 @@ struct ShapeText {
   }
 };
 
-std::string table_text(const ForceTable& t) {
+std::string table_text(const ContactForceTable& t) {
   return fmt::format("force by a table of {} rows up to {:g} m", t.rows().size() - 1, t.rows().back().first);
 }
 

@@ -179,7 +179,7 @@ Overstretch StructureTerm::overstretched(const Kinematics& at) const {
   constexpr double kBeyond = 0.5;
   Overstretch worst;
   const auto look = [&](const auto& e, double strain) {
-    const StiffnessTable* table = e.section.tension;
+    const ResponseCurve* table = e.section.tension;
     const double most = strain > 0 ? (table ? table->last() : 0) + kBeyond
                                    : (table ? std::min(table->first(), 0.0) : 0) - kBeyond;
     const double beyond = std::abs(strain) - std::abs(most);

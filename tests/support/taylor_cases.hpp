@@ -21,9 +21,9 @@ inline Mat3 suite_axes(bool turned) { return turned ? exp_so3(kTurn).toRotationM
 // Stiffnesses of one size, so that no part hides behind another.
 inline void add_structure(SuiteModel& m, double beta, double GA, bool turned, bool tables = false) {
   // Bent and stretched into their steep and their flat parts.
-  static const StiffnessTable tension(std::vector<StiffnessTable::Row>{{0.05, 15}, {0.2, 90}, {0.4, 120}},
-                                      false);
-  static const StiffnessTable moment(std::vector<StiffnessTable::Row>{{0.1, 5}, {0.3, 11}, {0.6, 13}}, true);
+  static const ResponseCurve tension(std::vector<ResponseCurve::Row>{{0.05, 15}, {0.2, 90}, {0.4, 120}},
+                                     false);
+  static const ResponseCurve moment(std::vector<ResponseCurve::Row>{{0.1, 5}, {0.3, 11}, {0.6, 13}}, true);
   const LocalMesh& l = m.system->mesh();
   std::vector<StructureTerm::Beam> beams;
   std::vector<StructureTerm::Cable> cables;

@@ -51,8 +51,8 @@ inline std::shared_ptr<const HeightGrid> hilly() {
 enum class Soil { spring, table, sticky, laid };
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
                               bool curved = false, Soil soil = Soil::spring, bool between = false) {
-  static const std::vector<ForceTable::Row> rows{{2 * mm, 60}, {4.5 * mm, 500}, {20 * mm, 1000}};
-  static const ForceTable table(rows);
+  static const std::vector<ContactForceTable::Row> rows{{2 * mm, 60}, {4.5 * mm, 500}, {20 * mm, 1000}};
+  static const ContactForceTable table(rows);
   const LocalMesh& l = m.system->mesh();
   const Quat slope = at.rotation * exp_so3({0.2, -0.1, 0.4});
   const Vec3 origin = at.point({1, 2, 3});

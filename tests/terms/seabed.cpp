@@ -91,7 +91,7 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
   mesh.elements = {{0, 0, 1, 0, 2, true}};
   mesh.lines = {{0, 2, 0, 1, 2, "one"}};
   const LocalMesh local = local_mesh(mesh, {0, 0}, 0, 1);
-  const std::vector<ForceTable::Row> rows{{0.01, 100}, {0.05, 900}, {0.1, 1000}};
+  const std::vector<ContactForceTable::Row> rows{{0.01, 100}, {0.05, 900}, {0.1, 1000}};
   for (const bool by_length : {false, true}) {
     model::Case c;
     c.lines.resize(1);
@@ -100,7 +100,7 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
     model::Seabed& bed = c.environment.seabed;
     bed.present = true, bed.depth = 90;
     bed.basis = by_length ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
-    bed.force_table = std::make_shared<const ForceTable>(rows);
+    bed.force_table = std::make_shared<const ContactForceTable>(rows);
     bed.normal_stiffness = bed.force_table->largest_slope();
     const double share = by_length ? 1 : 0.4;  // half the element
     SeabedTerm term(local, c, {1});

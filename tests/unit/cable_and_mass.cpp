@@ -89,14 +89,14 @@ std::vector<Thrown> thrown(const CableSection& s, double filter) {
   }
   return out;
 }
-StiffnessTable rope() {
-  return StiffnessTable(std::vector<StiffnessTable::Row>{{0.05, 15}, {0.1, 90}, {0.2, 120}}, false);
+ResponseCurve rope() {
+  return ResponseCurve(std::vector<ResponseCurve::Row>{{0.05, 15}, {0.1, 90}, {0.2, 120}}, false);
 }
 
 TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
-  const StiffnessTable table = rope();
+  const ResponseCurve table = rope();
   int pulled = 0, taut = 0;
-  for (const StiffnessTable* t : {static_cast<const StiffnessTable*>(nullptr), &table})
+  for (const ResponseCurve* t : {static_cast<const ResponseCurve*>(nullptr), &table})
     for (const double beta : {0.0, 0.02})
       for (const double filter : {0.0, 0.06}) {
         const CableSection s{1.1, 300, beta, t, t ? 0.01 : 0};
@@ -135,8 +135,8 @@ TEST(CableMean, TheFilterGivesBackNoMoreThanItHolds) {
 }
 
 TEST(CableMean, TangentIsItsDerivative) {
-  const StiffnessTable table = rope();
-  for (const StiffnessTable* t : {static_cast<const StiffnessTable*>(nullptr), &table})
+  const ResponseCurve table = rope();
+  for (const ResponseCurve* t : {static_cast<const ResponseCurve*>(nullptr), &table})
     for (const double beta : {0.0, 0.02}) {
       const CableSection s{1.1, 300, beta, t};
       int checked = 0;

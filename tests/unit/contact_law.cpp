@@ -55,12 +55,12 @@ TEST(ContactLaw, NeverPulls) {
 
 // Through (0, 0) flat, then the rows, then straight on; compared with its own differences and integral.
 TEST(ContactLaw, Table) {
-  const std::vector<ForceTable::Row> rows{{0.01, 500}, {0.02, 500}, {0.03, 4000}, {0.05, 5000}};
-  const ForceTable table(rows);
+  const std::vector<ContactForceTable::Row> rows{{0.01, 500}, {0.02, 500}, {0.03, 4000}, {0.05, 5000}};
+  const ContactForceTable table(rows);
   double last = 0, integral = 0;
   const double h = 1e-6;
   for (double p = 0; p < 0.08; p += h) {
-    const ForceTable::Value v = table.at(p), w = table.at(p + h);
+    const ContactForceTable::Value v = table.at(p), w = table.at(p + h);
     ASSERT_GE(w.force, v.force - 1e-9);
     // Half a step past a row the second derivative is the next piece's.
     ASSERT_NEAR((w.force - v.force) / h, 0.5 * (v.slope + w.slope), 20 + 1e-3 * v.slope);
@@ -96,7 +96,7 @@ TEST(ContactLaw, Table) {
 }
 
 TEST(ContactLaw, TableFaults) {
-  const auto make = [](std::vector<ForceTable::Row> rows) { return ForceTable(rows); };
+  const auto make = [](std::vector<ContactForceTable::Row> rows) { return ContactForceTable(rows); };
   EXPECT_NO_THROW(make({{0, 0}, {1, 1}}));
   EXPECT_THROW(make({}), std::invalid_argument);
   EXPECT_THROW(make({{0, 1}, {1, 2}}), std::invalid_argument);

@@ -13,8 +13,8 @@
 namespace hawser::test::feed_test {
 namespace {
 
-StiffnessTable rope() {
-  return StiffnessTable(std::vector<StiffnessTable::Row>{{0.05, 15}, {0.1, 90}, {0.2, 120}}, false);
+ResponseCurve rope() {
+  return ResponseCurve(std::vector<ResponseCurve::Row>{{0.05, 15}, {0.1, 90}, {0.2, 120}}, false);
 }
 
 double tension(const CableSection& s, double chord, double length) {
@@ -31,8 +31,8 @@ Fed step(const CableSection& s, const FeedLaw& law, double from, double h, doubl
 }
 
 TEST(Feed, SolvesItsSpeedLaw) {
-  const StiffnessTable table = rope();
-  for (const StiffnessTable* t : {static_cast<const StiffnessTable*>(nullptr), &table})
+  const ResponseCurve table = rope();
+  for (const ResponseCurve* t : {static_cast<const ResponseCurve*>(nullptr), &table})
     for (const double k : {0.0, 0.01, 1.0, 100.0})
       for (const double most : {0.0, 0.2}) {
         CableSection s{1, 300, 0, t, 0.01};
@@ -63,8 +63,8 @@ TEST(Feed, SolvesItsSpeedLaw) {
 }
 
 TEST(Feed, TheForceFollowsTheLength) {
-  const StiffnessTable table = rope();
-  for (const StiffnessTable* t : {static_cast<const StiffnessTable*>(nullptr), &table})
+  const ResponseCurve table = rope();
+  for (const ResponseCurve* t : {static_cast<const ResponseCurve*>(nullptr), &table})
     for (const double k : {0.0, 0.05}) {
       const FeedLaw law{20, k, 0, false};
       const CableSection before{1, 300, 0.02, t, 0.01};
@@ -92,8 +92,8 @@ TEST(Feed, TheForceFollowsTheLength) {
 TEST(Feed, WorkAndEnergyAgree) {
   std::mt19937 g(7);
   std::uniform_real_distribution<double> u(-1, 1);
-  const StiffnessTable table = rope();
-  for (const StiffnessTable* t : {static_cast<const StiffnessTable*>(nullptr), &table})
+  const ResponseCurve table = rope();
+  for (const ResponseCurve* t : {static_cast<const ResponseCurve*>(nullptr), &table})
     for (int i = 0; i < 400; ++i) {
       const CableSection s0{1 + 0.3 * u(g), 300, i % 2 ? 0.02 : 0, t, 0.01};
       CableSection s1 = s0;
@@ -117,7 +117,7 @@ struct Bar {
   BeamSection s;
   BeamEnds e;
 };
-Bar bent(std::mt19937& g, double GA, const StiffnessTable* table) {
+Bar bent(std::mt19937& g, double GA, const ResponseCurve* table) {
   std::uniform_real_distribution<double> u(-1, 1);
   const auto vec = [&] { return Vec3(u(g), u(g), u(g)); };
   Bar b;
@@ -130,7 +130,7 @@ Bar bent(std::mt19937& g, double GA, const StiffnessTable* table) {
 // The force at a feeder is what the strain energy falls by with the unstretched length.
 TEST(Feed, ABeamPullsByItsEnergy) {
   std::mt19937 g(3);
-  const StiffnessTable table = rope();
+  const ResponseCurve table = rope();
   for (int i = 0; i < 40; ++i) {
     const Bar b = bent(g, i % 2 ? 900 : 0, i % 3 ? nullptr : &table);
     BeamReference r;

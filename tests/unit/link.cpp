@@ -27,7 +27,7 @@ std::vector<Named> laws() {
       if (tables) {
         l.spring = std::make_shared<MonotoneCubic>(Rows{{-0.1, 5}, {0.2, 100}, {0.5, 120}, {0.9, 400}},
                                                    std::nullopt, 0.1);
-        l.damper = std::make_shared<StiffnessTable>(Rows{{0.3, 20}, {1, 90}}, true);
+        l.damper = std::make_shared<ResponseCurve>(Rows{{0.3, 20}, {1, 90}}, true);
       }
       all.push_back({std::string(tables ? "tables" : "linear") + (slack ? ", slack" : ""), l});
     }

@@ -104,8 +104,8 @@ TEST(BodyContact, FloatersWithADampedFender) {
 // A fender that gives way: what it takes up at most is the energy of the relative motion.
 TEST(BodyContact, FloatersWithAFenderByTable) {
   model::Case c = floaters(0);
-  const std::vector<ForceTable::Row> rows{{0.1, 4e5}, {0.3, 9e5}, {1.5, 2e6}};
-  const auto table = std::make_shared<ForceTable>(rows);
+  const std::vector<ContactForceTable::Row> rows{{0.1, 4e5}, {0.3, 9e5}, {1.5, 2e6}};
+  const auto table = std::make_shared<ContactForceTable>(rows);
   c.volumes[0].force_table = table, c.volumes[0].normal_stiffness = table->largest_slope();
   Collision run(c);
   integrate(run.sim.dynamics(), 8, 8, [](const StepInfo&) {});

@@ -88,8 +88,8 @@ TEST(LineFurniture, SpringAtAnEnd) {
 
 // Tension by a table: a cable and a beam pulled, in all its parts; the strain is the table's.
 TEST(LineFurniture, TensionByATable) {
-  const auto table = std::make_shared<const StiffnessTable>(
-      std::vector<StiffnessTable::Row>{{0.01, 1e4}, {0.03, 8e4}, {0.05, 1e5}}, false);
+  const auto table = std::make_shared<const ResponseCurve>(
+      std::vector<ResponseCurve::Row>{{0.01, 1e4}, {0.03, 8e4}, {0.05, 1e5}}, false);
   for (const double T : {2e3, 3e4, 9e4, 1.4e5})
     for (const bool beam : {false, true}) {
       model::LineType t = beam ? beam_type(table->initial(), 10, 10) : cable_type(table->initial(), 1);
@@ -124,8 +124,8 @@ void expect_arcs(double EI, const std::function<double(double)>& moment_at,
 }
 
 TEST(LineFurniture, MomentByATable) {
-  const auto table = std::make_shared<const StiffnessTable>(
-      std::vector<StiffnessTable::Row>{{0.1, 4e3}, {0.2, 6e3}, {0.5, 7e3}}, true);
+  const auto table = std::make_shared<const ResponseCurve>(
+      std::vector<ResponseCurve::Row>{{0.1, 4e3}, {0.2, 6e3}, {0.5, 7e3}}, true);
   expect_arcs(
       table->initial(), [&](double c) { return table->at(c).force; },
       [&](model::LineType& t) { t.moment_table = table; });

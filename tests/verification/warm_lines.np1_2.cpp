@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "../regression/runs.hpp"
-#include "hawser/kernels/stiffness_table.hpp"
+#include "hawser/kernels/response_curve.hpp"
 
 namespace hawser::test::warm_lines_test {
 namespace {
@@ -50,7 +50,7 @@ TEST(WarmLines, BetweenFixedPoints) {
   // 20 K at 5 m, 100 K from 25 m on: 5 at 20, then 20 at 60 on average, 5 at 100 K up to 30 m.
   const double sum = 5 * 20 + 20 * 60 + 5 * 100, profile = -alpha * sum / flexible;
   const double to_15 = alpha * (5 * 20 + 10 * 40);
-  const StiffnessTable table(std::vector<StiffnessTable::Row>{{-1, -1e8}, {1e-3, 1e5}, {2e-3, 1.5e5}}, false);
+  const ResponseCurve table(std::vector<ResponseCurve::Row>{{-1, -1e8}, {1e-3, 1e5}, {2e-3, 1.5e5}}, false);
   double low = 0, high = alpha * 400;  // strain from where there is no tension
   while (high - low > 1e-15) {
     const double e = 0.5 * (low + high);

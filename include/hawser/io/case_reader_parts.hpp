@@ -170,8 +170,8 @@ model::SignTest read_sign(const std::string& word);
 std::string sign_word(model::SignTest sign);
 
 // Rows of force over penetration, and friction given as a map.
-std::shared_ptr<const ForceTable> read_force_table(const model::Value& table, const std::string& key,
-                                                   const CaseSource& source);
+std::shared_ptr<const ContactForceTable> read_force_table(const model::Value& table, const std::string& key,
+                                                          const CaseSource& source);
 model::Friction read_friction(const model::Value& f, const std::string& key, const CaseSource& source);
 
 }  // namespace hawser::io

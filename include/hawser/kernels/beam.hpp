@@ -13,7 +13,7 @@
 #pragma once
 
 #include "hawser/kernels/plastic_bending.hpp"
-#include "hawser/kernels/stiffness_table.hpp"
+#include "hawser/kernels/response_curve.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -27,10 +27,10 @@ struct BeamSection {
   double GA = 0;            // N; 0: rigid in shear
   double beta = 0;          // s
   // Tension over strain, times EA over its slope at zero; null: linear. Damping stays that of EA.
-  const StiffnessTable* tension = nullptr;
+  const ResponseCurve* tension = nullptr;
   // Bending moment over curvature, in the direction of the curvature, and on top of it what EI2 = EI3 is
   // above its slope at zero, linear; null: linear. GA is not heeded then, and damping stays that of EI.
-  const StiffnessTable* moment = nullptr;
+  const ResponseCurve* moment = nullptr;
   // Bending that yields and remembers, instead; null: elastic. The same of EI2, EI3, GA and damping.
   const PlasticBending* plastic = nullptr;
   // Of an element whose length follows the force that a feeder feels of it (beam_feed): the derivative of the

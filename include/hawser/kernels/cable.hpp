@@ -2,7 +2,7 @@
 // output), cable_mean over a time step, which keeps the energy.
 #pragma once
 
-#include "hawser/kernels/stiffness_table.hpp"
+#include "hawser/kernels/response_curve.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -12,17 +12,17 @@ struct CableSection {
   double EA = 0;      // N
   double beta = 0;    // s, stiffness-proportional damping of a taut element
   // Tension over strain, times EA over its slope at zero; null: linear. Damping stays that of EA.
-  const StiffnessTable* tension = nullptr;
+  const ResponseCurve* tension = nullptr;
   double free_strain = 0;  // at which there is no tension: thermal expansion
   // Derivative of `length` by that of the chord: of what a winch that keeps to a tension pays out.
   double follows = 0;
   double grows = 0;  // m/s, rate of `length`: what is paid out does not stretch the material
 
   // Tension [N] of a strain, its slope and its energy a unit of length.
-  StiffnessTable::Value axial(double strain) const {
+  ResponseCurve::Value axial(double strain) const {
     if (!tension) return {EA * strain, EA, 0.5 * EA * strain * strain};
     const double share = EA / tension->initial();
-    const StiffnessTable::Value v = tension->at(strain);
+    const ResponseCurve::Value v = tension->at(strain);
     return {share * v.force, share * v.slope, share * v.energy};
   }
 };

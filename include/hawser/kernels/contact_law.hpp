@@ -4,18 +4,18 @@
 
 #include <cmath>
 
-#include "hawser/kernels/force_table.hpp"
+#include "hawser/kernels/contact_force_table.hpp"
 
 namespace hawser {
 
 // Elastic force of the gap g (negative: penetration): 0 for g >= d, k (d - g)²/(4 d) on (-d, d), -k g below,
 // d the smoothing. d = 0: a linear spring; with damping, Kelvin-Voigt without tension.
 struct NormalLaw {
-  double stiffness = 0;               // N/m, k; of a table the largest slope
-  double smoothing = 0;               // m, d, half width of the ramp; 0 with a table
-  double damping = 0;                 // N s/m, c at full stiffness
-  const ForceTable* table = nullptr;  // instead of ramp and straight line; not owned
-  double table_factor = 1;            // of its forces
+  double stiffness = 0;                      // N/m, k; of a table the largest slope
+  double smoothing = 0;                      // m, d, half width of the ramp; 0 with a table
+  double damping = 0;                        // N s/m, c at full stiffness
+  const ContactForceTable* table = nullptr;  // instead of ramp and straight line; not owned
+  double table_factor = 1;                   // of its forces
 };
 
 struct NormalForce {
@@ -33,7 +33,7 @@ inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
   if (g >= d) return r;
   double fade = 1, fade_by_gap = 0;
   if (law.table) {
-    const ForceTable::Value v = law.table->at(-g);
+    const ContactForceTable::Value v = law.table->at(-g);
     r.elastic = law.table_factor * v.force;
     r.potential = law.table_factor * v.potential;
     fade = law.table_factor * v.slope / k;

@@ -4,18 +4,18 @@
 #include <memory>
 
 #include "hawser/kernels/monotone_cubic.hpp"
-#include "hawser/kernels/stiffness_table.hpp"
+#include "hawser/kernels/response_curve.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
 
 // Tension over elongation and over speed, each linear or by a table.
 struct LinkLaw {
-  double rest_length = 0;                        // m
-  double stiffness = 0;                          // N/m
-  double damping = 0;                            // N s/m
-  std::shared_ptr<const MonotoneCubic> spring;   // N over m of elongation; null: linear
-  std::shared_ptr<const StiffnessTable> damper;  // N over m/s; null: linear
+  double rest_length = 0;                       // m
+  double stiffness = 0;                         // N/m
+  double damping = 0;                           // N s/m
+  std::shared_ptr<const MonotoneCubic> spring;  // N over m of elongation; null: linear
+  std::shared_ptr<const ResponseCurve> damper;  // N over m/s; null: linear
   // It goes slack: no force where spring and damper together would push. A table's first force is then not
   // negative.
   bool tension_only = false;

@@ -13,17 +13,17 @@
 
 #include "hawser/geometry/primitive_shape.hpp"
 #include "hawser/geometry/sign_test.hpp"
-#include "hawser/kernels/force_table.hpp"
+#include "hawser/kernels/contact_force_table.hpp"
 #include "hawser/kernels/motion.hpp"
 #include "hawser/kernels/plastic_bending.hpp"
-#include "hawser/kernels/stiffness_table.hpp"
+#include "hawser/kernels/response_curve.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/model/bend_stiffener.hpp"
+#include "hawser/model/contact_properties.hpp"
 #include "hawser/model/environment.hpp"
 #include "hawser/model/event.hpp"
 #include "hawser/model/feed.hpp"
 #include "hawser/model/links.hpp"
-#include "hawser/model/stiffness.hpp"
 #include "hawser/model/supports.hpp"
 #include "hawser/model/value.hpp"
 
@@ -39,9 +39,9 @@ struct LineType {
   double mass_per_length = 0;      // kg/m, in air, with contents and marine growth
   double EA = 0;                   // N; of a table its slope at no strain
   double EI2 = 0, EI3 = 0;         // N m², about the section's axes 2 and 3; of a table: at no curvature
-  std::shared_ptr<const StiffnessTable> tension_table, moment_table;  // over strain, curvature; null: linear
-  std::shared_ptr<const PlasticBending> plastic_bending;              // null: elastic
-  double GJ = 0;                                                      // N m²
+  std::shared_ptr<const ResponseCurve> tension_table, moment_table;  // over strain, curvature; null: linear
+  std::shared_ptr<const PlasticBending> plastic_bending;             // null: elastic
+  double GJ = 0;                                                     // N m²
   double GA = 0;                       // N, shear stiffness; 0: rigid in shear (Euler-Bernoulli)
   Vec3 rotary_inertia = Vec3::Zero();  // kg m (per length), about axes 1 (along), 2, 3
   double stiffness_damping = 0;        // s, Rayleigh beta: damping = beta * material stiffness
@@ -155,10 +155,10 @@ struct Volume {
   std::string active_part;                // name of a mesh part (OBJ group, STL solid); empty: all
   StiffnessBasis basis = StiffnessBasis::automatic;
   double normal_stiffness = 0;  // N/m, N/m² or N/m³ by basis; of a table its largest slope
-  std::shared_ptr<const ForceTable> force_table;  // N, N/m or N/m² by basis; null: by stiffness
-  double allowed_penetration = 0;                 // m, of an automatic stiffness; 0: default
-  double smoothing = -1;                          // m, half width of the C1 ramp; 0: linear law; < 0: default
-  double relative_damping = 0;                    // zeta of the contact spring
+  std::shared_ptr<const ContactForceTable> force_table;  // N, N/m or N/m² by basis; null: by stiffness
+  double allowed_penetration = 0;                        // m, of an automatic stiffness; 0: default
+  double smoothing = -1;        // m, half width of the C1 ramp; 0: linear law; < 0: default
+  double relative_damping = 0;  // zeta of the contact spring
   Friction friction;
   bool roller = false;  // of `supports`: touches lines only
 };

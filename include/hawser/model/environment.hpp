@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "hawser/kernels/contact_force_table.hpp"
 #include "hawser/kernels/current.hpp"
-#include "hawser/kernels/force_table.hpp"
 #include "hawser/kernels/waves.hpp"
-#include "hawser/model/stiffness.hpp"
+#include "hawser/model/contact_properties.hpp"
 
 namespace hawser {
 class Surface;
@@ -71,10 +71,10 @@ struct Seabed {
   double depth = 0;                        // m
   double slope = 0, direction = 0;         // rad
   StiffnessBasis basis = StiffnessBasis::per_area;
-  double normal_stiffness = 0;                    // N/m² or N/m³ by basis; of a table its largest slope
-  std::shared_ptr<const ForceTable> force_table;  // N/m or N/m² by basis; null: by stiffness
-  double damping = 0;                             // N s/m² or N s/m³ by basis
-  double smoothing = -1;                          // m, half width of the C1 ramp; < 0: default
+  double normal_stiffness = 0;  // N/m² or N/m³ by basis; of a table its largest slope
+  std::shared_ptr<const ContactForceTable> force_table;  // N/m or N/m² by basis; null: by stiffness
+  double damping = 0;                                    // N s/m² or N s/m³ by basis
+  double smoothing = -1;                                 // m, half width of the C1 ramp; < 0: default
   double suction = 0;         // N/m or N/m² by basis, largest pull on what leaves; in dynamics
   double suction_length = 0;  // m above the deepest place, where it lets go
   Friction friction;

@@ -155,9 +155,9 @@ class SeabedTerm final : public ForceTerm {
 
   const LocalMesh& mesh_;
   Plane plane_;
-  std::shared_ptr<const Surface> surface_;   // null: the plane
-  std::shared_ptr<const ForceTable> table_;  // that laws point to; may be null
-  Box bounds_ = Box::everything();           // of the surface
+  std::shared_ptr<const Surface> surface_;          // null: the plane
+  std::shared_ptr<const ContactForceTable> table_;  // that laws point to; may be null
+  Box bounds_ = Box::everything();                  // of the surface
   std::vector<Point> points_;
   bool suction_ = false;  // of some point. Most points are out of touch: the less is read of them the better
   std::vector<double> element_;  // m, longest at a local node

@@ -1,6 +1,6 @@
 // The cubic through the rows of a stiffness table and the origin: force, tangent stiffness and strain energy
 // for the cable and beam elements.
-#include "hawser/kernels/stiffness_table.hpp"
+#include "hawser/kernels/response_curve.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -12,8 +12,8 @@ namespace {
 // A tangent below this share of a secant would make a line limp beyond its table.
 constexpr double kLeast = 0.1;
 
-std::vector<StiffnessTable::Row> through_zero(std::span<const StiffnessTable::Row> rows, bool odd) {
-  std::vector<StiffnessTable::Row> out;
+std::vector<ResponseCurve::Row> through_zero(std::span<const ResponseCurve::Row> rows, bool odd) {
+  std::vector<ResponseCurve::Row> out;
   const auto bad = [](size_t row, const char* what) {
     throw std::invalid_argument("row " + std::to_string(row + 1) + " " + what);
   };
@@ -31,7 +31,7 @@ std::vector<StiffnessTable::Row> through_zero(std::span<const StiffnessTable::Ro
   if (!out.empty() && out.back().first < 0) out.emplace_back(0, 0);
   if (out.size() < 2) throw std::invalid_argument("a table needs a row beyond zero");
   if (odd) {
-    std::vector<StiffnessTable::Row> mirrored;
+    std::vector<ResponseCurve::Row> mirrored;
     for (size_t i = out.size(); i-- > 1;) mirrored.emplace_back(-out[i].first, -out[i].second);
     out.insert(out.begin(), mirrored.begin(), mirrored.end());
   }
@@ -40,13 +40,13 @@ std::vector<StiffnessTable::Row> through_zero(std::span<const StiffnessTable::Ro
 
 }  // namespace
 
-StiffnessTable::StiffnessTable(std::span<const Row> rows, bool odd)
+ResponseCurve::ResponseCurve(std::span<const Row> rows, bool odd)
     : curve_(through_zero(rows, odd), {}, kLeast) {
   const MonotoneCubic::Value zero = curve_.at(0);
   initial_ = zero.slope, integral_ = zero.integral;
 }
 
-StiffnessTable::Value StiffnessTable::at(double strain) const {
+ResponseCurve::Value ResponseCurve::at(double strain) const {
   const MonotoneCubic::Value v = curve_.at(strain);
   return {v.y, v.slope, v.integral - integral_};
 }

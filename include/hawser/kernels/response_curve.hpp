@@ -1,4 +1,5 @@
-// Tension as a table over strain, bending moment as a table over curvature: elastic, without hysteresis.
+// A force over a deformation, given as a table: tension over strain, bending moment over curvature, the force
+// of a damper over its speed. Elastic, without hysteresis.
 #pragma once
 
 #include <span>
@@ -9,7 +10,7 @@
 namespace hawser {
 
 // A rising cubic through the rows and the origin; straight beyond the rows.
-class StiffnessTable {
+class ResponseCurve {
  public:
   using Row = MonotoneCubic::Row;  // strain [-], N; or 1/m, N m
 
@@ -17,7 +18,7 @@ class StiffnessTable {
   // there. `odd`: no negative rows are given, what is negative is as what is positive (curvature). Otherwise,
   // without negative rows, it is straight below zero. std::invalid_argument with the number of the row (from
   // 1).
-  StiffnessTable(std::span<const Row> rows, bool odd);
+  ResponseCurve(std::span<const Row> rows, bool odd);
 
   struct Value {
     double force = 0, slope = 0, energy = 0;  // and its derivative by the strain and its integral from zero

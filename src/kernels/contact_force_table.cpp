@@ -1,6 +1,6 @@
 // Contact force given as a table over penetration: its rows begin at zero, and the cubic through them gives
 // force, stiffness and potential.
-#include "hawser/kernels/force_table.hpp"
+#include "hawser/kernels/contact_force_table.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -9,8 +9,8 @@
 namespace hawser {
 namespace {
 
-std::vector<ForceTable::Row> from_nothing(std::span<const ForceTable::Row> rows) {
-  std::vector<ForceTable::Row> out{{0, 0}};
+std::vector<ContactForceTable::Row> from_nothing(std::span<const ContactForceTable::Row> rows) {
+  std::vector<ContactForceTable::Row> out{{0, 0}};
   const auto bad = [](size_t row, const char* what) {
     throw std::invalid_argument("row " + std::to_string(row + 1) + " " + what);
   };
@@ -29,9 +29,9 @@ std::vector<ForceTable::Row> from_nothing(std::span<const ForceTable::Row> rows)
 
 }  // namespace
 
-ForceTable::ForceTable(std::span<const Row> rows) : curve_(from_nothing(rows), 0) {}
+ContactForceTable::ContactForceTable(std::span<const Row> rows) : curve_(from_nothing(rows), 0) {}
 
-ForceTable::Value ForceTable::at(double p) const {
+ContactForceTable::Value ContactForceTable::at(double p) const {
   if (p <= 0) return {};
   const MonotoneCubic::Value v = curve_.at(p);
   return {v.y, v.slope, v.bend, v.integral};

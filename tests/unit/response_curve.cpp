@@ -1,6 +1,6 @@
 // Tables of tension and moment: a rising curve through the rows, its derivative and integral; elements made
 // of them.
-#include "hawser/kernels/stiffness_table.hpp"
+#include "hawser/kernels/response_curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +11,15 @@
 #include "hawser/math/so3.hpp"
 #include "support/cable.hpp"
 
-namespace hawser::stiffness_table_test {
+namespace hawser::response_curve_test {
 namespace {
 
-using Row = StiffnessTable::Row;
+using Row = ResponseCurve::Row;
 const std::vector<Row> kRope{{0.01, 50}, {0.03, 300}, {0.05, 400}};
 const std::vector<Row> kPipe{{0.1, 40}, {0.3, 80}, {0.6, 90}};
 
-TEST(StiffnessTable, GoesThroughItsRowsRising) {
-  const StiffnessTable rope(kRope, false), pipe(kPipe, true);
+TEST(ResponseCurve, GoesThroughItsRowsRising) {
+  const ResponseCurve rope(kRope, false), pipe(kPipe, true);
   for (const auto& [e, f] : kRope) EXPECT_NEAR(rope.at(e).force, f, 1e-12);
   for (const auto& [c, m] : kPipe) {
     EXPECT_NEAR(pipe.at(c).force, m, 1e-12);
@@ -28,7 +28,7 @@ TEST(StiffnessTable, GoesThroughItsRowsRising) {
   EXPECT_EQ(rope.at(0).force, 0);
   EXPECT_EQ(pipe.at(0).force, 0);
   EXPECT_NEAR(pipe.initial(), 400, 1e-9);  // the same to both sides: the first secant
-  for (const StiffnessTable* t : {&rope, &pipe})
+  for (const ResponseCurve* t : {&rope, &pipe})
     for (double x = -0.9; x < 0.9; x += 0.0137) {
       const double h = 1e-6;
       const auto v = t->at(x), a = t->at(x + h), b = t->at(x - h);
@@ -42,18 +42,18 @@ TEST(StiffnessTable, GoesThroughItsRowsRising) {
   EXPECT_NEAR(rope.at(0.2).slope, rope.at(0.05).slope, 1e-9);
 }
 
-TEST(StiffnessTable, AStraightTableIsALinearLaw) {
-  const StiffnessTable t(std::vector<Row>{{-0.02, -10}, {0, 0}, {0.05, 25}, {0.1, 50}}, false);
+TEST(ResponseCurve, AStraightTableIsALinearLaw) {
+  const ResponseCurve t(std::vector<Row>{{-0.02, -10}, {0, 0}, {0.05, 25}, {0.1, 50}}, false);
   for (double x : {-0.5, -0.01, 0.003, 0.07, 0.3}) {
     EXPECT_NEAR(t.at(x).force, 500 * x, 1e-10);
     EXPECT_NEAR(t.at(x).energy, 250 * x * x, 1e-10);
   }
 }
 
-TEST(StiffnessTable, RefusesWhatIsNoElasticLaw) {
+TEST(ResponseCurve, RefusesWhatIsNoElasticLaw) {
   const auto message = [](std::vector<Row> rows, bool odd) -> std::string {
     try {
-      StiffnessTable t(rows, odd);
+      ResponseCurve t(rows, odd);
     } catch (const std::invalid_argument& e) {
       return e.what();
     }
@@ -76,8 +76,8 @@ BeamEnds moved(BeamEnds e, const Vec12& d) {
 }
 
 // Bent into all parts of the table; initially curved and turned axes, and something stiffer on top.
-TEST(StiffnessTable, BeamTangentAndEnergyBelongToItsForce) {
-  const StiffnessTable rope(kRope, false), pipe(kPipe, true);
+TEST(ResponseCurve, BeamTangentAndEnergyBelongToItsForce) {
+  const ResponseCurve rope(kRope, false), pipe(kPipe, true);
   std::mt19937 g(7);
   std::uniform_real_distribution<double> u(-1, 1);
   const auto random = [&] { return Vec3(u(g), u(g), u(g)); };
@@ -111,8 +111,8 @@ TEST(StiffnessTable, BeamTangentAndEnergyBelongToItsForce) {
 }
 
 // With tables that are straight an element is what it is without: stresses, energy, tangent.
-TEST(StiffnessTable, StraightTablesChangeNothing) {
-  const StiffnessTable rope(std::vector<Row>{{0.1, 30}, {0.2, 60}}, false),
+TEST(ResponseCurve, StraightTablesChangeNothing) {
+  const ResponseCurve rope(std::vector<Row>{{0.1, 30}, {0.2, 60}}, false),
       pipe(std::vector<Row>{{0.1, 5}, {0.2, 10}}, true);
   BeamSection plain{1.2, 300, 50, 50, 40, 0, 0.1}, tables = plain;
   tables.tension = &rope, tables.moment = &pipe;
@@ -134,8 +134,8 @@ TEST(StiffnessTable, StraightTablesChangeNothing) {
             1e-12 * a.curvature1.norm());
 }
 
-TEST(StiffnessTable, CableTangentAndEnergyBelongToItsForce) {
-  const StiffnessTable rope(kRope, false);
+TEST(ResponseCurve, CableTangentAndEnergyBelongToItsForce) {
+  const ResponseCurve rope(kRope, false);
   for (double strain : {-0.01, 0.005, 0.02, 0.045, 0.2}) {
     const CableSection s{2, rope.initial(), 0, &rope};
     test::CableState e{Vec3(1, 1, 1), Vec3::Zero()};
@@ -155,4 +155,4 @@ TEST(StiffnessTable, CableTangentAndEnergyBelongToItsForce) {
 }
 
 }  // namespace
-}  // namespace hawser::stiffness_table_test
+}  // namespace hawser::response_curve_test
