@@ -140,7 +140,7 @@ class Relaxation : StaticTrial {
     weights.shift_position = mass_, weights.shift_rotation = mass_ * length_ * length_;
     system_.tangent(trial_.view(0), weights, local_, false, J_.get());
   }
-  SNESConvergedReason judge(int iteration) override {
+  SNESConvergedReason check_step(int iteration) override {
     const ResidualNorms norms = system_.norms(r_.get());
     if (iteration == 0) {
       hopeless_ = kHopeless * std::max(norms.relative(), 1e-6);

@@ -83,7 +83,7 @@ void StaticSearch::descend(double tolerance) {
   if (reason < 0) give_up(failure(reason == SNES_DIVERGED_MAX_IT ? "too many iterations" : "no descent"));
 }
 
-SNESConvergedReason StaticSearch::judge(int iteration) {
+SNESConvergedReason StaticSearch::check_step(int iteration) {
   const bool others = prepare();  // pairs of lines that may touch move with them
   system_.residual(state_.view(0), r_.get());
   if (others) report_.norms = system_.norms(r_.get());

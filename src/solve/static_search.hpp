@@ -25,7 +25,7 @@ class StaticSearch : StaticTrial {
  private:
   void residual() override;  // at the state, where the increment is always zero
   void tangent() override;
-  SNESConvergedReason judge(int iteration) override;
+  SNESConvergedReason check_step(int iteration) override;
   static PetscErrorCode search(SNESLineSearch search, void* self);
 
   // Where the axial stiffness is far above the forces, equilibrium is found with a soft line first.

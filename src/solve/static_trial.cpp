@@ -40,7 +40,7 @@ StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_
       snes_.get(),
       [](SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason, void* self) {
         auto& s = *static_cast<StaticTrial*>(self);
-        return s.error_.keep([&] { *reason = s.judge(static_cast<int>(it)); });
+        return s.error_.keep([&] { *reason = s.check_step(static_cast<int>(it)); });
       },
       this, nullptr));
   check(SNESSetFromOptions(snes_.get()));
@@ -134,7 +134,7 @@ bool StaticTrial::clear() {
     if (!v.accepted()) in_the_way_ = v.because, blocked_ = trial_;
     return v.accepted();
   };
-  const Verdict verdict = system_.judge(trial_.view(0));
+  const Verdict verdict = system_.check_step(trial_.view(0));
   if (verdict.kind != Verdict::Kind::prepare_anew) return passes(verdict);
   const LocalMesh& m = system_.mesh();
   // So that the way foreseen ends at the trial.
@@ -152,7 +152,7 @@ bool StaticTrial::clear() {
     system_.gather(u_.get(), local_);
   }
   system_.prepare(state_.view(0), 0);
-  return passes(system_.judge(trial_.view(0)));
+  return passes(system_.check_step(trial_.view(0)));
 }
 
 void StaticTrial::give_up(const std::string& why) {

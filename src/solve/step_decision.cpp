@@ -12,7 +12,7 @@ namespace hawser {
 
 // In this order: did Newton's iteration converge, does a rotation tell which way it went, is all that acts in
 // the step known (candidates, tunnelling, penetration), are impacts resolved.
-Verdict Dynamics::judge() {
+Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
   if (!tries_.solved)
     return {Kind::shorter, "Newton's iteration does not converge: " + imbalance(system_, r_.get(), norms_)};
@@ -28,7 +28,7 @@ Verdict Dynamics::judge() {
             fmt::format("{}, turns by {:.3g} rad in it, and a step follows half a turn at most",
                         system_.mesh().mesh->place(worst.node), worst.value)};
   }
-  if (Verdict v = system_.judge(trial); !v.accepted()) return v;
+  if (Verdict v = system_.check_step(trial); !v.accepted()) return v;
   if (control_.divides(h_) && !system_.resolves_impacts(trial))
     return {Kind::shorter, "it does not resolve an impact that its start did not show"};
   return {};
@@ -56,7 +56,7 @@ double Dynamics::begin_step() {
 // In this order: is the trial right in itself, is it accurate, is there an event within the step, is the
 // result one that the lines can bear.
 Dynamics::Decision Dynamics::decide() {
-  Verdict verdict = judge();
+  Verdict verdict = check_step();
   const double error = tries_.info.error;
   const bool inaccurate = verdict.accepted() && !control_.accurate(h_, error);
   if (inaccurate)

@@ -72,10 +72,10 @@ bool System::resolves_impacts(const Kinematics& trial) {
          bearable_impacts(found.list, bearable_, [this](std::span<double> values) { sum(values); });
 }
 
-Verdict System::judge(const Kinematics& trial) const {
+Verdict System::check_step(const Kinematics& trial) const {
   Verdict worst;
   for (const LimitsSteps* t : limit_steps_)
-    if (Verdict v = t->judge(trial); v.kind > worst.kind) worst = std::move(v);
+    if (Verdict v = t->check_step(trial); v.kind > worst.kind) worst = std::move(v);
   int kind = static_cast<int>(worst.kind);
   MPI_Allreduce(MPI_IN_PLACE, &kind, 1, MPI_INT, MPI_MAX, comm_);
   if (kind == static_cast<int>(Verdict::Kind::accept)) return {};

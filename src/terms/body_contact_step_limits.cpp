@@ -220,7 +220,7 @@ bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
   });
 }
 
-Verdict BodyContactTerm::judge(const Kinematics& trial) const {
+Verdict BodyContactTerm::check_step(const Kinematics& trial) const {
   const bool through = trial.step > 0 && std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
                          return pair.counted && tunnels(pair, trial);
                        });

@@ -342,7 +342,7 @@ Energy Feeders::energy(const Kinematics& at) const {
   return out;
 }
 
-Verdict Feeders::judge(const Kinematics& trial) const {
+Verdict Feeders::check_step(const Kinematics& trial) const {
   for (const Feeder& f : feeders_) {
     if (!f.feed.speed.empty() || at_mouth(f)) {
       const double length = mouth(f, trial, true).length, whole = element_length(f, f.mouth);

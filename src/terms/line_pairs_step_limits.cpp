@@ -34,7 +34,7 @@ double rounded_up(double v) {
 
 }  // namespace
 
-Verdict LinePairs::judge(const Kinematics& trial) const {
+Verdict LinePairs::check_step(const Kinematics& trial) const {
   if (!candidates_.covers(trial))
     return {Verdict::Kind::prepare_anew, "lines move farther in it than the contact search covers"};
   if (start_.size() != candidates_.segments().size()) return {};  // not prepared: nothing to compare with

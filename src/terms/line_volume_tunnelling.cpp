@@ -35,7 +35,7 @@ AxisPoints part_of(const LineVolumePair& pair, const AxisShape& shape, const Rig
 
 }  // namespace
 
-Verdict LineVolumeContact::judge(const Kinematics& trial) const {
+Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
   const bool rests = !(trial.step > 0);
   if (!rests)
     if (std::string why = deeper_than_allowed(trial); !why.empty())

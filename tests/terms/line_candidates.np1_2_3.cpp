@@ -126,7 +126,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
 
     // The next step's end is covered, and whatever touches there is in the list.
     move(l, a, step, h), move(one.sim.local(), b, step, h);
-    const bool covered = all.sim.system().judge(a.view(h)).accepted();
+    const bool covered = all.sim.system().check_step(a.view(h)).accepted();
     kept += covered;
     if (!covered) continue;
     std::vector<std::vector<Vec3>> axes;
@@ -261,7 +261,7 @@ TEST(LineCandidates, OneStopsTheNextComesOn) {
       // After the first step it stands where it is.
       for (size_t n = 0; n < s.x.size(); ++n) s.x[n].y() += stops && step > 0 && first(n) ? 0 : 0.4;
       s.time += h;
-      foreseen = m.sim.system().judge(s.view(h)).accepted();
+      foreseen = m.sim.system().check_step(s.view(h)).accepted();
     }
     EXPECT_EQ(foreseen, !stops);
     for (size_t n = 0; n < s.v.size(); ++n)
@@ -286,10 +286,10 @@ TEST(LineCandidates, OneGoesBackInStatics) {
     system.couple(s.view(0), 0);
     State to = s;
     for (Vec3& x : to.x) x.y() += 1;
-    EXPECT_FALSE(system.judge(to.view(0)).accepted());
+    EXPECT_FALSE(system.check_step(to.view(0)).accepted());
     system.couple(straight_way(l, s, to, 1).view(0), 1 / CandidateSettings{}.steps);
     EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
-    EXPECT_TRUE(system.judge(to.view(0)).accepted());
+    EXPECT_TRUE(system.check_step(to.view(0)).accepted());
     // The next iteration starts there, or, if the step was refused, where it was: the list stays.
     const long builds = m.springs->list.builds();
     for (const State* at : {&to, &s, &to}) system.couple(at->view(0), 0);
@@ -297,8 +297,8 @@ TEST(LineCandidates, OneGoesBackInStatics) {
     State next = to;
     for (size_t n = 0; n < next.x.size(); ++n)
       if (back && l.global[n] < 11) next.x[n].y() -= 1;
-    EXPECT_EQ(system.judge(next.view(0)).accepted(), !back);
-    EXPECT_EQ(system.judge(next.view(0)).kind == Verdict::Kind::prepare_anew, back);
+    EXPECT_EQ(system.check_step(next.view(0)).accepted(), !back);
+    EXPECT_EQ(system.check_step(next.view(0)).kind == Verdict::Kind::prepare_anew, back);
     system.couple(straight_way(l, to, next, 1).view(0), 1 / CandidateSettings{}.steps);
     EXPECT_EQ(sum(static_cast<long>(m.pairs(true).size())) >= 10, back);
   }
@@ -326,7 +326,7 @@ TEST(LineCandidates, WayThatBends) {
   for (int step = 1; step <= 25; ++step) {
     m.sim.system().couple(s.view(h), h);
     turn(step * h);
-    EXPECT_TRUE(m.sim.system().judge(s.view(h)).accepted()) << step;
+    EXPECT_TRUE(m.sim.system().check_step(s.view(h)).accepted()) << step;
   }
 }
 

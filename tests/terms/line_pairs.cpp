@@ -111,7 +111,7 @@ TEST(LinePairs, AdviceNamesTheLines) {
     const State end = state_of(m.system->mesh(), m.trial);
     m.system->couple(straight_way(m.system->mesh(), start, end, h).view(h), h);
     m.system->prepare(start.view(h), h);
-    const std::string said = m.contact->judge(end.view(h)).because;
+    const std::string said = m.contact->check_step(end.view(h)).because;
     const std::string advice = "Try contact: {between_lines: {";
     EXPECT_NE(said.find(advice + (tuned ? "pairs: [{lines: [hose, rope], normal_stiffness: {per_length: "
                                         : "normal_s")),

@@ -40,7 +40,7 @@ End solve(const Suspended& s, int elements, bool bends, model::Start start) {
   return e;
 }
 
-void judge(const Suspended& s) {
+void check_step(const Suspended& s) {
   const double T = std::hypot(s.H, s.V);
   for (bool bends : {false, true})
     for (auto start : {model::Start::automatic, model::Start::straight}) {
@@ -69,7 +69,7 @@ TEST(Catenary, ElasticSuspendedLine) {
         Suspended{"O01c", 100, 0, 120, 1e12, 1000, 46954.14215486048, 60000},
         Suspended{"O01d", 246.22420940032947, 263.55766330843164, 360.63566262396927, 7e8, 3.08735,
                   58377.24142265001, 63044.41295591721}})
-    judge(s);
+    check_step(s);
 }
 
 // The part above the touchdown point of lines that rest on the ground with friction 5, 0 and 0.1 (geometry of
@@ -83,9 +83,9 @@ TEST(Catenary, PartAboveTouchdown) {
                     {"O05 0", 202.81029256714444, 202.81028995725273, 96643.45354712023, 237751.76803419783},
                     {"O05 0.1", 202.8102918332215, 202.81028944240842, 96643.454159146, 237751.76844607329}};
   // That of the tests of MAP++ is steep: 125 m of line in 100 m of water.
-  judge({"O05 MAP", 50 - 12.638384812729416, 100, 125 - 12.63817471418034, 5.45e8, 1327.647744080927,
-         17449.668166213807, 149176.92386153372});
-  for (const auto& r : rows) judge({r.name, 400 - r.x_td, 200, 500 - r.LB, 7.51e12, 800, r.H, r.V});
+  check_step({"O05 MAP", 50 - 12.638384812729416, 100, 125 - 12.63817471418034, 5.45e8, 1327.647744080927,
+              17449.668166213807, 149176.92386153372});
+  for (const auto& r : rows) check_step({r.name, 400 - r.x_td, 200, 500 - r.LB, 7.51e12, 800, r.H, r.V});
 }
 
 // A chain of bars converges with the square of their length, the beams' cubic shape faster.

@@ -98,7 +98,7 @@ Found solve(const Row& row, model::ContactMethod method, int elements_a_radian, 
   return f;
 }
 
-void judge(const Row& row, model::ContactMethod method, int elements_a_radian, double tolerance) {
+void check_step(const Row& row, model::ContactMethod method, int elements_a_radian, double tolerance) {
   const Found f = solve(row, method, elements_a_radian);
   std::printf(
       "lift-off %s, EI %.0f T %.0f, %d elements a radian: curvature %+.3f %%, moment %+.3f %%, tension %+.3f "
@@ -121,9 +121,9 @@ void judge(const Row& row, model::ContactMethod method, int elements_a_radian, d
 class LiftOff : public ::testing::TestWithParam<Row> {};
 class LineLiftOff : public ::testing::TestWithParam<Row> {};
 
-TEST_P(LiftOff, SmoothDrum) { judge(GetParam(), model::ContactMethod::nodes, 60, 1e-3); }
-TEST_P(LineLiftOff, Fine) { judge(GetParam(), model::ContactMethod::line, 60, 1e-3); }
-TEST_P(LineLiftOff, Coarse) { judge(GetParam(), model::ContactMethod::line, 15, 5e-3); }
+TEST_P(LiftOff, SmoothDrum) { check_step(GetParam(), model::ContactMethod::nodes, 60, 1e-3); }
+TEST_P(LineLiftOff, Fine) { check_step(GetParam(), model::ContactMethod::line, 60, 1e-3); }
+TEST_P(LineLiftOff, Coarse) { check_step(GetParam(), model::ContactMethod::line, 15, 5e-3); }
 
 // 96 flat facets: the line lies on their edges, each bears p rho 2 pi/96 (a quarter of P in the first row),
 // and it leaves from one of them. So P depends on where the edges are: what can be judged is its mean over

@@ -80,7 +80,8 @@ Steps twist(Simulation& s) {
       carry(s, last, std::min(last.time + step, last.time < 1 ? 1.0 : 5.0));
       const int n = settle(s, 1e-9);
       s.system().prepare(last.view(0), 0);  // Newton from too far may take strands through each other
-      if (!s.system().judge(s.state().view(0)).accepted()) throw std::runtime_error("through each other");
+      if (!s.system().check_step(s.state().view(0)).accepted())
+        throw std::runtime_error("through each other");
       done.its += n, ++done.steps, done.most = std::max(done.most, n);
       step = std::min(2 * step, 0.25);
     } catch (const std::runtime_error&) {

@@ -254,7 +254,7 @@ TEST(Statics, PrincetonBeam) {
   other.EA = 2842069.442616, other.GJ = 2.9257440677494264, other.GA = 1084759.329242748;
   other.EI2 = 2.4288718041122013, other.EI3 = 36.285519395400414;
   double worst = 0, worst_twist = 0;
-  const auto judge = [&](const model::LineType& type, const Row& r) {
+  const auto check_step = [&](const model::LineType& type, const Row& r) {
     const double a = r.theta * M_PI / 180;
     double e[3];
     for (int i = 0; i < 3; ++i) {
@@ -277,8 +277,8 @@ TEST(Statics, PrincetonBeam) {
         e[0], e[1], e[2], order(e[0], e[1]), order(e[1], e[2]));
     EXPECT_GT(order(e[0], e[2]) / 2, 1.9);
   };
-  for (const Row& r : rows) judge(t, r);
-  for (const Row& r : other_rows) judge(other, r);
+  for (const Row& r : rows) check_step(t, r);
+  for (const Row& r : other_rows) check_step(other, r);
   std::printf("Princeton beam, 20 elements, 23 loads: error/L at most %.2e, twist %.2e degrees\n", worst,
               worst_twist);
 }

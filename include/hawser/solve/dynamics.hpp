@@ -114,7 +114,7 @@ class Dynamics {
   CarriedError& error() { return error_; }
 
  private:
-  Verdict judge();
+  Verdict check_step();
   double next_try() const;
   void commit();
   void build();

@@ -38,7 +38,7 @@ class StaticTrial {
   // the tangent there, to J_:
   virtual void tangent() = 0;
   // before every iteration, whether it is the last.
-  virtual SNESConvergedReason judge(int iteration) = 0;
+  virtual SNESConvergedReason check_step(int iteration) = 0;
 
   // Newton's method from the state: why it ended. What the functions above throw comes out of it.
   SNESConvergedReason solve();

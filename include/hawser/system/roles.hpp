@@ -37,7 +37,7 @@ class LimitsSteps {
   virtual void limit_step(const Kinematics& committed, ImpactEvents& to) const = 0;
   // Of a converged step or a trial of statics, on this rank: tunnelling, penetration beyond what a law is
   // for, candidates that are out of date.
-  virtual Verdict judge(const Kinematics& trial) const = 0;
+  virtual Verdict check_step(const Kinematics& trial) const = 0;
   // Adds the impacts that a converged step did not resolve, each once over all ranks; local. Asked before it
   // is accepted.
   virtual void unresolved(const Kinematics& trial, UnresolvedImpacts& to) { (void)trial, (void)to; }

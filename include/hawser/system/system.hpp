@@ -68,7 +68,7 @@ class System {
   bool sends() const { return coupled_ && mesh_.mesh->has_frames(); }
   // Of a converged step, or a trial of statics: the weightiest verdict of all terms and ranks, the same on
   // all. Collective.
-  Verdict judge(const Kinematics& trial) const;
+  Verdict check_step(const Kinematics& trial) const;
 
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;

@@ -59,7 +59,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
   // Nothing that stands out goes through the other body between the ends of a step.
-  Verdict judge(const Kinematics& trial) const override;
+  Verdict check_step(const Kinematics& trial) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;

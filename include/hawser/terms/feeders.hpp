@@ -120,7 +120,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   Energy energy(const Kinematics& at) const override;
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   void limit_step(const Kinematics&, ImpactEvents&) const override {}
-  Verdict judge(const Kinematics& trial) const override;
+  Verdict check_step(const Kinematics& trial) const override;
 
   // Of the material at the mouth, at the feeder's end of the element: velocity, and what its acceleration is
   // beyond that of the feeder.

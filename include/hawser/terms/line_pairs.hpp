@@ -62,7 +62,7 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   void couple(Couplings& to) const override { candidates_.couple(to); }
   void update_ghosts() override;
   // Nothing was missed, and no line went through another.
-  Verdict judge(const Kinematics& trial) const override;
+  Verdict check_step(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;

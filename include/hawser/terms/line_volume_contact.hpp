@@ -39,7 +39,7 @@ class LineVolumeContact final : public ForceTerm,
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   // Nothing goes through a volume between the ends of a step, nor deeper into one than its law is for.
-  Verdict judge(const Kinematics& trial) const override;
+  Verdict check_step(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
   bool stiffen(const Kinematics& equilibrium) override;
