@@ -139,9 +139,9 @@ BodyContactTerm::Both BodyContactTerm::both(const Pair& pair, const Kinematics& 
 }
 
 // A corner is an edge of no length.
-void BodyContactTerm::contact_along_axis(const Pair& pair, const Both& at, const RigidPose& pose,
-                                         const SkeletonPart& e, const AxisContactMode& mode, double* f,
-                                         double* K, double* C, Sum& sum) const {
+void BodyContactTerm::contact_of_part(const Pair& pair, const Both& at, const RigidPose& pose,
+                                      const SkeletonPart& e, const AxisContactMode& mode, double* f,
+                                      double* K, double* C, Sum& sum) const {
   const Surface& surface = *volumes_[pair.b].surface;
   const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
                weight = pair.share * (length > 0 ? length : e.weight);
@@ -207,7 +207,7 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
     if (near(b))
       for (SkeletonPart p : b.parts) {
         p.from -= ca, p.to -= ca;
-        contact_along_axis(pair, at, pose, p, mode, f.data(), k, c, sum);
+        contact_of_part(pair, at, pose, p, mode, f.data(), k, c, sum);
       }
   if (!sum.active) return sum;
   const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};

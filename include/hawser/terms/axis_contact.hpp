@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hawser/kernels/axis_roll.hpp"
-#include "hawser/kernels/contact_along.hpp"
+#include "hawser/kernels/contact_rates.hpp"
 #include "hawser/terms/contact_points.hpp"
 
 namespace hawser {

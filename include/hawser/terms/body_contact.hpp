@@ -136,9 +136,8 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   BodyFrame frame(const PairBody& body, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
   Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const;
-  void contact_along_axis(const Pair& pair, const Both& at, const RigidPose& surface,
-                          const SkeletonPart& part, const AxisContactMode& mode, double* f, double* K,
-                          double* C, Sum& sum) const;
+  void contact_of_part(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
+                       const AxisContactMode& mode, double* f, double* K, double* C, Sum& sum) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
   void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
   // What looks ahead, body_contact_step_limits.cpp. rad/s, of the fastest motion of the bodies on those

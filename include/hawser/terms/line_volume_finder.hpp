@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "hawser/kernels/contact_along.hpp"
+#include "hawser/kernels/contact_rates.hpp"
 #include "hawser/terms/line_volume_pair.hpp"
 
 namespace hawser {

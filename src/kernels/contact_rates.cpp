@@ -1,6 +1,6 @@
 // Derivatives along an element axis of the contact force with a volume and of the elastic slip, by automatic
 // differentiation: what moving ends of a contact interval add to the tangent.
-#include "hawser/kernels/contact_along.hpp"
+#include "hawser/kernels/contact_rates.hpp"
 
 #include <unsupported/Eigen/AutoDiff>
 

@@ -1,12 +1,12 @@
 // The derivative of contact forces along a line against differences, and slips between two places.
-#include "hawser/kernels/contact_along.hpp"
+#include "hawser/kernels/contact_rates.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-namespace hawser::contact_along_test {
+namespace hawser::contact_rates_test {
 namespace {
 
 // A curved line over a ball of radius 2, with all that contact can depend on changing along it.
@@ -114,4 +114,4 @@ TEST(ContactAlong, SlipBetweenPlaces) {
 }
 
 }  // namespace
-}  // namespace hawser::contact_along_test
+}  // namespace hawser::contact_rates_test
