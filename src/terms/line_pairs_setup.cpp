@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "hawser/terms/contact_stiffness.hpp"
+#include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_pairs.hpp"
 

@@ -1,7 +1,5 @@
-// The part of LineVolumeContact that prepares a step: contact laws of each element, and which pairs of
-// element and volume, or of its facet groups, may touch; the rest is in line_volume_*.cpp.
-#include "hawser/terms/line_volume_contact.hpp"
-
+// What LineVolumeContact is made from, and what is prepared before a step: the contact laws of each element,
+// and which pairs of element and volume, or of its facet groups, may touch.
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -9,6 +7,7 @@
 #include "hawser/mesh/arc.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/feeders.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
 LineVolumeContact::LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
@@ -130,7 +129,7 @@ void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   if (!was.several && was.points.empty()) pair.found = std::move(was.found);
   pair.points = std::move(was.points);
   pair.springs = was.springs;
-  pair.hint = was.hint, pair.ahead = was.ahead, pair.clearance = was.free;
+  pair.hint = was.hint, pair.ahead = was.ahead, pair.clearance = was.clearance;
   pair.one_chord = was.one_chord, pair.one_reach = was.one_reach, pair.one = was.one;
 }
 
