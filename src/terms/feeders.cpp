@@ -1,5 +1,5 @@
-// The class Feeders: which elements are inside a feeder, the length of the one at its mouth, the momentum of
-// the line that flows through it, and the work of the feeder.
+// Winches, tensioners and reels, in the equations: the class Feeders. Which elements are inside a feeder, the
+// length of the one at its mouth, the momentum of the line that flows through it, and the work of the feeder.
 #include "hawser/terms/feeders.hpp"
 
 #include <fmt/format.h>

@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-namespace hawser::line_contact_test {
+namespace hawser::contact_intervals_test {
 namespace {
 
 struct Gap {
@@ -28,7 +28,7 @@ Gap circle(double L, double c, double height, double R) {
   return g;
 }
 
-TEST(LineContactStretches, FindsARollerAnywhere) {
+TEST(ContactIntervals, FindsARollerAnywhere) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> u(0, 1);
   int most = 0;
@@ -61,7 +61,7 @@ TEST(LineContactStretches, FindsARollerAnywhere) {
   EXPECT_LE(most, 80);
 }
 
-TEST(LineContactStretches, FarCostsOneDistance) {
+TEST(ContactIntervals, FarCostsOneDistance) {
   Gap g = circle(1, 0.5, 3, 0.5);
   EXPECT_TRUE(contact_intervals(std::ref(g), {1}, 5).empty());
   EXPECT_EQ(g.calls, 1);
@@ -81,7 +81,7 @@ double depth(const Gap& g, double L, const std::vector<ContactInterval>& interva
 // step than they move, wherever the humps and the inactive interval between them are on the pieces of the
 // element, and whether the inactive interval opens or closes. From step to step it may change by what the
 // rule makes of the inactive interval.
-TEST(LineContactStretches, HumpsComeAndGoSmoothly) {
+TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
   const double L = 1.3, R = 7, r = 0.25, move = 1e-4;
   double within = 0, between_steps = 0, most = 0;
   int filled_ever = 0, parted = 0;
@@ -120,7 +120,7 @@ TEST(LineContactStretches, HumpsComeAndGoSmoothly) {
   EXPECT_GT(filled_ever, 10);
 }
 
-TEST(LineContactStretches, LyingAndArching) {
+TEST(ContactIntervals, LyingAndArching) {
   Gap g;
   g.value = [](double) { return -1e-3; }, g.slope = [](double) { return 0.0; };
   auto found = contact_intervals(std::ref(g), {1}, 1);
@@ -147,7 +147,7 @@ TEST(LineContactStretches, LyingAndArching) {
 
 // A shallow inactive interval that begins close to the end of a piece and ends in a kink, as over two facets
 // of a hull: it is found whether that end lies in it or just before it.
-TEST(LineContactStretches, AHollowWithAKinkIsFoundFromTheFirst) {
+TEST(ContactIntervals, AHollowWithAKinkIsFoundFromTheFirst) {
   const double move = 1e-4;
   for (const double rise : {2e-3, 6e-3, 0.03})
     for (const double fall : {0.02, 0.09, 0.4}) {
@@ -175,7 +175,7 @@ TEST(LineContactStretches, AHollowWithAKinkIsFoundFromTheFirst) {
     }
 }
 
-TEST(LineContactStretches, TwoRollersUnderOneElement) {
+TEST(ContactIntervals, TwoRollersUnderOneElement) {
   Gap g;
   const auto one = [](double x, double c) { return std::hypot(4 * x - c, 0.4) - 0.41; };
   const auto slope = [](double x, double c) { return 4 * (4 * x - c) / std::hypot(4 * x - c, 0.4); };
@@ -200,4 +200,4 @@ TEST(LineContactRule, IsExactToTheSeventhDegree) {
 }
 
 }  // namespace
-}  // namespace hawser::line_contact_test
+}  // namespace hawser::contact_intervals_test

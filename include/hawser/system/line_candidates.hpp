@@ -9,7 +9,7 @@
 //   recouple(k, h):   candidates.update(k, h), collective; true: the pairs have changed
 //   couple(c):        candidates.couple(c); then ghosts and matrix are made
 //   update_ghosts():  candidates.locate(): now segments() know their local nodes
-//   judge(k):         candidates.covers(k): no pair was missed by the step
+//   check_step(k):    candidates.covers(k): no pair was missed by the step
 // History is to be kept by ContactSegment::global: indices of segments change with the list.
 #pragma once
 
