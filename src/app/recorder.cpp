@@ -105,6 +105,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
 
   io::ResultContents contents;
   contents.run = run;
+  contents.single_precision = sim_.model().output.single_precision;
   contents.fields = fields_;
   contents.end_fields.assign(kEnds, kEnds + ends_.size());
   if (c.output.statistics) {

@@ -52,6 +52,7 @@ void read_output(const Value& v, const CaseSource& source, model::Case& c) {
   o.every = number(v, "every");
   o.checkpoint_every = number(v, "checkpoint_every");
   o.history_every = number(v, "history_every");
+  o.single_precision = v["single_precision"].number != 0;
   o.touchdowns = v["touchdowns"].number != 0;
   o.statistics = v["statistics"].number != 0;
   o.statistics_from = v["statistics_from"].number;

@@ -348,16 +348,17 @@ DrawnMesh drawn_mesh(const VolumeMesh& v, int limit) {
 std::vector<RowSet> row_sets(const ResultContents& c) {
   const auto nodes = static_cast<hsize_t>(c.nodes_total());
   std::vector<RowSet> sets;
+  const hid_t of_fields = c.single_precision ? H5T_IEEE_F32LE : H5T_IEEE_F64LE;
   sets.push_back({"outputs/time", RowsBy::output, H5T_IEEE_F64LE, {}, "s"});
   for (const auto& f : c.fields) {
     h5::Shape tail{nodes};
     if (f.components > 1) tail.push_back(static_cast<hsize_t>(f.components));
-    sets.push_back({field_place(f), RowsBy::output, H5T_IEEE_F64LE, tail, f.unit});
+    sets.push_back({field_place(f), RowsBy::output, of_fields, tail, f.unit});
   }
   for (const auto& f : c.end_fields)
     sets.push_back({"ends/" + f.name,
                     RowsBy::output,
-                    H5T_IEEE_F64LE,
+                    of_fields,
                     {2 * c.lines.size(), static_cast<hsize_t>(f.components)},
                     f.unit});
   for (const auto& f : c.statistics) {

@@ -126,7 +126,12 @@ void XdmfWriter::add_lines(std::string& text) const {
                         const std::string& topology) {
     text += "<Grid Name=\"" + xml_text(name) + "\" GridType=\"Uniform\">\n" + topology;
     for (const auto& f : c.fields) {
-      Slab s{"fields/" + safe_name(f.name), kDouble, {first}, {nodes}, {total}, true};
+      Slab s{"fields/" + safe_name(f.name),
+             c.single_precision ? kFloat : kDouble,
+             {first},
+             {nodes},
+             {total},
+             true};
       if (f.components > 1)
         s.start.push_back(0), s.count.push_back(f.components), s.shape.push_back(f.components);
       const char* kind = f.components == 1 ? "Scalar" : f.components == 3 ? "Vector" : "Matrix";

@@ -53,6 +53,11 @@ Key output() {
                    "opens")
                   .or_else("[hdf5, xdmf]")
                   .items(1, 2),
+              boolean(
+                  "single_precision",
+                  "fields, those at the ends of lines too, have 7 digits and take half the space; histories, "
+                  "statistics and checkpoints have all 16")
+                  .or_else("false"),
               list("histories",
                    map("",
                        {reference("line", "lines", "line"), arc("at", "arc length from end A"),

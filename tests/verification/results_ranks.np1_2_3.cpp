@@ -163,10 +163,10 @@ void write_run(MPI_Comm comm, const std::string& path, bool finish) {
 
 // Outputs that follow each other fast are written together; bodies with mass have nodes after those of the
 // lines.
-TEST(ResultsRanks, RowsOfLinesBesideNodesOfBodies) {
+void expect_rows_of_lines(bool single) {
   constexpr int kOutputs = 40, kBodies = 2;
   ResultContents c = contents();
-  c.free_bodies = kBodies, c.clashes = false;
+  c.free_bodies = kBodies, c.clashes = false, c.single_precision = single;
   const int nodes = c.nodes_total();
   const std::string path = temporary("bodies.h5");
   const auto owned = owned_nodes(MPI_COMM_WORLD, nodes + kBodies);
@@ -182,15 +182,29 @@ TEST(ResultsRanks, RowsOfLinesBesideNodesOfBodies) {
     std::vector<double> all(static_cast<size_t>(kOutputs * nodes * components));
     const h5::Id set = h5::open_dataset(file, "fields/" + c.fields[f].name);
     ASSERT_EQ(h5::shape_of(set)[0], static_cast<hsize_t>(kOutputs));
+    const hid_t type = H5Dget_type(set);
+    EXPECT_EQ(H5Tget_size(type), single ? 4U : 8U);
+    H5Tclose(type);
     ASSERT_GE(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), 0);
     size_t i = 0;
     for (int k = 0; k < kOutputs; ++k)
       for (int n = 0; n < nodes; ++n)
-        for (int j = 0; j < components; ++j)
-          ASSERT_EQ(all[i++], value(k, static_cast<int>(f), n, j))
+        for (int j = 0; j < components; ++j) {
+          const double v = value(k, static_cast<int>(f), n, j);
+          ASSERT_EQ(all[i++], single ? static_cast<double>(static_cast<float>(v)) : v)
               << c.fields[f].name << " " << k << " " << n;
+        }
   }
+  std::ifstream xdmf(temporary("bodies.xdmf"));
+  const std::string text(std::istreambuf_iterator<char>(xdmf), {});
+  const auto at = text.find("bodies.h5:/fields/position");
+  ASSERT_NE(at, std::string::npos);
+  const auto precision = text.rfind("Precision=", at);
+  EXPECT_EQ(text.substr(precision, 13), single ? "Precision=\"4\"" : "Precision=\"8\"");
 }
+
+TEST(ResultsRanks, RowsOfLinesBesideNodesOfBodies) { expect_rows_of_lines(false); }
+TEST(ResultsRanks, RowsInSinglePrecision) { expect_rows_of_lines(true); }
 
 TEST(ResultsRanks, FileIsTheSameAsFromOneRank) {
   for (const bool finish : {false, true}) {

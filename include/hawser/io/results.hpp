@@ -80,9 +80,10 @@ struct ResultContents {
   ResultWaves waves;
   bool clashes = false;  // there is a clash report; its volumes are `volumes`
   bool xdmf = true;
-  int expected_outputs = 100;    // room made at once; it doubles when it runs out
-  int expected_steps = 1000;     // likewise, rows of the series
-  int moving_vertices = 100000;  // a moving mesh with more is drawn as its box
+  bool single_precision = false;  // of `fields` and `end_fields`
+  int expected_outputs = 100;     // room made at once; it doubles when it runs out
+  int expected_steps = 1000;      // likewise, rows of the series
+  int moving_vertices = 100000;   // a moving mesh with more is drawn as its box
 
   int free_bodies = 0;  // bodies that have a node in checkpoints, after those of the lines
 

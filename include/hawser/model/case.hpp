@@ -356,6 +356,7 @@ struct Output {
   double every = 0;             // s between fields; 0: 100 outputs a run
   double checkpoint_every = 0;  // s; 0: with every field output
   bool xdmf = true;
+  bool single_precision = false;  // of fields
   std::vector<HistoryPoint> histories;
   double history_every = 0;    // s between rows of histories; 0: every step
   bool touchdowns = true;      // a history of each line's touchdown points
