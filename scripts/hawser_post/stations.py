@@ -2,7 +2,12 @@
 step of the run (the statistics whose names end with _at_stations)."""
 import numpy as np
 
-FIELDS = ("effective_tension", "bending_moment", "curvature", "utilisation", "bend_utilisation")
+FIELDS = ("effective_tension", "bending_moment", "curvature", "utilisation", "bend_utilisation", "dnv_local_buckling", "api_bending_pressure",
+          "api_tension_pressure")
+
+CODES = (("local buckling, DNV-ST-F101 [-]", "dnv_local_buckling", 1),
+         ("bending and pressure, API RP 1111 [-]", "api_bending_pressure", 1),
+         ("tension and pressure, API RP 1111 [-]", "api_tension_pressure", 1))
 
 
 def end_of(results, line):
@@ -36,7 +41,7 @@ def table(results, line, outer):
     for name, field, factor in (("effective tension [kN]", "effective_tension", 1e-3),
                                 ("bending moment [kN m]", "bending_moment", 1e-3),
                                 ("bending strain [%]", "curvature", 50 * outer), ("utilisation of the breaking load", "utilisation", 1),
-                                ("utilisation of the bend radius", "bend_utilisation", 1)):
+                                ("utilisation of the bend radius", "bend_utilisation", 1), *CODES):
         if field in found:
             most = int(np.argmax(found[field][:, 2]))
             rows.append([name, factor * float(found[field][:, 0].min()), factor * float(found[field][most, 2]),
@@ -50,7 +55,7 @@ def columns(results, line, outer):
     head, values = ["distance_from_feeder [m]"], [distance]
     for name, field, factor in (("effective tension [N]", "effective_tension", 1), ("bending moment [N m]", "bending_moment", 1),
                                 ("bending strain [%]", "curvature", 50 * outer), ("utilisation [-]", "utilisation", 1),
-                                ("bend utilisation [-]", "bend_utilisation", 1)):
+                                ("bend utilisation [-]", "bend_utilisation", 1), *CODES):
         for what, column in (("least", 0), ("largest", 2), ("mean", 4)):
             if field in found:
                 head.append(f"{what} {name}"), values.append(factor * found[field][:, column])

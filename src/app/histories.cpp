@@ -25,8 +25,9 @@ const std::vector<std::string> kShown = {"effective_tension",
                                          "contact_normal_force",
                                          "penetration"};
 // Likewise, after the columns of ends.
-const std::vector<std::string> kShownLast = {"wall_tension", "declination", "utilisation",
-                                             "bend_utilisation"};
+const std::vector<std::string> kShownLast = {
+    "wall_tension",       "declination",          "utilisation",         "bend_utilisation",
+    "dnv_local_buckling", "api_bending_pressure", "api_tension_pressure"};
 
 const std::vector<io::ResultField> kBody = {{"position", "m", 3},   {"rotation_vector", "rad", 3},
                                             {"velocity", "m/s", 3}, {"angular_velocity", "rad/s", 3},

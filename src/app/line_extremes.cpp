@@ -19,11 +19,16 @@ struct Wanted {
   bool largest;
 };
 constexpr std::array<std::string_view, 2> kTension = {"effective_tension_before", "effective_tension_after"};
-constexpr Wanted kWanted[] = {
-    {"max effective tension", kTension, true},  {"min effective tension", kTension, false},
-    {"max utilisation", {"utilisation"}, true}, {"max bend utilisation", {"bend_utilisation"}, true},
-    {"max curvature", {"curvature"}, true},     {"max bending moment", {"bending_moment"}, true},
-    {"max penetration", {"penetration"}, true}};
+constexpr Wanted kWanted[] = {{"max effective tension", kTension, true},
+                              {"min effective tension", kTension, false},
+                              {"max utilisation", {"utilisation"}, true},
+                              {"max bend utilisation", {"bend_utilisation"}, true},
+                              {"max curvature", {"curvature"}, true},
+                              {"max bending moment", {"bending_moment"}, true},
+                              {"max DNV local buckling", {"dnv_local_buckling"}, true},
+                              {"max API bending, pressure", {"api_bending_pressure"}, true},
+                              {"max API tension, pressure", {"api_tension_pressure"}, true},
+                              {"max penetration", {"penetration"}, true}};
 
 bool among(const Wanted& w, std::string_view field) {
   return std::find(w.fields.begin(), w.fields.end(), field) != w.fields.end();
@@ -64,6 +69,7 @@ void LineExtremes::add(double time, const std::vector<std::vector<double>>& valu
         if (node.body >= 0) break;  // bodies come after the lines
         if (!utilisation.known(static_cast<int>(f), n) || (feeders_ && is_inside(node, n))) continue;
         const double v = values[f][n];
+        if (std::isnan(v)) continue;  // no pipe
         Extreme& x = q.lines[static_cast<size_t>(node.line)];
         if (!x.set || (q.largest ? v > x.value : v < x.value)) x = {v, time, node.arc, true};
       }

@@ -61,6 +61,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       end_forces_(simulation.system(), simulation.feeders()),
       turns_(simulation.local()),
       utilisation_(simulation.model(), simulation.local()),
+      pipes_(simulation.model(), simulation.local()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)),
       rows_every_(simulation.model().output.history_every) {
   const model::Case& c = sim_.model();
@@ -71,6 +72,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
                   [](const auto& f) { return f.name == "effective_tension"; }))
     for (const char* side : {kBefore, kAfter}) fields_.push_back({side, "N", 1});
   utilisation_.add_fields(fields_);
+  pipes_.add_fields(fields_);
   for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
   auto find = [&](const std::string& name) {
     for (size_t i = 0; i < fields_.size(); ++i)
@@ -94,7 +96,8 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
                                   [](const auto& h) { return h.body.empty(); });
   for (const FieldSource& s : registry_.sources())
     every_step_.push_back(s.name == "effective_tension" || among(kCarriers, s.name) ||
-                          (points && Histories::shows(s.name)) || LineExtremes::wants(s.name) ||
+                          (points && Histories::shows(s.name)) || pipes_.wants(s.name) ||
+                          LineExtremes::wants(s.name) ||
                           (c.output.statistics && NodeStatistics::wants(s.name)));
   const int corrected[] = {tension_, declination_, wall_, shear_, torsion_, moment_, moment_2_, moment_3_};
   rest_apart_ = std::all_of(std::begin(corrected), std::end(corrected),
@@ -187,6 +190,32 @@ void Recorder::fill(const Kinematics& at, bool all) {
     if (side >= 0) values_[static_cast<size_t>(side)] = values_[static_cast<size_t>(tension_)];
   correct_ends(at);
   utilisation_.fill(values_);
+  pipes_.fill(values_, pipe_places(at));
+}
+
+// Where the condition of a pipe depends on what carries it.
+PipePlaces Recorder::pipe_places(const Kinematics& at) {
+  PipePlaces out;
+  if (!pipes_.wants_places()) return out;
+  const model::Case& c = sim_.model();
+  if (supports_) out.supports = supports_->carrying(at, body_poses(sim_, at));
+  if (!c.environment.seabed.present) return out;
+  const std::vector<Touchdown> all = touchdowns(comm_, c, sim_.local(), at);
+  for (size_t l = 0; l < all.size(); ++l) {
+    const Touchdown& t = all[l];
+    std::array<double, 2>& lies = out.seabed.emplace_back(std::array{HUGE_VAL, -HUGE_VAL});
+    if (!t.from_a && t.laid > 0) lies = {-HUGE_VAL, HUGE_VAL};  // from end to end
+    if (!t.from_a) continue;
+    const double from = t.from_a->arc, to = t.from_b->arc, behind = sim_.mesh().lines[l].length - to;
+    // A line that lies up to one of its ends has one touchdown point.
+    if (to > from)
+      lies = {from, to};
+    else if (std::abs(t.laid - behind) < std::abs(t.laid - from))
+      lies = {from, HUGE_VAL};
+    else
+      lies = {-HUGE_VAL, to};
+  }
+  return out;
 }
 
 void Recorder::fill_field(size_t f, const Kinematics& at) {
@@ -244,6 +273,7 @@ void Recorder::correct_ends(const Kinematics& at) {
 
 void Recorder::start(const Kinematics& at, const Kinematics& shown) {
   start_ = sum_of(comm_, sim_.system().energy(at));
+  if (sim_.model().statics.enabled) fill(shown, false), pipes_.rest(values_);
   step({}, at, 0, shown);
   output(shown);
 }
@@ -389,6 +419,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
           !w.empty())
         warnings_.push_back(w);
     if (const std::string w = overused(r); !w.empty()) warnings_.push_back(w);
+    if (const std::string w = overloaded(r); !w.empty()) warnings_.push_back(w);
     if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;
     double radius = 0;
@@ -406,6 +437,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
                 "automatic one is as high as the line's EA asks: is its tension more than it "
                 "bears?"));
   }
+  for (const std::string& w : pipes_.warnings(comm_)) warnings_.push_back(w);
   if (supports_)
     for (const std::string& w : supports_->warnings()) warnings_.push_back(w);
   const bool moved = sim_.model().dynamics.enabled;
@@ -426,6 +458,7 @@ void Recorder::save(io::Checkpoint& to) {
   if (clashes_) to.history[kClashRecords] = {ClashReport::history(), clashes_->save()};
   if (statistics_) statistics_->save(to), at_stations_->save(to);
   save_audit(start_, audit_, to);
+  pipes_.save(to);
   extremes_->save(to);
 }
 
@@ -436,6 +469,7 @@ void Recorder::restore(const io::Checkpoint& from) {
   }
   if (statistics_) statistics_->restore(from), at_stations_->restore(from);
   restore_audit(from, start_, audit_);
+  pipes_.restore(from);
   extremes_->restore(from);
   if (rows_every_ > 0) rows_from_ = next_multiple(from.time, rows_every_);
 }

@@ -11,8 +11,9 @@
 namespace hawser::app {
 namespace {
 
-constexpr std::string_view kFields[] = {"effective_tension", "bending_moment", "curvature", "utilisation",
-                                        "bend_utilisation"};
+constexpr std::string_view kFields[] = {"effective_tension",    "bending_moment",      "curvature",
+                                        "utilisation",          "bend_utilisation",    "dnv_local_buckling",
+                                        "api_bending_pressure", "api_tension_pressure"};
 
 }  // namespace
 

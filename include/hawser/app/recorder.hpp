@@ -14,6 +14,7 @@
 #include "hawser/app/histories.hpp"
 #include "hawser/app/line_extremes.hpp"
 #include "hawser/app/node_statistics.hpp"
+#include "hawser/app/pipe_strength.hpp"
 #include "hawser/app/sharp_turns.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/app/stations.hpp"
@@ -70,6 +71,7 @@ class Recorder {
   void append_rows(const StepInfo& info, const Kinematics& at);
   void write_statistics();
   bool shows_touchdowns() const;
+  PipePlaces pipe_places(const Kinematics& at);
 
   MPI_Comm comm_;
   Simulation& sim_;
@@ -94,6 +96,7 @@ class Recorder {
   std::unique_ptr<NodeStatistics> at_stations_;  // likewise
   SharpTurns turns_;
   Utilisation utilisation_;
+  PipeStrength pipes_;
   Clearances clearances_;
   std::unique_ptr<SupportLog> supports_;           // null: the case has none
   std::vector<std::vector<double>> support_rows_;  // of the last step
