@@ -105,6 +105,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
 
   io::ResultContents contents;
   contents.run = run;
+  contents.stages = c.stages;
   contents.fields = fields_;
   contents.end_fields.assign(kEnds, kEnds + ends_.size());
   if (c.output.statistics) {
@@ -269,6 +270,14 @@ void Recorder::correct_ends(const Kinematics& at) {
     const Vec3 rows[] = {p.sign() * s.force, s.direction, p.sign() * s.moment};
     for (size_t f = 0; f < ends_.size(); ++f) ends_[f].insert(ends_[f].end(), rows[f].begin(), rows[f].end());
   }
+}
+
+// Stages have no time: that of the last is 0, and a second less for each before it.
+void Recorder::stage(size_t place) {
+  const Kinematics at = sim_.state().view(0);
+  fill(at, true);
+  const double last = static_cast<double>(sim_.model().stages.size()) - 1;
+  file_->write_output(static_cast<double>(place) - last, values_, body_poses(sim_, at), {}, ends_);
 }
 
 void Recorder::start(const Kinematics& at, const Kinematics& shown) {

@@ -36,6 +36,8 @@ class Recorder {
   // What the file holds, or would.
   const io::ResultContents& contents() const { return file_ ? file_->contents() : planned_; }
 
+  // The rest of a stage of statics but the last, by its place: an output at a negative time.
+  void stage(size_t place);
   // The beginning of a run: the state `at`, from which energies count and which may move already, and the one
   // that is shown for it, the first step and output: its static equilibrium where there is one.
   void start(const Kinematics& at, const Kinematics& shown);
