@@ -142,7 +142,7 @@ class Scenery:
         return tops
 
     def body(self, b, output):
-        return self.results.file["bodies/position"][output, b]
+        return self.results.file["bodies/position"][self.results.rows[output], b]
 
     def masses(self, output):
         """Buoys and clump weights as balls of their volume, others as marks."""

@@ -3,7 +3,7 @@ import sys
 from pathlib import Path
 
 try:
-    from . import export, extremes_told, fatigue, fatigue_told, lay, pipe_codes, pipe_told, plot, report, scene
+    from . import export, extremes_told, fatigue, fatigue_told, lay, pipe_told, plot, report, scene
     from .arguments import Parser, add_set, time_from
     from .given import modes_of, refuse_since, results_of
     from .results import Refusal
@@ -95,14 +95,6 @@ def commands():
     p = sub.add_parser("pipe", help="strain, stress and code checks of a steel pipe, on its supports and in its sagbend")
     p.add_argument("results", help=of)
     p.add_argument("--line", help="default: the first with a pipe")
-    p.add_argument("--grade", choices=list(pipe_codes.GRADES), help="of its steel, API 5L (default: the case's)")
-    p.add_argument("--safety-class", choices=list(pipe_codes.SAFETY_CLASSES), default="low", help="DNV-ST-F101 (default: low)")
-    p.add_argument("--fabrication", choices=list(pipe_codes.FABRICATION), default="UOE", help="DNV-ST-F101 (default: UOE)")
-    p.add_argument("--ovality", type=float, default=0.015, help="(D_max - D_min) / D (default: 0.015)")
-    p.add_argument("--material-factor", type=float, default=0.96, metavar="A", help="alpha_U of DNV-ST-F101 (default: 0.96)")
-    p.add_argument("--condition-factor", metavar="C", help="gamma_C of DNV-ST-F101, of all parts or as overbend=0.82,seabed=1.07 "
-                   "(default: 1, on a measured seabed 1.07)")
-    p.add_argument("--static", metavar="RESULTS", help="results whose first output is at rest, where these have none (restarts)")
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="CSV file (default: <results>-pipe.csv)")
     add_set(p)

@@ -27,7 +27,7 @@ class Rig:
         results = self.run([])
         self.name = pipe_of(results, None).name
         line = results.line(self.name)
-        if pipe_checks.grade_of(results, line) is None:
+        if pipe_checks.judged_pipe(results, line) is None:
             raise Refusal(f"{case}: the case does not say of which steel '{line.name}' is: 'grade' with the pipe of its line type")
         checked = pipe_checks.of_case(results, line)
         if checked.left is None or checked.down is None:

@@ -1,13 +1,13 @@
 """The checks of a pipe as tables: by part of the line, and what is watched while it is laid."""
 import numpy as np
 
-from .pipe_checks import PARTS, largest
+from .pipe_checks import FIELDS, PARTS, largest
 
 
 def checks(checked, since):
     """A table: part of the line, quantity, value at rest, largest, its time and arc length."""
     head = ["part", "quantity", "static", "largest", "at [s]", "at [m]"]
-    results, rest, rows = checked.results, checked.rest, []
+    results, rows = checked.results, []
     keep = np.flatnonzero(results.since(since))
 
     def row(part, name, still, most, output, node):
@@ -17,11 +17,23 @@ def checks(checked, since):
         for name, values in checked.values.items():
             most, output, node = largest(values[keep], checked.part[keep] == k)
             if not np.isnan(most):
-                row(part, name, largest(rest.values[name][:1], rest.part[:1] == k)[0], most, output, node)
+                row(part, name, checked.static(name, k), most, output, node)
         for name, still, most, *place in checked.criteria(part, keep):
             if not np.isnan([still, most]).all():
                 row(part, name + " [-]", still, most, *place)
     return head, rows
+
+
+def every_step(checked):
+    """A table of the checks by codes over every step and node: largest, its time and arc length. None before the end of a run."""
+    results, line, rows = checked.results, checked.line, []
+    for name, field in FIELDS.items():
+        found = results.statistics(field, line) if results.ended else None
+        if found is None or np.isnan(found[:, 2]).all():
+            continue
+        node = int(np.nanargmax(found[:, 2]))
+        rows.append([name.replace(" [-]", ""), float(found[node, 2]), float(found[node, 3]), float(line.arc[node])])
+    return (["every step", "largest", "at [s]", "at [m]"], rows) if rows else None
 
 
 def watched(checked):
@@ -45,11 +57,11 @@ def watched(checked):
 
 def geometry(checked, since):
     """A table of what is watched: value at rest, least and largest since."""
-    results, still, rows = checked.results, watched(checked.rest), []
+    results, rows = checked.results, []
     for name, values in watched(checked).items():
         keep = (results.step_time >= since) if name.startswith("clearance at the tip") else results.since(since)
         if not np.isnan(values[keep]).all():
-            rest = float(still[name][0]) if name in still else np.nan
+            rest = float(values[0]) if checked.at_rest else np.nan
             rows.append([name, "" if np.isnan(rest) else rest, float(np.nanmin(values[keep])), float(np.nanmax(values[keep]))])
     return ["quantity", "static", "least", "largest"], rows
 

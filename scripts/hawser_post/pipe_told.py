@@ -5,7 +5,7 @@ import numpy as np
 
 from . import export, pipe_checks, pipe_tables, stations, stress
 from .given import refuse_since, results_of
-from .results import Refusal, Results
+from .results import Refusal
 
 
 def pipe_of(results, name):
@@ -20,50 +20,24 @@ def pipe_of(results, name):
     return pipes[0]
 
 
-def conditions_of(text):
-    """gamma_C by part of the line, as --condition-factor has it: 0.82, or overbend=0.82,seabed=1.07."""
-    found = {}
-    for word in text.split(",") if text else []:
-        name, _, value = word.rpartition("=")
-        names = [name.strip()] if name else pipe_checks.PARTS
-        try:
-            factor = float(value)
-        except ValueError:
-            factor = np.nan
-        if not set(names) <= set(pipe_checks.PARTS) or np.isnan(factor):
-            raise Refusal(f"--condition-factor '{text}' is neither a number nor a list such as overbend=0.82,seabed=1.07 of "
-                          f"{', '.join(pipe_checks.PARTS)}")
-        if not 0.5 <= factor <= 2:
-            raise Refusal(f"--condition-factor {factor:g} is no factor of DNV-ST-F101, which are near 1")
-        found.update(dict.fromkeys(names, factor))
-    return found
-
-
 def make(options):
     results = results_of(options.results, options.changes)
     refuse_since(results, options.since)
     if results.modes:
         raise Refusal(f"{results.path} holds natural modes, and their size means nothing")
     since, line = options.since or 0.0, pipe_of(results, options.line)
-    grade = options.grade or pipe_checks.grade_of(results, line)
-    if grade is None:
-        raise Refusal(f"{results.path}: the case does not say of which steel '{line.name}' is: give --grade, or "
-                      "'grade' with the pipe of its line type")
-    if not 0.005 <= options.ovality <= 0.03:
-        raise Refusal(f"--ovality {options.ovality:g} is none that DNV-ST-F101 is for, 0.005 to 0.03")
-    if not 0.5 <= options.material_factor <= 2:
-        raise Refusal(f"--material-factor {options.material_factor:g} is no factor of DNV-ST-F101, which are near 1")
-    checked = pipe_checks.Checked(results, line, grade, pipe_checks.steel_of(
-        results, line, grade, safety_class=options.safety_class, fabrication=options.fabrication, ovality=options.ovality,
-        material_factor=options.material_factor), conditions_of(options.condition_factor),
-        Results(options.static) if options.static else None)
+    checked = pipe_checks.of_case(results, line)
+    if checked is None:
+        raise Refusal(f"{results.path}: the case does not say of which steel '{line.name}' is: give its pipe a 'grade', and run it")
     pipe, judged = checked.told()
     print(f"{line.name}: {pipe} {np.count_nonzero(results.since(since))} outputs to t = {results.time[-1]:g} s.\n  {judged} "
           "A check is met up to 1.")
-    if options.static:
-        print(f"  Functional loads and static values are those of {options.static}.")
+    if not checked.results.has("dnv_local_buckling"):
+        print("  The case has no statics, whose loads would be the functional ones: it is not checked by DNV-ST-F101.")
     print_table(*pipe_tables.geometry(checked, since))
     print_table(*pipe_tables.for_reading(*pipe_tables.checks(checked, since)))
+    if every := pipe_tables.every_step(checked):
+        print_table(*every)
     at_stations = stations.table(results, line, checked.outer)
     if at_stations:
         print_table(*at_stations)

@@ -5,7 +5,7 @@ import numpy as np
 
 from . import charts, envelopes, inputs, pipe_checks, pipe_tables, scene, stations, stress, tables
 from .page import Page
-from .results import Refusal
+from .results import Refusal, Results
 
 MOST_LINES = 8  # with figures of their own
 MOST_MODES = 12
@@ -58,6 +58,17 @@ def start(page, results):
               "Forces are those of the line on what holds its end; the declination is the angle between the upward "
               "vertical and the direction into the line.")
     table(page, *tables.at_ends(results, 0))
+
+
+def stages(page, results):
+    """The rests of the stages of statics, in their order."""
+    if not results.stages:
+        return
+    page.section("Stages of statics")
+    for place, name in enumerate(results.stages):
+        rest = Results(results.path, place)
+        page.figure(scene.picture(rest, "elevation", high=3.2, name=f"stage {name}"), f"Stage {name}, from the side.", "png")
+        table(page, *tables.at_ends(rest, 0))
 
 
 def extremes(page, results, since):
@@ -117,7 +128,7 @@ def stresses(page, results, lines, since):
 
 
 def strength(page, results, lines, since):
-    """Code checks of pipes whose case says of which steel they are, with the defaults of hawser pipe."""
+    """Code checks of pipes whose case says of which steel they are."""
     for line in lines:
         try:
             found = pipe_checks.of_case(results, line) if stress.is_pipe(results, line) else None
@@ -129,7 +140,9 @@ def strength(page, results, lines, since):
             continue
         page.section(f"Strength of {line.name}")
         page.text(f"{' '.join(found.told())} Local buckling is that of DNV-ST-F101 (2021), combined loads, load controlled, the worse of "
-                  "the load combinations a and b; all by the defaults of hawser pipe, which tells more. A check is met up to 1.")
+                  "the load combinations a and b. A check is met up to 1.")
+        if every := pipe_tables.every_step(found):
+            page.table(*every)
         for head, rows in (pipe_tables.geometry(found, since), pipe_tables.for_reading(*pipe_tables.checks(found, since))):
             page.table(head, rows)
         for doubt in pipe_checks.doubts(found):
@@ -288,6 +301,7 @@ def make(results, path, since, vibrations=None):
         told(page, results)
     pictures(page, results)
     given(page, results)
+    stages(page, results)
     start(page, results)
     if vibrations:
         modes(page, vibrations)

@@ -65,7 +65,8 @@ def make_change(case, change):
 
 
 class Results:
-    def __init__(self, path):
+    def __init__(self, path, stage=None):
+        """`stage`: of the stages of statics by their place, whose rest is the only output then."""
         self.path = Path(path)
         if not self.path.is_file():
             raise Refusal(f"{path}: there is no such file")
@@ -79,7 +80,13 @@ class Results:
         self.outputs, self.steps = (int(n) for n in self.file["written"][0])
         if self.outputs == 0:
             raise Refusal(f"{path}: holds no output yet")
-        self.time = self.file["outputs/time"][: self.outputs]
+        # Stages of statics, which are no part of the run, have negative times.
+        written = self.file["outputs/time"][: self.outputs]
+        first = min(int(np.count_nonzero(written < 0)), self.outputs - 1)
+        names = [text_of(name) for name in self.file["stages"][:]] if "stages" in self.file else []
+        self.stages = names[: first + 1] if first > 0 else []  # with an output
+        self.rows = range(first, self.outputs) if stage is None else range(stage, stage + 1)
+        self.outputs, self.time = len(self.rows), written[self.rows.start : self.rows.stop]
         arc = self.file["nodes/arc_length"][:]
         self.lines = []
         for i, name in enumerate(self.file["lines/name"][:]):
@@ -149,8 +156,8 @@ class Results:
             raise Refusal(f"there is no field '{name}' (there are: {', '.join(self.fields)})")
         data = self.file["fields"][name]
         if output is None:
-            return data[: self.outputs, line.nodes]
-        return data[range(self.outputs)[output], line.nodes]
+            return data[self.rows.start : self.rows.stop, line.nodes]
+        return data[self.rows[output], line.nodes]
 
     def magnitude(self, name, line, output=None):
         """As `field`, of vectors their size: outputs x nodes, or nodes of one output."""
@@ -233,17 +240,17 @@ class Results:
 
     def ends(self, what):
         """'force', 'moment' or 'direction': outputs x ends x 3; nothing where the file has none."""
-        return self.file[f"ends/{what}"][: self.outputs] if f"ends/{what}" in self.file else None
+        return self.file[f"ends/{what}"][self.rows.start : self.rows.stop] if f"ends/{what}" in self.file else None
 
     def clashes(self):
         """Names of the columns, their units, and rows of those that ended and those in progress."""
         if "clashes" not in self.file or self.outputs == 0:
             return [], [], []
-        ended, still = (int(n) for n in self.file["outputs/clashes"][self.outputs - 1])
+        ended, still = (int(n) for n in self.file["outputs/clashes"][self.rows[-1]])
         table = self.file["clashes/ended"]
         names = [n for n in table.dtype.names]
         units = [text_of(u) for u in table.attrs["units"]]
-        rows = list(table[:ended]) + list(self.file["clashes/open"][(self.outputs - 1) % 2, :still])
+        rows = list(table[:ended]) + list(self.file["clashes/open"][self.rows[-1] % 2, :still])
         volumes = [text_of(v) for v in self.file["clashes/volume_name"][:]]
 
         def value(row, name):
@@ -271,11 +278,11 @@ class Results:
                 continue
             x, body = volume["vertices"][:], int(volume.attrs.get("body", -1))
             if body >= 0:
-                x = x @ self.rotation(body, output).T + self.file["bodies/position"][range(self.outputs)[output], body]
+                x = x @ self.rotation(body, output).T + self.file["bodies/position"][self.rows[output], body]
             yield text_of(volume.attrs.get("name", name)), x, volume["triangles"][:].reshape(-1, 3)
 
     def rotation(self, body, output):
-        w, x, y, z = self.file["bodies/rotation"][range(self.outputs)[output], body]
+        w, x, y, z = self.file["bodies/rotation"][self.rows[output], body]
         return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
                          [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
                          [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])

@@ -74,7 +74,7 @@ def picture(results, view, output=-1, high=4.2, name=None):
                       lw=1.4 if last else 0.8, ls="-" if last else "--", zorder=3,
                       label=line.name if last and len(results.lines) <= 12 else None)
     for b, body in enumerate(results.bodies):
-        x = results.file["bodies/position"][range(results.outputs)[output], b]
+        x = results.file["bodies/position"][results.rows[output], b]
         axes.plot(*flat(x), "k+", ms=8, zorder=4)
         # Of two that are close the names go to different sides.
         axes.annotate(body, flat(x), xytext=(4, 4 if b % 2 == 0 else -9), textcoords="offset points", fontsize=8)

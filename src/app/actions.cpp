@@ -74,10 +74,11 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       for (const Feeder& f : sim_.feeders()->list())
         if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) found.speed = f.speed;
       break;
+    case Action::Kind::friction:
+    case Action::Kind::current:
+      break;
     case Action::Kind::contact:
-      for (int v = 0; a.enabled && v < sim_.contact()->volumes(); ++v)
-        if (sim_.contact()->volume_name(v) == a.volume)
-          if (const std::string where = sim_.inside(v, at); !where.empty()) refuse(where);
+      if (const std::string where = sim_.inside(a, at); !where.empty()) refuse(where);
       break;
   }
   again(a, found, at.time);
@@ -95,10 +96,16 @@ void Actions::again(const Action& a, const Found& found, double time) {
       hold(a, found);
       break;
     case Action::Kind::feed:
-      feed(a, found.speed, time);
+      if (a.paid_out == 0) feed(a, found.speed, time);  // else statics, and checkpoints know the length
+      break;
+    case Action::Kind::friction:
+      sim_.enable_static_friction(a.enabled);
+      break;
+    case Action::Kind::current:
+      sim_.scale_current(a.factor);
       break;
     case Action::Kind::contact:
-      sim_.enable_contact(a.volume, a.enabled);
+      sim_.enable_contact(a);
       break;
   }
 }
@@ -127,7 +134,7 @@ void Actions::feed(const Action& a, double speed, double time) {
     law.stock = f.feed.stock;
     if (a.ramp > 0) law.speed = {{time, speed}, {time + a.ramp, a.law.speed.back().second}};
     f.feed = law;
-    f.resting = law.most > 0;
+    f.resting = law.has_band();
     if (!law.speed.empty())
       f.offset = f.length - model::fed_by(law, time).length, f.speed = model::fed_by(law, time).speed;
   }

@@ -52,7 +52,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
         trial.iteration = (cpu_time() - first) / (now.iterations - 1);
         throw Spent();
       };
-      Events(sim.system().comm(), sim).come_to_rest([&](bool further) { sim.solve_statics(told, further); });
+      Events(sim.system().comm(), sim).come_to_rest([&] { sim.solve_statics(told); });
     } else {
       sim.check_inside();
     }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <optional>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -127,21 +128,38 @@ int run(MPI_Comm comm, const RunOptions& options) {
   }
 
   Events events(comm, sim);
+  // Made when the first thing is to be written: a case that cannot come to rest leaves no file.
+  std::optional<Recorder> made;
+  const auto record = [&]() -> Recorder& {
+    if (!made)
+      made.emplace(comm, sim, volume_meshes(c, volumes), surfaces(volumes),
+                   run_info(c, options.options_text, size), restarted ? &checkpoint : nullptr,
+                   place.appends());
+    return *made;
+  };
+  const auto fail = [&](const SolveError& e) {
+    std::vector<std::string> messages = progress.messages();
+    messages.push_back(fmt::format("warning: {}", e.what()));
+    made->finish(std::move(messages));
+  };
   if (restarted) {
     progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
     if (checkpoint.time >= end * (1 - 1e-12))
       progress.say("which is the end of the case: nothing left to compute");
   } else if (c.statics.enabled) {
-    {
+    try {
       const Stage stage("statics");
-      solve_statics(sim, events, progress);
+      solve_statics(sim, events, progress, [&](size_t k) {
+        if (k + 1 < c.stages.size()) record().stage(k);
+      });
+    } catch (const SolveError& e) {
+      if (made) fail(e);
+      throw;
     }
     give_back_memory();
   }
 
-  Recorder recorder(comm, sim, volume_meshes(c, volumes), surfaces(volumes),
-                    run_info(c, options.options_text, size), restarted ? &checkpoint : nullptr,
-                    place.appends());
+  Recorder& recorder = record();
   Feeding feeding(sim);
   if (restarted) {
     for (const std::string& e : events.restore(checkpoint)) progress.say(e);
@@ -208,9 +226,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
           end, [&](double t) { return std::min(times.next(t), events.next(t)); }, observer);
     } catch (const SolveError& e) {
       save_state();
-      std::vector<std::string> messages = progress.messages();
-      messages.push_back(fmt::format("warning: {}", e.what()));
-      recorder.finish(std::move(messages));
+      fail(e);
       throw;
     }
   }

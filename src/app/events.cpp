@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "hawser/app/feeding.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/terms/feeders.hpp"
 
@@ -174,6 +176,12 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
     how = fmt::format(", with a tension of {:.6g} N", tension);
   }
   if (a.at) how = fmt::format(", {:.3g} m from the place", h.found.away);
+  if (a.kind == Action::Kind::attach && !a.at && !a.body.empty()) {
+    const model::Body& body = sim_.model().bodies[static_cast<size_t>(sim_.model().body_index(a.body))];
+    const Vec3 centre =
+        sim_.model().floats(sim_.model().body_index(a.body)) ? body.mass->centre : Vec3(Vec3::Zero());
+    how = fmt::format(", {:.4g} m from its origin", (Vec3(h.found.place.data()) + centre).norm());
+  }
   told.push_back(fmt::format("note: {}: {} is {}{}",
                              stage.empty() ? fmt::format("t = {:.6g} s", at.time) : "stage " + stage,
                              a.subject(), a.participle(), how));
@@ -214,14 +222,48 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
   }
 }
 
-void Events::come_to_rest(const std::function<void(bool)>& solve,
-                          const std::function<void(const std::string&)>& say) {
+void Events::come_to_rest(const std::function<void()>& solve,
+                          const std::function<void(const std::string&)>& say,
+                          const std::function<void(size_t)>& rested) {
   const std::vector<std::string>& stages = sim_.model().stages;
-  if (stages.empty()) solve(false);
-  for (const std::string& name : stages) {
-    say(fmt::format("stage {} of statics", name));
-    for (const std::string& e : at_rest(name)) say(e);
-    solve(name != stages.front());
+  if (stages.empty()) solve();
+  for (size_t k = 0; k < stages.size(); ++k) {
+    say(fmt::format("stage {} of statics", stages[k]));
+    for (const std::string& e : at_rest(stages[k])) say(e);
+    solve();
+    pay_out(stages[k], solve);
+    rested(k);
+  }
+}
+
+// An element after the other, all feeders of the stage together, each from the rest that it has come to.
+void Events::pay_out(const std::string& stage, const std::function<void()>& solve) {
+  std::map<Feeder*, double> left;  // m
+  for (const Happening& h : events_) {
+    const Action& a = h.what.action;
+    if (h.what.cause.kind != Cause::Kind::stage || h.what.cause.event != stage || a.paid_out == 0) continue;
+    for (Feeder& f : sim_.feeders()->list())
+      if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) left[&f] += a.paid_out;
+  }
+  Feeding feeding(sim_);
+  for (bool more = !left.empty(); more;) {
+    more = false;
+    for (auto& [f, length] : left) {
+      const double most = sim_.feeders()->element_length(*f, f->mouth), by = std::clamp(length, -most, most);
+      feeding.shift(*f, by);
+      more |= (length -= by) != 0;
+    }
+    try {
+      if (more)
+        sim_.solve_statics();
+      else
+        solve();
+    } catch (const SolveError& e) {
+      const auto& [f, length] = *left.begin();
+      throw SolveError(fmt::format("stage {}, when {:.6g} m are left to be {} at {}: {}", stage,
+                                   std::abs(length), length < 0 ? "hauled in" : "paid out", f->name,
+                                   e.what()));
+    }
   }
 }
 

@@ -48,27 +48,11 @@ void Feeding::hand_over() {
   const double time = sim_.dynamics().committed().s.time;
   for (Feeder& f : all->list()) {
     const double whole = all->element_length(f, f.mouth);
-    if (f.mouth == 0 && f.length >= whole)
-      throw SolveError(
-          fmt::format("the stock at {} runs out at t = {:.6g} s: give the line more length there and the "
-                      "feeder that much more "
-                      "'stock', or let the run end before",
-                      f.name, time));
+    refuse_all_out(f, time);
     if (f.mouth > 0 && f.length >= whole + kLeft * all->element_length(f, f.mouth - 1)) {
       let_out(f);
     } else if (f.length <= kCaught * whole) {
-      int others = 0;  // elements that another feeder of the line has
-      for (const Feeder& o : all->list())
-        if (o.line == f.line && o.at_b != f.at_b) others = o.mouth;
-      if (f.mouth + 2 + others >= all->elements(f))
-        throw SolveError(
-            fmt::format("at t = {:.6g} s all of the line{} is hauled in at {}: let it haul in less, or the "
-                        "run end before",
-                        time,
-                        sim_.model().lines[static_cast<size_t>(f.line)].whole
-                            ? " up to the place of its cut, which cannot be hauled in,"
-                            : "",
-                        f.name));
+      refuse_all_in(f, time);
       haul_in(f);
     }
   }
@@ -89,39 +73,42 @@ void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional
 // The node that was held leaves with the material that is there: where the free part has its own unstretched
 // length and the strain of the whole, of a beam on the cubic between its ends, and from there to where it is
 // in balance; velocity and acceleration are between those of the ends.
+Dynamics::Moved Feeding::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
+  const Feeders& all = *sim_.feeders();
+  const double share = all.element_length(f, f.mouth) / f.length;  // from the free end
+  const size_t i = static_cast<size_t>(f.at_b ? e.second : e.first),
+               j = static_cast<size_t>(f.at_b ? e.first : e.second);
+  const Mouth mouth = all.mouth(f, k, true);
+  const Feeders::Flow flow = all.flow(mouth, k, e, f.at_b);
+  const Vec3 a = k.a[i] + flow.acceleration;
+  Dynamics::Moved m;
+  m.node = all.node(f, f.mouth), m.free = true;
+  m.x = k.x[j] - share * flow.chord;
+  m.v = k.v[j] + share * (flow.velocity - k.v[j]);
+  m.a = k.a[j] + share * (a - k.a[j]);
+  if (f.beam) {
+    // Of the material: the frames turn along the line as it is bent, and what leaves goes along that.
+    const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]), flows = -(mouth.speed / mouth.length) * turn;
+    const double towards = (f.at_b ? 1 : -1) * flow.chord.norm();
+    const Vec3 from = towards * (k.q[j] * Vec3::UnitX()), to = towards * (k.q[i] * Vec3::UnitX());
+    const double s = share, r = 1 - share;
+    m.x = r * r * (1 + 2 * s) * k.x[j] + s * s * (1 + 2 * r) * k.x[i] + s * r * (r * from - s * to);
+    const Vec3 along = 6 * s * r * (k.x[i] - k.x[j]) + r * (r - 2 * s) * from + s * (s - 2 * r) * to;
+    const Quat q = k.q[j] * exp_so3(share * turn);
+    m.q =
+        (minimal_rotation(q * Vec3::UnitX(), (f.at_b ? along : Vec3(-along)).normalized()) * q).normalized();
+    m.w = r * k.w[j] + s * (k.w[i] + flows);
+    m.alpha = r * k.alpha[j] + s * k.alpha[i];
+  }
+  return m;
+}
+
 void Feeding::let_out(Feeder& f) {
-  Feeders& all = *sim_.feeders();
+  const Feeders& all = *sim_.feeders();
   const int node = all.node(f, f.mouth);
   const double whole = all.element_length(f, f.mouth);
-  const double share = whole / f.length;  // from the free end
   std::optional<Dynamics::Moved> moved;
-  if (const LocalElement* e = all.at_mouth(f)) {
-    const Kinematics k = sim_.dynamics().kinematics();
-    const size_t i = static_cast<size_t>(f.at_b ? e->second : e->first),
-                 j = static_cast<size_t>(f.at_b ? e->first : e->second);
-    const Mouth mouth = all.mouth(f, k, true);
-    const Feeders::Flow flow = all.flow(mouth, k, *e, f.at_b);
-    const Vec3 a = k.a[i] + flow.acceleration;
-    Dynamics::Moved& m = moved.emplace();
-    m.node = node, m.free = true;
-    m.x = k.x[j] - share * flow.chord;
-    m.v = k.v[j] + share * (flow.velocity - k.v[j]);
-    m.a = k.a[j] + share * (a - k.a[j]);
-    if (f.beam) {
-      // Of the material: the frames turn along the line as it is bent, and what leaves goes along that.
-      const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]), flows = -(mouth.speed / mouth.length) * turn;
-      const double towards = (f.at_b ? 1 : -1) * flow.chord.norm();
-      const Vec3 from = towards * (k.q[j] * Vec3::UnitX()), to = towards * (k.q[i] * Vec3::UnitX());
-      const double s = share, r = 1 - share;
-      m.x = r * r * (1 + 2 * s) * k.x[j] + s * s * (1 + 2 * r) * k.x[i] + s * r * (r * from - s * to);
-      const Vec3 along = 6 * s * r * (k.x[i] - k.x[j]) + r * (r - 2 * s) * from + s * (s - 2 * r) * to;
-      const Quat q = k.q[j] * exp_so3(share * turn);
-      m.q = (minimal_rotation(q * Vec3::UnitX(), (f.at_b ? along : Vec3(-along)).normalized()) * q)
-                .normalized();
-      m.w = r * k.w[j] + s * (k.w[i] + flows);
-      m.alpha = r * k.alpha[j] + s * k.alpha[i];
-    }
-  }
+  if (const LocalElement* e = all.at_mouth(f)) moved = leaving(f, sim_.dynamics().kinematics(), *e);
   if (!f.beam) return hand_over(f, f.mouth - 1, f.length - whole, moved);
   const double before = felt(f);
   hand_over(f, f.mouth - 1, f.length - whole, moved);
@@ -146,17 +133,16 @@ double Feeding::felt(const Feeder& f) {
 
 // The first free node goes into the feeder. What was bent there is straight now: the unstretched length is
 // that with which the mean strain of the two elements stays.
-void Feeding::haul_in(Feeder& f) {
-  Feeders& all = *sim_.feeders();
+std::optional<Dynamics::Moved> Feeding::caught(const Feeder& f, const Kinematics& k, double& length) const {
+  const Feeders& all = *sim_.feeders();
   const int held = all.node(f, f.mouth), caught = all.node(f, f.mouth + 1), next = all.node(f, f.mouth + 2);
   const LocalMesh& local = sim_.local();
   const double own[2] = {f.length, all.element_length(f, f.mouth + 1)}, sum = own[0] + own[1];
   std::optional<Dynamics::Moved> moved;
-  double length = 0;
+  length = 0;
   const int at[3] = {local.find(held), local.find(caught), local.find(next)};
   const bool known = at[0] >= 0 && at[1] >= 0 && at[2] >= 0;
   if (known) {
-    const Kinematics k = sim_.dynamics().kinematics();
     const size_t i = static_cast<size_t>(at[0]), j = static_cast<size_t>(at[1]),
                  n = static_cast<size_t>(at[2]);
     // What bending adds to the strain of an element's chord.
@@ -169,7 +155,75 @@ void Feeding::haul_in(Feeder& f) {
     length = (k.x[n] - k.x[i]).norm() / (strain - bow(i, n));
     moved = {caught, k.x[i], k.v[i], k.a[i], k.q[i], k.w[i], k.alpha[i], false};
   }
-  hand_over(f, f.mouth + 1, of_all(sim_.system().comm(), known, length), moved);
+  length = of_all(sim_.system().comm(), known, length);
+  return moved;
+}
+
+void Feeding::haul_in(Feeder& f) {
+  double length = 0;
+  const std::optional<Dynamics::Moved> moved = caught(f, sim_.dynamics().kinematics(), length);
+  hand_over(f, f.mouth + 1, length, moved);
+}
+
+void Feeding::refuse_all_out(const Feeder& f, double time) const {
+  if (f.mouth == 0 && f.length >= sim_.feeders()->element_length(f, 0))
+    throw SolveError(
+        fmt::format("the stock at {} runs out at t = {:.6g} s: give the line more length there and the "
+                    "feeder that much more "
+                    "'stock', or let the run end before",
+                    f.name, time));
+}
+
+void Feeding::refuse_all_in(const Feeder& f, double time) const {
+  const Feeders& all = *sim_.feeders();
+  int others = 0;  // elements that another feeder of the line has
+  for (const Feeder& o : sim_.feeders()->list())
+    if (o.line == f.line && o.at_b != f.at_b) others = o.mouth;
+  if (f.mouth + 2 + others >= all.elements(f))
+    throw SolveError(fmt::format(
+        "at t = {:.6g} s all of the line{} is hauled in at {}: let it haul in less, or the run end before",
+        time,
+        sim_.model().lines[static_cast<size_t>(f.line)].whole
+            ? " up to the place of its cut, which cannot be hauled in,"
+            : "",
+        f.name));
+}
+
+void Feeding::shift(Feeder& f, double by) {
+  Feeders& all = *sim_.feeders();
+  State& state = sim_.state();
+  const auto put = [&](const std::optional<Dynamics::Moved>& moved) {
+    const int n = moved ? sim_.local().find(moved->node) : -1;
+    if (n >= 0) state.x[static_cast<size_t>(n)] = moved->x, state.q[static_cast<size_t>(n)] = moved->q;
+    sim_.system().spread(state);
+  };
+  const auto set = [&](int mouth, double length) {
+    f.mouth = mouth, f.length = length;
+    f.offset = length - (f.feed.speed.empty() ? 0 : model::fed_by(f.feed, f.time).length);
+    all.see_mouth(f);
+  };
+  set(f.mouth, f.length + by);
+  for (;;) {
+    const double whole = all.element_length(f, f.mouth);
+    refuse_all_out(f, f.time);
+    if (f.mouth > 0 && f.length >= whole + kLeft * all.element_length(f, f.mouth - 1)) {
+      std::optional<Dynamics::Moved> moved;
+      if (const LocalElement* e = all.at_mouth(f)) moved = leaving(f, state.view(0), *e);
+      put(moved);
+      set(f.mouth - 1, f.length - whole);
+    } else if (f.length <= kCaught * whole) {
+      refuse_all_in(f, f.time);
+      const double next = all.element_length(f, f.mouth + 1);
+      double length = 0;
+      put(caught(f, state.view(0), length));
+      set(f.mouth + 1, f.length + next);
+    } else {
+      break;
+    }
+  }
+  f.outside_at_start = all.outside(f);
+  System& system = sim_.system();
+  system.support(all.with_held(system.supports().list()), BodyMotion(system.supports().motion()));
 }
 
 void Feeding::save(io::Checkpoint& to) const {

@@ -56,6 +56,7 @@ void LineExtremes::add(double time, const std::vector<std::vector<double>>& valu
         if (node.body >= 0) break;  // bodies come after the lines
         if (!utilisation.known(static_cast<int>(f), n) || (feeders_ && is_inside(node, n))) continue;
         const double v = values[f][n];
+        if (std::isnan(v)) continue;  // no pipe
         Extreme& x = q.lines[static_cast<size_t>(node.line)];
         if (!x.set || (q.largest ? v > x.value : v < x.value)) x = {v, time, node.arc, true};
       }

@@ -67,6 +67,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       end_forces_(simulation.system(), simulation.feeders()),
       turns_(simulation.local()),
       utilisation_(simulation.model(), simulation.local()),
+      pipes_(simulation.model(), simulation.local()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)),
       rows_every_(simulation.model().output.history_every) {
   const model::Case& c = sim_.model();
@@ -78,6 +79,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     for (const std::string& side : {before, after}) registry_.add(tension_of_side(side.c_str(), tension));
   fields_.insert(fields_.end(), all.begin(), all.end());
   utilisation_.add_fields(fields_);
+  pipes_.add_fields(fields_);
   for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
   auto find = [&](const std::string& name) {
     for (size_t i = 0; i < fields_.size(); ++i)
@@ -97,8 +99,9 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   const bool points = std::any_of(c.output.histories.begin(), c.output.histories.end(),
                                   [](const auto& h) { return h.body.empty(); });
   for (const FieldSource& s : registry_.sources())
-    every_step_.push_back(s.name == tension || s.carries || (points && s.history != Field::History::no) ||
-                          !s.extreme.empty() || (c.output.statistics && s.statistics));
+    every_step_.push_back(s.name == tension || s.carries || pipes_.wants(s.name) ||
+                          (points && s.history != Field::History::no) || !s.extreme.empty() ||
+                          (c.output.statistics && s.statistics));
   const int corrected[] = {tension_, declination_, wall_, shear_, torsion_, moment_, moment_2_, moment_3_};
   rest_apart_ = std::all_of(std::begin(corrected), std::end(corrected),
                             [this](int f) { return f < 0 || every_step_[static_cast<size_t>(f) - 2]; });
@@ -106,6 +109,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   io::ResultContents contents;
   contents.run = run;
   contents.single_precision = sim_.model().output.single_precision;
+  contents.stages = c.stages;
   contents.fields = fields_;
   contents.end_fields.assign(kEnds, kEnds + ends_.size());
   if (c.output.statistics) {
@@ -189,6 +193,32 @@ void Recorder::fill(const Kinematics& at, bool all) {
     if (all || every_step_[f]) fill_field(f, at);
   correct_ends(at);
   utilisation_.fill(values_);
+  pipes_.fill(values_, pipe_places(at));
+}
+
+// Where the condition of a pipe depends on what carries it.
+PipePlaces Recorder::pipe_places(const Kinematics& at) {
+  PipePlaces out;
+  if (!pipes_.wants_places()) return out;
+  const model::Case& c = sim_.model();
+  if (supports_) out.supports = supports_->carrying(at, body_poses(sim_, at));
+  if (!c.environment.seabed.present) return out;
+  const std::vector<Touchdown> all = touchdowns(comm_, c, sim_.local(), at);
+  for (size_t l = 0; l < all.size(); ++l) {
+    const Touchdown& t = all[l];
+    std::array<double, 2>& lies = out.seabed.emplace_back(std::array{HUGE_VAL, -HUGE_VAL});
+    if (!t.from_a && t.laid > 0) lies = {-HUGE_VAL, HUGE_VAL};  // from end to end
+    if (!t.from_a) continue;
+    const double from = t.from_a->arc, to = t.from_b->arc, behind = sim_.mesh().lines[l].length - to;
+    // A line that lies up to one of its ends has one touchdown point.
+    if (to > from)
+      lies = {from, to};
+    else if (std::abs(t.laid - behind) < std::abs(t.laid - from))
+      lies = {from, HUGE_VAL};
+    else
+      lies = {-HUGE_VAL, to};
+  }
+  return out;
 }
 
 void Recorder::fill_field(size_t f, const Kinematics& at) {
@@ -244,8 +274,17 @@ void Recorder::correct_ends(const Kinematics& at) {
   }
 }
 
+// Stages have no time: that of the last is 0, and a second less for each before it.
+void Recorder::stage(size_t place) {
+  const Kinematics at = sim_.state().view(0);
+  fill(at, true);
+  const double last = static_cast<double>(sim_.model().stages.size()) - 1;
+  file_->write_output(static_cast<double>(place) - last, values_, body_poses(sim_, at), {}, ends_);
+}
+
 void Recorder::start(const Kinematics& at, const Kinematics& shown) {
   start_ = sum_of(comm_, sim_.system().energy(at));
+  if (sim_.model().statics.enabled) fill(shown, false), pipes_.rest(values_);
   step({}, at, 0, shown);
   output(shown);
 }
@@ -410,6 +449,7 @@ std::string Recorder::finish(std::vector<std::string> messages) {
                 "automatic one is as high as the line's EA asks: is its tension more than it "
                 "bears?"));
   }
+  for (const std::string& w : pipes_.warnings(comm_)) warnings_.push_back(w);
   if (supports_)
     for (const std::string& w : supports_->warnings()) warnings_.push_back(w);
   const bool moved = sim_.model().dynamics.enabled;
@@ -430,6 +470,7 @@ void Recorder::save(io::Checkpoint& to) {
   if (clashes_) to.history[kClashRecords] = {ClashReport::history(), clashes_->save()};
   if (statistics_) statistics_->save(to), at_stations_->save(to);
   save_audit(start_, audit_, to);
+  pipes_.save(to);
   extremes_->save(to);
 }
 
@@ -440,6 +481,7 @@ void Recorder::restore(const io::Checkpoint& from) {
   }
   if (statistics_) statistics_->restore(from), at_stations_->restore(from);
   restore_audit(from, start_, audit_);
+  pipes_.restore(from);
   extremes_->restore(from);
   if (rows_every_ > 0) rows_from_ = next_multiple(from.time, rows_every_);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 #include "hawser/app/feeding.hpp"
@@ -33,6 +34,7 @@ const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
 // Of contact, and the name of a volume: N/m per m, what an automatic stiffness was raised to.
 const std::string kStiffness = "contact.stiffness.";
+const std::string kLink = "case.link ";
 
 std::vector<Vec3>& vectors(AlphaState& s, size_t i) {
   std::vector<Vec3>* all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
@@ -47,6 +49,27 @@ io::CheckpointField field_of(const std::vector<Vec3>& values, size_t owned) {
   return f;
 }
 
+// A number that stands for a text: of 53 bits of FNV-1a (Fowler, Noll and Vo).
+double number_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return static_cast<double>(hash >> 11);
+}
+
+// All that a link is made of.
+std::string text_of(const model::Link& l) {
+  std::string out = fmt::format("{} {} {} {}", l.rest_given ? l.law.rest_length : -1, l.law.stiffness,
+                                l.law.damping, l.law.tension_only);
+  for (const model::LinkEnd& e : {l.end_a, l.end_b})
+    out += fmt::format("; '{}' '{}' {} {} {} {}", e.body, e.line, e.at.x(), e.at.y(), e.at.z(), e.arc);
+  if (l.law.spring)
+    for (const auto& [x, y] : l.law.spring->rows()) out += fmt::format("; {} {}", x, y);
+  if (l.law.damper)
+    for (const double x : {l.law.damper->last() / 4, l.law.damper->last() / 2, l.law.damper->last()})
+      out += fmt::format("; {} {}", x, l.law.damper->at(x).force);
+  return out;
+}
+
 // What the state and the contact history mean beyond numbers: which nodes rotate, which volume is which.
 std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
@@ -58,6 +81,7 @@ std::map<std::string, double> signature(const Simulation& simulation) {
       yields += p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
+  for (const model::Link& l : simulation.model().links) out[kLink + l.name] = number_of(text_of(l));
   return out;
 }
 
@@ -163,13 +187,17 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   for (const auto& [name, value] : here) {
     const auto there = c.scalars.find(name);
     if (there == c.scalars.end() || there->second != value)
-      throw refuse(name == "case.rotating nodes"    ? "other nodes are of beams"
-                   : name == "case.plastic bending" ? "another 'plasticity' of line types"
-                                                    : "other volumes");
+      throw refuse(
+          name == "case.rotating nodes"    ? "other nodes are of beams"
+          : name == "case.plastic bending" ? "another 'plasticity' of line types"
+          : name.starts_with(kLink)
+              ? fmt::format("link '{}' {}", name.substr(kLink.size()),
+                            there == c.scalars.end() ? "is not there" : "has other ends or another law")
+              : "other volumes");
   }
   const auto more = std::count_if(c.scalars.begin(), c.scalars.end(),
                                   [](const auto& s) { return s.first.starts_with("case."); });
-  if (more != static_cast<long>(here.size())) throw refuse("other volumes");
+  if (more != static_cast<long>(here.size())) throw refuse("other volumes, or more links");
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError(fmt::format("cannot go on from {}: {}", path, wrong));
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
@@ -187,7 +215,8 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
     if (changes.empty()) throw;
     throw InputError(fmt::format(
         "{} (the case is changed by --set {}; a run that goes on may have another duration, other motions, "
-        "waves, loads, friction, steps and outputs, but not other lines, lengths, elements or volumes)",
+        "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or "
+        "volumes)",
         e.what(), fmt::join(changes, " --set ")));
   }
 }

@@ -96,20 +96,17 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
 
 namespace {
 
-StaticsReport solve_one(Simulation& sim, Progress& progress, bool further) {
+StaticsReport solve_one(Simulation& sim, Progress& progress) {
   const model::Case& c = sim.model();
   const size_t told = sim.notes().size();
-  const StaticsReport s = sim.solve_statics(
-      [&](const StaticsReport& now) {
-        progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-      },
-      further);
+  const StaticsReport s = sim.solve_statics([&](const StaticsReport& now) {
+    progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+  });
   for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
   progress.say(fmt::format(
       "statics: {} iterations{}{}", s.iterations,
       s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
-      !c.statics.contact_friction && c.contact.has_friction(c.volumes) ? ", without friction of contact"
-                                                                       : ""));
+      !sim.static_friction() && c.contact.has_friction(c.volumes) ? ", without friction of contact" : ""));
   if (s.escapes > 0)
     progress.say(fmt::format(
         "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can "
@@ -124,10 +121,11 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool further) {
 
 }  // namespace
 
-StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress) {
+StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress,
+                            const std::function<void(size_t)>& rested) {
   StaticsReport last;
-  events.come_to_rest([&](bool further) { last = solve_one(sim, progress, further); },
-                      [&](const std::string& what) { progress.say(what); });
+  events.come_to_rest([&] { last = solve_one(sim, progress); },
+                      [&](const std::string& what) { progress.say(what); }, rested);
   return last;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "hawser/app/line_pairs.hpp"
 #include "hawser/app/share_nodes.hpp"
@@ -17,6 +18,7 @@
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/longest_step.hpp"
+#include "hawser/model/switched.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/bodies_in_water.hpp"
 #include "hawser/terms/body_contact.hpp"
@@ -147,6 +149,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (c.environment.water.present) {
     auto water = std::make_unique<Hydrodynamics>(local, c);
     water->fed_by(feeders_);
+    water_ = water.get();
     system_->add(std::move(water));
   }
 
@@ -237,12 +240,13 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) c
 bool Simulation::lays_lines() const {
   // By the case: a rank without nodes has no friction of its own, and what follows is collective.
   const model::Seabed& bed = case_.environment.seabed;
-  return seabed_ && (bed.friction.axial > 0 || bed.friction.lateral > 0) && bed.as_laid;
+  return seabed_ && static_friction_.value_or(true) && (bed.friction.axial > 0 || bed.friction.lateral > 0) &&
+         bed.as_laid;
 }
 
 // A line whose start shape the case gives, on the bed from end to end, was laid there.
 void Simulation::lay_at_start() {
-  if (!lays_lines()) return;
+  if (!lays_lines() || std::exchange(laid_, true)) return;
   std::vector<double> near;
   for (const model::Line& line : case_.lines) {
     const bool given = line.start == model::Start::straight || line.start == model::Start::points ||
@@ -280,18 +284,18 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
   report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
 }
 
-StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> told, bool further) {
+StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> told) {
   const auto enable_friction = [this](bool on) {
     if (contact_) contact_->enable_friction(on);
     if (line_pairs_) line_pairs_->enable_friction(on);
     if (seabed_) seabed_->enable_friction(on);
   };
   enable_friction(false);
-  if (case_.statics.contact_friction) {
+  if (static_friction()) {
     if (contact_) contact_->enable_friction(true);
     if (line_pairs_) line_pairs_->enable_friction(true);
   }
-  if (!further) lay_at_start();
+  lay_at_start();
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
   if (floating_) floating_->hold(true);
   if (bodies_in_water_) bodies_in_water_->hold(true);
@@ -303,7 +307,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
                             ? RelaxationUse::never
                             : RelaxationUse::when_newton_fails;
   settings.relaxation_steps = case_.statics.relaxation_steps;
-  settings.friction = case_.statics.contact_friction;
+  settings.friction = static_friction();
   settings.told = std::move(told);
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   lay_lines(settings, report);
@@ -353,9 +357,22 @@ std::string Simulation::inside(int volume, const Kinematics& at) const {
   return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, left_out);
 }
 
-void Simulation::enable_contact(const std::string& volume, bool on) {
+void Simulation::enable_contact(const model::Action& action) {
   for (size_t v = 0; v < volumes_.size(); ++v)
-    if (volumes_[v].settings.name == volume) volumes_[v].off = !on, contact_->enable(static_cast<int>(v), on);
+    if (model::switches(action, volumes_[v].settings))
+      volumes_[v].off = !action.enabled, contact_->enable(static_cast<int>(v), action.enabled);
+}
+
+std::string Simulation::inside(const model::Action& action, const Kinematics& at) const {
+  for (size_t v = 0; v < volumes_.size(); ++v)
+    if (action.enabled && model::switches(action, volumes_[v].settings))
+      if (std::string where = inside(static_cast<int>(v), at); !where.empty()) return where;
+  return "";
+}
+
+void Simulation::scale_current(double factor) {
+  if (water_) water_->scale_current(factor);
+  if (bodies_in_water_) bodies_in_water_->scale_current(factor);
 }
 
 DynamicsSettings Simulation::dynamics_settings() const {

@@ -244,9 +244,14 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
                            const std::vector<ContactVolume>& volumes) {
   StartContact out;
   if (volumes.empty()) return out;
-  out.inside = all_inside(comm, c, mesh, at, bodies, feeders, volumes);
-  const std::vector<Inside> all = out.inside;
+  std::vector<ContactVolume> on = volumes;
+  for (ContactVolume& v : on) v.off = false;
+  out.inside = all_inside(comm, c, mesh, at, bodies, feeders, on);
+  // Ends have their lengths without contact with a volume that is off as well; of what else is inside it one
+  // looks again when it is switched on.
   leave_out(c, *mesh.mesh, volumes, out);
+  std::erase_if(out.inside, [&](const Inside& s) { return volumes[static_cast<size_t>(s.volume)].off; });
+  const std::vector<Inside> all = out.inside;
   take_off(out.inside, out.left_out, *mesh.mesh);
   for (const Inside& s : out.inside)
     out.warnings.push_back(inside_text(c.lines[static_cast<size_t>(s.line)],

@@ -133,15 +133,39 @@ std::vector<io::ResultSeries> SupportLog::series() const {
   return out;
 }
 
-std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
-                                                  const std::vector<io::BodyPose>& poses) {
-  const model::Case& c = sim_.model();
+std::vector<SupportCrossing> SupportLog::crossings(const Kinematics& at,
+                                                   const std::vector<io::BodyPose>& poses) const {
   std::vector<RigidPose> frames;
   for (const io::BodyPose& p : poses) {
     RigidPose& frame = frames.emplace_back();
     frame.position = p.position, frame.rotation = p.rotation;
   }
-  const std::vector<SupportCrossing> crossings = support_crossings(comm_, c, sim_.local(), at, frames);
+  return support_crossings(comm_, sim_.model(), sim_.local(), at, frames);
+}
+
+std::vector<std::array<double, 2>> SupportLog::carrying(const Kinematics& at,
+                                                        const std::vector<io::BodyPose>& poses) const {
+  const model::Case& c = sim_.model();
+  const std::vector<SupportCrossing> crosses = crossings(at, poses);
+  std::vector<Vec3> forces = sim_.contact()->forces_by_volume(at);
+  MPI_Allreduce(MPI_IN_PLACE, forces.data(), 3 * static_cast<int>(forces.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  std::vector<std::array<double, 2>> out(c.lines.size(), {HUGE_VAL, -HUGE_VAL});
+  for (size_t k = 0; k < c.supports.size(); ++k) {
+    const model::SupportBox& b = c.supports[k];
+    const auto first = forces.begin() + first_[k];
+    if (!crosses[k].known ||
+        std::all_of(first, first + std::ssize(b.rollers), [](const Vec3& f) { return f == Vec3::Zero(); }))
+      continue;
+    auto& [from, to] = out[static_cast<size_t>(c.line_index(b.line))];
+    from = std::min(from, crosses[k].arc), to = std::max(to, crosses[k].arc);
+  }
+  return out;
+}
+
+std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
+                                                  const std::vector<io::BodyPose>& poses) {
+  const model::Case& c = sim_.model();
+  const std::vector<SupportCrossing> crosses = crossings(at, poses);
   std::vector<Vec3> forces = sim_.contact()->forces_by_volume(at);
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
@@ -150,7 +174,7 @@ std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
   std::vector<std::vector<double>> out(c.supports.size());
   for (size_t k = 0; k < out.size() && rank == 0; ++k) {
     const model::SupportBox& b = c.supports[k];
-    const SupportCrossing& x = crossings[k];
+    const SupportCrossing& x = crosses[k];
     std::vector<double>& row = out[k];
     const auto of = [&](size_t i) -> const Vec3& { return forces[static_cast<size_t>(first_[k]) + i]; };
     Vec3 sum = Vec3::Zero();

@@ -44,11 +44,18 @@ Action action(const Value& v, const std::string& path, const CaseSource& source)
     a.kind = Action::Kind::feed;
     end(*feed);
     a.law = read_feed_law(*feed), a.ramp = (*feed)["ramp"].number;
-    if (feed->has("speed") == feed->has("tension"))
-      source.bad(*feed, path + ".feed", "give one of 'speed' and 'tension'");
+    a.paid_out = number(*feed, "paid_out");
+    if (feed->has("speed") + feed->has("tension") + feed->has("paid_out") != 1)
+      source.bad(*feed, path + ".feed", "give one of 'speed', 'tension' and 'paid_out'");
+    if (feed->has("paid_out") && a.paid_out == 0)
+      source.bad((*feed)["paid_out"], path + ".feed.paid_out", "0 m would change nothing");
     if (!feed->has("tension") && (feed->has("dead_band") || a.law.speed_per_tension + a.law.max_speed > 0))
       source.bad(*feed, path + ".feed", "'dead_band', 'speed_per_tension' and 'max_speed' go with 'tension'");
     if (!feed->has("speed") && a.ramp > 0) source.bad(*feed, path + ".feed.ramp", "goes with 'speed'");
+  } else if (const Value* friction = v.find("friction")) {
+    a.kind = Action::Kind::friction, a.enabled = (*friction)["enabled"].number != 0;
+  } else if (const Value* current = v.find("current")) {
+    a.kind = Action::Kind::current, a.factor = (*current)["factor"].number;
   } else {
     a.kind = Action::Kind::contact;
     a.volume = v["contact"]["volume"].text, a.enabled = v["contact"]["enabled"].number != 0;

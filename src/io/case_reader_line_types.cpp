@@ -99,7 +99,7 @@ model::LineType read_line_type(const std::string& name, const Value& v, const Ca
   model::LineType t;
   const bool known = v.has("library");
   if (v.has("pipe"))
-    read_pipe(v, path, source, t);
+    read_pipe(v, path, source, sea.seabed.surface != nullptr, t);
   else if (v.has("weight"))
     read_weight(v, path, source, sea.gravity, t);
   if (known) {

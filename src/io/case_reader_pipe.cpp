@@ -40,9 +40,40 @@ void refuse(const Value& v, const std::string& path, const CaseSource& source, c
       source.bad(*k, path + "." + key, fmt::format("'{}' already says what it is; remove one of them", by));
 }
 
+// What codes judge the pipe by; of no account without a grade.
+void read_strength(const Value& p, const std::string& path, const CaseSource& source, const Material& m,
+                   bool uneven, model::LineType& t) {
+  if (!p.has("grade")) {
+    for (const char* key : {"safety_class", "fabrication", "ovality", "material_factor", "condition_factor"})
+      if (const Value* k = p.find(key); k && k->given)
+        source.bad(*k, path + ".pipe." + key,
+                   "is of the checks by codes, which need the 'grade' of the steel as well");
+    return;
+  }
+  PipeSteel s;
+  s.outer = p["outer_diameter"].number, s.wall = p["wall_thickness"].number;
+  s.modulus = m.E, s.poisson = m.poisson;
+  for (const PipeGrade& g : kPipeGrades)
+    if (p["grade"].is(g.name)) s.smys = g.smys, s.smts = g.smts;
+  s.safety_class = p["safety_class"].is("low") ? 1.04 : p["safety_class"].is("medium") ? 1.14 : 1.26;
+  s.cold_expanded = p["fabrication"].is("UOE");
+  s.fabrication = s.cold_expanded ? 0.85 : p["fabrication"].is("UO") ? 0.93 : 1;
+  s.ovality = p["ovality"].number, s.material_factor = p["material_factor"].number;
+  t.steel = s;
+  constexpr double kUneven = 1.07;  // DNV-ST-F101 table 4-5
+  if (uneven) t.conditions.seabed = kUneven;
+  const Value* factor = p.find("condition_factor");
+  if (!factor || factor->kind != Value::Kind::map) return;
+  for (const auto& [key, of] : {std::pair{"supports", &t.conditions.supports},
+                                {"span", &t.conditions.span},
+                                {"seabed", &t.conditions.seabed}})
+    if (const Value* k = factor->find(key); k && k->given) *of = k->number;
+}
+
 }  // namespace
 
-void read_pipe(const Value& v, const std::string& path, const CaseSource& source, model::LineType& t) {
+void read_pipe(const Value& v, const std::string& path, const CaseSource& source, bool uneven_bed,
+               model::LineType& t) {
   refuse(v, path, source, "pipe",
          {"library", "diameter", "grade", "weight", "outer_diameter", "mass_per_length", "displaced_diameter",
           "EA", "EI", "GJ", "rotary_inertia"});
@@ -66,6 +97,7 @@ void read_pipe(const Value& v, const std::string& path, const CaseSource& source
   t.rotary_inertia = Vec3(inertia, inertia / 2, inertia / 2);
   t.outer_diameter = t.contact_diameter = outside;
   t.inner_diameter = d;
+  read_strength(p, path, source, m, uneven_bed, t);
 }
 
 void read_weight(const Value& v, const std::string& path, const CaseSource& source, double gravity,

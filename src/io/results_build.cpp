@@ -75,6 +75,7 @@ void write_description(hid_t file, const ResultContents& c) {
     line_of.insert(line_of.end(), static_cast<size_t>(line.nodes), static_cast<int>(names.size()) - 1);
   }
   for (int i = 0; i < c.nodes_total(); ++i) number.push_back(i);
+  if (!c.stages.empty()) h5::write_texts(file, "stages", c.stages);
   h5::write_texts(file, "lines/name", names);
   write_ints(file, "lines/first_node", first);
   write_ints(file, "lines/nodes", nodes);

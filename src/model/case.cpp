@@ -7,6 +7,7 @@
 
 #include "hawser/math/broken_line.hpp"
 #include "hawser/model/schema.hpp"
+#include "hawser/model/switched.hpp"
 
 namespace hawser::model {
 namespace {
@@ -87,7 +88,7 @@ int Case::line_index(const std::string& name) const {
 
 bool Case::off_at_start(const Volume& volume) const {
   for (const Event& e : events)
-    if (e.action.kind == Action::Kind::contact && e.action.volume == volume.name) return e.action.enabled;
+    if (switches(e.action, volume)) return e.action.enabled;
   return false;
 }
 

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "hawser/model/nearest.hpp"
+#include "hawser/model/switched.hpp"
 
 namespace hawser::model {
 namespace {
@@ -20,7 +21,7 @@ class EventOrder {
   EventOrder(const Case& c, std::vector<Issue>& issues) : c_(c), issues_(issues) {}
 
   void run() {
-    for (i_ = 0; i_ < c_.events.size(); ++i_) check_chain();
+    for (i_ = 0; i_ < c_.events.size(); ++i_) check_chain(), check_feeds();
     check_ends();
     check_joints();
     check_volumes();
@@ -106,6 +107,18 @@ class EventOrder {
     }
   }
 
+  // The second would undo the first.
+  void check_feeds() {
+    for (std::size_t k = 0; k < i_; ++k) {
+      const Event &e = event(), &o = c_.events[k];
+      if (e.action.kind == Kind::feed && o.action.kind == Kind::feed && e.action.line == o.action.line &&
+          e.action.at_b == o.action.at_b && e.cause.kind == o.cause.kind && e.cause.time == o.cause.time &&
+          e.cause.event == o.cause.event &&
+          (e.cause.kind == Cause::Kind::time || e.cause.kind == Cause::Kind::after))
+        issue("feed", "'{}' gives the feeder another law at the same instant", o.name);
+    }
+  }
+
   void check_joints() {
     for (const Joint& j : c_.joints) {
       int stay = 0;
@@ -128,18 +141,27 @@ class EventOrder {
   }
 
   void check_volumes() {
+    std::vector<std::string> names;
+    for (const Volume& v : c_.volumes) names.push_back(v.name);
+    for (i_ = 0; i_ < c_.events.size(); ++i_)
+      if (event().action.kind == Kind::contact &&
+          std::none_of(c_.volumes.begin(), c_.volumes.end(),
+                       [&](const Volume& v) { return switches(event().action, v); }))
+        issue("contact.volume", "there is no volume, support or group of supports '{}'{}",
+              event().action.volume, did_you_mean(event().action.volume, names));
+    std::set<std::pair<std::size_t, std::size_t>> told;  // once for all rollers of a group
     for (const Volume& v : c_.volumes) {
       std::vector<std::size_t> events;
       for (std::size_t k = 0; k < c_.events.size(); ++k)
-        if (const Action& a = c_.events[k].action; a.kind == Kind::contact && a.volume == v.name)
-          events.push_back(k);
+        if (switches(c_.events[k].action, v)) events.push_back(k);
       if (events.empty()) continue;
       i_ = events.front();
       if (!c_.contact.takes_part(v))
         issue("contact.volume", "volume '{}' takes no part in contact ('contact.volumes')", v.name);
       for (std::size_t k = 1; k < events.size(); ++k) {
         i_ = events[k];
-        if (c_.events[events[k]].action.enabled == c_.events[events[k - 1]].action.enabled)
+        if (c_.events[events[k]].action.enabled == c_.events[events[k - 1]].action.enabled &&
+            told.insert({events[k], events[k - 1]}).second)
           issue("contact", "contact with volume '{}' is {} by the event before already", v.name,
                 event().action.enabled ? "on" : "off");
       }

@@ -54,15 +54,25 @@ class EventCheck {
     if (std::find(c_.stages.begin(), c_.stages.end(), e.cause.event) == c_.stages.end())
       issue("stage", "there is no stage '{}'{}", e.cause.event,
             c_.stages.empty() ? "; list it under 'stages'" : did_you_mean(e.cause.event, c_.stages));
-    if (e.action.kind == Kind::feed)
-      issue("stage", "a feeder rests in statics, which would not see another law of it");
+    if (e.action.kind == Kind::feed && e.action.paid_out == 0)
+      issue("stage",
+            "a feeder rests in statics, which would not see another law of it; 'paid_out' says how much "
+            "statics pays out");
   }
 
   void check_action(const Action& a) {
     if (a.cut >= 0) return check_cut(a);
-    if (a.kind == Kind::contact) return;
+    const bool stage = event().cause.kind == Cause::Kind::stage;
+    if ((a.kind == Kind::friction || a.kind == Kind::current) && !stage)
+      return issue("", "{} is {} in a 'stage' of statics only{}", a.subject(), a.participle(),
+                   a.kind == Kind::current ? "; in time the current has a 'time_factor'" : "");
+    if (a.kind == Kind::current && c_.environment.water.current.profile.empty())
+      issue("current", "the water has no current that could be scaled");
+    if (a.kind == Kind::current && c_.environment.water.current.ramp > 0)
+      issue("current", "the current has a 'ramp' from t = 0 on, and is not there in statics");
+    if (a.line.empty()) return;
     const End& end = end_of(a);
-    if (a.kind == Kind::feed) return check_law(a, end);
+    if (a.kind == Kind::feed) return a.paid_out != 0 ? check_paid_out(a, end) : check_law(a, end);
     if (end.feed)
       issue(a.kind == Kind::release ? "release" : "attach",
             "{} of line '{}' is fed, and an end that is fed stays where its feeder is", end_name(a), a.line);
@@ -119,6 +129,31 @@ class EventCheck {
         issue("cut.at", "line '{}' is cut there already by another event", a.whole);
   }
 
+  // All stages together: what is inside may run out, and so may what is outside.
+  void check_paid_out(const Action& a, const End& end) {
+    if (event().cause.kind != Cause::Kind::stage)
+      return issue("feed.paid_out", "is of a 'stage' of statics; in time a feeder has a 'speed'");
+    if (!end.feed) return issue("feed", "{} of line '{}' has no 'feed'", end_name(a), a.line);
+    if (end.feed->speed.empty())
+      return issue("feed.paid_out",
+                   "the feeder keeps a tension, for which statics finds how much is inside; give its 'feed' "
+                   "a 'speed', "
+                   "and that 'tension' by an event at 'time: 0'");
+    for (const Section& s : line(a.line).sections)
+      if (c_.line_type(s.type).plastic_bending)
+        return issue("feed.paid_out",
+                     "line type '{}' has 'plasticity', and statics does not bend what it pays out", s.type);
+    double inside = end.feed->stock;
+    for (std::size_t k = 0; k <= i_; ++k)
+      if (const Action& o = c_.events[k].action; o.paid_out != 0 && o.line == a.line && o.at_b == a.at_b)
+        inside -= o.paid_out;
+    const double length = length_of(line(a.line));
+    if (inside <= 0 || inside >= length)
+      issue("feed.paid_out", "{:g} m would be left {} then: the feeder begins with {:g} m of {:g} m inside",
+            inside <= 0 ? inside : length - inside, inside <= 0 ? "inside" : "outside", end.feed->stock,
+            length);
+  }
+
   void check_law(const Action& a, const End& end) {
     if (!end.feed) return issue("feed", "{} of line '{}' has no 'feed'", end_name(a), a.line);
     for (Issue& i : law_issues(a.law)) issue("feed." + i.key, "{}", i.text);
@@ -148,6 +183,14 @@ class EventCheck {
               "line '{}' has no bending stiffness there and is never pressed; give a limit "
               "above 0",
               cause.line);
+      for (const bool b : {false, true})
+        if (const auto& feed = (b ? line(cause.line).end_b : line(cause.line).end_a).feed;
+            feed && cause.arc > 0 && cause.arc < length && (b ? length - cause.arc : cause.arc) < feed->stock)
+          issue("when.tension.at",
+                "arc length {:.6g} m of line '{}' is inside the feeder at its end {} at the start, where "
+                "nothing pulls; "
+                "the tension at the feeder is that at '{}'",
+                cause.arc, cause.line, b ? 'B' : 'A', b ? "end_b" : "end_a");
       const End* end = cause.arc <= kArcTolerance * length         ? &line(cause.line).end_a
                        : cause.arc >= length * (1 - kArcTolerance) ? &line(cause.line).end_b
                                                                    : nullptr;

@@ -64,12 +64,29 @@ bool doubt_coatings(const Case& c, const LineType& t, std::vector<Doubt>& out) {
   return out.size() > before;
 }
 
+// Pipes that the formulas of the codes were not fitted to.
+void doubt_slenderness(const LineType& t, std::vector<Doubt>& out) {
+  if (!t.steel) return;
+  const double slender = std::round(t.steel->slenderness() * 1e6) / 1e6;
+  const auto doubt = [&](const std::string& what) {
+    out.push_back({fmt::format("line_types.{}.pipe.wall_thickness", t.name),
+                   fmt::format("D/t is {:.3g}, and {}", slender, what), 14});
+  };
+  if (slender > kMostSlender || slender < kLeastSlender)
+    doubt(fmt::format("DNV-ST-F101's formulas for combined loads are for {:g} to {:g}", kLeastSlender,
+                      kMostSlender));
+  if (slender > kMostSlenderApi)
+    doubt(
+        fmt::format("API RP 1111's formula for bending with pressure is for {:g} at most", kMostSlenderApi));
+}
+
 }  // namespace
 
 void doubt_line_types(const Case& c, std::vector<Doubt>& out) {
   const bool water = c.environment.water.present;
   for (const LineType& t : c.line_types) {
     doubt_contents(t, out);
+    doubt_slenderness(t, out);
     if (doubt_coatings(c, t, out)) continue;  // all else follows from it
     const std::string key = "line_types." + t.name;
     const double d = t.displaced(), density = t.mass_per_length / (M_PI / 4 * d * d);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace hawser::model {
 namespace {
 
@@ -14,6 +16,8 @@ std::string limit_text(const Cause& c, const char* unit) {
 
 std::string Action::subject() const {
   if (kind == Kind::contact) return "contact with volume " + volume;
+  if (kind == Kind::friction) return "friction of statics";
+  if (kind == Kind::current) return "the current";
   if (cut >= 0) return "line " + whole;
   const std::string end = fmt::format("end {} of line {}", at_b ? 'B' : 'A', line);
   return kind == Kind::feed ? "the feeder at " + end : end;
@@ -26,8 +30,13 @@ std::string Action::participle() const {
     case Kind::attach:
       return body.empty() ? "attached" : "attached to body " + body;
     case Kind::feed:
+      if (paid_out != 0)
+        return fmt::format("set to {} {:g} m", paid_out > 0 ? "pay out" : "haul in", std::abs(paid_out));
       return law.speed.empty() ? fmt::format("set to {:g} N", law.tension)
                                : fmt::format("set to {:g} m/s", law.speed.back().second);
+    case Kind::current:
+      return fmt::format("scaled by {:g}", factor);
+    case Kind::friction:
     case Kind::contact:
       return enabled ? "switched on" : "switched off";
   }

@@ -83,6 +83,7 @@ Key volumes();   // with their shapes, contact laws and friction
 Key supports();  // of laid pipes: roller boxes
 Key joints();
 Key lines();
+std::vector<Key> feed_law();  // by which a feeder goes: of ends and of events
 Key links();
 Key contact();
 Key statics();

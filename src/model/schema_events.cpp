@@ -7,6 +7,16 @@ namespace {
 Key line() { return reference("line", "lines", "the line").is_required(); }
 Key end(const char* about) { return word("end", {"end_a", "end_b"}, about).is_required(); }
 
+Key feed() {
+  std::vector<Key> keys{line(), end("its end with a `feed`")};
+  for (Key& k : feed_law()) keys.push_back(std::move(k));
+  keys.push_back(number("ramp", time, "in which the speed changes from what it is").at_least(0).or_else("0"));
+  keys.push_back(
+      number("paid_out", length, "in a stage of statics: so much is paid out; below 0 it is hauled in"));
+  return map("feed", std::move(keys),
+             "starts or stops a feeder, gives it another law, or lets statics pay out");
+}
+
 // One of them.
 std::vector<Key> actions() {
   return {
@@ -23,28 +33,25 @@ std::vector<Key> actions() {
                .above(0),
            boolean("clamped", "rotation held as well, as it is then").or_else("false")},
           "holds an end of a line from then on where it is, as seen from the body"),
-      map("feed",
-          {line(), end("its end with a `feed`"),
-           number("speed", velocity, "above 0 pays out, below 0 hauls in, 0 stops it"),
-           number("ramp", time, "in which the speed changes from what it is").at_least(0).or_else("0"),
-           number("tension", force, "that the feeder keeps to").above(0),
-           list("dead_band", number("", force).at_least(0), "as of `feed` of the end").items(2, 2),
-           number("speed_per_tension", none, "likewise").above(0),
-           number("max_speed", velocity, "likewise").above(0)},
-          "starts or stops a feeder, or gives it another law"),
+      feed(),
       map("contact",
-          {reference("volume", "volumes", "the volume").is_required(),
+          {text("volume",
+                "the volume; of `supports` the name of a group, of a box (`stinger 3`) or of a roller")
+               .is_required(),
            boolean("enabled", "whether lines touch it from then on").is_required()},
           "switches the contact of lines with a volume on or off; of which the first event switches it on is "
           "off until then"),
+      map("friction", {boolean("enabled", "whether statics has it from this stage on").is_required()},
+          "switches friction on or off in statics: of lines on volumes, on each other and on the bed"),
+      map("current",
+          {number("factor", none, "times the `current` of the water, from this stage on").is_required()},
+          "scales the current from a stage of statics on"),
   };
 }
 
-const std::vector<Group> kActions = {{{"release"}, {"release"}},
-                                     {{"cut"}, {"cut"}},
-                                     {{"attach"}, {"attach"}},
-                                     {{"feed"}, {"feed"}},
-                                     {{"contact"}, {"contact"}}};
+const std::vector<Group> kActions = {
+    {{"release"}, {"release"}}, {{"cut"}, {"cut"}},           {{"attach"}, {"attach"}},  {{"feed"}, {"feed"}},
+    {{"contact"}, {"contact"}}, {{"friction"}, {"friction"}}, {{"current"}, {"current"}}};
 
 Key waits_for(std::string name, std::vector<Key> keys, Dimension unit, const std::string& about) {
   keys.push_back(number("above", unit, "it happens when the value gets above this"));

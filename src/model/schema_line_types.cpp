@@ -8,6 +8,10 @@ namespace {
 constexpr const char* kFromPipe = "none: needed unless `library` or `pipe`";
 constexpr const char* kStiffness = "none: needed unless `bending: false` or `pipe`";
 
+Key condition(const char* where, const char* about) {
+  return number(where, none, about).at_least(0.5).at_most(2);
+}
+
 Key pipe() {
   return map(
       "pipe",
@@ -24,8 +28,22 @@ Key pipe() {
               "numbers")
            .or_else("steel"),
        word("grade", {"X42", "X46", "X52", "X56", "X60", "X65", "X70", "X80"},
-            "of its steel, API 5L: the yield stress and the tensile strength that [`hawser pipe`]"
-            "(reports.md#strength-of-pipes) judges it by"),
+            "of its steel, API 5L: with it the pipe is judged by [codes](reports.md#strength-of-pipes) at "
+            "every step"),
+       word("safety_class", {"low", "medium", "high"}, "of DNV-ST-F101").or_else("low"),
+       word("fabrication", {"seamless", "UO", "UOE"}, "how the pipe is made, of DNV-ST-F101 and API RP 1111")
+           .or_else("UOE"),
+       number("ovality", none, "(D_max - D_min) / D, of DNV-ST-F101")
+           .at_least(0.005)
+           .at_most(0.03)
+           .or_else("0.015"),
+       number("material_factor", none, "alpha_U of DNV-ST-F101").at_least(0.5).at_most(2).or_else("0.96"),
+       map("condition_factor",
+           {condition("supports", "of what is between supports that carry it").or_else("1"),
+            condition("span", "of what hangs free").or_else("1"),
+            condition("seabed", "of what is between its touchdown points")
+                .or_else_note("1, on a measured seabed (`grid`, `mesh`) 1.07")},
+           "gamma_C of functional loads, of DNV-ST-F101"),
        list("coatings",
             map("",
                 {number("thickness", length, "of the layer").above(0).is_required(),

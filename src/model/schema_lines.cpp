@@ -5,35 +5,21 @@ namespace hawser::model::schema_build {
 namespace {
 
 Key feed() {
-  return map("feed",
-             {number(
-                  "stock", length,
-                  "of the line, counted from this end on, is inside the feeder at t = 0: held at it, without "
-                  "weight and forces; of a feeder that keeps a `tension` about as much: statics finds how "
-                  "much "
-                  "is inside when that is there")
-                  .above(0)
-                  .is_required(),
-              number("speed", velocity, "constant, from t = 0 on; above 0 pays out, below 0 hauls in"),
-              list("speed_table", list("", number("", none), "").items(2, 2),
-                   "`[[s, m/s], ...]`: straight between the rows, constant before and beyond")
-                  .items(1),
-              number("tension", force, "that the feeder keeps to, at its mouth").above(0),
-              list("dead_band", number("", force).at_least(0),
-                   "tensions between which the feeder rests, once it has reached `tension`")
-                  .items(2, 2)
-                  .or_else_note("none: it never rests"),
-              number(
-                  "speed_per_tension", none,
-                  "m/s for each N by which the tension is above `tension` (pays out) or below it (hauls in)")
-                  .above(0)
-                  .or_else_note("none: it keeps the tension exactly"),
-              number("max_speed", velocity, "of a feeder that keeps to a tension, either way")
-                  .above(0)
-                  .or_else_note("none")},
+  std::vector<Key> keys = feed_law();
+  keys.insert(
+      keys.begin(),
+      number("stock", length,
+             "of the line, counted from this end on, is inside the feeder at t = 0: held at it, without "
+             "weight and forces; of a feeder that keeps a `tension` about as much: statics finds how much "
+             "is inside when that is there")
+          .above(0)
+          .is_required());
+  keys.push_back(list("speed_table", list("", number("", none), "").items(2, 2),
+                      "`[[s, m/s], ...]`: straight between the rows, constant before and beyond")
+                     .items(1));
+  return map("feed", std::move(keys),
              "pays the line out here and hauls it in (winch, tensioner, reel), in dynamics; at an anchor or "
-             "a body "
-             "whose motion is prescribed; a line that resists bending must be `clamped` there")
+             "a body whose motion is prescribed; a line that resists bending must be `clamped` there")
       .either({{{"speed"}, {"speed"}},
                {{"speed_table"}, {"speed_table"}},
                {{"tension", "dead_band", "speed_per_tension", "max_speed"}, {"tension"}}},
@@ -101,6 +87,22 @@ Key target() {
 }
 
 }  // namespace
+
+std::vector<Key> feed_law() {
+  return {number("speed", velocity, "constant; above 0 pays out, below 0 hauls in, 0 holds the line"),
+          number("tension", force, "that the feeder keeps to, at its mouth").above(0),
+          list("dead_band", number("", force).at_least(0),
+               "tensions between which the feeder rests, once it has reached `tension`")
+              .items(2, 2)
+              .or_else_note("none: it never rests"),
+          number("speed_per_tension", none,
+                 "m/s for each N by which the tension is above `tension` (pays out) or below it (hauls in)")
+              .above(0)
+              .or_else_note("none: it keeps the tension exactly"),
+          number("max_speed", velocity, "of a feeder that keeps to a tension, either way")
+              .above(0)
+              .or_else_note("none")};
+}
 
 Key joints() {
   return names(

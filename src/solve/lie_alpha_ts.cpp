@@ -101,6 +101,9 @@ void lie_alpha_options(TS ts) {
   };
   must_be(ts, kType, "ts_type");
   must_be(adapt, kVerdict, "ts_adapt_type");
+  SNES snes = nullptr;
+  check(TSGetSNES(ts, &snes));
+  must_be(snes, SNESNEWTONLS, "snes_type");
 }
 
 }  // namespace hawser

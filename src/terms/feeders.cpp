@@ -50,7 +50,7 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
       f.mouth = start.inside, f.length = f.offset = start.length;
       see_mouth(f);
       f.outside_at_start = outside(f);
-      f.resting = f.feed.most > 0;
+      f.resting = f.feed.has_band();
       feeders_.push_back(std::move(f));
     }
   power_.assign(feeders_.size(), 0);
@@ -299,9 +299,9 @@ void Feeders::commit(const Kinematics& accepted) {
       const double T = pull(f, accepted, *e, f.length).force;
       constexpr double kThere = 0.01;  // of the band on this side
       const double off = T - f.feed.tension;
-      if (f.feed.most > 0 && f.resting)
+      if (f.feed.has_band() && f.resting)
         f.resting = T >= f.feed.least && T <= f.feed.most;
-      else if (f.feed.most > 0)
+      else if (f.feed.has_band())
         f.resting = last * f.speed < 0 || std::abs(off) < kThere * (off > 0 ? f.feed.most - f.feed.tension
                                                                             : f.feed.tension - f.feed.least);
       if (f.resting) f.speed = 0;

@@ -136,12 +136,17 @@ Energy Links::energy(const Kinematics& at) const {
   return e;
 }
 
-// A spring sees a difference of positions.
-double Links::round_off(const Kinematics& at, double) const {
+// A spring sees a difference of positions, a damper such a difference over the step.
+double Links::round_off(const Kinematics& at, double h) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
-  for (const Link& l : list_)
-    if (l.counted) sum += std::pow(4 * eps * l.law.most_stiffness() * stretched(l, at).b.x.norm(), 2);
+  for (const Link& l : list_) {
+    if (!l.counted) continue;
+    const Stretched s = stretched(l, at);
+    const double damper = l.law.damper ? l.law.damper->at(std::abs(s.force.speed)).slope : l.law.damping;
+    const double slope = l.law.most_stiffness() + (h > 0 ? damper / h : 0);
+    sum += std::pow(4 * eps * slope * s.b.x.norm(), 2);
+  }
   return sum;
 }
 

@@ -15,7 +15,7 @@ Water Sea::still_at(double z, double time) const {
   if (current.none()) return w;
   current.at(surface - z, w.velocity, w.by_height);
   const double ramp = current_ramp > 0 ? quintic_ramp(time, current_ramp).value : 1;
-  const double factor = ramp * current_factor.at(time);
+  const double factor = current_scale * ramp * current_factor.at(time);
   w.velocity *= factor, w.by_height *= -factor;
   return w;
 }

@@ -1,5 +1,6 @@
 // Springs and dampers as elements in whole runs: what they pull with is in the results, energy adds up, and a
 // run goes on exactly from a checkpoint, on one rank and on two.
+#include "hawser/base/error.hpp"
 #include "regression/runs.hpp"
 
 namespace hawser::runs::links {
@@ -95,6 +96,28 @@ TEST_F(Links, GoOnAfterARestart) {
         EXPECT_LE(largest_difference(here, there), tolerance * (1 + largest(whole.column(series, c))))
             << file << ' ' << series << ' ' << c;
       }
+  }
+}
+
+// Links are a part of the case that a run goes on with.
+TEST_F(Links, OtherLinksAreRefused) {
+  run_on_all({path + "/links.yaml", path + "/half.h5", "", 0.1});
+  const std::string other = path + "/other.yaml";
+  for (const auto& [from, to, told] :
+       {std::tuple("stiffness: 2e5", "stiffness: 3e5", "link 'sling' has other ends or another law"),
+        {"[3, 70e3]", "[3, 71e3]", "link 'compensator' has other ends or another law"},
+        {"end_a: {anchor: [-4, 0, 14]}", "end_a: {anchor: [-4, 0, 15]}",
+         "link 'sag' has other ends or another law"},
+        {"  sag: {", "  droop: {", "link 'droop' is not there"}}) {
+    write_case(other, kCase, {{from, to}});
+    try {
+      app::RunOptions o;
+      o.case_path = other, o.output = path + "/rest.h5", o.restart = path + "/half.h5", o.quiet = true;
+      app::run(MPI_COMM_WORLD, o);
+      ADD_FAILURE() << told;
+    } catch (const InputError& e) {
+      EXPECT_NE(std::string(e.what()).find(told), std::string::npos) << e.what();
+    }
   }
 }
 

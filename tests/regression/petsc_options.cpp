@@ -41,8 +41,9 @@ int lines_of(const std::string& file) {
 TEST(PetscOptions, AnotherJudgeOfStepsIsRefused) {
   const std::string path = folder("petsc-judge"), input = path + "/case.yaml";
   write_case(input, kChain);
-  for (const auto& [key, value] :
-       {std::pair("-dynamics_ts_adapt_type", "none"), {"-dynamics_ts_type", "beuler"}}) {
+  for (const auto& [key, value] : {std::pair("-dynamics_ts_adapt_type", "none"),
+                                   {"-dynamics_ts_type", "beuler"},
+                                   {"-dynamics_snes_type", "ksponly"}}) {
     const Option option(key, value);
     try {
       app::RunOptions run;

@@ -4,7 +4,7 @@ import numpy as np
 
 
 def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statistics=None, case="hawser: 1\n",
-                 attributes=None, ended=True, declared=None):
+                 attributes=None, ended=True, declared=None, stages=()):
     """lines: {name: arc lengths of its nodes}; fields: {name: (unit, outputs x all nodes (x 3))}; statistics: {field:
     (unit, all nodes (x 3) x 6)}; series: (times, {name: ([columns], [units], steps x columns)}); declared: {field:
     attributes that say how it is shown}. Without the field `position` nodes lie along x."""
@@ -27,6 +27,8 @@ def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statis
         file["lines/first_node"] = np.concatenate([[0], np.cumsum(counts)[:-1]])
         file["lines/nodes"] = counts
         file["case"] = case.encode()
+        if stages:
+            file["stages"] = [name.encode() for name in stages]
         if ended:
             kind = [("quantity", "S40"), ("line", "S40"), ("value", "f8"), ("unit", "S8"), ("time", "f8"), ("arc_length", "f8")]
             file["summary"] = np.array([(b"max effective tension", b"line", 5.0, b"N", 1.0, 2.0)], dtype=kind)

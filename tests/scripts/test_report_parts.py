@@ -234,6 +234,25 @@ class Parts(unittest.TestCase):
         self.assertNotIn("three", words.split("Case file")[0].lower())
         self.assertIn("Largest a half over the whole", words)
 
+    def test_stages_of_statics(self):
+        pull = np.outer([1e3, 2e3, 3e3, 4e3], np.ones(len(ARC)))
+        path = results_file(self.folder / "stages.h5", (-2.0, -1.0, 0.0, 5.0), {"riser": ARC}, {"effective_tension": ("N", pull)},
+                            stages=("hanging", "lowered", "in the current"))
+        results = Results(path)
+        np.testing.assert_array_equal(results.time, [0, 5])
+        np.testing.assert_array_equal(results.field("effective_tension", results.lines[0]), pull[2:])
+        self.assertEqual(results.field("effective_tension", results.lines[0], 0)[0], 3e3)
+        self.assertEqual(Results(path, 1).field("effective_tension", results.lines[0]).tolist(), pull[1:2].tolist())
+        words = self.words(path)
+        self.assertIn("Stages of statics", words)
+        for k, name in enumerate(results.stages):
+            self.assertIn(f"Stage {name}, from the side", words)
+            self.assertIn(f"riser A {0:g} {0:g} {0:g} {k + 1:g}", words)
+        # A run whose second stage found no rest: what there is, is shown.
+        stopped = results_file(self.folder / "stopped.h5", (-2.0,), {"riser": ARC}, {"effective_tension": ("N", pull[:1])},
+                               stages=results.stages)
+        np.testing.assert_array_equal(Results(stopped).time, [-2])
+
     def test_clearances_and_input(self):
         gap = np.stack([1 + np.cos(TIME), TIME, 0 * TIME], axis=1)
         path = self.file(series=(TIME, {"to the hull": (["clearance", "arc_length", "other_arc_length"], ["m"] * 3, gap)}))

@@ -7,10 +7,10 @@
 #include "hawser/math/so3.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/case.hpp"
-#include "hawser/solve/generalized_alpha.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_pairs.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
+#include "support/step_tangent.hpp"
 #include "support/taylor_cases.hpp"
 
 namespace hawser::test::feeders_test {
@@ -182,7 +182,6 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     Rig r(c);
     r.feeders->clamp(std::vector<std::array<Quat, 2>>(c.lines.size(), {along, along}));
     const LocalMesh& mesh = r.system->mesh();
-    const AlphaCoefficients alpha(0.8);
     constexpr double h = 0.1;
     AlphaState from;
     from.s.resize(mesh.nodes());
@@ -209,7 +208,6 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     alpha_start(mesh, from);
     r.system->couple(from.s.view(h), h);
     r.system->prepare(from.s.view(h), h);
-    AlphaState to = from;
     std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0), d = u;
     std::vector<int> moving{3, 4, 5, 6};
     for (int n = 10; n < mesh.nodes(); ++n) moving.push_back(n);
@@ -218,52 +216,21 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
         const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)]) + static_cast<size_t>(k);
         u[i] = 0.05 * noise3(n, k < 3 ? 4 : 9)[k % 3], d[i] = noise3(n, k < 3 ? 5 : 10)[k % 3];
       }
-    VecHandle x = r.system->create_vector(), y = r.system->create_vector(), res = r.system->create_vector();
-    const auto at = [&](double step) {
-      std::vector<double> w = u;
-      for (size_t i = 0; i < w.size(); ++i) w[i] += step * d[i];
-      alpha_trial(mesh, r.system->supports(), alpha, h, from, w, to);
-      r.system->residual(to.s.view(h), res.get());
-      const PetscScalar* p = nullptr;
-      VecGetArrayRead(res.get(), &p);
-      const std::vector<double> out(p, p + w.size());
-      VecRestoreArrayRead(res.get(), &p);
-      return out;
-    };
-    at(0);
-    MatHandle J = r.system->create_matrix();
-    r.system->tangent(to.s.view(h), alpha_weights(alpha, h), u, false, J.get());
-    PetscScalar* p = nullptr;
-    VecGetArray(x.get(), &p);
-    std::copy(d.begin(), d.end(), p);
-    VecRestoreArray(x.get(), &p);
-    MatMult(J.get(), x.get(), y.get());
-    const PetscScalar* q = nullptr;
-    VecGetArrayRead(y.get(), &q);
-    const std::vector<double> Jd(q, q + d.size());
-    VecRestoreArrayRead(y.get(), &q);
+    StepTangent step(*r.system, from, h, u);
     // Friction has kinks, and curves bend fast at a yield circle.
     const double e = !smooth ? 1e-5 : kind == Kind::yields ? 2e-4 : 1e-3;
-    const auto b1 = at(e), b2 = at(-e), c1 = at(2 * e), c2 = at(-2 * e);
-    double off = 0, size = 0;
-    for (const int n : moving)
-      for (int k = 0; k < (mesh.rotates(n) ? 6 : 3); ++k) {
-        const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)]) + static_cast<size_t>(k);
-        off = std::max(off, std::abs((8 * (b1[i] - b2[i]) - (c1[i] - c2[i])) / (12 * e) - Jd[i]));
-        size = std::max(size, std::abs(Jd[i]));
-      }
-    EXPECT_LT(off, (smooth ? 1e-8 : 1e-6) * size)
+    const double error = step.error(d, e);
+    EXPECT_LT(error, smooth ? 1e-8 : 1e-6)
         << a.tension << ' ' << a.max_speed << ' ' << static_cast<int>(kind);
     constexpr const char* kNames[] = {"cable", "beam", "beam that yields"};
     printf("  %s%s, tension %g, at most %g m/s: error %.1e\n", kNames[static_cast<int>(kind)],
            crossed  ? " over others"
            : roller ? " on a roller"
                     : "",
-           a.tension, a.max_speed, off / size);
+           a.tension, a.max_speed, error);
     if (smooth) continue;
-    at(0);
-    const double deep = roller ? roller->depth(Roller::axis(r, to.s.view(h))) : 0;
-    r.system->commit(to.s.view(h));
+    const State& to = step.commit();
+    const double deep = roller ? roller->depth(Roller::axis(r, to.view(h))) : 0;
     if (roller) {
       const double depth = r.on_roller->largest_penetration().depth;
       printf("  %.4f m deep, the axis %.4f m\n", depth, deep);

@@ -2,8 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "hawser/app/volumes.hpp"
-#include "hawser/solve/generalized_alpha.hpp"
-#include "support/taylor.hpp"
+#include "support/step_tangent.hpp"
 #include "verification/dynamics_rig.hpp"
 
 namespace hawser::test::frames {
@@ -98,70 +97,16 @@ void expect_step_tangent(model::ContactMethod method) {
   const model::Case c = carried(method);
   const auto volumes = app::load_volumes(c);
   Simulation sim(PETSC_COMM_WORLD, c, app::surfaces(volumes));
-  System& system = sim.system();
-  const double h = 0.02;
-  system.couple(sim.state().view(0), h);
-  system.spread(sim.state());
-  const LocalMesh& mesh = system.mesh();
-  AlphaState from;
-  from.s = sim.state();
-  for (size_t i = 0; i < from.s.x.size(); ++i) {
-    const int g = mesh.global[i];
-    from.s.v[i] = 0.4 * noise3(g, 1);
-    if (mesh.rotates(static_cast<int>(i))) from.s.w[i] = 0.5 * noise3(g, 2);
-  }
-  system.supports().rates(0, from.s);
-  system.supports().follow(from.s);
-  alpha_start(mesh, from);
-  system.prepare(from.s.view(h), h);
-  const AlphaCoefficients alpha(0.8);
-  std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0);
-  for (int n = 0; n < mesh.nodes(); ++n)
-    for (int k = 0; k <= mesh.rotates(n); ++k)
-      for (int i = 0; i < 3; ++i)
-        u[static_cast<size_t>(3 * (mesh.block[static_cast<size_t>(n)] + k) + i)] =
-            (k ? 0.05 : 0.01) * noise(mesh.global[static_cast<size_t>(n)], 3 * k + i, 5);
-  system.supports().increments(from.s, h, u.data());
-  AlphaState to = from;
-  const auto at = [&](double step, const std::vector<double>& d) {
-    std::vector<double> moved = u;
-    for (size_t i = 0; i < u.size(); ++i) moved[i] += step * d[i];
-    alpha_trial(mesh, system.supports(), alpha, h, from, moved, to);
-    return residual(system, to.s, h);
-  };
-  const std::vector<double> nothing(u.size(), 0);
-  at(0, nothing);
-  MatHandle J = system.create_matrix();
-  system.tangent(to.s.view(h), alpha_weights(alpha, h), u, false, J.get());
+  StepTangent step = StepTangent::by_chance(sim.system(), sim.state(), 0.02, 0.01, 0.05);
   // What there is of contact is what is looked at.
-  int touching = 0, all = 0;
-  system.commit(to.s.view(h));
-  touching = sim.contact()->active_count();
-  MPI_Allreduce(&touching, &all, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
+  step.commit();
+  int all = sim.contact()->active_count();
+  MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
   EXPECT_GE(all, method == model::ContactMethod::line ? 5 : 3);
   sim.contact()->restore({});
-  system.prepare(from.s.view(h), h);
-  Trial t;
-  t.length = 1e-6, t.angle = 1e-5;  // dampers start and stop where touch begins, a kink that is always near
-  double worst = 0;
-  for (int k = 0; k < 4; ++k) {
-    const auto d = direction(system, t, 100 + k), Jd = multiply(system, J.get(), d);
-    constexpr double e = 0.08;
-    const auto a = at(e, d), b = at(-e, d), p = at(2 * e, d), q = at(-2 * e, d);
-    double off = 0, size = 0;
-    for (size_t i = 0; i < Jd.size(); i += 3) {
-      double here = 0, block = 0;
-      for (size_t j = i; j < i + 3; ++j) {
-        here = std::max(here, std::abs((8 * (a[j] - b[j]) - (p[j] - q[j])) / (12 * e) - Jd[j]));
-        block = std::max(block, std::abs(Jd[j]));
-      }
-      size = std::max(size, block);
-      off = std::max(off, here);
-    }
-    double both[2] = {off, size};
-    MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
-    worst = std::max(worst, both[0] / both[1]);
-  }
+  step.prepare();
+  // Dampers start and stop where touch begins, a kink that is always near.
+  const double worst = step.worst(1e-6, 1e-5);
   printf("step tangent with bodies: error %.1e, %d places touch\n", worst, all);
   EXPECT_LT(worst, 1e-6);
 }

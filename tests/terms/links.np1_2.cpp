@@ -3,8 +3,7 @@
 
 #include <array>
 
-#include "hawser/solve/generalized_alpha.hpp"
-#include "support/taylor.hpp"
+#include "support/step_tangent.hpp"
 #include "verification/dynamics_rig.hpp"
 
 namespace hawser::test::links {
@@ -87,49 +86,13 @@ model::Case linked(const Pair& p, bool tension_only, double rest) {
   return c;
 }
 
-// Largest difference of J d and differences of the residual of a step over the largest part of J d.
 struct Step {
   double error = 0;
   bool apart = false;  // the ends belong to two ranks
 };
 Step step_error(const model::Case& c) {
   Simulation sim(PETSC_COMM_WORLD, c);
-  System& system = sim.system();
-  const double h = 0.02;
-  system.couple(sim.state().view(0), h);
-  system.spread(sim.state());
-  const LocalMesh& mesh = system.mesh();
-  AlphaState from;
-  from.s = sim.state();
-  for (size_t i = 0; i < from.s.x.size(); ++i) {
-    const int g = mesh.global[i];
-    from.s.v[i] = 0.4 * noise3(g, 1);
-    if (mesh.rotates(static_cast<int>(i))) from.s.w[i] = 0.5 * noise3(g, 2);
-  }
-  system.supports().rates(0, from.s);
-  system.supports().follow(from.s);
-  alpha_start(mesh, from);
-  system.prepare(from.s.view(h), h);
-  const AlphaCoefficients alpha(0.8);
-  std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0);
-  for (int n = 0; n < mesh.nodes(); ++n)
-    for (int k = 0; k <= mesh.rotates(n); ++k)
-      for (int i = 0; i < 3; ++i)
-        u[static_cast<size_t>(3 * (mesh.block[static_cast<size_t>(n)] + k) + i)] =
-            (k ? 0.2 : 0.05) * noise(mesh.global[static_cast<size_t>(n)], 3 * k + i, 5);
-  system.supports().increments(from.s, h, u.data());
-  AlphaState to = from;
-  const auto at = [&](double step, const std::vector<double>& d) {
-    std::vector<double> moved = u;
-    for (size_t i = 0; i < u.size(); ++i) moved[i] += step * d[i];
-    alpha_trial(mesh, system.supports(), alpha, h, from, moved, to);
-    return residual(system, to.s, h);
-  };
-  at(0, std::vector<double>(u.size(), 0));
-  MatHandle J = system.create_matrix();
-  system.tangent(to.s.view(h), alpha_weights(alpha, h), u, false, J.get());
-  Trial t;
-  t.length = 1e-3, t.angle = 1e-3;
+  const LocalMesh& mesh = sim.local();
   const auto owner = [&](const model::LinkEnd& e) {
     const int body = c.body_index(e.body);
     const int node = e.line.empty() ? (body < 0 ? -1 : sim.mesh().frame_node(body))
@@ -137,21 +100,8 @@ Step step_error(const model::Case& c) {
     return node < 0 ? -1 : mesh.owner[static_cast<size_t>(node)];
   };
   const int first = owner(c.links[0].end_a), second = owner(c.links[0].end_b);
-  Step out{0, first >= 0 && second >= 0 && first != second};
-  double& worst = out.error;
-  for (int k = 0; k < 4; ++k) {
-    const auto d = direction(system, t, 100 + k), Jd = multiply(system, J.get(), d);
-    constexpr double e = 0.08;
-    const auto a = at(e, d), b = at(-e, d), p = at(2 * e, d), q = at(-2 * e, d);
-    double both[2] = {0, 0};
-    for (size_t i = 0; i < Jd.size(); ++i) {
-      both[0] = std::max(both[0], std::abs((8 * (a[i] - b[i]) - (p[i] - q[i])) / (12 * e) - Jd[i]));
-      both[1] = std::max(both[1], std::abs(Jd[i]));
-    }
-    MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
-    worst = std::max(worst, both[0] / both[1]);
-  }
-  return out;
+  StepTangent step = StepTangent::by_chance(sim.system(), sim.state(), 0.02, 0.05, 0.2);
+  return {step.worst(1e-3, 1e-3), first >= 0 && second >= 0 && first != second};
 }
 
 TEST(Links, TangentOfAStepForEveryPairOfEnds) {

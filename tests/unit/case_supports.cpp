@@ -229,5 +229,21 @@ TEST(CaseSupports, SharpBendsAndLongElementsAreDoubted) {
       << notes(20, "[25, 35, 45]");
 }
 
+// Events know rollers by the name of their group, of their box, or their own.
+TEST(Supports, AreSwitchedByName) {
+  const auto off = [](const std::string& name) {
+    const model::Case c = read(
+        "{at: 5, type: flat" + kRoller + "}, {at: 15, type: flat" + kRoller + "}",
+        "from: [-30, 0, 9], direction: [-1, 0, 0], segments: [{length: 20}]", "[-30, 0, 10.325]",
+        "dynamics: {duration: 5}\nevents: [{contact: {volume: " + name + ", enabled: true}, time: 1}]\n");
+    std::string out;
+    for (const model::Volume& v : c.volumes) out += c.off_at_start(v) ? '-' : '+';
+    return out;
+  };
+  EXPECT_EQ(off("ramp"), "--");
+  EXPECT_EQ(off("ramp 2"), "+-");
+  EXPECT_EQ(off("ramp 1 below"), "-+");
+}
+
 }  // namespace
 }  // namespace hawser::case_supports_test

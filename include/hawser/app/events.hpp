@@ -20,11 +20,12 @@ class Events {
   Events(MPI_Comm comm, Simulation& simulation);
 
   // Statics of the case: its stages one after another, or all at once where it has none. `solve` finds a
-  // rest, `further` from the one before; `say` is told what begins each stage, a sentence each. SolveError
-  // where a stage cannot begin. Collective.
+  // rest, from the one before; `say` is told what begins each stage, a sentence each; `rested` which stage,
+  // by its place, has come to rest. SolveError where a stage cannot begin. Collective.
   void come_to_rest(
-      const std::function<void(bool further)>& solve,
-      const std::function<void(const std::string&)>& say = [](const std::string&) {});
+      const std::function<void()>& solve,
+      const std::function<void(const std::string&)>& say = [](const std::string&) {},
+      const std::function<void(size_t)>& rested = [](size_t) {});
 
   // Before a run starts from the simulation's state: what happens at t = 0 has happened in it, and steps will
   // end where a condition is met. What is to be told, a sentence each; InputError where one is met already.
@@ -73,6 +74,7 @@ class Events {
   // One of them, done and told; the system's supports are not changed yet.
   void happen(size_t event, const Kinematics& at, const std::string& stage, std::vector<std::string>& told);
   std::vector<std::string> at_rest(const std::string& stage);
+  void pay_out(const std::string& stage, const std::function<void()>& solve);
 
   MPI_Comm comm_;
   Simulation& sim_;

@@ -14,6 +14,7 @@
 #include "hawser/app/histories.hpp"
 #include "hawser/app/line_extremes.hpp"
 #include "hawser/app/node_statistics.hpp"
+#include "hawser/app/pipe_strength.hpp"
 #include "hawser/app/sharp_turns.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/app/stations.hpp"
@@ -35,6 +36,8 @@ class Recorder {
   // What the file holds, or would.
   const io::ResultContents& contents() const { return file_ ? file_->contents() : planned_; }
 
+  // The rest of a stage of statics but the last, by its place: an output at a negative time.
+  void stage(size_t place);
   // The beginning of a run: the state `at`, from which energies count and which may move already, and the one
   // that is shown for it, the first step and output: its static equilibrium where there is one.
   void start(const Kinematics& at, const Kinematics& shown);
@@ -70,6 +73,7 @@ class Recorder {
   void append_rows(const StepInfo& info, const Kinematics& at);
   void write_statistics();
   bool shows_touchdowns() const;
+  PipePlaces pipe_places(const Kinematics& at);
 
   MPI_Comm comm_;
   Simulation& sim_;
@@ -93,6 +97,7 @@ class Recorder {
   std::unique_ptr<NodeStatistics> at_stations_;  // likewise
   SharpTurns turns_;
   Utilisation utilisation_;
+  PipeStrength pipes_;
   Clearances clearances_;
   std::unique_ptr<SupportLog> supports_;           // null: the case has none
   std::vector<std::vector<double>> support_rows_;  // of the last step

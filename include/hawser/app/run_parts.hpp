@@ -2,6 +2,7 @@
 // results file, statics with its messages, and what is printed while a case is read.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,8 +34,11 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
                              Progress& progress, const std::string& restart = "");
 // Statics of the case with its stages, its progress and what is to be told of the equilibrium; what the
-// search of the last one was. Collective; throws as Simulation::solve_statics does.
-StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress);
+// search of the last one was. rested: told which stage has come to rest. Collective; throws as
+// Simulation::solve_statics does.
+StaticsReport solve_statics(
+    Simulation& sim, Events& events, Progress& progress,
+    const std::function<void(size_t)>& rested = [](size_t) {});
 io::ReadingNews news(Progress& progress);  // which must live as long
 
 }  // namespace hawser::app

@@ -24,6 +24,7 @@
 namespace hawser {
 class BodyContactTerm;
 class Feeders;
+class Hydrodynamics;
 class Links;
 class BodiesInWater;
 class RigidBodies;
@@ -66,20 +67,26 @@ class Simulation {
   // Stretches at ends of lines that have no contact with a volume in which they start.
   const std::vector<LeftOut>& left_out() const { return start_contact_.left_out; }
 
-  // What of a line is inside a volume of contact() at `at`, in words; empty: nothing. Collective.
-  std::string inside(int volume, const Kinematics& at) const;
-  // Whether lines touch this volume from now on.
-  void enable_contact(const std::string& volume, bool on);
+  // What of a line is inside a volume that an action switches on, in words; empty: nothing. Collective.
+  std::string inside(const model::Action& action, const Kinematics& at) const;
+  // Whether lines touch the volumes of an action from now on.
+  void enable_contact(const model::Action& action);
+  // Whether statics has friction, in place of what the case says; what the current is multiplied by.
+  void enable_static_friction(bool on) { static_friction_ = on; }
+  bool static_friction() const {
+    return static_friction_.value_or(case_.statics.contact_friction);
+  }  // of contact
+  void scale_current(double factor);
 
   // InputError if what starts inside a volume is still there. Collective.
   void check_inside() const;
   // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
-  // InputError as of check_inside(). told: how far it is, now and then; on all ranks. further: from a rest
-  // that statics has found before, where lines were laid then.
-  StaticsReport solve_statics(std::function<void(const StaticsReport&)> told = {}, bool further = false);
+  // InputError as of check_inside(). told: how far it is, now and then; on all ranks.
+  StaticsReport solve_statics(std::function<void(const StaticsReport&)> told = {});
   DynamicsSettings dynamics_settings() const;
 
  private:
+  std::string inside(int volume, const Kinematics& at) const;
   bool lays_lines() const;  // whether statics has friction of the bed
   void lay_at_start();
   void lay_lines(StaticsSettings settings, StaticsReport& report);
@@ -97,6 +104,9 @@ class Simulation {
   StartContact start_contact_;
   std::vector<double> told_stiffness_;  // of the contact's volumes, in their basis
   int cut_ = 0;
+  std::optional<bool> static_friction_;  // by a stage; none: as the case has it
+  bool laid_ = false;                    // lines where they start
+  Hydrodynamics* water_ = nullptr;
   RigidBodies* floating_ = nullptr;
   BodiesInWater* bodies_in_water_ = nullptr;
   BodyContactTerm* body_contact_ = nullptr;

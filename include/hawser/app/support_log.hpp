@@ -2,6 +2,7 @@
 // that are off the end of a roller or start beneath one.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -38,12 +39,19 @@ class SupportLog {
   std::vector<io::ResultSeries> series() const;
   // Their rows at a state, on rank 0 (elsewhere empty). Collective.
   std::vector<std::vector<double>> rows(const Kinematics& at, const std::vector<io::BodyPose>& poses);
+  // Of each line the arc lengths [m] of the first and the last box that carry it, the same on all ranks; the
+  // first above the second: none does. Collective.
+  std::vector<std::array<double, 2>> carrying(const Kinematics& at,
+                                              const std::vector<io::BodyPose>& poses) const;
   // Every box once off the end of whose rollers a line was, the first time it was; then those over which a
   // line went clear so far, although boxes further on carried it, and groups that never carried one. On rank
   // 0.
   std::vector<std::string> warnings() const;
 
  private:
+  // Of every box, with these poses of the bodies.
+  std::vector<SupportCrossing> crossings(const Kinematics& at, const std::vector<io::BodyPose>& poses) const;
+
   MPI_Comm comm_;
   Simulation& sim_;
   std::vector<int> first_;  // of each box, its first roller among the volumes of the contact term

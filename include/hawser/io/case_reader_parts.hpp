@@ -82,7 +82,8 @@ void read_in_water(const model::Value& v, const std::string& key, const CaseSour
 // `pipe` and `weight` of a line type: mass, diameters and stiffnesses from the walls of a pipe
 // (docs/user-guide/case-file.md), mass and displaced diameter from weights per length. Keys that say the same
 // once more are refused.
-void read_pipe(const model::Value& v, const std::string& key, const CaseSource& source, model::LineType& t);
+void read_pipe(const model::Value& v, const std::string& key, const CaseSource& source, bool uneven_bed,
+               model::LineType& t);
 void read_weight(const model::Value& v, const std::string& key, const CaseSource& source, double gravity,
                  model::LineType& t);
 

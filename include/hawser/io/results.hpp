@@ -78,7 +78,8 @@ struct ResultContents {
   std::vector<std::string> bodies;
   std::vector<VolumeMesh> volumes;
   ResultWaves waves;
-  bool clashes = false;  // there is a clash report; its volumes are `volumes`
+  std::vector<std::string> stages;  // of statics: outputs at times -n + 1, ..., -1 and 0 are their rests
+  bool clashes = false;             // there is a clash report; its volumes are `volumes`
   bool xdmf = true;
   bool single_precision = false;  // of `fields` and `end_fields`
   int expected_outputs = 100;     // room made at once; it doubles when it runs out

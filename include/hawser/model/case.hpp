@@ -15,6 +15,7 @@
 #include "hawser/geometry/sign_test.hpp"
 #include "hawser/kernels/contact_force_table.hpp"
 #include "hawser/kernels/motion.hpp"
+#include "hawser/kernels/pipe_codes.hpp"
 #include "hawser/kernels/plastic_bending.hpp"
 #include "hawser/kernels/response_curve.hpp"
 #include "hawser/math/types.hpp"
@@ -48,6 +49,8 @@ struct LineType {
   double breaking_load = 0;            // N; 0: not known
   double minimum_bend_radius = 0;      // m, that the type allows; 0: not known
   double thermal_expansion = 0;        // 1/K
+  std::optional<PipeSteel> steel;      // of a pipe that is judged by codes
+  PipeConditions conditions;           // likewise
 
   // In water. The axial drag acts on the skin, pi times the drag diameter.
   double displaced_diameter = 0;  // m, of the volume that water is driven out of; 0: outer_diameter

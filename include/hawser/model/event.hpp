@@ -12,8 +12,9 @@ namespace hawser::model {
 
 struct Action {
   // release: an end of a line lets go. attach: one is held from then on. feed: a feeder goes by another law.
-  // contact: that of lines with a volume goes on or off.
-  enum class Kind { release, attach, feed, contact };
+  // contact: that of lines with a volume goes on or off. friction, current: that of statics goes on or off,
+  // the current is scaled, from a stage of statics on.
+  enum class Kind { release, attach, feed, contact, friction, current };
   Kind kind = Kind::release;
   std::string line;  // and its end: of all but contact
   bool at_b = false;
@@ -28,8 +29,10 @@ struct Action {
   bool clamped = false;            // its rotation is held as well
   Feed law;                        // without a stock
   double ramp = 0;                 // s, in which a speed is reached
+  double paid_out = 0;             // m, by a feeder in a stage of statics; < 0: hauled in; 0: it has a law
   std::string volume;              // of contact
-  bool enabled = true;             // on or off
+  bool enabled = true;             // contact, friction: on or off
+  double factor = 1;               // of the current
   std::string subject() const;     // "end B of line hose", "line hose", "contact with volume drum"
   std::string participle() const;  // "released", "cut at 12 m", "switched on"
 };

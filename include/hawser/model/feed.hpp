@@ -14,6 +14,8 @@ struct Feed {
   double least = 0, most = 0;    // N, dead band: it rests as long as the tension is within; both 0: none
   double speed_per_tension = 0;  // m/s per N of what the tension differs by; 0: keeps exactly to it
   double max_speed = 0;          // m/s, either way; 0: no limit
+
+  bool has_band() const { return most > 0; }  // with which it begins at rest
 };
 
 // At a time t >= 0 [s] of a feeder that goes by speed: length paid out since t = 0 [m], its rate, and that

@@ -17,6 +17,7 @@ class BodiesInWater final : public ForceTerm, public ScalesResiduals {
 
   // In statics no water acts on bodies that are held where they start (RigidBodies::hold).
   void hold(bool on) { hold_ = on; }
+  void scale_current(double factor) { sea_.current_scale = factor; }
 
   std::string_view name() const override { return "bodies in water"; }
   void prepare(const Kinematics& committed, double h) override;

@@ -36,6 +36,7 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
 
   // Pays lines out and hauls them in; null: nothing does.
   void fed_by(Feeders* feeders) { feeders_ = feeders; }
+  void scale_current(double factor) { sea_.current_scale = factor; }
 
   std::string_view name() const override { return "hydrodynamics"; }
   void prepare(const Kinematics& committed, double h) override;

@@ -18,6 +18,7 @@ struct Sea {
   CurrentProfile current;
   double current_ramp = 0;  // s, smooth start; 0: always there
   TimeFactor current_factor;
+  double current_scale = 1;  // of a stage of statics, and from then on
   WaveField waves;
   double wave_ramp = 0;  // s
 

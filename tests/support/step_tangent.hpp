@@ -1,0 +1,102 @@
+// The tangent of a time step: its product with a direction against differences of the residual of a trial.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "hawser/solve/generalized_alpha.hpp"
+#include "support/taylor.hpp"
+
+namespace hawser::test {
+
+class StepTangent {
+ public:
+  // A step h from `from`, for which the system is prepared, with the increments u of its unknowns.
+  StepTangent(System& system, AlphaState from, double h, std::vector<double> u)
+      : system_(system),
+        from_(std::move(from)),
+        to_(from_),
+        h_(h),
+        u_(std::move(u)),
+        J_(system.create_matrix()) {
+    residual_at(0, std::vector<double>(u_.size(), 0));
+    system_.tangent(to_.s.view(h_), alpha_weights(kAlpha, h_), u_, false, J_.get());
+  }
+
+  // From the simulation's shape with velocities and increments by chance; these are of a size of `place` [m]
+  // and `angle` [rad].
+  static StepTangent by_chance(System& system, State& shape, double h, double place, double angle) {
+    system.couple(shape.view(0), h);
+    system.spread(shape);
+    const LocalMesh& mesh = system.mesh();
+    AlphaState from;
+    from.s = shape;
+    for (size_t i = 0; i < from.s.x.size(); ++i) {
+      const int g = mesh.global[i];
+      from.s.v[i] = 0.4 * noise3(g, 1);
+      if (mesh.rotates(static_cast<int>(i))) from.s.w[i] = 0.5 * noise3(g, 2);
+    }
+    system.supports().rates(0, from.s);
+    system.supports().follow(from.s);
+    alpha_start(mesh, from);
+    system.prepare(from.s.view(h), h);
+    std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0);
+    for (int n = 0; n < mesh.nodes(); ++n)
+      for (int k = 0; k <= mesh.rotates(n); ++k)
+        for (int i = 0; i < 3; ++i)
+          u[static_cast<size_t>(3 * (mesh.block[static_cast<size_t>(n)] + k) + i)] =
+              (k ? angle : place) * noise(mesh.global[static_cast<size_t>(n)], 3 * k + i, 5);
+    system.supports().increments(from.s, h, u.data());
+    return {system, std::move(from), h, std::move(u)};
+  }
+
+  // The trial itself: evaluated and accepted by the terms.
+  const State& commit() {
+    residual_at(0, std::vector<double>(u_.size(), 0));
+    system_.commit(to_.s.view(h_));
+    return to_.s;
+  }
+  void prepare() { system_.prepare(from_.s.view(h_), h_); }
+
+  // Largest difference of J d and fourth-order differences of the residual, over the largest part of J d, on
+  // all ranks; e: of d, how far they go.
+  double error(const std::vector<double>& d, double e) {
+    const auto Jd = multiply(system_, J_.get(), d), a = residual_at(e, d), b = residual_at(-e, d),
+               p = residual_at(2 * e, d), q = residual_at(-2 * e, d);
+    double both[2] = {0, 0};
+    for (size_t i = 0; i < Jd.size(); ++i) {
+      both[0] = std::max(both[0], std::abs((8 * (a[i] - b[i]) - (p[i] - q[i])) / (12 * e) - Jd[i]));
+      both[1] = std::max(both[1], std::abs(Jd[i]));
+    }
+    MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MAX, system_.comm());
+    return both[0] / both[1];
+  }
+  // The worst of some directions of this size.
+  double worst(double length, double angle) {
+    Trial t;
+    t.length = length, t.angle = angle;
+    double out = 0;
+    for (int k = 0; k < 4; ++k) out = std::max(out, error(direction(system_, t, 100 + k), 0.08));
+    return out;
+  }
+
+ private:
+  inline static const AlphaCoefficients kAlpha{0.8};
+
+  std::vector<double> residual_at(double step, const std::vector<double>& d) {
+    std::vector<double> moved = u_;
+    for (size_t i = 0; i < u_.size(); ++i) moved[i] += step * d[i];
+    alpha_trial(system_.mesh(), system_.supports(), kAlpha, h_, from_, moved, to_);
+    return residual(system_, to_.s, h_);
+  }
+
+  System& system_;
+  AlphaState from_, to_;
+  double h_;
+  std::vector<double> u_;
+  MatHandle J_;
+};
+
+}  // namespace hawser::test
