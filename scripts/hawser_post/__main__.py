@@ -103,9 +103,11 @@ def commands():
     p = sub.add_parser("lay", help="the smallest tension with which a pipe is laid in each of a list of depths")
     p.add_argument("case", help="case file of a lay over supports")
     p.add_argument("--depths", required=True, metavar="D,D,...", help="m")
+    p.add_argument("--radii", metavar="R,R,...", help="of the stinger, m: a lay for each depth and radius, and the smallest "
+                   "radius whose overbend is used up to --utilisation (default: the radius of the case)")
     p.add_argument("--clearance", type=float, default=0.3, metavar="C", help="of the last support, m (default: 0.3)")
     p.add_argument("--utilisation", type=float, default=1.0, metavar="U",
-                   help="of the sagbend, local buckling by DNV-ST-F101 (default: 1)")
+                   help="of the sagbend, local buckling by DNV-ST-F101; with --radii of the overbend too (default: 1)")
     p.add_argument("-o", "--output", help="CSV file, with a figure beside it (default: <case>-lay.csv)")
     add_set(p)
     p.set_defaults(do=lay.make)

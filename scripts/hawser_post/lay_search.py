@@ -12,6 +12,7 @@ class Lay:
     row: list  # as lay.HEAD, without the depth
     clearance: float  # m
     sagbend: float  # local buckling
+    overbend: float = 0.0  # the larger of local buckling and the simplified criterion of strain at rest
 
 
 @dataclass

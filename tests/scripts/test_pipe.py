@@ -14,7 +14,7 @@ from support import ROOT, run
 from synthetic import results_file
 
 sys.path.insert(0, str(ROOT / "scripts"))
-from hawser_post import lay, lay_search, laying, pipe_checks, pipe_tables, stations  # noqa: E402
+from hawser_post import lay, lay_rig, lay_search, laying, pipe_checks, pipe_tables, stations  # noqa: E402
 from hawser_post.results import Refusal, Results  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
@@ -334,9 +334,39 @@ class Lay(unittest.TestCase):
         results = Results(again)
         self.assertAlmostEqual(float(results.series("stinger 11").column("height")[0]), row["tip clearance [m]"], delta=0.01)
 
+    def test_radii_of_the_stinger(self):
+        table = self.folder / "radii.csv"
+        done = run(HAWSER, "lay", self.case, "--depths", "90", "--radii", "100,60", "-o", table, "--set",
+                   "lines.pipe.sections[0].element_length=1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(table, encoding="utf-8") as file:
+            rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+        self.assertEqual([row["stinger radius [m]"] for row in rows], [60, 100])
+        for row in rows:
+            # The mean of the overbend is bent as the stinger, 1.325 m above its path, by which 0.25 % are allowed to X65.
+            self.assertGreater(row["overbend strain [%]"], 100 * 0.125 / (row["stinger radius [m]"] + 1.325))
+            self.assertLess(row["overbend strain [%]"], 1.4 * 100 * 0.125 / (row["stinger radius [m]"] + 1.325))
+            self.assertAlmostEqual(row["overbend strain, DNV simplified I [-]"], row["overbend strain [%]"] / 0.25, delta=1e-6)
+        # It clears the last box by 0.3 m and lies on the last but one, 72 m along the arc.
+        self.assertAlmostEqual(rows[1]["departure angle [deg]"], np.degrees(72 / 100), delta=1)
+        self.assertGreater(rows[0]["overbend local buckling [-]"], 1)
+        self.assertIn(f"In 90 m of water 100 m is the smallest of these radii whose overbend is used up to 1 ("
+                      f"{rows[1]['overbend strain, DNV simplified I [-]']:.3g}), with {rows[1]['tension [N]'] / 1e3:.4g} kN.",
+                      done.stdout)
+
+    def test_the_smallest_radius_that_spares_the_overbend(self):
+        def laid(tension, overbend):
+            return lay_search.Lay(tension, [], 0.3, 0.1, overbend)
+        found = [(50, 80, laid(1e5, 0.9)), (50, 100, laid(2e5, 0.6)), (50, 120, laid(3e5, 0.5)), (70, 80, None),
+                 (70, 100, laid(3e5, np.nan))]
+        said = list(lay.chosen(found, 0.7))
+        self.assertEqual(said[0], "In 50 m of water 100 m is the smallest of these radii whose overbend is used up to 0.7 (0.6), "
+                                  "with 200 kN.")
+        self.assertIn("In 70 m of water no lay of these radii", said[1])
+
     def test_elements_keep_their_length(self):
         with tempfile.TemporaryDirectory() as folder:
-            rig = lay.Rig(self.case, ["lines.pipe.sections[1].element_length=null", "lines.pipe.sections[1].elements=41"], folder)
+            rig = lay_rig.Rig(self.case, ["lines.pipe.sections[1].element_length=null", "lines.pipe.sections[1].elements=41"], folder)
         changed = dict(change.rsplit("=", 1) for change in rig.changes_at(200, 3e5))
         length, count = (float(changed[f"lines.pipe.sections[1].{key}"]) for key in ("length", "elements"))
         self.assertGreater(length, 400)
@@ -349,7 +379,12 @@ class Lay(unittest.TestCase):
         self.assertIn("a lay over depths is for a level seabed: 'slope_deg' of this one is 0.02", slope.stderr)
         for words, part in ((["--depths", "50;60"], "--depths '50;60' are no numbers with commas between them"),
                             (["--depths", "-5"], "depths are above 0, in m"),
-                            (["--depths", "90", "--utilisation", "2"], "--utilisation 2 is not above 0 and up to 1")):
+                            (["--depths", "90", "--utilisation", "2"], "--utilisation 2 is not above 0 and up to 1"),
+                            (["--depths", "90", "--radii", "0,80"], "--radii '0,80': radii are above 0, in m"),
+                            (["--depths", "90", "--radii", "80", "--set", "supports.stinger.path.segments=[{length: 20}, "
+                              "{length: 60, radius: 150}, {length: 40, radius: 150}]"],
+                             "--radii is for supports with one curved length in their path, fixed to a body or in space, and "
+                             "this has 2: change them by --set")):
             done = run(HAWSER, "lay", self.case, f"{words[0]}={words[1]}", *words[2:])
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(part, done.stderr)

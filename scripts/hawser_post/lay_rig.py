@@ -1,0 +1,147 @@
+"""A lay as a case has it, and its equilibrium in other depths, with other tensions and on other stingers."""
+from pathlib import Path
+
+import numpy as np
+
+from . import pipe_checks, pipe_tables, stress, tables
+from .arguments import run_case
+from .lay_search import Lay
+from .pipe_told import pipe_of
+from .results import Refusal, Results, metres
+from .sections import lengths, part, sections_of
+
+MOST_STRAINED = 0.004  # bending strain of a catenary with the tension that is tried first
+
+
+def bends_of(results, line):
+    """The curved lengths of the paths of a line's supports: radius [m] by key. A path of boxes that ride on beams is drawn to
+    fit these."""
+    found = {}
+    for group, keys in part(results, "supports").items():
+        path = keys.get("path") if isinstance(keys, dict) else None
+        if not isinstance(path, dict) or keys.get("on") or keys.get("line", line) != line:
+            continue
+        for k, segment in enumerate(path.get("segments") or []):
+            if isinstance(segment, dict) and segment.get("radius") is not None:
+                found[f"supports.{group}.path.segments[{k}].radius"] = metres(segment["radius"], np.nan)
+    return found
+
+
+class Rig:
+    """A lay as the case has it, and how its line changes with depth and tension."""
+
+    def __init__(self, case, changes, folder):
+        self.case, self.changes, self.folder = Path(case), list(changes), Path(folder)
+        results = self.run([])
+        if results is None:
+            raise Refusal(f"{case}: {self.told()} has no equilibrium from which to begin: see what 'hawser run' says of it")
+        self.name = pipe_of(results, None).name
+        line = results.line(self.name)
+        if pipe_checks.judged_pipe(results, line) is None:
+            raise Refusal(f"{case}: the case does not say of which steel '{line.name}' is: 'grade' with the pipe of its line type")
+        checked = pipe_checks.of_case(results, line)
+        if checked.left is None or checked.down is None:
+            raise Refusal(f"{case}: a lay needs 'supports' that the pipe leaves, and a seabed on which it comes down")
+        self.forwards = checked.left.forwards
+        far = "end_b" if self.forwards else "end_a"
+        self.far = f"lines.{self.name}.{far}.anchor"
+        keys = part(results, "lines")[self.name]
+        anchor = (keys.get(far) or {}).get("anchor") if isinstance(keys.get(far), dict) else None
+        seabed = (results.keys.get("environment") or {}).get("seabed")
+        if not isinstance(anchor, list) or not isinstance(seabed, dict) or "depth" not in seabed:
+            raise Refusal(f"{case}: a lay over depths needs a far end with 'anchor' and a seabed with 'depth'")
+        if stress.number(seabed.get("slope_deg"), 0.0) != 0:
+            raise Refusal(f"{case}: a lay over depths is for a level seabed: 'slope_deg' of this one is "
+                          f"{seabed['slope_deg']}; leave it out by --set environment.seabed.slope_deg=0")
+        self.anchor, self.depth = np.array([metres(x, np.nan) for x in anchor]), metres(seabed["depth"], np.nan)
+        x, (arc, place) = results.field("position", line, 0), checked.down
+        self.top = x[0 if self.forwards else -1]
+        lift = np.array([np.interp(checked.left.arc[0], line.arc, x[:, k]) for k in range(3)])
+        self.rise = lift[2] - place[0][2]  # m, of the free span, and its length
+        self.span = abs(arc[0] - checked.left.arc[0])
+        self.drop = self.top[2] - place[0][2]
+        tension = np.interp(arc[0], line.arc, results.field("effective_tension", line, 0))
+        # N/m: of the catenary of this height and length with this tension at touchdown.
+        self.weight = tension * 2 * self.rise / (self.span**2 - self.rise**2)
+        self.reach = self.width(tension, self.rise)
+        self.outer, self.doubts = checked.outer, pipe_checks.doubts(checked)
+        found = lengths(results, line)  # a length that a target has found is kept, and the target left out
+        self.section = int(np.searchsorted(np.cumsum(found), (arc[0] + checked.left.arc[0]) / 2))
+        self.length, self.elements = float(found[self.section]), sections_of(results, self.name)[self.section].get("elements")
+        self.kept = [f"lines.{self.name}.target=null"] if keys.get("target") else []
+        self.bends = bends_of(results, self.name)
+
+    def told(self):
+        return "the case" + (f" with {', '.join(self.changes)}" if self.changes else "")
+
+    def radius(self):
+        """m, of the supports; NaN where they have no curved length, or several."""
+        return list(self.bends.values())[0] if len(self.bends) == 1 else np.nan
+
+    def with_radius(self, radius):
+        """The same with another stinger."""
+        if len(self.bends) != 1:
+            raise Refusal(f"{self.case}: --radii is for supports with one curved length in their path, fixed to a body or in "
+                          f"space, and this has {len(self.bends) or 'none'}: change them by --set")
+        return Rig(self.case, [*self.changes, f"{list(self.bends)[0]}={radius:.9g}"], self.folder)
+
+    def width(self, tension, rise):
+        """m, of a catenary from its lowest point, with this tension there."""
+        scale = tension / self.weight
+        return scale * np.arccosh(1 + rise / scale)
+
+    def run(self, more):
+        """The static equilibrium of the case with changes; None where there is none."""
+        path = self.folder / "lay.h5"
+        path.unlink(missing_ok=True)
+        code = run_case("run", self.case, [*self.changes, *more, "dynamics=null"], "-q", "-o", str(path))
+        if code not in (0, 3, 4):
+            raise Refusal(f"{self.case}: the equilibrium of a lay could not be computed" if not more else
+                          f"{self.case}: the lay with {', '.join(more)} could not be computed")
+        return Results(path) if code == 0 and path.is_file() else None
+
+    def rise_of_tension(self, depth):
+        """N, of a catenary from its lowest point to the upper end."""
+        return self.weight * (self.drop + depth - self.depth)
+
+    def first_tension(self):
+        """N, at the lowest point of a catenary that is bent as much there as none is laid."""
+        return self.weight * self.outer / 2 / MOST_STRAINED
+
+    def changes_at(self, depth, bottom):
+        """The case at a depth, its line as long as that of a catenary with this tension at its lowest point is longer than
+        the case's, in elements as long as those of the case."""
+        rise = self.rise + depth - self.depth
+        span = np.sqrt(rise * (rise + 2 * bottom / self.weight))
+        length = max(self.length + span - self.span, 0.2 * self.length)
+        way = (self.anchor - self.top)[:2]
+        anchor = self.anchor.copy()
+        anchor[:2] += way / np.linalg.norm(way) * (self.width(bottom, rise) - self.reach)
+        anchor[2] -= depth - self.depth
+        section = f"lines.{self.name}.sections[{self.section}]"
+        count = [] if self.elements is None else [f"{section}.elements={int(np.ceil(self.elements * length / self.length))}"]
+        return [*self.kept, f"environment.seabed.depth={depth:.9g}", f"{section}.length={length:.9g}", *count,
+                f"{self.far}=[{', '.join(f'{v:.9g}' for v in anchor)}]"]
+
+    def at(self, depth, bottom):
+        """The lay; None where statics finds none."""
+        results = self.run(self.changes_at(depth, bottom))
+        return None if results is None else self.read(results)
+
+    def read(self, results):
+        line = results.line(self.name)
+        checked = pipe_checks.of_case(results, line)
+        part_of = {name: checked.part == k for k, name in enumerate(pipe_checks.PARTS)}
+
+        def most(quantity, where):
+            return pipe_checks.largest(checked.values[quantity][:1], part_of[where][:1])[0]
+        strain, buckling = pipe_checks.STRAIN, pipe_checks.BUCKLING
+        simple = next((at_rest for name, at_rest, *_ in checked.criteria("overbend", [0]) if "at rest" in name), np.nan)
+        geometry = {row[0]: row[1] for row in pipe_tables.geometry(checked, 0.0)[1]}
+        clearance = float(checked.left.tip_clearance[0])
+        reactions = [row[1] for row in tables.supports(results)[1]]
+        tension = 1e3 * geometry["top tension [kN]"]
+        row = [tension, clearance, float(checked.left.angle[0]), geometry.get("layback, from the end to touchdown [m]", np.nan),
+               1e3 * geometry.get("tension at touchdown [kN]", np.nan), most(strain, "overbend"), simple, most(buckling, "overbend"),
+               most(strain, "sagbend"), most(buckling, "sagbend"), max(reactions)]
+        return Lay(tension, row, clearance, most(buckling, "sagbend"), float(np.fmax(simple, most(buckling, "overbend"))))

@@ -1,0 +1,89 @@
+// The first seconds of cases/s-lay/startup.yaml on longer elements, the barge under way sooner: a tug in the
+// sea holds the head of a pipe, which the tensioner of a barge pays out over its rollers.
+#include <cmath>
+#include <sstream>
+
+#include "regression/runs.hpp"
+
+namespace hawser::runs::start_up {
+namespace {
+
+constexpr double kWet = 359.09, kDry = 852.5;  // N/m, of the pipe
+constexpr double kTop = 10.325, kEnd = 14;     // m, of the tensioner; s
+
+TEST(StartUp, ATugHoldsTheHead) {
+  const std::string folder = HAWSER_SOURCE_DIR "/cases/s-lay/", path = runs::folder("start-up"),
+                    input = path + "/case.yaml", all_h5 = path + "/all.h5";
+  std::ostringstream text;
+  text << std::ifstream(folder + "startup.yaml").rdbuf();
+  write_case(input, text.str(),
+             {{"file: barge.rao", "file: " + folder + "barge.rao"},
+              {"file: tug.rao", "file: " + folder + "tug.rao"},
+              {"rows: [[0, 0, 0, 0], [10, 0, 0, 0], [20, 2.5, 0, 0], [30, 7.5, 0, 0]",
+               "rows: [[0, 0, 0, 0], [2, 0, 0, 0], [6, 1, 0, 0], [8, 2, 0, 0]"},
+              {"element_length: 1}", "element_length: 2}"},
+              {"length: 430, elements: 86", "length: 430, elements: 43"}});
+  run_on_all({input, all_h5, "", kEnd});
+  if (size_of(MPI_COMM_WORLD) > 1) run_on_one({input, path + "/one.h5", "", kEnd});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results all = read(all_h5);
+  const auto of = [&](const char* series, const char* column) { return named(all_h5, all, series, column); };
+
+  // At rest: the tension asked for; of the head's side less by the weight of the height between them, as
+  // nothing rubs. The feeder's tension is that with M²/2EI of its clamp.
+  const auto T = of("pipe_end_a_feed", "tension"), v = of("pipe_end_a_feed", "feed_speed"),
+             head = of("head", "effective_tension_before"), z = of("head", "position_z");
+  EXPECT_NEAR(T.front(), 150e3, 15);
+  EXPECT_NEAR(head.front(), T.front() - kDry * kTop + kWet * z.front(), 150);
+
+  // Under way: the law of the tensioner, once it works.
+  size_t working = 0;
+  for (size_t i = 0; i < T.size(); ++i) {
+    if (all.step_times[i] < 10) continue;
+    ++working;
+    EXPECT_NEAR(T[i], 150e3 + v[i] / 5e-5, 100) << all.step_times[i];
+  }
+  EXPECT_GT(working, 50u);
+  EXPECT_GT(of("pipe_end_a_feed", "paid_out").back(), 1.5);
+
+  // The stern of the tug moves with the waves, and keeps its place.
+  const auto x = of("tug", "position_x"), up = of("tug", "position_z");
+  double moves = 0;
+  for (size_t i = 0; i < x.size(); ++i) {
+    EXPECT_NEAR(x[i], -546, 0.5);
+    moves = std::max(moves, std::abs(up[i] - 3));
+  }
+  EXPECT_GT(moves, 0.02);
+  EXPECT_LT(moves, 0.6);
+
+  // The pipe stays between the rollers at the sides, 2 m apart and 1 m high.
+  double carried = 0;
+  for (int box = 1; box <= 11; ++box) {
+    const std::string name = "stinger_" + std::to_string(box);
+    const auto offset = of(name.c_str(), "offset"), height = of(name.c_str(), "height");
+    for (size_t i = 0; i < offset.size(); ++i) {
+      EXPECT_LT(std::abs(offset[i]), 1 - 0.125 + 0.003) << name;
+      EXPECT_LT(height[i], 1 - 0.125) << name;
+    }
+    carried += of(name.c_str(), "force_z").front();
+  }
+  // At rest: what rollers and tension bear of the pipe between tensioner and head, which is about its weight.
+  EXPECT_GT(carried, 100e3);
+
+  const auto error = of("energy", "error"), in = of("energy", "brought_in");
+  double work = 0;
+  for (size_t i = 1; i < in.size(); ++i) work += std::abs(in[i] - in[i - 1]);
+  EXPECT_LT(std::abs(error.back()), 0.002 * work);
+  printf("  head %.0f N, tug moves %.3f m, energy off by %.1e of the work\n", head.front(), moves,
+         error.back() / work);
+
+  if (size_of(MPI_COMM_WORLD) == 1) return;
+  const Results one = read(path + "/one.h5");
+  for (const char* field : {"position", "bending_moment", "effective_tension"})
+    EXPECT_LT(largest_difference(all.fields.at(field), one.fields.at(field)),
+              1e-3 * largest(one.fields.at(field)))
+        << field;
+}
+
+}  // namespace
+}  // namespace hawser::runs::start_up
