@@ -27,49 +27,41 @@ using model::Case;
 using model::Value;
 namespace fs = std::filesystem;
 
-void read_all(const Value& root, const CaseSource& source, const SectionLengths& lengths, Case& c) {
+// First what the schema binds to fields, then by hand what is more than copying: files, what depends on other
+// parts of the case, and what is made of several keys.
+void read_all(const Value& root, const CaseSource& source, const SectionLengths& lengths, Case& c) try {
+  model::take(root, c);
   const auto each = [&root](const char* key, auto&& read) {
     const Value& v = root[key];
     for (std::size_t i = 0; i < v.items.size(); ++i) read(v.keys[i], v.items[i]);
   };
-  c.title = root["title"].text;
-  c.environment = read_environment(root["environment"], source, c.notes);
+  finish_environment(root["environment"], source, c.environment, c.notes);
   each("line_types", [&](const std::string& name, const Value& v) {
-    const model::LineType& t = c.line_types.emplace_back(read_line_type(name, v, source, c.environment));
+    const model::LineType& t = c.line_types.emplace_back(read_line_type(name, v, c.environment));
     if (t.kind == model::LineKind::cable && t.minimum_bend_radius > 0)
       c.notes.push_back(
           "line_types." + name +
           ".minimum_bend_radius: a type with 'bending: false' has no curvature to compare it with");
   });
-  const Value* time = root.find("dynamics");
-  const double duration = time ? (*time)["duration"].number : 0;
-  each("bodies", [&](const std::string& name, const Value& v) {
-    c.bodies.push_back(read_body(name, v, source, duration, c));
-  });
-  each("volumes",
-       [&](const std::string& name, const Value& v) { c.volumes.push_back(read_volume(name, v, source)); });
-  each("joints", [&](const std::string& name, const Value& v) {
-    c.joints.push_back({name, vec(v, "start"), v["rigid"].number != 0});
-  });
+  for (std::size_t i = 0; i < c.bodies.size(); ++i)
+    finish_body(root["bodies"].items[i], source, c.bodies[i], c);
+  for (std::size_t i = 0; i < c.volumes.size(); ++i)
+    finish_volume(root["volumes"].items[i], source, c.volumes[i]);
   OtherRuns others(source);
-  each("lines", [&](const std::string& name, const Value& v) {
-    c.lines.push_back(read_line(name, v, source, root.find("start"), lengths, others, c));
-  });
+  for (std::size_t i = 0; i < c.lines.size(); ++i)
+    finish_line(root["lines"].items[i], root.find("start"), lengths, others, c, c.lines[i]);
   for (model::Body& b : c.bodies)
-    if (b.on)
-      b.on->at = arc((*root.find("bodies"))[b.name]["on"].find("at"), 0,
-                     model::length_of(c.lines[static_cast<std::size_t>(c.line_index(b.on->line))]));
-  each("links",
-       [&](const std::string& name, const Value& v) { c.links.push_back(read_link(name, v, source, c)); });
-  read_supports(root["supports"], source, c);
-  read_contact(root["contact"], source, c.contact);
-  read_statics(root["statics"], c.statics);
+    if (b.on) to_length(b.on->at, length_of(c, b.on->line));
+  for (std::size_t i = 0; i < c.links.size(); ++i) finish_link(root["links"].items[i], c.links[i], c);
+  read_supports(root["supports"], c);
+  finish_contact(root["contact"], c.contact);
   for (const Value& v : root["stages"].items) c.stages.push_back(v.text);
-  if (time) c.dynamics = read_dynamics(*time);
   const std::vector<Value>& events = root["events"].items;
   for (std::size_t i = 0; i < events.size(); ++i)
     c.events.push_back(read_event(events[i], fmt::format("events[{}]", i), source, c));
-  read_output(root["output"], source, c);
+  finish_output(root["output"], source, c);
+} catch (const model::Refusal& r) {
+  model::fail(source.file, r.line, r.where, r.what());
 }
 
 // What can only be judged when all of it is read.

@@ -10,7 +10,7 @@
 #include "hawser/geometry/ground.hpp"
 #include "hawser/geometry/height_grid.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
-#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/case_values.hpp"
 #include "hawser/io/mesh_reader.hpp"
 #include "hawser/io/once_a_host.hpp"
 #include "hawser/model/bed.hpp"
@@ -20,6 +20,7 @@
 namespace hawser::io {
 namespace {
 
+using model::refuse;
 using model::Value;
 
 // Ascending coordinates, those nearer than a millionth of the whole taken for one.
@@ -37,61 +38,60 @@ size_t place(const std::vector<double>& t, double x) {
   return static_cast<size_t>(std::lower_bound(t.begin(), t.end(), x - same) - t.begin());
 }
 
-std::shared_ptr<const HeightGrid> read_grid(const Value& v, const std::string& key,
-                                            const CaseSource& source) {
-  const std::string path = source.absolute(v["file"].text), where = key + ".file";
+std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& source) {
+  const std::string path = source.absolute(v["file"].text);
   std::vector<int> line;
-  const std::vector<std::vector<double>> rows = read_rows(path, v["file"], where, source, &line);
-  const auto refuse = [&](size_t row, const std::string& text) {
-    source.bad(v["file"], where, fmt::format("{}:{}: {}", path, line[row], text));
+  const std::vector<std::vector<double>> rows = read_rows(path, v["file"], &line);
+  const auto refuse_row = [&](size_t row, const std::string& text) {
+    refuse(v["file"], fmt::format("{}:{}: {}", path, line[row], text));
   };
   std::vector<double> x, y;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() != 3)
-      refuse(i, fmt::format("a row of a bed has 3 numbers, x, y and z, but this one has {}", rows[i].size()));
+      refuse_row(
+          i, fmt::format("a row of a bed has 3 numbers, x, y and z, but this one has {}", rows[i].size()));
     for (const double coordinate : rows[i])
       if (!(std::abs(coordinate) <= kFarthest))
-        refuse(i, fmt::format("{:g} m is beyond {:g} m from the origin; is it in other units than metres?",
-                              coordinate, kFarthest));
+        refuse_row(i,
+                   fmt::format("{:g} m is beyond {:g} m from the origin; is it in other units than metres?",
+                               coordinate, kFarthest));
     x.push_back(rows[i][0]), y.push_back(rows[i][1]);
   }
-  if (rows.empty()) source.bad(v["file"], where, path + ": the file has no rows");
+  if (rows.empty()) refuse(v["file"], path + ": the file has no rows");
   x = distinct(std::move(x)), y = distinct(std::move(y));
   if (x.size() < 2 || y.size() < 2)
-    source.bad(v["file"], where,
-               fmt::format("{}: a grid has two columns and two rows at least, but there {} x and {} y", path,
-                           x.size() == 1 ? "is 1" : fmt::format("are {}", x.size()), y.size()));
+    refuse(v["file"], fmt::format("{}: a grid has two columns and two rows at least, but there {} x and {} y",
+                                  path, x.size() == 1 ? "is 1" : fmt::format("are {}", x.size()), y.size()));
   constexpr double kSparse = 100;
   if (static_cast<double>(x.size()) * static_cast<double>(y.size()) >
       kSparse * static_cast<double>(rows.size()))
-    source.bad(v["file"], where,
-               fmt::format("{}: {} rows with {} different x and {} different y are no grid: a grid has a "
-                           "height for every x and every y; scattered points make a mesh",
-                           path, rows.size(), x.size(), y.size()));
+    refuse(v["file"],
+           fmt::format("{}: {} rows with {} different x and {} different y are no grid: a grid has a "
+                       "height for every x and every y; scattered points make a mesh",
+                       path, rows.size(), x.size(), y.size()));
   const double up = v["depths"].number != 0 ? -1 : 1;
   std::vector<double> z(x.size() * y.size());
   std::vector<int> given(z.size(), -1);
   for (size_t i = 0; i < rows.size(); ++i) {
     const size_t k = place(y, rows[i][1]) * x.size() + place(x, rows[i][0]);
     if (given[k] >= 0)
-      refuse(i, fmt::format("x {:g}, y {:g} is there twice, first in line {}", rows[i][0], rows[i][1],
-                            line[static_cast<size_t>(given[k])]));
+      refuse_row(i, fmt::format("x {:g}, y {:g} is there twice, first in line {}", rows[i][0], rows[i][1],
+                                line[static_cast<size_t>(given[k])]));
     given[k] = static_cast<int>(i), z[k] = up * rows[i][2];
   }
   const auto missing = std::find(given.begin(), given.end(), -1);
   if (missing != given.end()) {
     const size_t k = static_cast<size_t>(missing - given.begin());
-    source.bad(v["file"], where,
-               fmt::format("{}: there is no height at x {:g}, y {:g} ({} of {} places are missing); a grid "
-                           "has one for every x and every y",
-                           path, x[k % x.size()], y[k / x.size()], std::count(given.begin(), given.end(), -1),
-                           given.size()));
+    refuse(v["file"],
+           fmt::format("{}: there is no height at x {:g}, y {:g} ({} of {} places are missing); a grid "
+                       "has one for every x and every y",
+                       path, x[k % x.size()], y[k / x.size()], std::count(given.begin(), given.end(), -1),
+                       given.size()));
   }
   return std::make_shared<const HeightGrid>(std::move(x), std::move(y), z);
 }
 
-std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const std::string& key,
-                                                 const CaseSource& source) {
+std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const CaseSource& source) {
   const std::string path = source.absolute(v["file"].text);
   return once_a_host(source.comm, Host(source.comm), [&] {
     try {
@@ -106,9 +106,9 @@ std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const std::stri
                              .crease_angle = v["crease_angle_deg"].number,
                              .open = false});
     } catch (const InputError& e) {
-      source.bad(v["file"], key + ".file", e.what());
+      source.bad(v["file"], v["file"].where, e.what());
     } catch (const std::invalid_argument& e) {
-      source.bad(v["file"], key + ".file", path + ": " + e.what());
+      source.bad(v["file"], v["file"].where, path + ": " + e.what());
     }
   });
 }
@@ -116,14 +116,13 @@ std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const std::stri
 }  // namespace
 
 void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& bed) {
-  const std::string key = "environment.seabed.";
   double low = 0, high = 0;
   if (const Value* g = v.find("grid")) {
-    const auto grid = read_grid(*g, key + "grid", source);
+    const auto grid = read_grid(*g, source);
     low = grid->lowest(), high = grid->highest();
     bed.surface = grid, bed.file = source.absolute((*g)["file"].text);
   } else if (const Value* m = v.find("mesh")) {
-    const auto mesh = read_mesh_bed(*m, key + "mesh", source);
+    const auto mesh = read_mesh_bed(*m, source);
     const MeshView t = mesh->mesh();
     low = std::numeric_limits<double>::infinity(), high = -low;
     for (size_t i = 0; i < t.vertices.size() / 2; ++i)  // the other half is the floor
@@ -258,14 +257,13 @@ class BedCheck {
   void place(const std::string& key, const Vec3& x, const model::LineType& type) const {
     const double deep = -model::height_above_bed(bed_, x), most = deepest_start(c_, type);
     if (covers(x) && deep > most)
-      c_.refuse(
-          key, fmt::format("is {:.3g} m under the seabed, which would throw the line out; a line of '{}' may "
-                           "start {:.2g} m deep at most where it is not 'buried'",
-                           deep, type.name, most));
+      c_.refuse(key, fmt::format("is {:.3g} m under the seabed, which would throw the line out; a line of "
+                                 "'{}' may start {:.2g} m deep at most where it is not 'buried'",
+                                 deep, type.name, most));
     else if (covers(x) && deep >= 0.5 * type.contact_diameter && deep > kTold)
       c_.notes.push_back(
-          fmt::format("{}: is {:.3g} m under the seabed, and the soil presses the line up beside it; "
-                      "give the height of the seabed there, or the length that is 'buried'",
+          fmt::format("{}: is {:.3g} m under the seabed, and the soil presses the line up beside it; give "
+                      "the height of the seabed there, or the length that is 'buried'",
                       key, deep));
   }
 

@@ -5,181 +5,91 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/case_values.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
 namespace {
 
+using model::refuse;
 using model::Value;
 
-double number(const Value& v, const char* key, double otherwise = 0) {
-  const Value* x = v.find(key);
-  return x ? x->number : otherwise;
-}
-
 // Rows of t and factor, from a file or written there.
-TimeFactor read_time_factor(const Value& v, const std::string& key, const CaseSource& source) {
-  const GivenRows given = read_given_rows(v, key, source);
-  const auto& [at, where, rows] = given;
+TimeFactor read_time_factor(const Value& v, const CaseSource& source) {
+  const GivenRows given = read_given_rows(v, source);
+  const auto& [at, rows] = given;
   if (rows.size() < 2)
-    source.bad(at, where, fmt::format("a table of factors needs at least 2 rows, found {}", rows.size()));
+    refuse(at, fmt::format("a table of factors needs at least 2 rows, found {}", rows.size()));
   std::vector<TimeFactor::Row> out;
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 2)
-      source.bad(at, where,
-                 fmt::format("a row has 2 numbers, t and factor, but row {} has {}", i + 1, r.size()));
-    check_time(given, i, source);
+      refuse(at, fmt::format("a row has 2 numbers, t and factor, but row {} has {}", i + 1, r.size()));
+    check_time(given, i);
     out.emplace_back(r[0], r[1]);
   }
   return TimeFactor(std::move(out));
 }
 
-model::Current read_current(const Value& v, double water_depth, const CaseSource& source) {
-  const std::string key = "environment.current";
-  model::Current c;
-  c.ramp = v["ramp"].number;
-  if (const Value* f = v.find("time_factor"))
-    c.time_factor = read_time_factor(*f, key + ".time_factor", source);
-  if (v.has("speed")) {
-    c.profile.push_back({0, v["speed"].number, v["direction_deg"].number});
-    c.exponent = number(v, "exponent");
-    if (c.exponent > 0 && !(water_depth > 0))
-      source.bad(v["exponent"], key + ".exponent", "a power law needs 'depth' of the water or of the seabed");
-    return c;
-  }
-  for (const Value& r : v["profile"].items) {
-    const model::CurrentRow row{r["depth"].number, r["speed"].number, r["direction_deg"].number};
-    if (!c.profile.empty() && !(row.depth > c.profile.back().depth))
-      source.bad(
-          r["depth"], fmt::format("{}.profile[{}].depth", key, c.profile.size()),
-          fmt::format("rows go downwards, but {:g} m comes after {:g} m", row.depth, c.profile.back().depth));
-    c.profile.push_back(row);
-  }
-  return c;
-}
-
-void read_components(const Value& s, model::Waves& w) {
-  w.direction = s["direction_deg"].number, w.spreading = s["spreading"].number;
-  w.count = static_cast<int>(s["components"].number);
-  w.seed = static_cast<std::uint64_t>(s["seed"].number);
+void finish_current(const Value& v, double water_depth, const CaseSource& source, model::Current& c) {
+  if (const Value* f = v.find("time_factor")) c.time_factor = read_time_factor(*f, source);
+  if (c.exponent > 0 && !(water_depth > 0))
+    refuse(v["exponent"], "a power law needs 'depth' of the water or of the seabed");
+  for (size_t i = 1; i < c.profile.size(); ++i)
+    if (const double above = c.profile[i - 1].depth, here = c.profile[i].depth; !(here > above))
+      refuse(v["profile"].items[i]["depth"],
+             fmt::format("rows go downwards, but {:g} m comes after {:g} m", here, above));
 }
 
 // Rows of a spectrum; the period [s] of its peak.
 double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) {
-  const auto [at, where, rows] = read_given_rows(s, "environment.waves.spectrum", source);
-  const double unit = s["frequency"].is("hz") ? 2 * M_PI : 1;
+  const auto [at, rows] = read_given_rows(s, source);
+  const double unit = s["frequency"].number;
   double energy = 0;
   SpectrumRow peak;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() != 2)
-      source.bad(at, where,
-                 fmt::format("a row has 2 numbers, frequency and density, but row {} has {}", i + 1,
+      refuse(at, fmt::format("a row has 2 numbers, frequency and density, but row {} has {}", i + 1,
                              rows[i].size()));
     const SpectrumRow r{rows[i][0] * unit, rows[i][1] / unit};
     if (!(r.omega >= 0) || !(r.density >= 0))
-      source.bad(at, where,
-                 fmt::format("frequencies and densities must not be negative, but row {} has {:g} and {:g}",
+      refuse(at, fmt::format("frequencies and densities must not be negative, but row {} has {:g} and {:g}",
                              i + 1, rows[i][0], rows[i][1]));
     if (!w.spectrum.empty()) {
       const SpectrumRow& last = w.spectrum.back();
       if (!(r.omega > last.omega))
-        source.bad(at, where,
-                   fmt::format("frequencies must grow, but row {} has {:g} after {:g}", i + 1, rows[i][0],
+        refuse(at, fmt::format("frequencies must grow, but row {} has {:g} after {:g}", i + 1, rows[i][0],
                                rows[i - 1][0]));
       energy += 0.5 * (r.omega - last.omega) * (r.density + last.density);
     }
     w.spectrum.push_back(r);
     if (r.density > peak.density) peak = r;
   }
-  if (!(energy > 0)) source.bad(at, where, "the spectrum has no energy");
+  if (!(energy > 0)) refuse(at, "the spectrum has no energy");
   return 2 * M_PI / std::max(peak.omega, w.spectrum.back().omega / 50);
 }
 
-model::Waves read_waves(const Value& v, const CaseSource& source) {
-  model::Waves w;
-  const auto row = [](const Value& r) {
-    return model::Waves::Row{r["height"].number, r["period"].number, r["direction_deg"].number,
-                             r["phase_deg"].number};
-  };
-  double longest = 0;
-  const char* kinds[] = {"jonswap", "pierson_moskowitz"};
-  for (const char* kind : kinds)
-    if (const Value* s = v.find(kind)) {
-      w.kind = model::Waves::Kind::spectrum;
-      w.height = (*s)["hs"].number, w.peak_period = (*s)["tp"].number;
-      w.gamma = number(*s, "gamma", 1);
-      read_components(*s, w);
-      longest = w.peak_period;
-    }
+void finish_waves(const Value& v, const CaseSource& source, model::Waves& w) {
   if (const Value* s = v.find("spectrum")) {
     w.kind = model::Waves::Kind::table;
-    longest = w.peak_period = read_spectrum(*s, source, w);
-    read_components(*s, w);
+    w.peak_period = read_spectrum(*s, source, w);
   }
-  if (const Value* s = v.find("stokes")) {
-    w.kind = model::Waves::Kind::stokes;
-    w.rows.push_back(row(*s));
-    w.current = (*s)["current"].number, w.transport = (*s)["current_is"].is("transport");
-  }
-  if (const Value* r = v.find("regular")) {
-    w.kind = model::Waves::Kind::regular;
-    w.rows.push_back(row(*r));
-  }
-  if (const Value* c = v.find("components")) {
-    w.kind = model::Waves::Kind::components;
-    for (const Value& r : c->items) w.rows.push_back(row(r));
-  }
-  for (const model::Waves::Row& r : w.rows) longest = std::max(longest, r.period);
-  w.stretching = v["stretching"].is("none")       ? Stretching::none
-                 : v["stretching"].is("vertical") ? Stretching::vertical
-                                                  : Stretching::wheeler;
-  w.ramp = number(v, "ramp", longest);
-  return w;
+  if (v.has("ramp")) return;
+  w.ramp = w.peak_period;
+  for (const model::Waves::Row& r : w.rows) w.ramp = std::max(w.ramp, r.period);
 }
 
-model::Seabed read_seabed(const Value& v, double water_depth, const CaseSource& source) {
-  const std::string key = "environment.seabed";
-  model::Seabed b;
-  b.present = true;
-  b.depth = number(v, "depth", water_depth);
+void finish_seabed(const Value& v, double water_depth, const CaseSource& source, model::Seabed& b) {
+  if (!v.has("depth")) b.depth = water_depth;
   read_bed_surface(v, source, b);
   if (!b.surface && !(b.depth > 0))
-    source.bad(v, key + ".depth", "required key is missing: the depth, here or of the water");
-  b.slope = v["slope_deg"].number, b.direction = v["slope_direction_deg"].number;
-  b.normal_stiffness = 1e5;
-  if (const Value* k = v.find("normal_stiffness"); k && k->has("table")) {
-    b.force_table = read_force_table((*k)["table"], key + ".normal_stiffness.table", source);
-    b.normal_stiffness = b.force_table->largest_slope();
-    b.basis = (*k)["per"].is("length") ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
-    if (v.has("smoothing"))
-      source.bad(v["smoothing"], key + ".smoothing",
-                 "a force table defines the whole law, so there is nothing to smooth");
-  } else if (k) {
-    b.basis = k->has("per_length") ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
-    b.normal_stiffness = (*k)[k->has("per_length") ? "per_length" : "per_area"].number;
-  }
-  b.damping = v["damping"].number;
-  b.smoothing = number(v, "smoothing", -1);
-  if (const Value* s = v.find("suction"))
-    b.suction = (*s)["limit"].number, b.suction_length = (*s)["length"].number;
-  const Value& f = v["friction"];
-  if (f.kind == Value::Kind::map)
-    b.friction = read_friction(f, key + ".friction", source);
-  else
-    b.friction.axial = b.friction.lateral = f.number;
-  b.full = v["friction_in_statics"].is("full");
-  b.as_laid = b.full || v["friction_in_statics"].is("as_laid");
-  return b;
+    refuse(v, v.where + ".depth", "required key is missing: the depth, here or of the water");
+  if (!v.has("normal_stiffness")) b.normal_stiffness = 1e5;
+  if (b.force_table && v.has("smoothing"))
+    refuse(v["smoothing"], "a force table defines the whole law, so there is nothing to smooth");
 }
 
-}  // namespace
-
-namespace {
-
-void check_stokes(const Value& v, const model::Environment& e, const CaseSource& source,
-                  std::vector<std::string>& notes) {
+void check_stokes(const Value& v, const model::Environment& e, std::vector<std::string>& notes) {
   const std::string key = "environment.waves.stokes";
   try {
     const StokesWave wave(model::stokes_input(e));
@@ -190,7 +100,7 @@ void check_stokes(const Value& v, const model::Environment& e, const CaseSource&
                       "theory is good up to {:g}",
                       key, wave.ursell(), kGood));
   } catch (const std::invalid_argument& error) {
-    source.bad(v["stokes"], key, error.what());
+    refuse(v["stokes"], error.what());
   }
   if (e.water.waves.current != 0 && !e.water.current.profile.empty())
     notes.push_back(key +
@@ -231,73 +141,43 @@ void check_steepness(const model::Environment& e, std::vector<std::string>& note
 
 }  // namespace
 
-model::Environment read_environment(const Value& v, const CaseSource& source,
-                                    std::vector<std::string>& notes) {
-  model::Environment e;
-  e.gravity = v["gravity"].number;
-  if (const Value* w = v.find("water")) {
-    e.water.present = true;
-    e.water.density = (*w)["density"].number;
-    e.water.depth = number(*w, "depth");
-    e.water.surface = (*w)["surface"].number;
-  }
+void finish_environment(const Value& v, const CaseSource& source, model::Environment& e,
+                        std::vector<std::string>& notes) {
   if (const Value* b = v.find("seabed")) {
-    e.seabed = read_seabed(*b, e.water.depth, source);
+    finish_seabed(*b, e.water.depth, source, e.seabed);
     if (e.water.present && !(e.water.depth > 0) && !e.seabed.surface)
       e.water.depth = e.seabed.depth + e.water.surface;
   }
   if (const Value* c = v.find("current")) {
-    if (!e.water.present) source.bad(*c, "environment.current", "needs 'water' beside it");
-    e.water.current = read_current(*c, e.water.depth, source);
+    if (!e.water.present) refuse(*c, "needs 'water' beside it");
+    finish_current(*c, e.water.depth, source, e.water.current);
   }
   if (const Value* w = v.find("waves")) {
-    if (!e.water.present) source.bad(*w, "environment.waves", "needs 'water' beside it");
+    if (!e.water.present) refuse(*w, "needs 'water' beside it");
     if (e.seabed.surface && !(e.water.depth > 0))
-      source.bad(*w, "environment.waves",
-                 "over a bed of a grid or a mesh waves need 'depth' of the water, which is one for all");
-    e.water.waves = read_waves(*w, source);
-    if (e.water.waves.kind == model::Waves::Kind::stokes) check_stokes(*w, e, source, notes);
+      refuse(*w, "over a bed of a grid or a mesh waves need 'depth' of the water, which is one for all");
+    finish_waves(*w, source, e.water.waves);
+    if (e.water.waves.kind == model::Waves::Kind::stokes) check_stokes(*w, e, notes);
     check_steepness(e, notes);
     check_sea_steepness(*w, e, notes);
   }
-  return e;
 }
 
-namespace {
-
-void read_bore(const Value& c, const std::string& key, const CaseSource& source, bool pipe, double& bore) {
-  const Value* given = c.find("inner_diameter");
-  if (given && pipe)
-    source.bad(*given, key + ".inner_diameter", "'pipe' already says what it is; remove one of them");
-  if (!given && !pipe)
-    source.bad(c, key + ".inner_diameter", "required key is missing: the diameter of the bore");
-  if (given) bore = given->number;
-}
-
-}  // namespace
-
-void read_in_water(const Value& v, const std::string& key, const CaseSource& source,
-                   const model::Water& water, model::LineType& t) {
-  const bool known = t.drag_diameter > 0;  // from the library; what is given goes before it
-  t.displaced_diameter =
-      number(v, "displaced_diameter", t.displaced_diameter > 0 ? t.displaced_diameter : t.outer_diameter);
-  t.drag_diameter = number(v, "drag_diameter", known ? t.drag_diameter : t.displaced_diameter);
-  const auto take = [&](const char* name, double& x) {
-    if (!known || v[name].given) x = v[name].number;
-  };
-  take("Cd_normal", t.Cd_normal), take("Cd_axial", t.Cd_axial);
-  take("Ca_normal", t.Ca_normal), take("Ca_axial", t.Ca_axial);
+void finish_in_water(const Value& v, const model::Water& water, model::LineType& t) {
+  if (!(t.displaced_diameter > 0)) t.displaced_diameter = t.outer_diameter;
+  if (!(t.drag_diameter > 0)) t.drag_diameter = t.displaced_diameter;
   if (const Value* c = v.find("contents")) {
-    read_bore(*c, key + ".contents", source, v.has("pipe"), t.inner_diameter);
-    const Value& density = (*c)["density"];
-    if (density.is("flooded") && !water.present)
-      source.bad(density, key + ".contents.density", "is 'flooded', but there is no 'environment.water'");
-    t.contents_density = density.is("flooded") ? water.density : density.number;
-    t.contents_pressure = (*c)["pressure"].number;
+    const bool bore = c->has("inner_diameter"), pipe = v.has("pipe");
+    if (bore && pipe) refuse((*c)["inner_diameter"], "'pipe' already says what it is; remove one of them");
+    if (!bore && !pipe)
+      refuse(*c, c->where + ".inner_diameter", "required key is missing: the diameter of the bore");
+    if (const Value& density = (*c)["density"]; density.is("flooded")) {
+      if (!water.present) refuse(density, "is 'flooded', but there is no 'environment.water'");
+      t.contents_density = water.density;
+    }
     if (t.inner_diameter >= t.outer_diameter)
-      source.bad(
-          (*c)["inner_diameter"], key + ".contents.inner_diameter",
-          fmt::format("{:g} m is not inside the outside of {:g} m", t.inner_diameter, t.outer_diameter));
+      refuse((*c)["inner_diameter"],
+             fmt::format("{:g} m is not inside the outside of {:g} m", t.inner_diameter, t.outer_diameter));
     t.mass_per_length += t.contents_density * M_PI / 4 * t.inner_diameter * t.inner_diameter;
   }
   if (const Value* g = v.find("marine_growth")) {

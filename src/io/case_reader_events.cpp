@@ -10,15 +10,6 @@ using model::Action;
 using model::Cause;
 using model::Value;
 
-model::Feed read_feed_law(const Value& v) {
-  model::Feed f;
-  if (v.has("speed")) f.speed = {{0.0, v["speed"].number}};
-  f.tension = number(v, "tension");
-  if (v.has("dead_band")) f.least = v["dead_band"].items[0].number, f.most = v["dead_band"].items[1].number;
-  f.speed_per_tension = number(v, "speed_per_tension"), f.max_speed = number(v, "max_speed");
-  return f;
-}
-
 namespace {
 
 double length(const model::Case& c, const std::string& line) {
@@ -43,7 +34,7 @@ Action action(const Value& v, const std::string& path, const CaseSource& source)
   } else if (const Value* feed = v.find("feed")) {
     a.kind = Action::Kind::feed;
     end(*feed);
-    a.law = read_feed_law(*feed), a.ramp = (*feed)["ramp"].number;
+    model::take(*feed, a.law), a.ramp = (*feed)["ramp"].number;
     a.paid_out = number(*feed, "paid_out");
     if (feed->has("speed") + feed->has("tension") + feed->has("paid_out") != 1)
       source.bad(*feed, path + ".feed", "give one of 'speed', 'tension' and 'paid_out'");

@@ -1,4 +1,5 @@
-// An entry of `lines`: sections, ends, the shape it starts from, and what is on it.
+// What is more than copying in an entry of `lines`: elements of sections, loads, the shape it starts from,
+// and what goes by its length.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,50 +10,29 @@
 
 namespace hawser::io {
 
+using model::refuse;
 using model::Value;
 
 namespace {
 
-model::Feed feed(const Value& v, const std::string& path, const SectionLengths& lengths) {
-  model::Feed f = read_feed_law(v);
-  f.stock = v["stock"].number;
-  if (const auto found = lengths.find(path + ".stock"); found != lengths.end()) f.stock = found->second;
-  if (v.has("speed_table"))
-    for (const Value& row : v["speed_table"].items)
-      f.speed.emplace_back(row.items[0].number, row.items[1].number);
-  return f;
+void finish_end(const Value& v, const SectionLengths& lengths, const model::Case& c, model::End& e) {
+  if (e.kind == model::EndKind::joint) e.at = c.joint(e.body).start;
+  if (!e.feed) return;
+  const auto found = lengths.find(v["feed"]["stock"].where);
+  if (found != lengths.end()) e.feed->stock = found->second;
 }
 
-model::End end(const Value& v, const std::string& path, const CaseSource& source,
-               const SectionLengths& lengths, const model::Case& c) {
-  model::End e;
-  if (v.kind != Value::Kind::map) return e;
-  e.kind = v.has("anchor")  ? model::EndKind::anchor
-           : v.has("joint") ? model::EndKind::joint
-                            : model::EndKind::body;
-  e.at = vec(v, v.has("anchor") ? "anchor" : "at");
-  if (v.has("body")) e.body = v["body"].text;
-  if (v.has("joint")) e.body = v["joint"].text, e.at = c.joint(e.body).start;
-  if (v.has("direction")) e.direction = read_direction(v, "direction", path, source);
-  e.clamped = v["clamped"].number != 0;
-  e.rotational_stiffness = number(v, "rotational_stiffness");
-  if (v.has("no_contact_within")) e.no_contact_within = v["no_contact_within"].number;
-  if (v.has("feed")) e.feed = feed(v["feed"], path + ".feed", lengths);
-  return e;
-}
-
-model::Buried buried(const Value& v, double length, const model::Line& l, const model::Case& c) {
-  model::Buried b;
-  b.from = arc(v.find("from"), 0, length), b.to = arc(v.find("to"), length, length);
+void finish_buried(const Value& v, double length, const model::Line& l, const model::Case& c,
+                   model::Buried& b) {
+  to_length(b.from, length), to_length(b.to, length);
+  if (!v.has("to")) b.to = length;
   double end = 0, thick = 0;
   for (const model::Section& s : l.sections) {
     if (end <= b.from) thick = c.line_type(s.type).contact_diameter;
     end += s.length;
   }
-  b.axial = v["resistance"]["axial"].number, b.normal = v["resistance"]["normal"].number;
-  const Value& m = v["mobilisation_length"];
-  b.axial_length = number(m, "axial", 0.01 * thick), b.normal_length = number(m, "normal", 0.1 * thick);
-  return b;
+  if (!(b.axial_length > 0)) b.axial_length = 0.01 * thick;
+  if (!(b.normal_length > 0)) b.normal_length = 0.1 * thick;
 }
 
 // Fewest elements of which none is longer than h: lengths are a geometric series, last over first g.
@@ -69,90 +49,113 @@ double elements_for(double length, double h, double g) {
   return n;
 }
 
-model::Section section(const Value& v, const std::string& path, const CaseSource& source,
-                       const SectionLengths& lengths) {
-  model::Section s;
-  s.type = v["type"].text;
-  s.length = v["length"].number;
-  s.grading = v["grading"].number;
-  double n = number(v, "elements");
-  if (const Value* h = v.find("element_length")) n = elements_for(s.length, h->number, s.grading);
-  constexpr double kMost = 1e6;
-  if (!(n <= kMost))
-    source.bad(v["element_length"], path + ".element_length",
-               fmt::format("makes {:.3g} elements of this section; the limit is {:.0e}", n, kMost));
-  s.elements = static_cast<int>(n);
-  if (const auto found = lengths.find(path); found != lengths.end()) s.length = found->second;
-  return s;
+void finish_section(const Value& v, const SectionLengths& lengths, model::Section& s) {
+  if (const Value* h = v.find("element_length")) {
+    constexpr double kMost = 1e6;
+    const double n = elements_for(s.length, h->number, s.grading);
+    if (!(n <= kMost))
+      refuse(*h, fmt::format("makes {:.3g} elements of this section; the limit is {:.0e}", n, kMost));
+    s.elements = static_cast<int>(n);
+  }
+  if (const auto found = lengths.find(v.where); found != lengths.end()) s.length = found->second;
 }
 
-void load(const Value& v, const std::string& path, int order, double length, const CaseSource& source,
-          model::Line& l) {
+void load(const Value& v, int order, double length, model::Line& l) {
   if (v.has("per_length")) {
     const double to = v.has("to") ? arc(v.find("to"), 0, length) : -1;
     l.loads.push_back({vec(v, "per_length"), arc(v.find("from"), 0, length), to, v["ramp"].number, order});
     return;
   }
-  if (!v.has("force") && !v.has("moment"))
-    source.bad(v, path, "a point load needs 'force', 'moment' or both");
+  if (!v.has("force") && !v.has("moment")) refuse(v, "a point load needs 'force', 'moment' or both");
   l.point_loads.push_back(
       {arc(v.find("at"), 0, length), vec(v, "force"), vec(v, "moment"), v["ramp"].number, order});
 }
 
-// The shape it starts from: its own `start`, or the one of the whole case (`whole`, may be null).
-void read_start(const Value& start, const std::string& path, const CaseSource& source, const Value* whole,
-                OtherRuns& others, model::Case& c, model::Line& l) {
+void finish_bend_stiffener(const Value& v, double length, model::BendStiffener& b) {
+  if (!v.has("towards")) b.towards_a = v["at"].is("end_b");
+  to_length(b.at, length);
+  const Value& rows = v["EI"];
+  for (std::size_t i = 0; i < b.rows.size(); ++i) {
+    const auto [d, k] = b.rows[i];
+    if (!(d >= 0) || (i > 0 && !(d > b.rows[i - 1].first)))
+      refuse(rows.items[i], i > 0 ? fmt::format("rows go away from the root, but {:g} m comes after {:g} m",
+                                                d, b.rows[i - 1].first)
+                                  : fmt::format("{:g} m is before the root", d));
+    if (!(k >= 0)) refuse(rows.items[i], fmt::format("{:g} N m² would soften the line", k));
+  }
+  const double tip = b.towards_a ? b.at - b.rows.back().first : b.at + b.rows.back().first;
+  if (tip < -1e-9 * length || tip > length * (1 + 1e-9))
+    refuse(rows, fmt::format("reaches to {:g} m of a line of {:g} m", tip, length));
+}
+
+void check_temperature_change(const Value& v, const model::Line& l) {
+  for (std::size_t i = 1; i < l.temperature_change.size(); ++i) {
+    const double before = l.temperature_change[i - 1].first, s = l.temperature_change[i].first;
+    if (!(s > before))
+      refuse(v.items[i], fmt::format("rows go from end A on, but {:g} m comes after {:g} m", s, before));
+  }
+}
+
+// What is to be met by the length of which section.
+void finish_target(const Value& v, const Value& sections, model::LengthTarget& t) {
+  if (t.kind == model::LengthTarget::Kind::laid_length && v["at"].given)
+    refuse(v["at"], "has no meaning for 'laid_length', which is that of the whole line; remove it");
+  const auto length = [&](int i) { return sections.items[static_cast<std::size_t>(i)]["length"].number; };
+  const int count = static_cast<int>(sections.items.size());
+  for (int i = 1; i < count; ++i)
+    if (length(i) > length(t.section)) t.section = i;
+  if (const Value* s = v.find("section")) {
+    if (s->number > count)
+      refuse(*s, fmt::format("there is no section {:g}; the line has {}", s->number, count));
+    t.section = static_cast<int>(s->number) - 1;
+  }
+  const double given = length(t.section);
+  if (!v.has("between")) t.least = 0.5 * given, t.most = 1.5 * given;
+  if (!(t.least < given && given < t.most))
+    refuse(
+        v["between"],
+        fmt::format(
+            "the search begins with the length of section {}, {:g} m, which is not between {:g} and {:g} m",
+            t.section + 1, given, t.least, t.most));
+}
+
+// Of a shape that another run left: its own `start`, or the one of the whole case (`whole`, may be null).
+void finish_start(const Value& line, const Value* whole, OtherRuns& others, model::Case& c, model::Line& l) {
+  const Value& start = line["start"];
   if (whole && !start.given) {
-    l.left = others.shape(*whole, "start", l.name, false);
-    if (l.left) {
-      l.start = model::Start::other_run;
-      check_left_shape(l, (*whole)["from"], path, source, c.notes);
-    } else {
-      c.notes.push_back(path + ": is not in " + (*whole)["from"].text + ", and starts by itself");
+    l.left = others.shape(*whole, l.name, false);
+    if (!l.left) {
+      c.notes.push_back(line.where + ": is not in " + (*whole)["from"].text + ", and starts by itself");
+      return;
     }
-  } else if (start.kind == Value::Kind::map && start.has("from")) {
     l.start = model::Start::other_run;
-    l.left = others.shape(start, path + ".start", start.has("line") ? start["line"].text : l.name, true);
-    check_left_shape(l, start["from"], path + ".start", source, c.notes);
-  } else if (start.kind == Value::Kind::map) {
-    l.start = model::Start::points;
-    for (const Value& p : start["points"].items) l.points.push_back(as_vec3(p));
-  } else {
-    l.start = start.is("catenary")   ? model::Start::catenary
-              : start.is("hanging")  ? model::Start::hanging
-              : start.is("straight") ? model::Start::straight
-                                     : model::Start::automatic;
+    check_left_shape(l, (*whole)["from"], line.where, c.notes);
+  } else if (start.has("from")) {
+    l.start = model::Start::other_run;
+    l.left = others.shape(start, start.has("line") ? start["line"].text : l.name, true);
+    check_left_shape(l, start["from"], start.where, c.notes);
   }
 }
 
 }  // namespace
 
-model::Line read_line(const std::string& name, const Value& v, const CaseSource& source, const Value* whole,
-                      const SectionLengths& lengths, OtherRuns& others, model::Case& c) {
-  const std::string path = "lines." + name;
-  model::Line l;
-  l.name = name;
-  for (std::size_t i = 0; i < v["sections"].items.size(); ++i)
-    l.sections.push_back(
-        section(v["sections"].items[i], fmt::format("{}.sections[{}]", path, i), source, lengths));
+void finish_line(const Value& v, const Value* whole, const SectionLengths& lengths, OtherRuns& others,
+                 model::Case& c, model::Line& l) {
+  const auto each = [&v](const char* key, auto& list, auto&& finish) {
+    for (std::size_t i = 0; i < list.size(); ++i) finish(v[key].items[i], list[i]);
+  };
+  each("sections", l.sections, [&](const Value& x, auto& s) { finish_section(x, lengths, s); });
   const double length = model::length_of(l);
-  l.end_a = end(v["end_a"], path + ".end_a", source, lengths, c);
-  l.end_b = end(v["end_b"], path + ".end_b", source, lengths, c);
-  read_start(v["start"], path, source, whole, others, c, l);
-  for (std::size_t i = 0; i < v["buried"].items.size(); ++i)
-    l.buried.push_back(buried(v["buried"].items[i], length, l, c));
-  if (const Value* t = v.find("target")) l.target = read_target(*t, path + ".target", v["sections"], source);
-  read_temperature_change(v["temperature_change"], path + ".temperature_change", source, l);
-  for (const Value& m : v["masses"].items)
-    l.masses.push_back({arc(m.find("at"), 0, length), m["mass"].number, m["volume"].number,
-                        m["drag_area"].number, m["Ca"].number});
-  const std::vector<Value>& stiffeners = v["bend_stiffeners"].items;
-  for (std::size_t i = 0; i < stiffeners.size(); ++i)
-    read_bend_stiffener(stiffeners[i], fmt::format("{}.bend_stiffeners[{}]", path, i),
-                        arc(stiffeners[i].find("at"), 0, length), length, source, l);
-  for (std::size_t i = 0; i < v["loads"].items.size(); ++i)
-    load(v["loads"].items[i], fmt::format("{}.loads[{}]", path, i), static_cast<int>(i), length, source, l);
-  return l;
+  finish_end(v["end_a"], lengths, c, l.end_a), finish_end(v["end_b"], lengths, c, l.end_b);
+  finish_start(v, whole, others, c, l);
+  each("buried", l.buried, [&](const Value& x, auto& b) { finish_buried(x, length, l, c, b); });
+  if (l.target) finish_target(v["target"], v["sections"], *l.target);
+  check_temperature_change(v["temperature_change"], l);
+  for (model::PointMass& m : l.masses) to_length(m.at, length);
+  each("bend_stiffeners", l.bend_stiffeners,
+       [&](const Value& x, auto& b) { finish_bend_stiffener(x, length, b); });
+  const std::vector<Value>& loads = v["loads"].items;
+  for (std::size_t i = 0; i < loads.size(); ++i) load(loads[i], static_cast<int>(i), length, l);
 }
 
 }  // namespace hawser::io

@@ -7,11 +7,12 @@
 #include <string_view>
 #include <utility>
 
-#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/case_values.hpp"
 
 namespace hawser::io {
 namespace {
 
+using model::refuse;
 using model::Value;
 
 struct Material {
@@ -33,21 +34,18 @@ Material material(const Value& v) {
 double area(double d, double D) { return M_PI / 4 * (D - d) * (D + d); }
 double polar(double d, double D) { return area(d, D) / 8 * (D * D + d * d); }
 
-void refuse(const Value& v, const std::string& path, const CaseSource& source, const char* by,
-            std::initializer_list<const char*> keys) {
+void only(const Value& v, const char* by, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
     if (const Value* k = v.find(key); k && k->given)
-      source.bad(*k, path + "." + key, fmt::format("'{}' already says what it is; remove one of them", by));
+      refuse(*k, fmt::format("'{}' already says what it is; remove one of them", by));
 }
 
 // What codes judge the pipe by; of no account without a grade.
-void read_strength(const Value& p, const std::string& path, const CaseSource& source, const Material& m,
-                   bool uneven, model::LineType& t) {
+void read_strength(const Value& p, const Material& m, bool uneven, model::LineType& t) {
   if (!p.has("grade")) {
     for (const char* key : {"safety_class", "fabrication", "ovality", "material_factor", "condition_factor"})
       if (const Value* k = p.find(key); k && k->given)
-        source.bad(*k, path + ".pipe." + key,
-                   "is of the checks by codes, which need the 'grade' of the steel as well");
+        refuse(*k, "is of the checks by codes, which need the 'grade' of the steel as well");
     return;
   }
   PipeSteel s;
@@ -62,27 +60,19 @@ void read_strength(const Value& p, const std::string& path, const CaseSource& so
   t.steel = s;
   constexpr double kUneven = 1.07;  // DNV-ST-F101 table 4-5
   if (uneven) t.conditions.seabed = kUneven;
-  const Value* factor = p.find("condition_factor");
-  if (!factor || factor->kind != Value::Kind::map) return;
-  for (const auto& [key, of] : {std::pair{"supports", &t.conditions.supports},
-                                {"span", &t.conditions.span},
-                                {"seabed", &t.conditions.seabed}})
-    if (const Value* k = factor->find(key); k && k->given) *of = k->number;
 }
 
 }  // namespace
 
-void read_pipe(const Value& v, const std::string& path, const CaseSource& source, bool uneven_bed,
-               model::LineType& t) {
-  refuse(v, path, source, "pipe",
-         {"library", "diameter", "grade", "weight", "outer_diameter", "mass_per_length", "displaced_diameter",
-          "EA", "EI", "GJ", "rotary_inertia"});
+void read_pipe(const Value& v, bool uneven_bed, model::LineType& t) {
+  only(v, "pipe",
+       {"library", "diameter", "grade", "weight", "outer_diameter", "mass_per_length", "displaced_diameter",
+        "EA", "EI", "GJ", "rotary_inertia"});
   const Value& p = v["pipe"];
   const double D = p["outer_diameter"].number, wall = p["wall_thickness"].number, d = D - 2 * wall;
   if (!(d > 0))
-    source.bad(
-        p["wall_thickness"], path + ".pipe.wall_thickness",
-        fmt::format("a wall of {:g} m fills the pipe of {:g} m; it must be below half of that", wall, D));
+    refuse(p["wall_thickness"],
+           fmt::format("a wall of {:g} m fills the pipe of {:g} m; it must be below half of that", wall, D));
   const Material m = material(p["material"]);
   t.EA = m.E * area(d, D);
   t.EI2 = t.EI3 = m.E * polar(d, D) / 2;
@@ -97,36 +87,31 @@ void read_pipe(const Value& v, const std::string& path, const CaseSource& source
   t.rotary_inertia = Vec3(inertia, inertia / 2, inertia / 2);
   t.outer_diameter = t.contact_diameter = outside;
   t.inner_diameter = d;
-  read_strength(p, path, source, m, uneven_bed, t);
+  read_strength(p, m, uneven_bed, t);
 }
 
-void read_weight(const Value& v, const std::string& path, const CaseSource& source, double gravity,
-                 model::LineType& t) {
-  refuse(v, path, source, "weight",
-         {"library", "diameter", "grade", "mass_per_length", "displaced_diameter"});
+void read_weight(const Value& v, double gravity, model::LineType& t) {
+  only(v, "weight", {"library", "diameter", "grade", "mass_per_length", "displaced_diameter"});
   const Value& w = v["weight"];
   const double air = w["in_air"].number, submerged = w["submerged"].number;
   // Without gravity what weighs has its mass all the same.
   const double g = gravity > 0 ? gravity : 9.80665;
   if (!(air > submerged))
-    source.bad(w["submerged"], path + ".weight.submerged",
-               fmt::format("{:g} N/m is not less than the weight in air of {:g} N/m, so that the line would "
-                           "displace no water",
-                           submerged, air));
+    refuse(w["submerged"], fmt::format("{:g} N/m is not less than the weight in air of {:g} N/m, so that the "
+                                       "line would displace no water",
+                                       submerged, air));
   t.mass_per_length = air / g;
   t.displaced_diameter = std::sqrt(4 / M_PI * (air - submerged) / (g * w["water_density"].number));
   if (const Value* outer = v.find("outer_diameter"); outer && t.displaced_diameter > 1.02 * outer->number)
-    source.bad(w["submerged"], path + ".weight.submerged",
-               fmt::format("with {:g} N/m in air and {:g} N/m under water the line displaces as much as a "
-                           "cylinder of {:.4g} m, but its outer_diameter is {:g} m",
-                           air, submerged, t.displaced_diameter, outer->number));
+    refuse(w["submerged"], fmt::format("with {:g} N/m in air and {:g} N/m under water the line displaces as "
+                                       "much as a cylinder of {:.4g} m, but its outer_diameter is {:g} m",
+                                       air, submerged, t.displaced_diameter, outer->number));
   const Value *contents = v.find("contents"), *bore = contents ? contents->find("inner_diameter") : nullptr;
   if (!w.has("full_of") || !bore) return;
   t.mass_per_length -= w["full_of"].number * area(0, bore->number);
   if (!(t.mass_per_length > 0))
-    source.bad(*bore, path + ".contents.inner_diameter",
-               fmt::format("what fills a bore of {:g} m weighs more than the line full of it, {:g} N/m",
-                           bore->number, air));
+    refuse(*bore, fmt::format("what fills a bore of {:g} m weighs more than the line full of it, {:g} N/m",
+                              bore->number, air));
 }
 
 }  // namespace hawser::io

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/case_values.hpp"
 #include "hawser/kernels/rao.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
@@ -13,6 +13,8 @@
 
 namespace hawser::io {
 namespace {
+
+using model::refuse;
 
 constexpr double kDegree = M_PI / 180;
 constexpr double kOneDirection = 1;  // deg from the only direction of a table, that it does not stand for
@@ -27,26 +29,22 @@ bool both_sides(const std::vector<RaoTable::Row>& rows) {
   return on(1) && on(-1);
 }
 
-RaoTable read_table(const model::Value& rao, const std::string& key, const CaseSource& source) {
-  const auto [at, where, rows] = read_given_rows(rao, key, source);
+RaoTable read_table(const model::Value& rao, const CaseSource& source) {
+  const auto [at, rows] = read_given_rows(rao, source);
   const double sign = rao["phase"].is("lead") ? 1 : -1;
   std::vector<RaoTable::Row> table;
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 14)
-      source.bad(
-          at, where,
-          fmt::format("a row of responses has 14 numbers (period, direction, six amplitudes each with its "
-                      "phase), but row {} has {}",
-                      i + 1, r.size()));
-    if (!(r[0] > 0))
-      source.bad(at, where, fmt::format("periods must be above 0, but row {} has {:g} s", i + 1, r[0]));
+      refuse(at, fmt::format("a row of responses has 14 numbers (period, direction, six amplitudes each with "
+                             "its phase), but row {} has {}",
+                             i + 1, r.size()));
+    if (!(r[0] > 0)) refuse(at, fmt::format("periods must be above 0, but row {} has {:g} s", i + 1, r[0]));
     for (size_t k = 2; k < 14; k += 2)
       if (!(r[k] >= 0))
-        source.bad(
-            at, where,
-            fmt::format("amplitudes must not be negative, but row {} has {:g}: turn its phase by 180 deg",
-                        i + 1, r[k]));
+        refuse(at,
+               fmt::format("amplitudes must not be negative, but row {} has {:g}: turn its phase by 180 deg",
+                           i + 1, r[k]));
     RaoTable::Row& row = table.emplace_back();
     row.omega = 2 * M_PI / r[0], row.direction = r[1] * kDegree;
     for (size_t k = 0; k < 6; ++k)
@@ -55,15 +53,15 @@ RaoTable read_table(const model::Value& rao, const std::string& key, const CaseS
   }
   if (rao["symmetry"].is("port_starboard")) {
     if (both_sides(table))
-      source.bad(at, where,
-                 "'symmetry: port_starboard' makes the other side of a table of one side (directions from 0 "
-                 "to 180 deg, or from 180 to 360), but the rows have directions on both");
+      refuse(at,
+             "'symmetry: port_starboard' makes the other side of a table of one side (directions from 0 "
+             "to 180 deg, or from 180 to 360), but the rows have directions on both");
     table = with_other_side(table);
   }
   try {
     return RaoTable(std::move(table));
   } catch (const std::invalid_argument& e) {
-    source.bad(at, where, e.what());
+    refuse(at, e.what());
   }
 }
 
@@ -82,15 +80,15 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
   if (astray == 0) return;
   // Into the gap, however many times round.
   direction = gap.from + std::fmod(std::fmod(direction - gap.from, 2 * M_PI) + 2 * M_PI, 2 * M_PI);
-  notes.push_back(fmt::format(
-      "{}: {} as seen from the bow, and the responses there lie on straight lines between {:.4g} and {:.4g} "
-      "deg, the table's next directions: give rows between them, or 'symmetry: port_starboard' if the table "
-      "is that of one side",
-      key,
-      astray == 1 ? fmt::format("the wave goes to {:.4g} deg", direction / kDegree)
-                  : fmt::format("{} components of the sea go to {:.4g} deg and thereabouts", astray,
-                                direction / kDegree),
-      gap.from / kDegree, gap.to / kDegree));
+  notes.push_back(
+      fmt::format("{}: {} as seen from the bow, and the responses there lie on straight lines between {:.4g} "
+                  "and {:.4g} deg, the table's next directions: give rows between them, or 'symmetry: "
+                  "port_starboard' if the table is that of one side",
+                  key,
+                  astray == 1 ? fmt::format("the wave goes to {:.4g} deg", direction / kDegree)
+                              : fmt::format("{} components of the sea go to {:.4g} deg and thereabouts",
+                                            astray, direction / kDegree),
+                  gap.from / kDegree, gap.to / kDegree));
 }
 
 // One direction holds for all, and the first and last period for what is beyond them.
@@ -116,10 +114,10 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
                     key, only, furthest));
   const auto beyond = [&](double energy, const char* which, const char* end, double omega, double last) {
     if (energy > 1e-3 * all)
-      notes.push_back(fmt::format(
-          "{}: {:.3g} % of the sea's energy has {} periods than the table, as far as {:.3g} s, and there the "
-          "responses of its {} one, {:.4g} s, are used: give rows there",
-          key, 100 * energy / all, which, 2 * M_PI / omega, end, 2 * M_PI / last));
+      notes.push_back(
+          fmt::format("{}: {:.3g} % of the sea's energy has {} periods than the table, as far as {:.3g} s, "
+                      "and there the responses of its {} one, {:.4g} s, are used: give rows there",
+                      key, 100 * energy / all, which, 2 * M_PI / omega, end, 2 * M_PI / last));
   };
   beyond(fast, "shorter", "shortest", highest, table.highest());
   beyond(slow, "longer", "longest", lowest, table.lowest());
@@ -127,29 +125,26 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
 
 }  // namespace
 
-model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
-                            const model::Body& body, double duration, const CaseSource& source,
-                            std::vector<std::string>& notes) {
-  const RaoTable table = read_table(rao, key, source);
+model::TableMotion read_rao(const model::Value& rao, const model::Environment& sea, const model::Body& body,
+                            double duration, const CaseSource& source, std::vector<std::string>& notes) {
+  const RaoTable table = read_table(rao, source);
   const WaveField waves = model::wave_field(sea);
-  if (waves.none())
-    source.bad(rao, key, "a vessel moves by its responses in waves: give 'environment: {waves: ...}'");
+  if (waves.none()) refuse(rao, "a vessel moves by its responses in waves: give 'environment: {waves: ...}'");
   const Vec3 bow = exp_so3(body.rotation) * Vec3::UnitX();
   const model::Drift none;
   const DriftLaw drift = model::drift_law(body.drift ? *body.drift : none);
   const double yaw = body.drift ? body.drift->rotation.z() : 0;
   const double heading = std::atan2(bow.y(), bow.x());
-  check_gaps(table, waves, heading + yaw, key, notes);
-  check_reach(table, waves, heading + yaw, key, notes);
+  check_gaps(table, waves, heading + yaw, rao.where, notes);
+  check_reach(table, waves, heading + yaw, rao.where, notes);
   const RaoMotion motion(table, waves, body.position, heading, yaw);
   // The highest of many components is ten times that of the peak and hardly there.
   const double step = 2 * M_PI / motion.highest() / (waves.components().size() > 20 ? 30 : 100);
   const double count = duration / step + 20;
   constexpr double kMost = 5e6;
   if (count > kMost)
-    source.bad(rao, key,
-               fmt::format("{:g} s of this motion are {:.3g} rows of a table; the limit is {:g}", duration,
-                           count, kMost));
+    refuse(rao, fmt::format("{:g} s of this motion are {:.3g} rows of a table; the limit is {:g}", duration,
+                            count, kMost));
   model::TableMotion m;
   m.of_waves = true;
   for (int i = -10; i <= static_cast<int>(count) - 10; ++i) {

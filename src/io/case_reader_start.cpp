@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "hawser/base/error.hpp"
-#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/case_values.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/io/results_build.hpp"
 #include "hawser/model/check.hpp"
@@ -15,17 +15,17 @@
 
 namespace hawser::io {
 
+using model::refuse;
 using model::Value;
 
-const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time, const std::string& key) {
+const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
   const std::string path = source_.absolute(from.text);
   const double wanted = time ? time->number : -1;
   const auto [found, fresh] = runs_.try_emplace({path, wanted});
   Run& r = found->second;
   if (!fresh) return r;
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    source_.bad(from, key + ".from", "there is no such results file: " + path);
+  if (!std::filesystem::is_regular_file(path, error)) refuse(from, "there is no such results file: " + path);
   std::string missing;
   try {
     const std::vector<double> times = read_progress(path).output_times;
@@ -52,22 +52,21 @@ const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time, const
       for (const char* axis : {"fields/axis_1", "fields/axis_2"})
         r.axes.push_back(h5::read_row(file, axis, row).values);
   } catch (const std::runtime_error& e) {  // no results file, or not whole
-    source_.bad(from, key + ".from", fmt::format("{}: cannot be read: {}", path, e.what()));
+    refuse(from, fmt::format("{}: cannot be read: {}", path, e.what()));
   }
-  if (!missing.empty()) source_.bad(*time, key + ".time", missing);
+  if (!missing.empty()) refuse(*time, missing);
   return r;
 }
 
-std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, const std::string& key,
-                                                         const std::string& name, bool must) {
-  const Run& r = run(start["from"], start.find("time"), key);
+std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, const std::string& name,
+                                                         bool must) {
+  const Run& r = run(start["from"], start.find("time"));
   const auto found = std::find(r.lines.begin(), r.lines.end(), name);
   if (found == r.lines.end()) {
     if (!must) return nullptr;
     const Value& at = start.has("line") ? start["line"] : start["from"];
-    source_.bad(at, key + (start.has("line") ? ".line" : ".from"),
-                fmt::format("{} has no line {}{} (lines: {})", r.path, model::quote(name),
-                            model::did_you_mean(name, r.lines), fmt::join(r.lines, ", ")));
+    refuse(at, fmt::format("{} has no line {}{} (lines: {})", r.path, model::quote(name),
+                           model::did_you_mean(name, r.lines), fmt::join(r.lines, ", ")));
   }
   const size_t line = static_cast<size_t>(found - r.lines.begin());
   const size_t first = static_cast<size_t>(r.first[line]), count = static_cast<size_t>(r.count[line]);
@@ -90,18 +89,17 @@ std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, con
 }
 
 void check_left_shape(const model::Line& line, const Value& at, const std::string& key,
-                      const CaseSource& source, std::vector<std::string>& notes) {
+                      std::vector<std::string>& notes) {
   constexpr double kSame = 1e-6, kMost = 0.2;  // of the length
   const double here = model::length_of(line), there = line.left->arc.back();
   if (std::abs(here - there) > kMost * here)
-    source.bad(at, key,
-               fmt::format("the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %", here,
-                           there, line.left->file, 100 * kMost));
+    refuse(at, key,
+           fmt::format("the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %", here, there,
+                       line.left->file, 100 * kMost));
   if (std::abs(here - there) > kSame * here)
-    notes.push_back(
-        fmt::format("{}: the line is {:g} m long and was {:g} m in {}; its shape is taken by "
-                    "share of the length",
-                    key, here, there, line.left->file));
+    notes.push_back(fmt::format(
+        "{}: the line is {:g} m long and was {:g} m in {}; its shape is taken by share of the length", key,
+        here, there, line.left->file));
 }
 
 }  // namespace hawser::io

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hawser/io/case_reader_parts.hpp"
+#include "hawser/io/case_values.hpp"
 #include "hawser/kernels/support_path.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
@@ -16,6 +16,7 @@
 namespace hawser::io {
 namespace {
 
+using model::refuse;
 using model::SupportBox;
 using model::Value;
 
@@ -31,15 +32,14 @@ double per_length(double stiffness, double roller, double line) {
 
 class Group {
  public:
-  Group(const std::string& name, const Value& v, const CaseSource& source, model::Case& c)
-      : name_(name), key_("supports." + name), v_(v), source_(source), c_(c), line_(the_line()) {
+  Group(const std::string& name, const Value& v, model::Case& c)
+      : name_(name), v_(v), c_(c), line_(the_line()) {
     for (const model::Section& s : line_.sections)
       radius_ = std::max(radius_, 0.5 * c.line_type(s.type).contact_diameter);
   }
 
   void read() {
-    const std::vector<Value>& entries = v_["boxes"].items;
-    for (size_t i = 0; i < entries.size(); ++i) places(entries[i], fmt::format("{}.boxes[{}]", key_, i));
+    for (const Value& e : v_["boxes"].items) places(e);
     std::stable_sort(places_.begin(), places_.end(),
                      [](const Place& a, const Place& b) { return a.station < b.station; });
     if (!v_.has("path")) turn_along_points();
@@ -49,7 +49,6 @@ class Group {
  private:
   struct Place {
     const Value* entry;
-    std::string key;
     double station;  // m along the path; of points their number
     PathPoint at;
   };
@@ -57,57 +56,53 @@ class Group {
   const model::Line& the_line() const {
     if (v_.has("line")) return c_.lines[static_cast<size_t>(c_.line_index(v_["line"].text))];
     if (c_.lines.size() != 1)
-      source_.bad(
-          v_, key_ + ".line",
-          fmt::format("required key is missing: the case has {} lines; say which of them is laid over "
-                      "these supports",
-                      c_.lines.size()));
+      refuse(
+          v_, v_.where + ".line",
+          fmt::format(
+              "required key is missing: the case has {} lines; say which of them is laid over these supports",
+              c_.lines.size()));
     return c_.lines.front();
   }
 
-  void places(const Value& e, const std::string& key) {
+  void places(const Value& e) {
     if (!places_.empty() && e.has("points") != places_.front().entry->has("points"))
-      source_.bad(e, key,
-                  "has 'points' where other boxes of the group have 'at', or the other way round; make "
-                  "it a group of its own");
+      refuse(e,
+             "has 'points' where other boxes of the group have 'at', or the other way round; make it a "
+             "group of its own");
     if (const Value* points = e.find("points")) {
       if (v_.has("path"))
-        source_.bad(
-            *points, key + ".points",
-            "the group has a 'path', along which boxes have their place by 'at'; remove one of the two");
+        refuse(*points,
+               "the group has a 'path', along which boxes have their place by 'at'; remove one of the two");
       for (const Value& p : points->items)
-        places_.push_back({&e, key, static_cast<double>(places_.size()), {as_vec3(p)}});
+        places_.push_back({&e, static_cast<double>(places_.size()), {as_vec3(p)}});
       return;
     }
     const Value* path = v_.find("path");
-    if (!path)
-      source_.bad(e["at"], key + ".at",
-                  "is a length along 'path', which the group has not; give it, or 'points'");
+    if (!path) refuse(e["at"], "is a length along 'path', which the group has not; give it, or 'points'");
     std::vector<PathSegment> segments;
     for (const Value& s : (*path)["segments"].items)
       segments.push_back({s["length"].number, s.has("radius") ? s["radius"].number : 0});
-    const Vec3 direction = read_direction(*path, "direction", key_ + ".path", source_);
+    const Vec3 direction = as_vec3((*path)["direction"]).stableNormalized();
+    if (!(direction.norm() > 0)) refuse((*path)["direction"], "[0, 0, 0] is no direction");
     if (std::hypot(direction.x(), direction.y()) < 1e-6)
-      source_.bad((*path)["direction"], key_ + ".path.direction",
-                  "is vertical: a pipe does not lie on rollers there; give the way that it goes overboard");
+      refuse((*path)["direction"],
+             "is vertical: a pipe does not lie on rollers there; give the way that it goes overboard");
     const SupportPath along(as_vec3((*path)["from"]), direction, segments);
     const Value& at = e["at"];
     const auto add = [&](const Value& s) {
       if (s.number > along.length() * (1 + 1e-9))
-        source_.bad(
-            s, key + ".at",
-            fmt::format("a box {:g} m along the path is beyond its end at {:g} m; lengthen the last of "
-                        "its segments or move the box",
-                        s.number, along.length()));
+        refuse(s, e.where + ".at",
+               fmt::format("a box {:g} m along the path is beyond its end at {:g} m; lengthen the last "
+                           "of its segments or move the box",
+                           s.number, along.length()));
       PathPoint p = along.at(s.number);
       if (p.dip > 0.5 * std::numbers::pi * (1 - 1e-9))
-        source_.bad(
-            s, key + ".at",
-            fmt::format("the path has turned by {:.3g} degrees below the horizontal there, and must stay "
-                        "below 90; make its arcs shorter or their radius larger",
-                        p.dip * 180 / std::numbers::pi));
+        refuse(s, e.where + ".at",
+               fmt::format("the path has turned by {:.3g} degrees below the horizontal there, and must "
+                           "stay below 90; make its arcs shorter or their radius larger",
+                           p.dip * 180 / std::numbers::pi));
       p.at += e["above_path"].number * p.up;
-      places_.push_back({&e, key, s.number, p});
+      places_.push_back({&e, s.number, p});
     };
     if (at.kind == Value::Kind::list)
       for (const Value& s : at.items) add(s);
@@ -120,21 +115,20 @@ class Group {
     std::vector<Vec3> points;
     for (const Place& p : places_) points.push_back(p.at.at);
     if (points.size() < 2)
-      source_.bad(
-          v_, key_,
-          "one point alone does not say which way the pipe goes; give two points or more, or a 'path' "
-          "and 'at'");
+      refuse(v_,
+             "one point alone does not say which way the pipe goes; give two points or more, or a "
+             "'path' and 'at'");
     for (size_t i = 0; i < points.size(); ++i) {
       Place& p = places_[i];
       if (i > 0 && !((points[i] - points[i - 1]).norm() > 0))
-        source_.bad(*p.entry, p.key + ".points",
-                    fmt::format("point {} is the same as the one before it", i + 1));
+        refuse(*p.entry, p.entry->where + ".points",
+               fmt::format("point {} is the same as the one before it", i + 1));
       p.at.along = direction_at(points, i);
       if (std::hypot(p.at.along.x(), p.at.along.y()) < 1e-6)
-        source_.bad(*p.entry, p.key + ".points",
-                    fmt::format("the pipe would go straight up or down at point {}, where it does not lie on "
-                                "rollers",
-                                i + 1));
+        refuse(
+            *p.entry, p.entry->where + ".points",
+            fmt::format("the pipe would go straight up or down at point {}, where it does not lie on rollers",
+                        i + 1));
       p.at.up = across(p.at.along);
     }
   }
@@ -144,29 +138,27 @@ class Group {
     const bool v = e["type"].is("V"), flat = e["type"].is("flat");
     const auto only = [&](const char* key, bool wanted, const char* of) {
       if (e.has(key) && !wanted)
-        source_.bad(
-            e[key], p.key + "." + key,
-            fmt::format("a support of type '{}' has none; remove it, or choose {}", e["type"].text, of));
+        refuse(e[key],
+               fmt::format("a support of type '{}' has none; remove it, or choose {}", e["type"].text, of));
       if (!e.has(key) && wanted)
-        source_.bad(e, p.key + "." + key,
-                    fmt::format("required key is missing: a support of type '{}' needs it", e["type"].text));
+        refuse(e, e.where + "." + key,
+               fmt::format("required key is missing: a support of type '{}' needs it", e["type"].text));
     };
     only("angle_deg", v, "type 'V'");
     only("side_height", !v && !flat, "type 'U' or 'box'");
 
     SupportBox b;
     b.name = fmt::format("{} {}", name_, ++count_);
-    b.key = p.key, b.line = line_.name;
+    b.key = e.where, b.line = line_.name;
     if (v_.has("body")) b.body = v_["body"].text;
     b.along = p.at.along, b.up = p.at.up;
     const double r = 0.5 * e["roller_diameter"].number, length = e["roller_length"].number;
     const double angle = v ? e["angle_deg"].number : 0;
     if (const double needed = (r + radius_) * std::tan(angle); length < needed)
-      source_.bad(
-          e["roller_length"], p.key + ".roller_length",
-          fmt::format("is {:g} m, but a line of radius {:g} m lies {:.3g} m along the rollers of a V of "
-                      "{:.3g} deg: it would hang between their ends; make them longer",
-                      length, radius_, needed, angle * 180 / M_PI));
+      refuse(e["roller_length"],
+             fmt::format("is {:g} m, but a line of radius {:g} m lies {:.3g} m along the rollers of a V "
+                         "of {:.3g} deg: it would hang between their ends; make them longer",
+                         length, radius_, needed, angle * 180 / M_PI));
     b.rise = (r + radius_) / std::cos(angle);
     b.at = p.at.at + b.rise * b.up;
     if (const Value* on = v_.find("on")) b.body = carry(b, *on);
@@ -191,18 +183,17 @@ class Group {
           roller(side > 0 ? "left" : "right", foot, foot + (closed ? top : r + height) * b.up);
         }
         if (closed && height < 2 * radius_)
-          source_.bad(
-              e["side_height"], p.key + ".side_height",
+          refuse(
+              e["side_height"],
               fmt::format("a clear height of {:g} m is less than the contact diameter of line '{}', {:g} m",
                           height, line_.name, 2 * radius_));
         if (closed)
           roller("above", base + 0.5 * length * left + top * b.up, base - 0.5 * length * left + top * b.up);
       }
       if (!flat && length < 2 * radius_)
-        source_.bad(
-            e["roller_length"], p.key + ".roller_length",
-            fmt::format("a clear width of {:g} m is less than the contact diameter of line '{}', {:g} m",
-                        length, line_.name, 2 * radius_));
+        refuse(e["roller_length"],
+               fmt::format("a clear width of {:g} m is less than the contact diameter of line '{}', {:g} m",
+                           length, line_.name, 2 * radius_));
     }
     c_.supports.push_back(std::move(b));
   }
@@ -213,27 +204,26 @@ class Group {
     RigidPose pose;
     if (const int body = c_.body_index(b.body); body >= 0) {
       if (c_.rides(body))
-        source_.bad(v_["body"], key_ + ".body",
-                    fmt::format("body '{}' rides on a line itself; name the body in whose frame the "
-                                "supports are drawn",
-                                b.body));
+        refuse(v_["body"],
+               fmt::format(
+                   "body '{}' rides on a line itself; name the body in whose frame the supports are drawn",
+                   b.body));
       pose = model::rigid_motion(c_.bodies[static_cast<size_t>(body)]).at(0);
     }
     const Vec3 place = pose.to_space(b.at - b.rise * b.up);
     model::Body o;
     o.name = b.name, o.position = pose.position, o.rotation = log_so3(pose.rotation);
     if (c_.body_index(o.name) >= 0)
-      source_.bad(v_, key_,
-                  fmt::format("the body of one of its boxes is called '{}' as another is; give the group "
-                              "another name",
-                              o.name));
+      refuse(v_, fmt::format(
+                     "the body of one of its boxes is called '{}' as another is; give the group another name",
+                     o.name));
     double nearest = HUGE_VAL;
     for (const Value& name : on.items) {
       const model::Line& line = c_.lines[static_cast<size_t>(c_.line_index(name.text))];
       if (line.name == line_.name || line.end_a.kind == model::EndKind::free ||
           line.end_b.kind == model::EndKind::free)
-        source_.bad(
-            name, key_ + ".on",
+        refuse(
+            name, v_.where + ".on",
             fmt::format("line '{}' {}; name beams with both ends at joints, anchors or bodies", line.name,
                         line.name == line_.name ? "is laid over these supports itself" : "has a free end"));
       const Vec3 a = model::end_position(c_, line.end_a), way = model::end_position(c_, line.end_b) - a;
@@ -250,26 +240,19 @@ class Group {
     o.name = b.name + " " + b.rollers.back();
     for (const model::Volume& other : c_.volumes)
       if (other.name == o.name)
-        source_.bad(v_, key_,
-                    fmt::format("one of its rollers is called '{}' as another volume is; give the group "
-                                "another name",
-                                o.name));
+        refuse(v_, fmt::format(
+                       "one of its rollers is called '{}' as another volume is; give the group another name",
+                       o.name));
+    model::take(e, o);
     o.shape = shape, o.body = b.body, o.roller = true;
     if (const Value& k = e["normal_stiffness"]; !k.is("auto"))
       o.basis = model::StiffnessBasis::per_length,
       o.normal_stiffness = per_length(k.number, shape.radius, radius_);
-    o.relative_damping = e["relative_damping"].number;
-    const Value& f = e["friction"];
-    if (f.kind == Value::Kind::map)
-      o.friction = read_friction(f, b.key + ".friction", source_);
-    else
-      o.friction.axial = o.friction.lateral = f.number;
     return o;
   }
 
-  const std::string name_, key_;
+  const std::string name_;
   const Value& v_;
-  const CaseSource& source_;
   model::Case& c_;
   const model::Line& line_;
   double radius_ = 0;  // m, of the line
@@ -279,9 +262,8 @@ class Group {
 
 }  // namespace
 
-void read_supports(const Value& supports, const CaseSource& source, model::Case& c) {
-  for (size_t i = 0; i < supports.items.size(); ++i)
-    Group(supports.keys[i], supports.items[i], source, c).read();
+void read_supports(const Value& supports, model::Case& c) {
+  for (size_t i = 0; i < supports.items.size(); ++i) Group(supports.keys[i], supports.items[i], c).read();
 }
 
 }  // namespace hawser::io

@@ -10,6 +10,7 @@
 
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/model/nearest.hpp"
+#include "hawser/model/schema.hpp"
 
 namespace hawser::io {
 
@@ -17,6 +18,7 @@ extern const char* const kLineLibrary;
 
 namespace {
 
+using model::refuse;
 using model::Value;
 
 const Value& library() {
@@ -63,30 +65,28 @@ std::string formula(const Value& v) {
 
 std::vector<std::string> line_library_names() { return library().keys; }
 
-model::LineType library_line_type(const Value& v, const std::string& key, const CaseSource& source) {
+model::LineType library_line_type(const Value& v) {
   const std::string& name = v["library"].text;
   const std::vector<std::string> names = line_library_names();
   const Value* entry = library().find(name);
   if (!entry)
-    source.bad(v["library"], key + ".library",
-               model::quote(name) + " is not in the library" + model::did_you_mean(name, names) +
-                   " (there are " + model::enumerate(names, "and") + ")");
+    refuse(v["library"], model::quote(name) + " is not in the library" + model::did_you_mean(name, names) +
+                             " (there are " + model::enumerate(names, "and") + ")");
   if (!v.has("diameter"))
-    source.bad(v, key + ".diameter", "required key is missing: the nominal diameter of " + name);
+    refuse(v, v.where + ".diameter", "required key is missing: the nominal diameter of " + name);
   const double d = v["diameter"].number;
   double strength = 1;
   if (const Value* grades = entry->find("grades")) {
     const std::string known = model::enumerate(grades->keys);
-    if (!v.has("grade")) source.bad(v, key + ".grade", "required key is missing: " + known);
+    if (!v.has("grade")) refuse(v, v.where + ".grade", "required key is missing: " + known);
     const std::string& grade = v["grade"].text;
     const Value* g = grades->find(grade);
     if (!g)
-      source.bad(v["grade"], key + ".grade",
-                 model::quote(grade) + " is no grade of " + name + model::did_you_mean(grade, grades->keys) +
-                     " (" + known + ")");
+      refuse(v["grade"], model::quote(grade) + " is no grade of " + name +
+                             model::did_you_mean(grade, grades->keys) + " (" + known + ")");
     strength = as_number(*g);
   } else if (v.has("grade")) {
-    source.bad(v["grade"], key + ".grade", name + " has no grades; remove it");
+    refuse(v["grade"], name + " has no grades; remove it");
   }
   model::LineType t;
   t.kind = model::LineKind::cable;
@@ -101,11 +101,9 @@ model::LineType library_line_type(const Value& v, const std::string& key, const 
   t.Cd_normal = of("Cd_normal"), t.Cd_axial = of("Cd_axial");
   t.Ca_normal = of("Ca_normal"), t.Ca_axial = of("Ca_axial");
   if (!(t.breaking_load > 0) || !(t.EA > 0))
-    source.bad(
-        v["diameter"], key + ".diameter",
-        fmt::format("{:g} m is beyond what the formulas of {} are made for (the diameter is in m, or with "
-                    "its unit: 84 mm)",
-                    d, name));
+    refuse(v["diameter"], fmt::format("{:g} m is beyond what the formulas of {} are made for (the diameter "
+                                      "is in m, or with its unit: 84 mm)",
+                                      d, name));
   return t;
 }
 
@@ -119,13 +117,10 @@ std::string line_library_markdown() {
       "```yaml\nline_types:\n  chain: {library: chain-studless, diameter: 84 mm, grade: R4}\n"
       "  rope: {library: polyester, diameter: 210 mm, EA: 190 MN}\n```\n\n"
       "All are cables (`bending: false`), unless the case says `bending: true` and gives `EI` and `GJ`. d is "
-      "the "
-      "nominal\ndiameter in m, of a chain that of its bar; MBL the minimum breaking load in N. Cd axial acts "
-      "on "
-      "the skin, π times\nthe drag diameter.\n\n"
+      "the nominal\ndiameter in m, of a chain that of its bar; MBL the minimum breaking load in N. Cd axial "
+      "acts on the skin, π times\nthe drag diameter.\n\n"
       "| `library` | mass kg/m | EA N | MBL N | outer diameter | contact diameter | displaced diameter | "
-      "drag "
-      "diameter | Cd normal | Cd axial | Ca normal | Ca axial "
+      "drag diameter | Cd normal | Cd axial | Ca normal | Ca axial "
       "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   const Value& all = library();
   for (std::size_t i = 0; i < all.items.size(); ++i) {

@@ -19,6 +19,10 @@ namespace hawser::io {
 
 namespace {
 
+// Of the schema, in the order of model::SignTest.
+constexpr const char* kSigns[] = {"automatic",   "pseudonormal", "winding",
+                                  "tetrahedron", "ray",          "solid_angle"};
+
 // Why a mesh is not fit for the test of points its volume asks for; empty: it is.
 std::string unfit(const LoadedMesh& loaded, model::SignTest sign) {
   const MeshReport& r = loaded.report;
@@ -26,8 +30,7 @@ std::string unfit(const LoadedMesh& loaded, model::SignTest sign) {
   if (loaded.open || !r.valid())
     return fmt::format(
         "needs a closed mesh whose triangles face outward, but this one has {} open edges, {} of more than "
-        "two "
-        "triangles and {} between triangles turned opposite ways; 'automatic' and 'winding' do without",
+        "two triangles and {} between triangles turned opposite ways; 'automatic' and 'winding' do without",
         r.open_edges, r.non_manifold_edges, r.flipped_edges);
   if (sign != model::SignTest::tetrahedra) return "";
   if (r.components > 1)
@@ -67,7 +70,7 @@ FitMesh check_mesh(const model::Case& c, const model::Volume& v, const LoadedMes
   if (const std::string odd = other_units(size, kSizes, c); !odd.empty())
     c.refuse(key + ".scale", fmt::format("the mesh, with scale {:g}, {}", v.scale, odd));
   if (const std::string why = unfit(loaded, v.sign); !why.empty())
-    c.refuse(key + ".sign", "'" + sign_word(v.sign) + "' " + why);
+    c.refuse(key + ".sign", std::string("'") + kSigns[static_cast<int>(v.sign)] + "' " + why);
   FitMesh fit;
   try {
     fit.active = active_triangles(loaded.mesh, v);
@@ -90,8 +93,8 @@ void check_leaders(const model::Case& c, const std::vector<bool>& blunt) {
     const model::Volume &a = c.volumes[p.a], &b = c.volumes[p.b];
     const bool points = a.basis == model::StiffnessBasis::per_point;
     c.refuse("volumes." + a.name + ".normal_stiffness",
-             fmt::format("'{}' is to meet '{}' with its {}, but {} of more than 10 deg: nothing would "
-                         "touch; give a stiffness per_area",
+             fmt::format("'{}' is to meet '{}' with its {}, but {} of more than 10 deg: nothing would touch; "
+                         "give a stiffness per_area",
                          a.name, b.name, points ? "corners (per_point)" : "edges (per_length)",
                          blunt[p.b] ? "neither mesh has an edge" : "its mesh has none"));
   }

@@ -1,6 +1,7 @@
 // The keys of a case file. Order here is the order in the user guide.
 #include "hawser/model/schema.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "schema_build.hpp"
@@ -22,21 +23,29 @@ Key&& Key::either(std::vector<Group> g, bool needed) && {
   return std::move(*this);
 }
 
+Vec3 schema_build::direction(const Value& v) {
+  Vec3 x;
+  put(x, v);
+  const double n = x.stableNorm();
+  if (!(n > 0)) throw std::invalid_argument("[0, 0, 0] is no direction");
+  return x / n;
+}
+
 using namespace schema_build;
 
 const Key& case_schema() {
-  static const Key schema = map(
-      "case",
-      {integer("hawser", "version of the case format; must be 1").at_least(1).at_most(1).is_required(),
-       text("title", "title, for pictures and reports").or_else(""), environment(), line_types(), bodies(),
-       volumes(), supports(), joints(), lines(), links(), contact(), statics(),
-       map("start",
-           {text("from", "results (.h5) of another run, beside the case").is_required(),
-            number("time", time, "of its output").at_least(0).or_else_note("the last")},
-           "Lines without a `start` of their own begin as another run left those of the same name; statics "
-           "goes on from there, whatever has changed."),
-       stages(), dynamics(), events(), output()},
-      "");
+  static const Key schema =
+      map("case",
+          {integer("hawser", "version of the case format; must be 1").at_least(1).at_most(1).is_required(),
+           text({"title", &Case::title}, "title, for pictures and reports").or_else(""), environment(),
+           line_types(), bodies(), volumes(), supports(), joints(), lines(), links(), contact(), statics(),
+           map("start",
+               {text("from", "results (.h5) of another run, beside the case").is_required(),
+                number("time", time, "of its output").at_least(0).or_else_note("the last")},
+               "Lines without a `start` of their own begin as another run left those of the same name; "
+               "statics goes on from there, whatever has changed."),
+           stages(), dynamics(), events(), output()},
+          "");
   return schema;
 }
 

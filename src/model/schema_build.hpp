@@ -1,79 +1,180 @@
-// What the keys of a case file are put together from.
+// What the keys of a case file are put together from, and the fields that they fill:
+//   number({"mass", &PointMass::mass}, mass, "point mass").above(0).is_required()
+// is the name, the field, the unit and the help of a key, then its range and whether it is needed or its
+// default.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "hawser/math/types.hpp"
+#include "hawser/model/case.hpp"
 #include "hawser/model/schema.hpp"
 
-namespace hawser::model::schema_build {
+namespace hawser::model {
+
+// What a value makes of a field, by the type of that: a struct by its own keys, a vector item by item, with
+// the `name` of a map of names.
+template <class M>
+void put(M& x, const Value& v) {
+  if constexpr (std::is_arithmetic_v<M> || std::is_enum_v<M>) {
+    x = static_cast<M>(v.number);
+  } else if constexpr (std::is_same_v<M, std::string>) {
+    x = v.text;
+  } else if constexpr (std::is_same_v<M, Vec3>) {
+    x = Vec3(v.items[0].number, v.items[1].number, v.items[2].number);
+  } else if constexpr (requires { typename M::first_type; }) {
+    put(x.first, v.items[0]), put(x.second, v.items[1]);
+  } else if constexpr (requires {
+                         x.emplace();
+                         *x;
+                       }) {
+    put(x.emplace(), v);
+  } else if constexpr (requires { x.emplace_back(); }) {
+    for (std::size_t i = 0; i < v.items.size(); ++i) {
+      put(x.emplace_back(), v.items[i]);
+      if constexpr (requires { x.back().name; })
+        if (!v.keys.empty()) x.back().name = v.keys[i];
+    }
+  } else {
+    take(v, x);
+  }
+}
+
+namespace schema_build {
+
+// How a field is filled.
+struct Field {
+  Put put;
+  template <class T, class M>
+  Field(M T::*f) : put([f](const Target& to, const Value& v) { model::put(to.as<T>().*f, v); }) {}
+  explicit Field(Put p) : put(std::move(p)) {}
+};
+// A field of a struct within it.
+template <class T, class U, class M>
+Field within(U T::*s, M U::*f) {
+  return Field(Put([s, f](const Target& to, const Value& v) { put(to.as<T>().*s.*f, v); }));
+}
+// A field that is set to this where the key is there.
+template <class T, class M>
+Field set(M T::*f, std::type_identity_t<M> x) {
+  return Field(Put([f, x](const Target& to, const Value&) { to.as<T>().*f = x; }));
+}
+template <class T, class U, class M>
+Field set(U T::*s, M U::*f, std::type_identity_t<M> x) {
+  return Field(Put([s, f, x](const Target& to, const Value&) { to.as<T>().*s.*f = x; }));
+}
+// A direction of three numbers that are not all zero, as a unit vector.
+Vec3 direction(const Value& v);
+template <class T, class M>
+Field unit(M T::*f) {
+  return Field(Put([f](const Target& to, const Value& v) { to.as<T>().*f = direction(v); }));
+}
+// What a function (T&, const Value&) does; of its std::invalid_argument the refusal of the key is made.
+template <class T, class Function>
+Field by(Function f) {
+  return Field(Put([f](const Target& to, const Value& v) { f(to.as<T>(), v); }));
+}
+
+// The name of a key and the fields that it fills: "mass" or {"mass", &PointMass::mass}.
+struct Head {
+  std::string name;
+  std::vector<Put> fields;
+  Head(const char* n) : name(n) {}
+  Head(std::string n) : name(std::move(n)) {}
+  template <class... F>
+  Head(const char* n, F... f) : name(n), fields{Field(f).put...} {}
+};
+
+// A word and what it stands for.
+struct Word {
+  std::string text;
+  double means = 0;
+  Word(const char* t) : text(t) {}
+  template <class M>
+  Word(const char* t, M m) : text(t), means(static_cast<double>(m)) {}
+};
 
 using Type = Key::Type;
 using enum Dimension;
 
-inline Key make(Type type, std::string name, std::string about) {
+inline Key make(Type type, Head head, std::string about) {
   Key k;
   k.type = type;
-  k.name = std::move(name);
+  k.name = std::move(head.name);
+  k.fields = std::move(head.fields);
   k.about = std::move(about);
   return k;
 }
 
 // With a unit; put together from other keys.
-inline Key make(Type type, std::string name, Dimension unit, std::string about) {
-  Key k = make(type, std::move(name), std::move(about));
+inline Key make(Type type, Head head, Dimension unit, std::string about) {
+  Key k = make(type, std::move(head), std::move(about));
   k.unit = unit;
   return k;
 }
-inline Key make(Type type, std::string name, std::vector<Key> keys, std::string about) {
-  Key k = make(type, std::move(name), std::move(about));
+inline Key make(Type type, Head head, std::vector<Key> keys, std::string about) {
+  Key k = make(type, std::move(head), std::move(about));
   k.keys = std::move(keys);
   return k;
 }
 
-inline Key number(std::string name, Dimension unit, std::string about = "") {
-  return make(Type::number, std::move(name), unit, std::move(about));
+inline Key number(Head head, Dimension unit, std::string about = "") {
+  return make(Type::number, std::move(head), unit, std::move(about));
 }
-inline Key vec3(std::string name, Dimension unit, std::string about = "") {
-  return make(Type::vec3, std::move(name), unit, std::move(about));
+inline Key vec3(Head head, Dimension unit, std::string about = "") {
+  return make(Type::vec3, std::move(head), unit, std::move(about));
 }
-inline Key integer(std::string name, std::string about) {
-  return make(Type::integer, std::move(name), std::move(about));
+inline Key integer(Head head, std::string about) {
+  return make(Type::integer, std::move(head), std::move(about));
 }
-inline Key boolean(std::string name, std::string about = "") {
-  return make(Type::boolean, std::move(name), std::move(about));
+inline Key boolean(Head head, std::string about = "") {
+  return make(Type::boolean, std::move(head), std::move(about));
 }
-inline Key text(std::string name, std::string about) {
-  return make(Type::text, std::move(name), std::move(about));
-}
-inline Key word(std::string name, std::vector<std::string> words, std::string about = "") {
-  Key k = make(Type::word, std::move(name), std::move(about));
-  k.words = std::move(words);
+inline Key text(Head head, std::string about) { return make(Type::text, std::move(head), std::move(about)); }
+inline Key name(Head head, std::string about) { return make(Type::name, std::move(head), std::move(about)); }
+inline Key word(Head head, const std::vector<Word>& words, std::string about = "") {
+  Key k = make(Type::word, std::move(head), std::move(about));
+  for (const Word& w : words) k.words.push_back(w.text), k.meanings.push_back(w.means);
   return k;
 }
-inline Key reference(std::string name, std::string to, std::string about = "") {
-  Key k = make(Type::reference, std::move(name), std::move(about));
+inline Key reference(Head head, std::string to, std::string about = "") {
+  Key k = make(Type::reference, std::move(head), std::move(about));
   k.refers = std::move(to);
   return k;
 }
-inline Key list(std::string name, Key item, std::string about) {
-  return make(Type::list, std::move(name), std::vector{std::move(item)}, std::move(about));
+inline Key list(Head head, Key item, std::string about) {
+  return make(Type::list, std::move(head), std::vector{std::move(item)}, std::move(about));
 }
-inline Key map(std::string name, std::vector<Key> keys, std::string about) {
-  return make(Type::map, std::move(name), std::move(keys), std::move(about));
+inline Key map(Head head, std::vector<Key> keys, std::string about) {
+  return make(Type::map, std::move(head), std::move(keys), std::move(about));
 }
-inline Key names(std::string name, Key item, std::string about) {
-  return make(Type::names, std::move(name), std::vector{std::move(item)}, std::move(about));
+inline Key names(Head head, Key item, std::string about) {
+  return make(Type::names, std::move(head), std::vector{std::move(item)}, std::move(about));
 }
-inline Key one_of(std::string name, std::vector<Key> alternatives, std::string about) {
-  return make(Type::one_of, std::move(name), std::move(alternatives), std::move(about));
+inline Key one_of(Head head, std::vector<Key> alternatives, std::string about) {
+  return make(Type::one_of, std::move(head), std::move(alternatives), std::move(about));
+}
+
+// Rows of numbers with so many columns.
+inline Key rows(Head head, std::string about, std::size_t columns = 2) {
+  return list(std::move(head), list("", number("", none), "").items(columns, columns), std::move(about));
 }
 
 // An arc length of a line.
-inline Key arc(std::string name, std::string about) {
-  return one_of(std::move(name), {number("", length).at_least(0), word("", {"end_a", "end_b"})},
+inline Key arc(Head head, std::string about) {
+  return one_of(std::move(head), {number("", length).at_least(0), word("", {{"end_a", 0}, {"end_b", kEndB}})},
                 std::move(about));
+}
+
+// Rows of force over penetration into the `force_table` of a volume or the seabed.
+template <class T>
+void force_table(T& o, const Value& v) {
+  o.force_table = std::make_shared<const ContactForceTable>(v.rows());
+  o.normal_stiffness = o.force_table->largest_slope();
 }
 
 inline constexpr const char* kZero = "[0, 0, 0]";
@@ -90,11 +191,12 @@ Key statics();
 Key dynamics();
 Key stages();
 Key events();
-Key friction();               // coefficients and springs of it, of volumes and the seabed
-Key force_rows();             // `table` of force against penetration, of volumes and the seabed
-Key environment();            // the sea and its bed
-std::vector<Key> in_water();  // of line types
+Key friction(const Field& field);    // coefficients and springs of it, of volumes and the seabed
+Key force_rows(const Field& field);  // `table` of force against penetration, of volumes and the seabed
+Key environment();                   // the sea and its bed
+std::vector<Key> in_water();         // of line types
 Key line_types();
 Key output();
 
-}  // namespace hawser::model::schema_build
+}  // namespace schema_build
+}  // namespace hawser::model

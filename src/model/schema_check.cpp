@@ -89,6 +89,7 @@ class Checker {
   Checker(const std::string& file, Value& root) : file_(file), root_(root) {}
 
   void check(Value& v, const Key& k, const std::string& path) {
+    v.where = path, v.schema = &k;
     switch (k.type) {
       case Type::number:
         return check_number(v, k, path, false);
@@ -185,7 +186,9 @@ class Checker {
   }
 
   void check_word(Value& v, const Key& k, const std::string& path) {
-    if (v.kind == Kind::scalar && std::find(k.words.begin(), k.words.end(), v.text) != k.words.end()) return;
+    if (v.kind == Kind::scalar)
+      for (std::size_t i = 0; i < k.words.size(); ++i)
+        if (k.words[i] == v.text) return void(v.number = k.meanings[i]);
     wrong_type(v, k, path, v.kind == Kind::scalar ? did_you_mean(v.text, k.words) : "");
   }
 
@@ -204,8 +207,8 @@ class Checker {
     if (!is_name(name))
       bad(v, path,
           quote(name) +
-              " is no valid name; allowed are up to 100 letters, digits, '_', '-', '+' and blanks "
-              "inside, beginning with a letter or digit");
+              " is no valid name; allowed are up to 100 letters, digits, '_', '-', '+' and blanks inside, "
+              "beginning with a letter or digit");
   }
 
   void check_reference(Value& v, const Key& k, const std::string& path) {
@@ -338,7 +341,7 @@ class Checker {
       pick({Type::text});
       for (const Key& a : k.keys)
         if (a.type == Type::word && std::find(a.words.begin(), a.words.end(), v.text) != a.words.end())
-          return;
+          return check(v, a, path);
       if (v.is("true") || v.is("false")) pick({Type::boolean});
       if (!choice)
         for (const Key& a : k.keys)

@@ -8,8 +8,8 @@ namespace {
 constexpr const char* kFromPipe = "none: needed unless `library` or `pipe`";
 constexpr const char* kStiffness = "none: needed unless `bending: false` or `pipe`";
 
-Key condition(const char* where, const char* about) {
-  return number(where, none, about).at_least(0.5).at_most(2);
+Key condition(const char* where, double PipeConditions::*factor, const char* about) {
+  return number({where, within(&LineType::conditions, factor)}, none, about).at_least(0.5).at_most(2);
 }
 
 Key pipe() {
@@ -39,9 +39,10 @@ Key pipe() {
            .or_else("0.015"),
        number("material_factor", none, "alpha_U of DNV-ST-F101").at_least(0.5).at_most(2).or_else("0.96"),
        map("condition_factor",
-           {condition("supports", "of what is between supports that carry it").or_else("1"),
-            condition("span", "of what hangs free").or_else("1"),
-            condition("seabed", "of what is between its touchdown points")
+           {condition("supports", &PipeConditions::supports, "of what is between supports that carry it")
+                .or_else("1"),
+            condition("span", &PipeConditions::span, "of what hangs free").or_else("1"),
+            condition("seabed", &PipeConditions::seabed, "of what is between its touchdown points")
                 .or_else_note("1, on a measured seabed (`grid`, `mesh`) 1.07")},
            "gamma_C of functional loads, of DNV-ST-F101"),
        list("coatings",
@@ -59,14 +60,13 @@ Key weight() {
       "weight",
       {number("in_air", force_per_length, "weight in air").above(0).is_required(),
        number("submerged", force_per_length, "weight under water; negative: it floats").is_required(),
-       number("full_of", density,
-              "of what the bore is full of in these weights; it is taken out where `contents` say "
-              "what is in it")
+       number(
+           "full_of", density,
+           "of what the bore is full of in these weights; it is taken out where `contents` say what is in it")
            .above(0)
            .or_else_note("nothing: the weights are those of the empty line"),
        number("water_density", density, "of the water that `submerged` is for").above(0).or_else("1025")},
-      "weights per length from a data sheet, from which `mass_per_length` and `displaced_diameter` "
-      "follow");
+      "weights per length from a data sheet, from which `mass_per_length` and `displaced_diameter` follow");
 }
 
 Key plasticity() {
@@ -82,12 +82,23 @@ Key plasticity() {
            "5 %"),
        list("table", list("", number("", none), "").items(2, 2),
             "bending moment over curvature, `[[1/m, N m], ...]`, when bent for the first time: straight from "
-            "row to "
-            "row and beyond the last, never steeper than before; its first row makes `EI`")
+            "row to row and beyond the last, never steeper than before; its first row makes `EI`")
            .items(2)},
       "bending that yields and remembers, the same in all directions "
       "([theory](../theory/plastic-bending.md))");
 }
+
+void bending(LineType& t, const Value& v) { t.kind = v.number != 0 ? LineKind::beam : LineKind::cable; }
+
+void tensions(LineType& t, const Value& v) {
+  t.tension_table = std::make_shared<const ResponseCurve>(v.rows(), false);
+  t.EA = t.tension_table->initial();
+}
+void moments(LineType& t, const Value& v) {
+  t.moment_table = std::make_shared<const ResponseCurve>(v.rows(), true);
+  t.EI2 = t.EI3 = t.moment_table->initial();
+}
+void two_axes(LineType& t, const Value& v) { t.EI2 = v.items[0].number, t.EI3 = v.items[1].number; }
 
 }  // namespace
 
@@ -98,21 +109,24 @@ Key line_types() {
       text("grade", "of the library's chains: `R3`, `R3S`, `R4`, `R4S` or `R5`"),
       pipe(),
       weight(),
-      number("outer_diameter", length, "diameter of the outside").above(0).or_else_note(kFromPipe),
-      number("contact_diameter", length, "diameter that touches volumes")
+      number({"outer_diameter", &LineType::outer_diameter, &LineType::contact_diameter}, length,
+             "diameter of the outside")
+          .above(0)
+          .or_else_note(kFromPipe),
+      number({"contact_diameter", &LineType::contact_diameter}, length, "diameter that touches volumes")
           .above(0)
           .or_else_note("`outer_diameter`"),
-      number("mass_per_length", mass_per_length, "mass in air, without `contents` and `marine_growth`")
+      number({"mass_per_length", &LineType::mass_per_length}, mass_per_length,
+             "mass in air, without `contents` and `marine_growth`")
           .above(0)
           .or_else_note("none: needed unless `library`, `pipe` or `weight`"),
-      boolean("bending",
-              "`false` makes a cable: axial stiffness only, may go slack; its nodes have no "
-              "rotations")
+      boolean({"bending", by<LineType>(bending)},
+              "`false` makes a cable: axial stiffness only, may go slack; its nodes have no rotations")
           .or_else_note("`true`; `false` with `library`"),
       one_of("EA",
-             {number("", force).above(0),
+             {number({"", &LineType::EA}, force).above(0),
               map("",
-                  {list("table", list("", number("", none), "").items(2, 2),
+                  {list({"table", by<LineType>(tensions)}, list("", number("", none), "").items(2, 2),
                         "tension over strain, `[[strain, N], ...]`, rising through zero: a monotone cubic, "
                         "elastic, straight beyond the rows")
                        .is_required()
@@ -120,36 +134,40 @@ Key line_types() {
                   "")},
              "axial stiffness")
           .or_else_note(kFromPipe),
-      one_of(
-          "EI",
-          {number("", bending_stiffness).above(0),
-           list("", number("", bending_stiffness).above(0), "").items(2, 2),
-           map("",
-               {list("table", list("", number("", none), "").items(2, 2),
-                     "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the same in "
-                     "all directions: a monotone cubic, elastic, straight beyond the rows")
-                    .is_required()
-                    .items(1)},
-               "")},
-          "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
+      one_of("EI",
+             {number({"", &LineType::EI2, &LineType::EI3}, bending_stiffness).above(0),
+              list({"", by<LineType>(two_axes)}, number("", bending_stiffness).above(0), "").items(2, 2),
+              map("",
+                  {list({"table", by<LineType>(moments)}, list("", number("", none), "").items(2, 2),
+                        "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the same "
+                        "in all directions: a monotone cubic, elastic, straight beyond the rows")
+                       .is_required()
+                       .items(1)},
+                  "")},
+             "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3")
           .or_else_note(kStiffness),
       plasticity(),
-      number("GJ", bending_stiffness, "torsion stiffness").above(0).or_else_note(kStiffness),
-      number("GA", force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)").at_least(0).or_else("0"),
-      vec3("rotary_inertia", inertia_per_length,
+      number({"GJ", &LineType::GJ}, bending_stiffness, "torsion stiffness").above(0).or_else_note(kStiffness),
+      number({"GA", &LineType::GA}, force, "shear stiffness; 0: rigid in shear (Euler-Bernoulli)")
+          .at_least(0)
+          .or_else("0"),
+      vec3({"rotary_inertia", &LineType::rotary_inertia}, inertia_per_length,
            "rotary inertia per length about axes 1 (along the line), 2 and 3")
           .at_least(0)
           .or_else_note("of a full round section: m d²/8, m d²/16, m d²/16; of a `pipe` its own"),
-      number("stiffness_damping", time, "Rayleigh damping beta: damping = beta times the material stiffness")
+      number({"stiffness_damping", &LineType::stiffness_damping}, time,
+             "Rayleigh damping beta: damping = beta times the material stiffness")
           .at_least(0)
           .or_else("0"),
-      number("thermal_expansion", thermal_expansion,
+      number({"thermal_expansion", &LineType::thermal_expansion}, thermal_expansion,
              "strain for a `temperature_change` of the line by 1 K: of steel 1.17e-5; may be negative")
           .or_else("0"),
-      number("breaking_load", force, "minimum breaking load, for the summary; nothing breaks")
+      number({"breaking_load", &LineType::breaking_load}, force,
+             "minimum breaking load, for the summary; nothing breaks")
           .above(0)
           .or_else_note("that of `library`, or not known"),
-      number("minimum_bend_radius", length, "that the line may be bent to, for the summary; nothing breaks")
+      number({"minimum_bend_radius", &LineType::minimum_bend_radius}, length,
+             "that the line may be bent to, for the summary; nothing breaks")
           .above(0)
           .or_else_note("not known")};
   for (Key& k : in_water()) keys.push_back(std::move(k));

@@ -26,51 +26,50 @@ Key path() {
 }
 
 Key boxes() {
-  return list(
-             "boxes",
-             map("",
-                 {one_of(
-                      "at",
-                      {number("", length).at_least(0), list("", number("", length).at_least(0), "").items(1)},
-                      "one box at each of these lengths along `path` ..."),
-                  number("above_path", length,
-                         "... and so far above it, across it (negative: below): the axis of the roller that "
-                         "carries the pipe, of a V where its rollers meet")
-                      .or_else("0"),
-                  list("points", vec3("", length),
-                       "instead of `at`: that place of each box in the body's frame, in the order in which "
-                       "the "
-                       "pipe passes them")
-                      .items(1),
-                  word("type", {"flat", "V", "U", "box"},
-                       "one roller below; two that rise to both sides; one below and one at each side; the "
-                       "same with one above")
-                      .is_required(),
-                  number("roller_diameter", length, "of all its rollers").above(0).is_required(),
-                  number(
-                      "roller_length", length,
-                      "of the roller below, and so the clear width of a U or a box; of a V each of the two")
-                      .above(0)
-                      .is_required(),
-                  number("side_height", length,
-                         "of a U or a box: of the rollers at the sides above the roller below; in a box the "
-                         "roller above is there")
-                      .above(0),
-                  number("angle_deg", angle, "of a V: of each roller above the horizontal")
-                      .above(0)
-                      .at_most(80 * M_PI / 180),
-                  one_of("normal_stiffness", {word("", {"auto"}), number("", point_stiffness).above(0)},
-                         "of a roller: force over penetration where that is 1 % of the pipe's radius; `auto` "
-                         "is raised in the run as far as tensions and speeds need it")
-                      .or_else("auto"),
-                  number("relative_damping", none, "damping of the contact spring over its critical damping")
-                      .at_least(0)
-                      .at_most(2)
-                      .or_else("0"),
-                  friction()},
-                 "")
-                 .either({{{"at", "above_path"}, {"at"}}, {{"points"}, {"points"}}}, true),
-             "roller boxes; several with the same rollers are one entry")
+  return list("boxes",
+              map("",
+                  {one_of("at",
+                          {number("", length).at_least(0),
+                           list("", number("", length).at_least(0), "").items(1)},
+                          "one box at each of these lengths along `path` ..."),
+                   number("above_path", length,
+                          "... and so far above it, across it (negative: below): the axis of the roller that "
+                          "carries the pipe, of a V where its rollers meet")
+                       .or_else("0"),
+                   list("points", vec3("", length),
+                        "instead of `at`: that place of each box in the body's frame, in the order in which "
+                        "the pipe passes them")
+                       .items(1),
+                   word("type", {"flat", "V", "U", "box"},
+                        "one roller below; two that rise to both sides; one below and one at each side; the "
+                        "same with one above")
+                       .is_required(),
+                   number("roller_diameter", length, "of all its rollers").above(0).is_required(),
+                   number(
+                       "roller_length", length,
+                       "of the roller below, and so the clear width of a U or a box; of a V each of the two")
+                       .above(0)
+                       .is_required(),
+                   number("side_height", length,
+                          "of a U or a box: of the rollers at the sides above the roller below; in a box the "
+                          "roller above is there")
+                       .above(0),
+                   number("angle_deg", angle, "of a V: of each roller above the horizontal")
+                       .above(0)
+                       .at_most(80 * M_PI / 180),
+                   one_of("normal_stiffness", {word("", {"auto"}), number("", point_stiffness).above(0)},
+                          "of a roller: force over penetration where that is 1 % of the pipe's radius; "
+                          "`auto` is raised in the run as far as tensions and speeds need it")
+                       .or_else("auto"),
+                   number({"relative_damping", &Volume::relative_damping}, none,
+                          "damping of the contact spring over its critical damping")
+                       .at_least(0)
+                       .at_most(2)
+                       .or_else("0"),
+                   friction(&Volume::friction)},
+                  "")
+                  .either({{{"at", "above_path"}, {"at"}}, {{"points"}, {"points"}}}, true),
+              "roller boxes; several with the same rollers are one entry")
       .is_required()
       .items(1);
 }
@@ -81,8 +80,7 @@ Key supports() {
   return names("supports",
                map("<group>",
                    {reference("body", "bodies",
-                              "body they are fixed to: a barge, a stinger; path and points are "
-                              "in its frame")
+                              "body they are fixed to: a barge, a stinger; path and points are in its frame")
                         .or_else_note("none: fixed in space"),
                     list("on", reference("", "lines"),
                          "straight beams of a structure that carries them: each box is fixed to the nearest "
@@ -93,8 +91,7 @@ Key supports() {
                     path(), boxes()},
                    ""),
                "Roller boxes of ramps and stingers, by groups: rollers that turn without friction, in the "
-               "order "
-               "in which the line passes them. Each is called `<group> <number>`.")
+               "order in which the line passes them. Each is called `<group> <number>`.")
       .or_else("{}");
 }
 

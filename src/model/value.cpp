@@ -19,6 +19,12 @@ const Value& Value::operator[](std::string_view key) const {
   throw std::out_of_range("no key '" + std::string(key) + "'");
 }
 
+std::vector<std::pair<double, double>> Value::rows() const {
+  std::vector<std::pair<double, double>> out;
+  for (const Value& row : items) out.emplace_back(row.items[0].number, row.items[1].number);
+  return out;
+}
+
 int Value::line_of(std::string_view path) const {
   const Value* v = this;
   int line_found = line;

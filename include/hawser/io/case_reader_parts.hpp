@@ -1,4 +1,4 @@
-// Parts of the case reader: shapes, and what looks at other files (motion tables, beds).
+// Parts of the case reader: what is more than copying values into the fields that the schema binds them to.
 #pragma once
 
 #include <map>
@@ -33,108 +33,67 @@ struct SizeLimits {
 // Asks whether something of this size [m] is in other units than metres; empty: it is within its limits.
 std::string other_units(double size, const SizeLimits& limits, const model::Case& c);
 
-// The key's three numbers as a unit vector; zero is refused.
-Vec3 read_direction(const model::Value& v, const char* key, const std::string& path,
-                    const CaseSource& source);
-
-// `shape: {cylinder: {...}}` and the like; `key` is its dotted key.
-Primitive read_shape(const model::Value& shape, const std::string& key, const CaseSource& source);
-
 // Numbers of a text file by row: blanks or commas between, `#` starts a comment. Refused without such a file.
 // lines: which line of the file each row is, from 1.
 std::vector<std::vector<double>> read_rows(const std::string& path, const model::Value& at,
-                                           const std::string& key, const CaseSource& source,
                                            std::vector<int>* lines = nullptr);
 
 // Rows of a map that has them written there (`rows`) or in a text file (`file`), and where that is.
 struct GivenRows {
   const model::Value& at;
-  std::string key;  // dotted
   std::vector<std::vector<double>> rows;
 };
-GivenRows read_given_rows(const model::Value& v, const std::string& key, const CaseSource& source);
+GivenRows read_given_rows(const model::Value& v, const CaseSource& source);
 // Refuses row i when its first number, a time, is not above that of the row before.
-void check_time(const GivenRows& given, size_t i, const CaseSource& source);
-
-// `output.clashes`: a map, or whether there is a report.
-model::ClashOutput read_clash_output(const model::Value& v);
+void check_time(const GivenRows& given, size_t i);
 
 // `rao: {...}`: the motion of a body in the waves of the case as a dense table over `duration` [s].
-model::TableMotion read_rao(const model::Value& rao, const std::string& key, const model::Environment& sea,
-                            const model::Body& body, double duration, const CaseSource& source,
-                            std::vector<std::string>& notes);
+model::TableMotion read_rao(const model::Value& rao, const model::Environment& sea, const model::Body& body,
+                            double duration, const CaseSource& source, std::vector<std::string>& notes);
 
 // `table: {file}` or `{rows}`: t [s], x, y, z [m] and maybe the rotation vector [deg, here to rad].
 // notes: where the curve leaves what neighbouring rows span.
-model::TableMotion read_motion_table(const model::Value& table, const std::string& key,
-                                     const CaseSource& source, std::vector<std::string>& notes);
+void read_motion_table(const model::Value& table, const CaseSource& source, model::TableMotion& m,
+                       std::vector<std::string>& notes);
 
-// `contact.between_lines`. Two different sets of settings for one pair are refused.
-model::BetweenLines read_between_lines(const model::Value& v, const CaseSource& source);
-
-// `environment`, and what a line type is in water (contents and marine growth are added to its mass).
-// notes: what is doubtful about it, a sentence each.
-model::Environment read_environment(const model::Value& v, const CaseSource& source,
-                                    std::vector<std::string>& notes);
-void read_in_water(const model::Value& v, const std::string& key, const CaseSource& source,
-                   const model::Water& water, model::LineType& t);
+// `environment`. notes: what is doubtful about it, a sentence each.
+void finish_environment(const model::Value& v, const CaseSource& source, model::Environment& e,
+                        std::vector<std::string>& notes);
 
 // `pipe` and `weight` of a line type: mass, diameters and stiffnesses from the walls of a pipe
 // (docs/user-guide/case-file.md), mass and displaced diameter from weights per length. Keys that say the same
 // once more are refused.
-void read_pipe(const model::Value& v, const std::string& key, const CaseSource& source, bool uneven_bed,
-               model::LineType& t);
-void read_weight(const model::Value& v, const std::string& key, const CaseSource& source, double gravity,
-                 model::LineType& t);
+void read_pipe(const model::Value& v, bool uneven_bed, model::LineType& t);
+void read_weight(const model::Value& v, double gravity, model::LineType& t);
+// What a line type is in water: contents and marine growth are added to its mass.
+void finish_in_water(const model::Value& v, const model::Water& water, model::LineType& t);
 
 // An entry of `line_types`, which may take from the library what it does not say itself.
-model::LineType read_line_type(const std::string& name, const model::Value& v, const CaseSource& source,
-                               const model::Environment& sea);
+model::LineType read_line_type(const std::string& name, const model::Value& v, const model::Environment& sea);
 
-// An entry of `bend_stiffeners` of a line, its root at arc length `at` [m].
-void read_bend_stiffener(const model::Value& v, const std::string& path, double at, double length,
-                         const CaseSource& source, model::Line& line);
-
-// An entry of `bodies`. duration: of the motion, s. Of the case the environment is read already; its notes
-// get what is doubtful.
-model::Body read_body(const std::string& name, const model::Value& v, const CaseSource& source,
-                      double duration, model::Case& c);
-
-// An entry of `volumes`, and `contact`.
-model::Volume read_volume(const std::string& name, const model::Value& v, const CaseSource& source);
-void read_contact(const model::Value& v, const CaseSource& source, model::Contact& to);
+// What is more than copying of an entry of `bodies`, of `volumes`, and of `contact`. Of the case the
+// environment is read already; its notes get what is doubtful.
+void finish_body(const model::Value& v, const CaseSource& source, model::Body& b, model::Case& c);
+void finish_volume(const model::Value& v, const CaseSource& source, model::Volume& o);
+void finish_contact(const model::Value& v, model::Contact& to);
 
 // An entry of `lines`. whole: `start` of the case, or null; lengths: of sections, in place of those given. Of
 // the case line types and joints are read already; its notes get what is doubtful.
 class OtherRuns;
-model::Line read_line(const std::string& name, const model::Value& v, const CaseSource& source,
-                      const model::Value* whole, const SectionLengths& lengths, OtherRuns& others,
-                      model::Case& c);
+void finish_line(const model::Value& v, const model::Value* whole, const SectionLengths& lengths,
+                 OtherRuns& others, model::Case& c, model::Line& l);
 
 // An entry of `links`. Of the case bodies and lines are read already.
-model::Link read_link(const std::string& name, const model::Value& v, const CaseSource& source,
-                      const model::Case& c);
+void finish_link(const model::Value& v, model::Link& l, const model::Case& c);
 
-void read_statics(const model::Value& v, model::Statics& to);
-model::Dynamics read_dynamics(const model::Value& v);
 // An entry of `events` at the dotted key `path`. Of the case the lines are read already.
 model::Event read_event(const model::Value& v, const std::string& path, const CaseSource& source,
                         const model::Case& c);
-// `speed`, `tension` and what goes with them, of a feeder at the end of a line or of an event.
-model::Feed read_feed_law(const model::Value& v);
-// Of the case the lines are read already.
-void read_output(const model::Value& v, const CaseSource& source, model::Case& c);
-
-// `target` of a line of these `sections`.
-model::LengthTarget read_target(const model::Value& v, const std::string& key, const model::Value& sections,
-                                const CaseSource& source);
+// `output`. Of the case the lines are read already.
+void finish_output(const model::Value& v, const CaseSource& source, model::Case& c);
 
 // `supports`, after bodies, volumes and lines: boxes, and their rollers as volumes.
-void read_supports(const model::Value& supports, const CaseSource& source, model::Case& c);
-
-// `temperature_change` of a line.
-void read_temperature_change(const model::Value& v, const std::string& path, const CaseSource& source,
-                             model::Line& line);
+void read_supports(const model::Value& supports, model::Case& c);
 
 // `grid` or `mesh` of the seabed; nothing without.
 void read_bed_surface(const model::Value& seabed, const CaseSource& source, model::Seabed& bed);
@@ -145,10 +104,9 @@ void check_bed(model::Case& c);
 class OtherRuns {
  public:
   explicit OtherRuns(const CaseSource& source) : source_(source) {}
-  // start: a map with `from` and maybe `time`, at the dotted key `key`. Without such a line: refused if it
-  // must be there, else null.
-  std::shared_ptr<const model::LeftShape> shape(const model::Value& start, const std::string& key,
-                                                const std::string& line, bool must);
+  // start: a map with `from` and maybe `time`. Without such a line: refused if it must be there, else null.
+  std::shared_ptr<const model::LeftShape> shape(const model::Value& start, const std::string& line,
+                                                bool must);
 
  private:
   struct Run {
@@ -158,21 +116,12 @@ class OtherRuns {
     std::vector<double> first, count, arc, position;
     std::vector<std::vector<double>> axes;  // 1 and 2 of the section, where there are beams
   };
-  const Run& run(const model::Value& from, const model::Value* time, const std::string& key);
+  const Run& run(const model::Value& from, const model::Value* time);
   const CaseSource& source_;
   std::map<std::pair<std::string, double>, Run> runs_;  // by path and time; -1: the last
 };
 // Whether it is long enough for the line.
 void check_left_shape(const model::Line& line, const model::Value& at, const std::string& key,
-                      const CaseSource& source, std::vector<std::string>& notes);
-
-// `sign` of a volume, a word of the schema.
-model::SignTest read_sign(const std::string& word);
-std::string sign_word(model::SignTest sign);
-
-// Rows of force over penetration, and friction given as a map.
-std::shared_ptr<const ContactForceTable> read_force_table(const model::Value& table, const std::string& key,
-                                                          const CaseSource& source);
-model::Friction read_friction(const model::Value& f, const std::string& key, const CaseSource& source);
+                      std::vector<std::string>& notes);
 
 }  // namespace hawser::io

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "hawser/io/case_reader_parts.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/schema.hpp"
 
 namespace hawser::io {
 
@@ -13,6 +15,13 @@ inline double number(const model::Value& v, const char* key, double otherwise = 
 inline Vec3 vec(const model::Value& v, const char* key) {
   const model::Value* x = v.find(key);
   return x ? as_vec3(*x) : Vec3(Vec3::Zero());
+}
+// The same where the key is in the schema's words: 'end_b' becomes the length of the line.
+inline void to_length(double& arc, double length) {
+  if (arc == model::kEndB) arc = length;
+}
+inline double length_of(const model::Case& c, const std::string& line) {
+  return model::length_of(c.lines[static_cast<std::size_t>(c.line_index(line))]);
 }
 // An arc length of a line of this length, m: a number or one of its ends.
 inline double arc(const model::Value* v, double otherwise, double length) {

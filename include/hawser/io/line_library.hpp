@@ -9,10 +9,10 @@
 
 namespace hawser::io {
 
-// A cable type from the keys `library`, `diameter` and `grade` of a line type `v` (dotted key `key`). A name
+// A cable type from the keys `library`, `diameter` and `grade` of a line type `v`. A name
 // or a grade that is not there, a key that is missing or superfluous and a diameter for which a formula gives
 // nothing positive are refused with one sentence.
-model::LineType library_line_type(const model::Value& v, const std::string& key, const CaseSource& source);
+model::LineType library_line_type(const model::Value& v);
 
 std::vector<std::string> line_library_names();
 

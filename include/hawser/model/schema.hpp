@@ -2,9 +2,13 @@
 // Schema for editors are all made from it, so they cannot disagree.
 #pragma once
 
+#include <functional>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <typeinfo>
 #include <vector>
 
 #include "hawser/model/units.hpp"
@@ -14,6 +18,8 @@ namespace hawser::model {
 
 // Value::line of what --set has put into a document.
 inline constexpr int kBySet = -1;
+// Value::number of an arc length that is given as 'end_b'.
+inline constexpr double kEndB = std::numeric_limits<double>::infinity();
 
 struct Bounds {
   std::optional<double> above, at_least, at_most;  // SI (angles: rad)
@@ -24,6 +30,24 @@ struct Group {
   std::vector<std::string> keys;
   std::vector<std::string> needed;  // those of them that must be there when the group is used
 };
+
+// A struct of the case (case.hpp) that keys fill.
+class Target {
+ public:
+  template <class T>
+  Target(T& o) : at_(&o), type_(&typeid(T)) {}
+  template <class T>
+  T& as() const {
+    if (*type_ != typeid(T)) throw std::logic_error("a key is bound to a field of another struct");
+    return *static_cast<T*>(at_);
+  }
+
+ private:
+  void* at_;
+  const std::type_info* type_;
+};
+// Puts a checked value into a field of it.
+using Put = std::function<void(const Target&, const Value&)>;
 
 struct Key {
   enum class Type {
@@ -47,6 +71,7 @@ struct Key {
   Dimension unit = Dimension::none;
   Bounds bounds;
   std::vector<std::string> words;
+  std::vector<double> meanings;  // of the words: numbers, enumerators
   std::string refers;
   std::optional<std::string> fallback;  // default, as it would be written in the file
   std::string fallback_note;            // default in words, when it depends on other keys
@@ -55,6 +80,9 @@ struct Key {
   std::size_t min_items = 0, max_items = 0;  // of lists and names; 0: no limit
   std::vector<Group> groups;
   bool group_required = false;  // one of the groups must be used
+  // The fields that it is for. None: the keys of a map are for the struct around it; what else has none is
+  // read by hand (src/io/case_reader*.cpp).
+  std::vector<Put> fields;
 
   // Builders, to be chained.
   Key&& is_required() &&;
@@ -80,6 +108,20 @@ std::string place_below(const Key& key, std::string_view name);
 // Check `root` against the schema, fill in defaults (Value::given = false), set Value::number in SI,
 // resolve references. Throws InputError "file:line: dotted.key: ..." at the first fault.
 void check_structure(Value& root, const Key& schema, const std::string& file);
+
+// Puts what v says into the fields of `target` that its key and those below it are for. given: only what
+// stands in the file, no defaults.
+void take(const Value& v, const Target& target, bool given = false);
+
+// A value that is well formed and cannot be; the reader of the case makes an InputError of it.
+struct Refusal : std::runtime_error {
+  Refusal(const Value& at, std::string where, const std::string& text);
+  int line;
+  std::string where;  // dotted key
+};
+// Throws it: of this value, or of another key in its line.
+[[noreturn]] void refuse(const Value& v, const std::string& text);
+[[noreturn]] void refuse(const Value& at, const std::string& where, const std::string& text);
 
 // Throws InputError with the sentence "file:line: key: text".
 [[noreturn]] void fail(const std::string& file, int line, const std::string& key, const std::string& text);

@@ -4,19 +4,25 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hawser::model {
+
+struct Key;
 
 struct Value {
   enum class Kind { null, scalar, list, map };
 
   Kind kind = Kind::null;
-  std::string text;               // scalar as written
-  bool quoted = false;            // scalar in quotes
-  int line = 0;                   // in the file, from 1; of the key for values of a map
-  bool given = true;              // false: a default that the schema filled in
-  double number = 0;              // SI; set by the schema check for numbers, integers and booleans
+  std::string text;     // scalar as written
+  bool quoted = false;  // scalar in quotes
+  int line = 0;         // in the file, from 1; of the key for values of a map
+  bool given = true;    // false: a default that the schema filled in
+  // Set by the schema check (check_structure):
+  double number = 0;              // SI, of numbers, integers and booleans; of a word what it stands for
+  std::string where;              // dotted: "lines.hose.sections[0].length"
+  const Key* schema = nullptr;    // that it was checked against; of alternatives the one that it is
   std::vector<Value> items;       // of a list; or the values of a map
   std::vector<std::string> keys;  // of a map, as many as items
 
@@ -24,6 +30,7 @@ struct Value {
   const Value& operator[](std::string_view key) const;  // throws std::out_of_range
   bool has(std::string_view key) const { return find(key) != nullptr; }
   bool is(std::string_view word) const { return kind == Kind::scalar && text == word; }
+  std::vector<std::pair<double, double>> rows() const;  // of a list of lists of two numbers, by `number`
 
   // Line of a dotted key such as "lines.hose.sections[0].length", or of its nearest existing ancestor.
   int line_of(std::string_view path) const;
