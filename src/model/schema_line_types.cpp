@@ -122,7 +122,9 @@ Key line_types() {
            "rotary inertia per length about axes 1 (along the line), 2 and 3")
           .at_least(0)
           .or_else_note("of a full round section: m d²/8, m d²/16, m d²/16; of a `pipe` its own"),
-      number("stiffness_damping", time, "Rayleigh damping beta: damping = beta times the material stiffness")
+      number("stiffness_damping", time,
+             "Rayleigh damping beta: damping = beta times the material stiffness, of a cable no more than "
+             "its tension")
           .at_least(0)
           .or_else("0"),
       number("thermal_expansion", thermal_expansion,
