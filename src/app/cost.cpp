@@ -52,7 +52,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
         trial.iteration = (cpu_time() - first) / (now.iterations - 1);
         throw Spent();
       };
-      Events(sim.system().comm(), sim).come_to_rest([&] { sim.solve_statics(told); });
+      Events(sim.system().comm(), sim).come_to_rest([&](bool falls) { sim.solve_statics(told, falls); });
     } else {
       sim.check_inside();
     }

@@ -222,22 +222,32 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
   }
 }
 
-void Events::come_to_rest(const std::function<void()>& solve,
+// A line, or what carried one.
+bool Events::lets_go(const std::string& stage) const {
+  return std::any_of(events_.begin(), events_.end(), [&](const Happening& h) {
+    const Action& a = h.what.action;
+    const bool carried = a.kind == Action::Kind::contact && !a.enabled;
+    return h.what.cause.kind == Cause::Kind::stage && h.what.cause.event == stage &&
+           (a.kind == Action::Kind::release || carried);
+  });
+}
+
+void Events::come_to_rest(const std::function<void(bool)>& solve,
                           const std::function<void(const std::string&)>& say,
                           const std::function<void(size_t)>& rested) {
   const std::vector<std::string>& stages = sim_.model().stages;
-  if (stages.empty()) solve();
+  if (stages.empty()) solve(false);
   for (size_t k = 0; k < stages.size(); ++k) {
     say(fmt::format("stage {} of statics", stages[k]));
     for (const std::string& e : at_rest(stages[k])) say(e);
-    solve();
+    solve(k > 0 && lets_go(stages[k]));
     pay_out(stages[k], solve);
     rested(k);
   }
 }
 
 // An element after the other, all feeders of the stage together, each from the rest that it has come to.
-void Events::pay_out(const std::string& stage, const std::function<void()>& solve) {
+void Events::pay_out(const std::string& stage, const std::function<void(bool)>& solve) {
   std::map<Feeder*, double> left;  // m
   for (const Happening& h : events_) {
     const Action& a = h.what.action;
@@ -257,7 +267,7 @@ void Events::pay_out(const std::string& stage, const std::function<void()>& solv
       if (more)
         sim_.solve_statics();
       else
-        solve();
+        solve(false);
     } catch (const SolveError& e) {
       const auto& [f, length] = *left.begin();
       throw SolveError(fmt::format("stage {}, when {:.6g} m are left to be {} at {}: {}", stage,

@@ -66,6 +66,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       registry_(simulation.system().fields()),
       end_forces_(simulation.system(), simulation.feeders()),
       turns_(simulation.local()),
+      folds_(simulation.model(), simulation.local(), simulation.feeders()),
       utilisation_(simulation.model(), simulation.local()),
       pipes_(simulation.model(), simulation.local()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)),
@@ -306,6 +307,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   if (audit_.update(start_, sum_of(comm_, share), info.time, info.h, passed_through(info.h)) && info.h > 0)
     find_worst(at);
   extremes_->add(info.time, values_, utilisation_);
+  folds_.look(shown, values_[static_cast<size_t>(before_)], values_[static_cast<size_t>(after_)]);
   if (statistics_) statistics_->add(info.time, values_);
   if (at_stations_) at_stations_->add(info.time, stations_->at(values_));
   if (clashes_) clashes_->step(info.time);
@@ -429,6 +431,10 @@ std::string Recorder::finish(std::vector<std::string> messages) {
   for (const auto& r : rows) {
     if (r.quantity == "max effective tension" && r.value > 0 && pressed_ >= 0)
       if (const std::string w = turns_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
+          !w.empty())
+        warnings_.push_back(w);
+    if (r.quantity == "max effective tension" && r.value > 0)
+      if (const std::string w = folds_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
           !w.empty())
         warnings_.push_back(w);
     if (const std::string w = overused(fields_, r); !w.empty()) warnings_.push_back(w);

@@ -96,12 +96,14 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
 
 namespace {
 
-StaticsReport solve_one(Simulation& sim, Progress& progress) {
+StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
   const model::Case& c = sim.model();
   const size_t told = sim.notes().size();
-  const StaticsReport s = sim.solve_statics([&](const StaticsReport& now) {
-    progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-  });
+  const StaticsReport s = sim.solve_statics(
+      [&](const StaticsReport& now) {
+        progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+      },
+      falls);
   for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
   progress.say(fmt::format(
       "statics: {} iterations{}{}", s.iterations,
@@ -124,7 +126,7 @@ StaticsReport solve_one(Simulation& sim, Progress& progress) {
 StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress,
                             const std::function<void(size_t)>& rested) {
   StaticsReport last;
-  events.come_to_rest([&] { last = solve_one(sim, progress); },
+  events.come_to_rest([&](bool falls) { last = solve_one(sim, progress, falls); },
                       [&](const std::string& what) { progress.say(what); }, rested);
   return last;
 }

@@ -284,7 +284,7 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
   report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
 }
 
-StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> told) {
+StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> told, bool falls) {
   const auto enable_friction = [this](bool on) {
     if (contact_) contact_->enable_friction(on);
     if (line_pairs_) line_pairs_->enable_friction(on);
@@ -302,10 +302,10 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   StaticsSettings settings;
   settings.tolerance = case_.statics.tolerance;
   settings.max_iterations = case_.statics.max_iterations;
-  settings.relaxation = case_.statics.relaxation == model::Relaxation::always ? RelaxationUse::always
-                        : case_.statics.relaxation == model::Relaxation::never
-                            ? RelaxationUse::never
-                            : RelaxationUse::when_newton_fails;
+  settings.relaxation = case_.statics.relaxation == model::Relaxation::always  ? RelaxationUse::always
+                        : case_.statics.relaxation == model::Relaxation::never ? RelaxationUse::never
+                        : falls                                                ? RelaxationUse::first
+                                : RelaxationUse::when_newton_fails;
   settings.relaxation_steps = case_.statics.relaxation_steps;
   settings.friction = static_friction();
   settings.told = std::move(told);
@@ -326,6 +326,19 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
         !why.empty())
       throw SolveError("statics: " + why);
   for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
+  std::vector<double> slack = structure_->slack(state_.view(0));
+  MPI_Allreduce(MPI_IN_PLACE, slack.data(), static_cast<int>(slack.size()), MPI_DOUBLE, MPI_SUM,
+                system_->comm());
+  for (size_t l = 0; l < slack.size(); ++l)
+    if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
+      notes_.push_back(fmt::format(
+          "lines.{}: {:.3g} m of it have no tension at rest and can lie in other places, of which {}",
+          mesh_->lines[l].name, slack[l],
+          settings.relaxation == RelaxationUse::when_newton_fails
+              ? "rounding may choose (so may the number of ranks): 'start' says which is meant, and "
+                "'statics: "
+                "{dynamic_relaxation: always}' lets it fall into place"
+              : "it has fallen into one; 'start' says which is meant"));
   return report;
 }
 

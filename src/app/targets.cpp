@@ -62,7 +62,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
     try {
       MetTargets out{io::with_lengths(c, lengths, comm), {}};
       Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes));
-      Events(comm, sim).come_to_rest([&] { sim.solve_statics(told); });
+      Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(told, falls); });
       const AtRest now = at_rest(comm, sim);
       for (SoughtLength& s : all) parted |= s.see(now);
       if (std::all_of(all.begin(), all.end(), [](const SoughtLength& s) { return s.met(); })) {

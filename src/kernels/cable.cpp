@@ -13,7 +13,8 @@ struct Local {
   Vec3 t, dv;  // unit chord, v2 - v1
   double l, strain, rate, tension;
   ResponseCurve::Value axial;  // of the strain
-  bool damped;                 // the damping acts: taut, and tension not cut off at zero
+  bool damped;                 // the damper follows the rate: taut, and less than the spring either way
+  double springs;  // how often the tension has the spring's: twice where the damper is at its limit
 };
 
 inline Local local(const CableSection& s, const CableEnds& e) {
@@ -26,11 +27,13 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   o.rate = (o.t.dot(o.dv) - s.grows * o.l / s.length) / s.length;
   o.tension = 0;
   o.damped = false;
+  o.springs = 1;
   if (o.strain > 0) {
     o.axial = s.axial(o.strain);
-    const double full = o.axial.force + s.EA * s.beta * o.rate;
-    o.damped = s.beta > 0 && full > 0;
-    o.tension = std::max(full, 0.0);
+    const double damper = s.EA * s.beta * o.rate;
+    o.damped = s.beta > 0 && std::abs(damper) < o.axial.force;
+    if (damper >= o.axial.force) o.springs = 2;
+    o.tension = o.axial.force + std::clamp(damper, -o.axial.force, o.axial.force);
   }
   return o;
 }
@@ -83,12 +86,14 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   o.grown = std::max(strain, 0.0) - std::max(from.strain, 0.0);
   o.elastic = e.mean;
   o.damper = s.EA * s.beta / step.h * o.grown;
+  const bool limited = o.damper > o.elastic;
+  if (limited) o.damper = o.elastic;
   o.filter = step.filter * s.EA * (o.grown - e.share * from.stretch);
   o.tension = o.elastic + o.damper + o.filter;
   if (o.tension <= 0) return o.tension = o.damper = o.filter = 0, o;
   const double way = strain - from.strain;
-  o.slope = e.slope;
-  if (strain > 0) o.slope += s.EA * (s.beta / step.h + step.filter);
+  o.slope = limited ? 2 * e.slope : e.slope;
+  if (strain > 0) o.slope += s.EA * ((limited ? 0 : s.beta / step.h) + step.filter);
   // The share changes with the end where only part of the way is taut.
   if (e.share < 1 && way != 0)
     o.slope -= step.filter * s.EA * from.stretch * ((strain > 0 ? 1 : 0) - e.share) / way;
@@ -158,7 +163,7 @@ void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePul
   out.force = o.tension * o.t;
   const bool taut = o.tension > 0;
   const double ea = s.EA / s.length, across = taut ? o.tension / o.l : 0;
-  const double stiff = taut ? o.axial.slope / s.length : ea;
+  const double stiff = taut ? o.springs * o.axial.slope / s.length : ea;
   Vec3 along = (taut || convex ? stiff : 0.0) * o.t - across * o.t;
   // rate = (t.dv - L' l/L)/L turns with the chord: its gradient is (dv - t (t.dv))/(l L) - L' t/L²
   if (o.damped)

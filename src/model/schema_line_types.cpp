@@ -156,7 +156,8 @@ Key line_types() {
           .at_least(0)
           .or_else_note("of a full round section: m d²/8, m d²/16, m d²/16; of a `pipe` its own"),
       number({"stiffness_damping", &LineType::stiffness_damping}, time,
-             "Rayleigh damping beta: damping = beta times the material stiffness")
+             "Rayleigh damping beta: damping = beta times the material stiffness, of a cable no more than "
+             "its tension")
           .at_least(0)
           .or_else("0"),
       number({"thermal_expansion", &LineType::thermal_expansion}, thermal_expansion,

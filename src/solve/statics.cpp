@@ -101,16 +101,20 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
   if (settings.near || settings.relaxation == RelaxationUse::never)
     return StaticSearch(system, settings, state).run(settings.near);
   if (settings.relaxation == RelaxationUse::always) return relaxed(system, settings, state);
+  const bool fall = settings.relaxation == RelaxationUse::first;
+  const auto search = [&](bool relaxing) {
+    return relaxing ? relaxed(system, settings, state) : StaticSearch(system, settings, state).run();
+  };
   try {
-    return StaticSearch(system, settings, state).run();
-  } catch (const SolveError& newton) {
+    return search(fall);
+  } catch (const SolveError& first) {
     start.again(state);
     try {
-      return relaxed(system, settings, state);
+      return search(!fall);
     } catch (const InTheWay&) {
       throw;
-    } catch (const SolveError& relaxation) {
-      throw SolveError(fmt::format("{}; after that, {}", newton.what(), relaxation.what()));
+    } catch (const SolveError& second) {
+      throw SolveError(fmt::format("{}; after that, {}", first.what(), second.what()));
     }
   }
 }

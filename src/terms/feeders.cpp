@@ -15,6 +15,15 @@
 namespace hawser {
 namespace {
 
+// Of the element's mass, in its matrix: of each end, and between both. Of cables the mean of lumped and
+// consistent, of beams that of cubics (kernels/line_mass.cpp).
+struct MassShares {
+  double own, shared;
+};
+MassShares mass_shares(bool beam) {
+  return beam ? MassShares{13. / 35, 9. / 70} : MassShares{5. / 12, 1. / 12};
+}
+
 // How short the mouth's element may get in a step, of its own length, and how much longer than that, of the
 // length of the next one in the stock: a good way beyond where a node is caught or leaves.
 constexpr double kShortest = 0.1, kLonger = 0.9;
@@ -208,9 +217,10 @@ Feeders::Flow Feeders::flow(const Mouth& m, const Kinematics& at, const LocalEle
 void Feeders::force(const Feeder& f, const Mouth& m, const Kinematics& at, const LocalElement& e,
                     Vec3* out) const {
   const Flow o = flow(m, at, e, f.at_b);
-  const double shared = cable_mass({m.length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()}).shared;
-  out[0] = 5 * shared * o.acceleration + (f.mass_per_length * m.speed * m.speed / m.length) * o.chord;
-  out[1] = shared * o.acceleration;
+  const MassShares mass = mass_shares(f.beam);
+  const double whole = f.mass_per_length * m.length;
+  out[0] = whole * mass.own * o.acceleration + (f.mass_per_length * m.speed * m.speed / m.length) * o.chord;
+  out[1] = whole * mass.shared * o.acceleration;
 }
 
 void Feeders::prepare(const Kinematics& committed, double) {
@@ -239,8 +249,9 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
       assembler.add(blocks, r, nullptr, nullptr, nullptr);
       continue;
     }
-    const double rate = m.speed / m.length,
-                 shared = cable_mass({m.length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()}).shared;
+    const MassShares mass = mass_shares(f.beam);
+    const double rate = m.speed / m.length, held = f.mass_per_length * m.length * mass.own,
+                 shared = f.mass_per_length * m.length * mass.shared;
     // Derivatives of the acceleration by position and velocity of the free node; by those of the other minus.
     const double by_x = m.acceleration / m.length - 2 * rate * rate, by_v = 2 * rate;
     const double own = f.mass_per_length * m.speed * rate;
@@ -249,8 +260,8 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
       to.block<3, 3>(3 * i, 3).diagonal().array() = value;
       to.block<3, 3>(3 * i, 0).diagonal().array() = -value;
     };
-    put(K, 0, 5 * shared * by_x + own), put(K, 1, shared * by_x);
-    put(C, 0, 5 * shared * by_v), put(C, 1, shared * by_v);
+    put(K, 0, held * by_x + own), put(K, 1, shared * by_x);
+    put(C, 0, held * by_v), put(C, 1, shared * by_v);
     assembler.add(blocks, r, K.data(), C.data(), M.data());
   }
 }
@@ -277,10 +288,13 @@ double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement&
                j = static_cast<size_t>(f.at_b ? e.first : e.second);
   const Flow o = flow(m, at, e, f.at_b);
   const double mass = f.mass_per_length, rate = m.speed / m.length;
-  const Vec3 inertia = mass * m.length / 12 * (5 * (at.a[i] + o.acceleration) + at.a[j]);
+  const auto [own, shared] = mass_shares(f.beam);
+  const Vec3 inertia = mass * m.length * (own * (at.a[i] + o.acceleration) + shared * at.a[j]);
   const Vec3 &v = o.velocity, &w = at.v[j];
   return rate * o.chord.dot(inertia) +
-         mass * m.speed / 8 * (5 * v.squaredNorm() - 2 * v.dot(w) + w.squaredNorm()) -
+         mass * m.speed *
+             (1.5 * own * v.squaredNorm() + (2 * shared - own) * v.dot(w) +
+              (0.5 * own - shared) * w.squaredNorm()) -
          mass * m.speed * at.v[i].dot(v - at.v[i]);
 }
 
@@ -335,9 +349,10 @@ Energy Feeders::energy(const Kinematics& at) const {
     const Mouth m = mouth(f, at, true);
     const size_t i = static_cast<size_t>(f.at_b ? e->second : e->first),
                  j = static_cast<size_t>(f.at_b ? e->first : e->second);
-    const MassSection s{m.length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()};
-    out.kinetic += cable_kinetic_energy(s, flow(m, at, *e, f.at_b).velocity, at.v[j]) -
-                   cable_kinetic_energy(s, at.v[i], at.v[j]);
+    const Vec3 v = flow(m, at, *e, f.at_b).velocity, &held = at.v[i], &w = at.v[j];
+    const auto [own, shared] = mass_shares(f.beam);
+    out.kinetic += f.mass_per_length * m.length *
+                   (0.5 * own * (v.squaredNorm() - held.squaredNorm()) + shared * w.dot(v - held));
   }
   return out;
 }

@@ -208,6 +208,15 @@ void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines)
   for (const Cable& c : cables_) look(c, cable_stress(c.section, ends(c, at)).tension);
 }
 
+std::vector<double> StructureTerm::slack(const Kinematics& at) const {
+  std::vector<double> lines(mesh_.mesh->lines.size());
+  for (const Cable& c : cables_)
+    if (c.at.counted && cable_stress(c.section, ends(c, at)).tension == 0)
+      lines[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(c.at.global)].line)] +=
+          c.section.length;
+  return lines;
+}
+
 // From the true stiffness each time: no bound gives it back to the last bit.
 void StructureTerm::soften(double most) {
   if (true_EA_.empty()) {

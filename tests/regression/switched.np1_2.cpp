@@ -216,6 +216,34 @@ TEST(Events, OneAfterAnother) {
   EXPECT_LT(z.back(), 99.9);
 }
 
+// A leg that lets go in a stage of statics falls on the bed, where it may lie in many ways: in the same one
+// on one rank and on two, and a note says that there are others.
+TEST(Events, ALegThatFallsInAStageLiesWhereRanksAgree) {
+  const std::string path = folder("events-fallen"), input = path + "/case.yaml";
+  write_case(input, R"(hawser: 1
+title: Two legs, one of which falls
+environment: {water: {density: 1025, depth: 100}, seabed: {depth: 100}}
+line_types:
+  chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 500 MN, bending: false}
+lines:
+  leg 1: {sections: [{type: chain, length: 200, elements: 60}], end_a: {anchor: [-160, 0, -100]}, end_b: {anchor: [0, 0, 0]}}
+  leg 2: {sections: [{type: chain, length: 200, elements: 60}], end_a: {anchor: [160, 0, -100]}, end_b: {anchor: [0, 0, 0]}}
+stages: [two legs, one leg]
+events:
+  - {release: {line: leg 2, end: end_b}, stage: one leg}
+)");
+  run_on_all({input, path + "/all.h5"});
+  run_on_one({input, path + "/one.h5"});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results all = read(path + "/all.h5"), one = read(path + "/one.h5");
+  EXPECT_LT(largest_difference(all.fields.at("position"), one.fields.at("position")), 1e-6);
+  std::string told;
+  const auto file = io::h5::open_read(path + "/all.h5");
+  for (const std::string& m : io::h5::read_texts(file, "messages")) told += m + "\n";
+  EXPECT_NE(told.find("lines.leg 2: "), std::string::npos) << told;
+  EXPECT_NE(told.find("have no tension at rest and can lie in other places"), std::string::npos) << told;
+}
+
 // A weight that hangs on two legs, one of which lets go in a stage of statics, hangs straight down
 // afterwards.
 TEST(Events, AStageOfStatics) {

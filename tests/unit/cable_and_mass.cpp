@@ -64,6 +64,24 @@ TEST(Cable, SlackCarriesNothing) {
   EXPECT_EQ(cable_stress(s, e).tension, 0);
 }
 
+// A slack cable that snaps taut has a rate of strain at once and no strain yet: its tension begins at zero.
+TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
+  const CableSection s{1.0, 300, 0.1};
+  CableState e{Vec3::Zero(), Vec3(1.01, 0, 0)};
+  e.v2 = Vec3(0.05, 0, 0);
+  EXPECT_NEAR(cable_stress(s, e).tension, 3 + 1.5, 1e-12);
+  e.v2 = Vec3(50, 0, 0);
+  EXPECT_NEAR(cable_stress(s, e).tension, 6, 1e-12);
+  CablePull o;
+  cable_pull(s, {e.x1, e.x2, e.v1, e.v2}, false, o);
+  EXPECT_NEAR(o.k(0, 0), 600, 1e-9);
+  EXPECT_EQ(o.c.norm(), 0);
+  const CableStart slack = cable_start(s, Vec3::Zero(), Vec3(0.99, 0, 0), 0);
+  const Vec3 without = cable_mean({1.0, 300, 0}, slack, {1e-4, 0}, e.x1, e.x2);
+  EXPECT_GT(without.x(), 0.7);
+  EXPECT_LT((cable_mean(s, slack, {1e-4, 0}, e.x1, e.x2) - 2 * without).norm(), 1e-12);
+}
+
 // Steps of a cable whose ends are thrown about, slack and taut, in steps of all lengths.
 struct Thrown {
   CableStart from;

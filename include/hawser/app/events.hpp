@@ -20,10 +20,11 @@ class Events {
   Events(MPI_Comm comm, Simulation& simulation);
 
   // Statics of the case: its stages one after another, or all at once where it has none. `solve` finds a
-  // rest, from the one before; `say` is told what begins each stage, a sentence each; `rested` which stage,
-  // by its place, has come to rest. SolveError where a stage cannot begin. Collective.
+  // rest, from the one before, told whether something was let go that has to fall first; `say` is told what
+  // begins each stage, a sentence each; `rested` which stage, by its place, has come to rest. SolveError
+  // where a stage cannot begin. Collective.
   void come_to_rest(
-      const std::function<void()>& solve,
+      const std::function<void(bool falls)>& solve,
       const std::function<void(const std::string&)>& say = [](const std::string&) {},
       const std::function<void(size_t)>& rested = [](size_t) {});
 
@@ -74,7 +75,8 @@ class Events {
   // One of them, done and told; the system's supports are not changed yet.
   void happen(size_t event, const Kinematics& at, const std::string& stage, std::vector<std::string>& told);
   std::vector<std::string> at_rest(const std::string& stage);
-  void pay_out(const std::string& stage, const std::function<void()>& solve);
+  bool lets_go(const std::string& stage) const;
+  void pay_out(const std::string& stage, const std::function<void(bool)>& solve);
 
   MPI_Comm comm_;
   Simulation& sim_;

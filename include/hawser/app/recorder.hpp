@@ -11,6 +11,7 @@
 #include "hawser/app/clash_report.hpp"
 #include "hawser/app/clearances.hpp"
 #include "hawser/app/end_forces.hpp"
+#include "hawser/app/folds.hpp"
 #include "hawser/app/histories.hpp"
 #include "hawser/app/line_extremes.hpp"
 #include "hawser/app/node_statistics.hpp"
@@ -96,6 +97,7 @@ class Recorder {
   std::unique_ptr<Stations> stations_;           // likewise
   std::unique_ptr<NodeStatistics> at_stations_;  // likewise
   SharpTurns turns_;
+  Folds folds_;
   Utilisation utilisation_;
   PipeStrength pipes_;
   Clearances clearances_;

@@ -81,8 +81,9 @@ class Simulation {
   // InputError if what starts inside a volume is still there. Collective.
   void check_inside() const;
   // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
-  // InputError as of check_inside(). told: how far it is, now and then; on all ranks.
-  StaticsReport solve_statics(std::function<void(const StaticsReport&)> told = {});
+  // InputError as of check_inside(). told: how far it is, now and then; on all ranks. falls: something was
+  // let go, and comes to rest by dynamic relaxation first.
+  StaticsReport solve_statics(std::function<void(const StaticsReport&)> told = {}, bool falls = false);
   DynamicsSettings dynamics_settings() const;
 
  private:

@@ -59,9 +59,9 @@ struct CableStress {
   double dissipation = 0;    // W
 };
 
-// T = EA max(0, e + beta e'), e = l/L - 1 - free strain, for e > 0. The force on the first end is -force, on
-// the second force: residuals. `convex` keeps the axial stiffness of a slack element, so that statics far
-// from the solution has something to pull with.
+// T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0; the damper's part is never larger than the
+// spring's. The force on the first end is -force, on the second force: residuals. `convex` keeps the axial
+// stiffness of a slack element, so that statics far from the solution has something to pull with.
 Vec3 cable_pull(const CableSection& s, const CableEnds& e);
 void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePull& out);
 

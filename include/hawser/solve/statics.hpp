@@ -16,8 +16,10 @@
 
 namespace hawser {
 
-// Whether lines come to rest by dynamic relaxation (relaxation.hpp) before Newton's iteration.
-enum class RelaxationUse { when_newton_fails, always, never };
+// Whether lines come to rest by dynamic relaxation (relaxation.hpp) before Newton's iteration. `first`:
+// unless it fails. Newton's descent of a line that falls takes a way that rounding chooses, the damped fall
+// does not.
+enum class RelaxationUse { when_newton_fails, first, always, never };
 
 struct StaticsReport {
   int iterations = 0;

@@ -54,6 +54,8 @@ class StructureTerm final : public ForceTerm,
   double round_off(const Kinematics& at, double h) const override;
   Overstretch overstretched(const Kinematics& at) const override;
   void tensions(const Kinematics& at, std::span<LineTension> lines) const override;
+  // m of each line, of this rank's cables, that have no tension.
+  std::vector<double> slack(const Kinematics& at) const;
   void soften(double most) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
