@@ -18,9 +18,7 @@ double noise(int i, int purpose) {
   const double x = std::sin(12.9898 * (i + 1) + 78.233 * purpose) * 43758.5453;
   return 2 * (x - std::floor(x)) - 1;
 }
-Vec3 noise3(int i, int purpose) {
-  return {noise(3 * i, purpose), noise(3 * i + 1, purpose), noise(3 * i + 2, purpose)};
-}
+Vec3 noise3(int i, int p) { return {noise(3 * i, p), noise(3 * i + 1, p), noise(3 * i + 2, p)}; }
 
 // An element from a to b; its nodes' axes lean off the chord by up to `bend`.
 AxisEnds element(bool beam, const Vec3& a, const Vec3& b, int seed, double bend = 0.05) {
@@ -41,10 +39,9 @@ AxisEnds element(bool beam, const Vec3& a, const Vec3& b, int seed, double bend 
 AxisEnds moved(const AxisEnds& e, const double* u, const double* du = nullptr) {
   AxisEnds m = e;
   m.x1 += Eigen::Map<const Vec3>(u), m.x2 += Eigen::Map<const Vec3>(u + (e.beam ? 6 : 3));
-  if (e.beam) {
+  if (e.beam)
     m.q1 = m.q1 * exp_so3(Eigen::Map<const Vec3>(u + 3)),
     m.q2 = m.q2 * exp_so3(Eigen::Map<const Vec3>(u + 9));
-  }
   if (du) {
     m.v1 += Eigen::Map<const Vec3>(du), m.v2 += Eigen::Map<const Vec3>(du + (e.beam ? 6 : 3));
     if (e.beam) m.w1 += Eigen::Map<const Vec3>(du + 3), m.w2 += Eigen::Map<const Vec3>(du + 9);
@@ -278,13 +275,13 @@ std::array<std::vector<LinePairHistory>, 6> swept(double way, double mu) {
     a.x1.y() += y, a.x2.y() += y;
     return a;
   };
-  std::array<std::vector<LinePairHistory>, 6> past, next;
+  std::array<std::vector<LinePairHistory>, 6> past;
   const int steps = static_cast<int>(std::lround(0.3 / way));
   for (int i = 1; i <= steps; ++i) {
-    for (auto& part : next) part.clear();
+    std::array<std::vector<LinePairHistory>, 6> next;
     rig.each(at((i - steps) * way), rig.b, at((i - 1 - steps) * way), rig.b, past,
              [&](size_t k, const LinePairPass& pass) { keep(pass, next[k]); });
-    past = next;
+    past = std::move(next);
   }
   return past;
 }
@@ -494,9 +491,7 @@ TEST(AxisProjection, NearestOfAll) {
     for (int i = 0; i <= 4000; ++i) least = std::min(least, (x - axis.point(i / 4000.0)).norm());
     EXPECT_LE(f.distance, least + 1e-12) << seed;
     EXPECT_NEAR(f.distance, least, 1e-4) << seed;
-    if (f.inside) {
-      EXPECT_NEAR(f.away.dot(axis.slope(f.eta)), 0, 1e-12) << seed;
-    }
+    EXPECT_NEAR(f.inside ? f.away.dot(axis.slope(f.eta)) : 0.0, 0, 1e-12) << seed;
   }
 }
 
