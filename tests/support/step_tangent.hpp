@@ -52,12 +52,12 @@ class StepTangent {
     return {system, std::move(from), h, std::move(u)};
   }
 
-  // The trial itself: evaluated and accepted by the terms.
-  const State& commit() {
+  // The trial itself, evaluated; and accepted by the terms.
+  const State& trial() {
     residual_at(0, std::vector<double>(u_.size(), 0));
-    system_.commit(to_.s.view(h_));
     return to_.s;
   }
+  void commit() { system_.commit(trial().view(h_)); }
   void prepare() { system_.prepare(from_.s.view(h_), h_); }
 
   // Largest difference of J d and fourth-order differences of the residual, over the largest part of J d, on

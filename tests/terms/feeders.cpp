@@ -229,8 +229,8 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
                     : "",
            a.tension, a.max_speed, error);
     if (smooth) continue;
-    const State& to = step.commit();
-    const double deep = roller ? roller->depth(Roller::axis(r, to.view(h))) : 0;
+    const double deep = roller ? roller->depth(Roller::axis(r, step.trial().view(h))) : 0;
+    step.commit();
     if (roller) {
       const double depth = r.on_roller->largest_penetration().depth;
       printf("  %.4f m deep, the axis %.4f m\n", depth, deep);
