@@ -267,7 +267,9 @@ def render(options):
         raise SystemExit(f"render: {options.results} has no points; is its .h5 file beside it?")
     diagonal = math.dist(lower, upper) or 1.0
     sections, radius = thickness(results, options, options.height or diagonal)
-    unit = results.unit(options.field) if results and results.has(options.field) else ""
+    # Without results beside it the file says no units; the field that is shown unless told otherwise is in N.
+    unit = (results.unit(options.field) if results and results.has(options.field) else
+            "N" if options.field == "effective_tension" else "")
     factor, unit = UNITS.get(unit, (1, "" if unit == "1" else unit))
     lines = derived(source, LINES, field=options.field, factor=factor, sections=sections, radius=radius)
     faces = derived(source, FACES)

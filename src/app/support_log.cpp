@@ -80,11 +80,15 @@ std::string beneath_supports(const model::Case& c, const std::vector<SupportCros
     const model::SupportBox& b = c.supports[k];
     const SupportCrossing& x = crossings[k];
     if (!x.known || std::abs(x.offset) > b.half_width || x.height > -b.rise) continue;
+    const auto line =
+        std::find_if(c.lines.begin(), c.lines.end(), [&](const auto& l) { return l.name == b.line; });
+    const bool led = line == c.lines.end() || line->start == model::Start::automatic;
     return fmt::format(
         "lines.{}: starts on the wrong side of support '{}', {:.3g} m below where it would lie on its "
-        "roller; give "
-        "it no 'start', so that it starts on its supports, or points above them",
-        b.line, b.name, -x.height);
+        "roller; {}",
+        b.line, b.name, -x.height,
+        led ? "move the supports, or the end of the line, so that one leads to the other"
+            : "give it no 'start', so that it starts on its supports, or points above them");
   }
   return "";
 }

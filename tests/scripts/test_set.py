@@ -101,7 +101,7 @@ class Set(unittest.TestCase):
     def test_going_on(self):
         self.assertEqual(self.hawser("run", "two.yaml", "--set", "dynamics.duration=0.4").returncode, 0)
         self.refused(["lines.other.sections[0].elements=7"], "line other has 7 nodes there, 8 here",
-                     "but not other lines, lengths, elements or volumes", command=("run", "two.yaml", "--restart", "two.h5"))
+                     "but not other lines, lengths, elements, links or volumes", command=("run", "two.yaml", "--restart", "two.h5"))
         for changes, said in [(["dynamics.duration=0.8"], "was made with --set dynamics.duration=0.4, and goes on with --set dynamics.duration=0.8"),
                               ([], "was made with --set dynamics.duration=0.8, and goes on without --set")]:
             result = self.hawser("run", "two.yaml", "--restart", "two.h5", *self.changed(*changes))
