@@ -191,6 +191,7 @@ Key statics();
 Key dynamics();
 Key stages();
 Key events();
+Key relative_damping();              // of volumes and of rollers of supports
 Key friction(const Field& field);    // coefficients and springs of it, of volumes and the seabed
 Key force_rows(const Field& field);  // `table` of force against penetration, of volumes and the seabed
 Key environment();                   // the sea and its bed

@@ -61,12 +61,7 @@ Key boxes() {
                           "of a roller: force over penetration where that is 1 % of the pipe's radius; "
                           "`auto` is raised in the run as far as tensions and speeds need it")
                        .or_else("auto"),
-                   number({"relative_damping", &Volume::relative_damping}, none,
-                          "damping of the contact spring over its critical damping")
-                       .at_least(0)
-                       .at_most(2)
-                       .or_else("0"),
-                   friction(&Volume::friction)},
+                   relative_damping(), friction(&Volume::friction)},
                   "")
                   .either({{{"at", "above_path"}, {"at"}}, {{"points"}, {"points"}}}, true),
               "roller boxes; several with the same rollers are one entry")

@@ -16,6 +16,14 @@ void together(const Target&, const Value& v) {
 
 }  // namespace
 
+Key relative_damping() {
+  return number({"relative_damping", &Volume::relative_damping}, none,
+                "damping of the contact spring over its critical damping")
+      .at_least(0)
+      .at_most(2)
+      .or_else("0");
+}
+
 Key friction(const Field& field) {
   return one_of(
              {"friction", field, Field(Put(together))},
@@ -248,12 +256,7 @@ Key volumes() {
                          "half width of the smooth start of the contact force; 0: linear from the touch on")
                       .at_least(0)
                       .or_else_note("chosen by the program"),
-                  number({"relative_damping", &Volume::relative_damping}, none,
-                         "damping of the contact spring over its critical damping")
-                      .at_least(0)
-                      .at_most(2)
-                      .or_else("0"),
-                  friction(&Volume::friction)},
+                  relative_damping(), friction(&Volume::friction)},
                  "")
                  .either(
                      {{{"mesh", "scale", "closed", "sign", "smooth", "crease_angle_deg", "active"}, {"mesh"}},
