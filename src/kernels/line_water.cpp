@@ -1,5 +1,6 @@
-// Forces of the water at the Gauss points of an element taken to the nodes of a cable or a beam, with
-// tangents and the potential of buoyancy; and the same for balls (buoys, weights).
+// Buoyancy, drag and added mass of the water on the nodes of a cable or a beam, with tangents and the potential
+// of buoyancy; and the same for balls (buoys, weights). The formula at the Gauss points is in
+// morison_points.hpp; cables that are wholly under water are computed in submerged_cables.cpp instead.
 #include "hawser/kernels/line_water.hpp"
 
 #include "morison_points.hpp"

@@ -1,4 +1,6 @@
-// The forces of contact on the nodes of an element, and on the floating body that it touches.
+// Adds the contact of lines with volumes to residual and tangent: of each element that touches to its nodes,
+// and to the floating body that it touches. The sum along the element is in axis_contact.cpp, the law at a
+// point in kernels/volume_contact.cpp.
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {

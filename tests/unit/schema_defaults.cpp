@@ -1,0 +1,76 @@
+// Defaults of the schema and initial values of the structs that its keys fill: a case that is made in code
+// must mean the same as a file that does not give the key.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hawser/model/case.hpp"
+#include "hawser/model/schema.hpp"
+
+namespace hawser::model::schema_defaults_test {
+namespace {
+
+// Whether the default of the only key of `root` leaves a new T as it is; none: the key is for another struct.
+template <class T>
+std::optional<bool> keeps(const Value& root) {
+  T object{};
+  std::array<unsigned char, sizeof(T)> before;
+  std::memcpy(before.data(), &object, sizeof(T));
+  try {
+    take(root, object);
+  } catch (const std::logic_error&) {
+    return std::nullopt;
+  }
+  return std::memcmp(before.data(), &object, sizeof(T)) == 0;
+}
+
+template <class... T>
+std::optional<bool> keeps_any(const Value& root) {
+  std::optional<bool> out;
+  (void)((out = keeps<T>(root)).has_value() || ...);
+  return out;
+}
+
+std::optional<bool> keeps_initial(const Value& root) {
+  return keeps_any<Case, Environment, Water, Current, CurrentRow, Waves, Waves::Row, Seabed, Friction, LineType,
+                   Body, Drift, BodyMass, BodyInWater, HarmonicMotion, ConstantMotion, TableMotion, Ride,
+                   Volume, Line, Section, End, Joint, PointMass, BendStiffener, Buried, LengthTarget, Feed,
+                   Link, LinkLaw, Contact, BetweenLines, BetweenLines::Tuned, LinePairSettings, Statics,
+                   Dynamics, Output, ClashOutput, Clearance, HistoryPoint, BoxShape>(root);
+}
+
+bool has_fields(const Key& k) {
+  bool any = !k.fields.empty();
+  for (const Key& inner : k.keys) any = any || has_fields(inner);
+  return any;
+}
+
+int compare(const Key& key, const std::string& path) {
+  int compared = 0;
+  for (const Key& k : key.keys) {
+    const std::string here = k.name.empty() ? path : path + "." + k.name;
+    if (k.fallback && has_fields(k)) {
+      Key only;
+      only.keys = {k};
+      Value root;
+      root.kind = Value::Kind::map;
+      check_structure(root, only, "test");
+      const std::optional<bool> same = keeps_initial(root);
+      EXPECT_TRUE(same.has_value()) << here << " is for a struct that this test does not know";
+      EXPECT_TRUE(same.value_or(true)) << here << ": default " << *k.fallback
+                                       << ", but the field is made with another value";
+      ++compared;
+    }
+    compared += compare(k, here);
+  }
+  return compared;
+}
+
+TEST(SchemaDefaults, AreTheInitialValuesOfTheFields) { EXPECT_GT(compare(case_schema(), ""), 100); }
+
+}  // namespace
+}  // namespace hawser::model::schema_defaults_test
