@@ -37,9 +37,8 @@
 namespace hawser::app {
 namespace {
 
-constexpr double kCheckpoints = 0.02;      // of the time, unless the case says when
-constexpr double kTrial = 4;               // CPU s, of the trial run of `hawser check`
-constexpr double kCheckpointNumbers = 61;  // of a node without contact and statistics (app/restart.cpp)
+constexpr double kCheckpoints = 0.02;  // of the time, unless the case says when
+constexpr double kTrial = 4;           // CPU s, of the trial run of `hawser check`
 
 // Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
 // with everything on disk. Who cannot wait sends the signal again.
@@ -90,6 +89,88 @@ bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
   return false;
 }
 
+// An error of the solver ends a run with what was computed up to there.
+void finish_failed(Recorder& recorder, const Progress& progress, const SolveError& e) {
+  std::vector<std::string> messages = progress.messages();
+  messages.push_back(fmt::format("warning: {}", e.what()));
+  recorder.finish(std::move(messages));
+}
+
+// The time steps of a run up to `end` [s], with outputs, checkpoints and events. True: stopped by a signal
+// before its end, on all ranks. Throws SolveError with everything on disk. Collective.
+bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, Feeding& feeding,
+               Progress& progress) {
+  const Stage stage("dynamics");
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
+  const MPI_Comm comm = sim.system().comm();
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  Dynamics& d = sim.dynamics();
+  progress.begin(d.committed().s.time, end);
+  const OutputTimes times(sim.model());
+  const double every = times.every, checkpoint_every = times.checkpoint_every;
+  double output_at = next_multiple(d.committed().s.time, every);
+  double checkpoint_at = next_multiple(d.committed().s.time, checkpoint_every > 0 ? checkpoint_every : every);
+  ShareOfTime checkpoints(kCheckpoints);
+  const auto save_state = [&] {
+    checkpoints.spend([&] { recorder.checkpoint(make_checkpoint(sim, recorder, events)); });
+  };
+  bool stopped = false;
+  const auto observer = [&](const StepInfo& info) {
+    feeding.agree();
+    recorder.step(info, d.kinematics(), d.support_work());
+    progress.step(info.time, info.h, info.iterations);
+    const double slack = 1e-9 * std::max(1.0, info.time);
+    const bool last = info.time >= end - slack;
+    const bool output = info.time >= output_at - slack || last;
+    const bool save = info.time >= checkpoint_at - slack || last;
+    // Whether somebody asked to stop, and whether a checkpoint is due by the clock, is agreed on where
+    // everybody meets anyhow.
+    int agreed[2] = {0, 0};
+    if (output || save) {
+      agreed[0] = stop_requested, agreed[1] = rank == 0 && checkpoints.due();
+      MPI_Allreduce(MPI_IN_PLACE, agreed, 2, MPI_INT, MPI_MAX, comm);
+    }
+    const bool stop = agreed[0] != 0;
+    if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
+    // What was shown is the state before it, what is saved the one after.
+    for (const std::string& e : events.apply_due()) progress.say(e);
+    feeding.hand_over();
+    if (save || stop) {
+      if (last || stop || checkpoint_every > 0 || agreed[1]) save_state();
+      checkpoint_at = checkpoint_every > 0 ? next_multiple(info.time, checkpoint_every) : output_at;
+    }
+    stopped = stop && !last;
+    return !stop;
+  };
+  try {
+    d.run(
+        end, [&](double t) { return std::min(times.next(t), events.next(t)); }, observer);
+  } catch (const SolveError& e) {
+    save_state();
+    finish_failed(recorder, progress, e);
+    throw;
+  }
+  return stopped;
+}
+
+// What the terminal shows at the end of a run; `table`: of extremes.
+void print_results(const model::Case& c, const Recorder& recorder, const std::string& table) {
+  fmt::print("\n{}", table);
+  if (const std::string clashes = recorder.clash_table(); !clashes.empty()) fmt::print("\n{}", clashes);
+  if (c.dynamics.enabled) {
+    const Audit& a = recorder.audit();
+    fmt::print(
+        "\nenergy: brought in {:.6g} J; kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g}, "
+        "unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} % of the work done, {:.3g} J)\n",
+        a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.now.unresolved, a.error,
+        a.percent(), a.size());
+    if (const std::string n = a.note(); !n.empty()) fmt::print("\nnote: {}\n", n);
+    if (const std::string w = recorder.audit_warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
+  }
+  for (const std::string& w : recorder.warnings()) fmt::print("\nwarning: {}\n", w);
+}
+
 }  // namespace
 
 int run(MPI_Comm comm, const RunOptions& options) {
@@ -137,11 +218,6 @@ int run(MPI_Comm comm, const RunOptions& options) {
                    place.appends());
     return *made;
   };
-  const auto fail = [&](const SolveError& e) {
-    std::vector<std::string> messages = progress.messages();
-    messages.push_back(fmt::format("warning: {}", e.what()));
-    made->finish(std::move(messages));
-  };
   if (restarted) {
     progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
     if (checkpoint.time >= end * (1 - 1e-12))
@@ -153,7 +229,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
         if (k + 1 < c.stages.size()) record().stage(k);
       });
     } catch (const SolveError& e) {
-      if (made) fail(e);
+      if (made) finish_failed(*made, progress, e);
       throw;
     }
     give_back_memory();
@@ -180,56 +256,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     recorder.start(sim.state().view(0), sim.state().view(0));
   }
 
-  bool stopped = false;  // before its end, the same on all ranks
-  if (c.dynamics.enabled) {
-    const Stage stage("dynamics");
-    for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
-    Dynamics& d = sim.dynamics();
-    progress.begin(d.committed().s.time, end);
-    const OutputTimes times(c);
-    const double every = times.every, keep = times.keep;
-    double output_at = next_multiple(d.committed().s.time, every);
-    double checkpoint_at = next_multiple(d.committed().s.time, keep > 0 ? keep : every);
-    ShareOfTime checkpoints(kCheckpoints);
-    const auto save_state = [&] {
-      checkpoints.spend([&] { recorder.checkpoint(make_checkpoint(sim, recorder, events)); });
-    };
-    auto observer = [&](const StepInfo& info) {
-      feeding.agree();
-      recorder.step(info, d.kinematics(), d.support_work());
-      progress.step(info.time, info.h, info.iterations);
-      const double slack = 1e-9 * std::max(1.0, info.time);
-      const bool last = info.time >= end - slack;
-      const bool output = info.time >= output_at - slack || last;
-      const bool save = info.time >= checkpoint_at - slack || last;
-      // Whether somebody asked to stop, and whether a checkpoint is due by the clock, is agreed on where
-      // everybody meets anyhow.
-      int agreed[2] = {0, 0};
-      if (output || save) {
-        agreed[0] = stop_requested, agreed[1] = rank == 0 && checkpoints.due();
-        MPI_Allreduce(MPI_IN_PLACE, agreed, 2, MPI_INT, MPI_MAX, comm);
-      }
-      const bool stop = agreed[0] != 0;
-      if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
-      // What was shown is the state before it, what is saved the one after.
-      for (const std::string& e : events.apply_due()) progress.say(e);
-      feeding.hand_over();
-      if (save || stop) {
-        if (last || stop || keep > 0 || agreed[1]) save_state();
-        checkpoint_at = keep > 0 ? next_multiple(info.time, keep) : output_at;
-      }
-      stopped = stop && !last;
-      return !stop;
-    };
-    try {
-      d.run(
-          end, [&](double t) { return std::min(times.next(t), events.next(t)); }, observer);
-    } catch (const SolveError& e) {
-      save_state();
-      fail(e);
-      throw;
-    }
-  }
+  const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeding, progress);
   progress.end();
   for (const std::string& e : events.not_happened()) progress.say("note: " + e);
   if (c.dynamics.enabled)
@@ -238,19 +265,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
       progress.say("note: " + n);
   const std::string table = recorder.finish(progress.messages());
   if (speak) {
-    fmt::print("\n{}", table);
-    if (const std::string clashes = recorder.clash_table(); !clashes.empty()) fmt::print("\n{}", clashes);
-    const Audit& a = recorder.audit();
-    if (c.dynamics.enabled) {
-      fmt::print(
-          "\nenergy: brought in {:.6g} J; kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g}, "
-          "unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} % of the work done, {:.3g} J)\n",
-          a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.now.unresolved, a.error,
-          a.percent(), a.size());
-      if (const std::string n = a.note(); !n.empty()) fmt::print("\nnote: {}\n", n);
-      if (const std::string w = recorder.audit_warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
-    }
-    for (const std::string& w : recorder.warnings()) fmt::print("\nwarning: {}\n", w);
+    print_results(c, recorder, table);
     if (stopped)
       fmt::print(
           "\nstopped by a signal at t = {:.6g} of {:.6g} s: all this is of that time; --restart {} goes on\n",
@@ -305,10 +320,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   Recorder recorder(MPI_COMM_SELF, sim, volume_meshes(c, volumes), surfaces(volumes), run_info(c, "", 1),
                     nullptr, false, false);
   TrialRun tried;
-  double checkpoint = kCheckpointNumbers * static_cast<double>(sim.mesh().nodes.size());
-  io::Checkpoint recorded;  // statistics of the nodes, above all
-  recorder.save(recorded);
-  checkpoint += io::checkpoint_numbers(recorded);
+  double checkpoint = io::checkpoint_numbers(planned_checkpoint(sim, recorder));
   if (trial) {
     tried = trial_run(sim, c, kTrial);
     fmt::print("{}\n", cost_sentence(tried));

@@ -12,7 +12,7 @@ double next_multiple(double t, double every) { return every * (std::floor(t / ev
 
 OutputTimes::OutputTimes(const model::Case& c)
     : every(c.output.every > 0 ? c.output.every : c.dynamics.duration / 100),
-      keep(c.output.checkpoint_every),
+      checkpoint_every(c.output.checkpoint_every),
       jumps_(model::velocity_jumps(c.bodies)) {
   for (const model::Event& e : c.events)
     if (e.cause.kind == model::Cause::Kind::time) jumps_.push_back(e.cause.time);
@@ -20,8 +20,9 @@ OutputTimes::OutputTimes(const model::Case& c)
 }
 
 double OutputTimes::next(double t) const {
-  const double stop =
-      keep > 0 ? std::min(next_multiple(t, every), next_multiple(t, keep)) : next_multiple(t, every);
+  const double stop = checkpoint_every > 0
+                          ? std::min(next_multiple(t, every), next_multiple(t, checkpoint_every))
+                          : next_multiple(t, every);
   const auto jump = std::upper_bound(jumps_.begin(), jumps_.end(), t + 1e-9 * std::max(1.0, t));
   return jump != jumps_.end() ? std::min(stop, *jump) : stop;
 }

@@ -100,14 +100,9 @@ std::string damage(const io::Checkpoint& c) {
   return "";
 }
 
-}  // namespace
-
-io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const Events& events) {
-  Dynamics& d = simulation.dynamics();
-  const LocalMesh& m = simulation.local();
-  AlphaState s = d.committed();
-  io::Checkpoint c;
-  c.time = s.s.time;
+// The state, reactions and mean forces of the owned nodes.
+void save_nodes(const LocalMesh& m, AlphaState s, const std::vector<double>& reactions,
+                const MeanForces& mean, io::Checkpoint& c) {
   const size_t owned = static_cast<size_t>(m.owned);
   for (size_t i = 0; i < std::size(kVectors); ++i) c.nodes[kVectors[i]] = field_of(vectors(s, i), owned);
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
@@ -133,7 +128,27 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
         r.values.push_back(k < 3 || m.rotates(static_cast<int>(n)) ? of[b + k] : 0.0);
       }
   };
-  rows(kReaction, d.reactions()), rows(kMeanQ, d.mean_forces().q), rows(kMeanF, d.mean_forces().f);
+  rows(kReaction, reactions), rows(kMeanQ, mean.q), rows(kMeanF, mean.f);
+}
+
+}  // namespace
+
+io::Checkpoint planned_checkpoint(Simulation& simulation, Recorder& recorder) {
+  const LocalMesh& m = simulation.local();
+  AlphaState s{simulation.state(), {}, {}, {}};
+  alpha_start(m, s);
+  const std::vector<double> none(3 * static_cast<size_t>(m.blocks()), 0.0);
+  io::Checkpoint c;
+  save_nodes(m, std::move(s), none, {none, none}, c);
+  recorder.save(c);
+  return c;
+}
+
+io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const Events& events) {
+  Dynamics& d = simulation.dynamics();
+  io::Checkpoint c;
+  c.time = d.committed().s.time;
+  save_nodes(simulation.local(), d.committed(), d.reactions(), d.mean_forces(), c);
   for (const auto& term : simulation.system().terms())
     c.history[std::string(term->name())] = {term->history(), term->save()};
   c.scalars = signature(simulation);

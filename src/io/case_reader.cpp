@@ -55,10 +55,7 @@ void read_all(const Value& root, const CaseSource& source, const SectionLengths&
   for (std::size_t i = 0; i < c.links.size(); ++i) finish_link(root["links"].items[i], c.links[i], c);
   read_supports(root["supports"], c);
   finish_contact(root["contact"], c.contact);
-  for (const Value& v : root["stages"].items) c.stages.push_back(v.text);
-  const std::vector<Value>& events = root["events"].items;
-  for (std::size_t i = 0; i < events.size(); ++i)
-    c.events.push_back(read_event(events[i], fmt::format("events[{}]", i), source, c));
+  for (std::size_t i = 0; i < c.events.size(); ++i) finish_event(root["events"].items[i], c.events[i], c);
   finish_output(root["output"], source, c);
 } catch (const model::Refusal& r) {
   model::fail(source.file, r.line, r.where, r.what());

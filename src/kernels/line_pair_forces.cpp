@@ -1,5 +1,5 @@
-// The part of LinePairPass that sums forces and couples over the Gauss points, with their exact tangent; the law
-// at a pair of points is in line_pair_law.cpp.
+// The part of LinePairPass that sums forces and couples over the Gauss points, with their exact tangent; the
+// law at a pair of points is in line_pair_law.cpp.
 #include <algorithm>
 #include <cmath>
 

@@ -58,6 +58,12 @@ template <class T, class U, class M>
 Field within(U T::*s, M U::*f) {
   return Field(Put([s, f](const Target& to, const Value& v) { put(to.as<T>().*s.*f, v); }));
 }
+// A key for such a struct, among those of the struct around it.
+template <class T, class U>
+Key within(U T::*s, Key key) {
+  for (Put& f : key.fields) f = [s, f](const Target& to, const Value& v) { f(to.as<T>().*s, v); };
+  return key;
+}
 // A field that is set to this where the key is there.
 template <class T, class M>
 Field set(M T::*f, std::type_identity_t<M> x) {
@@ -72,6 +78,11 @@ Vec3 direction(const Value& v);
 template <class T, class M>
 Field unit(M T::*f) {
   return Field(Put([f](const Target& to, const Value& v) { to.as<T>().*f = direction(v); }));
+}
+// Of a key with `set` or another field beside it: its own keys fill the struct that it stands in.
+template <class T>
+Field itself() {
+  return Field(Put([](const Target& to, const Value& v) { take(v, to.as<T>()); }));
 }
 // What a function (T&, const Value&) does; of its std::invalid_argument the refusal of the key is made.
 template <class T, class Function>

@@ -1,6 +1,6 @@
 // The part of SeabedTerm that acts: gap, normal force, friction and suction at each point, force and tangent,
-// energy, and history of an accepted step; the rest is in seabed_*.cpp. Normal force and friction at a point are
-// computed in kernels/volume_contact.cpp, by the laws in kernels/contact_law.hpp and friction_law.hpp.
+// energy, and history of an accepted step; the rest is in seabed_*.cpp. Normal force and friction at a point
+// are computed in kernels/volume_contact.cpp, by the laws in kernels/contact_law.hpp and friction_law.hpp.
 #include "hawser/terms/seabed.hpp"
 
 #include <algorithm>

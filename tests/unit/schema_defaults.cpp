@@ -36,11 +36,12 @@ std::optional<bool> keeps_any(const Value& root) {
 }
 
 std::optional<bool> keeps_initial(const Value& root) {
-  return keeps_any<Case, Environment, Water, Current, CurrentRow, Waves, Waves::Row, Seabed, Friction, LineType,
-                   Body, Drift, BodyMass, BodyInWater, HarmonicMotion, ConstantMotion, TableMotion, Ride,
-                   Volume, Line, Section, End, Joint, PointMass, BendStiffener, Buried, LengthTarget, Feed,
-                   Link, LinkLaw, Contact, BetweenLines, BetweenLines::Tuned, LinePairSettings, Statics,
-                   Dynamics, Output, ClashOutput, Clearance, HistoryPoint, BoxShape>(root);
+  return keeps_any<Case, Environment, Water, Current, CurrentRow, Waves, Waves::Row, Seabed, Friction,
+                   LineType, Body, Drift, BodyMass, BodyInWater, HarmonicMotion, ConstantMotion, TableMotion,
+                   Ride, Volume, Line, Section, End, Joint, PointMass, BendStiffener, Buried, LengthTarget,
+                   Feed, Link, LinkLaw, Contact, BetweenLines, BetweenLines::Tuned, LinePairSettings, Statics,
+                   Dynamics, Output, ClashOutput, Clearance, HistoryPoint, BoxShape, Event, Action, Cause>(
+      root);
 }
 
 bool has_fields(const Key& k) {
@@ -61,8 +62,8 @@ int compare(const Key& key, const std::string& path) {
       check_structure(root, only, "test");
       const std::optional<bool> same = keeps_initial(root);
       EXPECT_TRUE(same.has_value()) << here << " is for a struct that this test does not know";
-      EXPECT_TRUE(same.value_or(true)) << here << ": default " << *k.fallback
-                                       << ", but the field is made with another value";
+      EXPECT_TRUE(same.value_or(true))
+          << here << ": default " << *k.fallback << ", but the field is made with another value";
       ++compared;
     }
     compared += compare(k, here);

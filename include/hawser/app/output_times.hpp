@@ -16,7 +16,7 @@ class OutputTimes {
   explicit OutputTimes(const model::Case& c);
   double next(double t) const;  // s, after t
 
-  double every = 0, keep = 0;  // s, between outputs, between checkpoints; keep 0: with the outputs
+  double every = 0, checkpoint_every = 0;  // s, between outputs, between checkpoints; 0: with the outputs
 
  private:
   std::vector<double> jumps_;

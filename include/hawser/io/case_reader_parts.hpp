@@ -86,9 +86,8 @@ void finish_line(const model::Value& v, const model::Value* whole, const Section
 // An entry of `links`. Of the case bodies and lines are read already.
 void finish_link(const model::Value& v, model::Link& l, const model::Case& c);
 
-// An entry of `events` at the dotted key `path`. Of the case the lines are read already.
-model::Event read_event(const model::Value& v, const std::string& path, const CaseSource& source,
-                        const model::Case& c);
+// An entry of `events`. Of the case the lines are read already.
+void finish_event(const model::Value& v, model::Event& e, const model::Case& c);
 // `output`. Of the case the lines are read already.
 void finish_output(const model::Value& v, const CaseSource& source, model::Case& c);
 

@@ -1,7 +1,7 @@
 // The one description of a case file. The checker, the key tables of the user guide and the JSON
 // Schema for editors are all made from it, so they cannot disagree. A new key is one line in
-// src/model/schema_<subject>.cpp, which names the field of the case (case.hpp) that it fills; how such lines are
-// written is in src/model/schema_build.hpp.
+// src/model/schema_<subject>.cpp, which names the field of the case (case.hpp) that it fills; how such lines
+// are written is in src/model/schema_build.hpp.
 #pragma once
 
 #include <functional>
