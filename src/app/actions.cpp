@@ -51,19 +51,19 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       if (held(node(a))) refuse("it is held already");
       const LocalMesh& local = sim_.local();
       const int n = local.find(node(a)), body = sim_.model().body_index(a.body);
-      std::array<double, 8> told{};
+      std::array<double, 8> packed{};
       if (n >= 0 && n < local.owned) {
         const size_t i = static_cast<size_t>(n);
         const RigidPose p = pose(a, at);
         Vec3 y = p.rotation.conjugate() * (at.x[i] - p.position);
         if (sim_.model().floats(body)) y -= sim_.model().bodies[static_cast<size_t>(body)].mass->centre;
         const Quat q = p.rotation.conjugate() * at.q[i];
-        told = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, at)};
+        packed = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, at)};
       }
-      MPI_Allreduce(MPI_IN_PLACE, told.data(), 8, MPI_DOUBLE, MPI_SUM, sim_.system().comm());
-      std::copy_n(told.begin(), 3, found.place.begin()),
-          std::copy_n(told.begin() + 3, 4, found.rotation.begin());
-      found.away = told[7];
+      MPI_Allreduce(MPI_IN_PLACE, packed.data(), 8, MPI_DOUBLE, MPI_SUM, sim_.system().comm());
+      std::copy_n(packed.begin(), 3, found.place.begin()),
+          std::copy_n(packed.begin() + 3, 4, found.rotation.begin());
+      found.away = packed[7];
       constexpr double kRounding = 1e-6;  // m
       if (a.at && found.away > a.within + kRounding)
         refuse(

@@ -230,17 +230,17 @@ std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
   for (const Best& b : mine) ranked.push_back({b.clearance, rank});
   const int n = static_cast<int>(mine.size());
   MPI_Allreduce(MPI_IN_PLACE, ranked.data(), n, MPI_DOUBLE_INT, MPI_MINLOC, comm_);
-  std::vector<double> told(4 * mine.size(), 0), heard = told;
+  std::vector<double> packed(4 * mine.size(), 0), all = packed;
   for (size_t k = 0; k < mine.size(); ++k)
     if (ranked[k].rank == rank) {
-      told[4 * k] = mine[k].arc;
-      for (size_t c = 0; c < 3; ++c) told[4 * k + 1 + c] = mine[k].there[static_cast<Eigen::Index>(c)];
+      packed[4 * k] = mine[k].arc;
+      for (size_t c = 0; c < 3; ++c) packed[4 * k + 1 + c] = mine[k].there[static_cast<Eigen::Index>(c)];
     }
-  MPI_Reduce(told.data(), heard.data(), 4 * n, MPI_DOUBLE, MPI_SUM, 0, comm_);
+  MPI_Reduce(packed.data(), all.data(), 4 * n, MPI_DOUBLE, MPI_SUM, 0, comm_);
   std::vector<std::vector<double>> out(mine.size());
   for (size_t k = 0; k < out.size() && rank == 0; ++k) {
-    out[k] = {ranked[k].value, heard[4 * k], heard[4 * k + 1]};
-    if (!wanted[k].volume.empty()) out[k].insert(out[k].end(), {heard[4 * k + 2], heard[4 * k + 3]});
+    out[k] = {ranked[k].value, all[4 * k], all[4 * k + 1]};
+    if (!wanted[k].volume.empty()) out[k].insert(out[k].end(), {all[4 * k + 2], all[4 * k + 3]});
     // Nothing of the volume looks that way.
     if (!std::isfinite(ranked[k].value)) std::fill(out[k].begin(), out[k].end(), std::nan(""));
   }

@@ -1,4 +1,4 @@
-// The class Events: which event happens at a state, and what is told and kept of it.
+// The class Events: which event happens at a state, and what the user is told of it.
 #include "hawser/app/events.hpp"
 
 #include <fmt/format.h>
@@ -162,7 +162,7 @@ std::vector<size_t> Events::due_at(double time, const std::vector<double>& value
 }
 
 void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
-                    std::vector<std::string>& told) {
+                    std::vector<std::string>& messages) {
   Happening& h = events_[i];
   const Action& a = h.what.action;
   h.found = actions_.act(a, at);
@@ -182,14 +182,14 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
         sim_.model().floats(sim_.model().body_index(a.body)) ? body.mass->centre : Vec3(Vec3::Zero());
     how = fmt::format(", {:.4g} m from its origin", (Vec3(h.found.place.data()) + centre).norm());
   }
-  told.push_back(fmt::format("note: {}: {} is {}{}",
-                             stage.empty() ? fmt::format("t = {:.6g} s", at.time) : "stage " + stage,
-                             a.subject(), a.participle(), how));
+  messages.push_back(fmt::format("note: {}: {} is {}{}",
+                                 stage.empty() ? fmt::format("t = {:.6g} s", at.time) : "stage " + stage,
+                                 a.subject(), a.participle(), how));
   if (a.kind != Action::Kind::release) return;
   for (const LeftOut& out : sim_.left_out()) {
     const double length = a.at_b ? out.end_b : out.end_a;
     if (out.line == sim_.model().line_index(a.line) && length > 0)
-      told.push_back(
+      messages.push_back(
           fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the "
                       "line from there on go through it as if it were not there",
                       a.subject(), sim_.contact()->volume_name(out.volume), length));
@@ -197,10 +197,10 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
 }
 
 void Events::happen(const std::vector<size_t>& now, const Kinematics& at, const std::string& stage,
-                    std::vector<std::string>& told, const std::function<void()>& go_on) {
+                    std::vector<std::string>& messages, const std::function<void()>& go_on) {
   try {
     actions_.begin();
-    for (const size_t i : now) happen(i, at, stage, told);
+    for (const size_t i : now) happen(i, at, stage, messages);
     go_on();
   } catch (...) {
     // The checkpoint of what stops here is of the state before.
@@ -213,11 +213,11 @@ void Events::happen(const std::vector<size_t>& now, const Kinematics& at, const 
 std::vector<std::string> Events::at_rest(const std::string& stage) {
   const Kinematics at = sim_.state().view(0);
   System& system = sim_.system();
-  std::vector<std::string> told;
+  std::vector<std::string> messages;
   for (;;) {
     const std::vector<size_t> now = due_at(at.time, values(at), stage);
-    if (now.empty()) return told;
-    happen(now, at, stage, told,
+    if (now.empty()) return messages;
+    happen(now, at, stage, messages,
            [&] { system.support(actions_.supports(), BodyMotion(system.supports().motion())); });
   }
 }
@@ -285,7 +285,7 @@ std::vector<std::string> Events::begin() {
 }
 
 std::vector<std::string> Events::apply_due() {
-  std::vector<std::string> told;
+  std::vector<std::string> messages;
   Dynamics& d = sim_.dynamics();
   const auto energy = [&] {
     const Energy e = sim_.system().energy(d.committed().s.view(d.control().proposal()));
@@ -301,10 +301,10 @@ std::vector<std::string> Events::apply_due() {
       return events_[i].what.action.kind != Action::Kind::release;
     });
     const double before = changes ? energy() : 0;
-    happen(now, at, "", told, [&] { d.release(actions_.supports()); });
+    happen(now, at, "", messages, [&] { d.release(actions_.supports()); });
     if (changes) d.add_support_work(energy() - before);
   }
-  return told;
+  return messages;
 }
 
 std::vector<std::string> Events::not_happened() const {

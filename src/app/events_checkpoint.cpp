@@ -76,17 +76,17 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   std::stable_sort(happened.begin(), happened.end(), [](const Happening* a, const Happening* b) {
     return std::tie(a->happened, a->order) < std::tie(b->happened, b->order);
   });
-  std::vector<std::string> told;
+  std::vector<std::string> messages;
   actions_.begin();
   for (const Happening* h : happened) {
     actions_.again(h->what.action, h->found, h->happened);
-    told.push_back(fmt::format("note: {} was {} at t = {:.6g} s", h->what.action.subject(),
-                               h->what.action.participle(), h->happened));
+    messages.push_back(fmt::format("note: {} was {} at t = {:.6g} s", h->what.action.subject(),
+                                   h->what.action.participle(), h->happened));
   }
-  if (told.empty()) return told;
+  if (messages.empty()) return messages;
   System& system = sim_.system();
   system.support(actions_.supports(), BodyMotion(system.supports().motion()));
-  return told;
+  return messages;
 }
 
 }  // namespace hawser::app

@@ -53,7 +53,7 @@ void Folds::look(const Kinematics& at, std::span<const double> before, std::span
 
 std::string Folds::warning(MPI_Comm comm, int line, const std::string& name, double largest_tension) const {
   Worst w = worst_[static_cast<size_t>(line)];
-  if (!tell_of_largest(comm, w.tension, kSame * largest_tension, w)) return {};
+  if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
   return fmt::format(
       "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that with which an "
       "element snaps taut that was folded to {:.0f} % of its length: how sharply the line bends there, and "

@@ -68,7 +68,7 @@ std::vector<io::SummaryRow> LineExtremes::table() const {
     for (const Quantity& q : quantities_) {
       Extreme x = q.lines[l];
       const double largest_by = !x.set ? -HUGE_VAL : q.largest ? x.value : -x.value;
-      if (tell_of_largest(comm_, largest_by, -HUGE_VAL, x))
+      if (broadcast_largest(comm_, largest_by, -HUGE_VAL, x))
         rows.push_back({q.name, names_[l], x.value, q.unit, x.time, x.arc});
     }
   return rows;

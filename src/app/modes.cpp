@@ -38,7 +38,7 @@ Place largest(MPI_Comm comm, const LocalMesh& local, const std::vector<Vec3>& va
   for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
     if (const double size = values[n].norm(); size > p.size)
       p = {size, local.global[n], values[n].cwiseAbs()};
-  tell_of_largest(comm, p.size, 0, p);
+  broadcast_largest(comm, p.size, 0, p);
   return p;
 }
 

@@ -46,19 +46,19 @@ io::ResultWaves result_waves(const model::Case& c) {
 
 std::vector<io::BodyPose> body_poses(Simulation& sim, const Kinematics& at) {
   const int bodies = sim.bodies().size();
-  std::vector<double> told;
+  std::vector<double> packed;
   for (int b = 0; b < bodies; ++b) {
     if (!sim.bodies().floats(b)) continue;
     const auto p = sim.body_pose(b, at);
     const Quat q = p ? p->rotation : Quat(0, 0, 0, 0);
     const Vec3 x = p ? p->position : Vec3(Vec3::Zero());
-    told.insert(told.end(), {x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z()});
+    packed.insert(packed.end(), {x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z()});
   }
-  if (!told.empty())
-    MPI_Allreduce(MPI_IN_PLACE, told.data(), static_cast<int>(told.size()), MPI_DOUBLE, MPI_SUM,
+  if (!packed.empty())
+    MPI_Allreduce(MPI_IN_PLACE, packed.data(), static_cast<int>(packed.size()), MPI_DOUBLE, MPI_SUM,
                   sim.system().comm());
   std::vector<io::BodyPose> out;
-  const double* t = told.data();
+  const double* t = packed.data();
   for (int b = 0; b < bodies; ++b) {
     if (sim.bodies().floats(b)) {
       out.push_back({{t[0], t[1], t[2]}, {t[3], t[4], t[5], t[6]}});
@@ -98,13 +98,13 @@ namespace {
 
 StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
   const model::Case& c = sim.model();
-  const size_t told = sim.notes().size();
+  const size_t before = sim.notes().size();
   const StaticsReport s = sim.solve_statics(
       [&](const StaticsReport& now) {
         progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
       },
       falls);
-  for (size_t i = told; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
+  for (size_t i = before; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
   progress.say(fmt::format(
       "statics: {} iterations{}{}", s.iterations,
       s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",

@@ -30,7 +30,7 @@ void SharpTurns::look(const Kinematics& at, std::span<const double> tension,
 std::string SharpTurns::warning(MPI_Comm comm, int line, const std::string& name,
                                 double largest_tension) const {
   Worst w = worst_[static_cast<size_t>(line)];
-  if (!tell_of_largest(comm, w.error, kWarned * largest_tension, w)) return {};
+  if (!broadcast_largest(comm, w.error, kWarned * largest_tension, w)) return {};
   return fmt::format(
       "line {} turns by {:.0f} degrees from one element to the next where it lies on a volume (arc length "
       "{:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to {:.2g} N, {:.0f} % of the "

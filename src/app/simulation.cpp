@@ -36,8 +36,11 @@
 namespace hawser::app {
 namespace {
 
-// Radius and mass of the elements, for contact along them.
-std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh) {
+// Radius and mass of the elements, and which of their nodes are held, for contact along them.
+std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh,
+                                                 const std::vector<int>& held) {
+  std::vector<bool> is_held(static_cast<size_t>(mesh.nodes()), false);
+  for (const int n : held) is_held[static_cast<size_t>(n)] = true;
   std::vector<LineContactElement> out;
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
@@ -47,6 +50,7 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
       element.radius = 0.5 * type.contact_diameter;
     element.mass_per_length = type.mass_per_length;
     element.rolling = c.contact.rolling;
+    element.held = {is_held[static_cast<size_t>(e.first)], is_held[static_cast<size_t>(e.second)]};
   }
   return out;
 }
@@ -107,128 +111,128 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
 
 }  // namespace
 
+// Makes a force term that the system then owns.
+template <class Term, class... From>
+Term* Simulation::add(From&&... from) {
+  auto term = std::make_unique<Term>(std::forward<From>(from)...);
+  Term* out = term.get();
+  system_->add(std::move(term));
+  return out;
+}
+
 Simulation::Simulation(MPI_Comm comm, const model::Case& c,
                        std::vector<std::shared_ptr<const Surface>> surfaces,
                        std::vector<BodySkeleton> skeletons)
     : case_(c), mesh_(std::make_unique<Mesh>(build_mesh(c))), bodies_(std::make_shared<Bodies>(c.bodies)) {
+  distribute(comm);
+  // The feeders commit last, so they are the last term: all others keep in a step the lengths that acted in
+  // it, on every rank.
+  std::unique_ptr<Feeders> feeders;
+  if (std::any_of(case_.lines.begin(), case_.lines.end(),
+                  [](const auto& l) { return l.end_a.feed || l.end_b.feed; }))
+    feeders = std::make_unique<Feeders>(local(), case_);
+  feeders_ = feeders.get();
+  add_lines();
+  StartShape start = start_shape(case_, local(), *bodies_);
+  const Kinematics at = start.state.view(0);
+  bodies_->fix_drawn(comm, case_, at);
+  if (!case_.links.empty()) links_ = add<Links>(comm, case_, local(), bodies_, at);
+  if (feeders_) feeders_->clamp(start.ends), start.supports = feeders_->with_held(start.supports);
+  const std::vector<int> held = held_nodes(case_, local(), feeders_, start.supports);
+  add_seabed(at, held);
+  add_contact(at, held, surfaces);
+  add_bodies(std::move(surfaces), std::move(skeletons));
+  if (auto between = make_line_pairs(comm, case_, local(), notes_)) {
+    line_pairs_ = between.get();
+    line_pairs_->fed_by(feeders_);
+    system_->add(std::move(between));
+  }
+  if (feeders) system_->add(std::move(feeders));
+
+  state_ = std::move(start.state);
+  system_->support(std::move(start.supports), [b = bodies_](int body, double t) { return b->pose(body, t); });
+}
+
+// The mesh over the ranks.
+void Simulation::distribute(MPI_Comm comm) {
   int rank = 0, size = 1;
   MPI_Comm_rank(comm, &rank);
   MPI_Comm_size(comm, &size);
-  const std::vector<int> owner = share_nodes(c, *mesh_, *bodies_, size);
+  const std::vector<int> owner = share_nodes(case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
   if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
     notes_.push_back(
         "one rank has all nodes, since lines that may touch themselves are not cut: the others do not make "
         "the run faster; 'contact: {between_lines: {self: false}}' lets lines be cut");
   system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
-  const LocalMesh& local = system_->mesh();
-  bodies_->in_state(c, local);
+  bodies_->in_state(case_, local());
+}
 
-  auto structure = std::make_unique<StructureTerm>(local, c);
-  structure_ = structure.get();
-  system_->add(std::move(structure));
-  auto mass = std::make_unique<LineMassTerm>(local, c);
-  std::unique_ptr<Feeders> feeders;
-  if (std::any_of(c.lines.begin(), c.lines.end(),
-                  [](const auto& l) { return l.end_a.feed || l.end_b.feed; })) {
-    feeders = std::make_unique<Feeders>(local, case_);
-    feeders_ = feeders.get();
-    structure_->fed_by(feeders_), mass->fed_by(feeders_);
-  }
-  system_->add(std::move(mass));
-  bool loads = false, masses = false;
-  for (const auto& line : c.lines) loads |= !line.point_loads.empty(), masses |= !line.masses.empty();
-  if (loads) system_->add(std::make_unique<PointLoads>(local, point_loads(c, local)));
-  if (masses)
-    system_->add(std::make_unique<PointMasses>(local, point_masses(c, local), c.environment.gravity));
-
-  bool springs = false;
-  for (const auto& line : c.lines)
+// What acts on lines alone: their stiffness and mass, loads and masses at nodes, springs at ends, the water.
+void Simulation::add_lines() {
+  structure_ = add<StructureTerm>(local(), case_);
+  structure_->fed_by(feeders_);
+  add<LineMassTerm>(local(), case_)->fed_by(feeders_);
+  bool loads = false, masses = false, springs = false;
+  for (const auto& line : case_.lines) {
+    loads |= !line.point_loads.empty(), masses |= !line.masses.empty();
     springs |= line.end_a.rotational_stiffness > 0 || line.end_b.rotational_stiffness > 0;
-  if (springs) system_->add(std::make_unique<EndSprings>(local, bodies_, end_springs(c, local)));
-  if (c.environment.water.present) {
-    auto water = std::make_unique<Hydrodynamics>(local, c);
-    water->fed_by(feeders_);
-    water_ = water.get();
-    system_->add(std::move(water));
   }
+  if (loads) add<PointLoads>(local(), point_loads(case_, local()));
+  if (masses) add<PointMasses>(local(), point_masses(case_, local()), case_.environment.gravity);
+  if (springs) add<EndSprings>(local(), bodies_, end_springs(case_, local()));
+  if (!case_.environment.water.present) return;
+  water_ = add<Hydrodynamics>(local(), case_);
+  water_->fed_by(feeders_);
+}
 
-  StartShape start = start_shape(c, local, *bodies_);
-  bodies_->fix_drawn(comm, c, start.state.view(0));
-  if (!c.links.empty()) {
-    auto links = std::make_unique<Links>(comm, c, local, bodies_, start.state.view(0));
-    links_ = links.get();
-    system_->add(std::move(links));
-  }
-  if (feeders_) feeders_->clamp(start.ends), start.supports = feeders_->with_held(start.supports);
-  if (c.environment.seabed.present) {
-    const std::vector<int> held = held_nodes(c, local, feeders_, start.supports);
-    auto seabed = std::make_unique<SeabedTerm>(local, c, held);
-    seabed_ = seabed.get();
-    system_->add(std::move(seabed));
-    if (std::any_of(c.lines.begin(), c.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
-      system_->add(std::make_unique<BuriedTerm>(local, c, start.state.view(0), held));
-  }
-  std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
-  for (ContactVolume& volume : volumes)
+void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& held) {
+  if (!case_.environment.seabed.present) return;
+  seabed_ = add<SeabedTerm>(local(), case_, held);
+  if (std::any_of(case_.lines.begin(), case_.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
+    add<BuriedTerm>(local(), case_, start, held);
+}
+
+// Contact of lines with volumes, and what is told of how they start beside them. InputError where lines start
+// beneath the supports that they are to lie on.
+void Simulation::add_contact(const Kinematics& start, const std::vector<int>& held,
+                             const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  const MPI_Comm comm = system_->comm();
+  volumes_ = volumes_of_lines(case_, surfaces);
+  for (ContactVolume& volume : volumes_)
     if (volume.settings.basis == model::StiffnessBasis::automatic)
-      choose_stiffness(c, *mesh_, volume, notes_);
-  volumes_ = volumes;
-  bodies_->tell(comm, start.state.view(0));
-  start_contact_ = start_contact(comm, c, local, start.state.view(0), *bodies_, feeders_, volumes_);
+      choose_stiffness(case_, *mesh_, volume, notes_);
+  bodies_->exchange_poses(comm, start);
+  start_contact_ = start_contact(comm, case_, local(), start, *bodies_, feeders_, volumes_);
   notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
-  if (!c.supports.empty()) {
+  if (!case_.supports.empty()) {
     std::vector<RigidPose> poses;
-    for (int b = 0; b < bodies_->size(); ++b) poses.push_back(bodies_->pose(b, start.state.view(0)));
-    const std::string wrong =
-        beneath_supports(c, support_crossings(comm, c, local, start.state.view(0), poses));
-    if (!wrong.empty()) throw InputError(c.path + ": " + wrong);
+    for (int b = 0; b < bodies_->size(); ++b) poses.push_back(bodies_->pose(b, start));
+    const std::string wrong = beneath_supports(case_, support_crossings(comm, case_, local(), start, poses));
+    if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
   }
-  if (!volumes.empty()) {
-    std::vector<LineContactElement> elements = contact_elements(c, local);
-    std::vector<bool> held(static_cast<size_t>(local.nodes()), false);
-    for (const int n : held_nodes(c, local, feeders_, start.supports)) held[static_cast<size_t>(n)] = true;
-    for (size_t e = 0; e < elements.size(); ++e)
-      elements[e].held = {held[static_cast<size_t>(local.elements[e].first)],
-                          held[static_cast<size_t>(local.elements[e].second)]};
-    auto contact = std::make_unique<LineVolumeContact>(local, bodies_, std::move(volumes),
-                                                       std::move(elements), comm, c.contact.method);
-    contact_ = contact.get();
-    contact_->fed_by(feeders_);
-    system_->add(std::move(contact));
-  }
+  if (volumes_.empty()) return;
+  contact_ = add<LineVolumeContact>(local(), bodies_, volumes_, contact_elements(case_, local(), held), comm,
+                                    case_.contact.method);
+  contact_->fed_by(feeders_);
+  contact_->leave_out(start_contact_.left_out);
+  for (int v = 0; v < contact_->volumes(); ++v) last_stiffness_.push_back(contact_->stiffness(v));
+}
 
-  if (contact_) contact_->leave_out(start_contact_.left_out);
-
-  for (int v = 0; contact_ && v < contact_->volumes(); ++v) told_stiffness_.push_back(contact_->stiffness(v));
+// Bodies with mass, the water they are in, and contact of bodies with each other.
+void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces,
+                            std::vector<BodySkeleton> skeletons) {
   if (mesh_->line_nodes() < static_cast<int>(mesh_->nodes.size())) {
-    auto floating = std::make_unique<RigidBodies>(c, local, bodies_);
-    floating_ = floating.get();
-    system_->add(std::move(floating));
-    if (std::any_of(c.bodies.begin(), c.bodies.end(),
-                    [](const model::Body& b) { return b.mass && b.mass->in_water; })) {
-      auto water = std::make_unique<BodiesInWater>(c, local);
-      bodies_in_water_ = water.get();
-      system_->add(std::move(water));
-    }
+    floating_ = add<RigidBodies>(case_, local(), bodies_);
+    if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
+                    [](const model::Body& b) { return b.mass && b.mass->in_water; }))
+      bodies_in_water_ = add<BodiesInWater>(case_, local());
   }
-  if (!model::body_pairs(c).empty() && skeletons.size() == c.volumes.size()) {
-    std::vector<BodyVolume> touching;
-    for (size_t v = 0; v < c.volumes.size(); ++v) touching.push_back({surfaces[v], std::move(skeletons[v])});
-    auto contact = std::make_unique<BodyContactTerm>(comm, c, local, bodies_, std::move(touching));
-    body_contact_ = contact.get();
-    system_->add(std::move(contact));
-  }
-  if (auto between = make_line_pairs(comm, c, local, notes_)) {
-    line_pairs_ = between.get();
-    line_pairs_->fed_by(feeders_);
-    system_->add(std::move(between));
-  }
-  // It commits last: all others keep in a step the lengths that acted in it, on every rank.
-  if (feeders) system_->add(std::move(feeders));
-
-  state_ = std::move(start.state);
-  system_->support(std::move(start.supports), [b = bodies_](int body, double t) { return b->pose(body, t); });
+  if (model::body_pairs(case_).empty() || skeletons.size() != case_.volumes.size()) return;
+  std::vector<BodyVolume> touching;
+  for (size_t v = 0; v < case_.volumes.size(); ++v)
+    touching.push_back({std::move(surfaces[v]), std::move(skeletons[v])});
+  body_contact_ = add<BodyContactTerm>(system_->comm(), case_, local(), bodies_, std::move(touching));
 }
 
 std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) const {
@@ -284,7 +288,7 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
   report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
 }
 
-StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> told, bool falls) {
+StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> progress, bool falls) {
   const auto enable_friction = [this](bool on) {
     if (contact_) contact_->enable_friction(on);
     if (line_pairs_) line_pairs_->enable_friction(on);
@@ -308,7 +312,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
                                 : RelaxationUse::when_newton_fails;
   settings.relaxation_steps = case_.statics.relaxation_steps;
   settings.friction = static_friction();
-  settings.told = std::move(told);
+  settings.progress = std::move(progress);
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   lay_lines(settings, report);
   enable_friction(true);
@@ -345,16 +349,16 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
 std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
   std::vector<std::string> out;
   for (int v = 0; contact_ && v < contact_->volumes(); ++v) {
-    double& told = told_stiffness_[static_cast<size_t>(v)];
-    if (contact_->stiffness(v) == told) continue;
-    out.push_back(raised_note(contact_->volume_name(v), told, contact_->stiffness(v), when));
-    told = contact_->stiffness(v);
+    double& last = last_stiffness_[static_cast<size_t>(v)];
+    if (contact_->stiffness(v) == last) continue;
+    out.push_back(raised_note(contact_->volume_name(v), last, contact_->stiffness(v), when));
+    last = contact_->stiffness(v);
   }
   return out;
 }
 
 void Simulation::check_inside() const {
-  bodies_->tell(system_->comm(), state_.view(0));
+  bodies_->exchange_poses(system_->comm(), state_.view(0));
   const std::string wrong = still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, feeders_,
                                          volumes_, start_contact_);
   if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
@@ -366,7 +370,7 @@ std::string Simulation::inside(int volume, const Kinematics& at) const {
   std::vector<LeftOut> left_out;
   for (LeftOut l : start_contact_.left_out)
     if (l.volume == volume) l.volume = 0, left_out.push_back(l);
-  bodies_->tell(system_->comm(), at);
+  bodies_->exchange_poses(system_->comm(), at);
   return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, left_out);
 }
 

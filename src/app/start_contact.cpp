@@ -185,7 +185,7 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
   for (size_t i = 0; i + 6 < all.size(); i += 7)
     keep(static_cast<int>(all[i]), static_cast<int>(all[i + 1]),
          {all.begin() + static_cast<long>(i), all.begin() + static_cast<long>(i) + 7});
-  std::vector<std::string> told;
+  std::vector<std::string> warnings;
   for (const auto& [key, row] : nearest) {
     const auto& [l, v] = key;
     const model::Line& line = c.lines[static_cast<size_t>(l)];
@@ -204,15 +204,15 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
     const Chord& chord = chords[static_cast<size_t>(l)];
     const double share = row[2] / mesh.mesh->lines[static_cast<size_t>(l)].length;
     const bool under = (chord.a + share * (chord.b - chord.a)).z() >= row[6];
-    told.push_back(fmt::format(
+    warnings.push_back(fmt::format(
         "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc "
         "length, {}, while the straight way between its ends passes {} it; if it is to lie there, say "
         "so with 'start: {{points: [[x, y, z], ...]}}'",
         line.name, under ? "under" : "over", volume.name, row[3], row[2], point(Vec3(row[4], row[5], row[6])),
         under ? "over" : "under"));
   }
-  shorten(told, "lines start like these");
-  start.warnings.insert(start.warnings.end(), told.begin(), told.end());
+  shorten(warnings, "lines start like these");
+  start.warnings.insert(start.warnings.end(), warnings.begin(), warnings.end());
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ bool has_targets(const model::Case& c) {
 }
 
 MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<LoadedVolume>& volumes,
-                        const std::function<void(const StaticsReport&)>& told) {
+                        const std::function<void(const StaticsReport&)>& progress) {
   std::vector<SoughtLength> all = all_sought(c);
   // All at once, as if lines did not pull at each other. Where they do: one after the other, round and round.
   bool together = true;
@@ -62,7 +62,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
     try {
       MetTargets out{io::with_lengths(c, lengths, comm), {}};
       Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes));
-      Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(told, falls); });
+      Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(progress, falls); });
       const AtRest now = at_rest(comm, sim);
       for (SoughtLength& s : all) parted |= s.see(now);
       if (std::all_of(all.begin(), all.end(), [](const SoughtLength& s) { return s.met(); })) {

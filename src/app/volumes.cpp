@@ -53,7 +53,7 @@ class Meshes {
     const io::FitMesh fit = io::check_mesh(c_, v, loaded);
     blunt_[i] = fit.blunt;
     l.active = fit.active, l.report = summary(loaded.report), l.notes = std::move(loaded.notes);
-    tell(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()), v);
+    announce(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()), v);
     std::shared_ptr<const MeshSurface> surface;
     try {
       surface = std::make_shared<const MeshSurface>(
@@ -83,7 +83,7 @@ class Meshes {
   void check_leaders() const { io::check_leaders(c_, blunt_); }
 
  private:
-  void tell(const std::string& what, const model::Volume& v) const {
+  void announce(const std::string& what, const model::Volume& v) const {
     if (news_.busy) news_.busy(what, io::reading_time(v.mesh));
   }
   // A file that a later volume has as well is kept.
@@ -92,7 +92,7 @@ class Meshes {
     const auto kept = std::find_if(kept_.begin(), kept_.end(),
                                    [&](const auto& k) { return same_file(c_.volumes[k.first], v); });
     if (kept != kept_.end()) return kept->second;
-    tell(io::reading_text(v.mesh), v);
+    announce(io::reading_text(v.mesh), v);
     io::LoadedMesh loaded;
     try {
       loaded = io::read_mesh(v.mesh, v.scale, v.closed);
@@ -114,20 +114,20 @@ class Meshes {
 };
 
 // What the leading rank has, on all ranks of the host.
-void tell(MPI_Comm comm, std::string& text) {
+void broadcast(MPI_Comm comm, std::string& text) {
   auto n = static_cast<std::uint64_t>(text.size());
   MPI_Bcast(&n, 1, MPI_UINT64_T, 0, comm);
   text.resize(n);
   MPI_Bcast(text.data(), static_cast<int>(n), MPI_CHAR, 0, comm);
 }
-void tell(MPI_Comm comm, LoadedVolume& l) {
-  tell(comm, l.report);
+void broadcast(MPI_Comm comm, LoadedVolume& l) {
+  broadcast(comm, l.report);
   auto notes = static_cast<std::uint64_t>(l.notes.size());
   MPI_Bcast(&notes, 1, MPI_UINT64_T, 0, comm);
   l.notes.resize(notes);
-  for (std::string& n : l.notes) tell(comm, n);
+  for (std::string& n : l.notes) broadcast(comm, n);
   std::string active(l.active.begin(), l.active.end());
-  tell(comm, active);
+  broadcast(comm, active);
   l.active.assign(active.begin(), active.end());
 }
 
@@ -188,7 +188,7 @@ std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm, cons
       }
     } else {
       auto surface = io::once_a_host(comm, host, [&] { return meshes.make(i, l); });
-      tell(host.comm(), l);
+      broadcast(host.comm(), l);
       set_surface(l, v, std::move(surface));
     }
     l.name = v.name;

@@ -19,7 +19,7 @@ RootSearch::RootSearch(double start, double step, double low, double high) : nex
 
 double RootSearch::width() const { return std::abs(x_[1] - x_[0]); }
 
-void RootSearch::tell(double value) {
+void RootSearch::add(double value) {
   const std::pair<double, double> row(next_, value);
   seen_.insert(std::upper_bound(seen_.begin(), seen_.end(), row), row);
   if (bracketed_) {
@@ -29,7 +29,7 @@ void RootSearch::tell(double value) {
     x_[0] = next_, f_[0] = value, failures_ = 0;
     return between();
   }
-  if (told_++ == 0) {
+  if (values_++ == 0) {
     for (Way& w : way_) w.f = value;
     going_ = value > 0 ? 1 : 0;
     return outward();
@@ -44,7 +44,7 @@ void RootSearch::tell(double value) {
     return;
   }
   // The other way first, if this one leads away.
-  const bool away = told_ == 2 && std::abs(value) > std::abs(w.f) && !way_[1 - going_].ended;
+  const bool away = values_ == 2 && std::abs(value) > std::abs(w.f) && !way_[1 - going_].ended;
   w.x = next_, w.f = value, w.step *= w.failures > 0 ? 1 : kGrowth;
   if (w.x == w.limit) w.ended = true;
   if (away) going_ = 1 - going_;
@@ -58,7 +58,7 @@ void RootSearch::fail() {
     next_ = x_[0] + share_ * (x_[1] - x_[0]);
     return;
   }
-  if (told_ == 0) {
+  if (values_ == 0) {
     exhausted_ = true;
     return;
   }

@@ -139,7 +139,7 @@ namespace {
 
 void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
   const StartSpeeds speed = start_speeds(c, b);
-  const auto tell = [&](double first, const char* key) {
+  const auto doubt = [&](double first, const char* key) {
     if (first > 0)
       out.push_back(
           {fmt::format("bodies.{}.{}", b.name, key),
@@ -148,7 +148,7 @@ void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
                        first),
            11});
   };
-  tell(speed.motion, "motion"), tell(speed.drift, "motion.drift");
+  doubt(speed.motion, "motion"), doubt(speed.drift, "motion.drift");
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ void Dynamics::put(const std::vector<double>& u) {
 
 PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
-  return d.error_.keep([&] {
+  return d.error_.capture([&] {
     d.load(u);
     d.system_.residual(d.trial_.s.view(d.h_), r, d.carried_);
   });
@@ -121,7 +121,7 @@ PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
 
 PetscErrorCode Dynamics::jacobian(SNES, Vec u, Mat, Mat P, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
-  return d.error_.keep([&] {
+  return d.error_.capture([&] {
     d.load(u);
     d.system_.tangent(d.trial_.s.view(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, P);
   });
@@ -130,7 +130,7 @@ PetscErrorCode Dynamics::jacobian(SNES, Vec u, Mat, Mat P, void* self) {
 PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal, PetscReal fnorm,
                                    SNESConvergedReason* reason, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
-  return d.error_.keep([&] { *reason = d.judge_iteration(snes, static_cast<int>(it), fnorm); });
+  return d.error_.capture([&] { *reason = d.judge_iteration(snes, static_cast<int>(it), fnorm); });
 }
 
 SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {

@@ -19,7 +19,7 @@ Dynamics& dynamics(TS ts) { return *static_cast<Dynamics*>(ts->data); }
 // Where it throws the TS comes to its end, and Dynamics::run() throws the same.
 template <class Body>
 void guarded(TS ts, const Body& body) {
-  if (dynamics(ts).error().keep(body)) ts->reason = TS_DIVERGED_STEP_REJECTED;
+  if (dynamics(ts).error().capture(body)) ts->reason = TS_DIVERGED_STEP_REJECTED;
 }
 
 PetscErrorCode step(TS ts) {

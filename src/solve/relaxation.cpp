@@ -52,7 +52,7 @@ class Relaxation : StaticTrial {
       prepare();
       system_.residual(state_.view(0), r_.get());
       report.norms = system_.norms(r_.get());
-      if (settings_.told) settings_.told(report);
+      if (settings_.progress) settings_.progress(report);
       if (report.norms.small(settings_.tolerance)) return report;
       if (mass_ == 0) mass_ = least = first_mass(report.norms);
       if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least ||

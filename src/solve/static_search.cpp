@@ -90,7 +90,7 @@ SNESConvergedReason StaticSearch::check_step(int iteration) {
   check(VecCopy(r_.get(), f_.get()));
   energy_ = potential(state_);
   report_.iterations = begun_ + iteration;
-  if (settings_.told) settings_.told(report_);
+  if (settings_.progress) settings_.progress(report_);
   if (report_.norms.small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   if (iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   const bool close = near(report_.norms);
@@ -100,7 +100,7 @@ SNESConvergedReason StaticSearch::check_step(int iteration) {
 
 PetscErrorCode StaticSearch::search(SNESLineSearch search, void* self) {
   auto& s = *static_cast<StaticSearch*>(self);
-  return s.error_.keep([&] {
+  return s.error_.capture([&] {
     Vec y = nullptr;
     PetscInt iteration = 0;
     PetscReal size = 0;

@@ -28,7 +28,7 @@ StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_
       snes_.get(), f_.get(),
       [](SNES, Vec x, Vec f, void* self) {
         auto& s = *static_cast<StaticTrial*>(self);
-        return s.error_.keep([&] {
+        return s.error_.capture([&] {
           check(VecCopy(x, s.u_.get()));
           s.system_.gather(s.u_.get(), s.local_);
           s.residual();
@@ -40,7 +40,7 @@ StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_
       snes_.get(),
       [](SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason* reason, void* self) {
         auto& s = *static_cast<StaticTrial*>(self);
-        return s.error_.keep([&] { *reason = s.check_step(static_cast<int>(it)); });
+        return s.error_.capture([&] { *reason = s.check_step(static_cast<int>(it)); });
       },
       this, nullptr));
   check(SNESSetFromOptions(snes_.get()));
@@ -68,7 +68,7 @@ void StaticTrial::build() {
       snes_.get(), J_.get(), J_.get(),
       [](SNES, Vec, Mat, Mat, void* self) {
         auto& s = *static_cast<StaticTrial*>(self);
-        return s.error_.keep([&] { s.tangent(); });
+        return s.error_.capture([&] { s.tangent(); });
       },
       this));
   check(KSPCreate(system_.comm(), ksp_.out()));

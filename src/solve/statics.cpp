@@ -18,20 +18,20 @@ constexpr int kMostRaises = 100;
 constexpr const char* kUnsettled =
     "statics: the automatic stiffness of contact does not settle; give the volumes a normal_stiffness";
 
-// Steps of relaxation are told as statics is.
-void tell_of(const StaticsSettings& settings, RelaxationSettings& r) {
-  if (!settings.told) return;
-  r.told = [told = settings.told](const RelaxationReport& now) {
+// Steps of relaxation report their progress as those of statics do.
+void pass_on_progress(const StaticsSettings& settings, RelaxationSettings& r) {
+  if (!settings.progress) return;
+  r.progress = [progress = settings.progress](const RelaxationReport& now) {
     StaticsReport report;
     report.iterations = now.iterations, report.relaxation_steps = now.steps, report.norms = now.norms;
-    told(report);
+    progress(report);
   };
 }
 
 StaticsReport relaxed(System& system, const StaticsSettings& settings, State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps;
-  tell_of(settings, r);
+  pass_on_progress(settings, r);
   RelaxationReport rest;
   const State from = state;
   try {
@@ -84,7 +84,7 @@ StaticsReport against_friction(System& system, const StaticsSettings& settings, 
                                State& state) {
   RelaxationSettings r;
   r.max_steps = settings.relaxation_steps, r.tolerance = settings.tolerance, r.friction = true;
-  tell_of(settings, r);
+  pass_on_progress(settings, r);
   StaticsReport report;
   for (int round = 0;; ++round) {
     const RelaxationReport rest = relax(system, r, state);

@@ -16,7 +16,7 @@ std::string System::overstretched(const Kinematics& at) const {
   Overstretch worst;
   for (const CarriesTension* t : carry_tension_)
     if (const Overstretch o = t->overstretched(at); o.beyond > worst.beyond) worst = o;
-  if (!tell_of_largest(comm_, worst.beyond, 0, worst)) return {};
+  if (!broadcast_largest(comm_, worst.beyond, 0, worst)) return {};
   return fmt::format(
       "{}, is {} by {:.3g} % by {:.3g} N on an EA of {:.3g} N, and {:g} % is more than any line of such an "
       "EA bears",

@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-constexpr size_t kPose = 13;  // numbers that a pose is told with
+constexpr size_t kPose = 13;  // numbers of a pose and its rates
 
 }  // namespace
 
@@ -23,7 +23,7 @@ void Bodies::in_state(const model::Case& c, const LocalMesh& mesh) {
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     Frame& f = frames_[b];
     f.node = mesh.mesh->frame_node(static_cast<int>(b));
-    f.told = pose(static_cast<int>(b), 0.0);
+    f.exchanged = pose(static_cast<int>(b), 0.0);
     if (c.bodies[b].mass) f.centre = c.bodies[b].mass->centre;
     if (!c.bodies[b].on || c.bodies[b].on->drawn) continue;
     f.turn = exp_so3(c.bodies[b].rotation);
@@ -60,32 +60,33 @@ RigidPose Bodies::pose(int body, const Kinematics& at) const {
   if (!floats(body)) return pose(body, at.time);
   const Frame& f = frames_[static_cast<size_t>(body)];
   const int node = local_node(body);
-  if (node < 0) return f.told;
+  if (node < 0) return f.exchanged;
   RigidBodyState s = floating_state(at, node);
   s.q = s.q * f.turn, s.w = f.turn.conjugate() * s.w, s.alpha = f.turn.conjugate() * s.alpha;
   return floating_pose(s, f.centre);
 }
 
-void Bodies::tell(MPI_Comm comm, const Kinematics& at) const {
-  std::vector<double> told;
+void Bodies::exchange_poses(MPI_Comm comm, const Kinematics& at) const {
+  std::vector<double> packed;
   for (size_t b = 0; b < frames_.size(); ++b) {
     if (frames_[b].node < 0) continue;
     const int node = local_node(static_cast<int>(b));
-    told.resize(told.size() + kPose, 0);
+    packed.resize(packed.size() + kPose, 0);
     if (node < 0 || node >= mesh_->owned) continue;
     const RigidPose p = pose(static_cast<int>(b), at);
-    double* d = told.data() + told.size() - kPose;
+    double* d = packed.data() + packed.size() - kPose;
     for (int c = 0; c < 3; ++c)
       d[c] = p.position[c], d[3 + c] = p.velocity[c], d[6 + c] = p.angular_velocity[c];
     for (int c = 0; c < 4; ++c) d[9 + c] = p.rotation.coeffs()[c];
   }
-  if (told.empty()) return;
-  MPI_Allreduce(MPI_IN_PLACE, told.data(), static_cast<int>(told.size()), MPI_DOUBLE, MPI_SUM, comm);
-  const double* d = told.data();
+  if (packed.empty()) return;
+  MPI_Allreduce(MPI_IN_PLACE, packed.data(), static_cast<int>(packed.size()), MPI_DOUBLE, MPI_SUM, comm);
+  const double* d = packed.data();
   for (const Frame& f : frames_) {
     if (f.node < 0) continue;
-    f.told.position = Vec3(d), f.told.velocity = Vec3(d + 3), f.told.angular_velocity = Vec3(d + 6);
-    f.told.rotation.coeffs() = Eigen::Map<const Eigen::Vector4d>(d + 9);
+    f.exchanged.position = Vec3(d), f.exchanged.velocity = Vec3(d + 3),
+    f.exchanged.angular_velocity = Vec3(d + 6);
+    f.exchanged.rotation.coeffs() = Eigen::Map<const Eigen::Vector4d>(d + 9);
     d += kPose;
   }
 }

@@ -46,7 +46,7 @@ FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& at) c
 bool ContactVolumes::recouple(const Kinematics& committed, double h, double thickest) {
   const auto moving = [this](const ContactVolume& v) { return bodies_->floats(v.body); };
   if (std::none_of(volumes_.begin(), volumes_.end(), moving)) return false;
-  bodies_->tell(comm_, committed);
+  bodies_->exchange_poses(comm_, committed);
   std::vector<std::array<int, 3>> wide;
   bool missing = false;
   std::vector<RigidPose> poses;

@@ -27,7 +27,7 @@ void Hydrodynamics::group() {
 // An idle element has no length for what is computed in fours.
 void Hydrodynamics::see_feeders(const Kinematics& at, bool now) {
   if (!feeders_) return;
-  feeders_->tell(pieces_, at, now);
+  feeders_->update_lengths(pieces_, at, now);
   for (Four& q : fours_)
     for (int lane = 0; lane < 4; ++lane) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[lane])];

@@ -95,7 +95,7 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
 }
 
 void LineMassTerm::see_feeders(const Kinematics& at, bool now) {
-  if (feeders_) feeders_->tell(pieces_, at, now);
+  if (feeders_) feeders_->update_lengths(pieces_, at, now);
 }
 
 void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {

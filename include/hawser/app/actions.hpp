@@ -45,7 +45,6 @@ class Actions {
   RigidPose pose(const model::Action& action, const Kinematics& at) const;
   void hold(const model::Action& action, const Found& found);
   void feed(const model::Action& action, double speed, double time);
-  void refuse_inside(int volume, const Kinematics& at) const;
 
   Simulation& sim_;
   std::vector<Support> supports_;

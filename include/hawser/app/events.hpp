@@ -29,8 +29,8 @@ class Events {
       const std::function<void(size_t)>& rested = [](size_t) {});
 
   // Before a run starts from the simulation's state: what happens at t = 0 has happened in it, and steps will
-  // end where a condition is met. What is to be told, a sentence each; InputError where one is met already.
-  // Collective.
+  // end where a condition is met. Messages for the user, a sentence each; InputError where one is met
+  // already. Collective.
   std::vector<std::string> begin();
 
   // After an accepted step, or when a run goes on: what happens there, likewise. Collective.
@@ -71,9 +71,10 @@ class Events {
   std::vector<size_t> due_at(double time, const std::vector<double>& values, const std::string& stage) const;
   // All of these, with what goes on from there. Where one of them cannot be, none has happened.
   void happen(const std::vector<size_t>& now, const Kinematics& at, const std::string& stage,
-              std::vector<std::string>& told, const std::function<void()>& go_on);
-  // One of them, done and told; the system's supports are not changed yet.
-  void happen(size_t event, const Kinematics& at, const std::string& stage, std::vector<std::string>& told);
+              std::vector<std::string>& messages, const std::function<void()>& go_on);
+  // One of them, done and reported; the system's supports are not changed yet.
+  void happen(size_t event, const Kinematics& at, const std::string& stage,
+              std::vector<std::string>& messages);
   std::vector<std::string> at_rest(const std::string& stage);
   bool lets_go(const std::string& stage) const;
   void pay_out(const std::string& stage, const std::function<void(bool)>& solve);

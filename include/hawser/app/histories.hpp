@@ -40,7 +40,6 @@ class Histories {
     bool shared = false;                // its nodes belong to two ranks
   };
   Point point_of(int line, double arc) const;
-  void add_line_series(const std::string& name, bool at_end, std::span<const io::ResultField> end_fields);
   std::vector<double> node_row(const Point& p, size_t side, const Kinematics& at,
                                const std::vector<std::vector<double>>& values,
                                const std::vector<std::vector<double>>& ends) const;

@@ -81,12 +81,21 @@ class Simulation {
   // InputError if what starts inside a volume is still there. Collective.
   void check_inside() const;
   // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
-  // InputError as of check_inside(). told: how far it is, now and then; on all ranks. falls: something was
-  // let go, and comes to rest by dynamic relaxation first.
-  StaticsReport solve_statics(std::function<void(const StaticsReport&)> told = {}, bool falls = false);
+  // InputError as of check_inside(). progress: how far it is, now and then; on all ranks. falls: something
+  // was let go, and comes to rest by dynamic relaxation first.
+  StaticsReport solve_statics(std::function<void(const StaticsReport&)> progress = {}, bool falls = false);
   DynamicsSettings dynamics_settings() const;
 
  private:
+  template <class Term, class... From>
+  Term* add(From&&... from);
+  void distribute(MPI_Comm comm);
+  // The force terms, by what they are about; `start`: the start shape, `held`: local nodes.
+  void add_lines();
+  void add_seabed(const Kinematics& start, const std::vector<int>& held);
+  void add_contact(const Kinematics& start, const std::vector<int>& held,
+                   const std::vector<std::shared_ptr<const Surface>>& surfaces);
+  void add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces, std::vector<BodySkeleton> skeletons);
   std::string inside(int volume, const Kinematics& at) const;
   bool lays_lines() const;  // whether statics has friction of the bed
   void lay_at_start();
@@ -103,7 +112,8 @@ class Simulation {
   std::vector<std::string> notes_;
   std::vector<ContactVolume> volumes_;  // that lines may touch
   StartContact start_contact_;
-  std::vector<double> told_stiffness_;  // of the contact's volumes, in their basis
+  // Of the volumes of contact, in their basis, as raised_stiffness() last found it.
+  std::vector<double> last_stiffness_;
   int cut_ = 0;
   std::optional<bool> static_friction_;  // by a stage; none: as the case has it
   bool laid_ = false;                    // lines where they start

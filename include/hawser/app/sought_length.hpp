@@ -38,7 +38,7 @@ class SoughtLength {
   void choose() { length_ = search_.next(); }
   // What the trial has brought. Whether it has parted from a target that was met.
   bool see(const AtRest& now);
-  void go_on() { search_.tell(value_ - t_.value); }
+  void go_on() { search_.add(value_ - t_.value); }
   void fail(const std::string& why) { search_.fail(), why_ = why; }
   // From what was last reached on.
   void again();

@@ -8,12 +8,12 @@
 
 namespace hawser {
 
-// Keeps what a callback of PETSc throws until the call into PETSc has returned.
+// Carries what a callback of PETSc throws until the call into PETSc has returned.
 class CarriedError {
  public:
   // The body of a callback, and what the callback returns: an error code where the body threw.
   template <class Body>
-  PetscErrorCode keep(const Body& body) noexcept {
+  PetscErrorCode capture(const Body& body) noexcept {
     try {
       body();
     } catch (...) {
@@ -23,8 +23,8 @@ class CarriedError {
     return 0;
   }
 
-  // After the call into PETSc that the callback is part of: throws what was kept, or else PetscFailure where
-  // the call returned an error.
+  // After the call into PETSc that the callback is part of: throws what was captured, or else PetscFailure
+  // where the call returned an error.
   void check(PetscErrorCode code) {
     if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
     hawser::check(code);

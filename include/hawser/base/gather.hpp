@@ -27,7 +27,7 @@ inline std::string first_text(MPI_Comm comm, std::string mine) {
 // Of the rank with the largest value (the first of equal ones), told to all if that is above `least`; whether
 // it is. T: plain data. Collective.
 template <class T>
-bool tell_of_largest(MPI_Comm comm, double value, double least, T& of) {
+bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
   struct {
     double value;
     int rank;

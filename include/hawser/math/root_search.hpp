@@ -1,5 +1,5 @@
-// Where a function of one variable is zero when each value of it takes long and may not exist: the search
-// says where it wants a value next, and is told it.
+// Root of a function of one variable of which each value takes long and may not exist: the search says where
+// it wants the next value, and the caller adds it.
 #pragma once
 
 #include <utility>
@@ -16,15 +16,15 @@ class RootSearch {
   RootSearch(double start, double step, double low, double high);
 
   double next() const { return next_; }
-  void tell(double value);  // of the function at next()
-  void fail();              // there is none at next()
+  void add(double value);  // of the function at next()
+  void fail();             // there is none at next()
 
   bool bracketed() const { return bracketed_; }
   // No change of sign between the limits, or between where values exist.
   bool exhausted() const { return exhausted_; }
   // How far the two sides of a bracket are apart.
   double width() const;
-  // Everything told: place, value; in the order of places.
+  // All values that were added: place, value; in the order of places.
   const std::vector<std::pair<double, double>>& seen() const { return seen_; }
 
  private:
@@ -36,7 +36,7 @@ class RootSearch {
     bool ended = false;
   };
   Way way_[2];
-  int going_ = 0, told_ = 0;
+  int going_ = 0, values_ = 0;
   bool bracketed_ = false, exhausted_ = false;
   double next_ = 0;
   double x_[3] = {}, f_[3] = {};  // of the bracket: the newest, the other side, the one before

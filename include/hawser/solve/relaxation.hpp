@@ -28,7 +28,7 @@ struct RelaxationSettings {
   // Friction acts against the way of the lines: no motion is carried from step to step, as in a thick fluid,
   // and the terms are committed after each.
   bool friction = false;
-  std::function<void(const RelaxationReport&)> told;  // before every step, on all ranks
+  std::function<void(const RelaxationReport&)> progress;  // before every step, on all ranks
 };
 
 // Moves `state` (positions and rotations) near an equilibrium at state.time, from where Newton's iteration

@@ -38,7 +38,7 @@ struct StaticsSettings {
   // Friction of contact acts on the way: by relaxation alone, which commits the terms step by step.
   bool friction = false;
   // Told how far the search is, before every iteration or step of relaxation; on all ranks.
-  std::function<void(const StaticsReport&)> told;
+  std::function<void(const StaticsReport&)> progress;
 };
 
 // Moves `state` (positions and rotations; rates are zeroed) to equilibrium at state.time and commits the

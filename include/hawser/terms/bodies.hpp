@@ -41,10 +41,11 @@ class Bodies {
     const Frame& f = frames_[static_cast<size_t>(body)];
     return f.turn * (direction ? y : Vec3(y - f.centre));
   }
-  // Tells all ranks where those bodies are: what a rank knows of one whose node it does not see. Collective.
-  void tell(MPI_Comm comm, const Kinematics& at) const;
+  // Brings to all ranks where those bodies are: what a rank knows of one whose node it does not see.
+  // Collective.
+  void exchange_poses(MPI_Comm comm, const Kinematics& at) const;
   // Its pose in a state, the identity where body < 0. Of a body of the state whose node this rank does not
-  // see: as it was told last.
+  // see: as of the last exchange.
   RigidPose pose(int body, const Kinematics& at) const;
   // The prescribed pose, or of a body that floats where its springs pull it to. body < 0: fixed in space, the
   // identity.
@@ -58,7 +59,7 @@ class Bodies {
     int node = -1;                 // of the mesh
     Vec3 centre = Vec3::Zero();    // m, of the node, body frame
     Quat turn = Quat::Identity();  // body axes to the node's
-    mutable RigidPose told;        // of other ranks
+    mutable RigidPose exchanged;   // where the node is of another rank
   };
   std::vector<RigidMotion> motions_;
   std::vector<Frame> frames_;

@@ -90,11 +90,11 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   int fed_end(int element) const;
   // How many elements are inside the feeders at ends A and B of each line.
   std::vector<std::array<int, 2>> inside() const;
-  // Tells what a term keeps of its elements whether they are idle, and their unstretched length.
-  template <class Kept>
-  void tell(std::vector<Kept>& kept, const Kinematics& at, bool now) const {
-    for (Kept& k : kept)
-      if (const auto r = rest(k.at.global, at, now)) k.idle = r->idle, k.section.length = r->length;
+  // Sets which elements of a term are idle, and the unstretched length of the others.
+  template <class Of>
+  void update_lengths(std::vector<Of>& elements, const Kinematics& at, bool now) const {
+    for (Of& e : elements)
+      if (const auto r = rest(e.at.global, at, now)) e.idle = r->idle, e.section.length = r->length;
   }
   // Where all was at the start of the step; nothing before the first.
   const State& before() const { return before_; }
