@@ -104,6 +104,148 @@ Key target() {
               true);
 }
 
+Key sections() {
+  return list({"sections", &Line::sections},
+              map("",
+                  {reference({"type", &Section::type}, "line_types", "line type").is_required(),
+                   number({"length", &Section::length}, length, "unstretched length").above(0).is_required(),
+                   integer({"elements", &Section::elements}, "number of elements").at_least(1).at_most(1e6),
+                   number("element_length", length, "longest element wanted, instead of their number")
+                       .above(0),
+                   number({"grading", &Section::grading}, none, "length of the last element over the first")
+                       .at_least(1e-3)
+                       .at_most(1e3)
+                       .or_else("1")},
+                  "")
+                  .either({{{"elements"}, {}}, {{"element_length"}, {}}}, true),
+              "from end A to end B")
+      .is_required()
+      .items(1);
+}
+
+Key start() {
+  return one_of("start",
+                {word({"", &Line::start}, {{"auto", Start::automatic},
+                                           {"catenary", Start::catenary},
+                                           {"hanging", Start::hanging},
+                                           {"straight", Start::straight}}),
+                 map("",
+                     {list({"points", &Line::points, set(&Line::start, Start::points)}, vec3("", length),
+                           "polyline from end A to end B that the line is laid along")
+                          .items(2),
+                      text("from",
+                           "results (.h5) of another run, beside the case: as it left the line, by "
+                           "share of the length, its ends where they are now ..."),
+                      number("time", time, "... at this output").at_least(0).or_else_note("the last"),
+                      text("line", "... what the line is called there").or_else_note("as here")},
+                     "")
+                     .either({{{"points"}, {"points"}}, {{"from", "time", "line"}, {"from"}}}, true)},
+                "shape from which statics starts; `auto`: catenary between two held ends, hanging from "
+                "one")
+      .or_else("auto");
+}
+
+Key masses() {
+  return list({"masses", &Line::masses},
+              map("",
+                  {arc({"at", &PointMass::at}, "arc length from end A").is_required(),
+                   number({"mass", &PointMass::mass}, mass, "point mass").above(0).is_required(),
+                   number({"volume", &PointMass::volume}, volume,
+                          "displaced by it: a buoy or a clump weight, taken for a ball")
+                       .at_least(0)
+                       .or_else("0"),
+                   number({"drag_area", &PointMass::drag_area}, area, "drag coefficient times area")
+                       .at_least(0)
+                       .or_else("0"),
+                   number({"Ca", &PointMass::Ca}, none, "added mass over the mass of the displaced water")
+                       .at_least(0)
+                       .at_most(100)
+                       .or_else("0")},
+                  ""),
+              "point masses, clump weights and buoys")
+      .or_else("[]");
+}
+
+Key bend_stiffeners() {
+  return list({"bend_stiffeners", &Line::bend_stiffeners},
+              map("",
+                  {arc({"at", &BendStiffener::at}, "arc length from end A of its root").is_required(),
+                   word({"towards", &BendStiffener::towards_a}, {{"end_a", true}, {"end_b", false}},
+                        "where it goes to from its root")
+                       .or_else_note("`end_b`; from `end_b` on: `end_a`"),
+                   list({"EI", &BendStiffener::rows}, list("", number("", none), "").items(2, 2),
+                        "bending stiffness it adds to that of the line, `[[m from the root, N m²], "
+                        "...]`, straight between the rows and nothing beyond")
+                       .is_required()
+                       .items(2)},
+                  ""),
+              "bend stiffeners, and whatever else makes the bending stiffness vary along the line")
+      .or_else("[]");
+}
+
+Key buried() {
+  return list({"buried", &Line::buried},
+              map("",
+                  {arc({"from", &Buried::from}, "from this arc length ...").or_else_note("`end_a`"),
+                   arc({"to", &Buried::to}, "... to this one").or_else_note("`end_b`"),
+                   map("resistance",
+                       {number({"axial", &Buried::axial}, force_per_length, "along the line")
+                            .above(0)
+                            .is_required(),
+                        number({"normal", &Buried::normal}, force_per_length, "across it, to all sides")
+                            .above(0)
+                            .is_required()},
+                       "of the soil at most, per length")
+                       .is_required(),
+                   map("mobilisation_length",
+                       {number({"axial", &Buried::axial_length}, length, "along the line")
+                            .above(0)
+                            .or_else_note("1 % of the contact diameter"),
+                        number({"normal", &Buried::normal_length}, length, "across it")
+                            .above(0)
+                            .or_else_note("10 % of the contact diameter")},
+                       "after which the soil resists with all of it")
+                       .or_else("{}")},
+                  ""),
+              "stretches in the soil, which holds them where they start until it yields: an anchor's end "
+              "below "
+              "the bed (a line that starts by itself goes straight from it to the bed), a pipe in a trench "
+              "(`start` says where); the bed does not act on them, nor water but for its buoyancy")
+      .or_else("[]");
+}
+
+Key change_of_temperature() {
+  return one_of(
+             "temperature_change",
+             {number({"", by<Line>(temperature)}, temperature_change),
+              list({"", &Line::temperature_change}, list("", number("", none), "").items(2, 2), "").items(2)},
+             "what the line is warmer than when its sections had their `length`, or along it `[[m "
+             "from end A, K], ...]`, straight between the rows and constant beyond: types with "
+             "`thermal_expansion` get longer; acts from statics on")
+      .or_else("0");
+}
+
+Key loads() {
+  return list("loads",
+              map("",
+                  {vec3("per_length", force_per_length, "distributed dead load per unstretched length ..."),
+                   arc("from", "... from this arc length").or_else_note("`end_a`"),
+                   arc("to", "... to this one").or_else_note("`end_b`"),
+                   arc("at", "point load at this arc length"),
+                   vec3("force", force, "dead force of a point load"),
+                   vec3("moment", moment, "dead moment of a point load, axes fixed in space"),
+                   number("ramp", time,
+                          "starts smoothly over this time in dynamics; 0: acts in statics already")
+                       .at_least(0)
+                       .or_else("0")},
+                  "")
+                  .either(
+                      {{{"per_length", "from", "to"}, {"per_length"}}, {{"at", "force", "moment"}, {"at"}}},
+                      true),
+              "loads besides weight")
+      .or_else("[]");
+}
+
 }  // namespace
 
 std::vector<Key> feed_law() {
@@ -142,139 +284,13 @@ Key joints() {
 }
 
 Key lines() {
-  Key sections =
-      list({"sections", &Line::sections},
-           map("",
-               {reference({"type", &Section::type}, "line_types", "line type").is_required(),
-                number({"length", &Section::length}, length, "unstretched length").above(0).is_required(),
-                integer({"elements", &Section::elements}, "number of elements").at_least(1).at_most(1e6),
-                number("element_length", length, "longest element wanted, instead of their number").above(0),
-                number({"grading", &Section::grading}, none, "length of the last element over the first")
-                    .at_least(1e-3)
-                    .at_most(1e3)
-                    .or_else("1")},
-               "")
-               .either({{{"elements"}, {}}, {{"element_length"}, {}}}, true),
-           "from end A to end B")
-          .is_required()
-          .items(1);
-  Key buried =
-      list({"buried", &Line::buried},
-           map("",
-               {arc({"from", &Buried::from}, "from this arc length ...").or_else_note("`end_a`"),
-                arc({"to", &Buried::to}, "... to this one").or_else_note("`end_b`"),
-                map("resistance",
-                    {number({"axial", &Buried::axial}, force_per_length, "along the line")
-                         .above(0)
-                         .is_required(),
-                     number({"normal", &Buried::normal}, force_per_length, "across it, to all sides")
-                         .above(0)
-                         .is_required()},
-                    "of the soil at most, per length")
-                    .is_required(),
-                map("mobilisation_length",
-                    {number({"axial", &Buried::axial_length}, length, "along the line")
-                         .above(0)
-                         .or_else_note("1 % of the contact diameter"),
-                     number({"normal", &Buried::normal_length}, length, "across it")
-                         .above(0)
-                         .or_else_note("10 % of the contact diameter")},
-                    "after which the soil resists with all of it")
-                    .or_else("{}")},
-               ""),
-           "stretches in the soil, which holds them where they start until it yields: an anchor's end below "
-           "the bed (a line that starts by itself goes straight from it to the bed), a pipe in a trench "
-           "(`start` says where); the bed does not act on them, nor water but for its buoyancy")
-          .or_else("[]");
-  Key loads =
-      list(
-          "loads",
-          map("",
-              {vec3("per_length", force_per_length, "distributed dead load per unstretched length ..."),
-               arc("from", "... from this arc length").or_else_note("`end_a`"),
-               arc("to", "... to this one").or_else_note("`end_b`"),
-               arc("at", "point load at this arc length"), vec3("force", force, "dead force of a point load"),
-               vec3("moment", moment, "dead moment of a point load, axes fixed in space"),
-               number("ramp", time, "starts smoothly over this time in dynamics; 0: acts in statics already")
-                   .at_least(0)
-                   .or_else("0")},
-              "")
-              .either({{{"per_length", "from", "to"}, {"per_length"}}, {{"at", "force", "moment"}, {"at"}}},
-                      true),
-          "loads besides weight")
-          .or_else("[]");
-  return names(
-             {"lines", &Case::lines},
-             map("<line>",
-                 {std::move(sections), line_end({"end_a", &Line::end_a}, "how end A is held").is_required(),
-                  line_end({"end_b", &Line::end_b}, "how end B is held").is_required(),
-                  one_of(
-                      "start",
-                      {word({"", &Line::start}, {{"auto", Start::automatic},
-                                                 {"catenary", Start::catenary},
-                                                 {"hanging", Start::hanging},
-                                                 {"straight", Start::straight}}),
-                       map("",
-                           {list({"points", &Line::points, set(&Line::start, Start::points)},
-                                 vec3("", length), "polyline from end A to end B that the line is laid along")
-                                .items(2),
-                            text("from",
-                                 "results (.h5) of another run, beside the case: as it left the line, by "
-                                 "share of the length, its ends where they are now ..."),
-                            number("time", time, "... at this output").at_least(0).or_else_note("the last"),
-                            text("line", "... what the line is called there").or_else_note("as here")},
-                           "")
-                           .either({{{"points"}, {"points"}}, {{"from", "time", "line"}, {"from"}}}, true)},
-                      "shape from which statics starts; `auto`: catenary between two held ends, hanging from "
-                      "one")
-                      .or_else("auto"),
-                  list({"masses", &Line::masses},
-                       map("",
-                           {arc({"at", &PointMass::at}, "arc length from end A").is_required(),
-                            number({"mass", &PointMass::mass}, mass, "point mass").above(0).is_required(),
-                            number({"volume", &PointMass::volume}, volume,
-                                   "displaced by it: a buoy or a clump weight, taken for a ball")
-                                .at_least(0)
-                                .or_else("0"),
-                            number({"drag_area", &PointMass::drag_area}, area, "drag coefficient times area")
-                                .at_least(0)
-                                .or_else("0"),
-                            number({"Ca", &PointMass::Ca}, none,
-                                   "added mass over the mass of the displaced water")
-                                .at_least(0)
-                                .at_most(100)
-                                .or_else("0")},
-                           ""),
-                       "point masses, clump weights and buoys")
-                      .or_else("[]"),
-                  list(
-                      {"bend_stiffeners", &Line::bend_stiffeners},
-                      map("",
-                          {arc({"at", &BendStiffener::at}, "arc length from end A of its root").is_required(),
-                           word({"towards", &BendStiffener::towards_a}, {{"end_a", true}, {"end_b", false}},
-                                "where it goes to from its root")
-                               .or_else_note("`end_b`; from `end_b` on: `end_a`"),
-                           list({"EI", &BendStiffener::rows}, list("", number("", none), "").items(2, 2),
-                                "bending stiffness it adds to that of the line, `[[m from the root, N m²], "
-                                "...]`, straight between the rows and nothing beyond")
-                               .is_required()
-                               .items(2)},
-                          ""),
-                      "bend stiffeners, and whatever else makes the bending stiffness vary along the line")
-                      .or_else("[]"),
-                  std::move(buried),
-                  one_of(
-                      "temperature_change",
-                      {number({"", by<Line>(temperature)}, temperature_change),
-                       list({"", &Line::temperature_change}, list("", number("", none), "").items(2, 2), "")
-                           .items(2)},
-                      "what the line is warmer than when its sections had their `length`, or along it `[[m "
-                      "from end A, K], ...]`, straight between the rows and constant beyond: types with "
-                      "`thermal_expansion` get longer; acts from statics on")
-                      .or_else("0"),
-                  std::move(loads), target()},
-                 ""),
-             "Lines, by name. Arc lengths are unstretched and count from end A.")
+  return names({"lines", &Case::lines},
+               map("<line>",
+                   {sections(), line_end({"end_a", &Line::end_a}, "how end A is held").is_required(),
+                    line_end({"end_b", &Line::end_b}, "how end B is held").is_required(), start(), masses(),
+                    bend_stiffeners(), buried(), change_of_temperature(), loads(), target()},
+                   ""),
+               "Lines, by name. Arc lengths are unstretched and count from end A.")
       .or_else("{}");
 }
 

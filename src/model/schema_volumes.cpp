@@ -164,56 +164,63 @@ Key shape() {
       .either(std::move(groups), true);
 }
 
+Key stiffness() {
+  return one_of(
+             "normal_stiffness",
+             {word("", {"auto"}),
+              map("",
+                  {number({"per_point", &Volume::normal_stiffness,
+                           set(&Volume::basis, StiffnessBasis::per_point)},
+                          point_stiffness, "of each node in contact")
+                       .above(0),
+                   number({"per_length", &Volume::normal_stiffness,
+                           set(&Volume::basis, StiffnessBasis::per_length)},
+                          line_stiffness, "per length of line in contact")
+                       .above(0),
+                   number(
+                       {"per_area", &Volume::normal_stiffness, set(&Volume::basis, StiffnessBasis::per_area)},
+                       area_stiffness, "per projected area (length times contact diameter)")
+                       .above(0),
+                   number(
+                       {"allowed_penetration", &Volume::allowed_penetration}, length,
+                       "as `auto`, for this penetration: the largest in statics, twice that in motion except "
+                       "in impacts; default 0.4 % of the line's radius")
+                       .above(0),
+                   force_rows(by<Volume>(force_table<Volume>)),
+                   word({"per", &Volume::basis},
+                        {{"point", StiffnessBasis::per_point},
+                         {"length", StiffnessBasis::per_length},
+                         {"area", StiffnessBasis::per_area}},
+                        "what the forces of the table are of: N of a node, N/m of line, N/m² of projected "
+                        "area")},
+                  "")
+                  .either({{{"per_point"}, {}},
+                           {{"per_length"}, {}},
+                           {{"per_area"}, {}},
+                           {{"allowed_penetration"}, {}},
+                           {{"table", "per"}, {"table", "per"}}},
+                          true)},
+             "penalty against penetration; `auto` is raised in the run as far as tensions and speeds need it")
+      .or_else("auto");
+}
+
+Key active() {
+  return one_of("active",
+                {text({"", &Volume::active_part}, ""),
+                 map("",
+                     {list({"box", by<Volume>(active_box)}, vec3("", length),
+                           "`[[x, y, z], [x, y, z]]`: lower and upper corner, in the body's frame")
+                          .items(2, 2)
+                          .is_required()},
+                     "")},
+                "the part of the mesh that takes part in contact: name of a part (OBJ group, STL "
+                "solid), or the triangles with all corners in a box")
+      .or_else_note("all");
+}
+
 }  // namespace
 
 Key volumes() {
-  Key stiffness =
-      one_of(
-          "normal_stiffness",
-          {word("", {"auto"}),
-           map("",
-               {number(
-                    {"per_point", &Volume::normal_stiffness, set(&Volume::basis, StiffnessBasis::per_point)},
-                    point_stiffness, "of each node in contact")
-                    .above(0),
-                number({"per_length", &Volume::normal_stiffness,
-                        set(&Volume::basis, StiffnessBasis::per_length)},
-                       line_stiffness, "per length of line in contact")
-                    .above(0),
-                number({"per_area", &Volume::normal_stiffness, set(&Volume::basis, StiffnessBasis::per_area)},
-                       area_stiffness, "per projected area (length times contact diameter)")
-                    .above(0),
-                number({"allowed_penetration", &Volume::allowed_penetration}, length,
-                       "as `auto`, for this penetration: the largest in statics, twice that in motion except "
-                       "in impacts; default 0.4 % of the line's radius")
-                    .above(0),
-                force_rows(by<Volume>(force_table<Volume>)),
-                word(
-                    {"per", &Volume::basis},
-                    {{"point", StiffnessBasis::per_point},
-                     {"length", StiffnessBasis::per_length},
-                     {"area", StiffnessBasis::per_area}},
-                    "what the forces of the table are of: N of a node, N/m of line, N/m² of projected area")},
-               "")
-               .either({{{"per_point"}, {}},
-                        {{"per_length"}, {}},
-                        {{"per_area"}, {}},
-                        {{"allowed_penetration"}, {}},
-                        {{"table", "per"}, {"table", "per"}}},
-                       true)},
-          "penalty against penetration; `auto` is raised in the run as far as tensions and speeds need it")
-          .or_else("auto");
-  Key active = one_of("active",
-                      {text({"", &Volume::active_part}, ""),
-                       map("",
-                           {list({"box", by<Volume>(active_box)}, vec3("", length),
-                                 "`[[x, y, z], [x, y, z]]`: lower and upper corner, in the body's frame")
-                                .items(2, 2)
-                                .is_required()},
-                           "")},
-                      "the part of the mesh that takes part in contact: name of a part (OBJ group, STL "
-                      "solid), or the triangles with all corners in a box")
-                   .or_else_note("all");
   return names(
              {"volumes", &Case::volumes},
              map("<volume>",
@@ -251,7 +258,7 @@ Key volumes() {
                   reference({"body", &Volume::body}, "bodies",
                             "body it is fixed to; mesh and shape are in the body's frame")
                       .or_else_note("none: fixed in space"),
-                  std::move(active), std::move(stiffness),
+                  active(), stiffness(),
                   number({"smoothing", &Volume::smoothing}, length,
                          "half width of the smooth start of the contact force; 0: linear from the touch on")
                       .at_least(0)

@@ -46,8 +46,6 @@ class EndForces {
   void evaluate(const Kinematics& at, std::span<const Vec3> carried);
 
   const std::vector<Place>& places() const { return places_; }  // in the order of nodes
-  // At the mouth of each feeder, in their order, on all ranks.
-  const std::vector<SectionForce>& at_mouths() const { return mouths_; }
   // N, what each feeder feels: the tension at its mouth and, of a line that resists bending, M²/2EI.
   const std::vector<double>& at_feeders() const { return felt_; }
   // Which of the owned ends is at a local node, counted in that order; -1: none.
@@ -60,7 +58,7 @@ class EndForces {
 
   const System& system_;
   const Feeders* feeders_;
-  std::vector<SectionForce> mouths_;
+  std::vector<SectionForce> mouths_;  // at the mouth of each feeder, in their order, on all ranks
   std::vector<double> felt_;
   std::vector<Place> places_;
 };
