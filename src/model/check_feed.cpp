@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
 
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
@@ -44,6 +47,97 @@ void check_stock(const Case& c, const Feed& f, const std::string& key, std::vect
                      f.stock, t, end)});
 }
 
+// With keys below that of the feeder.
+using Report = std::function<void(const std::string& key, std::string text)>;
+
+// Why such a line cannot be fed at such an end; empty: it can.
+std::string why_not_fed(const Case& c, const Line& line, const End& end) {
+  if (end.kind == EndKind::joint) return "a joint cannot feed a line; the end must be at an anchor or a body";
+  if (end.kind == EndKind::body && (c.floats(c.body_index(end.body)) || c.rides(c.body_index(end.body))))
+    return fmt::format(
+        "body '{}' moves by its own equations or rides on a line, and a line can be fed "
+        "only from an anchor or a body whose motion is prescribed",
+        end.body);
+  for (const Section& s : line.sections)
+    if (const LineType& t = c.line_type(s.type); t.kind != LineKind::cable) {
+      if (!end.clamped)
+        return fmt::format(
+            "line type '{}' resists bending, and a feeder holds such a line clamped: give the "
+            "end 'clamped: true' and a 'direction', or the line type 'bending: false'",
+            s.type);
+      const char* cannot = t.moment_table            ? "bends by a table"
+                           : t.stiffness_damping > 0 ? "has 'stiffness_damping'"
+                                                     : nullptr;
+      if (cannot)
+        return fmt::format(
+            "line type '{}' {}, and what resists bending can be fed only where it bends "
+            "linearly or yields, without damping",
+            s.type, cannot);
+    }
+  const auto yields = [&](const Section& s) { return c.line_type(s.type).plastic_bending != nullptr; };
+  if (std::any_of(line.sections.begin(), line.sections.end(), yields) &&
+      std::any_of(line.sections.begin(), line.sections.end(),
+                  [&](const Section& s) { return s.type != line.sections.front().type; }))
+    return "a line that yields ('plasticity') can be fed only if all its sections are of one type";
+  return "";
+}
+
+// At least so many elements are inside the feeder at the start, and outside.
+void check_elements(const Line& line, bool at_b, const Report& issue) {
+  const Feed& f = *(at_b ? line.end_b : line.end_a).feed;
+  double at = 0,
+         other = (at_b ? line.end_a : line.end_b).feed ? (at_b ? line.end_a : line.end_b).feed->stock : 0;
+  int inside = 0, outside = 0;  // elements
+  for (const Section& s : line.sections)
+    for (int i = 0; i < s.elements; ++i) {
+      const double middle = at + (i + 0.5) / s.elements * s.length,
+                   from = at_b ? length_of(line) - middle : middle;
+      if (from < f.stock)
+        ++inside;
+      else if (length_of(line) - from > other)
+        ++outside;
+      if (i + 1 == s.elements) at += s.length;
+    }
+  constexpr int kLeastInside = 2, kLeastOutside = 3;
+  if (inside < kLeastInside)
+    issue("stock",
+          fmt::format("{:g} m are {} element{} of this line, and a stock needs {} at least: make it longer "
+                      "or the elements shorter",
+                      f.stock, inside, inside == 1 ? "" : "s", kLeastInside));
+  if (outside < kLeastOutside)
+    issue("stock",
+          fmt::format("leaves {} elements of the line, which is {:g} m long, outside; {} are the least",
+                      outside, length_of(line), kLeastOutside));
+}
+
+void check_speed_table(const Feed& f, const Report& issue) {
+  for (std::size_t i = 0; i < f.speed.size(); ++i) {
+    if (f.speed[i].first < 0)
+      issue(fmt::format("speed_table[{}]", i),
+            fmt::format("the time {:g} s is before the start of the run", f.speed[i].first));
+    if (i > 0 && !(f.speed[i].first > f.speed[i - 1].first))
+      issue(fmt::format("speed_table[{}]", i),
+            fmt::format("the time {:g} s does not follow {:g} s; times must grow from row to row",
+                        f.speed[i].first, f.speed[i - 1].first));
+  }
+}
+
+// What else a line has that a feeder cannot take in.
+void check_surroundings(const Case& c, const Line& line, const End& end, const Report& issue) {
+  const Vec3 place = end_position(c, end);
+  if (c.environment.seabed.present &&
+      height_above_bed(c.environment.seabed, place) < c.line_type(line.sections.front().type).outer_diameter)
+    issue("", "the feeder is on the seabed or below it, where what is inside would lie; put it above");
+  if (!line.buried.empty()) issue("", "a line with 'buried' stretches cannot be fed");
+  if (line.target) issue("", "a line with a 'target' cannot be fed: give the length that meets it");
+  if (line.start == Start::other_run) issue("", "a line that starts from another run cannot be fed");
+  if (!line.loads.empty()) issue("", "a line with distributed loads cannot be fed");
+  for (const Body& b : c.bodies)
+    if (b.on && b.on->line == line.name)
+      issue("", fmt::format("body '{}' rides on line {}, and a line that carries bodies cannot be fed",
+                            b.name, line.name));
+}
+
 }  // namespace
 
 std::vector<Issue> law_issues(const Feed& f) {
@@ -71,67 +165,9 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
   const auto issue = [&](const std::string& of, std::string text) {
     issues.push_back({of.empty() ? key : key + "." + of, std::move(text)});
   };
-  if (end.kind == EndKind::joint)
-    return issue("", "a joint cannot feed a line; the end must be at an anchor or a body");
-  if (end.kind == EndKind::body && (c.floats(c.body_index(end.body)) || c.rides(c.body_index(end.body))))
-    return issue("",
-                 fmt::format("body '{}' moves by its own equations or rides on a line, and a line can be fed "
-                             "only from an anchor or a body whose motion is prescribed",
-                             end.body));
-  for (const Section& s : line.sections)
-    if (const LineType& t = c.line_type(s.type); t.kind != LineKind::cable) {
-      if (!end.clamped)
-        return issue(
-            "",
-            fmt::format("line type '{}' resists bending, and a feeder holds such a line clamped: give the "
-                        "end 'clamped: true' and a 'direction', or the line type 'bending: false'",
-                        s.type));
-      const char* cannot = t.moment_table            ? "bends by a table"
-                           : t.stiffness_damping > 0 ? "has 'stiffness_damping'"
-                                                     : nullptr;
-      if (cannot)
-        return issue("",
-                     fmt::format("line type '{}' {}, and what resists bending can be fed only where it bends "
-                                 "linearly or yields, without damping",
-                                 s.type, cannot));
-    }
-  const auto yields = [&](const Section& s) { return c.line_type(s.type).plastic_bending != nullptr; };
-  if (std::any_of(line.sections.begin(), line.sections.end(), yields) &&
-      std::any_of(line.sections.begin(), line.sections.end(),
-                  [&](const Section& s) { return s.type != line.sections.front().type; }))
-    return issue("", "a line that yields ('plasticity') can be fed only if all its sections are of one type");
-  double at = 0,
-         other = (at_b ? line.end_a : line.end_b).feed ? (at_b ? line.end_a : line.end_b).feed->stock : 0;
-  int inside = 0, outside = 0;  // elements
-  for (const Section& s : line.sections)
-    for (int i = 0; i < s.elements; ++i) {
-      const double middle = at + (i + 0.5) / s.elements * s.length,
-                   from = at_b ? length_of(line) - middle : middle;
-      if (from < f.stock)
-        ++inside;
-      else if (length_of(line) - from > other)
-        ++outside;
-      if (i + 1 == s.elements) at += s.length;
-    }
-  constexpr int kLeastInside = 2, kLeastOutside = 3;
-  if (inside < kLeastInside)
-    issue("stock",
-          fmt::format("{:g} m are {} element{} of this line, and a stock needs {} at least: make it longer "
-                      "or the elements shorter",
-                      f.stock, inside, inside == 1 ? "" : "s", kLeastInside));
-  if (outside < kLeastOutside)
-    issue("stock",
-          fmt::format("leaves {} elements of the line, which is {:g} m long, outside; {} are the least",
-                      outside, length_of(line), kLeastOutside));
-  for (std::size_t i = 0; i < f.speed.size(); ++i) {
-    if (f.speed[i].first < 0)
-      issue(fmt::format("speed_table[{}]", i),
-            fmt::format("the time {:g} s is before the start of the run", f.speed[i].first));
-    if (i > 0 && !(f.speed[i].first > f.speed[i - 1].first))
-      issue(fmt::format("speed_table[{}]", i),
-            fmt::format("the time {:g} s does not follow {:g} s; times must grow from row to row",
-                        f.speed[i].first, f.speed[i - 1].first));
-  }
+  if (std::string why = why_not_fed(c, line, end); !why.empty()) return issue("", std::move(why));
+  check_elements(line, at_b, issue);
+  check_speed_table(f, issue);
   const bool changes = std::any_of(c.events.begin(), c.events.end(), [&](const Event& e) {
     return e.action.kind == Action::Kind::feed && e.action.line == line.name && e.action.at_b == at_b;
   });
@@ -144,18 +180,7 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
           fmt::format("a mass or buoy at arc length {:g} m is inside the feeder at the start, and only those "
                       "outside can be; they must not be hauled in either",
                       m.at));
-  const Vec3 place = end_position(c, end);
-  if (c.environment.seabed.present &&
-      height_above_bed(c.environment.seabed, place) < c.line_type(line.sections.front().type).outer_diameter)
-    issue("", "the feeder is on the seabed or below it, where what is inside would lie; put it above");
-  if (!line.buried.empty()) issue("", "a line with 'buried' stretches cannot be fed");
-  if (line.target) issue("", "a line with a 'target' cannot be fed: give the length that meets it");
-  if (line.start == Start::other_run) issue("", "a line that starts from another run cannot be fed");
-  if (!line.loads.empty()) issue("", "a line with distributed loads cannot be fed");
-  for (const Body& b : c.bodies)
-    if (b.on && b.on->line == line.name)
-      issue("", fmt::format("body '{}' rides on line {}, and a line that carries bodies cannot be fed",
-                            b.name, line.name));
+  check_surroundings(c, line, end, issue);
 }
 
 }  // namespace hawser::model

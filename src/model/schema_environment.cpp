@@ -55,9 +55,7 @@ Key current() {
                   {text("file",
                         "text file beside the case: columns t [s] and factor; blanks or commas between, `#` "
                         "starts a comment"),
-                   list("rows", list("", number("", none), "").items(2, 2),
-                        "the same, written here: `[[t, factor], ...]`")
-                       .items(2)},
+                   rows("rows", "the same, written here: `[[t, factor], ...]`").items(2)},
                   "multiplies the current, below 0 turning it round, beside `ramp`: straight lines between "
                   "rows, constant beyond them; in statics what it is at t = 0")
                   .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true)
@@ -115,9 +113,7 @@ Key spectrum() {
       text("file",
            "text file beside the case: columns frequency and density; blanks or commas between, `#` starts a "
            "comment"),
-      list("rows", list("", number("", none), "").items(2, 2),
-           "the same, written here: `[[frequency, density], ...]`")
-          .items(2),
+      rows("rows", "the same, written here: `[[frequency, density], ...]`").items(2),
       word("frequency", {{"hz", 2 * M_PI}, {"rad_s", 1}},
            "what the columns are in: Hz and m²/Hz, or rad/s and m² s/rad")
           .or_else("hz")};

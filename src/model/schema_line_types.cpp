@@ -80,7 +80,7 @@ Key plasticity() {
             number("B", none, "power of the plastic part, above 1").above(1).is_required()},
            "curvature over moment, κ/κ_y = M/M_y + A (M/M_y)^B with κ_y = M_y/EI, up to a bending strain of "
            "5 %"),
-       list("table", list("", number("", none), "").items(2, 2),
+       rows("table",
             "bending moment over curvature, `[[1/m, N m], ...]`, when bent for the first time: straight from "
             "row to row and beyond the last, never steeper than before; its first row makes `EI`")
            .items(2)},
@@ -126,7 +126,7 @@ Key line_types() {
       one_of("EA",
              {number({"", &LineType::EA}, force).above(0),
               map("",
-                  {list({"table", by<LineType>(tensions)}, list("", number("", none), "").items(2, 2),
+                  {rows({"table", by<LineType>(tensions)},
                         "tension over strain, `[[strain, N], ...]`, rising through zero: a monotone cubic, "
                         "elastic, straight beyond the rows")
                        .is_required()
@@ -138,7 +138,7 @@ Key line_types() {
              {number({"", &LineType::EI2, &LineType::EI3}, bending_stiffness).above(0),
               list({"", by<LineType>(two_axes)}, number("", bending_stiffness).above(0), "").items(2, 2),
               map("",
-                  {list({"table", by<LineType>(moments)}, list("", number("", none), "").items(2, 2),
+                  {rows({"table", by<LineType>(moments)},
                         "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the same "
                         "in all directions: a monotone cubic, elastic, straight beyond the rows")
                        .is_required()

@@ -21,7 +21,7 @@ Key feed() {
              "is inside when that is there")
           .above(0)
           .is_required());
-  keys.push_back(list({"speed_table", &Feed::speed}, list("", number("", none), "").items(2, 2),
+  keys.push_back(rows({"speed_table", &Feed::speed},
                       "`[[s, m/s], ...]`: straight between the rows, constant before and beyond")
                      .items(1));
   return map({"feed", &End::feed}, std::move(keys),
@@ -173,7 +173,7 @@ Key bend_stiffeners() {
                    word({"towards", &BendStiffener::towards_a}, {{"end_a", true}, {"end_b", false}},
                         "where it goes to from its root")
                        .or_else_note("`end_b`; from `end_b` on: `end_a`"),
-                   list({"EI", &BendStiffener::rows}, list("", number("", none), "").items(2, 2),
+                   rows({"EI", &BendStiffener::rows},
                         "bending stiffness it adds to that of the line, `[[m from the root, N m²], "
                         "...]`, straight between the rows and nothing beyond")
                        .is_required()
@@ -215,13 +215,12 @@ Key buried() {
 }
 
 Key change_of_temperature() {
-  return one_of(
-             "temperature_change",
-             {number({"", by<Line>(temperature)}, temperature_change),
-              list({"", &Line::temperature_change}, list("", number("", none), "").items(2, 2), "").items(2)},
-             "what the line is warmer than when its sections had their `length`, or along it `[[m "
-             "from end A, K], ...]`, straight between the rows and constant beyond: types with "
-             "`thermal_expansion` get longer; acts from statics on")
+  return one_of("temperature_change",
+                {number({"", by<Line>(temperature)}, temperature_change),
+                 rows({"", &Line::temperature_change}, "").items(2)},
+                "what the line is warmer than when its sections had their `length`, or along it `[[m "
+                "from end A, K], ...]`, straight between the rows and constant beyond: types with "
+                "`thermal_expansion` get longer; acts from statics on")
       .or_else("0");
 }
 

@@ -100,7 +100,7 @@ Key friction(const Field& field) {
 }
 
 Key force_rows(const Field& field) {
-  return list({"table", field}, list("", number("", none), "").items(2, 2),
+  return rows({"table", field},
               "force against penetration, `[[penetration, force], ...]`: a monotone cubic from no force at "
               "no penetration through the rows, straight beyond the last")
       .items(1);
