@@ -97,6 +97,84 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   return code;
 }
 
+// The command line: commands, their options, and what was given.
+struct CommandLine {
+  CLI::App cli{"hawser: nonlinear statics and dynamics of the lines of the sea, and their contact."};
+  CLI::App *run_command = nullptr, *modes_command = nullptr, *schema_command = nullptr,
+           *library_command = nullptr;
+  RunOptions run;
+  hawser::app::ModesOptions modes;
+  std::vector<std::string> changes;
+  bool in_vacuum = false;
+  std::string check_path;
+  int ranks = 0;
+  bool quick = false, json = false, markdown = false;
+
+  CommandLine();
+  CommandLine(const CommandLine&) = delete;
+};
+
+CommandLine::CommandLine() {
+  cli.set_version_flag("--version", std::string("hawser ") + hawser::app::kVersion);
+  cli.require_subcommand(1);
+  cli.footer(
+      "Run on several ranks with: mpirun -n 4 hawser run case.yaml\n"
+      "Exit codes: 0 done, 2 the input is wrong, 3 the solver gave up, 4 the run has ended but its energy "
+      "does not "
+      "add up, 130 stopped by a signal, 1 anything else.");
+
+  run_command = cli.add_subcommand("run", "Run a case: statics, then dynamics; results go to an HDF5 file.");
+  run_command->add_option("case", run.case_path, "Case file (YAML; `hawser schema` prints its keys)")
+      ->required();
+  run_command->add_option("-o,--output", run.output, "Results file instead of the one the case names (.h5)");
+  run_command->add_option("--restart", run.restart,
+                          "Go on from the newest checkpoint of this results file; when it is the case's own "
+                          "results file, the run is continued in it");
+  run_command
+      ->add_option("--stop-at", run.stop_at, "End at this simulated time, s, if the case would go on longer")
+      ->check(hawser::app::positive_time());
+  run_command->add_flag("-q,--quiet", run.quiet, "Say nothing but errors");
+  const auto add_set = [&](CLI::App* command) {
+    command
+        ->add_option("--set", changes,
+                     "Change a key of the case: lines.riser.sections[0].length=120; repeatable")
+        ->option_text("KEY=VALUE")
+        ->allow_extra_args(false);
+  };
+  add_set(run_command);
+  run_command->footer(
+      "PETSc options follow a lone --, with the prefixes statics_ and dynamics_:\n"
+      "  hawser run case.yaml -- -dynamics_snes_monitor -log_view\n"
+      "While it runs, results up to the last output can be opened in ParaView; Ctrl-C ends it cleanly.");
+
+  modes_command = cli.add_subcommand(
+      "modes", "Natural frequencies and shapes about the static equilibrium, as outputs of a results file.");
+  modes_command->add_option("case", modes.case_path, "Case file")->required();
+  modes_command->add_option("-n,--number", modes.count, "How many, from the lowest frequency on")
+      ->check(hawser::app::whole_number(1, 10000))
+      ->capture_default_str();
+  modes_command->add_option("-o,--output", modes.output, "Results file (default: <case>-modes.h5)");
+  modes_command->add_flag("--without-added-mass", in_vacuum, "Leave out the added mass of the water");
+  modes_command->add_flag("-q,--quiet", modes.quiet, "Say nothing but errors");
+  add_set(modes_command);
+
+  CLI::App* check_command =
+      cli.add_subcommand("check", "Read and check a case, print what is in it, try how its run begins.");
+  check_command->add_option("case", check_path, "Case file")->required();
+  check_command
+      ->add_option("-n,--ranks", ranks, "Show the partition for this many ranks; else for those it runs on")
+      ->check(hawser::app::whole_number(1, 1 << 20));
+  check_command->add_flag("--quick", quick, "Without the trial run that tells the cost");
+  add_set(check_command);
+
+  schema_command = cli.add_subcommand("schema", "Print the schema of case files.");
+  schema_command->add_flag("--json", json, "As JSON Schema, for editors");
+  schema_command->add_flag("--markdown", markdown, "As the key tables of the user guide (default)");
+
+  library_command = cli.add_subcommand("library", "Print the line types library, as in the user guide.");
+  for (const auto& command : hawser::app::kPostCommands) cli.add_subcommand(command.name, command.what);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -118,78 +196,9 @@ int main(int argc, char** argv) {
   mine.push_back(nullptr);
   theirs.push_back(nullptr);
 
-  CLI::App cli{"hawser: nonlinear statics and dynamics of the lines of the sea, and their contact."};
-  cli.set_version_flag("--version", std::string("hawser ") + hawser::app::kVersion);
-  cli.require_subcommand(1);
-  cli.footer(
-      "Run on several ranks with: mpirun -n 4 hawser run case.yaml\n"
-      "Exit codes: 0 done, 2 the input is wrong, 3 the solver gave up, 4 the run has ended but its energy "
-      "does not "
-      "add up, 130 stopped by a signal, 1 anything else.");
-
-  RunOptions run;
-  CLI::App* run_command =
-      cli.add_subcommand("run", "Run a case: statics, then dynamics; results go to an HDF5 file.");
-  run_command->add_option("case", run.case_path, "Case file (YAML; `hawser schema` prints its keys)")
-      ->required();
-  run_command->add_option("-o,--output", run.output, "Results file instead of the one the case names (.h5)");
-  run_command->add_option("--restart", run.restart,
-                          "Go on from the newest checkpoint of this results file; when it is the case's own "
-                          "results file, the run is continued in it");
-  run_command
-      ->add_option("--stop-at", run.stop_at, "End at this simulated time, s, if the case would go on longer")
-      ->check(hawser::app::positive_time());
-  run_command->add_flag("-q,--quiet", run.quiet, "Say nothing but errors");
-  std::vector<std::string> changes;
-  const auto add_set = [&](CLI::App* command) {
-    command
-        ->add_option("--set", changes,
-                     "Change a key of the case: lines.riser.sections[0].length=120; repeatable")
-        ->option_text("KEY=VALUE")
-        ->allow_extra_args(false);
-  };
-  add_set(run_command);
-  run_command->footer(
-      "PETSc options follow a lone --, with the prefixes statics_ and dynamics_:\n"
-      "  hawser run case.yaml -- -dynamics_snes_monitor -log_view\n"
-      "While it runs, results up to the last output can be opened in ParaView; Ctrl-C ends it cleanly.");
-
-  hawser::app::ModesOptions modes;
-  CLI::App* modes_command = cli.add_subcommand(
-      "modes", "Natural frequencies and shapes about the static equilibrium, as outputs of a results file.");
-  modes_command->add_option("case", modes.case_path, "Case file")->required();
-  modes_command->add_option("-n,--number", modes.count, "How many, from the lowest frequency on")
-      ->check(hawser::app::whole_number(1, 10000))
-      ->capture_default_str();
-  modes_command->add_option("-o,--output", modes.output, "Results file (default: <case>-modes.h5)");
-  bool in_vacuum = false;
-  modes_command->add_flag("--without-added-mass", in_vacuum, "Leave out the added mass of the water");
-  modes_command->add_flag("-q,--quiet", modes.quiet, "Say nothing but errors");
-  add_set(modes_command);
-
-  std::string check_path;
-  int ranks = 0;
-  CLI::App* check_command =
-      cli.add_subcommand("check", "Read and check a case, print what is in it, try how its run begins.");
-  check_command->add_option("case", check_path, "Case file")->required();
-  check_command
-      ->add_option("-n,--ranks", ranks, "Show the partition for this many ranks; else for those it runs on")
-      ->check(hawser::app::whole_number(1, 1 << 20));
-  bool quick = false;
-  check_command->add_flag("--quick", quick, "Without the trial run that tells the cost");
-  add_set(check_command);
-
-  bool json = false, markdown = false;
-  CLI::App* schema_command = cli.add_subcommand("schema", "Print the schema of case files.");
-  schema_command->add_flag("--json", json, "As JSON Schema, for editors");
-  schema_command->add_flag("--markdown", markdown, "As the key tables of the user guide (default)");
-
-  CLI::App* library_command =
-      cli.add_subcommand("library", "Print the line types library, as in the user guide.");
-  for (const auto& command : hawser::app::kPostCommands) cli.add_subcommand(command.name, command.what);
-
-  cli.failure_message([&](const CLI::App*, const CLI::Error& e) {
-    return hawser::app::usage_error(cli, e, {mine.begin() + 1, mine.end() - 1});
+  CommandLine line;
+  line.cli.failure_message([&](const CLI::App*, const CLI::Error& e) {
+    return hawser::app::usage_error(line.cli, e, {mine.begin() + 1, mine.end() - 1});
   });
 
   // A question that the command line answers needs no MPI, but of several ranks one answers.
@@ -198,33 +207,35 @@ int main(int argc, char** argv) {
   if (hawser::launched()) begin();
   const bool speaks = !petsc || petsc->rank == 0;
   try {
-    cli.parse(static_cast<int>(mine.size()) - 1, mine.data());
+    line.cli.parse(static_cast<int>(mine.size()) - 1, mine.data());
   } catch (const CLI::ParseError& e) {
     std::ostringstream out, wrong;
-    const bool failed = cli.exit(e, out, wrong) != 0;
+    const bool failed = line.cli.exit(e, out, wrong) != 0;
     if (speaks) std::fputs(out.str().c_str(), stdout), std::fputs(wrong.str().c_str(), stderr);
     return failed ? hawser::kExitInput : 0;
   }
-  if (*schema_command) {
+  if (*line.schema_command) {
     if (speaks)
-      std::fputs((json ? hawser::model::schema_json() : hawser::model::schema_markdown()).c_str(), stdout);
+      std::fputs((line.json ? hawser::model::schema_json() : hawser::model::schema_markdown()).c_str(),
+                 stdout);
     return 0;
   }
-  if (*library_command) {
+  if (*line.library_command) {
     if (speaks) std::fputs(hawser::io::line_library_markdown().c_str(), stdout);
     return 0;
   }
-  run.options_text = modes.options_text = options;
-  run.changes = modes.changes = changes;
-  modes.added_mass = !in_vacuum;
+  line.run.options_text = line.modes.options_text = options;
+  line.run.changes = line.modes.changes = line.changes;
+  line.modes.added_mass = !line.in_vacuum;
   if (!petsc) begin();
   return guarded(*petsc, [&] {
-    if (!*run_command && !*modes_command)
-      return hawser::app::check_case(PETSC_COMM_WORLD, check_path, ranks, !quick, changes);
-    const int code =
-        *run_command ? hawser::app::run(PETSC_COMM_WORLD, run) : hawser::app::modes(PETSC_COMM_WORLD, modes);
+    if (!*line.run_command && !*line.modes_command)
+      return hawser::app::check_case(PETSC_COMM_WORLD, line.check_path, line.ranks, !line.quick,
+                                     line.changes);
+    const int code = *line.run_command ? hawser::app::run(PETSC_COMM_WORLD, line.run)
+                                       : hawser::app::modes(PETSC_COMM_WORLD, line.modes);
     const auto left = unused(theirs);
-    if (speaks && !run.quiet && !modes.quiet && !left.empty())
+    if (speaks && !line.run.quiet && !line.modes.quiet && !left.empty())
       fmt::print("\nwarning: nothing in this run has used the PETSc option{} {}\n",
                  left.size() > 1 ? "s" : "", fmt::join(left, ", "));
     return code;

@@ -70,10 +70,10 @@ LineStart part_of_shape(const model::Case& c, const model::Line& line, const Bod
   const Mesh mesh = build_mesh(alone);
   LineStart shape = shape_of(c, *line.whole, bodies, mesh, mesh.lines.front());
   const auto first = mesh.nearest_node(0, line.from), last = first + nodes;
-  const auto keep = [&](auto& values) {
+  const auto take = [&](auto& values) {
     values.erase(values.begin() + last, values.end()), values.erase(values.begin(), values.begin() + first);
   };
-  keep(shape.x), keep(shape.tangent), keep(shape.q);
+  take(shape.x), take(shape.tangent), take(shape.q);
   return shape;
 }
 
@@ -89,72 +89,59 @@ int twist_end(const model::Case& c, const model::Line& line) {
   return -1;
 }
 
-}  // namespace
-
-StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies) {
+// What holds the ends of a line.
+void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape& out) {
   const Mesh& g = *mesh.mesh;
-  StartShape out{State(mesh.nodes()), {}, {}};
-
-  for (size_t l = 0; l < c.lines.size(); ++l) {
-    const model::Line& line = c.lines[l];
-    const model::Line& whole = line.whole ? *line.whole : line;
-    const LineSpan& span = g.lines[l];
-    const LineStart shape =
-        line.whole ? part_of_shape(c, line, bodies, span.nodes) : shape_of(c, line, bodies, g, span);
-    const std::vector<Quat>& q = shape.q;
-    out.ends.push_back({start_pose(c, bodies, line.end_a).rotation.conjugate() * q.front(),
-                        start_pose(c, bodies, line.end_b).rotation.conjugate() * q.back()});
-
-    for (int i = 0; i < span.nodes; ++i) {
-      const int here = mesh.find(span.first_node + i);
-      if (here < 0) continue;
-      const size_t n = static_cast<size_t>(here), k = static_cast<size_t>(i);
-      out.state.x[n] = shape.x[k];
-      if (mesh.rotates(here)) out.state.q[n] = q[k];
-    }
-    // Friction of the bed holds a line without held ends that was laid on it; nothing holds its twist.
-    if (whole.end_a.kind == model::EndKind::free && whole.end_b.kind == model::EndKind::free &&
-        line.from == 0 && c.statics.enabled && model::laid_with_friction(c, whole) &&
-        g.nodes[static_cast<size_t>(span.first_node)].rotates)
-      if (const int here = mesh.find(span.first_node); here >= 0) {
-        Support s;
-        s.position_mask = 0, s.rotation_mask = 1, s.node = here;
-        out.supports.push_back(s);
-      }
-    const int twist = twist_end(c, whole);
-    for (const int end : {0, 1}) {
-      const model::End& e = end ? line.end_b : line.end_a;
-      if (e.kind == model::EndKind::free) continue;
-      const bool cut = e.kind == model::EndKind::joint && (end ? whole.end_b : whole.end_a).body != e.body;
-      if (cut) continue;
-      const int node = span.first_node + (end ? span.nodes - 1 : 0);
-      const bool joint = e.kind == model::EndKind::joint;
-      if (const int here = mesh.find(node); joint && here >= 0)
-        out.state.x[static_cast<size_t>(here)] = e.at;  // exactly as the other ends there
-      if (joint && (end != twist || !g.nodes[static_cast<size_t>(node)].rotates)) continue;
+  const model::Line& line = c.lines[l];
+  const model::Line& whole = line.whole ? *line.whole : line;
+  const LineSpan& span = g.lines[l];
+  // Friction of the bed holds a line without held ends that was laid on it; nothing holds its twist.
+  if (whole.end_a.kind == model::EndKind::free && whole.end_b.kind == model::EndKind::free &&
+      line.from == 0 && c.statics.enabled && model::laid_with_friction(c, whole) &&
+      g.nodes[static_cast<size_t>(span.first_node)].rotates)
+    if (const int here = mesh.find(span.first_node); here >= 0) {
       Support s;
-      if (joint) s.position_mask = 0;
-      s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
-      s.at = e.at;
-      if (const int frame = g.nodes[static_cast<size_t>(node)].tied_to; frame >= 0 && c.floats(s.body)) {
-        s.at -= c.bodies[static_cast<size_t>(s.body)].mass->centre;
-        s.body = -1, s.frame = mesh.find(frame);
+      s.position_mask = 0, s.rotation_mask = 1, s.node = here;
+      out.supports.push_back(s);
+    }
+  const int twist = twist_end(c, whole);
+  for (const int end : {0, 1}) {
+    const model::End& e = end ? line.end_b : line.end_a;
+    if (e.kind == model::EndKind::free) continue;
+    const bool cut = e.kind == model::EndKind::joint && (end ? whole.end_b : whole.end_a).body != e.body;
+    if (cut) continue;
+    const int node = span.first_node + (end ? span.nodes - 1 : 0);
+    const bool joint = e.kind == model::EndKind::joint;
+    if (const int here = mesh.find(node); joint && here >= 0)
+      out.state.x[static_cast<size_t>(here)] = e.at;  // exactly as the other ends there
+    if (joint && (end != twist || !g.nodes[static_cast<size_t>(node)].rotates)) continue;
+    Support s;
+    if (joint) s.position_mask = 0;
+    s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
+    s.at = e.at;
+    if (const int frame = g.nodes[static_cast<size_t>(node)].tied_to; frame >= 0 && c.floats(s.body)) {
+      s.at -= c.bodies[static_cast<size_t>(s.body)].mass->centre;
+      s.body = -1, s.frame = mesh.find(frame);
+    }
+    if (g.nodes[static_cast<size_t>(node)].rotates) {
+      if (e.clamped) {
+        s.rotation_mask = 7;
+        s.rotation = out.ends[l][static_cast<size_t>(end)];
+      } else if (end == twist) {
+        s.rotation_mask = 1;
       }
-      if (g.nodes[static_cast<size_t>(node)].rotates) {
-        if (e.clamped) {
-          s.rotation_mask = 7;
-          s.rotation = out.ends.back()[static_cast<size_t>(end)];
-        } else if (end == twist) {
-          s.rotation_mask = 1;
-        }
-      }
-      if (const int here = mesh.find(node); here >= 0) {
-        s.node = here;
-        out.supports.push_back(s);
-      }
+    }
+    if (const int here = mesh.find(node); here >= 0) {
+      s.node = here;
+      out.supports.push_back(s);
     }
   }
-  for (int n = 0; n < mesh.nodes(); ++n) {  // at rigid joints, and where one lets an end go
+}
+
+// Ends that follow a frame of the mesh: at rigid joints, and where one lets an end go.
+void tie_to_joints(const model::Case& c, const LocalMesh& mesh, StartShape& out) {
+  const Mesh& g = *mesh.mesh;
+  for (int n = 0; n < mesh.nodes(); ++n) {
     const int global = mesh.global[static_cast<size_t>(n)], frame = mesh.frame_of(n);
     if (frame < 0 || g.nodes[static_cast<size_t>(g.nodes[static_cast<size_t>(global)].tied_to)].body >= 0)
       continue;
@@ -170,13 +157,44 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
     }
     out.supports.push_back(s);
   }
+}
+
+void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies, State& state) {
   for (int n = 0; n < mesh.nodes(); ++n) {
-    const int body = g.nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])].body;
+    const int body = mesh.mesh->nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])].body;
     if (body < 0) continue;
     const RigidBodyState s = floating_start(*c.bodies[static_cast<size_t>(body)].mass, bodies.pose(body, 0));
     const size_t i = static_cast<size_t>(n);
-    out.state.x[i] = s.x, out.state.q[i] = s.q, out.state.v[i] = s.v, out.state.w[i] = s.w;
+    state.x[i] = s.x, state.q[i] = s.q, state.v[i] = s.v, state.w[i] = s.w;
   }
+}
+
+}  // namespace
+
+StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies) {
+  const Mesh& g = *mesh.mesh;
+  StartShape out{State(mesh.nodes()), {}, {}};
+
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const model::Line& line = c.lines[l];
+    const LineSpan& span = g.lines[l];
+    const LineStart shape =
+        line.whole ? part_of_shape(c, line, bodies, span.nodes) : shape_of(c, line, bodies, g, span);
+    const std::vector<Quat>& q = shape.q;
+    out.ends.push_back({start_pose(c, bodies, line.end_a).rotation.conjugate() * q.front(),
+                        start_pose(c, bodies, line.end_b).rotation.conjugate() * q.back()});
+
+    for (int i = 0; i < span.nodes; ++i) {
+      const int here = mesh.find(span.first_node + i);
+      if (here < 0) continue;
+      const size_t n = static_cast<size_t>(here), k = static_cast<size_t>(i);
+      out.state.x[n] = shape.x[k];
+      if (mesh.rotates(here)) out.state.q[n] = q[k];
+    }
+    hold_ends(c, mesh, l, out);
+  }
+  tie_to_joints(c, mesh, out);
+  start_bodies(c, mesh, bodies, out.state);
   return out;
 }
 
