@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
+#include <utility>
 
 #include "hawser/base/gather.hpp"
 #include "hawser/kernels/contact_intervals.hpp"
@@ -45,7 +47,7 @@ double Clearances::arc(int element, double xi) const {
 std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) const {
   std::vector<Shaped> out;
   for (const LocalElement& local : mesh_.elements) {
-    const Element& e = mesh_.mesh->elements[static_cast<size_t>(local.global)];
+    const Element& e = mesh_.element(local);
     if (e.line != line || !local.counted) continue;
     const size_t i = static_cast<size_t>(local.first), j = static_cast<size_t>(local.second);
     const double radius = 0.5 * case_.line_types[static_cast<size_t>(e.type)].contact_diameter;
@@ -58,32 +60,14 @@ std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) 
   return out;
 }
 
-void Clearances::Tree::build() {
-  parts.clear();
-  if (!elements.empty()) split(0, static_cast<int>(elements.size()));
-}
-
-int Clearances::Tree::split(int first, int count) {
-  const int here = static_cast<int>(parts.size());
-  parts.emplace_back();
-  Part p;
-  p.first = first, p.count = count;
-  if (count == 1) {
-    const Shaped& e = elements[static_cast<size_t>(first)];
-    p.box = e.axis.box(), p.radius = e.radius;
-  } else {
-    p.left = split(first, count / 2), p.right = split(first + count / 2, count - count / 2);
-    for (const int child : {p.left, p.right}) {
-      const Part& c = parts[static_cast<size_t>(child)];
-      p.box.add(c.box), p.radius = std::max(p.radius, c.radius);
-    }
-  }
-  parts[static_cast<size_t>(here)] = p;
-  return here;
+Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
+  std::vector<Box> each;
+  for (const Shaped& e : elements) each.push_back(e.axis.box()), radius = std::max(radius, e.radius);
+  boxes = BoxTree(each, {}, 1);
 }
 
 // Of all ranks: a step of a line costs far more than to send where it is.
-Clearances::Tree Clearances::everybodys(const Tree& own) const {
+Clearances::Tree Clearances::of_all_ranks(const Tree& own) const {
   int size = 1;
   MPI_Comm_size(comm_, &size);
   if (size == 1) return own;
@@ -94,42 +78,43 @@ Clearances::Tree Clearances::everybodys(const Tree& own) const {
   }
   std::vector<double> all;
   GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
-  Tree tree;
+  std::vector<Shaped> elements;
   for (size_t i = 0; i < all.size(); i += kAxis) {
     Shaped s;
     s.element = static_cast<int>(all[i]);
     const Element& e = mesh_.mesh->elements[static_cast<size_t>(s.element)];
     s.radius = 0.5 * case_.line_types[static_cast<size_t>(e.type)].contact_diameter;
     for (size_t k = 0; k < 4; ++k) s.axis.b[k] = Eigen::Map<const Vec3>(all.data() + i + 1 + 3 * k);
-    tree.elements.push_back(s);
+    elements.push_back(s);
   }
-  std::sort(tree.elements.begin(), tree.elements.end(),
+  std::sort(elements.begin(), elements.end(),
             [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
-  tree.build();
-  return tree;
+  return Tree(std::move(elements));
 }
 
 Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
   Best best;
   best.clearance = kFar;
-  if (a.parts.empty() || b.parts.empty()) return best;
+  if (a.boxes.empty() || b.boxes.empty()) return best;
+  const auto p = a.boxes.nodes(), q = b.boxes.nodes();
   struct Pair {
-    int a, b;
+    size_t a, b;
     double least;
   };
-  const auto make = [&](int i, int j) {
-    const auto &p = a.parts[static_cast<size_t>(i)], &q = b.parts[static_cast<size_t>(j)];
-    return Pair{i, j, distance(p.box, q.box) - p.radius - q.radius};
+  const auto make = [&](size_t i, size_t j) {
+    return Pair{i, j, distance(p[i].box, q[j].box) - a.radius - b.radius};
+  };
+  const auto second = [](std::span<const BoxTree::Node> nodes, size_t parent) {
+    return static_cast<size_t>(nodes[parent + 1].next);
   };
   std::vector<Pair> stack{make(0, 0)};
   while (!stack.empty()) {
-    const Pair w = stack.back();
+    const auto [i, j, least] = stack.back();
     stack.pop_back();
-    if (!(w.least < best.clearance)) continue;
-    const auto &p = a.parts[static_cast<size_t>(w.a)], &q = b.parts[static_cast<size_t>(w.b)];
-    if (p.count == 1 && q.count == 1) {
-      const Shaped &x = a.elements[static_cast<size_t>(p.first)],
-                   &y = b.elements[static_cast<size_t>(q.first)];
+    if (!(least < best.clearance)) continue;
+    if (p[i].count == 1 && q[j].count == 1) {
+      const Shaped &x = a.elements[static_cast<size_t>(a.boxes.below(p[i]).front())],
+                   &y = b.elements[static_cast<size_t>(b.boxes.below(q[j]).front())];
       const double radii = x.radius + y.radius;
       const auto near = nearest_of(x.axis, y.axis, best.clearance + radii, kResolution * radii);
       if (!near) continue;
@@ -138,9 +123,9 @@ Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
       best.there = Vec3(arc(y.element, near->eta), 0, 0);
       continue;
     }
-    const bool first = p.count >= q.count;
-    std::array<Pair, 2> next = first ? std::array<Pair, 2>{make(p.left, w.b), make(p.right, w.b)}
-                                     : std::array<Pair, 2>{make(w.a, q.left), make(w.a, q.right)};
+    std::array<Pair, 2> next = p[i].count >= q[j].count
+                                   ? std::array<Pair, 2>{make(i + 1, j), make(second(p, i), j)}
+                                   : std::array<Pair, 2>{make(i, j + 1), make(i, second(q, j))};
     if (next[0].least < next[1].least) std::swap(next[0], next[1]);  // the nearer one is looked at first
     for (const Pair& n : next)
       if (n.least < best.clearance) stack.push_back(n);
@@ -198,17 +183,15 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
 std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
                                                   const std::vector<io::BodyPose>& poses) {
   const auto& wanted = case_.output.clearances;
-  struct Ranked {
-    double value;
-    int rank;
+  std::vector<double> values, numbers;
+  const auto add = [&](const Best& b) {
+    values.push_back(b.clearance);
+    numbers.insert(numbers.end(), {b.arc, b.there.x(), b.there.y(), b.there.z()});
   };
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
-  std::vector<Best> mine;
   std::map<int, Tree> here, everywhere;  // of lines, of this rank and of all; each is made once
   const auto tree_of = [&](int line) -> const Tree& {
     const auto [t, fresh] = here.try_emplace(line);
-    if (fresh) t->second.elements = own(line, at), t->second.build();
+    if (fresh) t->second = Tree(own(line, at));
     return t->second;
   };
   for (size_t k = 0; k < wanted.size(); ++k) {
@@ -216,33 +199,26 @@ std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
     const int line = case_.line_index(w.line);
     if (w.volume.empty()) {
       const int other = case_.line_index(w.other_line);
-      if (!everywhere.count(other)) everywhere[other] = everybodys(tree_of(other));
-      mine.push_back(to_line(tree_of(line), everywhere[other]));
+      if (!everywhere.count(other)) everywhere[other] = of_all_ranks(tree_of(other));
+      add(to_line(tree_of(line), everywhere[other]));
       continue;
     }
     size_t v = 0;
     while (case_.volumes[v].name != w.volume) ++v;
     const int body = case_.body_index(case_.volumes[v].body);
-    mine.push_back(to_volume(tree_of(line).elements, *surfaces_[v],
-                             body < 0 ? io::BodyPose{} : poses[static_cast<size_t>(body)], seen_[k]));
+    add(to_volume(tree_of(line).elements, *surfaces_[v],
+                  body < 0 ? io::BodyPose{} : poses[static_cast<size_t>(body)], seen_[k]));
   }
-  std::vector<Ranked> ranked;
-  for (const Best& b : mine) ranked.push_back({b.clearance, rank});
-  const int n = static_cast<int>(mine.size());
-  MPI_Allreduce(MPI_IN_PLACE, ranked.data(), n, MPI_DOUBLE_INT, MPI_MINLOC, comm_);
-  std::vector<double> packed(4 * mine.size(), 0), all = packed;
-  for (size_t k = 0; k < mine.size(); ++k)
-    if (ranked[k].rank == rank) {
-      packed[4 * k] = mine[k].arc;
-      for (size_t c = 0; c < 3; ++c) packed[4 * k + 1 + c] = mine[k].there[static_cast<Eigen::Index>(c)];
-    }
-  MPI_Reduce(packed.data(), all.data(), 4 * n, MPI_DOUBLE, MPI_SUM, 0, comm_);
-  std::vector<std::vector<double>> out(mine.size());
+  smallest_of_ranks(comm_, values, numbers);
+  int rank = 0;
+  MPI_Comm_rank(comm_, &rank);
+  std::vector<std::vector<double>> out(values.size());
   for (size_t k = 0; k < out.size() && rank == 0; ++k) {
-    out[k] = {ranked[k].value, all[4 * k], all[4 * k + 1]};
-    if (!wanted[k].volume.empty()) out[k].insert(out[k].end(), {all[4 * k + 2], all[4 * k + 3]});
+    const double* n = numbers.data() + 4 * k;
+    out[k] = {values[k], n[0], n[1]};
+    if (!wanted[k].volume.empty()) out[k].insert(out[k].end(), {n[2], n[3]});
     // Nothing of the volume looks that way.
-    if (!std::isfinite(ranked[k].value)) std::fill(out[k].begin(), out[k].end(), std::nan(""));
+    if (!std::isfinite(values[k])) std::fill(out[k].begin(), out[k].end(), std::nan(""));
   }
   return out;
 }

@@ -92,7 +92,7 @@ SectionForce EndForces::section(const Kinematics& at, int element, bool second,
   const auto part = [&f](int i) { return Vec3(f[3 * i], f[3 * i + 1], f[3 * i + 2]); };
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second), n = second ? j : i;
   SectionForce s;
-  s.beam = local.mesh->elements[static_cast<size_t>(e.global)].beam;
+  s.beam = local.element(e).beam;
   s.force = second ? part(2) : Vec3(-part(0));
   if (s.beam) {
     s.moment = at.q[n] * (second ? part(3) : Vec3(-part(1)));

@@ -21,7 +21,7 @@ Folds::Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders
     : mesh_(mesh), folds_(mesh.elements.size()), worst_(mesh.mesh->lines.size()) {
   const auto inside = feeders ? feeders->inside() : std::vector<std::array<int, 2>>(worst_.size());
   for (size_t i = 0; i < folds_.size(); ++i) {
-    const Element& e = mesh.mesh->elements[static_cast<size_t>(mesh.elements[i].global)];
+    const Element& e = mesh.element(mesh.elements[i]);
     const model::LineType& t = c.line_types[static_cast<size_t>(e.type)];
     const auto line = static_cast<size_t>(e.line);
     const bool fed = inside[line][0] + inside[line][1] > 0;
@@ -35,7 +35,7 @@ void Folds::look(const Kinematics& at, std::span<const double> before, std::span
     Fold& f = folds_[i];
     if (f.echo == 0) continue;
     const LocalElement& l = mesh_.elements[i];
-    const Element& e = mesh_.mesh->elements[static_cast<size_t>(l.global)];
+    const Element& e = mesh_.element(l);
     const auto a = static_cast<size_t>(l.first), b = static_cast<size_t>(l.second);
     const double share = (at.x[b] - at.x[a]).norm() / (e.length * (1 + e.free_strain));
     if (share < kFolded) f.share = std::min(f.share, share), f.until = HUGE_VAL;
@@ -46,8 +46,7 @@ void Folds::look(const Kinematics& at, std::span<const double> before, std::span
     const double tension = first ? after[a] : before[b];
     const size_t n = first ? a : b;
     Worst& w = worst_[static_cast<size_t>(e.line)];
-    if (tension > w.tension)
-      w = {tension, at.time, mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[n])].arc, f.share};
+    if (tension > w.tension) w = {tension, at.time, mesh_.node(n).arc, f.share};
   }
 }
 

@@ -52,7 +52,7 @@ void LineExtremes::add(double time, const std::vector<std::vector<double>>& valu
   for (Quantity& q : quantities_)
     for (const size_t f : q.fields)
       for (size_t n = 0; n < static_cast<size_t>(local_.owned); ++n) {
-        const Node& node = local_.mesh->nodes[static_cast<size_t>(local_.global[n])];
+        const Node& node = local_.node(n);
         if (node.body >= 0) break;  // bodies come after the lines
         if (!utilisation.known(static_cast<int>(f), n) || (feeders_ && is_inside(node, n))) continue;
         const double v = values[f][n];

@@ -43,7 +43,7 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
   for (const int n : held) is_held[static_cast<size_t>(n)] = true;
   std::vector<LineContactElement> out;
   for (const LocalElement& e : mesh.elements) {
-    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const Element& g = mesh.element(e);
     const auto& type = c.line_types[static_cast<size_t>(g.type)];
     LineContactElement& element = out.emplace_back();
     if (c.contact.takes_part(c.lines[static_cast<size_t>(g.line)]))

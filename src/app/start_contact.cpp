@@ -22,7 +22,7 @@ constexpr double kLeft = 0.1;
 std::vector<double> radii(const model::Case& c, const LocalMesh& mesh) {
   std::vector<double> out;
   for (const LocalElement& e : mesh.elements) {
-    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const Element& g = mesh.element(e);
     const bool part = c.contact.takes_part(c.lines[static_cast<size_t>(g.line)]);
     out.push_back(part ? 0.5 * c.line_types[static_cast<size_t>(g.type)].contact_diameter : 0);
   }

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/element_axis.hpp"
 
 namespace hawser::app {
@@ -32,47 +33,35 @@ double on_plane(const AxisShape& shape, const Vec3& at, const Vec3& along) {
 std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                                const Kinematics& at, const std::vector<RigidPose>& poses) {
   const double far = std::numeric_limits<double>::max();
-  struct Ranked {
-    double distance;
-    int rank;
-  };
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
-  std::vector<Ranked> nearest;
-  std::vector<SupportCrossing> found(c.supports.size());
-  const auto numbers = [](SupportCrossing& x) { return std::array{&x.offset, &x.height, &x.arc}; };
+  std::vector<double> nearest, numbers;
   for (size_t k = 0; k < c.supports.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
     const int body = c.body_index(b.body), line = c.line_index(b.line);
     const RigidPose pose = body < 0 ? RigidPose{} : poses[static_cast<size_t>(body)];
     const Vec3 place = pose.to_space(b.at), along = pose.rotation * b.along;
-    Ranked best{far, rank};
+    double best = far;
+    SupportCrossing found;
     for (const LocalElement& e : mesh.elements) {
-      const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+      const Element& g = mesh.element(e);
       if (!e.counted || g.line != line) continue;
       const Vec3 &x1 = at.x[static_cast<size_t>(e.first)], &x2 = at.x[static_cast<size_t>(e.second)];
       if (((x1 - place).dot(along) > 0) == ((x2 - place).dot(along) > 0)) continue;
       const AxisShape shape(element_axis(at, g, e.first, e.second, Vec3::UnitX()));
       const double xi = on_plane(shape, place, along);
       const Vec3 x = shape.point(xi) - place;
-      if (!(x.norm() < best.distance)) continue;
-      best.distance = x.norm();
-      found[k] = {true, x.dot(pose.rotation * b.left()), x.dot(pose.rotation * b.up),
-                  mesh.mesh->nodes[static_cast<size_t>(g.first)].arc + xi * g.length};
+      if (!(x.norm() < best)) continue;
+      best = x.norm();
+      found = {true, x.dot(pose.rotation * b.left()), x.dot(pose.rotation * b.up),
+               mesh.mesh->nodes[static_cast<size_t>(g.first)].arc + xi * g.length};
     }
     nearest.push_back(best);
+    numbers.insert(numbers.end(), {found.offset, found.height, found.arc});
   }
-  MPI_Allreduce(MPI_IN_PLACE, nearest.data(), static_cast<int>(nearest.size()), MPI_DOUBLE_INT, MPI_MINLOC,
-                comm);
-  std::vector<double> sums;
+  smallest_of_ranks(comm, nearest, numbers);
+  std::vector<SupportCrossing> out;
   for (size_t k = 0; k < nearest.size(); ++k)
-    for (const double* number : numbers(found[k])) sums.push_back(nearest[k].rank == rank ? *number : 0);
-  MPI_Allreduce(MPI_IN_PLACE, sums.data(), static_cast<int>(sums.size()), MPI_DOUBLE, MPI_SUM, comm);
-  for (size_t k = 0, i = 0; k < nearest.size(); ++k) {
-    found[k].known = nearest[k].distance < far;
-    for (double* number : numbers(found[k])) *number = sums[i++];
-  }
-  return found;
+    out.push_back({nearest[k] < far, numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]});
+  return out;
 }
 
 std::string beneath_supports(const model::Case& c, const std::vector<SupportCrossing>& crossings) {
@@ -99,7 +88,7 @@ std::string overbent(const model::Case& c, const io::SummaryRow& row) {
   const auto lies = [&](const model::SupportBox& b) { return b.line == row.line; };
   if (row.quantity != "max curvature" || std::none_of(c.supports.begin(), c.supports.end(), lies)) return "";
   double diameter = 0;
-  for (const model::Section& s : c.lines[static_cast<size_t>(c.line_index(row.line))].sections)
+  for (const model::Section& s : c.line(row.line).sections)
     if (const model::LineType& t = c.line_type(s.type); !t.plastic_bending)
       diameter = std::max(diameter, t.outer_diameter);
   const double strain = 0.5 * diameter * row.value;
@@ -205,7 +194,7 @@ std::vector<std::string> SupportLog::warnings() const {
   for (size_t k = 0; k < lowest_.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
     double diameter = 0;
-    for (const model::Section& s : c.lines[static_cast<size_t>(c.line_index(b.line))].sections)
+    for (const model::Section& s : c.line(b.line).sections)
       diameter = std::max(diameter, c.line_type(s.type).outer_diameter);
     bool first = true, any = false, further = false;  // of the line's boxes
     for (size_t j = 0; j < lowest_.size(); ++j) {

@@ -54,7 +54,7 @@ class Group {
   };
 
   const model::Line& the_line() const {
-    if (v_.has("line")) return c_.lines[static_cast<size_t>(c_.line_index(v_["line"].text))];
+    if (v_.has("line")) return c_.line(v_["line"].text);
     if (c_.lines.size() != 1)
       refuse(
           v_, v_.where + ".line",
@@ -219,7 +219,7 @@ class Group {
                      o.name));
     double nearest = HUGE_VAL;
     for (const Value& name : on.items) {
-      const model::Line& line = c_.lines[static_cast<size_t>(c_.line_index(name.text))];
+      const model::Line& line = c_.line(name.text);
       if (line.name == line_.name || line.end_a.kind == model::EndKind::free ||
           line.end_b.kind == model::EndKind::free)
         refuse(

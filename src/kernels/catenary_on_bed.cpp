@@ -34,7 +34,7 @@ struct Plane {
 };
 
 // Where end B comes to when it is pulled by (H, V), and its derivatives.
-struct Reach {
+struct EndB {
   Plane at;
   double xx = 0, xz = 0, zz = 0;  // d at / d (H, V), symmetric
   size_t lowest = 0;              // section that hangs lowest, in part or as a whole
@@ -42,8 +42,8 @@ struct Reach {
   double V = 0;                   // N, vertical tension at its lower end
 };
 
-Reach reach(const std::vector<CatenarySection>& sections, double friction, double H, double V) {
-  Reach r;
+EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double friction, double H, double V) {
+  EndB r;
   size_t i = sections.size();
   bool down = false;
   double top = V;
@@ -92,20 +92,15 @@ Reach reach(const std::vector<CatenarySection>& sections, double friction, doubl
   return r;
 }
 
-}  // namespace
+// A pull at end B, N, and where it brings that.
+struct Pull {
+  double H = 0, V = 0;
+  EndB end;
+};
 
-std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end_b,
-                                             const std::vector<CatenarySection>& sections, double friction) {
-  const Vec3 span = end_b - anchor;
-  const Plane to{span.head<2>().norm(), span.z()};
-  double length = 0, weight = 0;
-  for (const CatenarySection& s : sections) {
-    if (s.load.head<2>().norm() > 0 || s.end_load.head<2>().norm() > 0 || !(s.EA > 0) || !(s.length > 0))
-      return {};
-    length += (1 + s.free_strain) * s.length, weight -= s.load.z() * s.length;
-  }
-  if (sections.empty() || !(weight > 0) || !(to.z > 0) || !(to.x > 0) || length >= to.x + to.z) return {};
-
+// By the parabola of a line of this length [m] and weight [N] between the ends, or by its stretch.
+Pull first_guess(const std::vector<CatenarySection>& sections, double length, double weight,
+                 const Plane& to) {
   double lambda = 0.2;
   if (std::hypot(to.x, to.z) < length)
     lambda = std::sqrt(3 * ((length * length - to.z * to.z) / (to.x * to.x) - 1));
@@ -119,8 +114,14 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
     const double T = (std::hypot(to.x, to.z) - length) / compliance;
     H += T * to.x / std::hypot(to.x, to.z), V += T * to.z / std::hypot(to.x, to.z);
   }
-  const double scale = length + to.x + to.z;
-  Reach r = reach(sections, friction, H, V);
+  return {H, V, {}};
+}
+
+// The pull that brings end B to a place, by Newton's method; `scale` [m] is what the distance is measured by.
+std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double friction, const Plane& to,
+                            double scale, const Pull& first) {
+  double H = first.H, V = first.V;
+  EndB r = end_b_pulled_by(sections, friction, H, V);
   double error = std::hypot(r.at.x - to.x, r.at.z - to.z);
   for (int i = 0; i < 200 && error > 1e-13 * scale; ++i) {
     const double ex = r.at.x - to.x, ez = r.at.z - to.z, det = r.xx * r.zz - r.xz * r.xz;
@@ -133,7 +134,7 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
     const double slope = ex * dH + ez * dV;
     double low = 0, high = 0, a = most;
     for (int search = 0; search < 60; ++search) {
-      r = reach(sections, friction, H + a * dH, V + a * dV);
+      r = end_b_pulled_by(sections, friction, H + a * dH, V + a * dV);
       const double now = (r.at.x - to.x) * dH + (r.at.z - to.z) * dV;
       if (now > -0.5 * slope)
         high = a;
@@ -149,7 +150,27 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
     error = next;
   }
   if (!(error < 1e-8 * scale)) return {};
+  return Pull{H, V, r};
+}
 
+}  // namespace
+
+std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end_b,
+                                             const std::vector<CatenarySection>& sections, double friction) {
+  const Vec3 span = end_b - anchor;
+  const Plane to{span.head<2>().norm(), span.z()};
+  double length = 0, weight = 0;
+  for (const CatenarySection& s : sections) {
+    if (s.load.head<2>().norm() > 0 || s.end_load.head<2>().norm() > 0 || !(s.EA > 0) || !(s.length > 0))
+      return {};
+    length += (1 + s.free_strain) * s.length, weight -= s.load.z() * s.length;
+  }
+  if (sections.empty() || !(weight > 0) || !(to.z > 0) || !(to.x > 0) || length >= to.x + to.z) return {};
+
+  const auto pull =
+      pull_to(sections, friction, to, length + to.x + to.z, first_guess(sections, length, weight, to));
+  if (!pull) return {};
+  const EndB& r = pull->end;
   CatenaryOnBed out;
   out.anchor_ = anchor;
   out.way_ = Vec3(span.x(), span.y(), 0) / to.x;
@@ -165,7 +186,7 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
     start += l;
   }
   out.grounded_ = out.pieces_.empty() ? 0 : out.pieces_.back().end;
-  double T = H;
+  double T = pull->H;
   for (auto p = out.pieces_.rbegin(); p != out.pieces_.rend(); ++p) p->T_end = T, T = p->tension(p->start);
   double x = 0;
   for (auto& p : out.pieces_) {
@@ -180,7 +201,7 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
     hanging.erase(hanging.begin());
     if (hanging.empty()) return {};
   }
-  out.hanging_.emplace(anchor + x * out.way_, H * out.way_ + r.V * Vec3::UnitZ(), std::move(hanging));
+  out.hanging_.emplace(anchor + x * out.way_, pull->H * out.way_ + r.V * Vec3::UnitZ(), std::move(hanging));
   return out;
 }
 

@@ -67,7 +67,7 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
       issues.push_back(
           {name, fmt::format("there is another history called '{}'; give this one a 'name'", h.name)});
     if (!h.body.empty()) continue;
-    const double length = length_of(c.lines[static_cast<std::size_t>(c.line_index(h.line))]);
+    const double length = length_of(c.line(h.line));
     const std::string key = fmt::format("output.histories[{}]", i);
     if (h.at > length * (1 + kArcTolerance))
       issues.push_back(
@@ -131,7 +131,7 @@ void check_rides(const Case& c, std::vector<Issue>& issues) {
   for (const Body& b : c.bodies) {
     if (!b.on) continue;
     const std::string key = "bodies." + b.name;
-    const Line& line = c.lines[static_cast<std::size_t>(c.line_index(b.on->line))];
+    const Line& line = c.line(b.on->line);
     if (b.mass || b.motion.index() != 0 || b.drift)
       issues.push_back({key + ".on",
                         "a body that rides on a line has no motion or mass of its own; give the line a mass "

@@ -36,9 +36,7 @@ class EventOrder {
         {fmt::format("events[{}].{}", i_, key), fmt::format(text, std::forward<Args>(args)...)});
   }
   const Event& event() const { return c_.events[i_]; }
-  const Line& line(const std::string& name) const {
-    return c_.lines[static_cast<std::size_t>(c_.line_index(name))];
-  }
+  const Line& line(const std::string& name) const { return c_.line(name); }
 
   // What waits for another, and that for the next, must begin somewhere.
   void check_chain() {

@@ -38,9 +38,7 @@ class EventCheck {
         {key.empty() ? base : base + "." + key, fmt::format(text, std::forward<Args>(args)...)});
   }
   const Event& event() const { return c_.events[i_]; }
-  const Line& line(const std::string& name) const {
-    return c_.lines[static_cast<std::size_t>(c_.line_index(name))];
-  }
+  const Line& line(const std::string& name) const { return c_.line(name); }
   const End& end_of(const Action& a) const { return a.at_b ? line(a.line).end_b : line(a.line).end_a; }
   const LineType& type_at(const std::string& name, double arc) const {
     double end = 0;

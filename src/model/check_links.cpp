@@ -19,7 +19,7 @@ bool prescribed(const Case& c, const LinkEnd& e) {
 
 void check_end(const Case& c, const LinkEnd& e, const std::string& key, std::vector<Issue>& issues) {
   if (e.line.empty()) return;
-  const double length = length_of(c.lines[static_cast<std::size_t>(c.line_index(e.line))]);
+  const double length = length_of(c.line(e.line));
   if (e.arc > length * (1 + kArcTolerance))
     issues.push_back({key + ".at", fmt::format("arc length {:.6g} m is beyond the end of line '{}', which is "
                                                "{:.6g} m long",

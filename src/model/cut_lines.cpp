@@ -182,9 +182,7 @@ class Cuts {
     (pair.first == name ? pair.first : pair.second) = part;
     to.push_back(std::move(pair));
   }
-  const Line* line_of(const std::string& name) const {
-    return &c_.lines[static_cast<std::size_t>(c_.line_index(name))];
-  }
+  const Line* line_of(const std::string& name) const { return &c_.line(name); }
 
   Case c_;
   std::vector<double> arcs_;        // m: where the parts of a line begin, and its length

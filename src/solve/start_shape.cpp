@@ -161,7 +161,7 @@ void tie_to_joints(const model::Case& c, const LocalMesh& mesh, StartShape& out)
 
 void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies, State& state) {
   for (int n = 0; n < mesh.nodes(); ++n) {
-    const int body = mesh.mesh->nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])].body;
+    const int body = mesh.node(n).body;
     if (body < 0) continue;
     const RigidBodyState s = floating_start(*c.bodies[static_cast<size_t>(body)].mass, bodies.pose(body, 0));
     const size_t i = static_cast<size_t>(n);

@@ -177,7 +177,7 @@ void StaticTrial::push(int attempt, double share, State& s) const {
   const LocalMesh& m = system_.mesh();
   for (int n = 0; n < m.nodes(); ++n) {
     const size_t i = static_cast<size_t>(n);
-    const Node& node = m.mesh->nodes[static_cast<size_t>(m.global[i])];
+    const Node& node = m.node(i);
     if (node.body >= 0) continue;
     const double L = m.mesh->lines[static_cast<size_t>(node.line)].length, z = node.arc / L;
     const double bump =

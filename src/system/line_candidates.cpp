@@ -137,7 +137,7 @@ SweptAxis LineCandidates::at_rest(int element) const {
 // Of Hermite's cubic (kernels/axis_shape.hpp) after a time h at the present rates.
 std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics& at, double h) const {
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
-  const Element& element = mesh_.mesh->elements[static_cast<size_t>(e.global)];
+  const Element& element = mesh_.element(e);
   const bool moves = h > 0;
   const auto place = [&](size_t n) -> Vec3 {
     return moves ? Vec3(at.x[n] + h * at.v[n] + (0.5 * h * h) * at.a[n]) : at.x[n];

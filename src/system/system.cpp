@@ -34,7 +34,7 @@ void System::size_arrays() {
   square_of_block_.resize(blocks);
   for (int n = 0; n < mesh_.nodes(); ++n) {
     const size_t b = static_cast<size_t>(mesh_.block[static_cast<size_t>(n)]);
-    const int line = mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[static_cast<size_t>(n)])].line;
+    const int line = mesh_.node(n).line;
     square_of_block_[b] = 2 * line;
     if (mesh_.rotates(n)) is_rotation_[b + 1] = 1, square_of_block_[b + 1] = 2 * line + 1;
   }

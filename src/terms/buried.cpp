@@ -15,7 +15,7 @@ std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Cas
   std::vector<Embedment> soil(static_cast<size_t>(mesh.owned));
   std::vector<double> length(soil.size(), 0);
   for (const LocalElement& e : mesh.elements) {
-    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const Element& g = mesh.element(e);
     const model::Line& line = c.lines[static_cast<size_t>(g.line)];
     const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc, half = 0.5 * g.length;
     for (const bool second : {false, true}) {

@@ -60,7 +60,7 @@ LineMassTerm::LineMassTerm(const LocalMesh& mesh, const model::Case& c)
 LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case& c) {
   Built out;
   for (const LocalElement& e : mesh.elements) {
-    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const Element& g = mesh.element(e);
     const auto& t = c.line_types[static_cast<size_t>(g.type)];
     Piece p;
     p.at = e;

@@ -45,7 +45,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
     for (size_t i = 0; i < mesh.elements.size(); ++i) {
       const LocalElement& e = mesh.elements[i];
       if (!e.counted || !(radius[i] > 0)) continue;
-      const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+      const Element& g = mesh.element(e);
       AxisEnds ends = element_axis(at, g, e.first, e.second, Vec3::UnitX());
       if (feeders)
         if (const auto rest = feeders->rest(e.global, at, false)) {
@@ -109,7 +109,7 @@ std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, cons
     const Box box = surface.bounds();
     const RigidPose pose = bodies.pose(volumes[v].body, at);
     for (int n = 0; n < mesh.owned; ++n) {
-      const Node& node = mesh.mesh->nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])];
+      const Node& node = mesh.node(n);
       if (node.body >= 0 || !chords[static_cast<size_t>(node.line)].known) continue;
       const Chord& chord = chords[static_cast<size_t>(node.line)];
       const double share = node.arc / mesh.mesh->lines[static_cast<size_t>(node.line)].length;

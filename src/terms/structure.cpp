@@ -64,7 +64,7 @@ namespace {
 std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<StructureTerm::Beam> out;
   for (const LocalElement& e : mesh.elements) {
-    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const Element& g = mesh.element(e);
     if (!g.beam) continue;
     StructureTerm::Beam& b = out.emplace_back();
     b.at = e, b.section = beam_section(*mesh.mesh, c, g), b.reference.strain = g.free_strain;
@@ -75,7 +75,7 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
 std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<StructureTerm::Cable> out;
   for (const LocalElement& e : mesh.elements) {
-    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
+    const Element& g = mesh.element(e);
     if (!g.beam) out.push_back({e, {}, cable_section(c, g)});
   }
   return out;
@@ -331,7 +331,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
       auto put = [&](int node, double value, double length) {
         if (node >= mesh_.owned) return;
         const size_t n = static_cast<size_t>(node);
-        if (mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[n])].two_sided) {
+        if (mesh_.node(n).two_sided) {
           if (std::abs(value) > std::abs(out[n])) out[n] = value;
           return;
         }

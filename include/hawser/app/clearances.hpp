@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "hawser/geometry/box_tree.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/io/results.hpp"
 #include "hawser/kernels/axis_clearance.hpp"
@@ -38,19 +39,13 @@ class Clearances {
     double radius = 0;
     BezierAxis axis;
   };
-  // Boxes of the elements of a part of a line, halved down to single ones.
+  // Elements of a part of a line and the boxes of their axes.
   struct Tree {
     std::vector<Shaped> elements;  // by number
-    struct Part {
-      Box box;
-      double radius = 0;
-      int first = 0, count = 0, left = -1, right = -1;
-    };
-    std::vector<Part> parts;
-    void build();
-
-   private:
-    int split(int first, int count);
+    BoxTree boxes;
+    double radius = 0;  // m, the largest
+    Tree() = default;
+    explicit Tree(std::vector<Shaped> of);
   };
   // Cache of an element against a volume: no nearer than `least` [m] to it while its axis is where it was in
   // the body's frame. It changes the time, never the answer.
@@ -61,7 +56,7 @@ class Clearances {
   };
 
   std::vector<Shaped> own(int line, const Kinematics& at) const;
-  Tree everybodys(const Tree& own) const;
+  Tree of_all_ranks(const Tree& own) const;
   Best to_line(const Tree& a, const Tree& b) const;
   Best to_volume(const std::vector<Shaped>& elements, const Surface& surface, const io::BodyPose& pose,
                  std::vector<Seen>& seen) const;

@@ -3,6 +3,8 @@
 
 #include <mpi.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -37,6 +39,27 @@ bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
   if (!(largest.value > least)) return false;
   MPI_Bcast(&of, sizeof of, MPI_BYTE, largest.rank, comm);
   return true;
+}
+
+// Of each of several values the smallest of all ranks, and with it the numbers that belong to it there (of
+// the first rank of equal ones): numbers has as many for each value, value by value. Collective.
+inline void smallest_of_ranks(MPI_Comm comm, std::vector<double>& values, std::vector<double>& numbers) {
+  struct Ranked {
+    double value;
+    int rank;
+  };
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  std::vector<Ranked> least;
+  for (const double v : values) least.push_back({v, rank});
+  MPI_Allreduce(MPI_IN_PLACE, least.data(), static_cast<int>(least.size()), MPI_DOUBLE_INT, MPI_MINLOC, comm);
+  const std::size_t each = values.empty() ? 0 : numbers.size() / values.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = least[i].value;
+    if (least[i].rank != rank)
+      std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(i * each), each, 0.0);
+  }
+  MPI_Allreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, MPI_SUM, comm);
 }
 
 class GatherPlan {

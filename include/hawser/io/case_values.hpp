@@ -21,7 +21,7 @@ inline void to_length(double& arc, double length) {
   if (arc == model::kEndB) arc = length;
 }
 inline double length_of(const model::Case& c, const std::string& line) {
-  return model::length_of(c.lines[static_cast<std::size_t>(c.line_index(line))]);
+  return model::length_of(c.line(line));
 }
 // An arc length of a line of this length, m: a number or one of its ends.
 inline double arc(const model::Value* v, double otherwise, double length) {

@@ -31,12 +31,18 @@ struct LocalMesh {
 
   int nodes() const { return static_cast<int>(global.size()); }
   int blocks() const { return static_cast<int>(global_block.size()); }
-  bool rotates(int local) const {
-    return mesh->nodes[static_cast<size_t>(global[static_cast<size_t>(local)])].rotates;
+  // What a local node and a local element are in the whole mesh.
+  template <class Index>
+  const Node& node(Index local) const {
+    return mesh->nodes[static_cast<size_t>(global[static_cast<size_t>(local)])];
   }
+  const Element& element(const LocalElement& e) const {
+    return mesh->elements[static_cast<size_t>(e.global)];
+  }
+  bool rotates(int local) const { return node(local).rotates; }
   // Local node of the frame that a local node is tied to (Node::tied_to); -1: it is not tied.
   int frame_of(int local) const {
-    const int frame = mesh->nodes[static_cast<size_t>(global[static_cast<size_t>(local)])].tied_to;
+    const int frame = node(local).tied_to;
     return frame < 0 ? -1 : find(frame);
   }
   // Local node of a node of the mesh, -1 where it is not on this rank. Each of the three ranges is sorted.

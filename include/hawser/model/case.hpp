@@ -394,6 +394,7 @@ struct Case {
   std::vector<std::string> change_notes;  // what each of them has changed, a sentence each
 
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
+  const Line& line(const std::string& name) const;           // likewise
   int body_index(const std::string& name) const;             // -1: none (fixed in space)
   int line_index(const std::string& name) const;             // throws std::out_of_range
   const Joint& joint(const std::string& name) const;         // throws std::out_of_range
