@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "flexible_start.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
+#include "start_flexible.hpp"
 
 namespace hawser {
 namespace {

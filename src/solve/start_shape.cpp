@@ -1,4 +1,4 @@
-// Start positions from line_start.hpp for every line, rotations of least twist along it, supports of held and
+// Start positions from start_line.hpp for every line, rotations of least twist along it, supports of held and
 // tied ends, and the start of floating bodies.
 #include "hawser/solve/start_shape.hpp"
 
@@ -8,7 +8,7 @@
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
-#include "line_start.hpp"
+#include "start_line.hpp"
 
 namespace hawser {
 namespace {

@@ -1,20 +1,20 @@
 // Which start shape each line gets: given points, another run's shape, a straight line, a catenary with or
 // without seabed, an arc of slack, or the shape of least energy.
-#include "line_start.hpp"
+#include "start_line.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "flexible_start.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/kernels/catenary.hpp"
 #include "hawser/kernels/catenary_on_bed.hpp"
 #include "hawser/kernels/motion.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/solve/start_slack.hpp"
+#include "start_flexible.hpp"
 #include "start_free_end.hpp"
-#include "support_start.hpp"
+#include "start_on_supports.hpp"
 
 namespace hawser {
 namespace {

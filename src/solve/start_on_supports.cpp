@@ -1,6 +1,6 @@
 // The line as a string over its supports: the way over them as a smooth curve, where it leaves that, and the
 // rest of it.
-#include "support_start.hpp"
+#include "start_on_supports.hpp"
 
 #include <fmt/format.h>
 

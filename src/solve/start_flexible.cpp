@@ -1,6 +1,6 @@
 // From the case to the energy minimisation that gives a line's start shape: its pieces, loads, bed and water,
 // drag of a current in turns with the shape, and folds straightened out.
-#include "flexible_start.hpp"
+#include "start_flexible.hpp"
 
 #include <algorithm>
 #include <cmath>

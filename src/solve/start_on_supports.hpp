@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "hawser/terms/bodies.hpp"
-#include "line_start.hpp"
+#include "start_line.hpp"
 
 namespace hawser {
 

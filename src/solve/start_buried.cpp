@@ -5,7 +5,7 @@
 #include "hawser/geometry/surface.hpp"
 #include "hawser/mesh/fed_start.hpp"
 #include "hawser/model/bed.hpp"
-#include "line_start.hpp"
+#include "start_line.hpp"
 
 namespace hawser {
 namespace {
