@@ -91,7 +91,7 @@ SoughtLength::SoughtLength(const model::Case& c, size_t line)
 SoughtLength::SoughtLength(const model::Case& c, size_t line, bool at_b, int feeder)
     : line_(line), feeder_(feeder), rest_(0) {
   const model::Line& l = c.lines[line];
-  const model::Feed& feed = *(at_b ? l.end_b : l.end_a).feed;
+  const model::Feed& feed = *l.end(at_b).feed;
   key_ = fmt::format("lines.{}.end_{}.feed.stock", l.whole ? l.whole->name : l.name, at_b ? 'b' : 'a');
   t_.value = feed.tension, t_.at_a = !at_b, t_.most = model::length_of(l);
   given_ = feed.stock;

@@ -65,7 +65,7 @@ std::string point(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})"
 // Next to a held end whose stretch without contact is too short, that; else where the line starts.
 std::string remedy(const model::Line& line, const Inside& s, double length) {
   for (const bool b : {false, true}) {
-    const double within = (b ? line.end_b : line.end_a).no_contact_within.value_or(-1);
+    const double within = line.end(b).no_contact_within.value_or(-1);
     if (within >= 0 && (b ? s.to >= length - within - 1e-9 * length : s.from <= within + 1e-9 * length))
       return fmt::format("'no_contact_within' of end_{} must be at least {:.3g} m to leave it out",
                          b ? "b" : "a", b ? length - s.from : s.to);
@@ -120,7 +120,7 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
   };
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool b : {false, true}) {
-      const model::End& e = b ? c.lines[l].end_b : c.lines[l].end_a;
+      const model::End& e = c.lines[l].end(b);
       if (e.no_contact_within.value_or(0) > 0)
         for (size_t v = 0; v < volumes.size(); ++v) {
           LeftOut& out = entry(static_cast<int>(l), static_cast<int>(v));
@@ -140,7 +140,7 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
     const double length = mesh.lines[static_cast<size_t>(s.line)].length, near = 1e-9 * length;
     if (s.from <= near && s.to >= length - near) continue;  // never comes out
     for (const bool b : {false, true}) {
-      const model::End& e = b ? line.end_b : line.end_a;
+      const model::End& e = line.end(b);
       if (!model::is_held(e) || e.no_contact_within || (b ? s.to < length - near : s.from > near)) continue;
       LeftOut& out = entry(s.line, s.volume);
       const double reach = (b ? length - s.from : s.to) + clearance(c, line, b, b ? s.rise_from : s.rise_to);

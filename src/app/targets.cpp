@@ -28,7 +28,7 @@ std::vector<SoughtLength> all_sought(const model::Case& c) {
   for (size_t l = 0; l < c.lines.size(); ++l) {
     if (c.lines[l].target) out.emplace_back(c, l);
     for (const bool at_b : {false, true}) {
-      const model::End& end = at_b ? c.lines[l].end_b : c.lines[l].end_a;
+      const model::End& end = c.lines[l].end(at_b);
       if (keeps_tension(c, end)) out.emplace_back(c, l, at_b, feeder);
       feeder += end.feed.has_value();
     }

@@ -43,7 +43,7 @@ void join(const model::Case& c, Mesh& m) {
         return e.kind == model::EndKind::joint && e.body == joint.name;
       };
       for (const bool b : {false, true})
-        if (here(b ? c.lines[l].end_b : c.lines[l].end_a))
+        if (here(c.lines[l].end(b)))
           (released(c, c.lines[l], b) ? leaving : ends).push_back(span.first_node + (b ? span.nodes - 1 : 0));
     }
     int first = -1;
@@ -69,7 +69,7 @@ void tie(const model::Case& c, Mesh& m) {
   }
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool last : {false, true}) {
-      const model::End& e = last ? c.lines[l].end_b : c.lines[l].end_a;
+      const model::End& e = c.lines[l].end(last);
       if (e.kind != model::EndKind::body || !c.floats(c.body_index(e.body))) continue;
       const int n = m.lines[l].first_node + (last ? m.lines[l].nodes - 1 : 0);
       m.nodes[static_cast<size_t>(n)].tied_to = m.body_node(c.body_index(e.body));

@@ -71,7 +71,7 @@ class EventOrder {
                                      c_.stages.end());
         return cause.kind == Cause::Kind::time ? cause.time : HUGE_VAL;
       };
-      const End& given = end.second ? line(end.first).end_b : line(end.first).end_a;
+      const End& given = line(end.first).end(end.second);
       const bool held = given.kind != EndKind::free;
       int releases = 0, attachments = 0;
       for (const std::size_t k : events)
@@ -123,7 +123,7 @@ class EventOrder {
       std::size_t last = c_.events.size();
       for (const Line& l : c_.lines)
         for (const bool b : {false, true}) {
-          const End& e = b ? l.end_b : l.end_a;
+          const End& e = l.end(b);
           if (e.kind != EndKind::joint || e.body != j.name) continue;
           bool released = false;
           for (std::size_t k = 0; k < c_.events.size(); ++k)

@@ -39,7 +39,7 @@ class EventCheck {
   }
   const Event& event() const { return c_.events[i_]; }
   const Line& line(const std::string& name) const { return c_.line(name); }
-  const End& end_of(const Action& a) const { return a.at_b ? line(a.line).end_b : line(a.line).end_a; }
+  const End& end_of(const Action& a) const { return line(a.line).end(a.at_b); }
   const LineType& type_at(const std::string& name, double arc) const {
     double end = 0;
     for (const Section& s : line(name).sections)
@@ -117,8 +117,7 @@ class EventCheck {
       if (s.line == a.whole)
         return issue("cut", "line '{}' is laid over supports and cannot be cut", a.whole);
     for (const bool b : {false, true})
-      if (const auto& feed = (b ? l.end_b : l.end_a).feed;
-          feed && (b ? length - a.cut : a.cut) <= feed->stock)
+      if (const auto& feed = l.end(b).feed; feed && (b ? length - a.cut : a.cut) <= feed->stock)
         issue("cut.at", "arc length {:.6g} m of line '{}' is inside the feeder at its end {}", a.cut, a.whole,
               b ? 'B' : 'A');
     for (std::size_t k = 0; k < i_; ++k)
@@ -182,7 +181,7 @@ class EventCheck {
               "above 0",
               cause.line);
       for (const bool b : {false, true})
-        if (const auto& feed = (b ? line(cause.line).end_b : line(cause.line).end_a).feed;
+        if (const auto& feed = line(cause.line).end(b).feed;
             feed && cause.arc > 0 && cause.arc < length && (b ? length - cause.arc : cause.arc) < feed->stock)
           issue("when.tension.at",
                 "arc length {:.6g} m of line '{}' is inside the feeder at its end {} at the start, where "
@@ -198,7 +197,7 @@ class EventCheck {
     }
     if (cause.kind == Cause::Kind::paid_out) {
       const Line& l = line(cause.line);
-      const auto& feed = (cause.arc > 0 ? l.end_b : l.end_a).feed;
+      const auto& feed = l.end(cause.arc > 0).feed;
       if (!feed)
         issue("when.paid_out.end", "end {} of line '{}' has no 'feed'", cause.arc > 0 ? 'B' : 'A',
               cause.line);

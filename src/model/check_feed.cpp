@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -84,9 +85,10 @@ std::string why_not_fed(const Case& c, const Line& line, const End& end) {
 
 // At least so many elements are inside the feeder at the start, and outside.
 void check_elements(const Line& line, bool at_b, const Report& issue) {
-  const Feed& f = *(at_b ? line.end_b : line.end_a).feed;
-  double at = 0,
-         other = (at_b ? line.end_a : line.end_b).feed ? (at_b ? line.end_a : line.end_b).feed->stock : 0;
+  const Feed& f = *line.end(at_b).feed;
+  const std::optional<Feed>& beyond = line.end(!at_b).feed;
+  const double other = beyond ? beyond->stock : 0;
+  double at = 0;
   int inside = 0, outside = 0;  // elements
   for (const Section& s : line.sections)
     for (int i = 0; i < s.elements; ++i) {
@@ -158,7 +160,7 @@ std::vector<Issue> law_issues(const Feed& f) {
 }
 
 void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& issues) {
-  const End& end = at_b ? line.end_b : line.end_a;
+  const End& end = line.end(at_b);
   if (!end.feed) return;
   const Feed& f = *end.feed;
   const std::string key = fmt::format("lines.{}.end_{}.feed", line.name, at_b ? 'b' : 'a');

@@ -101,7 +101,7 @@ class OverSupports {
       last_ = way_.places.size() - 1;
     }
     first_ = std::max<size_t>(1, closed * kPieces);
-    const model::End& other = a_ ? line.end_b : line.end_a;
+    const model::End& other = line.end(a_);
     if (other.kind != model::EndKind::free) to_ = start_pose(c, bodies, other).to_space(other.at);
     known_ = true;
   }

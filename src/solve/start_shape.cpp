@@ -83,7 +83,7 @@ int twist_end(const model::Case& c, const model::Line& line) {
   if (line.end_a.clamped || line.end_b.clamped || rigid(c, line.end_a) || rigid(c, line.end_b)) return -1;
   const bool joint_first = line.end_a.kind == model::EndKind::joint;
   for (const int end : {joint_first, !joint_first})
-    if ((end ? line.end_b : line.end_a).kind != model::EndKind::free &&
+    if (line.end(end).kind != model::EndKind::free &&
         c.line_type((end ? line.sections.back() : line.sections.front()).type).kind == model::LineKind::beam)
       return end;
   return -1;
@@ -106,9 +106,9 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     }
   const int twist = twist_end(c, whole);
   for (const int end : {0, 1}) {
-    const model::End& e = end ? line.end_b : line.end_a;
+    const model::End& e = line.end(end);
     if (e.kind == model::EndKind::free) continue;
-    const bool cut = e.kind == model::EndKind::joint && (end ? whole.end_b : whole.end_a).body != e.body;
+    const bool cut = e.kind == model::EndKind::joint && whole.end(end).body != e.body;
     if (cut) continue;
     const int node = span.first_node + (end ? span.nodes - 1 : 0);
     const bool joint = e.kind == model::EndKind::joint;

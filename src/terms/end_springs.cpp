@@ -35,7 +35,7 @@ std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh) 
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const LineSpan& span = mesh.mesh->lines[l];
     for (int end = 0; end < 2; ++end) {
-      const model::End& e = end ? c.lines[l].end_b : c.lines[l].end_a;
+      const model::End& e = c.lines[l].end(end);
       if (e.kind == model::EndKind::free || !(e.rotational_stiffness > 0) || !e.direction) continue;
       const int node = mesh.find(span.first_node + (end ? span.nodes - 1 : 0));
       if (node < 0 || node >= mesh.owned || !mesh.rotates(node)) continue;

@@ -47,7 +47,7 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
   of_line_.assign(c.lines.size(), {-1, -1});
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool at_b : {false, true}) {
-      const model::End& end = at_b ? c.lines[l].end_b : c.lines[l].end_a;
+      const model::End& end = c.lines[l].end(at_b);
       if (!end.feed) continue;
       of_line_[l][at_b] = static_cast<int>(feeders_.size());
       Feeder f;

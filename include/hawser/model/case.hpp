@@ -250,6 +250,7 @@ struct Line {
   std::string name;
   std::vector<Section> sections;
   End end_a, end_b;
+  const End& end(bool b) const { return b ? end_b : end_a; }
   std::vector<PointMass> masses;
   std::vector<BendStiffener> bend_stiffeners;
   std::vector<DistributedLoad> loads;
