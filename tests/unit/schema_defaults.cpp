@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,13 @@ bool has_fields(const Key& k) {
   for (const Key& inner : k.keys) any = any || has_fields(inner);
   return any;
 }
+
+// Without a spectrum there are no components, the peakedness of JONSWAP is that of no other spectrum, and the
+// keys of a Stokes wave make its row.
+const std::set<std::string> kOtherwise = {
+    ".environment.waves.jonswap.components",           ".environment.waves.jonswap.gamma",
+    ".environment.waves.pierson_moskowitz.components", ".environment.waves.spectrum.components",
+    ".environment.waves.stokes.direction_deg",         ".environment.waves.stokes.phase_deg"};
 
 int compare(const Key& key, const std::string& path) {
   int compared = 0;
