@@ -320,7 +320,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   Recorder recorder(MPI_COMM_SELF, sim, volume_meshes(c, volumes), surfaces(volumes), run_info(c, "", 1),
                     nullptr, false, false);
   TrialRun tried;
-  double checkpoint = io::checkpoint_numbers(planned_checkpoint(sim, recorder));
+  double checkpoint = planned_numbers(sim, recorder);
   if (trial) {
     tried = trial_run(sim, c, kTrial);
     fmt::print("{}\n", cost_sentence(tried));

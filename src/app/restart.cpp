@@ -15,6 +15,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"
+#include "hawser/io/results_size.hpp"
 
 namespace hawser::app {
 namespace {
@@ -36,8 +37,9 @@ const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 const std::string kStiffness = "contact.stiffness.";
 const std::string kLink = "case.link ";
 
-std::vector<Vec3>& vectors(AlphaState& s, size_t i) {
-  std::vector<Vec3>* all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
+// Of a state, const or not.
+auto& vectors(auto& s, size_t i) {
+  decltype(&s.s.x) all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
   return *all[i];
 }
 
@@ -101,7 +103,7 @@ std::string damage(const io::Checkpoint& c) {
 }
 
 // The state, reactions and mean forces of the owned nodes.
-void save_nodes(const LocalMesh& m, AlphaState s, const std::vector<double>& reactions,
+void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<double>& reactions,
                 const MeanForces& mean, io::Checkpoint& c) {
   const size_t owned = static_cast<size_t>(m.owned);
   for (size_t i = 0; i < std::size(kVectors); ++i) c.nodes[kVectors[i]] = field_of(vectors(s, i), owned);
@@ -133,15 +135,16 @@ void save_nodes(const LocalMesh& m, AlphaState s, const std::vector<double>& rea
 
 }  // namespace
 
-io::Checkpoint planned_checkpoint(Simulation& simulation, Recorder& recorder) {
+double planned_numbers(Simulation& simulation, Recorder& recorder) {
   const LocalMesh& m = simulation.local();
   AlphaState s{simulation.state(), {}, {}, {}};
   alpha_start(m, s);
-  const std::vector<double> none(3 * static_cast<size_t>(m.blocks()), 0.0);
+  const MeanForces none{std::vector<double>(3 * static_cast<size_t>(m.blocks()), 0.0),
+                        std::vector<double>(3 * static_cast<size_t>(m.blocks()), 0.0)};
   io::Checkpoint c;
-  save_nodes(m, std::move(s), none, {none, none}, c);
+  save_nodes(m, s, none.q, none, c);
   recorder.save(c);
-  return c;
+  return io::checkpoint_numbers(c);
 }
 
 io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const Events& events) {

@@ -12,8 +12,8 @@
 namespace hawser::app {
 
 io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const Events& events);
-// What one holds before the run has begun, for its size: without contact and events. Collective.
-io::Checkpoint planned_checkpoint(Simulation& simulation, Recorder& recorder);
+// How many numbers one holds of a run that has not begun: without contact and events.
+double planned_numbers(Simulation& simulation, Recorder& recorder);
 
 // The newest checkpoint of the results file `path`, this rank's share. Throws InputError when there is none
 // or its lines or volumes are not those of the simulation. Collective.
