@@ -46,13 +46,13 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
   try {
     double first = 0;  // CPU s, at the end of the first iteration, which also sets up what all others use
     if (c.statics.enabled) {
-      const auto progress = [&](const StaticsReport& now) {
+      const auto told = [&](const StaticsReport& now) {
         if (now.iterations <= 1) first = cpu_time();
         if (now.iterations <= 1 || !over()) return;
         trial.iteration = (cpu_time() - first) / (now.iterations - 1);
         throw Spent();
       };
-      Events(sim.system().comm(), sim).come_to_rest([&](bool falls) { sim.solve_statics(progress, falls); });
+      Events(sim.system().comm(), sim).come_to_rest([&](bool falls) { sim.solve_statics(told, falls); });
     } else {
       sim.check_inside();
     }

@@ -37,17 +37,6 @@ double runs_out(const Feed& f, double end) {
   return HUGE_VAL;
 }
 
-void check_stock(const Case& c, const Feed& f, const std::string& key, std::vector<Issue>& issues) {
-  const double end = c.dynamics.duration;
-  if (f.speed.empty() || !c.dynamics.enabled || !(end > 0)) return;
-  if (const double t = runs_out(f, end); t < end)
-    issues.push_back(
-        {key + ".stock",
-         fmt::format("{:g} m are paid out by t = {:.4g} s, and the run goes on to {:g} s: make the line and "
-                     "its stock that much longer, or stop the feeder before",
-                     f.stock, t, end)});
-}
-
 // With keys below that of the feeder.
 using Report = std::function<void(const std::string& key, std::string text)>;
 
@@ -138,6 +127,17 @@ void check_surroundings(const Case& c, const Line& line, const End& end, const R
     if (b.on && b.on->line == line.name)
       issue("", fmt::format("body '{}' rides on line {}, and a line that carries bodies cannot be fed",
                             b.name, line.name));
+}
+
+void check_stock(const Case& c, const Feed& f, const std::string& key, std::vector<Issue>& issues) {
+  const double end = c.dynamics.duration;
+  if (f.speed.empty() || !c.dynamics.enabled || !(end > 0)) return;
+  if (const double t = runs_out(f, end); t < end)
+    issues.push_back(
+        {key + ".stock",
+         fmt::format("{:g} m are paid out by t = {:.4g} s, and the run goes on to {:g} s: make the line and "
+                     "its stock that much longer, or stop the feeder before",
+                     f.stock, t, end)});
 }
 
 }  // namespace
