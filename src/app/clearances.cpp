@@ -168,7 +168,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
     const double within = best.clearance + e.radius;
     const auto near = nearest_to(field, axes[i], within, contact_levels(length, e.radius));
     // A piece more is not excluded between the places looked at.
-    const double piece = axes[i].reach() / (1 << contact_levels(length, e.radius));
+    const double piece = axes[i].slope_bound() / (1 << contact_levels(length, e.radius));
     const double nothing_below = near ? near->distance : within;
     seen[i] = {axes[i], nothing_below - piece, std::isfinite(nothing_below)};
     if (!near) continue;

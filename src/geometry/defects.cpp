@@ -4,86 +4,50 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "edge_uses.hpp"
+#include "groups.hpp"
 #include "hawser/geometry/closest_point.hpp"
 
 namespace hawser::detail {
 namespace {
 
-struct Edge {
-  int from, to;
-  bool used = false;
-};
-
-// Edges that do not run equally often each way, as often and the way they are in excess.
-std::vector<Edge> boundary(const MeshView& mesh) {
+// Edges that do not run equally often each way, in sets of corners that they join.
+std::vector<std::vector<int>> boundaries(const MeshView& mesh) {
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  std::vector<Edge> out;
+  std::vector<int> group;
+  separate(group, mesh.vertices.size());
+  std::vector<bool> on(mesh.vertices.size(), false);
   for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
     int sum = 0;
     for (j = i; j < uses.size() && uses[j].same_edge(uses[i]); ++j) sum += uses[j].forward ? 1 : -1;
-    for (int k = 0; k < std::abs(sum); ++k)
-      out.push_back(sum > 0 ? Edge{uses[i].low, uses[i].high} : Edge{uses[i].high, uses[i].low});
+    if (sum == 0) continue;
+    unite(group, uses[i].low, uses[i].high);
+    on[static_cast<std::size_t>(uses[i].low)] = on[static_cast<std::size_t>(uses[i].high)] = true;
+  }
+  std::vector<std::vector<int>> out;
+  std::vector<int> number(on.size(), -1);
+  for (std::size_t v = 0; v < on.size(); ++v) {
+    if (!on[v]) continue;
+    int& n = number[static_cast<std::size_t>(root_of(group, static_cast<int>(v)))];
+    if (n < 0) n = static_cast<int>(out.size()), out.emplace_back();
+    out[static_cast<std::size_t>(n)].push_back(static_cast<int>(v));
   }
   return out;
 }
 
-// As many edges leave each vertex as come to it. A walk that turns back as sharply as it can goes there and
-// back along cracks; where it comes to a vertex it has been to, a closed way is done.
-std::vector<std::vector<int>> closed_ways(const MeshView& mesh, std::vector<Edge>& edges) {
-  const auto x = [&](int v) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(v)]; };
-  std::vector<std::vector<std::size_t>> leaving(mesh.vertices.size());
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    leaving[static_cast<std::size_t>(edges[e].from)].push_back(e);
-  std::vector<int> place(mesh.vertices.size(), -1);  // on the walk
-  std::vector<std::vector<int>> ways;
-  for (std::size_t first = 0; first < edges.size(); ++first) {
-    if (edges[first].used) continue;
-    std::vector<int> walk = {edges[first].from};
-    place[static_cast<std::size_t>(walk[0])] = 0;
-    while (true) {
-      const int here = walk.back();
-      const Vec3 come =
-          walk.size() > 1 ? Vec3((x(here) - x(walk[walk.size() - 2])).normalized()) : Vec3(Vec3::Zero());
-      std::size_t best = edges.size();
-      double sharpest = 2;
-      for (const std::size_t e : leaving[static_cast<std::size_t>(here)]) {
-        if (edges[e].used) continue;
-        const double turn = come.dot((x(edges[e].to) - x(here)).normalized());
-        if (turn < sharpest) sharpest = turn, best = e;
-      }
-      if (best == edges.size()) break;
-      edges[best].used = true;
-      const int next = edges[best].to, seen = place[static_cast<std::size_t>(next)];
-      if (seen < 0) {
-        place[static_cast<std::size_t>(next)] = static_cast<int>(walk.size());
-        walk.push_back(next);
-        continue;
-      }
-      ways.emplace_back(walk.begin() + seen, walk.end());
-      for (std::size_t i = static_cast<std::size_t>(seen) + 1; i < walk.size(); ++i)
-        place[static_cast<std::size_t>(walk[i])] = -1;
-      walk.resize(static_cast<std::size_t>(seen) + 1);
-    }
-    for (const int v : walk) place[static_cast<std::size_t>(v)] = -1;
-  }
-  return ways;
-}
-
-Defects::Hole around(const MeshView& mesh, const std::vector<int>& way) {
+Defects::Hole around(const MeshView& mesh, const std::vector<int>& corners) {
   const auto x = [&](int v) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(v)]; };
   // Along the two corners farthest from each other, about.
   const auto farthest = [&](const Vec3& from) {
-    return *std::max_element(way.begin(), way.end(), [&](int a, int b) {
+    return *std::max_element(corners.begin(), corners.end(), [&](int a, int b) {
       return (x(a) - from).squaredNorm() < (x(b) - from).squaredNorm();
     });
   };
   Defects::Hole h;
-  h.from = x(farthest(x(way[0])));
+  h.from = x(farthest(x(corners[0])));
   h.to = x(farthest(h.from));
-  for (const int v : way)
+  for (const int v : corners)
     h.radius = std::max(h.radius, std::sqrt(closest_point_on_segment(x(v), h.from, h.to).squared_distance));
   return h;
 }
@@ -96,13 +60,11 @@ double Defects::Hole::distance(const Vec3& y) const {
 
 Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTree& tree) {
   Defects out;
-  std::vector<Edge> edges = boundary(mesh);
-  out.boundary_edges = static_cast<int>(edges.size());
   const std::size_t n = mesh.triangles.size();
   out.unsure.assign(n, false);
   out.straight.assign(n, false);
   out.internal.assign(n, false);
-  for (const auto& way : closed_ways(mesh, edges)) out.holes.push_back(around(mesh, way));
+  for (const auto& corners : boundaries(mesh)) out.holes.push_back(around(mesh, corners));
   if (out.holes.size() > 3000) {  // a soup: everywhere
     Box box;
     for (const Vec3& v : mesh.vertices) box.add(v);

@@ -13,6 +13,11 @@ struct Defects {
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();
     double radius = 0;                     // m
     double distance(const Vec3& y) const;  // m, 0 within
+    Box box() const {
+      Box b{from, from};
+      b.add(to);
+      return b.grown(radius);
+    }
   };
   // Facets near which the winding number must be asked; empty: none. These are facets about whose middle it
   // does not pass 1/2, those by a hole, and those where pieces may overlap.
@@ -22,16 +27,15 @@ struct Defects {
   std::vector<bool> straight;
   // Facets with the inside on both sides: walls within the body and parts of bodies that overlap.
   std::vector<bool> internal;
-  // The boundary of the surface taken apart into closed ways, a thin one for each crack where it can be.
-  std::vector<Hole> holes;
-  int boundary_edges = 0, internal_facets = 0;
+  std::vector<Hole> holes;  // about the edges of each that hang together
+  int internal_facets = 0;
 };
 
-// Boundary edges are those that do not run equally often each way; they form closed ways, and the surface
-// that closes one lies in its convex hull. A point of the hull is no farther from the way itself than the
-// radius of any ball that holds it, and, where the way goes there and back along a crack, twice its width. So
-// the line from a point to its nearest facet passes through a hole only if the facet is that near to the
-// hull: else the hole's edge would be nearer. Facets within twice this are unsure.
+// Edges of a hole are those that do not run equally often each way. The surface that closes a hole lies in
+// the convex hull of its edges, and no point of that is farther from the edges than twice the radius of a
+// hole that holds them, or than half its extent. So the line from a point to its nearest facet passes through
+// a hole only if the facet is that near to the hull: else the hole's edge would be nearer. Facets within
+// twice this are unsure.
 Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTree& tree);
 
 }  // namespace hawser::detail

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "coarse_distance.hpp"
 #include "defects.hpp"
 #include "hawser/geometry/packing.hpp"
 #include "hawser/geometry/winding_tree.hpp"
@@ -27,7 +26,8 @@ struct MeshSurface::Data {
   bool partial = false;
   std::vector<bool> is_active;      // when partial
   std::vector<bool> border_vertex;  // when partial: touches active and inactive triangles
-  detail::CoarseDistance coarse;
+  ConstArray<detail::Defects::Hole> holes;
+  BoxTree hole_tree;  // of boxes around them
   Box bounds;
   double small = 0;          // m, lengths below are rounding or need a bound
   WindingTree winding;       // where defects or features without a pseudonormal need it, else empty
@@ -44,7 +44,8 @@ struct MeshSurface::Data {
     FacetSearch::pack(self.whole, p);
     p.value(self.partial);
     p.flags(self.is_active), p.flags(self.border_vertex);
-    detail::CoarseDistance::pack(self.coarse, p);
+    p.array(self.holes);
+    BoxTree::pack(self.hole_tree, p);
     p.value(self.bounds), p.value(self.small);
     WindingTree::pack(self.winding, p);
     p.flags(self.unsure);
@@ -71,8 +72,9 @@ struct MeshSurface::Data {
     }
     return best;
   }
-  // How far to search from y, m; negative: not at all.
-  double reach(const Vec3& y, double max_distance) const;
+  // m: the body begins nowhere nearer to y than that without an active facet: in a hole, or at an inactive
+  // part, behind which it is less than zero. No farther than `most` is looked.
+  double closed_within(const Vec3& y, double most) const;
   std::optional<SurfacePoint> seen(const Vec3& y, double max_distance, const FacetSearch::Foot& c) const;
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
                         bool behind) const;
@@ -173,19 +175,12 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   d.is_active = std::move(active);
   d.bounds = (d.partial ? d.whole : d.active).tree().box();
   d.small = 1e-6 * d.bounds.extent().maxCoeff();
-  d.coarse = detail::CoarseDistance(d.bounds, d.mesh().triangles.size(), [&](const Vec3& y, int hint) {
-    const auto near = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
-    const double away = near ? std::sqrt(near->squared_distance) : 0;
-    const auto all =
-        d.partial && near ? d.nearest(d.whole, y, away * (1 + 1e-6) + d.small, near->triangle) : near;
-    if (!all) throw std::invalid_argument("the mesh is too large: squares of its lengths are no numbers");
-    double whole = std::sqrt(all->squared_distance), closed = std::numeric_limits<double>::infinity();
-    // The sign may change where no facet is: in the holes.
-    for (const auto& hole : defects.holes) closed = std::min(closed, hole.distance(y));
-    whole = std::min(whole, closed);
-    if (d.behind(*all, y, d.normals.at(d.facets, all->triangle, *all))) whole = -whole;
-    return detail::CoarseDistance::Sample{near->triangle, away, whole, d.partial ? whole : closed};
-  });
+  if (!std::isfinite(d.bounds.extent().squaredNorm()))
+    throw std::invalid_argument("the mesh is too large: squares of its lengths are no numbers");
+  std::vector<Box> boxes;
+  for (const auto& hole : defects.holes) boxes.push_back(hole.box());
+  d.hole_tree = BoxTree(boxes);
+  d.holes = std::move(defects.holes);
   data_ = std::move(data);
 }
 
@@ -212,18 +207,14 @@ MeshSurface::~MeshSurface() = default;
 MeshSurface::MeshSurface(MeshSurface&&) noexcept = default;
 MeshSurface& MeshSurface::operator=(MeshSurface&&) noexcept = default;
 
-// Where the coarse distances allow y to be inside, search as far as they say; elsewhere to max_distance.
-double MeshSurface::Data::reach(const Vec3& y, double max_distance) const {
-  const auto about = coarse.about(y);
-  if (about.outside && about.at_least > max_distance) return -1;
-  return about.outside ? std::min(max_distance, about.at_most) : about.at_most;
-}
-
 std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distance, int hint) const {
-  const double reach = data_->reach(y, max_distance);
-  if (reach < 0) return std::nullopt;
-  const auto foot = data_->nearest(data_->active, y, reach, hint);
-  return foot ? data_->seen(y, max_distance, *foot) : std::nullopt;
+  const Data& d = *data_;
+  if (distance(d.bounds, y) > max_distance) return std::nullopt;
+  auto foot = d.nearest(d.active, y, max_distance, hint);
+  // What is inside is met however deep.
+  if (!foot && d.bounds.contains(y) && (d.winding.empty() || d.winding.inside(d.mesh(), y)))
+    foot = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
+  return foot ? d.seen(y, max_distance, *foot) : std::nullopt;
 }
 
 // What is seen from y of its nearest point.
@@ -235,8 +226,7 @@ std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_di
   const double length = std::sqrt(c.squared_distance);
   if (!is_behind && length > max_distance) return std::nullopt;
   if (is_behind && partial &&
-      (coarse.about(y).outside || !inside_whole(y, length * (1 + 1e-6) + 1e-3 * small, t) ||
-       !under_active(c, y)))
+      (!inside_whole(y, length * (1 + 1e-6) + 1e-3 * small, t) || !under_active(c, y)))
     return std::nullopt;
   return point_at(y, c, pseudonormal, is_behind);
 }
@@ -282,7 +272,22 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
 // Beyond a centre of curvature of a patch the point that is found need not be its nearest; both are as near
 // to the flat facet as it bulges.
 double MeshSurface::free_radius(const Vec3& y, double distance) const {
-  return std::min(distance - 2 * data_->bulge, data_->coarse.closed_within(y));
+  return std::min(distance - 2 * data_->bulge, data_->closed_within(y, distance));
+}
+
+double MeshSurface::Data::closed_within(const Vec3& y, double most) const {
+  if (partial) {
+    const auto c = nearest(whole, y, most, -1);
+    if (!c) return most;
+    const double away = std::sqrt(c->squared_distance);
+    return behind(*c, y, normals.at(facets, c->triangle, *c)) ? -away : away;
+  }
+  double squared = most * most;
+  hole_tree.nearest(y, squared, [&](int i) {
+    const double away = holes[static_cast<std::size_t>(i)].distance(y);
+    squared = std::min(squared, away * away);
+  });
+  return std::sqrt(squared);
 }
 
 void MeshSurface::facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const {
@@ -301,7 +306,7 @@ std::optional<SurfacePoint> MeshSurface::query_group(const FacetGroup& group, co
   const bool front = near && near->front;
   if (near && (either_side || (front && !data_->facet_groups().through(group, near->foot, y))))
     return data_->point_at(y, near->foot, near->pseudonormal, !front);
-  if (!near && data_->coarse.about(y).outside) return std::nullopt;
+  if (!near && !data_->bounds.contains(y)) return std::nullopt;
   auto all = query(y, max_distance, near ? near->foot.triangle : -1);
   if (!all || all->distance > 0) return std::nullopt;
   if (front) return data_->point_at(y, near->foot, near->pseudonormal, false);

@@ -2,56 +2,16 @@
 #include "hawser/geometry/mesh_weld.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "groups.hpp"
+#include "near_points.hpp"
 
 namespace hawser {
 namespace {
 
 constexpr double kCrack = 1.0 / 100;  // of the shortest edge
-
-using Cell = std::array<std::int64_t, 3>;
-
-// Corners by the size of their tolerance: on level l those with one in (2^(l-1), 2^l], in cubes of 2^(l+1).
-// As their edges are 100 times as long, a cube holds few, whatever the grading of the mesh.
-class Levels {
- public:
-  void add(int vertex, const Vec3& x, double tolerance) {
-    const int level = level_of(tolerance);
-    levels_[level][cell(x, level, 0)].push_back(vertex);
-  }
-  // what(vertex) for all within `tolerance` of x whose own is no less, and some more.
-  template <class What>
-  void near(const Vec3& x, double tolerance, const What& what) const {
-    for (auto level = levels_.lower_bound(level_of(tolerance)); level != levels_.end(); ++level) {
-      // Cubes of twice the tolerance or more: what is within it lies in the 8 around the nearest corner.
-      std::array<Cell, 8> cells;
-      for (int corner = 0; corner < 8; ++corner)
-        cells[static_cast<std::size_t>(corner)] = cell(x, level->first, corner, true);
-      for (const Cell& c : cells)
-        if (const auto found = level->second.find(c); found != level->second.end())
-          for (const int v : found->second) what(v);
-    }
-  }
-
- private:
-  static int level_of(double tolerance) { return static_cast<int>(std::ceil(std::log2(tolerance))); }
-  static Cell cell(const Vec3& x, int level, int corner, bool around = false) {
-    Cell c;
-    for (int a = 0; a < 3; ++a) {
-      const double shift = around ? (corner >> a & 1 ? 0.5 : -0.5) : 0;
-      c[static_cast<std::size_t>(a)] =
-          static_cast<std::int64_t>(std::floor(std::ldexp(x[a], -level - 1) + shift));
-    }
-    return c;
-  }
-  std::map<int, std::map<Cell, std::vector<int>>> levels_;
-};
 
 }  // namespace
 
@@ -76,16 +36,15 @@ CrackResult weld_cracks(TriangleMesh& mesh) {
         if (topo.neighbours[t][i] == kOpenEdge) open[static_cast<std::size_t>(v)] = 1;
       }
     }
-  Levels levels;
+  const detail::NearPoints near(mesh.vertices);
   std::vector<int> group;
   detail::separate(group, n);
-  for (std::size_t v = 0; v < n; ++v)
-    if (open[v] && tolerance[v] > 0) levels.add(static_cast<int>(v), mesh.vertices[v], tolerance[v]);
   for (std::size_t v = 0; v < n; ++v) {
-    if (!open[v] || !(tolerance[v] > 0)) continue;
-    levels.near(mesh.vertices[v], tolerance[v], [&](int w) {
-      const double most = std::min(tolerance[v], tolerance[static_cast<std::size_t>(w)]);
-      if ((x(w) - mesh.vertices[v]).norm() <= most) detail::unite(group, static_cast<int>(v), w);
+    if (!open[v]) continue;
+    near.each(static_cast<int>(v), tolerance[v], [&](int w) {
+      if (open[static_cast<std::size_t>(w)] &&
+          (x(w) - mesh.vertices[v]).norm() <= tolerance[static_cast<std::size_t>(w)])
+        detail::unite(group, static_cast<int>(v), w);
     });
   }
   // Of each group the corner of the most triangles, the lowest of those.

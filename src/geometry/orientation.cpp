@@ -1,7 +1,5 @@
-// Which triangles of a mesh face which way: patches that agree, the nesting of pieces, and the turning of a
-// closed mesh outward.
+// Which triangles of a mesh face which way: patches that agree, volumes of pieces and which lie in which.
 #include <cmath>
-#include <utility>
 
 #include "hawser/geometry/point_in_polyhedron.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
@@ -84,54 +82,5 @@ std::vector<int> nesting_depth(const MeshView& mesh, const Topology& topo) {
 }
 
 }  // namespace detail
-
-OrientationResult orient(TriangleMesh& mesh) {
-  OrientationResult result;
-  const Topology topo = topology(mesh);
-  if (mesh.triangles.empty() || topo.open_edges > 0 || topo.non_manifold_edges > 0) {
-    result.sentence =
-        "The triangles were left as they are: the mesh is not closed or joins more than two triangles along "
-        "an edge.";
-    return result;
-  }
-  std::vector<signed char> turn(mesh.triangles.size(), -1);
-  std::vector<int> patch;
-  for (std::size_t first = 0; first < turn.size(); ++first) {
-    if (turn[first] >= 0 || detail::grow_patch(mesh, topo, static_cast<int>(first), turn, patch)) continue;
-    result.sentence =
-        "The triangles were left as they are: the surface has one side only, like a Möbius band.";
-    return result;
-  }
-  const auto flip = [&](std::size_t t) { std::swap(mesh.triangles[t][1], mesh.triangles[t][2]); };
-  for (std::size_t t = 0; t < turn.size(); ++t)
-    if (turn[t]) flip(t);
-  const std::vector<double> volume = detail::component_volumes(mesh, topo);
-  const std::vector<int> depth = detail::nesting_depth(mesh, topo);
-  std::vector<int> size(volume.size(), 0), turned(volume.size(), 0);
-  std::vector<int> inside_out(volume.size(), 0);
-  for (std::size_t c = 0; c < volume.size(); ++c) inside_out[c] = (volume[c] > 0) != (depth[c] % 2 == 0);
-  for (std::size_t t = 0; t < turn.size(); ++t) {
-    const auto c = static_cast<std::size_t>(topo.component[t]);
-    if (inside_out[c]) {
-      flip(t);
-      turn[t] ^= 1;
-    }
-    ++size[c];
-    turned[c] += turn[t];
-  }
-  for (std::size_t c = 0; c < volume.size(); ++c) {
-    result.turned += turned[c];
-    if (turned[c] == size[c]) ++result.components_turned;
-  }
-  result.done = true;
-  if (result.turned == 0)
-    result.sentence = "All normals point out of the solid.";
-  else
-    result.sentence = "Turned " + std::to_string(result.turned) + " of " + std::to_string(turn.size()) +
-                      " triangles over (" + std::to_string(result.components_turned) + " of " +
-                      std::to_string(volume.size()) +
-                      " pieces were inside out); all normals now point out of the solid.";
-  return result;
-}
 
 }  // namespace hawser

@@ -4,69 +4,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <limits>
 #include <numeric>
 #include <sstream>
 #include <tuple>
-#include <unordered_map>
 
 #include "edge_uses.hpp"
 #include "groups.hpp"
 #include "hawser/geometry/closest_point.hpp"
 #include "hawser/math/ordered.hpp"
+#include "near_points.hpp"
 #include "nesting.hpp"
 
 namespace hawser {
 namespace {
 
-// Coordinates, or the cube of the grid that holds them, as a key.
-struct KeyHash {
-  std::size_t operator()(const std::array<std::int64_t, 3>& k) const {
-    std::uint64_t h = 0;
-    for (const auto x : k) {
-      h = (h ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15ull;
-      h ^= h >> 29;
-    }
-    return static_cast<std::size_t>(h);
-  }
-};
-
 // For each vertex the lowest one it merges with.
 std::vector<int> representatives(const std::vector<Vec3>& vertices, double tolerance) {
+  const detail::NearPoints near(vertices);
   std::vector<int> same(vertices.size());
-  std::unordered_map<std::array<std::int64_t, 3>, std::vector<int>, KeyHash> grid;
-  grid.reserve(vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) {
-    same[v] = static_cast<int>(v);
-    std::array<std::int64_t, 3> key;
-    if (tolerance <= 0) {
-      const Vec3 x = vertices[v] + Vec3::Zero();  // -0 becomes 0
-      std::memcpy(key.data(), x.data(), sizeof key);
-      auto& list = grid[key];
-      if (list.empty()) list.push_back(same[v]);
-      same[v] = list.front();
-      continue;
-    }
-    // Cubes of twice the tolerance: what is within it lies in the 8 cubes around the nearest corner.
-    const Vec3 q = vertices[v] / (2 * tolerance);
-    int best = same[v];
-    for (int corner = 0; corner < 8; ++corner) {
-      for (int a = 0; a < 3; ++a)
-        key[static_cast<std::size_t>(a)] =
-            static_cast<std::int64_t>(std::floor(q[a] + (corner >> a & 1 ? 0.5 : -0.5)));
-      const auto found = grid.find(key);
-      if (found == grid.end()) continue;
-      for (const int w : found->second)
-        if (w < best && (vertices[static_cast<std::size_t>(w)] - vertices[v]).norm() <= tolerance) best = w;
-    }
-    same[v] = best;
-    if (best == static_cast<int>(v)) {
-      for (int a = 0; a < 3; ++a)
-        key[static_cast<std::size_t>(a)] = static_cast<std::int64_t>(std::floor(q[a]));
-      grid[key].push_back(best);
-    }
+  for (int v = 0; v < static_cast<int>(same.size()); ++v) {
+    int best = v;
+    near.each(v, tolerance, [&](int w) {
+      if (w < best && same[static_cast<std::size_t>(w)] == w) best = w;
+    });
+    same[static_cast<std::size_t>(v)] = best;
   }
   return same;
 }

@@ -106,12 +106,13 @@ std::string many(int n, const char* one, const char* more) {
   return fmt::format("{} {}", n, n == 1 ? one : more);
 }
 
-// An open or inconsistent mesh: mend what can be, say what is wrong and what is assumed.
-void mend(const std::string& path, LoadedMesh& loaded) {
+// A mesh that is open, inconsistent or inside out: mend what can be, say what is wrong and what is assumed.
+void mend(const std::string& path, LoadedMesh& loaded, bool closed) {
   const MeshReport found = loaded.report;
   const RepairResult repaired = repair(loaded.mesh);
   loaded.report = inspect(loaded.mesh);
   loaded.open = !loaded.report.valid();
+  if (closed && loaded.open) bad(path, "the triangles cannot be turned outward: " + repaired.sentence);
   std::vector<std::string> faults;
   if (found.open_edges > 0) faults.push_back(many(found.open_edges, "open edge", "open edges"));
   if (found.non_manifold_edges > 0)
@@ -119,6 +120,7 @@ void mend(const std::string& path, LoadedMesh& loaded) {
   if (found.flipped_edges > 0)
     faults.push_back(many(found.flipped_edges, "edge", "edges") + " between triangles turned opposite ways");
   if (found.degenerate > 0) faults.push_back(many(found.degenerate, "triangle", "triangles") + " of no area");
+  if (faults.empty()) faults.push_back("normals that point into the solid");
   if (repaired.enclosing < 0.5)
     bad(path,
         fmt::format("the mesh encloses nothing: it has {} among {} triangles, and only {:.0f} % of its area "
@@ -199,16 +201,7 @@ LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
         fmt::format("the mesh is not closed: {} open edges and {} edges of more than two triangles in {} "
                     "triangles; the volume says `closed: required`",
                     report.open_edges, report.non_manifold_edges, report.triangles));
-  if (!report.valid()) {
-    const OrientationResult turned = orient(mesh);
-    if (turned.done) {
-      report = inspect(mesh);
-      loaded.notes.push_back(path + ": " + turned.sentence);
-    } else if (closed) {
-      bad(path, "the triangles cannot be turned outward: " + turned.sentence);
-    }
-  }
-  if (!report.valid()) mend(path, loaded);
+  if (!report.valid()) mend(path, loaded, closed);
   report.welded = welded.welded;
   report.removed = welded.removed;
   return loaded;

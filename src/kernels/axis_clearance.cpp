@@ -1,5 +1,5 @@
-// Element axes as cubic Bézier curves: evaluation, bounds and halving; nearest points of two of them by
-// branch and bound with Newton's method; smallest distance of one to a surface.
+// Nearest points of two element axes by branch and bound with Newton's method; smallest distance of one to a
+// surface.
 #include "hawser/kernels/axis_clearance.hpp"
 
 #include <algorithm>
@@ -70,35 +70,6 @@ AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
 
 }  // namespace
 
-Vec3 BezierAxis::point(double z) const {
-  const double y = 1 - z;
-  return y * y * y * b[0] + 3 * z * y * y * b[1] + 3 * z * z * y * b[2] + z * z * z * b[3];
-}
-Vec3 BezierAxis::slope(double z) const {
-  const double y = 1 - z;
-  return 3 * (y * y * (b[1] - b[0]) + 2 * y * z * (b[2] - b[1]) + z * z * (b[3] - b[2]));
-}
-Vec3 BezierAxis::bend(double z) const {
-  return 6 * ((1 - z) * (b[2] - 2 * b[1] + b[0]) + z * (b[3] - 2 * b[2] + b[1]));
-}
-double BezierAxis::reach() const {
-  return 3 * std::max({(b[1] - b[0]).norm(), (b[2] - b[1]).norm(), (b[3] - b[2]).norm()});
-}
-// The two inner Bernstein polynomials never sum to more than 3/4.
-double BezierAxis::sagitta() const {
-  return 0.75 * std::max((b[1] - (2 * b[0] + b[3]) / 3).norm(), (b[2] - (b[0] + 2 * b[3]) / 3).norm());
-}
-Box BezierAxis::box() const {
-  Box out;
-  for (const Vec3& p : b) out.add(p);
-  return out;
-}
-std::array<BezierAxis, 2> BezierAxis::halves() const {
-  const Vec3 p = 0.5 * (b[0] + b[1]), q = 0.5 * (b[1] + b[2]), r = 0.5 * (b[2] + b[3]);
-  const Vec3 pq = 0.5 * (p + q), qr = 0.5 * (q + r), m = 0.5 * (pq + qr);
-  return {BezierAxis{{b[0], p, pq, m}}, BezierAxis{{m, qr, r, b[3]}}};
-}
-
 std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b, double within,
                                        double resolution) {
   AxisApproach best;
@@ -152,7 +123,7 @@ std::optional<AxisToSurface> nearest_to(const DistanceField& field, const Bezier
     bool known = false;
   };
   const int pieces = 1 << levels;
-  const double piece = axis.reach() / pieces;
+  const double piece = axis.slope_bound() / pieces;
   AxisToSurface best;
   best.distance = within;
   bool found = false;

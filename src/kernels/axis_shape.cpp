@@ -7,7 +7,7 @@ AxisShape::AxisShape(const AxisEnds& e) : count_(e.beam ? 4 : 2), length_(e.leng
   X_.fill(Vec3::Zero()), V_.fill(Vec3::Zero());
   if (!e.beam) {
     X_[0] = e.x1, X_[1] = e.x2, V_[0] = e.v1, V_[1] = e.v2;
-    reach_ = (e.x2 - e.x1).norm();
+    slope_bound_ = (e.x2 - e.x1).norm();
     return;
   }
   q_ = {e.q1, e.q2};
@@ -16,11 +16,11 @@ AxisShape::AxisShape(const AxisEnds& e) : count_(e.beam ? 4 : 2), length_(e.leng
   X_ = {e.x1, length_ * (R_[0] * c_), e.x2, length_ * (R_[1] * c_)};
   V_ = {e.v1, length_ * (R_[0] * e.w1.cross(c_)), e.v2, length_ * (R_[1] * e.w2.cross(c_))};
   // |H1'| <= 3/2 on the chord, |H2'|, |H4'| <= 1 at the ends and small where the other is large.
-  reach_ = 1.5 * (e.x2 - e.x1).norm() + length_;
+  slope_bound_ = 1.5 * (e.x2 - e.x1).norm() + length_;
   const double straight = (X_[2] - X_[0]).norm();
   const double bend = std::max((X_[1] - (X_[2] - X_[0])).norm(), (X_[3] - (X_[2] - X_[0])).norm());
   // slope = chord + H2'(X1 - chord) + H4'(X3 - chord), and |H2'| + |H4'| <= 1
-  reach_ = std::min(reach_, straight + bend);
+  slope_bound_ = std::min(slope_bound_, straight + bend);
 }
 
 AxisShape::Weights AxisShape::functions(double z) const {
@@ -40,22 +40,15 @@ AxisShape::Weights AxisShape::second_derivatives(double z) const {
   return {-6 + 12 * z, -4 + 6 * z, 6 - 12 * z, 6 * z - 2};
 }
 
-// x - chord = H2 (X1 - chord) + H4 (X3 - chord), and |H2|, |H4| <= 4/27.
-double AxisEnds::sagitta() const {
-  if (!beam) return 0;
-  const Vec3 chord = x2 - x1;
-  return 4.0 / 27 * ((length * (q1 * tangent) - chord).norm() + (length * (q2 * tangent) - chord).norm());
-}
-
 Vec3 AxisShape::combine(const Weights& w, const std::array<Vec3, kMost>& v) const {
   Vec3 s = w[0] * v[0] + w[1] * v[1];
   if (count_ == 4) s += w[2] * v[2] + w[3] * v[3];
   return s;
 }
 
-std::array<Vec3, 4> AxisShape::bezier() const {
-  if (count_ == 2) return {X_[0], (2 * X_[0] + X_[1]) / 3, (X_[0] + 2 * X_[1]) / 3, X_[1]};
-  return {X_[0], X_[0] + X_[1] / 3, X_[2] - X_[3] / 3, X_[2]};
+BezierAxis AxisShape::bezier() const {
+  if (count_ == 2) return BezierAxis::straight(X_[0], X_[1]);
+  return {{X_[0], X_[0] + X_[1] / 3, X_[2] - X_[3] / 3, X_[2]}};
 }
 
 void AxisShape::attach(Stencil& to, size_t first_turn) const {

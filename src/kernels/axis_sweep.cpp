@@ -12,27 +12,22 @@ constexpr double kDeep = 0.25, kClear = 0.75;  // of the radius, from the axis t
 
 // A stretch of the axis, on a part of its way.
 struct Piece {
-  std::array<AxisPoints, 2> b;  // at the start and at the end of that part
+  std::array<BezierAxis, 2> b;  // at the start and at the end of that part
   double from = 0, to = 1;      // of the axis
 };
 
-AxisPoints between(const AxisPoints& a, const AxisPoints& b) {
-  AxisPoints m;
-  for (size_t i = 0; i < m.size(); ++i) m[i] = 0.5 * (a[i] + b[i]);
-  return m;
-}
-
 std::array<Piece, 2> halves(const Piece& p) {
   double along = 0;
-  for (const AxisPoints& b : p.b) along = std::max({along, (b[3] - b[0]).norm(), (b[2] - b[1]).norm()});
+  for (const BezierAxis& b : p.b)
+    along = std::max({along, (b.b[3] - b.b[0]).norm(), (b.b[2] - b.b[1]).norm()});
   std::array<Piece, 2> out{p, p};
-  if (way_of(p.b[0], p.b[1]) > along) {
+  if (p.b[0].way_to(p.b[1]) > along) {
     out[0].b[1] = out[1].b[0] = between(p.b[0], p.b[1]);
     return out;
   }
   for (size_t i = 0; i < 2; ++i) {
-    const auto half = BezierAxis{p.b[i]}.halves();
-    out[0].b[i] = half[0].b, out[1].b[i] = half[1].b;
+    const auto half = p.b[i].halves();
+    out[0].b[i] = half[0], out[1].b[i] = half[1];
   }
   out[0].to = out[1].from = 0.5 * (p.from + p.to);
   return out;
@@ -40,30 +35,23 @@ std::array<Piece, 2> halves(const Piece& p) {
 
 }  // namespace
 
-double way_of(const AxisPoints& from, const AxisPoints& to) {
-  double squared = 0;
-  for (size_t i = 0; i < from.size(); ++i) squared = std::max(squared, (to[i] - from[i]).squaredNorm());
-  return std::sqrt(squared);
-}
-
-bool goes_through(const DistanceField& field, const AxisPoints& from, const AxisPoints& to, double radius,
+bool goes_through(const DistanceField& field, const BezierAxis& from, const BezierAxis& to, double radius,
                   bool pressed) {
-  if (!(way_of(from, to) > radius)) return false;
-  const BezierAxis before{from}, after{to};
+  if (!(from.way_to(to) > radius)) return false;
   std::vector<Piece> pieces{{{from, to}}};
   while (!pieces.empty()) {
     const Piece piece = pieces.back();
     pieces.pop_back();
-    const Vec3 y = BezierAxis{between(piece.b[0], piece.b[1])}.point(0.5);
+    const Vec3 y = between(piece.b[0], piece.b[1]).point(0.5);
     double size = 0;
-    for (const AxisPoints& b : piece.b)
-      for (const Vec3& p : b) size = std::max(size, (p - y).norm());
+    for (const BezierAxis& b : piece.b)
+      for (const Vec3& p : b.b) size = std::max(size, (p - y).norm());
     Vec3 normal;
     const auto distance = field(y, size, normal);
     if (!distance) continue;
     if (*distance <= kDeep * radius) {
       const double xi = 0.5 * (piece.from + piece.to), near = std::max(*distance, 0.0) + radius;
-      const Vec3 y0 = before.point(xi), y1 = after.point(xi);
+      const Vec3 y0 = from.point(xi), y1 = to.point(xi);
       Vec3 n0, n1;
       const auto d0 = field(y0, near + (y - y0).norm(), n0), d1 = field(y1, near + (y - y1).norm(), n1);
       const bool outside = d0 && *d0 > kDeep * radius;

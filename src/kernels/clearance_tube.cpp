@@ -13,8 +13,8 @@ constexpr double kRounding = 1e-12;  // of coordinates
 constexpr double kMargin = 1e-9;     // of distances
 
 // Between two places w apart.
-double least_between(double w, double a, double b, double reach, double bend) {
-  const double span = reach * w, straight = 0.5 * (a + b - span);
+double least_between(double w, double a, double b, double slope, double bend) {
+  const double span = slope * w, straight = 0.5 * (a + b - span);
   if (!(a > 0 && b > 0)) return straight;
   const double p = a * a, q = b * b;
   const double c = span * span + (std::max(a, b) + span) * bend * w * w;
@@ -26,31 +26,29 @@ double least_between(double w, double a, double b, double reach, double bend) {
 
 }  // namespace
 
-void ClearanceTube::set(const AxisPoints& axis, double clearance) {
+void ClearanceTube::set(const BezierAxis& axis, double clearance) {
   double size = 0;
-  for (const Vec3& p : axis) size = std::max(size, p.cwiseAbs().maxCoeff());
+  for (const Vec3& p : axis.b) size = std::max(size, p.cwiseAbs().maxCoeff());
   at_ = axis;
   clearance_ = (1 - kMargin) * clearance - kRounding * size;
 }
 
-double ClearanceTube::left(const AxisPoints& axis) const {
+double ClearanceTube::left(const BezierAxis& axis) const {
   if (!(clearance_ > 0)) return -1;
-  double squared = 0;
-  for (std::size_t i = 0; i < axis.size(); ++i) squared = std::max(squared, (axis[i] - at_[i]).squaredNorm());
-  return clearance_ - (1 + kMargin) * std::sqrt(squared);
+  return clearance_ - (1 + kMargin) * at_.way_to(axis);
 }
 
-double least_distance(const std::vector<ClearancePoint>& places, double reach, double bend, double& worst) {
+double least_distance(const std::vector<ClearancePoint>& places, double slope, double bend, double& worst) {
   double least = std::numeric_limits<double>::infinity();
   const auto take = [&](double distance, double xi) {
     if (!(distance >= least)) least = distance, worst = xi;
   };
-  take(places.front().distance - reach * places.front().xi, 0);
+  take(places.front().distance - slope * places.front().xi, 0);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const ClearancePoint &a = places[i], &b = places[i + 1];
-    take(least_between(b.xi - a.xi, a.distance, b.distance, reach, bend), 0.5 * (a.xi + b.xi));
+    take(least_between(b.xi - a.xi, a.distance, b.distance, slope, bend), 0.5 * (a.xi + b.xi));
   }
-  take(places.back().distance - reach * (1 - places.back().xi), 1);
+  take(places.back().distance - slope * (1 - places.back().xi), 1);
   return least;
 }
 

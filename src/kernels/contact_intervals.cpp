@@ -17,11 +17,11 @@ constexpr int kFiner = 4;  // further halvings where contact is not excluded
 class Scan {
  public:
   Scan(const AxisGapFunction& gap, const AxisBounds& bounds, std::vector<ContactInterval>& out)
-      : gap_(gap), bounds_(bounds), reach_(bounds.reach), out_(out) {}
+      : gap_(gap), bounds_(bounds), slope_bound_(bounds.slope), out_(out) {}
 
   void piece(double a, const AxisGap& A, double b, const AxisGap& B, int levels) {
     const bool in_a = A.gap < 0, in_b = B.gap < 0;
-    const double span = reach_ * (b - a);
+    const double span = slope_bound_ * (b - a);
     if (!in_a && !in_b && apart(b - a, A.gap, B.gap)) return;
     const bool both = in_a && in_b;
     if (levels > 0 || (levels > -kFiner && ((bounds_.contact_distance > 0 && !both) || mixed(b - a, A, B)))) {
@@ -43,7 +43,7 @@ class Scan {
  private:
   // No contact between two points out of contact.
   bool apart(double w, double A, double B) const {
-    const double span = reach_ * w;
+    const double span = slope_bound_ * w;
     if (A + B >= span) return true;
     const double contact_distance = bounds_.contact_distance;
     if (!(contact_distance > 0)) return false;
@@ -60,7 +60,7 @@ class Scan {
   // that may matter: the cubic through the ends, off their chord by at most `off`, might change its sign
   // twice.
   bool mixed(double w, const AxisGap& A, const AxisGap& B) const {
-    const double mean = (B.gap - A.gap) / w, slack = 1e-9 * reach_;
+    const double mean = (B.gap - A.gap) / w, slack = 1e-9 * slope_bound_;
     if (mean > std::min(A.slope, B.slope) - slack && mean < std::max(A.slope, B.slope) + slack) return false;
     const double off = 4.0 / 27 * w * (std::abs(A.slope - mean) + std::abs(B.slope - mean));
     const auto [least, most] = ordered(A.gap, B.gap);
@@ -78,7 +78,7 @@ class Scan {
   // part of the piece: looked for as long as the tangents at the ends, which no concave gap exceeds, allow
   // it.
   void arch(double a, const AxisGap& A, double b, const AxisGap& B) {
-    const double first = a, last = b, wide = reach_ * (b - a);
+    const double first = a, last = b, wide = slope_bound_ * (b - a);
     AxisGap from = A, to = B;
     for (int i = 0; i < kMost && b - a > kRoot; ++i) {
       const double w = b - a;
@@ -120,7 +120,7 @@ class Scan {
       if (i % 3 == 2) m = 0.5 * (a + b);
       const double edge = 1e-3 * (b - a);
       m = std::clamp(m, a + edge, b - edge);
-      const AxisGap M = gap_(m, reach_ * (last - first));
+      const AxisGap M = gap_(m, slope_bound_ * (last - first));
       if (M.gap < 0) {
         add({root(m, M, first, F), root(m, M, last, L), true, true});
         return;
@@ -136,7 +136,7 @@ class Scan {
 
   // The root between `in`, where the gap is negative, and `out`.
   double root(double in, AxisGap I, double out, AxisGap O) {
-    const double wide = reach_ * std::abs(out - in);
+    const double wide = slope_bound_ * std::abs(out - in);
     if (O.gap == 0) return out;
     double x = out - O.gap / (O.gap - I.gap) * (out - in);
     if (const double newton = out - O.gap / O.slope; (newton - in) * (newton - out) < 0) x = newton;
@@ -158,7 +158,7 @@ class Scan {
 
   const AxisGapFunction& gap_;
   AxisBounds bounds_;
-  double reach_;
+  double slope_bound_;
   std::vector<ContactInterval>& out_;
 };
 
@@ -180,7 +180,7 @@ std::vector<InactiveInterval> inactive_intervals(const std::vector<ContactInterv
 std::vector<ContactInterval> contact_intervals(const AxisGapFunction& gap, const AxisBounds& bounds,
                                                int levels, const std::vector<double>& places) {
   std::vector<ContactInterval> out;
-  const double half = 0.5 * bounds.reach;
+  const double half = 0.5 * bounds.slope;
   const AxisGap M = gap(0.5, half);
   if (M.gap >= half) return out;
   const AxisGap A = gap(0, half), B = gap(1, half);

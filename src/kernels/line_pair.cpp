@@ -46,7 +46,7 @@ LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, Projec
                            const Settings& settings, const std::vector<LinePairHistory>& history)
     : slave_(slave), master_(master), part_(part), set_(settings), history_(history) {
   if (part_ != ProjectOn::element) set_.share *= -0.5;
-  wa_ = set_.slave_radius / set_.law.reach;
+  wa_ = set_.slave_radius / set_.law.radii;
   wb_ = 1 - wa_;
 }
 
@@ -91,7 +91,7 @@ std::vector<LinePairPass::Panel> LinePairPass::panels() const {
   const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
   std::vector<Panel> out;
   for (const ContactInterval& s :
-       split_intervals(contact_intervals(gap, {slave_.now.reach()}, levels, kinks(levels)), levels)) {
+       split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)), levels)) {
     const Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
     if (part_ == ProjectOn::element)
       split(p, out);
@@ -222,7 +222,7 @@ double LinePairPass::potential(const std::vector<Panel>& panels) const {
       const double xi = s.from + (s.to - s.from) * ContactRule::abscissae()[q];
       const double d = projection(master_.now, part_, slave_.now.point(xi)).distance;
       sum += set_.share * slave_.ends.length * (s.to - s.from) * ContactRule::weight()[q] *
-             normal_force(set_.law.normal, d - set_.law.reach, 0).potential;
+             normal_force(set_.law.normal, d - set_.law.radii, 0).potential;
     }
   return sum;
 }

@@ -145,7 +145,7 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   if (end == End::gap) {
     const AxisProjection f = projection(master_.now, part_, x);
     const double slope = f.normal.dot(x1);
-    if (std::abs(slope) < 1e-9 * slave_.now.reach()) return m;
+    if (std::abs(slope) < 1e-9 * slave_.now.slope_bound()) return m;
     const AxisShape::Weights G = master_.now.functions(f.eta);
     for (size_t j = 0; j < na; ++j) m.by[j] = -H[j] / slope * f.normal;
     for (size_t k = 0; k < nb; ++k) m.by[na + k] = G[k] / slope * f.normal;

@@ -38,7 +38,7 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   Vector3<S> slip = v.moved - n * S(n.dot(v.moved));
   // What closed by less than the ramp is wide was there.
   const double ramp = law.normal.smoothing;
-  const S deep = S(law.reach + ramp) - d;
+  const S deep = S(law.radii + ramp) - d;
   if (v.closing > deep) slip *= S((deep + ramp) / (v.closing + ramp));
   slip += b * v.slip[0] + l * v.slip[1];
   const Friction<S> f = friction<S>(law.friction, Coulomb<double>{law.friction.axial, law.friction.lateral},
@@ -56,7 +56,7 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
 LinePairForce line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives) {
   LinePairForce r;
   const double d = at.away.norm();
-  r.gap = d - law.reach;
+  r.gap = d - law.radii;
   r.normal = normal_force(law.normal, r.gap, at.rate);
   if (!(r.normal.force > 0) || !(d > 0)) {
     r.by.setZero();

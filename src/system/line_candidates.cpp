@@ -8,6 +8,7 @@
 
 #include "hawser/geometry/box_pairs.hpp"
 #include "hawser/geometry/segment_distance.hpp"
+#include "hawser/kernels/bezier_axis.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/math/so3.hpp"
 
@@ -25,17 +26,17 @@ struct Middle {
 };
 
 Middle middle(const SweptAxis& s) {
-  std::array<Vec3, 4> p, d;
+  BezierAxis p;
+  std::array<Vec3, 4> d;
   Middle m;
   m.shift = Vec3::Zero();
   for (size_t i = 0; i < 4; ++i) {
-    p[i] = 0.5 * (s.from[i] + s.to[i]), d[i] = 0.5 * (s.to[i] - s.from[i]);
+    p.b[i] = 0.5 * (s.from[i] + s.to[i]), d[i] = 0.5 * (s.to[i] - s.from[i]);
     m.shift += 0.25 * d[i];
   }
   for (const Vec3& x : d) m.spread = std::max(m.spread, (x - m.shift).norm());
-  m.a = p[0], m.b = p[3];
-  // The two inner Bernstein polynomials never sum to more than 3/4.
-  m.bulge = 0.75 * std::max((p[1] - (2 * m.a + m.b) / 3).norm(), (p[2] - (m.a + 2 * m.b) / 3).norm());
+  m.a = p.b[0], m.b = p.b[3];
+  m.bulge = p.sagitta();
   m.around = 0.5 * (m.b - m.a).norm() + m.bulge;
   m.thickness = s.radius + s.skin;
   return m;
@@ -143,13 +144,13 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
     return moves ? Vec3(at.x[n] + h * at.v[n] + (0.5 * h * h) * at.a[n]) : at.x[n];
   };
   const Vec3 a = place(i), b = place(j);
-  if (!element.beam) return {a, (2 * a + b) / 3, (a + 2 * b) / 3, b};
+  if (!element.beam) return BezierAxis::straight(a, b).b;
   const double length = at_feeder(e.global) ? (b - a).norm() : element.length;
   const auto tangent = [&](size_t n) -> Vec3 {
     if (!moves) return at.q[n] * Vec3::UnitX();
     return at.q[n] * (exp_so3(h * at.w[n] + (0.5 * h * h) * at.alpha[n]) * Vec3::UnitX());
   };
-  return {a, a + length / 3 * tangent(i), b - length / 3 * tangent(j), b};
+  return BezierAxis::beam(a, tangent(i), b, tangent(j), length).b;
 }
 
 // Every axis within its skin of where it was foreseen to be at `tau` of the way. All are asked for the same

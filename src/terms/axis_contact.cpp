@@ -53,7 +53,7 @@ std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& 
     if (!p) continue;
     const Vec3 normal = R_ * p->normal;
     const double slope = normal.dot(shape_.slope(xi));
-    if (std::abs(slope) < 1e-9 * shape_.reach()) continue;
+    if (std::abs(slope) < 1e-9 * shape_.slope_bound()) continue;
     ends[i].on = true;
     ends[i].H = shape_.functions(xi);
     ends[i].by_axis = -normal / slope;

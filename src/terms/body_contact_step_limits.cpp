@@ -210,8 +210,8 @@ bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
     return squared_distance(box, middle) <= reach * reach && surface.query(middle, reach);
   };
   const auto meets = [&](const Vec3& y0, const Vec3& y1, double radius) {
-    return goes_through(distance_to(surface), BezierAxis::straight(before(y0), before(y1)).b,
-                        BezierAxis::straight(after(y0), after(y1)).b, std::max(radius, pair.law.smoothing),
+    return goes_through(distance_to(surface), BezierAxis::straight(before(y0), before(y1)),
+                        BezierAxis::straight(after(y0), after(y1)), std::max(radius, pair.law.smoothing),
                         true);
   };
   return std::any_of(skeleton.features.begin(), skeleton.features.end(), [&](const SkeletonBundle& b) {

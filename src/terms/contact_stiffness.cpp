@@ -86,9 +86,9 @@ std::string volume_in_the_way(const std::string& place, const model::Volume& v, 
 
 double crossing_force(double EA, double weight_of_line) { return std::max(kDrawn * EA, weight_of_line); }
 
-double crossing_stiffness(double force, double reach) {
-  const double depth = kCrossing * reach;
-  return 0.75 * force / (depth * std::sqrt(2 * reach * depth));
+double crossing_stiffness(double force, double radii) {
+  const double depth = kCrossing * radii;
+  return 0.75 * force / (depth * std::sqrt(2 * radii * depth));
 }
 
 double bending_radius(const model::Volume& v, double line_radius) {

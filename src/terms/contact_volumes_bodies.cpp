@@ -30,11 +30,6 @@ RigidPose ContactVolumes::pose_of(int volume, const Kinematics& at) const {
   return bodies_->pose(this->at(volume).body, at);
 }
 
-bool ContactVolumes::still(int volume, const RigidPose& now) const {
-  const RigidPose& then = start_pose(volume);
-  return now.position == then.position && now.rotation.coeffs() == then.rotation.coeffs();
-}
-
 FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& at) const {
   const int local = bodies_->local_node(this->at(volume).body);
   const size_t n = static_cast<size_t>(local);

@@ -65,7 +65,7 @@ void LinePairs::prepare(const Kinematics& committed, double) {
     p.trial = nullptr;
     const Rod &a = rods_[static_cast<size_t>(p.a)], &b = rods_[static_cast<size_t>(p.b)];
     p.clear = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta -
-              p.law.reach - p.law.normal.smoothing;
+              p.law.radii - p.law.normal.smoothing;
   }
 }
 
@@ -88,7 +88,7 @@ bool LinePairs::near(const Pair& p, const std::vector<Rod>& is) const {
   if (!met(p, is)) return false;
   const Rod &a = is[static_cast<size_t>(p.a)], &b = is[static_cast<size_t>(p.b)];
   return closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta <
-         p.law.reach + p.law.normal.smoothing;
+         p.law.radii + p.law.normal.smoothing;
 }
 
 template <class What>
@@ -209,7 +209,7 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
-    const double share = settings(swapped ? pair.key.second : pair.key.first).radius / pair.law.reach;
+    const double share = settings(swapped ? pair.key.second : pair.key.first).radius / pair.law.radii;
     const auto add = [&](const LinePairHistory& h, bool at_end) {
       const double xi = at_end ? h.xi : material_of_start(a, slave, h.xi),
                    eta = at_end ? h.eta : material_of_start(b, master, h.eta);

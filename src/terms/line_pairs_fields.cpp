@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-void reach(double& from, double& to, double arc) { from = std::min(from, arc), to = std::max(to, arc); }
+void extend(double& from, double& to, double arc) { from = std::min(from, arc), to = std::max(to, arc); }
 
 }  // namespace
 
@@ -29,8 +29,8 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
       double &foot_from = swapped ? t.from : t.other_from, &foot_to = swapped ? t.to : t.other_to;
       const auto& points = (*pair.history)[k];
       for (const LinePairHistory& h : points) {
-        reach(from, to, arc_at(mesh, slave, h.from)), reach(from, to, arc_at(mesh, slave, h.to));
-        reach(foot_from, foot_to, arc_at(mesh, master, std::clamp(h.eta, 0.0, 1.0)));
+        extend(from, to, arc_at(mesh, slave, h.from)), extend(from, to, arc_at(mesh, slave, h.to));
+        extend(foot_from, foot_to, arc_at(mesh, master, std::clamp(h.eta, 0.0, 1.0)));
         t.force += h.weight * h.normal_force, t.energy += h.weight * h.potential;
       }
       if (k % 3 == 0) t.depth = std::max(t.depth, deepest_of(points));

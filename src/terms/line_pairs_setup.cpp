@@ -22,8 +22,8 @@ std::vector<double> radii(const std::vector<LineContactElement>& elements) {
 }  // namespace
 
 double automatic_stiffness(const LinePairOptions::Automatic& a, const LinePairOptions::Automatic& b,
-                           double reach) {
-  return std::max({a.per_length, b.per_length, crossing_stiffness(std::min(a.crossing, b.crossing), reach)});
+                           double radii) {
+  return std::max({a.per_length, b.per_length, crossing_stiffness(std::min(a.crossing, b.crossing), radii)});
 }
 
 LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
@@ -56,11 +56,11 @@ LinePairLaw LinePairs::law(int a, int b) const {
   const LineContactElement &A = elements_[i], &B = elements_[j];
   const double diameter = A.radius + B.radius;  // the mean of the two
   LinePairLaw law;
-  law.reach = A.radius + B.radius;
+  law.radii = A.radius + B.radius;
   double share = 1;
   if (s.basis == model::StiffnessBasis::per_area) share = diameter;
   law.normal.stiffness = s.basis == model::StiffnessBasis::automatic
-                             ? automatic_stiffness(options_.automatic[i], options_.automatic[j], law.reach)
+                             ? automatic_stiffness(options_.automatic[i], options_.automatic[j], law.radii)
                              : s.normal_stiffness * share;
   law.normal.smoothing = s.smoothing > 0 ? s.smoothing : 0.001 * diameter;
   law.normal.damping = contact_damping(
@@ -82,7 +82,7 @@ AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
 
 LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
   const AxisEnds e = ends(at, segment);
-  return {e.x1, e.x2, e.sagitta()};
+  return {e.x1, e.x2, AxisShape(e).bezier().sagitta()};
 }
 
 // The neighbour there is on the same line and outside feeders.

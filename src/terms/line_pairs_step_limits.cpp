@@ -57,11 +57,11 @@ bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
   const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
   ApproachLimits limits;
   if (trial.step > 0) {
-    limits.most = kThrough * p.law.reach, limits.part = 0.5, limits.floor = kPressed * p.law.reach;
+    limits.most = kThrough * p.law.radii, limits.part = 0.5, limits.floor = kPressed * p.law.radii;
     return sides_kept(a0, a1, b0, b1, limits) != Sides::kept;
   }
   // Axes may cross from the start: then no side is the right one.
-  limits.most = kStaticDepth * p.law.reach, limits.part = 0.9, limits.no_side = kNoSide * p.law.reach;
+  limits.most = kStaticDepth * p.law.radii, limits.part = 0.9, limits.no_side = kNoSide * p.law.radii;
   return sides_kept(a0, a1, b0, b1, limits) == Sides::near;
 }
 
@@ -71,7 +71,7 @@ LinePairs::Nearest LinePairs::nearest(const Pair& p, const AxisEnds& a, const Ax
   const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
   if (!(c.distance > 0)) return {};
   const Vec3 v = (1 - c.s) * a.v1 + c.s * a.v2 - (1 - c.t) * b.v1 - c.t * b.v2;
-  return {v.dot(c.difference) / c.distance, c.distance - p.law.reach};
+  return {v.dot(c.difference) / c.distance, c.distance - p.law.radii};
 }
 
 // Relative acceleration of the middles along the line between them, m/s²: at the turning point of a blow
@@ -140,7 +140,7 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
     const Nearest c = nearest(p, start(p.a), start(p.b));
     const double ramp = p.law.normal.smoothing,
                  apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
-    if (c.speed < 0) to.limit((apart + kDeep * p.law.reach) / -c.speed);
+    if (c.speed < 0) to.limit((apart + kDeep * p.law.radii) / -c.speed);
     if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
     if (p.history) a.gap = -ramp - deepest(p);
@@ -173,12 +173,12 @@ double LinePairs::stored(const Pair& of) const {
 
 // A crossing holds energy with the depth to the power 5/2.
 std::string LinePairs::too_soft(const Pair& p) const {
-  const double reach = p.law.reach, k = p.law.normal.stiffness,
+  const double radii = p.law.radii, k = p.law.normal.stiffness,
                speed = -nearest(p, start(p.a), start(p.b)).speed, depth = deepest(p);
-  if (!(depth > kProposed * reach))
+  if (!(depth > kProposed * radii))
     return where(p) + " would pass through each other: from the start they are nearer than their radii allow";
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
-  const double wanted = k * std::pow(depth / (kProposed * reach), 2.5) * (1 + more / has);
+  const double wanted = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
   const Mesh& m = *mesh_.mesh;
   const auto [one, other] = ordered(element(p.key.first).line, element(p.key.second).line);
   const std::string stiffness = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(wanted));
@@ -191,7 +191,7 @@ std::string LinePairs::too_soft(const Pair& p) const {
       "{} are pressed into each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass "
       "through each other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for "
       "what presses them ({:.3g} J in the contact). Try contact: {{between_lines: {{{}}}}}",
-      where(p), depth, 100 * depth / reach, k, has, advice);
+      where(p), depth, 100 * depth / radii, k, has, advice);
 }
 
 }  // namespace hawser

@@ -28,7 +28,7 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
       account(pair, AxisShape(ends(accepted, pair.element)), next);
     pair.points = std::move(next);
   }
-  volumes_.keep_raise();
+  volumes_.commit_raise();
 }
 
 // Trapezoid over the step: half with the forces at its start where they were, half with those at its end

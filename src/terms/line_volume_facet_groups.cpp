@@ -14,7 +14,6 @@ namespace {
 // of touch.
 constexpr double kTogether = 1.1;
 constexpr double kSagitta = 0.05;  // of that distance: how far the axis is from its polyline
-constexpr double kGrid = 0.125;    // the same: of places that are asked whether there is one facet group
 
 // The axis as a polyline in the body's frame.
 std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double contact_distance) {
@@ -40,29 +39,21 @@ std::optional<SurfacePoint> LineVolumeFinder::query(const LineVolumePair& pair, 
               : surface(pair).query(y, within, pair.hint);
 }
 
-// Asked of a chord and a reach on a grid: what is remembered of another step is then what would be answered
-// now, and a run that goes on from a checkpoint decides as the one that made it.
-bool LineVolumeFinder::one_facet_group(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
-                                       double motion) const {
-  const double grid = kGrid * pair.contact_distance;
-  std::array<Vec3, 2> chord{pose.to_body(shape.point(0)), pose.to_body(shape.point(1))};
-  for (Vec3& end : chord)
-    for (double& x : end) x = grid * std::round(x / grid);
-  const double need = kTogether * pair.contact_distance + motion + shape.bend_bound() / 8;
-  const double reach = grid * std::ceil(need / grid + 0.5 * std::sqrt(3.0));
-  if (reach == pair.one_reach && chord == pair.one_chord) return pair.one;
-  pair.one = surface(pair).one_facet_group(chord, reach);
-  pair.one_chord = chord, pair.one_reach = reach;
-  return pair.one;
+bool LineVolumeFinder::one_facet_group(const LineVolumePair& pair, double motion) const {
+  const AxisShape& shape = pair.start.shape;
+  const RigidPose& pose = pair.start.pose;
+  const std::array<Vec3, 2> chord{pose.to_body(shape.point(0)), pose.to_body(shape.point(1))};
+  return surface(pair).one_facet_group(chord,
+                                       kTogether * pair.contact_distance + motion + shape.bend_bound() / 8);
 }
 
 // Facet groups of the trial alone: of the axis, and of what was left by the last step.
 void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& shape,
                                          const RigidPose& pose) const {
   const auto p = surface(pair).query(pose.to_body(shape.point(0.5)),
-                                     pair.contact_distance + 2 * shape.reach(), pair.hint);
+                                     pair.contact_distance + 2 * shape.slope_bound(), pair.hint);
   if (p) pair.hint = p->triangle;
-  if (p && p->distance - pair.contact_distance < 0.5 * shape.reach())
+  if (p && p->distance - pair.contact_distance < 0.5 * shape.slope_bound())
     surface(pair).facet_groups(polyline(shape, pose, pair.contact_distance),
                                kTogether * pair.contact_distance, pair.near.facet_groups);
   assign_past(pair);

@@ -17,7 +17,7 @@ constexpr double kCertain = 0.5;
 constexpr double kFirst = 2;
 
 // The end of the part is one of the material: it does not move with the gap.
-void keep_part(const ContactShare& part, std::vector<ContactInterval>& panels) {
+void clip(const ContactShare& part, std::vector<ContactInterval>& panels) {
   for (ContactInterval& s : panels) {
     if (s.from < part.from) s.from = part.from, s.from_moves = false;
     if (s.to > part.to) s.to = part.to, s.to_moves = false;
@@ -27,10 +27,10 @@ void keep_part(const ContactShare& part, std::vector<ContactInterval>& panels) {
 
 }  // namespace
 
-AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose) {
-  AxisPoints b = shape.bezier();
-  for (Vec3& p : b) p = pose.to_body(p);
-  return b;
+BezierAxis bezier_in(const RigidPose& pose, const AxisShape& shape) {
+  BezierAxis axis = shape.bezier();
+  for (Vec3& p : axis.b) p = pose.to_body(p);
+  return axis;
 }
 
 // The gap along the axis less the smoothing, as the search for intervals sees it, and how far the volume is.
@@ -52,10 +52,10 @@ class LineVolumeFinder::Gap {
   }
   // Less than half the bound of the slope: it may touch somewhere.
   bool may_touch() {
-    const double within = kFirst * shape_.reach();
+    const double within = kFirst * shape_.slope_bound();
     const auto p = query(0.5, within);
     middle_ = {p ? p->distance - pair_.contact_distance : within, p ? slope(0.5, *p) : 0};
-    return middle_->gap < 0.5 * shape_.reach();
+    return middle_->gap < 0.5 * shape_.slope_bound();
   }
   AxisGap operator()(double xi, double within) {
     if (xi == 0.5 && middle_) return *middle_;
@@ -77,14 +77,14 @@ class LineVolumeFinder::Gap {
 };
 
 bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
-  if (!(pair.clearance.left(axis_points(shape, pose)) > 0)) return false;
+  if (!(pair.clearance.left(bezier_in(pose, shape)) > 0)) return false;
   pair.found.clear();
   pair.near = {};
   return true;
 }
 
 double LineVolumeFinder::clearance_at_start(const LineVolumePair& pair) {
-  return pair.clearance.left(axis_points(pair.start.shape, pair.start.pose));
+  return pair.clearance.left(bezier_in(pair.start.pose, pair.start.shape));
 }
 
 void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisShape& shape,
@@ -94,7 +94,8 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
   double least = std::numeric_limits<double>::infinity(), worst = 0;
   for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.contact_distance);
   if (!(least > 0)) return;
-  double free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.contact_distance;
+  double free =
+      least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
   for (int i = 0; i < kPlaces && free < kCertain * least; ++i) {
     const Vec3 y = pose.to_body(shape.point(worst));
     const double within = pair.contact_distance + 2 * least;
@@ -102,9 +103,9 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
     const ClearancePoint more{worst, surface(pair).free_radius(y, p ? p->distance : within)};
     places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
     least = std::min(least, more.distance - pair.contact_distance);
-    free = least_distance(places, shape.reach(), shape.bend_bound(), worst) - pair.contact_distance;
+    free = least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
   }
-  pair.clearance.offer(axis_points(shape, pose), free);
+  pair.clearance.offer(bezier_in(pose, shape), free);
 }
 
 const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVolumePair& pair) const {
@@ -117,8 +118,8 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
   const AxisShape& start = pair.start.shape;
   std::vector<ClearancePoint> places;
   Gap gap(*this, pair, 0, start, pair.start.pose, places);
-  *pair.before = contact_intervals(std::ref(gap), {start.reach(), pair.contact_distance, start.bend_bound()},
-                                   pair.levels + kCloser);
+  *pair.before = contact_intervals(
+      std::ref(gap), {start.slope_bound(), pair.contact_distance, start.bend_bound()}, pair.levels + kCloser);
   return *pair.before;
 }
 
@@ -129,13 +130,14 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
   const std::vector<ContactInterval>& before = intervals_at_start(pair);
   std::vector<ContactInterval> intervals;
   if (near)
-    intervals = contact_intervals(std::ref(gap), {shape.reach(), pair.contact_distance, shape.bend_bound()},
-                                  pair.levels, middles(inactive_intervals(before)));
+    intervals =
+        contact_intervals(std::ref(gap), {shape.slope_bound(), pair.contact_distance, shape.bend_bound()},
+                          pair.levels, middles(inactive_intervals(before)));
   // Of one facet group alone it says nothing of the others.
   if (intervals.empty() && !pair.group(group)) update_clearance(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
       split_intervals(as_split_before(intervals, before, pair.found.filled), pair.levels);
-  if (!pair.part.all()) keep_part(pair.part, panels);
+  if (!pair.part.all()) clip(pair.part, panels);
   return panels;
 }
 
@@ -157,7 +159,7 @@ void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const Axis
   const bool near = by_gap() || pair.group(group) || gap.may_touch();
   for (const double xi : {0.0, 1.0}) {
     if (!near || !takes_part(pair, xi)) continue;
-    const auto p = gap.query(xi, 0.5 * shape.reach());
+    const auto p = gap.query(xi, 0.5 * shape.slope_bound());
     if (!p || !pair.in_contact(*p)) continue;
     f.quadrature.push_back({xi, 0.5 * pair.length, xi, 1, f.panels.size(), *p});
     f.panels.push_back({{0.5 * xi, 0.5 + 0.5 * xi}, group});

@@ -40,6 +40,19 @@ AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
   return c;
 }
 
+// Most pairs are far away.
+void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
+  near_.clear();
+  for (size_t i = 0; i < pairs_.size(); ++i) {
+    Pair& pair = pairs_[i];
+    const AxisShape shape(ends(trial, pair.element));
+    const RigidPose& pose = volumes_.trial_pose(pair.volume);
+    if (finder_.clear(pair, shape, pose)) continue;
+    near_.push_back({i, shape});
+    finder_.find(pair, shape, pose);
+  }
+}
+
 void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   volumes_.pose_trial(trial);
   find_near_pairs(trial);

@@ -56,7 +56,7 @@ void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
     before[mesh_.global[static_cast<size_t>(mesh_.elements[i].second)]] = static_cast<int>(i);
   }
   std::map<std::pair<int, int>, size_t> known;
-  pairs_.clear(), bounds_.clear(), near_.clear();
+  pairs_.clear(), near_.clear();
   accounts_.assign(accounts_.size(), {});
   for (const HistoryRecord& r : records) {
     const bool sums = r.kind == kSums;

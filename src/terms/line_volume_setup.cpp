@@ -74,9 +74,7 @@ void LineVolumeContact::enable_friction(bool on) {
 
 void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   volumes_.pose_start(committed);
-  start_x_.assign(committed.x.begin(), committed.x.end());
-  start_q_.assign(committed.q.begin(), committed.q.end());
-  bounds_.clear(), near_.clear();
+  near_.clear();
   std::vector<Pair> old;
   old.swap(pairs_);
   pairs_.reserve(old.size());
@@ -114,7 +112,8 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
       std::max((at.v1 - pose.velocity_at(at.x1)).norm(), (at.v2 - pose.velocity_at(at.x2)).norm());
   const double margin = std::max(2 * h * speed, 0.5 * pair.length);
   const double away = distance(volumes_.box(pair.volume), pose.to_body(shape.point(0.5)));
-  if (h > 0 && away > pair.contact_distance + margin + 0.5 * shape.reach() && !finder_.by_gap()) return false;
+  if (h > 0 && away > pair.contact_distance + margin + 0.5 * shape.slope_bound() && !finder_.by_gap())
+    return false;
   pair.part = volumes_.takes_part(e.line, pair.volume, arc_at(*mesh_.mesh, e, 0), arc_at(*mesh_.mesh, e, 1));
   if (pair.part.none()) return false;
   pair.levels = contact_levels(pair.length, pair.radius);
@@ -130,7 +129,6 @@ void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   pair.points = std::move(was.points);
   pair.springs = was.springs;
   pair.hint = was.hint, pair.ahead = was.ahead, pair.clearance = was.clearance;
-  pair.one_chord = was.one_chord, pair.one_reach = was.one_reach, pair.one = was.one;
 }
 
 // Whether several facet groups may be met in the step; gap springs see none, but where they begin.
@@ -139,7 +137,7 @@ void LineVolumeContact::start_facet_groups(Pair& pair, double motion) const {
   const RigidPose& pose = pair.start.pose;
   if (!finder_.by_gap()) {
     const bool touched = !pair.points.empty() && pair.points.back().group > 0;
-    pair.several = touched || !finder_.one_facet_group(pair, shape, pose, motion);
+    pair.several = touched || !finder_.one_facet_group(pair, motion);
     if (pair.several) pair.found = {};
     return;
   }

@@ -47,7 +47,7 @@ ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int group, doub
     take_slip(past, xi, s, rates);
     return s;
   }
-  const double within = 2 * shape.reach() + pair.length;
+  const double within = 2 * shape.slope_bound() + pair.length;
   const auto p = query(pair, group, xi, s.point, pair.contact_distance + within, true);
   s.gap = p ? p->distance - pair.radius : within + pair.smoothing();
   if (p && rates) rates->start_gap = p->normal.dot(slope);

@@ -83,9 +83,10 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
   for (const FacetGroup& w : facet_groups.of)
     for (const double xi : kPlaces) {
       if (!finder_.takes_part(pair, xi)) continue;
-      const auto p = volumes_.surface(pair.volume)
-                         .query_group(w, pair.start.pose.to_body(pair.start.shape.point(xi)),
-                                      pair.contact_distance + 0.5 * (pair.start.shape.reach() + speed(xi)));
+      const auto p =
+          volumes_.surface(pair.volume)
+              .query_group(w, pair.start.pose.to_body(pair.start.shape.point(xi)),
+                           pair.contact_distance + 0.5 * (pair.start.shape.slope_bound() + speed(xi)));
       if (p) predict_impacts(pair, committed, xi, *p, to);
     }
   return facet_groups.several();
@@ -102,7 +103,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   for (size_t i = 0; i < kPlaces.size(); ++i) {
     const double xi = kPlaces[i], speed = velocity_at_start(pair, xi).norm();
     // Look ahead as far as it gets in half a second.
-    const double far = 0.5 * (start.reach() + speed), within = pair.contact_distance + far;
+    const double far = 0.5 * (start.slope_bound() + speed), within = pair.contact_distance + far;
     const ContactSpring s = spring(pair, xi);
     const bool matters = may_limit_depth(pair.radius, clearance, speed, to) ||
                          may_impact(s.slowness, s.seen, speed, along(committed.a, local(pair), xi).norm());
@@ -119,8 +120,8 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   if (free.size() < kPlaces.size()) return;
   double worst = 0;
   pair.clearance.offer(
-      axis_points(start, pair.start.pose),
-      least_distance(free, start.reach(), start.bend_bound(), worst) - pair.contact_distance);
+      bezier_in(pair.start.pose, start),
+      least_distance(free, start.slope_bound(), start.bend_bound(), worst) - pair.contact_distance);
 }
 
 // The places that a contact no longer reaches, where it ended or grew shorter, and those that it newly does.

@@ -72,10 +72,10 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
 bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
   constexpr double kStiffer = 4;
   std::vector<double> wanted = volumes_.stiffnesses();
-  for (const PairBounds& g : pair_bounds()) {
-    double& there = wanted[static_cast<size_t>(g.volume)];
-    const double stiffer = kStiffer * volumes_.settings(g.volume).normal_stiffness;
-    if (there < stiffer && volumes_.automatic(g.volume) && is_drawn_in(trial, g)) there = stiffer;
+  for (const Pair& pair : pairs_) {
+    double& there = wanted[static_cast<size_t>(pair.volume)];
+    const double stiffer = kStiffer * volumes_.settings(pair.volume).normal_stiffness;
+    if (there < stiffer && volumes_.automatic(pair.volume) && is_drawn_in(trial, pair)) there = stiffer;
   }
   if (!volumes_.raise(wanted)) return false;
   renew_laws();

@@ -16,16 +16,16 @@ Vec3 SeabedTerm::tangent(const Point& p, const Kinematics& at) const {
   return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
 }
 
-bool SeabedTerm::locate(const Point& p, const Vec3& x, double reach, ContactTrial& trial) const {
+bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const {
   const double smoothing = p.law.normal.smoothing;
   trial.point = x;
   if (!surface_) {
     trial.gap = plane_.gap(x) - p.radius, trial.normal = plane_.normal;
     return trial.gap < smoothing;
   }
-  trial.gap = smoothing + reach;
-  if (p.clear - (1 + 1e-9) * (x - p.centre).norm() > reach) return false;
-  const double look = std::max(2 * reach, 0.5 * element_[static_cast<size_t>(p.node)]);
+  trial.gap = smoothing + beyond;
+  if (p.clear - (1 + 1e-9) * (x - p.centre).norm() > beyond) return false;
+  const double look = std::max(2 * beyond, 0.5 * element_[static_cast<size_t>(p.node)]);
   const auto s = surface_->query(x, contact_distance(p) + look, p.hint);
   p.centre = x;
   if (!s) {
@@ -37,7 +37,7 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double reach, ContactTria
   p.hint = s->triangle;
   p.clear = s->distance - contact_distance(p);
   // Not what was asked before but where it is decides.
-  trial.gap = std::min(s->distance - p.radius, smoothing + reach);
+  trial.gap = std::min(s->distance - p.radius, smoothing + beyond);
   trial.normal = s->normal, trial.curvature = s->curvature;
   return p.clear < 0;
 }
@@ -50,7 +50,7 @@ double SeabedTerm::gap(const Vec3& x, double most) const {
 
 // Only what the soil held at the start of the step is pulled, and nothing in statics, which has no way back.
 // A little further, so that round-off does not keep what is let go.
-double SeabedTerm::reach(const Point& p, double step) const {
+double SeabedTerm::suction_range(const Point& p, double step) const {
   if (!(step > 0) || !suction_ || !p.history.held) return 0;
   return std::max(0.0, 1.01 * p.suction.length - p.history.deepest - p.law.normal.smoothing);
 }
@@ -62,7 +62,7 @@ Pull SeabedTerm::pull(const Point& p, const ContactTrial& trial, double step) co
 
 PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives,
                                  ContactTrial& t) const {
-  if (!locate(p, of_nodes(p, at.x), reach(p, at.step), t)) return {};
+  if (!locate(p, of_nodes(p, at.x), suction_range(p, at.step), t)) return {};
   if (at.step > 0) t.velocity = of_nodes(p, at.v);
   if (friction_on_) return volume_contact(p.law, p.start, t, derivatives);
   return volume_contact({p.law.normal, FrictionLaw{}}, p.start, t, derivatives);
@@ -126,7 +126,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       const Mat3 K = k * (Mat3::Identity() - normal * normal.transpose());
       add(p, k * strayed(p, x), tangent ? &K : nullptr, nullptr, assembler);
     }
-    const bool touches = locate(p, x, reach(p, trial.step), at);
+    const bool touches = locate(p, x, suction_range(p, trial.step), at);
     const Pull pulled = pull(p, at, trial.step);
     if (!touches && pulled.force == 0) continue;
     if (trial.step > 0) at.velocity = of_nodes(p, trial.v);

@@ -22,9 +22,9 @@ SeabedTerm::Lying SeabedTerm::lying(MPI_Comm comm, const Kinematics& at) const {
       all.x[static_cast<size_t>(3 * mesh_.global[static_cast<size_t>(i)] + c)] =
           at.x[static_cast<size_t>(i)][c];
   for (const Point& p : points_)
-    if (p.second < 0) all.reach[number(p)] = contact_distance(p);
+    if (p.second < 0) all.contact_distance[number(p)] = contact_distance(p);
   MPI_Allreduce(MPI_IN_PLACE, all.x.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
-  MPI_Allreduce(MPI_IN_PLACE, all.reach.data(), static_cast<int>(n), MPI_DOUBLE, MPI_MAX, comm);
+  MPI_Allreduce(MPI_IN_PLACE, all.contact_distance.data(), static_cast<int>(n), MPI_DOUBLE, MPI_MAX, comm);
   return all;
 }
 
@@ -37,7 +37,7 @@ void SeabedTerm::lay_at_start(MPI_Comm comm, const Kinematics& start, const std:
     const LineSpan& line = mesh.lines[l];
     bool lies = true;
     for (int i = line.first_node; lies && i < line.first_node + line.nodes; ++i) {
-      const double most = near[l] + std::max(0.0, all.reach[static_cast<size_t>(i)]);
+      const double most = near[l] + std::max(0.0, all.contact_distance[static_cast<size_t>(i)]);
       lies = gap(all.place(i), most) < most;
     }
     laid_at_start_[l] = lies;
@@ -84,7 +84,7 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
   const Mesh& mesh = *mesh_.mesh;
   const Lying all = lying(comm, at);
   const auto rests = [&](int node) {
-    const double most = all.reach[static_cast<size_t>(node)];
+    const double most = all.contact_distance[static_cast<size_t>(node)];
     return most >= 0 && gap(all.place(node), most) < most;
   };
   const auto lies = [&](int node) { return buried_[static_cast<size_t>(node)] || rests(node); };
@@ -99,7 +99,7 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
     const LineSpan& line = mesh.lines[l];
     int resting = 0, off = 0;
     for (int i = line.first_node; i < line.first_node + line.nodes; ++i)
-      (rests(i) ? resting : off) += all.reach[static_cast<size_t>(i)] >= 0;
+      (rests(i) ? resting : off) += all.contact_distance[static_cast<size_t>(i)] >= 0;
     if (resting > 0 && off == 0) {
       unsaid.push_back(static_cast<int>(l));
       continue;
@@ -107,7 +107,7 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
     for (const bool from_a : {true, false}) {
       const int first = from_a ? line.first_node : line.first_node + line.nodes - 1, way = from_a ? 1 : -1;
       if (!std::binary_search(held.begin(), held.end(), first)) continue;
-      const double near = 2 * std::abs(all.reach[static_cast<size_t>(first + way)]);
+      const double near = 2 * std::abs(all.contact_distance[static_cast<size_t>(first + way)]);
       if (gap(all.place(first), near) > near) continue;
       double sum = 0;
       int node = first;

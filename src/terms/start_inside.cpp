@@ -53,11 +53,11 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
           ends.length = rest->length;
         }
       const AxisShape shape(ends);
-      if (distance(box, pose.to_body(shape.point(0.5))) > 0.5 * shape.reach() + radius[i]) continue;
+      if (distance(box, pose.to_body(shape.point(0.5))) > 0.5 * shape.slope_bound() + radius[i]) continue;
       const auto point = [&](double xi) { return pose.to_body(shape.point(xi)); };
       // Twice as close as contact looks: what goes through a thin plate is short.
       const auto intervals =
-          contact_intervals(axis_distance(surface, pose, shape), {shape.reach(), 0, shape.bend_bound()},
+          contact_intervals(axis_distance(surface, pose, shape), {shape.slope_bound(), 0, shape.bend_bound()},
                             contact_levels(ends.length, radius[i]) + 1);
       const auto rise = [&](double xi) {
         const auto p = surface.query(point(xi), radius[i]);

@@ -26,7 +26,7 @@ TEST(AxisClearance, BoundsHold) {
     const BezierAxis a = random_axis(random, 0.5);
     const auto halves = a.halves();
     for (double z = 0; z <= 1; z += 0.05) {
-      EXPECT_LE(a.slope(z).norm(), a.reach() * (1 + 1e-12));
+      EXPECT_LE(a.slope(z).norm(), a.slope_bound() * (1 + 1e-12));
       EXPECT_TRUE(a.box().grown(1e-12).contains(a.point(z)));
       const Vec3 u = a.b[3] - a.b[0];
       const double t = std::clamp(u.dot(a.point(z) - a.b[0]) / u.squaredNorm(), 0.0, 1.0);

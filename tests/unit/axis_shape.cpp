@@ -81,7 +81,7 @@ TEST(AxisShape, ReachBoundsTheSlope) {
     AxisEnds e = random_ends(seed);
     e.beam = seed % 3;
     const AxisShape shape(e);
-    for (int i = 0; i <= 40; ++i) EXPECT_LE(shape.slope(i / 40.0).norm(), shape.reach() * (1 + 1e-12));
+    for (int i = 0; i <= 40; ++i) EXPECT_LE(shape.slope(i / 40.0).norm(), shape.slope_bound() * (1 + 1e-12));
   }
 }
 

@@ -23,7 +23,7 @@ DistanceField field_of(const Surface& surface, int* asked = nullptr) {
   };
 }
 
-AxisPoints straight(const Vec3& a, const Vec3& b) { return BezierAxis::straight(a, b).b; }
+BezierAxis straight(const Vec3& a, const Vec3& b) { return BezierAxis::straight(a, b); }
 
 TEST(AxisSweep, FindsWhatSamplingFinds) {
   BoxShape plate, block;
@@ -39,14 +39,14 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
   int through = 0, clear = 0;
   for (int i = 0; i < 1500; ++i) {
     const Surface& body = *bodies[i % 3];
-    AxisPoints from = straight(Vec3(0, 0, 1.2) + vec(), Vec3(0, 0, 1.2) + vec()), to = from;
+    BezierAxis from = straight(Vec3(0, 0, 1.2) + vec(), Vec3(0, 0, 1.2) + vec()), to = from;
     const Vec3 way = 2.5 * vec();
-    for (size_t k = 0; k < 4; ++k) from[k] += 0.2 * vec(), to[k] += way + 0.3 * vec();
+    for (size_t k = 0; k < 4; ++k) from.b[k] += 0.2 * vec(), to.b[k] += way + 0.3 * vec();
     // For certain by a margin either way: pieces of a radius are looked at as wholes.
     bool must = false, may = false;
     for (int s = 0; s <= 120; ++s) {
       const double xi = s / 120.0;
-      const Vec3 y0 = BezierAxis{from}.point(xi), y1 = BezierAxis{to}.point(xi);
+      const Vec3 y0 = from.point(xi), y1 = to.point(xi);
       const auto d0 = body.query(y0, 1e9), d1 = body.query(y1, 1e9);
       for (int t = 1; t < 120; ++t) {
         const double d = body.query(y0 + t / 120.0 * (y1 - y0), 1e9)->distance;
@@ -70,7 +70,7 @@ TEST(AxisSweep, MissesNothingThatIsSmall) {
   bar.size = Vec3(0.02, 3, 0.01);
   const auto surface = make_surface(bar);
   for (double x = -0.4; x < 20; x += 0.37) {
-    const AxisPoints from = straight(Vec3(-20 + x, 0, 3), Vec3(x, 0.2, 4)),
+    const BezierAxis from = straight(Vec3(-20 + x, 0, 3), Vec3(x, 0.2, 4)),
                      to = straight(Vec3(-20 + x, 0, -5), Vec3(x, 0, -2));
     EXPECT_EQ(goes_through(field_of(*surface), from, to, kRadius), x > 0) << x;
   }

@@ -69,7 +69,7 @@ std::vector<std::size_t> region(const TriangleMesh& m, std::size_t size, Chance&
 TriangleMesh mended(TriangleMesh m, DuplicateResult* result = nullptr) {
   const DuplicateResult r = drop_duplicates(m);
   if (result) *result = r;
-  if (!orient(m).done) repair(m);
+  if (!inspect(m).valid()) repair(m);
   return m;
 }
 

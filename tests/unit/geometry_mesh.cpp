@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
 #include "support/shapes.hpp"
 
@@ -132,32 +133,25 @@ TEST(GeometryMesh, OrientationRepair) {
         ++turned;
       }
     EXPECT_FALSE(inspect(m).valid());
-    const OrientationResult o = orient(m);
-    EXPECT_TRUE(o.done) << o.sentence;
-    EXPECT_EQ(o.turned, turned);
+    EXPECT_EQ(repair(m).turned, turned);
     EXPECT_TRUE(inspect(m).valid());
     EXPECT_EQ(m.triangles, good.triangles);
-    EXPECT_EQ(orient(m).turned, 0);
+    EXPECT_EQ(repair(m).turned, 0);
   }
   // Inside out, cavity and all.
   TriangleMesh m = hollow_cube_mesh();
   for (auto& t : m.triangles) std::swap(t[1], t[2]);
-  EXPECT_EQ(orient(m).components_turned, 2);
+  EXPECT_EQ(repair(m).turned, static_cast<int>(m.triangles.size()));
   EXPECT_TRUE(inspect(m).valid());
   // A body in the cavity of a body: depth 2 is outward again.
   m = hollow_cube_mesh();
   append(m, box_mesh(Vec3::Constant(1.4), Vec3::Constant(1.6)), true);
   EXPECT_FALSE(inspect(m).valid());
-  EXPECT_EQ(orient(m).turned, 12);
+  EXPECT_EQ(repair(m).turned, 12);
   EXPECT_TRUE(inspect(m).valid());
 }
 
-TEST(GeometryMesh, OrientationLeavesAloneWhatItCannotMend) {
-  TriangleMesh open = box_mesh(Vec3::Zero(), Vec3::Ones());
-  open.triangles.pop_back();
-  const auto before = open.triangles;
-  EXPECT_FALSE(orient(open).done);
-  EXPECT_EQ(open.triangles, before);
+TEST(GeometryMesh, OneSidedSurfacesAreLeftAsFound) {
   // The real projective plane on six vertices: closed, manifold, one-sided.
   TriangleMesh rp2;
   for (int i = 0; i < 6; ++i) rp2.vertices.push_back(Vec3(std::cos(i), std::sin(2 * i), i));
@@ -165,9 +159,11 @@ TEST(GeometryMesh, OrientationLeavesAloneWhatItCannotMend) {
                    {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
   EXPECT_EQ(topology(rp2).open_edges, 0);
   EXPECT_EQ(topology(rp2).non_manifold_edges, 0);
-  const OrientationResult o = orient(rp2);
-  EXPECT_FALSE(o.done);
-  EXPECT_NE(o.sentence.find("one side"), std::string::npos);
+  const auto before = rp2.triangles;
+  const RepairResult r = repair(rp2);
+  EXPECT_EQ(r.one_sided, 1);
+  EXPECT_EQ(rp2.triangles, before);
+  EXPECT_NE(r.sentence.find("one-sided"), std::string::npos);
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ struct Rig {
   std::array<std::vector<LinePairHistory>, 6> history;
 
   Rig(const Situation& s, bool beam_a, bool beam_b, double friction) {
-    settings.law.reach = 2 * kRadius;
+    settings.law.radii = 2 * kRadius;
     settings.law.normal = {kStiffness, 1e-3, 50};
     settings.law.friction.axial = settings.law.friction.lateral = friction;
     settings.law.friction.axial_length = settings.law.friction.lateral_length = 5e-3;
@@ -404,7 +404,7 @@ TEST(LinePair, JointsDoNotShow) {
             b.x1 = Vec3(-2 + i * b.length, 0, 0), b.x2 = Vec3(-2 + (i + 1) * b.length, 0, 0);
             const PairAxis A(a, a), B(b, b);
             LinePairPass::Settings set;
-            set.law.reach = 2 * kRadius, set.law.normal = {kStiffness, 1e-5, 0};
+            set.law.radii = 2 * kRadius, set.law.normal = {kStiffness, 1e-5, 0};
             set.slave_radius = kRadius, set.moves = false;
             const std::vector<LinePairHistory> none;
             for (int k = 0; k < 6; ++k) {
@@ -446,7 +446,7 @@ TEST(LinePair, ContactAtAJointIsNotMissed) {
     const AxisEnds a = element(true, at - over * along, at + (0.1 - over) * along, seed + 4000, 0.02);
     const PairAxis A(a, a), B(b, b);
     LinePairPass::Settings set;
-    set.law.reach = 2 * kRadius, set.law.normal = {kStiffness, 1e-6, 0};
+    set.law.radii = 2 * kRadius, set.law.normal = {kStiffness, 1e-6, 0};
     set.slave_radius = kRadius, set.moves = false;
     const std::vector<LinePairHistory> none;
     const auto panels = LinePairPass(A, B, ProjectOn::element, set, none).panels();

@@ -1,4 +1,5 @@
-// Repair of meshes as they come: open, joined along edges of more than two triangles, turned inconsistently.
+// Repair of meshes as they come: inside out, turned inconsistently, open, joined along edges of more than two
+// triangles.
 //
 // Nothing is moved and no hole is filled. What is listed more than once must have been dropped
 // (mesh_duplicates.hpp). The patches of triangles joined two by two are turned: each patch alike (by its

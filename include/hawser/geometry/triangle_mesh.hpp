@@ -1,4 +1,4 @@
-// Triangle meshes: welding, topology, what is wrong with one, and repair of its orientation.
+// Triangle meshes: welding, topology, and what is wrong with one.
 //
 // Corners are listed anticlockwise seen from outside, so that face normals point out. Lengths in m.
 #pragma once
@@ -79,7 +79,7 @@ struct MeshReport {
   int triangles = 0, vertices = 0;
   int welded = 0;      // vertices merged by weld(), if it was told
   int removed = 0;     // triangles removed by weld() as two of their corners were one vertex
-  int degenerate = 0;  // triangles of no area (height below 1e-12 of the longest edge)
+  int degenerate = 0;  // triangles of no area: triangle_normal() is zero
   int open_edges = 0, non_manifold_edges = 0, flipped_edges = 0;
   int components = 0;
   bool closed = false;                 // every edge belongs to an even number of triangles
@@ -103,15 +103,5 @@ struct WeldResult {
 // Merge vertices closer than `tolerance` [m] (0: equal coordinates only); drop unused vertices and
 // triangles with two corners merged. The lowest vertex keeps its place; order stays.
 WeldResult weld(TriangleMesh& mesh, double tolerance = 0);
-
-struct OrientationResult {
-  int turned = 0;             // triangles turned over
-  int components_turned = 0;  // components turned over whole, as they were inside out
-  bool done = false;          // the mesh is now consistent and outward
-  std::string sentence;       // what was done, or why it could not be
-};
-// Turn triangles of a closed manifold mesh so that neighbours agree and normals point out of the solid
-// (into a cavity's void). Meshes with open or non-manifold edges, or one-sided, are left alone.
-OrientationResult orient(TriangleMesh& mesh);
 
 }  // namespace hawser

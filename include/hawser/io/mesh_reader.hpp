@@ -20,9 +20,9 @@ struct LoadedMesh {
 };
 
 // Read `path` (by its extension .stl, .obj, .ply), multiply coordinates by `scale`, weld equal vertices
-// (STL lists every corner anew, in single precision), turn triangles outward.
-// An open mesh, or one that cannot be turned outward, goes through repair(); notes say what is wrong and what
-// is assumed. With `closed` it is refused. Parts are the groups or objects of an OBJ, the solids of an STL.
+// (STL lists every corner anew, in single precision), turn triangles outward by repair(). Notes say what is
+// wrong with a mesh and what is assumed. With `closed` one that is open, or cannot be turned outward, is
+// refused. Parts are the groups or objects of an OBJ, the solids of an STL.
 // Throws InputError "path: ..." for a file that is absent, empty or no mesh, and for a mesh
 // that encloses nothing.
 LoadedMesh read_mesh(const std::string& path, double scale = 1, bool closed = false);

@@ -9,7 +9,7 @@
 #include <array>
 
 #include "hawser/kernels/attached.hpp"
-#include "hawser/math/types.hpp"
+#include "hawser/kernels/bezier_axis.hpp"
 
 namespace hawser {
 
@@ -21,8 +21,6 @@ struct AxisEnds {
   Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s
   Quat q1 = Quat::Identity(), q2 = Quat::Identity();
   Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();  // rad/s, material
-
-  double sagitta() const;  // a bound of how far the axis is from its chord, m
 };
 
 class AxisShape {
@@ -49,12 +47,11 @@ class AxisShape {
            q_[1].coeffs() == o.q_[1].coeffs();
   }
   // A bound of |dx/dxi| over the element, m.
-  double reach() const { return reach_; }
+  double slope_bound() const { return slope_bound_; }
   // The largest |d²x/dxi²|, m: it is linear in xi.
   double bend_bound() const { return count_ == 2 ? 0 : std::max(bend(0).norm(), bend(1).norm()); }
 
-  // The Bézier points of the axis, m.
-  std::array<Vec3, 4> bezier() const;
+  BezierAxis bezier() const;
 
   // Adds the X_j to a stencil, attached to the nodes: to its next blocks (x1, theta1, x2, theta2) of a beam,
   // (x1, x2) of a cable. first_turn: number there of the rotation of a beam's first node, of two.
@@ -67,7 +64,7 @@ class AxisShape {
   Vec3 combine(const Weights& w, const std::array<Vec3, kMost>& v) const;
 
   int count_;
-  double length_, reach_;
+  double length_, slope_bound_;
   Vec3 c_;
   std::array<Vec3, kMost> X_, V_;
   std::array<Quat, 2> q_;

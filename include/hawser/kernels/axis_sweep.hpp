@@ -2,23 +2,18 @@
 #pragma once
 
 #include "hawser/kernels/axis_clearance.hpp"
-#include "hawser/kernels/clearance_tube.hpp"
 
 namespace hawser {
 
-// m, the farthest that a point of the axis gets, each straight from its place on the one to that on the
-// other.
-double way_of(const AxisPoints& from, const AxisPoints& to);
-
 // Whether a point of the axis that was outside gets nearer to the surface than a quarter of the line's radius
 // on its way, and is clear of it again at the end, or on another side: where the surface's normal points
-// back. Bézier points in the body's frame. A way of no more than the radius goes through nothing: asked about
+// back. Axes in the body's frame. A way of no more than the radius goes through nothing: asked about
 // longer ones only, steps are never cut below that, however soft a contact is. Pieces of the axis and of its
 // way that are farther away than they are large are left out, so that thin bodies are not missed; what is
 // deep is looked at in pieces of a radius.
 // `pressed`: what starts nearer than that, or inside, is asked about too: whether it comes to another side. A
 // corner or an edge touches with its very place.
-bool goes_through(const DistanceField& field, const AxisPoints& from, const AxisPoints& to, double radius,
+bool goes_through(const DistanceField& field, const BezierAxis& from, const BezierAxis& to, double radius,
                   bool pressed = false);
 
 }  // namespace hawser

@@ -94,7 +94,7 @@ class LinePairPass {
   Start start(const Point& p, bool derivatives) const;
   void close(const Point& p, bool derivatives, Start& s) const;
   double contact_distance() const {
-    return set_.law.reach + set_.law.normal.smoothing;
+    return set_.law.radii + set_.law.normal.smoothing;
   }  // m, between the axes
   std::optional<double> crossing_of(double eta, double lo, double hi) const;
   std::vector<double> kinks(int levels) const;

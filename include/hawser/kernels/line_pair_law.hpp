@@ -9,7 +9,7 @@
 namespace hawser {
 
 struct LinePairLaw {
-  double reach = 0;      // m, sum of the radii
+  double radii = 0;      // m, sum of the two
   NormalLaw normal;      // per length
   FrictionLaw friction;  // isotropic
 };

@@ -48,8 +48,8 @@ std::string volume_in_the_way(const std::string& place, const model::Volume& v, 
 double crossing_force(double EA, double weight_of_line);
 
 // N/m², that lets a force press two lines that cross at right angles into each other by a twentieth of the
-// sum of their radii `reach` [m]. Crossing lines push with 4/3 k p sqrt(2 reach p) at the depth p.
-double crossing_stiffness(double force, double reach);
+// sum of their radii `radii` [m]. Crossing lines push with 4/3 k p sqrt(2 radii p) at the depth p.
+double crossing_stiffness(double force, double radii);
 
 // m, radius to which a shape bends the axis of a line of this radius that lies on it, at most 10 m (no line
 // is free of bends, on a plane neither); 0 for a mesh or a box: not known.

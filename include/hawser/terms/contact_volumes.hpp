@@ -73,9 +73,6 @@ class ContactVolumes {
   const RigidPose& start_pose(int volume) const { return start_poses_[body(volume)]; }
   const RigidPose& trial_pose(int volume) const { return poses_[body(volume)]; }
   RigidPose pose_of(int volume, const Kinematics& at) const;
-  // Whether a volume has not moved since the start of the step: in the trial evaluated last, or to a pose.
-  bool still(int volume) const { return still(volume, trial_pose(volume)); }
-  bool still(int volume, const RigidPose& now) const;
   // Whether it rides on a body that floats, so that what acts on the line acts on the body as well.
   bool floats(int volume) const { return bodies_->floats(at(volume).body); }
   FloatingFrame floating_frame(int volume, const Kinematics& at) const;
@@ -104,7 +101,7 @@ class ContactVolumes {
   bool raise(std::vector<double>& wanted);
   // Trial stiffness is that of the last accepted state, or becomes it; whether that changed anything.
   bool forget_raise();
-  void keep_raise() { committed_ = stiffnesses(); }
+  void commit_raise() { committed_ = stiffnesses(); }
   bool raised(int volume) const { return settings(volume).normal_stiffness != stiffness(volume); }
   // Whether the volume has a far side on which a line could come out; a plane has none.
   bool has_back(int volume) const;

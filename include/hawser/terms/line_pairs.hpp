@@ -35,10 +35,10 @@ struct LinePairOptions {
   CandidateSettings candidates;
 };
 
-// N/m²: the larger of the two's own, or what the weaker one needs where they cross. reach: m, sum of the
+// N/m²: the larger of the two's own, or what the weaker one needs where they cross. radii: m, sum of the
 // radii.
 double automatic_stiffness(const LinePairOptions::Automatic& a, const LinePairOptions::Automatic& b,
-                           double reach);
+                           double radii);
 
 // Largest penetration, m: of the parabola through the deepest Gauss point and two beside it; 0 without
 // points.

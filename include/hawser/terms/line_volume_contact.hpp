@@ -80,16 +80,6 @@ class LineVolumeContact final : public ForceTerm,
 
  private:
   using Pair = LineVolumePair;
-  // Of a pair, few bytes of what is asked of each in every trial: whether it is clear for certain by how
-  // little its nodes have moved.
-  struct PairBounds {
-    size_t pair = 0;
-    int volume = 0;
-    int nodes[2] = {};
-    double turn = 0;        // m: how far a point of the axis gets where |q - q0| = 1
-    bool grows = false;     // a beam at a feeder's mouth: its tangents have its length
-    double clearance = -1;  // m, of the tube about the axis at the start of the step
-  };
   // A pair that is not clear for certain in the trial.
   struct Near {
     size_t pair = 0;
@@ -118,9 +108,7 @@ class LineVolumeContact final : public ForceTerm,
   bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
   void carry_over(Pair& was, Pair& pair) const;
   void start_facet_groups(Pair& pair, double motion) const;
-  std::vector<PairBounds> pair_bounds() const;
   bool idle(const Kinematics& at, int element) const;
-  double way(const Kinematics& trial, const PairBounds& g) const;
   void find_near_pairs(const Kinematics& trial);
 
   std::optional<AxisContact::Rolls> rolls(const Pair& pair, const AxisShape& shape) const;
@@ -136,10 +124,9 @@ class LineVolumeContact final : public ForceTerm,
   bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
-  bool tunnels(const Kinematics& trial, const PairBounds& g) const;
-  bool is_drawn_in(const Kinematics& trial, const PairBounds& g) const;
+  bool tunnels(const Kinematics& trial, const Pair& pair) const;
+  bool is_drawn_in(const Kinematics& trial, const Pair& pair) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  bool near_start(const Kinematics& trial, const PairBounds& g, double clearance) const;
   // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
   double still_part(const Pair& pair, const Kinematics& at, double force, double depth,
@@ -153,10 +140,7 @@ class LineVolumeContact final : public ForceTerm,
   std::vector<Pair> pairs_;            // sorted by element and volume
   std::vector<ContactWork> accounts_;  // of the elements
   bool friction_on_ = true;
-  std::vector<Vec3> start_x_;  // m, of the nodes at the start of the step
-  std::vector<Quat> start_q_;
-  std::vector<PairBounds> bounds_;  // of pairs_; none: to be made anew
-  std::vector<Near> near_;          // in the trial that was looked at last
+  std::vector<Near> near_;  // in the trial that was looked at last
 };
 
 }  // namespace hawser

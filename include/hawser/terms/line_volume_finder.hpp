@@ -12,7 +12,8 @@
 
 namespace hawser {
 
-AxisPoints axis_points(const AxisShape& shape, const RigidPose& pose);
+// The axis in the frame of a body.
+BezierAxis bezier_in(const RigidPose& pose, const AxisShape& shape);
 
 class LineVolumeFinder {
  public:
@@ -41,9 +42,9 @@ class LineVolumeFinder {
   // where it came from. rates: of that along the axis, on request.
   ContactStart start(const LineVolumePair& pair, int group, double xi, ContactRates* rates = nullptr) const;
 
-  // What may be met of a volume while the element moves by `motion` [m]: whether it is one facet group.
-  bool one_facet_group(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
-                       double motion) const;
+  // What may be met of a volume while the element moves by `motion` [m] from the start of the step: whether
+  // it is one facet group.
+  bool one_facet_group(const LineVolumePair& pair, double motion) const;
   // The facet groups within `ahead` [m] of the distance of contact at the start of the step.
   void facet_groups_ahead(const LineVolumePair& pair, double ahead, FacetGroups& out) const;
 

@@ -49,14 +49,10 @@ struct LineVolumePair {
   // Where the axis touched at the start of the step, looked for closely; none: not looked for yet.
   std::optional<std::vector<ContactInterval>> before;
   // Kept from step to step, changes the time and never the answer: where nothing of the volume is within
-  // `contact_distance`; nearest triangles of the last query and of those that look ahead; whether there is
-  // one facet group only about a chord, where that was asked.
+  // `contact_distance`; nearest triangles of the last query and of those that look ahead.
   mutable ClearanceTube clearance;
   int hint = -1;
   mutable std::array<int, 3> ahead{-1, -1, -1};
-  std::array<Vec3, 2> one_chord{Vec3::Zero(), Vec3::Zero()};
-  double one_reach = -1;  // m
-  bool one = false;
   // Of the trial.
   ContactQuadrature found;
   NearGroups near;  // of the axis of `found`

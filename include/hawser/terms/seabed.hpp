@@ -125,7 +125,7 @@ class SeabedTerm final : public ForceTerm {
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
   // Of all nodes of the mesh, on every rank.
   struct Lying {
-    std::vector<double> x, reach;  // m; < 0 of what the bed leaves alone
+    std::vector<double> x, contact_distance;  // m; < 0 of what the bed leaves alone
     Vec3 place(int node) const { return Eigen::Map<const Vec3>(x.data() + 3 * node); }
   };
   Lying lying(MPI_Comm comm, const Kinematics& at) const;
@@ -142,13 +142,13 @@ class SeabedTerm final : public ForceTerm {
   static Vec3 strayed(const Point& p, const Vec3& x);
   double contact_distance(const Point& p) const { return p.radius + p.law.normal.smoothing; }
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
-  // is then cut to `reach` [m] more than where it touches.
-  bool locate(const Point& p, const Vec3& x, double reach, ContactTrial& trial) const;
+  // is then cut to `beyond` [m] more than where it touches.
+  bool locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const;
   // Signed distance of x when less than `most` [m], infinite else.
   double gap(const Vec3& x, double most) const;
   PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial) const;
   // How far above where springs touch suction goes [m].
-  double reach(const Point& p, double step) const;
+  double suction_range(const Point& p, double step) const;
   Pull pull(const Point& p, const ContactTrial& trial, double step) const;
   void hold(const Point& p, double gap, bool moves, History& next) const;
   double friction_potential(const Point& p, const Vec3& x, const Vec3& normal) const;
