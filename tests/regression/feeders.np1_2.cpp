@@ -267,7 +267,7 @@ TEST(Feeders, RestWithinTheirBand) {
   for (size_t i = 1; i < T.size(); ++i) {
     if (v[i] != 0 && v[i - 1] == 0) {
       ++starts;
-      EXPECT_TRUE(T[i - 1] > 12e3 || T[i - 1] < 8e3) << r.step_times[i] << ' ' << T[i - 1];
+      EXPECT_TRUE(T[i] > 12e3 - 1 || T[i] < 8e3 + 1) << r.step_times[i] << ' ' << T[i];
     }
     if (v[i] != 0) off = std::max(off, std::abs(v[i] - 2e-4 * (T[i] - 1e4)));
   }
