@@ -84,14 +84,17 @@ TEST(Feed, LeavesItsBandWithoutAJump) {
           EXPECT_GE(sign * (now - last), -1e-9);
           EXPECT_LT(sign * (now - last), 2.1 * 300 * 1e-4 * (1 + damping / h)) << chord;
           const double edge = sign > 0 ? 75 : 50;
-          if (v == 0)
+          if (v == 0) {
             ++rested;
-          else if (most_speed > 0 && std::abs(v) > most_speed * (1 - 1e-9))
+          } else if (most_speed > 0 && std::abs(v) > most_speed * (1 - 1e-9)) {
             ++limited;
-          else if (std::abs(now - edge) < 1e-9)
-            ++at_edge, EXPECT_LE(std::abs(v), 0.5 * std::abs(edge - 60) * (1 + 1e-9));
-          else
-            ++by_law, EXPECT_NEAR(v, 0.5 * (now - 60), 1e-9);
+          } else if (std::abs(now - edge) < 1e-9) {
+            ++at_edge;
+            EXPECT_LE(std::abs(v), 0.5 * std::abs(edge - 60) * (1 + 1e-9));
+          } else {
+            ++by_law;
+            EXPECT_NEAR(v, 0.5 * (now - 60), 1e-9);
+          }
           last = now;
           if (i % 100 != 50) continue;
           constexpr double d = 1e-7;
