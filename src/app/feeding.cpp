@@ -38,6 +38,7 @@ void Feeding::agree() {
     const bool known = sim_.feeders()->at_mouth(f) != nullptr;
     f.length = of_all(comm, known, f.length);
     f.speed = of_all(comm, known, f.speed);
+    f.grows = of_all(comm, known, f.grows);
     f.resting = of_all(comm, known, f.resting) > 0.5;
   }
 }
@@ -235,6 +236,7 @@ void Feeding::save(io::Checkpoint& to) const {
     to.scalars[key(f, "mouth")] = f.mouth;
     to.scalars[key(f, "length")] = f.length;
     to.scalars[key(f, "speed")] = f.speed;
+    to.scalars[key(f, "grows")] = f.grows;
     to.scalars[key(f, "resting")] = f.resting;
     to.scalars[key(f, "outside at the start")] = f.outside_at_start;
     // Exactly where it was: a table of another run may pay out otherwise from here on, but not before.
@@ -262,7 +264,8 @@ void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
     const double mouth = take("mouth");
     if (!(mouth >= 0 && mouth < sim_.feeders()->elements(f)) || !(take("length") > 0))
       throw refuse(fmt::format("its checkpoint is damaged: the mouth at {} is {:g}", f.name, mouth));
-    f.mouth = static_cast<int>(mouth), f.length = take("length"), f.speed = take("speed");
+    f.mouth = static_cast<int>(mouth), f.length = take("length"), f.speed = take("speed"),
+    f.grows = take("grows");
     f.resting = take("resting") > 0, f.time = from.time;
     f.outside_at_start = take("outside at the start");
     // A table that was changed goes on from the length there is.

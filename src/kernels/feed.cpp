@@ -12,7 +12,15 @@ namespace hawser {
 FedElement feed_step(const std::function<FedPull(double)>& pull, const FeedLaw& law, double from, double h) {
   constexpr int kMost = 200;          // iterations
   constexpr double kShortest = 1e-6;  // of the length at the start
-  if (law.resting || !(h > 0)) return {from, 0};
+  if (!(h > 0)) return {from, 0};
+  if (law.resting) {
+    const double T = pull(from).force;
+    if (T >= law.least && T <= law.most) return {from, 0};
+    const FeedLaw at_edge{T > law.most ? law.most : law.least, 0, law.max_speed, false};
+    const FedElement fed = feed_step(pull, at_edge, from, h);
+    if (std::abs(fed.length - from) <= h * law.per_tension * std::abs(at_edge.tension - law.tension))
+      return fed;
+  }
   const double resists = law.per_tension > 0 ? 1 / (h * law.per_tension) : 0;  // N/m
   struct At {
     double g, slope;
@@ -38,16 +46,19 @@ FedElement feed_step(const std::function<FedPull(double)>& pull, const FeedLaw& 
   return {L, 1 / here.slope};
 }
 
-FedPull cable_feed(const CableSection& s, double chord, double length) {
+CableFeed cable_feed(const CableSection& s, double chord, double length, double from, double h) {
   const double strain = chord / length - 1 - s.free_strain;
   if (!(strain > 0)) return {};
   const ResponseCurve::Value axial = s.axial(strain);
-  return {axial.force, -axial.slope * chord / (length * length)};
-}
-
-double cable_feed_by_chord(const CableSection& s, double chord, double length) {
-  const double strain = chord / length - 1 - s.free_strain;
-  return strain > 0 ? s.axial(strain).slope / length : 0;
+  const double viscous = h > 0 ? s.EA * s.beta / h : 0, damper = viscous * (strain - std::max(from, 0.0));
+  if (damper <= -axial.force) return {};
+  const bool limited = damper >= axial.force && viscous > 0;
+  const double slope = limited ? 2 * axial.slope : axial.slope + viscous;  // N, by the strain
+  CableFeed out;
+  out.force = limited ? 2 * axial.force : axial.force + damper;
+  out.slope = -slope * chord / (length * length);
+  out.by_chord = slope / length;
+  return out;
 }
 
 }  // namespace hawser

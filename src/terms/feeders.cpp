@@ -116,33 +116,50 @@ const LocalElement* Feeders::at_mouth(const Feeder& f) const {
 Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
   if (!f.feed.speed.empty()) {
     const model::Fed fed = model::fed_by(f.feed, at.time);
-    return {f.offset + fed.length, fed.speed, fed.acceleration, 0};
+    return {f.offset + fed.length, fed.speed, fed.acceleration, 0, 0, fed.speed};
   }
   const double h = at.time - f.time;
-  if (!(h > 0)) return {f.length, f.speed, 0, 0};
+  if (!(h > 0)) return {f.length, f.speed, 0, 0, 0, f.grows};
   if (!now) return {f.length + h * f.speed, f.speed, 0, 0};
   const LocalElement* e = at_mouth(f);
   if (!e) return {f.length, f.speed, 0, 0};
-  const FedElement fed =
-      feed_step([&](double length) { return pull(f, at, *e, length); },
-                {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting}, f.length, h);
+  const FedElement fed = feed_step(
+      [&](double length) { return pull(f, at, *e, length); },
+      {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting, f.feed.least, f.feed.most},
+      f.length, h);
   Mouth m{fed.length, (fed.length - f.length) / h, 0, 0, fed.gives};
-  const double l = chord(at, *e);
+  const size_t i = static_cast<size_t>(e->first), j = static_cast<size_t>(e->second);
+  const double l = chord(at, *e), parts = l > 0 ? (at.x[j] - at.x[i]).dot(at.v[j] - at.v[i]) / l : 0;
   m.by_chord = fed.gives * (f.beam ? feed_of_beam(f, at, *e, m.length).by_chord
-                                   : cable_feed_by_chord(f.cable, l, m.length));
+                                   : feed_of_cable(f, at, *e, m.length).by_chord);
+  m.grows =
+      f.beam ? m.by_chord * parts : (m.length / l) * (parts - m.length * strain_rate(f, at, *e, m.length));
   // Of a tension that is kept exactly the speed at the end of the step is that at which its end moves; else
   // that of the law, which is the mean of the step.
-  if (f.feed.speed_per_tension == 0 && m.by_chord > 0 && l > 0) {
-    const size_t i = static_cast<size_t>(e->first), j = static_cast<size_t>(e->second);
-    m.speed = m.by_chord * (at.x[j] - at.x[i]).dot(at.v[j] - at.v[i]) / l;
-  }
+  if (f.feed.speed_per_tension == 0 && m.by_chord > 0) m.speed = m.grows;
   return m;
 }
 
 FedPull Feeders::pull(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
-  if (!f.beam) return cable_feed(f.cable, chord(at, e), length);
+  if (!f.beam) return feed_of_cable(f, at, e, length);
   const BeamFeed of = feed_of_beam(f, at, e, length);
   return {of.force, of.slope};
+}
+
+double Feeders::strain_before(const Feeder& f, const LocalElement& e) const {
+  return chord(before_.view(0), e) / f.length - 1 - f.cable.free_strain;
+}
+
+double Feeders::strain_rate(const Feeder& f, const Kinematics& at, const LocalElement& e,
+                            double length) const {
+  if (before_.x.size() != at.x.size()) return 0;
+  return (chord(at, e) / length - 1 - f.cable.free_strain - strain_before(f, e)) / (at.time - f.time);
+}
+
+CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& at, const LocalElement& e,
+                                 double length) const {
+  const double h = before_.x.size() == at.x.size() ? at.time - f.time : 0;
+  return cable_feed(f.cable, chord(at, e), length, h > 0 ? strain_before(f, e) : 0, h);
 }
 
 std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now) const {
@@ -157,7 +174,7 @@ std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now
     if (i < f.mouth) out->idle = true;
     if (i != f.mouth) continue;
     const Mouth m = mouth(f, at, now);
-    out->length = m.length, out->follows = m.by_chord, out->gives = m.gives, out->grows = m.speed;
+    out->length = m.length, out->follows = m.by_chord, out->gives = m.gives, out->grows = m.grows;
     out->before = f.length, out->feeder = k;
   }
   return out;
@@ -304,22 +321,18 @@ void Feeders::commit(const Kinematics& accepted) {
     const Mouth m = mouth(f, accepted, true);
     const double h = accepted.time - f.time, before = f.length;
     const LocalElement* e = at_mouth(f);
-    f.length = m.length, f.time = accepted.time;
-    if (!f.feed.speed.empty())
-      f.speed = m.speed;
-    else if (h > 0 && e) {
-      const double last = f.speed;
-      f.speed = m.speed;
-      const double T = pull(f, accepted, *e, f.length).force;
+    if (f.feed.has_band() && h > 0 && e) {
+      const double off = pull(f, accepted, *e, m.length).force - f.feed.tension;
       constexpr double kThere = 0.01;  // of the band on this side
-      const double off = T - f.feed.tension;
-      if (f.feed.has_band() && f.resting)
-        f.resting = T >= f.feed.least && T <= f.feed.most;
-      else if (f.feed.has_band())
-        f.resting = last * f.speed < 0 || std::abs(off) < kThere * (off > 0 ? f.feed.most - f.feed.tension
-                                                                            : f.feed.tension - f.feed.least);
-      if (f.resting) f.speed = 0;
+      if (f.resting)
+        f.resting = m.speed == 0;
+      else
+        f.resting =
+            f.speed * m.speed < 0 ||
+            std::abs(off) < kThere * (off > 0 ? f.feed.most - f.feed.tension : f.feed.tension - f.feed.least);
     }
+    f.length = m.length, f.time = accepted.time;
+    if (!f.feed.speed.empty() || (h > 0 && e)) f.speed = f.resting ? 0 : m.speed, f.grows = m.grows;
     if (!e || !e->counted || !(h > 0)) continue;
     const double now = power(f, accepted, *e);
     work_ += 0.5 * h * (power_[k] + now);

@@ -316,9 +316,16 @@ void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, d
     beam_force(b->section, b->reference, ends(*b, at), own);
     for (int i = 0; i < 12; ++i) f[i] += own[i];
   } else if (const Cable* c = of_element(cables_, e)) {
-    const Vec3 pull = cable_pull(c->section, ends(*c, at));
+    const Vec3 pull = cable_pull(shown(*c, at), ends(*c, at));
     for (int i = 0; i < 3; ++i) f[i] -= pull[i], f[6 + i] += pull[i];
   }
+}
+
+// At rest nothing is paid out, whatever follows.
+CableSection StructureTerm::shown(const Cable& c, const Kinematics& at) {
+  CableSection s = c.section;
+  if (!(at.step > 0)) s.grows = 0;
+  return s;
 }
 
 void StructureTerm::fields(FieldRegistry& registry) const {
@@ -346,7 +353,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
       }
       for (const Cable& c : cables_) {
         if (c.idle) continue;
-        const double value = of_cable(c.section, ends(c, k));
+        const double value = of_cable(shown(c, k), ends(c, k));
         put(c.at.first, value, c.section.length), put(c.at.second, value, c.section.length);
       }
       for (size_t n = 0; n < weights.size(); ++n)

@@ -250,31 +250,45 @@ TEST(Feeders, KeepATension) {
   EXPECT_LT(largest(error), 0.01 * work(brought));
 }
 
-// The law is that of the elastic tension: with little damping that is all there is.
-const Edits kBand{{"stiffness_damping: 0.02", "stiffness_damping: 1e-4"},
-                  {"tension: 10 kN}", "tension: 10 kN, dead_band: [8 kN, 12 kN], speed_per_tension: 2e-4}"}};
+const Edits kBand{{"tension: 10 kN}", "tension: 10 kN, dead_band: [8 kN, 12 kN], speed_per_tension: 2e-4}"}};
 
+// The law holds of the tension with that of the damper in it: damping makes no peak where the band is left.
 TEST(Feeders, RestWithinTheirBand) {
   const std::string path = folder("feeders-band"), input = path + "/case.yaml", file = path + "/whole.h5";
-  write_case(input, kTug, kBand);
-  run_on_all({input, file});
-  if (rank_of(MPI_COMM_WORLD) != 0) return;
-  const Results r = read(file);
-  const auto T = named(file, r, "rope_end_a_feed", "tension"),
-             v = named(file, r, "rope_end_a_feed", "feed_speed");
-  int starts = 0;
-  double off = 0;
-  for (size_t i = 1; i < T.size(); ++i) {
-    if (v[i] != 0 && v[i - 1] == 0) {
-      ++starts;
-      EXPECT_TRUE(T[i - 1] > 12e3 || T[i - 1] < 8e3) << r.step_times[i] << ' ' << T[i - 1];
+  // Results have the inertia of the element at the mouth in the tension, which the law has not: the more, the
+  // faster the damper lets the speed change.
+  for (const auto& [damping, tolerance] : {std::pair{"0.02", 0.025}, {"1e-4", 0.01}}) {
+    Edits edits = kBand;
+    edits.push_back({"stiffness_damping: 0.02", fmt::format("stiffness_damping: {}", damping)});
+    write_case(input, kTug, edits);
+    run_on_all({input, file});
+    if (rank_of(MPI_COMM_WORLD) != 0) continue;
+    const Results r = read(file);
+    const auto T = named(file, r, "rope_end_a_feed", "tension"),
+               v = named(file, r, "rope_end_a_feed", "feed_speed");
+    // Where it begins to move, the tension is that of the edge or, later in the step, the law's.
+    int starts = 0;
+    double off = 0, beyond = 0;
+    for (size_t i = 1; i < T.size(); ++i) {
+      const double law = 2e-4 * (T[i] - 1e4);
+      beyond = std::max(beyond, std::abs(T[i] - 1e4));
+      const bool starting = v[i] != 0 && v[i - 1] == 0;
+      starts += starting;
+      if (v[i] == 0) {
+        EXPECT_LT(std::abs(T[i] - 1e4), 2e3 + 1) << r.step_times[i];
+      } else if (starting && std::abs(v[i]) < std::abs(law)) {
+        EXPECT_NEAR(std::abs(T[i] - 1e4), 2e3, 1) << r.step_times[i];
+      } else {
+        off = std::max(off, std::abs(v[i] - law));
+      }
     }
-    if (v[i] != 0) off = std::max(off, std::abs(v[i] - 2e-4 * (T[i] - 1e4)));
+    printf("  damping %s s: begins %d times, law off by %.1e m/s, at most %.0f N beside the middle\n",
+           damping, starts, off, beyond);
+    EXPECT_GE(starts, 4);
+    EXPECT_LE(starts, 30);
+    EXPECT_LT(off, tolerance * 2e-4 * 2e3);
+    EXPECT_LT(beyond, 4e3);
   }
-  printf("  begins %d times, law off by %.1e m/s\n", starts, off);
-  EXPECT_GE(starts, 4);
-  EXPECT_LE(starts, 30);
-  EXPECT_LT(off, 0.01 * 2e-4 * 2e3);
 }
 
 void expect_same(const std::string& a, const std::string& b, double tolerance) {

@@ -22,12 +22,14 @@ double tension(const CableSection& s, double chord, double length) {
   return strain > 0 ? s.axial(strain).force : 0;
 }
 
+// Of a step that began with the strain `was`.
 struct Fed {
   double length = 0, by_chord = 0;
 };
-Fed step(const CableSection& s, const FeedLaw& law, double from, double h, double chord) {
-  const FedElement e = feed_step([&](double length) { return cable_feed(s, chord, length); }, law, from, h);
-  return {e.length, e.gives * cable_feed_by_chord(s, chord, e.length)};
+Fed step(const CableSection& s, const FeedLaw& law, double from, double h, double chord, double was = 0) {
+  const FedElement e =
+      feed_step([&](double length) { return cable_feed(s, chord, length, was, h); }, law, from, h);
+  return {e.length, e.gives * cable_feed(s, chord, e.length, was, h).by_chord};
 }
 
 TEST(Feed, SolvesItsSpeedLaw) {
@@ -59,7 +61,52 @@ TEST(Feed, SolvesItsSpeedLaw) {
             EXPECT_NEAR(slope, e.by_chord, 1e-6 * (1 + std::abs(slope))) << k << ' ' << chord << ' ' << h;
           }
       }
-  EXPECT_EQ(step({1, 300}, {20, 1, 0, true}, 1.02, 0.1, 1.5).length, 1.02);
+}
+
+// Within its band a feeder rests; as it leaves it, the tension stays at the edge until the speed is the
+// law's, and from there on follows the law. No tension in between is left out, and the derivative is exact.
+TEST(Feed, LeavesItsBandWithoutAJump) {
+  for (const double most_speed : {0.0, 4.0})
+    for (const double damping : {0.0, 0.02})
+      for (const double sign : {1.0, -1.0}) {
+        const CableSection s{1, 300, damping};
+        const FeedLaw law{60, 0.5, most_speed, true, 50, 75};
+        constexpr double from = 1, h = 0.01, was = 0.2;  // 60 N
+        const auto T = [&](double chord) {
+          return cable_feed(s, chord, step(s, law, from, h, chord, was).length, was, h).force;
+        };
+        int rested = 0, at_edge = 0, by_law = 0, limited = 0;
+        double last = 60;
+        for (int i = 0; i < 2000; ++i) {
+          const double chord = 1.2 + sign * 1e-4 * i, now = T(chord);
+          const Fed e = step(s, law, from, h, chord, was);
+          const double v = (e.length - from) / h;
+          EXPECT_GE(sign * (now - last), -1e-9);
+          EXPECT_LT(sign * (now - last), 2.1 * 300 * 1e-4 * (1 + damping / h)) << chord;
+          const double edge = sign > 0 ? 75 : 50;
+          if (v == 0) {
+            ++rested;
+          } else if (most_speed > 0 && std::abs(v) > most_speed * (1 - 1e-9)) {
+            ++limited;
+          } else if (std::abs(now - edge) < 1e-9) {
+            ++at_edge;
+            EXPECT_LE(std::abs(v), 0.5 * std::abs(edge - 60) * (1 + 1e-9));
+          } else {
+            ++by_law;
+            EXPECT_NEAR(v, 0.5 * (now - 60), 1e-9);
+          }
+          last = now;
+          if (i % 100 != 50) continue;
+          constexpr double d = 1e-7;
+          const double slope =
+              (step(s, law, from, h, chord + d, was).length - step(s, law, from, h, chord - d, was).length) /
+              (2 * d);
+          EXPECT_NEAR(slope, e.by_chord, 1e-6) << chord;
+        }
+        EXPECT_GT(rested, 10);
+        EXPECT_GT(at_edge, 10);
+        EXPECT_GT(most_speed > 0 ? limited : by_law, 10);
+      }
 }
 
 TEST(Feed, TheForceFollowsTheLength) {
@@ -72,7 +119,7 @@ TEST(Feed, TheForceFollowsTheLength) {
       const CableStep in{0.1, 0.06};
       const auto mean = [&](const Vec3& x, CablePull* out) {
         CableSection s = before;
-        const Fed e = step(s, law, 1, in.h, x.norm());
+        const Fed e = step(s, law, 1, in.h, x.norm(), from.strain);
         s.length = e.length, s.follows = e.by_chord;
         if (out) cable_mean(s, from, in, Vec3::Zero(), x, *out);
         return cable_mean(s, from, in, Vec3::Zero(), x);

@@ -7,12 +7,15 @@
 
 namespace hawser {
 
-// The speed is per_tension (T - tension), limited to max_speed either way; at rest it is zero.
+// The speed is per_tension (T - tension), limited to max_speed either way. A feeder that rests does so while
+// the tension is from `least` to `most`; as it begins to move, the tension stays at that edge of its band
+// until the speed is that of the law.
 struct FeedLaw {
   double tension = 0;      // N
   double per_tension = 0;  // m/s per N; 0: exactly that tension
   double max_speed = 0;    // m/s; 0: no limit
   bool resting = false;
+  double least = 0, most = 0;  // N, of one that rests
 };
 
 // Tension [N] at a feeder by the unstretched length of the element there, and its derivative [N/m], which is
@@ -30,8 +33,11 @@ struct FedElement {
 // tension at the end of the step.
 FedElement feed_step(const std::function<FedPull(double)>& pull, const FeedLaw& law, double from, double h);
 
-// Of a cable: its elastic tension, and the derivative of that by its chord [N/m].
-FedPull cable_feed(const CableSection& s, double chord, double length);
-double cable_feed_by_chord(const CableSection& s, double chord, double length);
+// Of a cable at the end of a step of h [s] that began with the strain `from`, beyond the free one: its
+// elastic tension and its damper's, as limited there as in cable_pull. h = 0: without the damper.
+struct CableFeed : FedPull {
+  double by_chord = 0;  // N/m, derivative by the chord
+};
+CableFeed cable_feed(const CableSection& s, double chord, double length, double from, double h);
 
 }  // namespace hawser

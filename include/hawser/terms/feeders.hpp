@@ -41,6 +41,7 @@ struct Feeder {
   int mouth = 0;         // the element at the mouth, counted from the fed end; those before it are the stock
   double length = 0;     // m, unstretched, of that element
   double speed = 0;      // m/s
+  double grows = 0;      // m/s, of Mouth
   bool resting = false;  // within its dead band
   double offset = 0;     // m: of a feeder that goes by speed the length is this and what it has paid out
   double time = 0;       // s
@@ -51,6 +52,9 @@ struct Mouth {
   double length = 0, speed = 0, acceleration = 0;  // m, m/s, m/s²: unstretched length and its rates
   double by_chord = 0;                             // derivative of the length by the chord
   double gives = 0;                                // m/N, by the force of a beam on its feeder
+  // m/s: the rate of the length with which the velocities of the ends make the strain rate that the damper of
+  // the step had, where a tension is kept.
+  double grows = 0;
 };
 
 class Feeders final : public ForceTerm, public ActsOnElements, public LimitsSteps {
@@ -99,8 +103,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   // Where all was at the start of the step; nothing before the first.
   const State& before() const { return before_; }
 
-  // N, that a feeder feels of the element at its mouth, of an unstretched length [m]: its elastic tension,
-  // and of a beam M²/2EI.
+  // N, that a feeder feels of the element at its mouth, of an unstretched length [m]: its tension at the end
+  // of the step that began with the committed state, and of a beam M²/2EI.
   FedPull pull(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
 
   // The supports with those of what is inside feeders, of the local nodes.
@@ -130,6 +134,10 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   Flow flow(const Mouth& m, const Kinematics& at, const LocalElement& e, bool at_b) const;
 
  private:
+  // Of the element at a mouth that is a cable: at the start of the step, and its mean rate over it, 1/s.
+  double strain_before(const Feeder& f, const LocalElement& e) const;
+  double strain_rate(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
+  CableFeed feed_of_cable(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
   double power(const Feeder& f, const Kinematics& at, const LocalElement& e) const;
   double load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
   void force(const Feeder& f, const Mouth& m, const Kinematics& at, const LocalElement& e, Vec3* out) const;

@@ -79,6 +79,7 @@ class StructureTerm final : public ForceTerm,
   };
   // accepted: the lengths are those at the end of the step.
   void see_feeders(const Kinematics& at, bool accepted = false);
+  static CableSection shown(const Cable& c, const Kinematics& at);  // what results are made of
   void carry_bends(Beam& b, int feeder, double from, double to);
   void keep_hauled_in(const Beam& b, int feeder, double from, double to);
   double fed_work(const Kinematics& at) const;
