@@ -65,8 +65,9 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       sim_(simulation),
       registry_(simulation.system().fields()),
       end_forces_(simulation.system(), simulation.feeders()),
-      turns_(simulation.local()),
+      element_errors_(comm, simulation.model(), simulation.local(), simulation.feeders()),
       folds_(simulation.model(), simulation.local(), simulation.feeders()),
+      snaps_(simulation.model(), simulation.local()),
       utilisation_(simulation.model(), simulation.local()),
       pipes_(simulation.model(), simulation.local()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)),
@@ -88,6 +89,8 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     return -1;
   };
   pressed_ = find("contact_normal_force");
+  for (const char* name : {"contact_normal_force", "line_contact_normal_force", "seabed_force"})
+    if (const int f = find(name); f >= 0) touches_.push_back(f);
   tension_ = find(tension), before_ = find(before), after_ = find(after);
   declination_ = find("declination");
   wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
@@ -307,7 +310,9 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   if (audit_.update(start_, sum_of(comm_, share), info.time, info.h, passed_through(info.h)) && info.h > 0)
     find_worst(at);
   extremes_->add(info.time, values_, utilisation_);
-  folds_.look(shown, values_[static_cast<size_t>(before_)], values_[static_cast<size_t>(after_)]);
+  const auto &on_a = values_[static_cast<size_t>(before_)], &on_b = values_[static_cast<size_t>(after_)];
+  folds_.look(shown, on_a, on_b);
+  snaps_.look(info.time, info.h, on_a, on_b);
   if (statistics_) statistics_->add(info.time, values_);
   if (at_stations_) at_stations_->add(info.time, stations_->at(values_));
   if (clashes_) clashes_->step(info.time);
@@ -408,10 +413,23 @@ void Recorder::output(const Kinematics& at) {
   } else {
     fill(at, true);
   }
-  if (pressed_ >= 0)
-    turns_.look(at, values_[static_cast<size_t>(tension_)], values_[static_cast<size_t>(pressed_)]);
+  look_at_elements(at);
   file_->write_output(at.time, values_, body_poses(sim_, at), clashes_ ? clashes_->take() : io::ClashTables{},
                       ends_);
+}
+
+void Recorder::look_at_elements(const Kinematics& at) {
+  const auto of = [&](int f) {
+    return f < 0 ? std::span<const double>() : std::span<const double>(values_[static_cast<size_t>(f)]);
+  };
+  ElementErrors::Values v{of(tension_), of(moment_), of(pressed_), {}};
+  v.carried.resize(static_cast<size_t>(sim_.local().owned), false);
+  for (const int f : touches_)
+    for (size_t n = 0, c = static_cast<size_t>(fields_[static_cast<size_t>(f)].components);
+         n < v.carried.size(); ++n)
+      for (size_t k = 0; k < c; ++k)
+        if (values_[static_cast<size_t>(f)][n * c + k] != 0) v.carried[n] = true;
+  element_errors_.look(at, v);
 }
 
 void Recorder::checkpoint(io::Checkpoint c) {
@@ -425,18 +443,29 @@ void Recorder::write_statistics() {
     for (size_t f = 0; s && f < s->fields().size(); ++f) file_->write_statistics(place++, s->table(f));
 }
 
+// Of the largest tension of a line.
+std::string Recorder::peak_warning(const io::SummaryRow& r) const {
+  const int line = sim_.model().line_index(r.line);
+  const std::string folded = folds_.warning(comm_, line, r.line, r.value);
+  if (!folded.empty()) return folded;
+  return snaps_.warning(comm_, line, r.line, r.value, !audit_.note().empty(), sim_.model().dynamics.step > 0);
+}
+
 std::string Recorder::finish(std::vector<std::string> messages) {
   const auto rows = extremes_->table();
+  const auto bent = [&](const std::string& line) {
+    for (const auto& r : rows)
+      if (r.line == line && r.quantity == "max bending moment") return r.value;
+    return HUGE_VAL;
+  };
   warnings_.clear();
   for (const auto& r : rows) {
-    if (r.quantity == "max effective tension" && r.value > 0 && pressed_ >= 0)
-      if (const std::string w = turns_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
-          !w.empty())
+    if (r.quantity == "max effective tension" && r.value > 0)
+      for (const std::string& w :
+           element_errors_.warnings(sim_.model().line_index(r.line), r.value, bent(r.line)))
         warnings_.push_back(w);
     if (r.quantity == "max effective tension" && r.value > 0)
-      if (const std::string w = folds_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
-          !w.empty())
-        warnings_.push_back(w);
+      if (const std::string w = peak_warning(r); !w.empty()) warnings_.push_back(w);
     if (const std::string w = overused(fields_, r); !w.empty()) warnings_.push_back(w);
     if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;
