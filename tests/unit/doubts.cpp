@@ -178,6 +178,11 @@ TEST(Doubts, TensionsOfLinesAndLengths) {
                "lines.mooring.loads[0]: its force means a tension of 2e+04 kN");
   expect_doubt({{"length: 760", "length: 8000"}, {"  current: {speed: 0.2, direction_deg: 90}\n", ""}},
                "the line is 8000 m long, 11 times the distance of its ends (727.977 m)");
+  // What is inside a feeder does not reach from end to end.
+  expect_doubt({{"length: 760", "length: 755"},
+                {"end_b: {body: vessel, at: [0, 0, 0]}",
+                 "end_b: {body: vessel, at: [0, 0, 0], feed: {stock: 40, speed: 0}}"}},
+               "lines.mooring.sections: a length of 715 m over a distance of 727.977 m");
 }
 
 TEST(Doubts, Depths) {
