@@ -19,13 +19,13 @@ constexpr double kGood = 0.01;       // what elements of the length that is told
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-// The share of a moment that falls off like exp(-s/decay) which a cubic of length x decay misses at its end;
-// and of which length it misses kGood.
-double missed_inside(double x) { return std::min(x * x / 12 / (1 + 0.45 * x), 1.0); }
+// By which share of what it shows a cubic of length x decay is wrong at its end, where a moment falls off
+// like exp(-s/decay); and of which length that is kGood.
+double wrong_inside(double x) { return x * x / (12 + 4.2 * x); }
 constexpr double kGoodInside = 0.37;
 // The same where the forces on the node say what the moment is: at ends and under what is attached.
-double missed_at_end(double x) { return std::min(std::pow(x, 4) / 1440, 1.0); }
-constexpr double kGoodAtEnd = 1.9;
+double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
+constexpr double kGoodAtEnd = 2.1;
 
 int owned_line_nodes(const LocalMesh& mesh) {
   int n = 0;
@@ -165,9 +165,9 @@ void ElementErrors::look_at_bends(const LineSpan& line, std::span<const At> node
       if (i < first || i >= last) continue;
       const Element& e = mesh_.mesh->elements[static_cast<size_t>(line.first_element + i)];
       const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / here.tension), x = e.length / decay;
-      const bool falls =
-          e.beam && nodes[static_cast<size_t>(n + side)].moment < here.moment * std::exp(-0.5 * x);
-      const double error = falls ? here.moment * (at_end ? missed_at_end(x) : missed_inside(x)) : 0;
+      const bool falls = e.beam && nodes[static_cast<size_t>(n + side)].moment <
+                                       here.moment * std::exp(-0.5 * std::min(x, 1.0));
+      const double error = falls ? here.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
       if (error < least.error)
         least = {error, node.arc, time, 0, e.length, decay, decay * (at_end ? kGoodAtEnd : kGoodInside)};
     }
@@ -197,9 +197,9 @@ std::vector<std::string> ElementErrors::warnings(int line, double largest_tensio
         sag.length * std::sqrt(kGood * largest_tension / sag.error)));
   if (bend.error > kWarned * largest_moment)
     out.push_back(fmt::format(
-        "the bending moment of line {} falls off within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), of "
+        "the bending moment of line {} falls off within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), "
         "which "
-        "elements of {:.3g} m show {:.2g} % of the largest too little: give it elements of {:.2g} m there",
+        "elements of {:.3g} m miss by about {:.2g} % of the largest: give it elements of {:.2g} m there",
         name, bend.decay, bend.arc, bend.time, bend.length, 100 * bend.error / largest_moment, bend.good));
   return out;
 }
