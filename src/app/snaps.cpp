@@ -16,6 +16,13 @@ constexpr double kBlow = 1.0 / 3;   // of a tension: what comes up at once, if i
 constexpr double kHeld = 0.02;      // of a tension: what falls by less goes on rising
 constexpr double kSame = 1 - 1e-9;  // of a tension that is written twice
 
+bool counts(const model::Case& c, const model::Line& line) {
+  const auto in_frame = [&](const model::End& e) {
+    return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
+  };
+  return !line.end_a.feed && !line.end_b.feed && !in_frame(line.end_a) && !in_frame(line.end_b);
+}
+
 }  // namespace
 
 Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
@@ -30,8 +37,7 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
   for (const LocalElement& l : mesh.elements) {
     const Element& e = mesh.mesh->elements[static_cast<size_t>(l.global)];
     const model::LineType& t = c.line_types[static_cast<size_t>(e.type)];
-    const model::Line& line = c.lines[static_cast<size_t>(e.line)];
-    if (line.end_a.feed || line.end_b.feed) continue;
+    if (!counts(c, c.lines[static_cast<size_t>(e.line)])) continue;
     for (const int n : {l.first, l.second})
       if (n < mesh.owned) {
         double& slowest = passage_[static_cast<size_t>(n)];

@@ -71,6 +71,7 @@ class Recorder {
   void find_worst(const Kinematics& at);
   void look_at_elements(const Kinematics& at);
   std::string peak_warning(const io::SummaryRow& largest_tension) const;
+  void gather_warnings(const std::vector<io::SummaryRow>& rows);
   double passed_through(double h) const;
   void correct_ends(const Kinematics& at);
   void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);

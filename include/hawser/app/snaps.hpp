@@ -18,7 +18,8 @@ namespace hawser::app {
 // integration takes out much of the axial vibration (docs/theory/time-integration.md).
 class Snaps {
  public:
-  // Lines that are fed do not count: nodes come out of a feeder that have had no tension.
+  // Lines that are fed do not count: nodes come out of a feeder that have had no tension. Nor do members of
+  // frames, joined rigidly, which bend.
   Snaps(const model::Case& c, const LocalMesh& mesh);
   // By owned node: effective tension on the side of end A and of end B, N. After every step of h [s]; 0: at
   // the start.
