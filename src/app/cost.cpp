@@ -16,6 +16,7 @@
 #include "hawser/app/events.hpp"
 #include "hawser/app/feeding.hpp"
 #include "hawser/app/output_times.hpp"
+#include "hawser/base/error.hpp"
 
 namespace hawser::app {
 namespace {
@@ -45,6 +46,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
   }
   try {
     double first = 0;  // CPU s, at the end of the first iteration, which also sets up what all others use
+    Events events(sim.system().comm(), sim);
     if (c.statics.enabled) {
       const auto told = [&](const StaticsReport& now) {
         if (now.iterations <= 1) first = cpu_time();
@@ -52,7 +54,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
         trial.iteration = (cpu_time() - first) / (now.iterations - 1);
         throw Spent();
       };
-      Events(sim.system().comm(), sim).come_to_rest([&](bool falls) { sim.solve_statics(told, falls); });
+      events.come_to_rest([&](bool falls) { sim.solve_statics(told, falls); });
     } else {
       sim.check_inside();
     }
@@ -60,13 +62,14 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
       std::vector<std::pair<double, double>> way;  // CPU s, simulated s
       const OutputTimes times(c);
       Dynamics& d = sim.dynamics();
-      d.start(sim.state());
       Feeding feeding(sim);
+      events.begin();
+      d.start(sim.state());
       const double at_rest = cpu_time();
       d.run(
-          trial.duration, [&](double t) { return times.next(t); },
+          trial.duration, [&](double t) { return std::min(times.next(t), events.next(t)); },
           [&](const StepInfo& info) {
-            feeding.agree(), feeding.hand_over();
+            feeding.agree(), events.apply_due(), feeding.hand_over();
             way.push_back({cpu_time() - at_rest, info.time});
             return !over();
           });
@@ -81,6 +84,8 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
       trial.rate = (way.back().first - from.first) / (way.back().second - from.second);
     }
   } catch (const Spent&) {
+  } catch (const InputError&) {
+    throw;  // what is wrong with the case
   } catch (const std::exception& e) {
     trial.failure = e.what();
   }

@@ -16,7 +16,6 @@
 #include "hawser/app/run_parts.hpp"
 #include "hawser/app/touchdown.hpp"
 #include "hawser/math/declination.hpp"
-#include "hawser/model/doubts.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/links.hpp"
@@ -65,8 +64,9 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       sim_(simulation),
       registry_(simulation.system().fields()),
       end_forces_(simulation.system(), simulation.feeders()),
-      turns_(simulation.local()),
+      element_errors_(comm, simulation.model(), simulation.local(), simulation.feeders()),
       folds_(simulation.model(), simulation.local(), simulation.feeders()),
+      snaps_(simulation.model(), simulation.local()),
       utilisation_(simulation.model(), simulation.local()),
       pipes_(simulation.model(), simulation.local()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)),
@@ -88,6 +88,8 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     return -1;
   };
   pressed_ = find("contact_normal_force");
+  for (const char* name : {"contact_normal_force", "line_contact_normal_force", "seabed_force"})
+    if (const int f = find(name); f >= 0) touches_.push_back(f);
   tension_ = find(tension), before_ = find(before), after_ = find(after);
   declination_ = find("declination");
   wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
@@ -307,7 +309,9 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   if (audit_.update(start_, sum_of(comm_, share), info.time, info.h, passed_through(info.h)) && info.h > 0)
     find_worst(at);
   extremes_->add(info.time, values_, utilisation_);
-  folds_.look(shown, values_[static_cast<size_t>(before_)], values_[static_cast<size_t>(after_)]);
+  const auto &on_a = values_[static_cast<size_t>(before_)], &on_b = values_[static_cast<size_t>(after_)];
+  folds_.look(shown, on_a, on_b);
+  snaps_.look(info.time, info.h, on_a, on_b);
   if (statistics_) statistics_->add(info.time, values_);
   if (at_stations_) at_stations_->add(info.time, stations_->at(values_));
   if (clashes_) clashes_->step(info.time);
@@ -389,18 +393,6 @@ void Recorder::find_worst(const Kinematics& at) {
   audit_.located(most.node, static_cast<Audit::Step::ContactWith>(with));
 }
 
-std::string Recorder::audit_warning() const {
-  const int node = audit_.worst.node;
-  const model::Case& c = sim_.model();
-  std::string striking;
-  for (const model::Body& b : c.bodies) {
-    const model::StartSpeeds speed = model::start_speeds(c, b);
-    if (striking.empty() && speed.motion + speed.drift > 0)
-      striking = fmt::format("bodies.{}.{}", b.name, speed.motion > 0 ? "motion" : "motion.drift");
-  }
-  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : sim_.mesh().place(node), striking);
-}
-
 void Recorder::output(const Kinematics& at) {
   if (stepped_ && rest_apart_) {
     for (size_t f = 0; f < every_step_.size(); ++f)
@@ -408,8 +400,7 @@ void Recorder::output(const Kinematics& at) {
   } else {
     fill(at, true);
   }
-  if (pressed_ >= 0)
-    turns_.look(at, values_[static_cast<size_t>(tension_)], values_[static_cast<size_t>(pressed_)]);
+  look_at_elements(at);
   file_->write_output(at.time, values_, body_poses(sim_, at), clashes_ ? clashes_->take() : io::ClashTables{},
                       ends_);
 }
@@ -427,37 +418,7 @@ void Recorder::write_statistics() {
 
 std::string Recorder::finish(std::vector<std::string> messages) {
   const auto rows = extremes_->table();
-  warnings_.clear();
-  for (const auto& r : rows) {
-    if (r.quantity == "max effective tension" && r.value > 0 && pressed_ >= 0)
-      if (const std::string w = turns_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
-          !w.empty())
-        warnings_.push_back(w);
-    if (r.quantity == "max effective tension" && r.value > 0)
-      if (const std::string w = folds_.warning(comm_, sim_.model().line_index(r.line), r.line, r.value);
-          !w.empty())
-        warnings_.push_back(w);
-    if (const std::string w = overused(fields_, r); !w.empty()) warnings_.push_back(w);
-    if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
-    if (r.quantity != "max penetration") continue;
-    double radius = 0;
-    const model::Case& c = sim_.model();
-    for (const auto& s : c.lines[static_cast<size_t>(c.line_index(r.line))].sections)
-      radius = std::max(radius, 0.5 * c.line_type(s.type).contact_diameter);
-    if (r.value > c.contact.warned_penetration * radius)
-      warnings_.push_back(fmt::format(
-          "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, "
-          "t = {:.6g} s: {}",
-          r.line, r.value, radius, r.arc_length, r.time,
-          r.value > radius
-              ? "it is trapped inside, and contact forces there are meaningless"
-              : "contact is too soft for what presses; a normal_stiffness that is given can be raised, an "
-                "automatic one is as high as the line's EA asks: is its tension more than it "
-                "bears?"));
-  }
-  for (const std::string& w : pipes_.warnings(comm_)) warnings_.push_back(w);
-  if (supports_)
-    for (const std::string& w : supports_->warnings()) warnings_.push_back(w);
+  gather_warnings(rows);
   const bool moved = sim_.model().dynamics.enabled;
   if (const std::string n = audit_.note(); moved && !n.empty()) messages.push_back("note: " + n);
   if (const std::string w = audit_warning(); moved && !w.empty()) messages.push_back("warning: " + w);

@@ -10,6 +10,7 @@
 #include "hawser/app/events.hpp"
 #include "hawser/app/targets.hpp"
 #include "hawser/app/version.hpp"
+#include "hawser/base/error.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/model/wave_components.hpp"
 
@@ -84,11 +85,16 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
                              Progress& progress, const std::string& restart) {
   if (!has_targets(c)) return c;
-  MetTargets met = !restart.empty()
-                       ? with_lengths_of(c, restart, comm)
-                       : meet_targets(comm, c, volumes, [&](const StaticsReport& now) {
-                           progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-                         });
+  MetTargets met;
+  try {
+    met = !restart.empty() ? with_lengths_of(c, restart, comm)
+                           : meet_targets(comm, c, volumes, [&](const StaticsReport& now) {
+                               progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+                             });
+  } catch (const SolveError&) {
+    for (const std::string& n : model::grouped_notes(c.notes)) progress.say("note: " + n);  // may tell why
+    throw;
+  }
   for (const std::string& f : met.found) progress.say("note: " + f);
   met.model.output.file = c.output.file;  // which the command line may have said
   return std::move(met.model);

@@ -129,11 +129,11 @@ void finish_start(const Value& line, const Value* whole, OtherRuns& others, mode
       return;
     }
     l.start = model::Start::other_run;
-    check_left_shape(l, (*whole)["from"], line.where, c.notes);
+    check_left_shape(l, (*whole)["from"], line.where, others.parted(), c.notes);
   } else if (start.has("from")) {
     l.start = model::Start::other_run;
     l.left = others.shape(start, start.has("line") ? start["line"].text : l.name, true);
-    check_left_shape(l, start["from"], start.where, c.notes);
+    check_left_shape(l, start["from"], start.where, others.parted(), c.notes);
   }
 }
 

@@ -18,6 +18,10 @@ namespace hawser::io {
 using model::refuse;
 using model::Value;
 
+namespace {
+constexpr double kTogether = 1e-9;  // of its length, the end of a part from the one before
+}
+
 const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
   const std::string path = source_.absolute(from.text);
   const double wanted = time ? time->number : -1;
@@ -68,13 +72,33 @@ std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, con
     refuse(at, fmt::format("{} has no line {}{} (lines: {})", r.path, model::quote(name),
                            model::did_you_mean(name, r.lines), fmt::join(r.lines, ", ")));
   }
-  const size_t line = static_cast<size_t>(found - r.lines.begin());
-  const size_t first = static_cast<size_t>(r.first[line]), count = static_cast<size_t>(r.count[line]);
   auto left = std::make_shared<model::LeftShape>();
   left->file = r.path;
+  parted_ = false;
+  add_shape(r, static_cast<size_t>(found - r.lines.begin()), *left);
+  // A line that the other run cuts at a time is there in parts, which hang together until then.
+  for (int k = 2;; ++k) {
+    const auto part = std::find(r.lines.begin(), r.lines.end(), fmt::format("{} part {}", name, k));
+    if (part == r.lines.end()) break;
+    model::LeftShape next;
+    add_shape(r, static_cast<size_t>(part - r.lines.begin()), next);
+    parted_ = (next.position.front() - left->position.back()).norm() > kTogether * next.arc.back();
+    if (parted_) break;
+    const double end = left->arc.back();
+    for (size_t n = 1; n < next.arc.size(); ++n) {
+      left->arc.push_back(end + next.arc[n]), left->position.push_back(next.position[n]);
+      if (n < next.rotation.size()) left->rotation.push_back(next.rotation[n]);
+    }
+  }
+  if (left->rotation.size() != left->arc.size()) left->rotation.clear();
+  return left;
+}
+
+void OtherRuns::add_shape(const Run& r, size_t line, model::LeftShape& left) {
+  const size_t first = static_cast<size_t>(r.first[line]), count = static_cast<size_t>(r.count[line]);
   for (size_t n = first; n < first + count; ++n) {
-    left->arc.push_back(r.arc[n]);
-    left->position.push_back(Eigen::Map<const Vec3>(r.position.data() + 3 * n));
+    left.arc.push_back(r.arc[n]);
+    left.position.push_back(Eigen::Map<const Vec3>(r.position.data() + 3 * n));
     if (r.axes.empty()) continue;
     const Eigen::Map<const Vec3> a(r.axes[0].data() + 3 * n), b(r.axes[1].data() + 3 * n);
     if (!(a.norm() > 0.5) || !(b.norm() > 0.5)) continue;  // of a cable
@@ -82,20 +106,21 @@ std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, con
     R.col(0) = a.normalized();
     R.col(1) = (b - R.col(0).dot(b) * R.col(0)).normalized();
     R.col(2) = R.col(0).cross(R.col(1));
-    left->rotation.push_back(Quat(R));
+    left.rotation.push_back(Quat(R));
   }
-  if (left->rotation.size() != count) left->rotation.clear();
-  return left;
 }
 
-void check_left_shape(const model::Line& line, const Value& at, const std::string& key,
+void check_left_shape(const model::Line& line, const Value& at, const std::string& key, bool parted,
                       std::vector<std::string>& notes) {
   constexpr double kSame = 1e-6, kMost = 0.2;  // of the length
   const double here = model::length_of(line), there = line.left->arc.back();
   if (std::abs(here - there) > kMost * here)
     refuse(at, key,
-           fmt::format("the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %", here, there,
-                       line.left->file, 100 * kMost));
+           fmt::format("the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %{}", here, there,
+                       line.left->file, 100 * kMost,
+                       parted ? ". It is cut there, and its parts have come apart: give a 'time' "
+                                "before that, or make each part a line"
+                              : ""));
   if (std::abs(here - there) > kSame * here)
     notes.push_back(fmt::format(
         "{}: the line is {:g} m long and was {:g} m in {}; its shape is taken by share of the length", key,

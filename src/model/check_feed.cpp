@@ -140,6 +140,27 @@ void check_stock(const Case& c, const Feed& f, const std::string& key, std::vect
                      f.stock, t, end)});
 }
 
+// Places at which events cut the line, which a feeder cannot take in.
+void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, std::vector<Issue>& issues) {
+  const double end = c.dynamics.duration;
+  if (f.speed.empty() || !c.dynamics.enabled || !(end > 0)) return;
+  Feed inwards = f;
+  for (auto& [t, speed] : inwards.speed) speed = -speed;
+  for (std::size_t k = 0; k < c.events.size(); ++k) {
+    const Action& a = c.events[k].action;
+    if (a.cut < 0 || a.whole != line.name) continue;
+    inwards.stock = (at_b ? length_of(line) - a.cut : a.cut) - f.stock;
+    if (!(inwards.stock > 0)) continue;  // told already
+    if (const double t = runs_out(inwards, end); t < end)
+      issues.push_back(
+          {fmt::format("events[{}].cut.at", k),
+           fmt::format("arc length {:.6g} m of line '{}' is hauled in at its end {} by t = {:.4g} s, and a "
+                       "feeder cannot take in the place of a cut: cut the line further away, or stop the "
+                       "feeder before",
+                       a.cut, line.name, at_b ? 'B' : 'A', t)});
+  }
+}
+
 }  // namespace
 
 std::vector<Issue> law_issues(const Feed& f) {
@@ -173,7 +194,7 @@ void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& 
   const bool changes = std::any_of(c.events.begin(), c.events.end(), [&](const Event& e) {
     return e.action.kind == Action::Kind::feed && e.action.line == line.name && e.action.at_b == at_b;
   });
-  if (!changes) check_stock(c, f, key, issues);
+  if (!changes) check_stock(c, f, key, issues), check_cuts(c, line, f, at_b, issues);
   for (Issue& i : law_issues(f)) issue(i.key, std::move(i.text));
   for (const PointMass& m : line.masses)
     if ((at_b ? length_of(line) - m.at : m.at) < f.stock)

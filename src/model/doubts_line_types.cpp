@@ -68,16 +68,20 @@ bool doubt_coatings(const Case& c, const LineType& t, std::vector<Doubt>& out) {
 void doubt_slenderness(const LineType& t, std::vector<Doubt>& out) {
   if (!t.steel) return;
   const double slender = std::round(t.steel->slenderness() * 1e6) / 1e6;
-  const auto doubt = [&](const std::string& what) {
+  const auto doubt = [&](const std::string& what, const char* field) {
     out.push_back({fmt::format("line_types.{}.pipe.wall_thickness", t.name),
-                   fmt::format("D/t is {:.3g}, and {}", slender, what), 14});
+                   fmt::format("D/t is {:.3g}, and {}: {} is no check of this pipe; give it another wall, or "
+                               "judge it by other means",
+                               slender, what, field),
+                   14});
   };
   if (slender > kMostSlender || slender < kLeastSlender)
     doubt(fmt::format("DNV-ST-F101's formulas for combined loads are for {:g} to {:g}", kLeastSlender,
-                      kMostSlender));
+                      kMostSlender),
+          "'dnv_local_buckling'");
   if (slender > kMostSlenderApi)
-    doubt(
-        fmt::format("API RP 1111's formula for bending with pressure is for {:g} at most", kMostSlenderApi));
+    doubt(fmt::format("API RP 1111's formula for bending with pressure is for {:g} at most", kMostSlenderApi),
+          "'api_bending_pressure'");
 }
 
 }  // namespace

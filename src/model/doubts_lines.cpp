@@ -45,7 +45,10 @@ void bears(const Case& c, const Section& s, double tension, const std::string& k
 void doubt_span(const Case& c, const Line& line, std::vector<Doubt>& out) {
   if (!is_held(line.end_a) || !is_held(line.end_b)) return;
   const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
-  const double length = length_of(line), loose = length + expansion_of(c, line);
+  double length = length_of(line);  // what is outside of feeders
+  for (const End* e : {&line.end_a, &line.end_b})
+    if (e->feed) length -= e->feed->stock;
+  const double loose = length + expansion_of(c, line);
   double give = 0;
   for (const Section& s : line.sections) give += s.length / c.line_type(s.type).EA;
   const std::string key = "lines." + line.name + ".sections";

@@ -1,5 +1,7 @@
 // A run that starts where another one ended: the same equilibrium, sooner; another current, other elements,
 // other ends; what is refused.
+#include <algorithm>
+
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "regression/runs.hpp"
@@ -96,6 +98,34 @@ TEST_F(StartFrom, ShapeAsItWasLeft) {
     EXPECT_LT(off, 1e-9) << field;
     EXPECT_GT(largest(now), 0.9) << field;
   }
+}
+
+// The parts of a line that is cut at a time are one line until then.
+TEST_F(StartFrom, ALineThatIsCutThere) {
+  write_case(path + "/cut.yaml", kCase,
+             {{"output: {", "events: [{cut: {line: tail, at: 60}, time: 1.5}]\noutput: {"},
+              {"chain: {", "chain: {stiffness_damping: 1e-3, "}});
+  run_on_all({path + "/cut.yaml", path + "/cut.h5"});
+  write_case(path + "/before.yaml", kCase, {{"lines:\n", "start: {from: cut.h5, time: 1}\nlines:\n"}});
+  const model::Case c = io::read_case(path + "/before.yaml");
+  ASSERT_TRUE(c.lines[1].left);
+  EXPECT_NEAR(c.lines[1].left->arc.back(), 110, 1e-9);
+  EXPECT_EQ(c.lines[1].left->arc.size(), 31U);
+  EXPECT_TRUE(std::is_sorted(c.lines[1].left->arc.begin(), c.lines[1].left->arc.end()));
+  const Vec3 gap = c.lines[1].left->position.back() - Vec3(60, 50, -3);
+  EXPECT_LT(gap.norm(), 1e-9);
+  write_case(path + "/after.yaml", kCase, {{"lines:\n", "start: {from: cut.h5}\nlines:\n"}});
+  try {
+    io::read_case(path + "/after.yaml");
+    FAIL() << "parts that are apart";
+  } catch (const InputError& e) {
+    EXPECT_NE(
+        std::string(e.what()).find("It is cut there, and its parts have come apart: give a 'time' before "
+                                   "that, or make each part a line"),
+        std::string::npos)
+        << e.what();
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
 }
 
 TEST_F(StartFrom, RefusesInOneSentence) {

@@ -112,6 +112,16 @@ dynamics: {duration: 3 h}
         said = self.hawser("check", "ship.yaml").stdout
         self.assertIn("automatic steps of at most 0.1 s (a hundredth of the period of body ship)", said)
 
+    def test_check_refuses_what_run_refuses_at_the_start(self):
+        write(self.folder, "met.yaml", CASE + "events: [{cut: {line: rod, at: 6}, when: {position: {line: rod, at: 12, axis: z, above: -100}}}]\n")
+        told = {}
+        for command in ("check", "run"):
+            result = self.hawser(command, "met.yaml")
+            self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+            told[command] = [line for line in result.stderr.splitlines() if "before anything moves" in line]
+            self.assertEqual(len(told[command]), 1, result.stderr)
+        self.assertEqual(told["check"][0].replace("met.yaml:13", "met.yaml"), told["run"][0])
+
     def test_statics_that_snaps_says_so(self):
         write(self.folder, "strut.yaml", """\
 hawser: 1

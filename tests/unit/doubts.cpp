@@ -122,6 +122,30 @@ TEST(Doubts, ContentsAndCoatings) {
       "of 0.3 m; is it in mm? ('4 mm')");
 }
 
+// Of pipes that are judged by codes: DNV-ST-F101 5.4.6 from 15 to 45, API RP 1111 4.3.2.2 up to 50.
+TEST(Doubts, SlendernessOfPipesByCodes) {
+  const auto pipe = [](const std::string& wall, const std::string& grade = ", grade: X65") {
+    return weightless(
+        "chain: {outer_diameter: 0.25, mass_per_length: 390, EA: 1.6e9, bending: false, breaking_load: "
+        "1.3e7}",
+        "chain: {pipe: {outer_diameter: 0.3, wall_thickness: " + wall + grade + "}}");
+  };
+  for (const char* wall : {"0.02", "0.00666667", "0.0199"})  // 15, 45, 15.1
+    EXPECT_EQ(notes(pipe(wall)), std::vector<std::string>{}) << wall;
+  expect_doubt(pipe("0.021"),
+               "slips.yaml:6: line_types.chain.pipe.wall_thickness: D/t is 14.3, and DNV-ST-F101's formulas "
+               "for combined loads are for 15 to 45: 'dnv_local_buckling' is no check of this pipe; give it "
+               "another wall, or judge it by other means");
+  expect_doubt(pipe("0.00625"), "D/t is 48, and DNV-ST-F101's formulas");
+  const std::vector<std::string> both = notes(pipe("0.005"));
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_NE(both[1].find("D/t is 60, and API RP 1111's formula for bending with pressure is for 50 at most: "
+                         "'api_bending_pressure' is no check"),
+            std::string::npos)
+      << both[1];
+  EXPECT_EQ(notes(pipe("0.005", "")), std::vector<std::string>{});  // judged by none
+}
+
 TEST(Doubts, StiffnessOfTheBed) {
   const auto bed = [](const std::string& stiffness) {
     return Changes{{"friction: 0.6", "friction: 0.6, normal_stiffness: " + stiffness}};
@@ -154,6 +178,11 @@ TEST(Doubts, TensionsOfLinesAndLengths) {
                "lines.mooring.loads[0]: its force means a tension of 2e+04 kN");
   expect_doubt({{"length: 760", "length: 8000"}, {"  current: {speed: 0.2, direction_deg: 90}\n", ""}},
                "the line is 8000 m long, 11 times the distance of its ends (727.977 m)");
+  // What is inside a feeder does not reach from end to end.
+  expect_doubt({{"length: 760", "length: 755"},
+                {"end_b: {body: vessel, at: [0, 0, 0]}",
+                 "end_b: {body: vessel, at: [0, 0, 0], feed: {stock: 40, speed: 0}}"}},
+               "lines.mooring.sections: a length of 715 m over a distance of 727.977 m");
 }
 
 TEST(Doubts, Depths) {

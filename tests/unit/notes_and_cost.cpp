@@ -1,10 +1,12 @@
 // What a run says of itself before it begins: notes by group, and what it will cost.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "hawser/app/cost.hpp"
+#include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/notes.hpp"
 
@@ -100,6 +102,41 @@ TEST(Cost, ATrialTellsWhyTheRunStops) {
   const TrialRun trial = trial_run(sim, c, 100);
   EXPECT_EQ(trial.failure.find("statics: "), 0U) << trial.failure;
   EXPECT_EQ(trial.reached, 0);
+}
+
+// What a run refuses when it begins is refused here too; what happens in a run happens in the trial.
+TEST(Cost, ATrialHasTheEventsOfTheRun) {
+  const auto cut = [](const std::string& limit) {
+    model::Case c = io::read_case_text(R"(hawser: 1
+environment: {gravity: 9.80665}
+line_types:
+  chain: {outer_diameter: 0.1, mass_per_length: 10, EA: 1e7, bending: false}
+lines:
+  chain:
+    sections: [{type: chain, length: 20, elements: 20}]
+    end_a: free
+    end_b: {anchor: [0, 0, 100]}
+dynamics: {duration: 0.1}
+events: [{cut: {line: chain, at: 10}, )" + limit +
+                                           "}]\ncontact: {between_lines: false}\n",
+                                       "/nowhere/case.yaml");
+    Simulation sim(MPI_COMM_SELF, c);
+    const TrialRun trial = trial_run(sim, c, 100);
+    EXPECT_EQ(trial.failure, "");
+    EXPECT_NEAR(trial.reached, 0.1, 1e-9);
+    const Kinematics rest = sim.state().view(0), end = sim.dynamics().kinematics();
+    double fallen = 0;  // of the centre of mass of the lower part: elements of equal mass
+    for (size_t n = 0; n <= 10; ++n) fallen += (n % 10 == 0 ? 0.05 : 0.1) * (rest.x[n].z() - end.x[n].z());
+    return fallen;
+  };
+  try {
+    cut("tension: 900");
+    FAIL() << "980 N at rest";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("already; give another limit, or 'time: 0'"), std::string::npos)
+        << e.what();
+  }
+  EXPECT_NEAR(cut("time: 0.02"), 9.80665 * 0.08 * 0.08 / 2, 1e-9);
 }
 
 // Runs of 10^5 elements took 0.57 GB (beams) and 0.45 GB (cables), and 0.573 and 0.316 in the trial.

@@ -10,14 +10,15 @@
 #include "hawser/app/audit.hpp"
 #include "hawser/app/clash_report.hpp"
 #include "hawser/app/clearances.hpp"
+#include "hawser/app/element_errors.hpp"
 #include "hawser/app/end_forces.hpp"
 #include "hawser/app/folds.hpp"
 #include "hawser/app/histories.hpp"
 #include "hawser/app/line_extremes.hpp"
 #include "hawser/app/node_statistics.hpp"
 #include "hawser/app/pipe_strength.hpp"
-#include "hawser/app/sharp_turns.hpp"
 #include "hawser/app/simulation.hpp"
+#include "hawser/app/snaps.hpp"
 #include "hawser/app/stations.hpp"
 #include "hawser/app/support_log.hpp"
 #include "hawser/app/utilisation.hpp"
@@ -68,6 +69,9 @@ class Recorder {
   void fill(const Kinematics& at, bool all);
   void fill_field(size_t f, const Kinematics& at);
   void find_worst(const Kinematics& at);
+  void look_at_elements(const Kinematics& at);
+  std::string peak_warning(const io::SummaryRow& largest_tension) const;
+  void gather_warnings(const std::vector<io::SummaryRow>& rows);
   double passed_through(double h) const;
   void correct_ends(const Kinematics& at);
   void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown);
@@ -90,14 +94,16 @@ class Recorder {
   // Among values_.
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
       moment_2_ = -1, moment_3_ = -1, pressed_ = -1, declination_ = -1;
+  std::vector<int> touches_;   // likewise, not zero where something touches a line
   std::vector<int> carriers_;  // likewise
   std::unique_ptr<Histories> histories_;
   std::unique_ptr<LineExtremes> extremes_;
   std::unique_ptr<NodeStatistics> statistics_;   // null: not wanted
   std::unique_ptr<Stations> stations_;           // likewise
   std::unique_ptr<NodeStatistics> at_stations_;  // likewise
-  SharpTurns turns_;
+  ElementErrors element_errors_;
   Folds folds_;
+  Snaps snaps_;
   Utilisation utilisation_;
   PipeStrength pipes_;
   Clearances clearances_;

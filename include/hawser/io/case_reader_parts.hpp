@@ -104,8 +104,11 @@ class OtherRuns {
  public:
   explicit OtherRuns(const CaseSource& source) : source_(source) {}
   // start: a map with `from` and maybe `time`. Without such a line: refused if it must be there, else null.
+  // A line that is cut there is whole for as long as its parts hang together, else its first part.
   std::shared_ptr<const model::LeftShape> shape(const model::Value& start, const std::string& line,
                                                 bool must);
+  // Whether the parts of the line that was last asked for have come apart.
+  bool parted() const { return parted_; }
 
  private:
   struct Run {
@@ -116,11 +119,13 @@ class OtherRuns {
     std::vector<std::vector<double>> axes;  // 1 and 2 of the section, where there are beams
   };
   const Run& run(const model::Value& from, const model::Value* time);
+  static void add_shape(const Run& r, size_t line, model::LeftShape& to);
   const CaseSource& source_;
+  bool parted_ = false;
   std::map<std::pair<std::string, double>, Run> runs_;  // by path and time; -1: the last
 };
 // Whether it is long enough for the line.
-void check_left_shape(const model::Line& line, const model::Value& at, const std::string& key,
+void check_left_shape(const model::Line& line, const model::Value& at, const std::string& key, bool parted,
                       std::vector<std::string>& notes);
 
 }  // namespace hawser::io

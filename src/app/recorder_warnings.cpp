@@ -1,0 +1,83 @@
+// The part of Recorder that says what a user must not overlook.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/app/recorder.hpp"
+#include "hawser/model/doubts.hpp"
+
+namespace hawser::app {
+
+std::string Recorder::audit_warning() const {
+  const int node = audit_.worst.node;
+  const model::Case& c = sim_.model();
+  std::string striking;
+  for (const model::Body& b : c.bodies) {
+    const model::StartSpeeds speed = model::start_speeds(c, b);
+    if (striking.empty() && speed.motion + speed.drift > 0)
+      striking = fmt::format("bodies.{}.{}", b.name, speed.motion > 0 ? "motion" : "motion.drift");
+  }
+  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : sim_.mesh().place(node), striking);
+}
+
+void Recorder::look_at_elements(const Kinematics& at) {
+  const auto of = [&](int f) {
+    return f < 0 ? std::span<const double>() : std::span<const double>(values_[static_cast<size_t>(f)]);
+  };
+  ElementErrors::Values v{of(tension_), of(moment_), of(pressed_), {}};
+  v.carried.resize(static_cast<size_t>(sim_.local().owned), false);
+  for (const int f : touches_)
+    for (size_t n = 0, c = static_cast<size_t>(fields_[static_cast<size_t>(f)].components);
+         n < v.carried.size(); ++n)
+      for (size_t k = 0; k < c; ++k)
+        if (values_[static_cast<size_t>(f)][n * c + k] != 0) v.carried[n] = true;
+  element_errors_.look(at, v);
+}
+
+// Of the largest tension of a line.
+std::string Recorder::peak_warning(const io::SummaryRow& r) const {
+  const int line = sim_.model().line_index(r.line);
+  const std::string folded = folds_.warning(comm_, line, r.line, r.value);
+  if (!folded.empty()) return folded;
+  return snaps_.warning(comm_, line, r.line, r.value, !audit_.note().empty(), sim_.model().dynamics.step > 0);
+}
+
+void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
+  const auto bent = [&](const std::string& line) {
+    for (const auto& r : rows)
+      if (r.line == line && r.quantity == "max bending moment") return r.value;
+    return HUGE_VAL;
+  };
+  warnings_.clear();
+  for (const auto& r : rows) {
+    if (r.quantity == "max effective tension" && r.value > 0)
+      for (const std::string& w :
+           element_errors_.warnings(sim_.model().line_index(r.line), r.value, bent(r.line)))
+        warnings_.push_back(w);
+    if (r.quantity == "max effective tension" && r.value > 0)
+      if (const std::string w = peak_warning(r); !w.empty()) warnings_.push_back(w);
+    if (const std::string w = overused(fields_, r); !w.empty()) warnings_.push_back(w);
+    if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
+    if (r.quantity != "max penetration") continue;
+    double radius = 0;
+    const model::Case& c = sim_.model();
+    for (const auto& s : c.lines[static_cast<size_t>(c.line_index(r.line))].sections)
+      radius = std::max(radius, 0.5 * c.line_type(s.type).contact_diameter);
+    if (r.value > c.contact.warned_penetration * radius)
+      warnings_.push_back(fmt::format(
+          "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, "
+          "t = {:.6g} s: {}",
+          r.line, r.value, radius, r.arc_length, r.time,
+          r.value > radius
+              ? "it is trapped inside, and contact forces there are meaningless"
+              : "contact is too soft for what presses; a normal_stiffness that is given can be raised, an "
+                "automatic one is as high as the line's EA asks: is its tension more than it "
+                "bears?"));
+  }
+  for (const std::string& w : pipes_.warnings(comm_)) warnings_.push_back(w);
+  if (supports_)
+    for (const std::string& w : supports_->warnings()) warnings_.push_back(w);
+}
+
+}  // namespace hawser::app

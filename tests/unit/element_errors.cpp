@@ -1,0 +1,179 @@
+// Warnings about elements that are too long: over edges, for the sag between nodes, for moments that fall
+// off.
+#include "hawser/app/element_errors.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "hawser/app/simulation.hpp"
+#include "hawser/io/case_reader.hpp"
+
+namespace hawser::app::element_errors_test {
+namespace {
+
+// Two elements that meet at a right angle, and at 20 degrees; pressed there or not.
+TEST(ElementErrors, SharpTurnsWhereVolumesPress) {
+  const model::Case c = io::read_case_text(R"(
+hawser: 1
+line_types: {wire: {outer_diameter: 0.05, mass_per_length: 5, EA: 1.0e8, bending: false}}
+lines:
+  sling:
+    sections: [{type: wire, length: 4, elements: 2}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: {anchor: [3.9, 0, 0]}
+)",
+                                           "/nowhere/case.yaml");
+  const Simulation sim(MPI_COMM_SELF, c);
+  const auto said = [&](double degrees, double pressed, double largest) {
+    ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
+    State s;
+    s.resize(3);
+    const double a = degrees * M_PI / 180;
+    s.x = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2 + 2 * std::cos(a), 0, -2 * std::sin(a))};
+    const std::vector<double> tension{1000, 1000, 1000}, normal{0, pressed, 0};
+    errors.look(s.view(0), {tension, {}, normal, std::vector<bool>(3, true)});
+    const std::vector<std::string> all = errors.warnings(0, largest, HUGE_VAL);
+    return all.empty() ? "" : all.front();
+  };
+  const std::string sharp = said(90, 1400, 2000);
+  EXPECT_NE(sharp.find("line sling turns by 90 degrees from one element to the next"), std::string::npos)
+      << sharp;
+  EXPECT_NE(sharp.find("arc length 2 m, t = 0 s"), std::string::npos) << sharp;
+  EXPECT_NE(sharp.find("up to 1e+03 N, 50 % of the largest"), std::string::npos) << sharp;
+  EXPECT_EQ(said(20, 350, 1000), "");
+  EXPECT_EQ(said(90, 0, 1000), "");      // a kink in the water
+  EXPECT_EQ(said(90, 1400, 11000), "");  // slack against what the line bears elsewhere
+}
+
+// What is told of a line whose elements of 10 m turn by the same angle, from one to the next.
+std::vector<std::string> told_of_arc(int elements, double degrees, double tension, double largest,
+                                     const std::string& more = "") {
+  const model::Case c = io::read_case_text(fmt::format(R"(
+hawser: 1
+line_types: {{wire: {{outer_diameter: 0.05, mass_per_length: 5, EA: 1.0e15, bending: false}}}}
+lines:
+  wire:
+    sections: [{{type: wire, length: {}, elements: {}}}]
+    end_a: {{anchor: [0, 0, 0]}}
+    end_b: {{anchor: [9, 0, 0]}}{}
+)",
+                                                       10 * elements, elements, more),
+                                           "/nowhere/case.yaml");
+  const Simulation sim(MPI_COMM_SELF, c);
+  ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
+  State s;
+  const size_t nodes = static_cast<size_t>(elements) + 1;
+  s.resize(static_cast<int>(nodes));
+  for (size_t n = 0; n < nodes; ++n) {
+    const double a =
+        (static_cast<double>(n) - 0.5 * static_cast<double>(elements) - 0.5) * degrees * M_PI / 180;
+    s.x[n] = n == 0 ? Vec3(Vec3::Zero()) : Vec3(s.x[n - 1] + 10 * Vec3(std::cos(a), 0, std::sin(a)));
+  }
+  errors.look(s.view(0), {std::vector<double>(nodes, tension), {}, {}, std::vector<bool>(nodes, false)});
+  return errors.warnings(0, largest, HUGE_VAL);
+}
+
+// Equal turns theta of N elements: theta²/24 over theta² (N² - 1)/12, the variance of their directions, is
+// 1/2(N² - 1). 3.3 % of 4, 0.79 % of 8; 1 % is left of 4 with elements shorter by sqrt(0.01/0.0333).
+TEST(ElementErrors, SagOfCablesBetweenNodes) {
+  const std::vector<std::string> told = told_of_arc(4, 2, 1000, 1000);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(told.front().starts_with(
+      "line wire sags between the nodes of its elements of 10 m: it turns by 2 degrees from one to the next "
+      "(arc length "))
+      << told.front();
+  EXPECT_TRUE(
+      told.front().ends_with(" m, t = 0 s), so that its tension is off by about 3.3 % of the largest: give "
+                             "it elements of 5.5 m there"))
+      << told.front();
+  EXPECT_TRUE(told_of_arc(8, 2, 1000, 1000).empty());
+  EXPECT_TRUE(told_of_arc(4, 2, 1000, 1700).empty());  // 2.0 % of what the line bears at another time
+  EXPECT_EQ(told_of_arc(4, 2, 1000, 1600).size(), 1U);
+  // The kink at a mass is none of the line's sag.
+  EXPECT_TRUE(told_of_arc(2, 2, 1000, 1000, "\n    masses: [{at: 10, mass: 100}]").empty());
+  EXPECT_EQ(told_of_arc(2, 2, 1000, 1000).size(), 1U);
+}
+
+double least_tension(int elements, std::string& told) {
+  const model::Case c = io::read_case_text(fmt::format(R"(
+hawser: 1
+environment: {{gravity: 9.80665}}
+line_types: {{wire: {{outer_diameter: 0.05, mass_per_length: 5, EA: 1.0e8, bending: false}}}}
+lines:
+  wire:
+    sections: [{{type: wire, length: 100, elements: {}}}]
+    end_a: {{anchor: [0, 0, 0]}}
+    end_b: {{anchor: [98, 0, 0]}}
+)",
+                                                       elements),
+                                           "/nowhere/case.yaml");
+  Simulation sim(MPI_COMM_SELF, c);
+  sim.solve_statics();
+  const Kinematics at = sim.state().view(0);
+  std::vector<double> tension(static_cast<size_t>(elements) + 1);
+  const FieldRegistry fields = sim.system().fields();
+  for (const FieldSource& f : fields.sources())
+    if (f.name == "effective_tension") f.fill(at, tension);
+  ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
+  errors.look(at, {tension, {}, {}, std::vector<bool>(tension.size(), false)});
+  const auto all = errors.warnings(0, *std::max_element(tension.begin(), tension.end()), HUGE_VAL);
+  told = all.empty() ? "" : all.front();
+  return *std::min_element(tension.begin(), tension.end());
+}
+
+// A cable that sags by a tenth of its span: what four elements are told is what they have too little
+// against 64.
+TEST(ElementErrors, SagIsWhatShorterElementsShow) {
+  std::string told, fine;
+  const double coarse = least_tension(4, told), exact = least_tension(64, fine);
+  EXPECT_EQ(fine, "");
+  const size_t at = told.find("off by about ");
+  ASSERT_NE(at, std::string::npos) << told;
+  const double percent = std::stod(told.substr(at + 13));
+  EXPECT_NEAR(percent, 100 * (exact - coarse) / exact, 0.3 * percent) << told;
+}
+
+// Moments of nodes 1 m apart of a beam under tension with decay 1 m, exp(-|s|) about its middle: the cubic's
+// own curvature misses 1/16.2 of what it shows. At a mass the forces say what it is.
+TEST(ElementErrors, PeaksOfBendingMoment) {
+  const auto told = [](double decay, double smooth, const std::string& more = "") {
+    const model::Case c = io::read_case_text(fmt::format(R"(
+hawser: 1
+line_types: {{pipe: {{outer_diameter: 0.1, mass_per_length: 10, EA: 1.0e8, EI: {}, GJ: 1000}}}}
+lines:
+  pipe:
+    sections: [{{type: pipe, length: 8, elements: 8}}]
+    end_a: {{anchor: [0, 0, 0]}}
+    end_b: {{anchor: [8, 0, 0]}}{}
+)",
+                                                         1e4 * decay * decay, more),
+                                             "/nowhere/case.yaml");
+    const Simulation sim(MPI_COMM_SELF, c);
+    ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
+    State s;
+    s.resize(9);
+    std::vector<double> moment(9);
+    for (size_t n = 0; n < 9; ++n) {
+      s.x[n] = Vec3(static_cast<double>(n), 0, 0);
+      moment[n] = -500 * std::exp(-std::abs(static_cast<double>(n) - 4) / (smooth * decay));
+    }
+    errors.look(s.view(0), {std::vector<double>(9, 1e4), moment, {}, std::vector<bool>(9, false)});
+    const auto all = errors.warnings(0, 1e4, 500);
+    return all.empty() ? "" : all.front();
+  };
+  EXPECT_EQ(
+      told(1, 1),
+      "the bending moment of line pipe falls off within 1 m at arc length 4 m (t = 0 s), which elements "
+      "of 1 m miss by about 6.2 % of the largest: give it elements of 0.37 m there");
+  EXPECT_EQ(told(2, 1), "");                                        // 1.7 %
+  EXPECT_EQ(told(1, 10), "");                                       // no peak
+  EXPECT_EQ(told(1, 1, "\n    masses: [{at: 4, mass: 100}]"), "");  // 0.07 %
+}
+
+}  // namespace
+}  // namespace hawser::app::element_errors_test
