@@ -79,7 +79,7 @@ void Snaps::look(double time, double h, std::span<const double> on_a, std::span<
 std::string Snaps::warning(MPI_Comm comm, int line, const std::string& name, double largest_tension,
                            bool damped, bool fixed) const {
   Worst w = worst_[static_cast<size_t>(line)];
-  if (!tell_of_largest(comm, w.tension, kSame * largest_tension, w)) return {};
+  if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
   const bool steps = w.angle > kResolved, elements = w.rate * w.passage > kResolved,
              blow = w.tension - w.from > kBlow * w.tension && w.within < echo_[static_cast<size_t>(line)];
   if (!steps && !elements && !(damped && blow)) return {};
