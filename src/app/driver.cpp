@@ -120,7 +120,7 @@ bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, 
     feeding.agree();
     recorder.step(info, d.kinematics(), d.support_work());
     progress.step(info.time, info.h, info.iterations);
-    const double slack = 1e-9 * std::max(1.0, info.time);
+    const double slack = time_tolerance(info.time);
     const bool last = info.time >= end - slack;
     const bool output = info.time >= output_at - slack || last;
     const bool save = info.time >= checkpoint_at - slack || last;

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "hawser/app/feeding.hpp"
+#include "hawser/app/output_times.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/terms/feeders.hpp"
 
@@ -19,8 +20,6 @@ using model::Cause;
 
 // How far a step may go beyond a condition: of a tension, and m of a length.
 constexpr double kNear = 1e-3;
-
-double slack(double time) { return 1e-9 * std::max(1.0, time); }
 
 double tolerance(const Cause& c) {
   return c.kind == Cause::Kind::tension ? kNear * std::max(std::abs(c.limit), 1.0) : kNear;
@@ -144,7 +143,7 @@ double Events::due(const Happening& h) const {
 double Events::next(double time) const {
   double out = HUGE_VAL;
   for (const Happening& h : events_)
-    if (h.happened < 0 && due(h) > time + slack(time)) out = std::min(out, due(h));
+    if (h.happened < 0 && due(h) > time + time_tolerance(time)) out = std::min(out, due(h));
   return out;
 }
 
@@ -154,7 +153,7 @@ std::vector<size_t> Events::due_at(double time, const std::vector<double>& value
   std::vector<size_t> out;
   for (size_t i = 0; i < events_.size(); ++i) {
     const Cause& c = events_[i].what.cause;
-    const bool now = stage.empty() ? g[i] >= 0 || time >= due(events_[i]) - slack(time)
+    const bool now = stage.empty() ? g[i] >= 0 || time >= due(events_[i]) - time_tolerance(time)
                                    : c.kind == Cause::Kind::stage && c.event == stage;
     if (events_[i].happened < 0 && now) out.push_back(i);
   }

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "hawser/app/events.hpp"
+#include "hawser/app/output_times.hpp"
 #include "hawser/base/error.hpp"
 
 namespace hawser::app {
@@ -15,8 +16,6 @@ using model::Cause;
 
 const std::string kHappened = "event.";  // before the name
 const std::string kOrder = " order";     // after it
-
-double slack(double time) { return 1e-9 * std::max(1.0, time); }
 
 // Where a checkpoint keeps what an action found.
 std::vector<std::pair<const char*, double*>> entries(Actions::Found& f) {
@@ -45,7 +44,7 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
     known.insert(key), known.insert(key + kOrder);
     const auto at = from.scalars.find(key);
     if (at == from.scalars.end()) {
-      if (h.what.cause.kind == Cause::Kind::time && h.what.cause.time < from.time - slack(from.time))
+      if (h.what.cause.kind == Cause::Kind::time && h.what.cause.time < from.time - time_tolerance(from.time))
         throw InputError(
             fmt::format("{}: events: {} was to be {} at {:g} s, before t = {:g} s from which the run goes "
                         "on, and was not; give it a later time",

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "hawser/app/output_times.hpp"
+
 namespace hawser::app {
 namespace {
 
@@ -27,7 +29,7 @@ NodeStatistics::NodeStatistics(const std::vector<io::ResultField>& fields, std::
 }
 
 void NodeStatistics::add(double time, const std::vector<std::vector<double>>& values) {
-  if (time < from_ - 1e-9 * std::max(1.0, from_)) return;
+  if (time < from_ - time_tolerance(from_)) return;
   const double h = begun_ ? time - latest_ : 0;
   for (std::size_t f = 0; f < sums_.size(); ++f) {
     const std::vector<double>& of = values[place_[f]];

@@ -23,7 +23,7 @@ double OutputTimes::next(double t) const {
   const double stop = checkpoint_every > 0
                           ? std::min(next_multiple(t, every), next_multiple(t, checkpoint_every))
                           : next_multiple(t, every);
-  const auto jump = std::upper_bound(jumps_.begin(), jumps_.end(), t + 1e-9 * std::max(1.0, t));
+  const auto jump = std::upper_bound(jumps_.begin(), jumps_.end(), t + time_tolerance(t));
   return jump != jumps_.end() ? std::min(stop, *jump) : stop;
 }
 

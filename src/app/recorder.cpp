@@ -316,7 +316,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   if (at_stations_) at_stations_->add(info.time, stations_->at(values_));
   if (clashes_) clashes_->step(info.time);
   if (supports_) support_rows_ = supports_->rows(shown, body_poses(sim_, shown));
-  if (info.time < rows_from_ - 1e-9 * std::max(1.0, info.time)) return;
+  if (info.time < rows_from_ - time_tolerance(info.time)) return;
   if (rows_every_ > 0) rows_from_ = next_multiple(info.time, rows_every_);
   append_rows(info, shown);
 }

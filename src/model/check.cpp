@@ -17,8 +17,7 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kArcTolerance = 1e-9;  // of the line's length
-constexpr double kMostElements = 1e6;   // of a case; each takes 5 to 10 KB in a run
+constexpr double kMostElements = 1e6;  // of a case; each takes 5 to 10 KB in a run
 
 void check_whole(const Case& c, std::vector<Issue>& issues) {
   double elements = 0;

@@ -12,7 +12,6 @@ namespace hawser::model {
 namespace {
 
 using Kind = Action::Kind;
-constexpr double kArcTolerance = 1e-9;  // of the line's length
 
 class EventCheck {
  public:

@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kLargestStrain = 0.10;     // to reach between held ends; more is a misprint, not a taut line
 constexpr double kLargestExpansion = 0.05;  // by heat; ropes and rubber stay below
-constexpr double kArcTolerance = 1e-9;      // of the line's length
 constexpr double kMostWeight = 100;  // of a line in air, in EA: soft rubber under water has 1 at the most
 
 class LineCheck {

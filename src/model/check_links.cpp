@@ -9,8 +9,6 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kArcTolerance = 1e-9;  // of the line's length
-
 // Whether its motion is prescribed: a point of space or of a body that does not move by the state.
 bool prescribed(const Case& c, const LinkEnd& e) {
   const int body = c.body_index(e.body);

@@ -11,7 +11,7 @@ void temperature(Line& l, const Value& v) {
   if (v.number != 0) l.temperature_change = {{0, v.number}};
 }
 
-Key feed() {
+Key fed_end() {
   std::vector<Key> keys = feed_law();
   keys.insert(
       keys.begin(),
@@ -59,7 +59,7 @@ Key line_end(Head head, const std::string& about) {
                 .at_least(0)
                 .or_else_note("of a held end that starts inside a volume: up to where the line is clear of "
                               "it, with that volume"),
-            feed()},
+            fed_end()},
            "")
            .either({{{"anchor"}, {"anchor"}}, {{"body", "at"}, {"body", "at"}}, {{"joint"}, {"joint"}}},
                    true)},

@@ -19,7 +19,7 @@ namespace {
 // regular also where the system can move freely.
 constexpr double kTarget = -4e-5;  // rad²/s²
 constexpr double kTolerance = 1e-10;
-constexpr int kMostIterations = 2000;
+constexpr int kMostEigenIterations = 2000;
 constexpr int kMore = 4;       // modes that are looked for beyond those that are wanted
 constexpr long kMost = 8;      // times as many at the most
 constexpr double kGap = 1e-6;  // of an eigenvalue: those that are nearer to each other are repeated
@@ -111,7 +111,7 @@ std::vector<NaturalMode> nearest_modes(System& system, const Kinematics& at, Mat
   check(EPSSetOperators(eps, K, M));
   check(EPSSetProblemType(eps, EPS_GHEP));
   check(EPSSetDimensions(eps, count, PETSC_DEFAULT, PETSC_DEFAULT));
-  check(EPSSetTolerances(eps, kTolerance, kMostIterations));
+  check(EPSSetTolerances(eps, kTolerance, kMostEigenIterations));
   check(EPSSetTarget(eps, kTarget));
   check(EPSSetWhichEigenpairs(eps, EPS_TARGET_MAGNITUDE));
   ST st = nullptr;

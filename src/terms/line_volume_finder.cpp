@@ -11,7 +11,7 @@ namespace hawser {
 namespace {
 
 // What is found free is looked at in up to so many places more to keep that much of it.
-constexpr int kPlaces = 4;
+constexpr int kProbes = 4;
 constexpr double kCertain = 0.5;
 // Times the bound of the slope: how far the middle is asked about first.
 constexpr double kFirst = 2;
@@ -96,7 +96,7 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
   if (!(least > 0)) return;
   double free =
       least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
-  for (int i = 0; i < kPlaces && free < kCertain * least; ++i) {
+  for (int i = 0; i < kProbes && free < kCertain * least; ++i) {
     const Vec3 y = pose.to_body(shape.point(worst));
     const double within = pair.contact_distance + 2 * least;
     const auto p = surface(pair).query(y, within, pair.hint);

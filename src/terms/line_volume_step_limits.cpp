@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-constexpr std::array<double, 3> kPlaces{0, 0.5, 1};  // of an element
+constexpr std::array<double, 3> kLookedAt{0, 0.5, 1};  // of an element
 
 Vec3 along(std::span<const Vec3> nodes, const LocalElement& e, double xi) {
   return (1 - xi) * nodes[static_cast<size_t>(e.first)] + xi * nodes[static_cast<size_t>(e.second)];
@@ -81,7 +81,7 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
   finder_.facet_groups_ahead(pair, std::min(0.5, 2 * to.most) * std::max({speed(0), speed(0.5), speed(1)}),
                              facet_groups);
   for (const FacetGroup& w : facet_groups.of)
-    for (const double xi : kPlaces) {
+    for (const double xi : kLookedAt) {
       if (!finder_.takes_part(pair, xi)) continue;
       const auto p =
           volumes_.surface(pair.volume)
@@ -100,8 +100,8 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   const double clearance = LineVolumeFinder::clearance_at_start(pair);
   const bool facet_groups = pair.several && predict_impacts_by_group(pair, committed, to);
   std::vector<ClearancePoint> free;
-  for (size_t i = 0; i < kPlaces.size(); ++i) {
-    const double xi = kPlaces[i], speed = velocity_at_start(pair, xi).norm();
+  for (size_t i = 0; i < kLookedAt.size(); ++i) {
+    const double xi = kLookedAt[i], speed = velocity_at_start(pair, xi).norm();
     // Look ahead as far as it gets in half a second.
     const double far = 0.5 * (start.slope_bound() + speed), within = pair.contact_distance + far;
     const ContactSpring s = spring(pair, xi);
@@ -117,7 +117,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
     pair.ahead[i] = p->triangle;
     if (!facet_groups) predict_impacts(pair, committed, xi, *p, to);
   }
-  if (free.size() < kPlaces.size()) return;
+  if (free.size() < kLookedAt.size()) return;
   double worst = 0;
   pair.clearance.offer(
       bezier_in(pair.start.pose, start),

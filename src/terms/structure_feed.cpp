@@ -10,13 +10,11 @@
 namespace hawser {
 namespace {
 
-constexpr size_t kPlaces = kBendingPlaces;
-
 // Between the order of an element, from end A on, and that of the labels, from the free node on.
 std::vector<double> turned(const double* values, size_t n, bool at_b) {
-  std::vector<double> out(kPlaces * n);
-  for (size_t k = 0; k < kPlaces; ++k)
-    std::copy_n(values + k * n, n, out.data() + (at_b ? k : kPlaces - 1 - k) * n);
+  std::vector<double> out(kBendingPlaces * n);
+  for (size_t k = 0; k < kBendingPlaces; ++k)
+    std::copy_n(values + k * n, n, out.data() + (at_b ? k : kBendingPlaces - 1 - k) * n);
   return out;
 }
 
@@ -28,12 +26,12 @@ BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
 // What is inside, by label from the free node on: of the element at the mouth, and of the next in the stock.
 std::vector<RememberedCell> inside(const Feeders& feeders, const Feeder& f,
                                    const std::vector<double>& values) {
-  const size_t n = values.size() / (2 * kPlaces);
+  const size_t n = values.size() / (2 * kBendingPlaces);
   const double first = feeders.element_length(f, f.mouth),
                second = first + feeders.element_length(f, std::max(f.mouth - 1, 0));
   std::vector<RememberedCell> out;
   for (const RememberedCell& c : remembered_cells(0, first, values.data(), n)) out.push_back(c);
-  for (const RememberedCell& c : remembered_cells(first, second, values.data() + kPlaces * n, n))
+  for (const RememberedCell& c : remembered_cells(first, second, values.data() + kBendingPlaces * n, n))
     out.push_back(c);
   return out;
 }
@@ -45,7 +43,7 @@ void StructureTerm::fed_by(Feeders* feeders) {
   feeders_ = feeders, fed_.clear();
   for (const Feeder& f : feeders_ ? feeders_->list() : std::vector<Feeder>{}) {
     FedBends& fed = fed_.emplace_back();
-    if (f.bar.plastic) fed.inside.assign(2 * kPlaces * f.bar.plastic->memory(), 0);
+    if (f.bar.plastic) fed.inside.assign(2 * kBendingPlaces * f.bar.plastic->memory(), 0);
   }
 }
 
@@ -75,7 +73,7 @@ std::vector<double> StructureTerm::entering(int feeder, double label) const {
   std::vector<double> out;
   for (const RememberedCell& c : inside(*feeders_, feeders_->list()[k], fed_[k].inside))
     if (out.empty() || c.from <= label)
-      out.assign(c.values, c.values + fed_[k].inside.size() / (2 * kPlaces));
+      out.assign(c.values, c.values + fed_[k].inside.size() / (2 * kBendingPlaces));
   return out;
 }
 
@@ -90,7 +88,7 @@ void StructureTerm::carry_bends(Beam& b, int feeder, double from, double to) {
   for (const RememberedCell& c : remembered_cells(0, from, values.data(), n)) cells.push_back(c);
   for (const RememberedCell& c : inside(*feeders_, f, fed.inside))
     if (c.to > from) cells.push_back({std::max(c.from, from), c.to, c.values});
-  std::vector<double> now(kPlaces * n);
+  std::vector<double> now(kBendingPlaces * n);
   remember_cells(cells, n, 0, to, now.data());
   fed.trial = turned(now.data(), n, f.at_b);
   b.reference.set = fed.trial.data();
@@ -139,9 +137,9 @@ double StructureTerm::fed_work(const Kinematics& at) const {
 void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
   if (!yields_) return;
   const size_t k = static_cast<size_t>(&f - feeders_->list().data());
-  const size_t n = fed_.empty() ? 0 : fed_[k].inside.size() / (2 * kPlaces);
+  const size_t n = fed_.empty() ? 0 : fed_[k].inside.size() / (2 * kBendingPlaces);
   if (n == 0) return;
-  const size_t size = kPlaces * n;
+  const size_t size = kBendingPlaces * n;
   const auto beam = [&](int i) -> Beam* {
     if (i < 0 || i >= feeders_->elements(f)) return nullptr;
     const int global = feeders_->element(f, i);

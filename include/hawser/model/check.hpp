@@ -8,6 +8,9 @@
 
 namespace hawser::model {
 
+// Of a line's length: arc lengths no further apart are the same.
+inline constexpr double kArcTolerance = 1e-9;
+
 struct Issue {
   std::string key;   // dotted, as in the file: "lines.hose.end_b"
   std::string text;  // "is 90 m long but ..."
