@@ -52,7 +52,7 @@ void agree(MPI_Comm comm, bool good, const std::string& names) {
 
 constexpr double kMostKinds = 100;  // of records of a term
 constexpr int kRecordHead = 4;      // numbers of a record before its values
-constexpr size_t kPiece = 10'000;   // records that are handed over at a time
+constexpr size_t kPiece = 1000;     // records that are handed over at a time
 
 struct Slot {
   std::string index;
