@@ -250,6 +250,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     // A start at rest is shown at rest: the velocities with which motions begin come after it.
     const Kinematics moving = sim.dynamics().kinematics();
     recorder.start(moving, c.statics.enabled ? sim.state().view(0) : moving);
+    sim.state() = State();  // the motion has its own
     recorder.checkpoint(
         make_checkpoint(sim, recorder, events));  // so that a run killed at once can go on too
   } else {

@@ -68,15 +68,18 @@ std::vector<double> NodeStatistics::table(std::size_t field) const {
 void NodeStatistics::save(io::Checkpoint& to) const {
   to.scalars[kBegun] = begun_, to.scalars[kLatest] = latest_;
   for (std::size_t f = 0; f < sums_.size(); ++f) {
-    io::CheckpointField& of = to.nodes[kPrefix + fields_[f].name];
-    of.components = kNumbers * fields_[f].components;
-    of.values.reserve(kNumbers * sums_[f].size());
-    for (const Sums& s : sums_[f]) {
-      const bool any = !std::isnan(s.least), last = !std::isnan(s.last);
-      of.values.insert(of.values.end(),
-                       {any ? s.least : 0, any ? s.least_time : 0, any ? s.most : 0, any ? s.most_time : 0,
-                        any ? s.mean : 0, s.squares, last ? s.last : 0, s.covered, any + 2.0 * last});
-    }
+    to.nodes[kPrefix + fields_[f].name] = {
+        kNumbers * fields_[f].components, {}, [&sums = sums_[f]] {
+          std::vector<double> values;
+          values.reserve(kNumbers * sums.size());
+          for (const Sums& s : sums) {
+            const bool any = !std::isnan(s.least), last = !std::isnan(s.last);
+            values.insert(values.end(),
+                          {any ? s.least : 0, any ? s.least_time : 0, any ? s.most : 0, any ? s.most_time : 0,
+                           any ? s.mean : 0, s.squares, last ? s.last : 0, s.covered, any + 2.0 * last});
+          }
+          return values;
+        }};
   }
 }
 

@@ -43,12 +43,16 @@ auto& vectors(auto& s, size_t i) {
   return *all[i];
 }
 
-io::CheckpointField field_of(const std::vector<Vec3>& values, size_t owned) {
-  io::CheckpointField f;
-  f.components = 3;
-  f.values.reserve(3 * owned);
-  for (size_t n = 0; n < owned; ++n) f.values.insert(f.values.end(), values[n].data(), values[n].data() + 3);
-  return f;
+// Of each node what `number(n, k)` is, for k below `components`; it is asked when the field is written.
+template <class Number>
+io::CheckpointField field_of(size_t owned, int components, Number number) {
+  const auto width = static_cast<size_t>(components);
+  return {components, {}, [owned, width, number] {
+            std::vector<double> values(width * owned);
+            for (size_t n = 0; n < owned; ++n)
+              for (size_t k = 0; k < width; ++k) values[width * n + k] = number(n, k);
+            return values;
+          }};
 }
 
 // A number that stands for a text: of 53 bits of FNV-1a (Fowler, Noll and Vo).
@@ -106,29 +110,20 @@ std::string damage(const io::Checkpoint& c) {
 void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<double>& reactions,
                 const MeanForces& mean, io::Checkpoint& c) {
   const size_t owned = static_cast<size_t>(m.owned);
-  for (size_t i = 0; i < std::size(kVectors); ++i) c.nodes[kVectors[i]] = field_of(vectors(s, i), owned);
-  for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
-    if (!has_directors(m)) break;
-    io::CheckpointField& f = c.nodes[name];
-    f.components = 9;
-    f.values.reserve(9 * owned);
-    for (size_t n = 0; n < owned; ++n)
-      f.values.insert(f.values.end(), (*values)[n].data(), (*values)[n].data() + 9);
-  }
-  io::CheckpointField& q = c.nodes["rotation"];
-  q.components = 4;
-  q.values.reserve(4 * owned);
-  for (size_t n = 0; n < owned; ++n)
-    for (double x : {s.s.q[n].w(), s.s.q[n].x(), s.s.q[n].y(), s.s.q[n].z()}) q.values.push_back(x);
+  for (size_t i = 0; i < std::size(kVectors); ++i)
+    c.nodes[kVectors[i]] = field_of(
+        owned, 3, [&of = vectors(s, i)](size_t n, size_t k) { return of[n][static_cast<Eigen::Index>(k)]; });
+  for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}})
+    if (has_directors(m))
+      c.nodes[name] = field_of(owned, 9, [&of = *values](size_t n, size_t k) { return of[n].data()[k]; });
+  c.nodes["rotation"] = field_of(owned, 4, [&of = s.s.q](size_t n, size_t k) {
+    return k == 0 ? of[n].w() : of[n].vec()[static_cast<Eigen::Index>(k) - 1];
+  });
   const auto rows = [&](const char* name, const std::vector<double>& of) {
-    io::CheckpointField& r = c.nodes[name];
-    r.components = 6;
-    r.values.reserve(6 * owned);
-    for (size_t n = 0; n < owned; ++n)
-      for (size_t k = 0; k < 6; ++k) {
-        const size_t b = 3 * static_cast<size_t>(m.block[n]);
-        r.values.push_back(k < 3 || m.rotates(static_cast<int>(n)) ? of[b + k] : 0.0);
-      }
+    c.nodes[name] = field_of(owned, 6, [&m, &of](size_t n, size_t k) {
+      const size_t b = 3 * static_cast<size_t>(m.block[n]);
+      return k < 3 || m.rotates(static_cast<int>(n)) ? of[b + k] : 0.0;
+    });
   };
   rows(kReaction, reactions), rows(kMeanQ, mean.q), rows(kMeanF, mean.f);
 }
@@ -153,7 +148,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
   c.time = d.committed().s.time;
   save_nodes(simulation.local(), d.committed(), d.reactions(), d.mean_forces(), c);
   for (const auto& term : simulation.system().terms())
-    c.history[std::string(term->name())] = {term->history(), term->save()};
+    c.history[std::string(term->name())] = {term->history(), {}, [&of = *term] { return of.save(); }};
   c.scalars = signature(simulation);
   c.scalars["step.proposal"] = d.control().proposal();
   c.scalars["step.wait"] = d.control().wait();

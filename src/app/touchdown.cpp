@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kAbout = 5;       // nodes about a change of contact: two that lie, three that hang
 constexpr double kHeld = 1e-3;  // of the radius: an end held on the bed is there up to round-off
+constexpr double kSame = 1e-9;  // of a length: two that differ by less are one
 
 struct Gap {
   double value = 0, slope = 0;  // m; by arc length, of a beam
@@ -111,7 +112,7 @@ double carried(double deep, double behind, double bend) {
   const auto depth = [&](double l) { return bend * l * l * (1 - std::exp(-(behind + l) / l)); };
   if (!(deep > 0)) return low;
   while (depth(high) < deep && high < 1e9) high *= 2;
-  for (int i = 0; i < 60; ++i) {
+  while (high - low > kSame * high) {
     const double l = 0.5 * (low + high);
     (depth(l) < deep ? low : high) = l;
   }

@@ -52,6 +52,7 @@ void agree(MPI_Comm comm, bool good, const std::string& names) {
 
 constexpr double kMostKinds = 100;  // of records of a term
 constexpr int kRecordHead = 4;      // numbers of a record before its values
+constexpr size_t kPiece = 1000;     // records that are handed over at a time
 
 struct Slot {
   std::string index;
@@ -138,13 +139,18 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
                                const std::vector<int>& owned) {
   bool good = true;
   for (const auto& [name, field] : c.nodes)
-    good = good && field.values.size() == owned.size() * static_cast<size_t>(field.components);
+    good =
+        good && (field.make || field.values.size() == owned.size() * static_cast<size_t>(field.components));
   CheckpointRoom room;
-  for (const auto& [name, history] : c.history)
-    for (const auto& r : history.records) {
-      good = good && std::binary_search(owned.begin(), owned.end(), r.node) && fits(history, r);
-      room.size += kRecordHead + static_cast<long long>(r.values.size());
-    }
+  for (const auto& [name, history] : c.history) {
+    const auto look = [&, &history = history](const std::vector<HistoryRecord>& records) {
+      for (const auto& r : records) {
+        good = good && std::binary_search(owned.begin(), owned.end(), r.node) && fits(history, r);
+        room.size += kRecordHead + static_cast<long long>(r.values.size());
+      }
+    };
+    look(history.make ? history.make() : history.records);
+  }
   room.index = describe(c, nodes_total);
   agree(comm, good, room.index);
   MPI_Allreduce(MPI_IN_PLACE, &room.size, 1, MPI_LONG_LONG, MPI_SUM, comm);
@@ -178,39 +184,46 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
   for (auto& [name, field] : c.nodes) {
     std::vector<RowRun> runs = runs_of(owned);
     for (RowRun& run : runs) run.first = at + run.first * field.components, run.count *= field.components;
+    if (field.make) field.values = field.make();
+    if (field.values.size() != owned.size() * static_cast<size_t>(field.components))
+      throw std::logic_error("checkpoint: " + name + " has the wrong size");
     piece(runs, field.values);
     at += nodes_total * static_cast<long long>(field.components);
     field = {};
   }
 
   for (auto& [name, history] : c.history) {
+    if (history.make) history.records = history.make();
     std::vector<const HistoryRecord*> sorted;
     for (const auto& r : history.records) sorted.push_back(&r);
     std::stable_sort(sorted.begin(), sorted.end(), [](const HistoryRecord* a, const HistoryRecord* b) {
       return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
     });
     std::vector<long long> start(static_cast<size_t>(nodes_total) + 1, 0);
-    size_t here = 1;
-    for (const auto* r : sorted) {
+    for (const auto* r : sorted)
       start[static_cast<size_t>(r->node) + 1] += kRecordHead + std::ssize(r->values);
-      here += kRecordHead + r->values.size();
-    }
     MPI_Allreduce(MPI_IN_PLACE, start.data(), nodes_total + 1, MPI_LONG_LONG, MPI_SUM, comm);
     for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+    size_t most = sorted.size();
+    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_UNSIGNED_LONG, MPI_MAX, comm);
     std::vector<RowRun> runs;
-    values.clear(), values.reserve(here);
+    values.clear();
     if (rank == 0) runs.push_back({at, 1}), values.push_back(static_cast<double>(start.back()));
     ++at;
-    for (const auto* r : sorted) {
-      long long& to = start[static_cast<size_t>(r->node)];
-      const long long length = kRecordHead + std::ssize(r->values);
-      if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
-      runs.back().count += length, to += length;
-      values.insert(values.end(), {static_cast<double>(r->node), static_cast<double>(r->kind),
-                                   static_cast<double>(r->key), static_cast<double>(r->values.size())});
-      values.insert(values.end(), r->values.begin(), r->values.end());
+    for (size_t from = 0; from == 0 || from < most; from += kPiece) {
+      for (size_t i = from; i < std::min(from + kPiece, sorted.size()); ++i) {
+        const HistoryRecord* r = sorted[i];
+        long long& to = start[static_cast<size_t>(r->node)];
+        const long long length = kRecordHead + std::ssize(r->values);
+        if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
+        runs.back().count += length, to += length;
+        values.insert(values.end(), {static_cast<double>(r->node), static_cast<double>(r->kind),
+                                     static_cast<double>(r->key), static_cast<double>(r->values.size())});
+        values.insert(values.end(), r->values.begin(), r->values.end());
+      }
+      piece(runs, values);
+      runs.clear(), values.clear();
     }
-    piece(runs, values);
     at += start.back();
     history = {};
   }

@@ -292,10 +292,11 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents w
     for (const auto& col : s.columns) n += static_cast<size_t>(col.components);
     columns.push_back(n);
   }
-  // Only the first rank draws, and what does not move is drawn once.
+  // Only the first rank draws, for ParaView alone, and what does not move is drawn once.
   for (const auto& v : contents.volumes) {
     drawn.emplace_back();
-    if ((drawn.back().moves = v.body >= 0) && root()) drawn.back() = drawn_mesh(v, contents.moving_vertices);
+    if ((drawn.back().moves = v.body >= 0 && contents.xdmf) && root())
+      drawn.back() = drawn_mesh(v, contents.moving_vertices);
   }
 }
 

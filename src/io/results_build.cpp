@@ -375,7 +375,7 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
   const auto volumes = volume_places(c);
   for (size_t i = 0; i < volumes.size(); ++i) {
     const DrawnMesh d = drawn_mesh(c.volumes[i], c.moving_vertices);
-    if (d.moves)
+    if (d.moves && c.xdmf)
       sets.push_back({volumes[i] + "/moved", RowsBy::output, H5T_IEEE_F32LE, {d.vertices.size(), 3}, "m"});
   }
   sets.push_back({"series/time", RowsBy::step, H5T_IEEE_F64LE, {}, "s"});

@@ -40,10 +40,12 @@ ResultsSize results_size(const ResultContents& c, const ExpectedRows& rows) {
 
 double checkpoint_numbers(const Checkpoint& c) {
   double n = 1 + static_cast<double>(c.scalars.size());
-  for (const auto& [name, field] : c.nodes) n += static_cast<double>(field.values.size());
+  for (const auto& [name, field] : c.nodes)
+    n += static_cast<double>((field.make ? field.make() : field.values).size());
   for (const auto& [name, history] : c.history) {
     n += 1;
-    for (const HistoryRecord& r : history.records) n += 4 + static_cast<double>(r.values.size());
+    for (const HistoryRecord& r : history.make ? history.make() : history.records)
+      n += 4 + static_cast<double>(r.values.size());
   }
   return n;
 }

@@ -12,25 +12,44 @@ namespace hawser {
 namespace {
 
 constexpr std::size_t kVector = 8;
-// exp of it is below the rounding of what is on the surface: components that short are not felt at a depth.
-constexpr double kUnfelt = 37;
+// At a depth d motion has exp(-k d) + exp(-k (2 h - d)) of what it has, less the second, in the mean water
+// level: at most 2 exp(-k d), a component's with k d above this less than kLeftOut of it.
+const double kUnfelt = std::log(2 / WaveSums::kLeftOut);
+// exp of minus it is below rounding.
+constexpr double kNothing = 37;
+
+// Sine and cosine of an angle in quarter turns, whose reduction to an eighth of a turn is exact in them. By
+// Taylor's series to below rounding: (pi/4)^15/15! = 2e-14 is the last term of the sine, the next is 6e-17.
+struct SineCosine {
+  double sine, cosine;
+};
+inline SineCosine sine_cosine(double quarters) {
+  const double whole = std::nearbyint(quarters);
+  const double x = M_PI / 2 * (quarters - whole), y = x * x;
+  const int quadrant = static_cast<int>(whole);
+  double s = 1, c = 1;
+  for (int n = 14; n > 0; n -= 2) s = 1 - s * y / (n * (n + 1)), c = 1 - c * y / ((n + 1) * (n + 2));
+  s *= x, c = 1 - 0.5 * y * c;
+  const double first = quadrant & 1 ? c : s, second = quadrant & 1 ? s : c;
+  return {quadrant & 2 ? -first : first, (quadrant + 1) & 2 ? -second : second};
+}
 
 // Parameters, since the compiler believes __restrict only of those.
-double elevation(std::size_t n, const double* phase, const double* omega, double t, const double* along_x,
-                 double x, const double* along_y, double y, const double* amplitude, double* __restrict angle,
+double elevation(std::size_t n, const double* phase, const double* per_time, double t, const double* along_x,
+                 double x, const double* along_y, double y, const double* amplitude, double* __restrict sine,
                  double* __restrict cosine) {
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    angle[i] = along_x[i] * x + along_y[i] * y + (phase[i] - omega[i] * t);
-    cosine[i] = std::cos(angle[i]);
-    sum += amplitude[i] * cosine[i];
+    const SineCosine of = sine_cosine(along_x[i] * x + along_y[i] * y + (phase[i] - per_time[i] * t));
+    sine[i] = of.sine, cosine[i] = of.cosine;
+    sum += amplitude[i] * of.cosine;
   }
   return sum;
 }
 
 }  // namespace
 
-WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) {
+WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) : depth_(depth) {
   std::stable_sort(components.begin(), components.end(),
                    [](const WaveComponent& a, const WaveComponent& b) { return a.number < b.number; });
   while (!components.empty() && components.size() % kVector != 0) {
@@ -39,8 +58,10 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) {
   }
   for (const WaveComponent& c : components) {
     const double bottom = depth > 0 ? std::exp(-2 * c.number * depth) : 0;
-    number_.push_back(c.number), along_x_.push_back(c.number * c.x), along_y_.push_back(c.number * c.y);
-    omega_.push_back(c.omega), phase_.push_back(c.phase), amplitude_.push_back(c.amplitude);
+    constexpr double kQuarters = 2 / M_PI;  // in a radian
+    number_.push_back(c.number), omega_.push_back(c.omega), amplitude_.push_back(c.amplitude);
+    along_x_.push_back(kQuarters * c.number * c.x), along_y_.push_back(kQuarters * c.number * c.y);
+    per_time_.push_back(kQuarters * c.omega), phase_.push_back(kQuarters * c.phase);
     x_.push_back(c.x), y_.push_back(c.y);
     speed_.push_back(c.amplitude * c.omega / (1 - bottom)), bottom_.push_back(bottom);
   }
@@ -48,29 +69,38 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) {
 
 HAWSER_CLONES WaveSums::Phases WaveSums::phases(double x, double y, double t) const {
   const std::size_t n = number_.size();
-  Phases out;
-  out.angle.resize(n), out.cosine.resize(n);
-  out.surface = elevation(n, phase_.data(), omega_.data(), t, along_x_.data(), x, along_y_.data(), y,
-                          amplitude_.data(), out.angle.data(), out.cosine.data());
+  Phases out{std::make_unique_for_overwrite<double[]>(n), std::make_unique_for_overwrite<double[]>(n)};
+  out.surface = elevation(n, phase_.data(), per_time_.data(), t, along_x_.data(), x, along_y_.data(), y,
+                          amplitude_.data(), out.sine.get(), out.cosine.get());
   return out;
 }
 
-// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow.
+// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both are exp kz where the bed is not
+// felt.
 HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity,
                                         Vec3& acceleration) const {
-  std::size_t n = number_.size();
-  if (z < 0) {
-    const auto end = std::upper_bound(number_.begin(), number_.end(), kUnfelt / -z);
-    n = std::min(n, (static_cast<std::size_t>(end - number_.begin()) + kVector - 1) / kVector * kVector);
-  }
-  const double *angle = at.angle.data(), *cosine = at.cosine.data();
+  // How many components have a number up to `most`, in whole vectors.
+  const auto up_to = [this](double most) {
+    const auto end = std::upper_bound(number_.begin(), number_.end(), most);
+    return (static_cast<std::size_t>(end - number_.begin()) + kVector - 1) / kVector * kVector;
+  };
+  const std::size_t n = z < 0 ? up_to(kUnfelt / -z) : number_.size();
+  const double above = std::max(depth_ + z, 0.0);  // the bed
+  const std::size_t shallow = depth_ > 0 ? std::min(n, up_to(kNothing / std::max(2 * above, 1e-9))) : 0;
+  const double *sine = at.sine.get(), *cosine = at.cosine.get();
   double ux = 0, uy = 0, uz = 0, ax = 0, ay = 0, az = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double e = std::exp(number_[i] * z), back = bottom_[i] / e;
-    const double across = speed_[i] * (e + back), up = speed_[i] * (e - back), sine = std::sin(angle[i]);
-    const double forward = across * cosine[i], growing = omega_[i] * across * sine;
-    ux += x_[i] * forward, uy += y_[i] * forward, uz += up * sine;
+  const auto add = [&](std::size_t i, double across, double up) {
+    const double forward = across * cosine[i], growing = omega_[i] * across * sine[i];
+    ux += x_[i] * forward, uy += y_[i] * forward, uz += up * sine[i];
     ax += x_[i] * growing, ay += y_[i] * growing, az -= omega_[i] * up * cosine[i];
+  };
+  for (std::size_t i = 0; i < shallow; ++i) {
+    const double e = std::exp(number_[i] * z), back = bottom_[i] / e;
+    add(i, speed_[i] * (e + back), speed_[i] * (e - back));
+  }
+  for (std::size_t i = shallow; i < n; ++i) {
+    const double speed = speed_[i] * std::exp(number_[i] * z);
+    add(i, speed, speed);
   }
   velocity += Vec3(ux, uy, uz);
   acceleration += Vec3(ax, ay, az);

@@ -57,6 +57,9 @@ Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
   check(SNESSetConvergenceTest(snes_, converged, this, nullptr));
   build();
   lie_alpha_options(ts_.get());
+  // The tangent is made by judge_iteration(), which knows whether it is wanted: SNES would look for two dozen
+  // options at each. The solver sees by the matrix whether it is another.
+  check(SNESSetLagJacobian(snes_, -1));
 }
 
 // What depends on ghosts and on the matrix's pattern.
@@ -73,7 +76,8 @@ void Dynamics::build() {
   check(TSSetSolution(ts_.get(), solution_.get()));
   check(SNESReset(snes_));
   check(SNESSetFunction(snes_, r_.get(), residual, this));
-  check(SNESSetJacobian(snes_, J_.get(), J_.get(), jacobian, this));
+  check(SNESSetJacobian(
+      snes_, J_.get(), J_.get(), [](SNES, Vec, Mat, Mat, void*) -> PetscErrorCode { return 0; }, nullptr));
   KspHandle ksp;
   check(KSPCreate(system_.comm(), ksp.out()));
   check(SNESSetKSP(snes_, ksp.get()));
@@ -97,7 +101,7 @@ void Dynamics::prepare(double h, const State* end) {
 
 void Dynamics::load(Vec u) {
   system_.gather(u, gathered_);
-  if (loaded_ && gathered_ == local_u_) return;  // the tangent is asked where the residual was
+  if (loaded_ && gathered_ == local_u_) return;
   std::swap(gathered_, local_u_);
   alpha_trial(system_.mesh(), system_.supports(), alpha_, h_, committed_, local_u_, trial_);
   loaded_ = true;
@@ -116,14 +120,6 @@ PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
   return d.error_.capture([&] {
     d.load(u);
     d.system_.residual(d.trial_.s.view(d.h_), r, d.carried_);
-  });
-}
-
-PetscErrorCode Dynamics::jacobian(SNES, Vec u, Mat, Mat P, void* self) {
-  auto& d = *static_cast<Dynamics*>(self);
-  return d.error_.capture([&] {
-    d.load(u);
-    d.system_.tangent(d.trial_.s.view(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, P);
   });
 }
 
@@ -149,17 +145,14 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   const bool small = it > 0 && norms_.small(tolerance);
   if (small && polishing_) return SNES_CONVERGED_FNORM_RELATIVE;
   polishing_ = small;
-  PetscInt lag = 1;
-  check(SNESGetLagJacobian(snes, &lag));
-  const bool keep = small || (it > 0 && old_tangent_will_do(before, norms_.relative(), lag < 0, tolerance));
-  if (keep != (lag < 0)) check(SNESSetLagJacobian(snes, keep ? -1 : 1));
+  old_tangent_ = small || (it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance));
+  if (!old_tangent_) system_.tangent(trial_.s.view(h_), alpha_weights(alpha_, h_), local_u_, false, J_.get());
   return SNES_CONVERGED_ITERATING;
 }
 
 // Newton from where u_ is. Iterations of all rounds of a try are counted by the worst of them.
 void Dynamics::solve_once() {
-  polishing_ = false, counted_ = -1;
-  check(SNESSetLagJacobian(snes_, 1));
+  polishing_ = old_tangent_ = false, counted_ = -1;
   error_.check(SNESSolve(snes_, nullptr, u_.get()));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt its = 0;

@@ -43,7 +43,7 @@ StaticsReport StaticSearch::run(bool again) {
     use_tangent(true, kNegative);
     tangent();
     check(KSPReset(ksp_.get()));  // its factors need not be in memory beside those of the inertia
-    report_.negative_eigenvalues = negative_eigenvalues(J_.get());
+    report_.negative_eigenvalues = negative_eigenvalues(J_.get(), !system_.coupled());
     // Friction's tangent is unsymmetric: the inertia of its symmetric part says nothing.
     if (settings_.near || report_.negative_eigenvalues <= 0 || report_.escapes == kMaxEscapes) break;
     ++report_.escapes;

@@ -41,7 +41,8 @@ void System::size_arrays() {
   force_.resize(3 * blocks, 0);
   mean_.resize(3 * blocks, 0);
   squares_.resize(blocks, 0);
-  retraction_.assign(blocks, Mat3::Identity());
+  const bool turns = std::find(is_rotation_.begin(), is_rotation_.end(), 1) != is_rotation_.end();
+  retraction_.assign(turns ? blocks : 0, Mat3::Identity());
 }
 
 void System::add(std::unique_ptr<ForceTerm> term) {

@@ -43,16 +43,10 @@ Water Hydrodynamics::water(const Kinematics& at, size_t node) const {
   return sea_.waves.none() || !(at.step > 0) ? still : still + waves(at)[node];
 }
 
-void Hydrodynamics::water_at_nodes(const Kinematics& at, std::vector<Water>& out) const {
-  if (sea_.calm()) {  // the same everywhere and always
-    if (out.size() == at.x.size()) return;
-    Water calm;
-    calm.surface = sea_.surface;
-    out.assign(at.x.size(), calm);
-    return;
-  }
-  out.resize(at.x.size());
-  for (size_t n = 0; n < at.x.size(); ++n) out[n] = water(at, n);
+void Hydrodynamics::look_at_water(const Kinematics& at) const {
+  water_.resize(moving() ? at.x.size() : 1);
+  if (!moving()) water_.front().surface = sea_.surface;
+  for (size_t n = 0; moving() && n < at.x.size(); ++n) water_[n] = water(at, n);
 }
 
 WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& first,
@@ -78,14 +72,14 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
   const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
   if (p.beam) {
-    const WaterEnds e = ends(p, trial, water_);
+    const WaterEnds e = ends(p, trial);
     if (tangent)
       beam_water_tangent(p.section, e, convex, f, K, C, M);
     else
       beam_water_force(p.section, e, f);
   } else {
-    const CableInWater e{trial.x[i], trial.x[j], trial.v[i], trial.v[j],
-                         trial.a[i], trial.a[j], water_[i],  water_[j]};
+    const CableInWater e{trial.x[i], trial.x[j], trial.v[i],  trial.v[j],
+                         trial.a[i], trial.a[j], water_at(i), water_at(j)};
     if (tangent)
       cable_water_tangent(p.section, e, convex, f, K, C, M);
     else
@@ -99,7 +93,7 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
 
 void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
   see_feeders(trial, false);
-  water_at_nodes(trial, water_);
+  look_at_water(trial);
   const bool tangent = assembler.wants_tangent();
   for (const Four& q : fours_) evaluate(q, trial, assembler);
   for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, assembler);
@@ -108,7 +102,7 @@ void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
     const size_t n = static_cast<size_t>(b.node);
     Vec3 r;
     Mat3 k, c, m;
-    ball_water(b.ball, trial.x[n], trial.v[n], trial.a[n], water_[n], r, tangent ? &k : nullptr, &c, &m);
+    ball_water(b.ball, trial.x[n], trial.v[n], trial.a[n], water_at(n), r, tangent ? &k : nullptr, &c, &m);
     const int block = mesh_.block[n];
     if (!tangent) {
       assembler.add({&block, 1}, r.data(), nullptr, nullptr, nullptr);
@@ -129,9 +123,9 @@ void Hydrodynamics::places(const Piece& p, const Kinematics& k, Vec3* out) const
 
 // Cables, beams, balls: a force at one place.
 void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
-  std::vector<Water>& water = seen_;
-  water_at_nodes(at, water);
+  look_at_water(at);
   out.clear();
+  out.reserve(2 * pieces_.size() + 2 * beams_.size() + balls_.size());
   const auto put = [&](const Piece& p, const WaterForce& force) {
     Vec3 place[4];
     places(p, at, place);
@@ -142,14 +136,14 @@ void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
   for (Vec3& force : none.force) force.setZero();
   for (const Four& q : fours_) {
     WaterForce all[4];
-    const unsigned known = flow(q, at, water, all);
+    const unsigned known = flow(q, at, all);
     for (int i = 0; i < q.count; ++i) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
       if (!p.at.counted) continue;
       if (p.idle)
         put(p, none);
       else
-        put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at, water), false, sea_.surface));
+        put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at), false, sea_.surface));
     }
   }
   for (const int b : beams_) {
@@ -158,7 +152,7 @@ void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
     if (p.idle)
       put(p, none);
     else
-      put(p, water_force(p.section, ends(p, at, water), true, sea_.surface));
+      put(p, water_force(p.section, ends(p, at), true, sea_.surface));
   }
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
@@ -167,7 +161,7 @@ void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
     Water calm;
     calm.surface = sea_.surface;
     Vec3 f, up;
-    ball_water(b.ball, at.x[n], at.v[n], at.a[n], water[n], f, nullptr, nullptr, nullptr);
+    ball_water(b.ball, at.x[n], at.v[n], at.a[n], water_at(n), f, nullptr, nullptr, nullptr);
     ball_water(floating, at.x[n], at.v[n], at.a[n], calm, up, nullptr, nullptr, nullptr);
     f -= up;
     out.force.push_back(-f), out.place.push_back(at.x[n]);
@@ -212,12 +206,11 @@ Energy Hydrodynamics::energy(const Kinematics& at) const {
   // The potential is that of the still water; what waves do is work.
   Water calm;
   calm.surface = sea_.surface;
-  const std::vector<Water> water(at.x.size(), calm);
   for (const Piece& p : pieces_)
-    if (p.at.counted && !p.idle) e.potential += water_potential(p.section, ends(p, at, water), p.beam);
+    if (p.at.counted && !p.idle) e.potential += water_potential(p.section, ends(p, at, calm, calm), p.beam);
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
-    e.potential += ball_potential(b.ball, at.x[n], water[n]);
+    e.potential += ball_potential(b.ball, at.x[n], calm);
   }
   if (!(at.step > 0) && !flow_.place.empty()) {
     Flow now;

@@ -8,6 +8,8 @@
 namespace hawser {
 
 void Hydrodynamics::group() {
+  const auto cables = std::count_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.beam; });
+  fours_.reserve((static_cast<size_t>(cables) + 3) / 4);
   for (size_t p = 0; p < pieces_.size(); ++p) {
     if (pieces_[p].beam) {
       beams_.push_back(static_cast<int>(p));
@@ -61,8 +63,7 @@ double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
   return sum;
 }
 
-CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k,
-                                     const std::vector<Water>& water) const {
+CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k) const {
   CablesInWater4 m;
   const bool moves = moving();
   for (int end = 0; end < 2; ++end) {
@@ -78,11 +79,11 @@ CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k,
     take([&](size_t i) -> const Vec3& { return k.a[i]; }, m.a[end]);
     m.surface[end] = wide::all(sea_.surface);
     if (!moves) continue;
-    take([&](size_t i) -> const Vec3& { return water[i].velocity; }, m.velocity[end]);
-    take([&](size_t i) -> const Vec3& { return water[i].by_height; }, m.by_height[end]);
-    take([&](size_t i) -> const Vec3& { return water[i].acceleration; }, m.acceleration[end]);
+    take([&](size_t i) -> const Vec3& { return water_[i].velocity; }, m.velocity[end]);
+    take([&](size_t i) -> const Vec3& { return water_[i].by_height; }, m.by_height[end]);
+    take([&](size_t i) -> const Vec3& { return water_[i].acceleration; }, m.acceleration[end]);
     m.surface[end] =
-        wide::Row{water[n[0]].surface, water[n[1]].surface, water[n[2]].surface, water[n[3]].surface};
+        wide::Row{water_[n[0]].surface, water_[n[1]].surface, water_[n[2]].surface, water_[n[3]].surface};
   }
   return m;
 }
@@ -90,7 +91,7 @@ CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k,
 // What is not wholly wet goes one by one, and all of it while statics is far from its solution: how an
 // element is computed must not depend on its company, which is another on another rank.
 void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const {
-  const CablesInWater4 m = motion(q, trial, water_);
+  const CablesInWater4 m = motion(q, trial);
   const unsigned wet = assembler.convex() ? 0 : submerged(q.sections, m);
   double f[4][6], J[4][36];
   const Weights& w = assembler.weights();
@@ -110,9 +111,8 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& 
 }
 
 // Where both the surface and the still water are above all of it buoyancy has nothing to give.
-unsigned Hydrodynamics::flow(const Four& q, const Kinematics& at, const std::vector<Water>& water,
-                             WaterForce* out) const {
-  CablesInWater4 m = motion(q, at, water);
+unsigned Hydrodynamics::flow(const Four& q, const Kinematics& at, WaterForce* out) const {
+  CablesInWater4 m = motion(q, at);
   for (wide::Row& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);
   const unsigned wet = submerged(q.sections, m);
   if (!wet) return 0;

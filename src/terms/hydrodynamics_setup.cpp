@@ -26,6 +26,7 @@ namespace {
 
 std::vector<Hydrodynamics::Piece> pieces_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<Hydrodynamics::Piece> out;
+  out.reserve(mesh.elements.size());
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
     const model::LineType& t = c.line_types[static_cast<size_t>(g.type)];

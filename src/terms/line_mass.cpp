@@ -59,6 +59,7 @@ LineMassTerm::LineMassTerm(const LocalMesh& mesh, const model::Case& c)
 
 LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case& c) {
   Built out;
+  out.pieces.reserve(mesh.elements.size());
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     const auto& t = c.line_types[static_cast<size_t>(g.type)];

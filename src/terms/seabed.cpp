@@ -1,6 +1,5 @@
 // The part of SeabedTerm that acts: gap, normal force, friction and suction at each point, force and tangent,
-// energy, and history of an accepted step; the rest is in seabed_*.cpp. Normal force and friction at a point
-// are computed in kernels/volume_contact.cpp, by the laws in kernels/contact_law.hpp and friction_law.hpp.
+// energy, and history of an accepted step; the rest is in seabed_*.cpp.
 #include "hawser/terms/seabed.hpp"
 
 #include <algorithm>
@@ -17,29 +16,30 @@ Vec3 SeabedTerm::tangent(const Point& p, const Kinematics& at) const {
 }
 
 bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const {
-  const double smoothing = p.law.normal.smoothing;
+  const double radius = law(p).radius, smoothing = law(p).law.normal.smoothing;
   trial.point = x;
   if (!surface_) {
-    trial.gap = plane_.gap(x) - p.radius, trial.normal = plane_.normal;
+    trial.gap = plane_.gap(x) - radius, trial.normal = plane_.normal;
     return trial.gap < smoothing;
   }
   trial.gap = smoothing + beyond;
-  if (p.clear - (1 + 1e-9) * (x - p.centre).norm() > beyond) return false;
+  Seen& seen = seen_[place(p)];
+  if (seen.clear - (1 + 1e-9) * (x - seen.centre).norm() > beyond) return false;
   const double look = std::max(2 * beyond, 0.5 * element_[static_cast<size_t>(p.node)]);
-  const auto s = surface_->query(x, contact_distance(p) + look, p.hint);
-  p.centre = x;
+  const auto s = surface_->query(x, contact_distance(p) + look, seen.hint);
+  seen.centre = x;
   if (!s) {
     // Of a mesh it may also lie under the bed beyond the edge: only above the box is nothing near for sure.
     const bool endless = !std::isfinite(bounds_.hi.z());
-    p.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
+    seen.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
     return false;
   }
-  p.hint = s->triangle;
-  p.clear = s->distance - contact_distance(p);
+  seen.hint = s->triangle;
+  seen.clear = s->distance - contact_distance(p);
   // Not what was asked before but where it is decides.
-  trial.gap = std::min(s->distance - p.radius, smoothing + beyond);
+  trial.gap = std::min(s->distance - radius, smoothing + beyond);
   trial.normal = s->normal, trial.curvature = s->curvature;
-  return p.clear < 0;
+  return seen.clear < 0;
 }
 
 double SeabedTerm::gap(const Vec3& x, double most) const {
@@ -51,28 +51,30 @@ double SeabedTerm::gap(const Vec3& x, double most) const {
 // Only what the soil held at the start of the step is pulled, and nothing in statics, which has no way back.
 // A little further, so that round-off does not keep what is let go.
 double SeabedTerm::suction_range(const Point& p, double step) const {
-  if (!(step > 0) || !suction_ || !p.history.held) return 0;
-  return std::max(0.0, 1.01 * p.suction.length - p.history.deepest - p.law.normal.smoothing);
+  if (!(step > 0) || !suction_ || !history(p).held) return 0;
+  return std::max(0.0, 1.01 * law(p).suction.length - history(p).deepest - law(p).law.normal.smoothing);
 }
 
 Pull SeabedTerm::pull(const Point& p, const ContactTrial& trial, double step) const {
-  if (!(step > 0) || !suction_ || !p.history.held) return {};
-  return pull_of(p.suction, p.history.deepest + trial.gap);
+  if (!(step > 0) || !suction_ || !history(p).held) return {};
+  return pull_of(law(p).suction, history(p).deepest + trial.gap);
 }
 
 PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives,
                                  ContactTrial& t) const {
   if (!locate(p, of_nodes(p, at.x), suction_range(p, at.step), t)) return {};
   if (at.step > 0) t.velocity = of_nodes(p, at.v);
-  if (friction_on_) return volume_contact(p.law, p.start, t, derivatives);
-  return volume_contact({p.law.normal, FrictionLaw{}}, p.start, t, derivatives);
+  if (friction_on_) return volume_contact(law(p).law, start(p), t, derivatives);
+  return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
 }
 
 // Statics comes here before every iteration: a laid line keeps where its friction is reckoned from.
 void SeabedTerm::prepare(const Kinematics& committed, double h) {
   const bool statics = h <= 0;
   if (!statics) laid_ = false;
-  for (Point& p : points_) {
+  pressed_.resize(statics && friction_on_ ? points_.size() : 0);
+  for (const Point& p : points_) {
+    ContactStart& start = starts_[place(p)];
     if (!(statics && laid_)) {
       const Vec3 x = of_nodes(p, committed.x);
       ContactTrial at;
@@ -80,14 +82,14 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
       locate(p, x,
              std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[static_cast<size_t>(p.node)]),
              at);
-      p.start.point = x;
-      p.start.gap = at.gap;
-      p.start.slip = p.history.slip;
-      p.start.normal = p.history.normal;
+      start.point = x;
+      start.gap = at.gap;
+      start.slip = history(p).slip;
+      start.normal = history(p).normal;
     }
-    if (p.law.friction.active()) p.start.tangent = tangent(p, committed);
+    if (law(p).law.friction.active()) start.tangent = tangent(p, committed);
     ContactTrial unused;
-    if (statics && friction_on_) p.pressed = contact(p, committed, false, unused).normal.force;
+    if (!pressed_.empty()) pressed_[place(p)] = contact(p, committed, false, unused).normal.force;
   }
 }
 
@@ -121,8 +123,8 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     ContactTrial at;
     const Vec3 x = of_nodes(p, trial.x);
     if (kept(p, trial.step)) {
-      const double k = p.law.normal.stiffness;
-      const Vec3& normal = p.origin->normal;
+      const double k = law(p).law.normal.stiffness;
+      const Vec3& normal = origin(p)->normal;
       const Mat3 K = k * (Mat3::Identity() - normal * normal.transpose());
       add(p, k * strayed(p, x), tangent ? &K : nullptr, nullptr, assembler);
     }
@@ -131,8 +133,8 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!touches && pulled.force == 0) continue;
     if (trial.step > 0) at.velocity = of_nodes(p, trial.v);
     if (convex) at.curvature.setZero();  // of a hollow: negative stiffness
-    const ContactLaw law{p.law.normal, friction_on_ ? p.law.friction : FrictionLaw{}};
-    const PointContact c = volume_contact(law, p.start, at, tangent);
+    const ContactLaw acts{law(p).law.normal, friction_on_ ? law(p).law.friction : FrictionLaw{}};
+    const PointContact c = volume_contact(acts, start(p), at, tangent);
     if (c.normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
     if (!tangent) {
@@ -149,23 +151,24 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 // The soil takes hold of what goes deeper than it was since it landed, and lets go of what is lifted too far;
 // it forgets what has left. At rest it holds what lies in it.
 void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) const {
-  if (!(p.suction.limit > 0)) return;
-  if (moves) next.deepest = p.history.deepest, next.held = p.history.held;
+  if (!(law(p).suction.limit > 0)) return;
+  if (moves) next.deepest = history(p).deepest, next.held = history(p).held;
   if (-gap > next.deepest) next.deepest = -gap, next.held = true;
-  if (next.deepest + gap >= p.suction.length) next.held = false;
+  if (next.deepest + gap >= law(p).suction.length) next.held = false;
   if (!next.held && gap >= 0) next.deepest = 0;
 }
 
-Vec3 SeabedTerm::strayed(const Point& p, const Vec3& x) {
-  const Vec3 d = x - p.origin->point;
-  return d - p.origin->normal * p.origin->normal.dot(d);
+Vec3 SeabedTerm::strayed(const Point& p, const Vec3& x) const {
+  const auto& [point, normal] = *origin(p);
+  return x - point - normal * normal.dot(x - point);
 }
 
 // Evaluated again at the accepted state. Energies: trapezoid over the step.
 void SeabedTerm::commit(const Kinematics& accepted) {
-  for (Point& p : points_) {
+  for (const Point& p : points_) {
     ContactTrial at;
     const PointContact c = contact(p, accepted, false, at);
+    History& last = histories_[place(p)];
     History next;
     if (c.normal.elastic > 0) next = History(c, at.normal), next.active = true;
     if (const double pulled = pull(p, at, accepted.step).force; pulled > 0) {
@@ -173,25 +176,26 @@ void SeabedTerm::commit(const Kinematics& accepted) {
       next.force -= pulled * at.normal, next.damping_force -= pulled;
     }
     hold(p, at.gap, accepted.step > 0, next);
-    next.friction_work = p.history.friction_work, next.damping_work = p.history.damping_work;
-    if (accepted.step > 0 && (next.active || p.history.active || p.history.held)) {
-      const Vec3 moved = of_nodes(p, accepted.x) - p.start.point;
-      next.friction_work -= 0.5 * (next.friction + p.history.friction).dot(moved);
+    next.friction_work = last.friction_work, next.damping_work = last.damping_work;
+    if (accepted.step > 0 && (next.active || last.active || last.held)) {
+      const Vec3 moved = of_nodes(p, accepted.x) - start(p).point;
+      next.friction_work -= 0.5 * (next.friction + last.friction).dot(moved);
       next.damping_work -=
-          0.5 * (next.damping_force * next.normal + p.history.damping_force * p.history.normal).dot(moved);
+          0.5 * (next.damping_force * next.normal + last.damping_force * last.normal).dot(moved);
     }
-    p.history = next;
+    last = next;
   }
 }
 
 // What friction that grows from the start of a laid line has taken up, as if it were pressed by what presses
 // it at the last iteration: convex, and exact for equal coefficients and lengths.
 double SeabedTerm::friction_potential(const Point& p, const Vec3& x, const Vec3& normal) const {
-  const FrictionLaw& f = p.law.friction;
-  const Vec3 slip = p.start.slip + (x - p.start.point);
-  const double along = slip.dot(p.start.tangent), up = slip.dot(normal);
+  const FrictionLaw& f = law(p).law.friction;
+  const ContactStart& from = start(p);
+  const Vec3 slip = from.slip + (x - from.point);
+  const double along = slip.dot(from.tangent), up = slip.dot(normal), pressed = pressed_[place(p)];
   const double across2 = std::max(0.0, slip.squaredNorm() - along * along - up * up);
-  double force[2] = {f.axial * p.pressed, f.lateral * p.pressed};
+  double force[2] = {f.axial * pressed, f.lateral * pressed};
   double length[2] = {f.axial_length, f.lateral_length};
   if (f.stiffness > 0)
     for (int i = 0; i < 2; ++i) length[i] = std::max(force[i] / f.stiffness, 1e-12);
@@ -207,17 +211,18 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Point& p : points_) {
     if (!p.counted) continue;
-    e.friction += p.history.friction_work, e.damping += p.history.damping_work;
+    const History& h = history(p);
+    e.friction += h.friction_work, e.damping += h.damping_work;
     if (at.step > 0) {
-      e.strain += p.history.potential;
+      e.strain += h.potential;
       continue;
     }
     ContactTrial trial;
     const PointContact c = contact(p, at, false, trial);
     e.strain += c.normal.potential;
     if (kept(p, at.step))
-      e.strain += 0.5 * p.law.normal.stiffness * strayed(p, of_nodes(p, at.x)).squaredNorm();
-    if (friction_on_ && laid_ && p.law.friction.active() && p.pressed > 0)
+      e.strain += 0.5 * law(p).law.normal.stiffness * strayed(p, of_nodes(p, at.x)).squaredNorm();
+    if (friction_on_ && laid_ && law(p).law.friction.active() && !pressed_.empty())
       e.strain += friction_potential(p, of_nodes(p, at.x), trial.normal);
   }
   return e;
@@ -226,13 +231,13 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
 Vec3 SeabedTerm::node_force(int node) const {
   Vec3 sum = Vec3::Zero();
   for (const Point& p : points_)
-    if (const double part = share(p, node); part > 0) sum += part * p.history.force;
+    if (const double part = share(p, node); part > 0) sum += part * history(p).force;
   return sum;
 }
 
 int SeabedTerm::active_count() const {
   return static_cast<int>(std::count_if(points_.begin(), points_.end(),
-                                        [](const Point& p) { return p.counted && p.history.active; }));
+                                        [this](const Point& p) { return p.counted && history(p).active; }));
 }
 
 }  // namespace hawser

@@ -13,7 +13,7 @@ void SeabedTerm::fields(FieldRegistry& registry) const {
                        for (const Point& p : points_)
                          for (const int node : {p.node, p.second})
                            if (node >= 0 && node < mesh_.owned)
-                             show(node, share(p, node), Mat3::Identity(), p.history);
+                             show(node, share(p, node), Mat3::Identity(), history(p));
                      });
 }
 

@@ -42,14 +42,14 @@ void SeabedTerm::lay_at_start(MPI_Comm comm, const Kinematics& start, const std:
     }
     laid_at_start_[l] = lies;
   }
-  for (Point& p : points_) {
+  origins_.assign(points_.size(), std::nullopt);
+  for (const Point& p : points_) {
     const Vec3 here = of_nodes(p, start.x);
     const Node& node = mesh.nodes[static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)])];
-    p.origin.reset();
     if (node.body >= 0 || !laid_at_start_[static_cast<size_t>(node.line)]) continue;
     ContactTrial seen;
     locate(p, here, near[static_cast<size_t>(node.line)], seen);
-    p.origin = Origin{here, seen.normal};
+    origins_[place(p)] = Origin{here, seen.normal};
   }
 }
 
@@ -62,7 +62,7 @@ SeabedTerm::Full SeabedTerm::full(MPI_Comm comm, const Kinematics& at,
   for (const Point& p : points_) {
     if (!p.counted) continue;
     ContactTrial trial;
-    const FrictionLaw& f = p.law.friction;
+    const FrictionLaw& f = law(p).law.friction;
     const double limit = f.axial * contact(p, at, false, trial).normal.force;
     all[n + number(p)] = limit;
     all[2 * n + number(p)] = f.stiffness > 0 ? limit / f.stiffness : f.axial_length;
@@ -139,23 +139,24 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
       }
     }
   }
-  for (Point& p : points_) {
+  for (const Point& p : points_) {
     const Vec3 here = of_nodes(p, at.x);
     ContactTrial seen;
     locate(p, here, 0, seen);
-    p.start.point = here;
-    p.start.gap = seen.gap;
-    p.start.normal = seen.normal;
-    p.start.slip.setZero();
-    if (p.origin) {  // all of the way from there counts, also that down to the bed
-      p.start.point = p.origin->point, p.start.normal = p.origin->normal;
-      p.start.gap = 0;
+    ContactStart& start = starts_[place(p)];
+    start.point = here;
+    start.gap = seen.gap;
+    start.normal = seen.normal;
+    start.slip.setZero();
+    if (const Origin* laid = origin(p)) {  // all of the way from there counts, also that down to the bed
+      start.point = laid->point, start.normal = laid->normal;
+      start.gap = 0;
       continue;
     }
     const auto found = pulled.find(number(p));
     if (found == pulled.end()) continue;
     const Vec3 t = tangent(p, at);
-    p.start.slip = found->second * (t - seen.normal * seen.normal.dot(t));
+    start.slip = found->second * (t - seen.normal * seen.normal.dot(t));
   }
   laid_ = true;
   return unsaid;

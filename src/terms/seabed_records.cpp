@@ -16,7 +16,7 @@ std::vector<HistoryKind> SeabedTerm::history() const { return {history_kind<Hist
 std::vector<HistoryRecord> SeabedTerm::save() const {
   std::vector<HistoryRecord> records;
   for (const Point& p : points_) {
-    const History& h = p.history;
+    const History& h = history(p);
     if (!h.active && h.deepest == 0 && h.friction_work == 0 && h.damping_work == 0) continue;
     HistoryRecord r;
     put(h, r.values);
@@ -33,8 +33,8 @@ std::vector<HistoryRecord> SeabedTerm::save() const {
 void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
   std::map<std::pair<int, int>, size_t> at;  // by node of the mesh and key
   for (size_t i = 0; i < points_.size(); ++i) {
-    Point& p = points_[i];
-    p.history = {};
+    const Point& p = points_[i];
+    histories_[i] = {};
     const auto global = [this](int node) { return mesh_.global[static_cast<size_t>(node)]; };
     at[{global(p.node), p.second < 0 ? 0 : 1}] = i;
     if (p.second >= 0) at[{global(p.second), 2}] = i;
@@ -42,7 +42,7 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     const auto found = at.find({r.node, r.key});
     if (found == at.end()) continue;
-    points_[found->second].history = entry<History>(r);
+    histories_[found->second] = entry<History>(r);
   }
 }
 

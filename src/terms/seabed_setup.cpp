@@ -15,7 +15,7 @@ namespace hawser {
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws)
     : SeabedTerm(mesh, std::shared_ptr<const Surface>(), std::move(laws)) {
   plane_ = plane;
-  for (Point& p : points_) p.history.normal = p.start.normal = plane.normal;
+  for (size_t i = 0; i < points_.size(); ++i) histories_[i].normal = starts_[i].normal = plane.normal;
 }
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws)
@@ -33,8 +33,9 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
     throw std::invalid_argument("the seabed needs a law for each element, or none");
   const auto add = [this](const PointLaw& law) -> Point* {
     if (law.radius < 0 || !(law.law.normal.stiffness > 0)) return nullptr;
+    if (laws_.empty() || laws_.back() != law) laws_.push_back(law);  // along a line it is mostly the same
     Point& p = points_.emplace_back();
-    p.radius = law.radius, p.law = law.law, p.suction = law.suction;
+    p.law = static_cast<int>(laws_.size()) - 1;
     suction_ |= law.suction.limit > 0;
     return &p;
   };
@@ -46,6 +47,8 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
       const LocalElement& e = mesh.elements[i];
       p->node = e.first, p->second = e.second, p->element = static_cast<int>(i), p->counted = e.counted;
     }
+  starts_.resize(points_.size()), histories_.resize(points_.size());
+  if (surface_) seen_.resize(points_.size());
 }
 
 namespace {
@@ -103,11 +106,11 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
     const double w = c.environment.gravity * (t.mass_per_length - (water.present ? water.density * A : 0));
     const model::Line& line = c.lines[static_cast<size_t>(g.line)];
     const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc, half = 0.5 * g.length;
-    const auto bare = [&](double a, double b) { return b - a - buried_length(line, a, b); };
+    const auto bare = [&](double a, double l) { return l - buried_length(line, a, a + l); };
     const bool cut = in_soil(*mesh.mesh, c, g.first) || in_soil(*mesh.mesh, c, g.second);
     for (const int node : {e.first, e.second}) {
       if (node >= mesh.owned || in_soil(*mesh.mesh, c, mesh.global[static_cast<size_t>(node)])) continue;
-      const double start = from + (node == e.first ? 0 : half), part = bare(start, start + half);
+      const double start = from + (node == e.first ? 0 : half), part = bare(start, half);
       if (part > 0) nodes[static_cast<size_t>(node)].add(t, g.beam || cut ? part : part / 3, w);
     }
     if (!g.beam && !cut) middles[i].add(t, g.length / 1.5, w);
@@ -125,7 +128,7 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held)
     : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
   surface_ = c.environment.seabed.surface, table_ = c.environment.seabed.force_table;
-  if (surface_) bounds_ = surface_->bounds();
+  if (surface_) bounds_ = surface_->bounds(), seen_.resize(points_.size());
   for (size_t n = 0; n < buried_.size(); ++n) buried_[n] = in_soil(*mesh.mesh, c, static_cast<int>(n));
 }
 

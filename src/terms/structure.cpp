@@ -63,6 +63,10 @@ namespace {
 
 std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<StructureTerm::Beam> out;
+  out.reserve(
+      static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const auto& e) {
+        return mesh.mesh->elements[static_cast<size_t>(e.global)].beam;
+      })));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     if (!g.beam) continue;
@@ -74,6 +78,10 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
 
 std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<StructureTerm::Cable> out;
+  out.reserve(
+      static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const auto& e) {
+        return !mesh.mesh->elements[static_cast<size_t>(e.global)].beam;
+      })));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     if (!g.beam) out.push_back({e, {}, cable_section(c, g)});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -12,6 +13,7 @@
 
 #include "hawser/io/hdf5.hpp"
 #include "hawser/io/results.hpp"
+#include "hawser/io/results_build.hpp"
 #include "hawser/io/xdmf.hpp"
 
 namespace hawser::io::results_structure_test {
@@ -176,6 +178,26 @@ int check_references(const std::string& folder, const std::string& xml) {
     EXPECT_EQ(size, wanted) << m[0].str();
   }
   return n;
+}
+
+// A mesh that moves is written once with the poses of its body; where it was at each output is for ParaView.
+TEST(ResultsXdmf, MeshesAreMovedForParaViewAlone) {
+  for (const bool xdmf : {true, false}) {
+    const std::string path = temporary(xdmf ? "drawn.h5" : "posed.h5");
+    auto c = contents(1, 3);
+    c.xdmf = xdmf;
+    auto file = ResultsFile::create(MPI_COMM_SELF, path, c, all_nodes(c));
+    for (int k = 0; k < 3; ++k) write(file, 0.5 * k);
+    file.finish({});
+    const h5::Id results = h5::open_read(path);
+    const std::vector<std::string> places = volume_places(c);
+    for (size_t i = 0; i < places.size(); ++i) {
+      ASSERT_TRUE(h5::exists(results, places[i] + "/vertices")) << places[i];
+      EXPECT_EQ(h5::exists(results, places[i] + "/moved"), xdmf && c.volumes[i].body >= 0);
+    }
+    EXPECT_EQ(h5::shape_of(h5::open_dataset(results, "bodies/rotation")), (h5::Shape{3, 1, 4}));
+    EXPECT_EQ(std::filesystem::exists(temporary("posed.xdmf")), false);
+  }
 }
 
 TEST(ResultsXdmf, PointsAtWhatIsThere) {

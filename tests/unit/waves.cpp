@@ -55,6 +55,51 @@ WaveField regular(double height, double period, double depth, Stretching s = Str
   return WaveField({c}, depth, kG, s);
 }
 
+// An irregular sea component by component with the functions of the C library, at a place where x, y are far
+// from zero, and late: to rounding of the angles where no component is left out, and within what may be left
+// out where some are. Of a sea, and of one with hardly any energy but in short waves.
+TEST(Waves, SumsOverComponents) {
+  for (const double depth : {0.0, 30.0, 200.0}) {
+    std::vector<WaveComponent> sea = irregular(Jonswap{6, 11, 3.3}, 0.4, 400, 7, 5);
+    for (WaveComponent& c : sea) c.number = wave_number(c.omega, depth, kG);
+    for (const bool ripples : {false, true}) {
+      for (WaveComponent& c : sea)
+        if (ripples && c.omega < 2) c.amplitude *= 1e-5;
+      const WaveSums sums(sea, depth);
+      const double x = -731.7, y = 412.3, t = 10795.3, bottom = depth > 0 ? depth : 400;
+      double speed = 0, growth = 0, surface = 0;
+      for (const WaveComponent& c : sea) {
+        speed += c.amplitude * c.omega, growth += c.amplitude * c.omega * c.omega;
+        surface += c.amplitude * std::cos(c.number * (c.x * x + c.y * y) - c.omega * t + c.phase);
+      }
+      const WaveSums::Phases phases = sums.phases(x, y, t);
+      EXPECT_NEAR(phases.surface, surface, 1e-11 * speed);
+      bool left_out = false;
+      for (const double z : {2.0, 0.0, -0.1, -1.0, -10.0, -0.5 * bottom, -0.9 * bottom, -bottom}) {
+        Vec3 u = Vec3::Zero(), a = Vec3::Zero(), u0 = Vec3::Zero(), a0 = Vec3::Zero();
+        double most = 0;
+        for (const WaveComponent& c : sea) {
+          const double k = c.number, angle = k * (c.x * x + c.y * y) - c.omega * t + c.phase;
+          const double down = depth > 0 ? std::exp(-2 * k * depth) : 0;
+          const double e = c.amplitude * c.omega * std::exp(k * z) / (1 - down),
+                       back = depth > 0 ? c.amplitude * c.omega * std::exp(-k * (2 * depth + z)) / (1 - down)
+                                        : 0;
+          const Vec3 along(c.x, c.y, 0), up(0, 0, 1);
+          u0 += (e + back) * std::cos(angle) * along + (e - back) * std::sin(angle) * up;
+          a0 += c.omega * ((e + back) * std::sin(angle) * along - (e - back) * std::cos(angle) * up);
+          if (2 * std::exp(k * z) > WaveSums::kLeftOut) most = std::max(most, k);
+        }
+        sums.add_motion(phases, z, u, a);
+        const bool all = most >= sea.back().number;
+        left_out |= !all && (u - u0).norm() > 1e-9 * speed;
+        EXPECT_LE((u - u0).norm(), (all ? 1e-10 : WaveSums::kLeftOut) * speed) << depth << " " << z;
+        EXPECT_LE((a - a0).norm(), (all ? 1e-10 : WaveSums::kLeftOut) * growth) << depth << " " << z;
+      }
+      EXPECT_TRUE(left_out);
+    }
+  }
+}
+
 // The velocity field has no divergence and no rotation, fits the moving surface to first order, stands still
 // at the bed, and its acceleration is its derivative in time.
 TEST(Waves, IsPotentialFlow) {

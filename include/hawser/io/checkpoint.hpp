@@ -16,12 +16,16 @@ namespace hawser::io {
 struct CheckpointField {
   int components = 1;
   std::vector<double> values;  // owned nodes x components, ascending node number
+  // Instead of them in a checkpoint that is to be written: makes them when their turn comes, so that never
+  // all of it is in memory. What it makes them of must not change until then.
+  std::function<std::vector<double>()> make = {};
 };
 
 // What a term keeps, and how; the kinds are the same on all ranks.
 struct CheckpointHistory {
   std::vector<HistoryKind> kinds;
-  std::vector<HistoryRecord> records;  // of this rank's owned nodes
+  std::vector<HistoryRecord> records;                     // of this rank's owned nodes
+  std::function<std::vector<HistoryRecord>()> make = {};  // as in CheckpointField
 };
 
 // Names (map keys) are the same on all ranks; a rank without records of a term gives an empty list.

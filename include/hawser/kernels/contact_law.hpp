@@ -16,6 +16,7 @@ struct NormalLaw {
   double damping = 0;                        // N s/m, c at full stiffness
   const ContactForceTable* table = nullptr;  // instead of ramp and straight line; not owned
   double table_factor = 1;                   // of its forces
+  bool operator==(const NormalLaw&) const = default;
 };
 
 struct NormalForce {

@@ -25,6 +25,7 @@ struct FrictionLaw {
   double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients far above the blend speed
   double blend_speed = 0;                         // m/s; 0: the coefficients at rest always
 
+  bool operator==(const FrictionLaw&) const = default;
   bool active() const { return axial > 0 || lateral > 0; }
   bool blends() const { return blend_speed > 0; }
   bool isotropic() const {

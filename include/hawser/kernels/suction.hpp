@@ -9,6 +9,7 @@ namespace hawser {
 struct Suction {
   double limit = 0;   // N; 0: none
   double length = 0;  // m
+  bool operator==(const Suction&) const = default;
 };
 
 struct Pull {

@@ -11,6 +11,7 @@ namespace hawser {
 struct ContactLaw {
   NormalLaw normal;
   FrictionLaw friction;
+  bool operator==(const ContactLaw&) const = default;
 };
 
 // At the start of the step, body frame. Of another scalar where that changes along the line.

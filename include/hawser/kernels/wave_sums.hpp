@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "hawser/math/types.hpp"
@@ -25,19 +26,24 @@ class WaveSums {
 
   // Of all components at a place and a time.
   struct Phases {
-    std::vector<double> angle, cosine;  // rad
-    double surface = 0;                 // m above the still water
+    std::unique_ptr<double[]> sine, cosine;
+    double surface = 0;  // m above the still water
   };
   Phases phases(double x, double y, double t) const;
   // Adds velocity [m/s] and its derivative in time [m/s²] at the height z [m] from the still water.
+  // Components that are not felt there are left out: what all of these would add is less than kLeftOut times
+  // the sum of the sizes that velocities, or accelerations, of the components have in the mean water level.
+  static constexpr double kLeftOut = 1e-6;
   void add_motion(const Phases& at, double z, Vec3& velocity, Vec3& acceleration) const;
 
  private:
   // By growing wave number, to whole vectors: what is added has no amplitude.
-  std::vector<double> number_, along_x_, along_y_, omega_, phase_, amplitude_;
-  std::vector<double> x_, y_;   // direction
-  std::vector<double> speed_;   // m/s: a omega/(1 - exp(-2 k h))
-  std::vector<double> bottom_;  // exp(-2 k h)
+  std::vector<double> number_, omega_, amplitude_;
+  std::vector<double> along_x_, along_y_, per_time_, phase_;  // of the angle, in quarter turns
+  std::vector<double> x_, y_;                                 // direction
+  std::vector<double> speed_;                                 // m/s: a omega/(1 - exp(-2 k h))
+  std::vector<double> bottom_;                                // exp(-2 k h)
+  double depth_ = 0;                                          // m; <= 0: infinite
 };
 
 }  // namespace hawser

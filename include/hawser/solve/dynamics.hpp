@@ -119,7 +119,6 @@ class Dynamics {
   void commit();
   void build();
   static PetscErrorCode residual(SNES, Vec u, Vec r, void* self);
-  static PetscErrorCode jacobian(SNES, Vec u, Mat, Mat P, void* self);
   static PetscErrorCode converged(SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason*,
                                   void*);
   SNESConvergedReason judge_iteration(SNES snes, int it, double fnorm);
@@ -153,6 +152,7 @@ class Dynamics {
   bool copied_ = false;          // trial_ has all that a step leaves alone
   bool loaded_ = false;          // trial_ belongs to local_u_
   bool polishing_ = false;       // within the tolerance, improved once more with the old factors
+  bool old_tangent_ = false;     // of an iteration before
   double first_ = 0;  // N, size of the first residual of this Newton solution, and of what makes it up
   int counted_ = -1;  // iterations to a residual far above rounding; < 0: not there yet
   VecHandle u_, r_, solution_;

@@ -57,6 +57,7 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   struct Flow {
     std::vector<Vec3> force, place;
     void clear() { force.clear(), place.clear(); }
+    void reserve(size_t n) { force.reserve(n), place.reserve(n); }
   };
   // Cables that are taken together, where they are wholly wet; in the last some lanes repeat its last.
   struct Four {
@@ -68,18 +69,19 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   void group();
   void see_feeders(const Kinematics& at, bool now);
   double fed_buoyancy(const Kinematics& at) const;
-  CablesInWater4 motion(const Four& q, const Kinematics& k, const std::vector<Water>& water) const;
+  CablesInWater4 motion(const Four& q, const Kinematics& k) const;
   void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;
   void evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const;
-  unsigned flow(const Four& q, const Kinematics& at, const std::vector<Water>& water, WaterForce* out) const;
+  unsigned flow(const Four& q, const Kinematics& at, WaterForce* out) const;
   bool moving() const { return !sea_.calm(); }
   Water water(const Kinematics& at, size_t node) const;
   Vec3 wave_place(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
-  void water_at_nodes(const Kinematics& at, std::vector<Water>& out) const;
+  void look_at_water(const Kinematics& at) const;
+  const Water& water_at(size_t node) const { return water_[moving() ? node : 0]; }
   WaterEnds ends(const Piece& p, const Kinematics& k, const Water& first, const Water& second) const;
-  WaterEnds ends(const Piece& p, const Kinematics& k, const std::vector<Water>& water) const {
-    return ends(p, k, water[static_cast<size_t>(p.at.first)], water[static_cast<size_t>(p.at.second)]);
+  WaterEnds ends(const Piece& p, const Kinematics& k) const {
+    return ends(p, k, water_at(static_cast<size_t>(p.at.first)), water_at(static_cast<size_t>(p.at.second)));
   }
   void places(const Piece& p, const Kinematics& k, Vec3* out) const;
   void flow(const Kinematics& at, Flow& out) const;
@@ -90,9 +92,10 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   Sea sea_;
   std::vector<Piece> pieces_;
   std::vector<Ball> balls_;
-  std::vector<Four> fours_;   // all cables
-  std::vector<int> beams_;    // pieces
-  std::vector<Water> water_;  // of the trial, by local node
+  std::vector<Four> fours_;  // all cables
+  std::vector<int> beams_;   // pieces
+  // At the last state that was looked at, by local node; calm water is the same everywhere: one.
+  mutable std::vector<Water> water_;
   // Waves are looked at once a step: at its end, where the nodes get with their speed at its start.
   double start_time_ = 0;                 // s
   std::vector<Vec3> start_, speed_;       // m, m/s, at the start of the step
@@ -100,10 +103,9 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   mutable std::vector<WaveMotion> wave_;  // cache: what they are at wave_time_
   mutable double wave_time_ = 0;
   mutable bool wave_known_ = false;
-  Flow spare_;                       // for the next
-  mutable std::vector<Water> seen_;  // for flow()
-  Flow flow_;                        // of the last accepted state; in statics of the last iteration
-  double work_ = 0;                  // J, done by drag and added mass on what this rank counts
+  Flow spare_;       // for the next
+  Flow flow_;        // of the last accepted state; in statics of the last iteration
+  double work_ = 0;  // J, done by drag and added mass on what this rank counts
 };
 
 // Properties in water of the case's line types.

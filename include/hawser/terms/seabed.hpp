@@ -33,6 +33,7 @@ class SeabedTerm final : public ForceTerm {
     double radius = 0;  // m; of a point that takes no part < 0
     ContactLaw law;     // of the point: N/m
     Suction suction;
+    bool operator==(const PointLaw&) const = default;
   };
   // One for each owned node, and one for each local element, of the point half way between its nodes, or
   // none.
@@ -95,22 +96,20 @@ class SeabedTerm final : public ForceTerm {
   struct Origin {
     Vec3 point, normal;
   };
+  // Of a bed that is a surface, changes the time and never the answer: no force nearer than `clear` to
+  // `centre` (the signed distance is 1-Lipschitz); nearest triangle of the last query.
+  struct Seen {
+    Vec3 centre = Vec3::Zero();
+    double clear = -1;
+    int hint = -1;
+  };
+  // Most points are out of touch: what is read of all of them at every evaluation is as little as can be, and
+  // the rest of a point stands in the other lists, at its place.
   struct Point {
     int node = 0, second = -1;  // local; second: of the element it is half way along, -1 at a node
     int element = -1;           // local
+    int law = 0;                // of laws_
     bool counted = true;        // this rank counts it in sums
-    double radius = 0;
-    ContactLaw law;
-    Suction suction;
-    ContactStart start;
-    History history;
-    double pressed = 0;  // N, at the last prepare() of statics
-    std::optional<Origin> origin;
-    // Cache, changes the time and never the answer: no force nearer than `clear` to `centre` (the signed
-    // distance is 1-Lipschitz); nearest triangle of the last query.
-    mutable Vec3 centre = Vec3::Zero();
-    mutable double clear = -1;
-    mutable int hint = -1;
   };
   // What nodes have, at the point; and what of a force on the point a node bears.
   static Vec3 of_nodes(const Point& p, std::span<const Vec3> values) {
@@ -120,6 +119,13 @@ class SeabedTerm final : public ForceTerm {
   static double share(const Point& p, int node) {
     if (p.second < 0) return p.node == node ? 1 : 0;
     return p.node == node || p.second == node ? 0.5 : 0;
+  }
+  size_t place(const Point& p) const { return static_cast<size_t>(&p - points_.data()); }
+  const PointLaw& law(const Point& p) const { return laws_[static_cast<size_t>(p.law)]; }
+  const ContactStart& start(const Point& p) const { return starts_[place(p)]; }
+  const History& history(const Point& p) const { return histories_[place(p)]; }
+  const Origin* origin(const Point& p) const {
+    return origins_.empty() || !origins_[place(p)] ? nullptr : &*origins_[place(p)];
   }
   Vec3 tangent(const Point& p, const Kinematics& at) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
@@ -138,9 +144,9 @@ class SeabedTerm final : public ForceTerm {
   Full full(MPI_Comm comm, const Kinematics& at, const std::vector<double>& tension) const;
   // Off the bed's normal, from where the point was laid: what its spring is stretched by in the first stage
   // of statics. Nothing of other points and later.
-  bool kept(const Point& p, double step) const { return !friction_on_ && !(step > 0) && p.origin; }
-  static Vec3 strayed(const Point& p, const Vec3& x);
-  double contact_distance(const Point& p) const { return p.radius + p.law.normal.smoothing; }
+  bool kept(const Point& p, double step) const { return !friction_on_ && !(step > 0) && origin(p); }
+  Vec3 strayed(const Point& p, const Vec3& x) const;
+  double contact_distance(const Point& p) const { return law(p).radius + law(p).law.normal.smoothing; }
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
   // is then cut to `beyond` [m] more than where it touches.
   bool locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const;
@@ -158,10 +164,16 @@ class SeabedTerm final : public ForceTerm {
   std::shared_ptr<const Surface> surface_;          // null: the plane
   std::shared_ptr<const ContactForceTable> table_;  // that laws point to; may be null
   Box bounds_ = Box::everything();                  // of the surface
+  std::vector<PointLaw> laws_;                      // each once
   std::vector<Point> points_;
-  bool suction_ = false;  // of some point. Most points are out of touch: the less is read of them the better
-  std::vector<double> element_;  // m, longest at a local node
-  std::vector<bool> buried_;     // by node of the mesh: the soil holds it (terms/buried.hpp), not the bed
+  std::vector<ContactStart> starts_;
+  std::vector<History> histories_;
+  std::vector<double> pressed_;                 // N, at the last prepare() of statics with friction
+  std::vector<std::optional<Origin>> origins_;  // empty: nothing was laid
+  mutable std::vector<Seen> seen_;              // empty: a plane
+  bool suction_ = false;                        // of some point
+  std::vector<double> element_;                 // m, longest at a local node
+  std::vector<bool> buried_;  // by node of the mesh: the soil holds it (terms/buried.hpp), not the bed
   LineNeighbours line_;
   std::vector<bool> laid_at_start_;  // by line of the mesh
   bool friction_on_ = true, laid_ = false;
