@@ -199,8 +199,8 @@ class LineCheck {
   }
 
   void check_target(const LengthTarget& t) {
-    using Kind = LengthTarget::Kind;
-    const bool bed = t.kind == Kind::touchdown || t.kind == Kind::laid_length;
+    using Target = LengthTarget::Kind;
+    const bool bed = t.kind == Target::touchdown || t.kind == Target::laid_length;
     if (!c_.statics.enabled)
       issue("target", "is met in static equilibrium, which this case leaves out ('statics: false')");
     if (bed && !c_.environment.seabed.present)

@@ -19,7 +19,7 @@ constexpr double kNear = 10,
 constexpr double kBow = 0.01;       // of the length that lies
 // N/m³, and per length N/m² over the thickest line. DNV-RP-F105 (2006), section 7, has for pipes 50 kN/m²
 // in very soft clay to 4200 in hard clay, at rest; rock and fast motion are stiffer, and mud is softer.
-constexpr double kSoft = 2e3, kStiff = 1e9;
+constexpr double kSoftBed = 2e3, kStiffBed = 1e9;
 
 void doubt_depths(const Case& c, std::vector<Doubt>& out) {
   const Water& w = c.environment.water;
@@ -164,14 +164,14 @@ void doubt_soil(const Case& c, std::vector<Doubt>& out) {
   double thickest = 0;
   for (const LineType& t : c.line_types) thickest = std::max(thickest, t.contact_diameter);
   const double stiffness = bed.normal_stiffness / (by_length && thickest > 0 ? thickest : 1);
-  if (stiffness >= kSoft && stiffness <= kStiff) return;
+  if (stiffness >= kSoftBed && stiffness <= kStiffBed) return;
   const double in_thousands = 1e3 * stiffness;
   std::string hint;
-  if (in_thousands >= kSoft && in_thousands <= kStiff && stiffness < kSoft)
+  if (in_thousands >= kSoftBed && in_thousands <= kStiffBed && stiffness < kSoftBed)
     hint = fmt::format("; is it in kN? ('{:g} {}')", bed.normal_stiffness, by_length ? "kN/m2" : "kN/m3");
   out.push_back({"environment.seabed.normal_stiffness",
                  fmt::format("{:g} {} is {} than any soil, of which {} are usual{}", bed.normal_stiffness,
-                             by_length ? "N/m²" : "N/m³", stiffness < kSoft ? "softer" : "stiffer",
+                             by_length ? "N/m²" : "N/m³", stiffness < kSoftBed ? "softer" : "stiffer",
                              by_length ? "50 to 5000 kN/m²" : "50 to 10000 kN/m³", hint),
                  14});
 }
