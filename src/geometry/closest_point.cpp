@@ -1,82 +1,122 @@
-// The nearest point of a segment and of a triangle, and the normal of a triangle.
+// The nearest point of a segment and of a triangle, in wider numbers where the triangle is a needle or a cap.
 #include "hawser/geometry/closest_point.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "hawser/geometry/wide.hpp"
 
 namespace hawser {
 namespace {
 
-// Sine of the largest angle below which a triangle counts as its three edges: rounding then tilts its plane
-// by more than its height.
-constexpr double kNoFace = 1e-8;
+using detail::Triple;
+using detail::triple;
+using detail::Wide;
 
-struct OnSegment {
-  Vec3 point;
-  double squared;
+template <class T>
+struct Candidate {
+  Triple<T> point;
+  T squared;
   int end;  // 0, 1: an end of the segment; -1: between
 };
 
-OnSegment on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 e = b - a, r = p - a;
-  const double along = r.dot(e), length2 = e.dot(e);
+template <class T>
+Candidate<T> on_segment(const Triple<T>& p, const Triple<T>& a, const Triple<T>& b) {
+  const Triple<T> e = b - a, r = p - a;
+  const T along = r.dot(e), length2 = e.dot(e);
   if (!(along > 0) || !(length2 > 0)) return {a, r.dot(r), 0};
   if (along >= length2) return {b, (p - b).dot(p - b), 1};
-  const double t = along / length2;
+  const T t = along / length2;
   // From the nearer end, so that the result is exact near both.
-  const Vec3 c = t < 0.5 ? Vec3(a + e * t) : Vec3(b - e * ((length2 - along) / length2));
+  const Triple<T> c = t < T(0.5) ? a + e * t : b - e * ((length2 - along) / length2);
   return {c, (p - c).dot(p - c), -1};
 }
 
-// Twice the area vector, from the two edges at the corner of the largest angle: their cross product loses
-// least. `face`: it is a face and not a segment or a point.
-Vec3 area_vector(const std::array<Vec3, 3>& v, bool& face) {
-  std::array<Vec3, 3> e;
-  std::array<double, 3> l;  // m²
-  for (std::size_t i = 0; i < 3; ++i) e[i] = v[(i + 1) % 3] - v[i], l[i] = e[i].squaredNorm();
-  const auto longest = static_cast<std::size_t>(std::max_element(l.begin(), l.end()) - l.begin());
-  const std::size_t i = (longest + 1) % 3, j = (longest + 2) % 3;
-  const Vec3 n = e[i].cross(e[j]);
-  face = n.squaredNorm() > kNoFace * kNoFace * l[i] * l[j];
+// Twice the area vector, from the two edges at the corner of the largest angle: their cross product
+// loses least. `sine2` is the squared sine of that angle, `slender2` the squared ratio of the shortest
+// edge to the longest.
+template <class T>
+Triple<T> area_vector(const Triple<T> v[3], T& sine2, T& slender2) {
+  Triple<T> e[3];
+  T l[3];
+  for (int i = 0; i < 3; ++i) {
+    e[i] = v[(i + 1) % 3] - v[i];
+    l[i] = e[i].dot(e[i]);
+  }
+  const int longest = l[0] >= l[1] ? (l[0] >= l[2] ? 0 : 2) : (l[1] >= l[2] ? 1 : 2);
+  const int i = (longest + 1) % 3, j = (longest + 2) % 3;
+  const Triple<T> n = e[i].cross(e[j]);
+  const T product = l[i] * l[j];
+  sine2 = product > 0 ? n.dot(n) / product : T(0);
+  slender2 = std::min(l[i], l[j]) / l[longest];
   return n;
+}
+
+template <class T>
+ClosestPoint on_triangle(const Triple<T>& p, const Triple<T> v[3], const Triple<T>& n, bool flat) {
+  ClosestPoint out;
+  if (!flat) {
+    bool inside = true;
+    for (int i = 0; i < 3 && inside; ++i) inside = n.dot((v[(i + 1) % 3] - v[i]).cross(p - v[i])) >= 0;
+    if (inside) {
+      const T t = n.dot(p - v[0]) / n.dot(n);
+      out.point = (p - n * t).vec();
+      out.squared_distance = static_cast<double>(t * t * n.dot(n));
+      return out;
+    }
+  }
+  Candidate<T> best{};
+  for (int i = 0; i < 3; ++i) {
+    const Candidate<T> c = on_segment(p, v[i], v[(i + 1) % 3]);
+    if (i > 0 && !(c.squared < best.squared)) continue;
+    best = c;
+    out.feature = c.end < 0 ? edge_feature(i) : vertex_feature((i + c.end) % 3);
+  }
+  out.point = best.point.vec();
+  out.squared_distance = static_cast<double>(best.squared);
+  return out;
+}
+
+// Squared sine of the largest angle below which the normal needs more than double, and more than long
+// double, to keep 1e-14; and squared ratio of edges below which the choice between two sides of a needle
+// does.
+constexpr double kFlat = 0.04, kVeryFlat = 1e-7, kSlender = 1e-5;
+
+template <class T>
+ClosestPoint on_flat_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Triple<T> v[3] = {triple<T>(a), triple<T>(b), triple<T>(c)};
+  T sine2 = 0, slender2 = 0;
+  const Triple<T> n = area_vector(v, sine2, slender2);
+  return on_triangle(triple<T>(p), v, n, !(sine2 > T(1e-40)));
 }
 
 }  // namespace
 
 ClosestPoint closest_point_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const OnSegment c = on_segment(p, a, b);
-  return {c.point, c.squared, c.end < 0 ? Feature::edge0 : vertex_feature(c.end)};
+  const auto c = on_segment(triple<double>(p), triple<double>(a), triple<double>(b));
+  return {c.point.vec(), c.squared, c.end < 0 ? Feature::edge0 : vertex_feature(c.end)};
 }
 
 ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const std::array<Vec3, 3> v{a, b, c};
-  bool inside = false;
-  const Vec3 n = area_vector(v, inside);
-  ClosestPoint out;
-  for (std::size_t i = 0; i < 3 && inside; ++i) inside = n.dot((v[(i + 1) % 3] - v[i]).cross(p - v[i])) >= 0;
-  if (inside) {
-    const double t = n.dot(p - a) / n.squaredNorm();
-    out.point = p - n * t;
-    out.squared_distance = t * t * n.squaredNorm();
-    return out;
-  }
-  OnSegment best{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const OnSegment s = on_segment(p, v[i], v[(i + 1) % 3]);
-    if (i > 0 && !(s.squared < best.squared)) continue;
-    best = s;
-    const int k = static_cast<int>(i);
-    out.feature = s.end < 0 ? edge_feature(k) : vertex_feature((k + s.end) % 3);
-  }
-  out.point = best.point, out.squared_distance = best.squared;
-  return out;
+  const Triple<double> v[3] = {triple<double>(a), triple<double>(b), triple<double>(c)};
+  double sine2 = 0, slender2 = 0;
+  const Triple<double> n = area_vector(v, sine2, slender2);
+  if (sine2 > kFlat && slender2 > kSlender) return on_triangle(triple<double>(p), v, n, false);
+  if (a == b || b == c || c == a) return on_triangle(triple<double>(p), v, n, true);
+  if (sine2 > kVeryFlat) return on_flat_triangle<long double>(p, a, b, c);
+  return on_flat_triangle<Wide>(p, a, b, c);
 }
 
 Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c) {
-  bool face = false;
-  const Vec3 n = area_vector({a, b, c}, face);
-  return face ? Vec3(n.normalized()) : Vec3(Vec3::Zero());
+  const Triple<double> v[3] = {triple<double>(a), triple<double>(b), triple<double>(c)};
+  double sine2 = 0, slender2 = 0;
+  const Vec3 n = area_vector(v, sine2, slender2).vec();
+  const double longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  if (sine2 > kFlat) return n.norm() > 1e-12 * longest2 ? Vec3(n.normalized()) : Vec3(Vec3::Zero());
+  const Triple<Wide> w[3] = {triple<Wide>(a), triple<Wide>(b), triple<Wide>(c)};
+  Wide wide_sine2 = 0, wide_slender2 = 0;
+  const Vec3 m = area_vector(w, wide_sine2, wide_slender2).vec();
+  return m.norm() > 1e-12 * longest2 ? Vec3(m.normalized()) : Vec3(Vec3::Zero());
 }
 
 }  // namespace hawser

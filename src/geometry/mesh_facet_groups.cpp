@@ -115,7 +115,7 @@ bool MeshFacetGroups::alike(std::span<const Vec3> axis, double reach, std::vecto
     const double far = f.radius + reach, off = bulge(t) + reach;
     any_chord(axis, [&](const Vec3& p, const Vec3& q) {
       if (squared_distance_to_chord(f.centre, p, q) > far * far) return false;
-      const Vec3 n = normals_.face(facets_, t);
+      const Vec3 n = normals_.quick_face(facets_, t);
       const double from = n.dot(p - facets_.corner(t, 0)), to = n.dot(q - facets_.corner(t, 0));
       if (std::min(from, to) > off || std::max(from, to) < -off) return false;  // beyond its plane
       out.push_back({f, n});
@@ -162,7 +162,7 @@ bool MeshFacetGroups::one(std::span<const Vec3> axis, double reach) const {
 
 // Whether the edge is reentrant and sharp. Patches may meet smoothly where their facets do not.
 bool MeshFacetGroups::cut(int t, int edge, int other) const {
-  const Vec3 n = normals_.face(facets_, t), m = normals_.face(facets_, other);
+  const Vec3 n = normals_.quick_face(facets_, t), m = normals_.quick_face(facets_, other);
   if (n.isZero(0) || m.isZero(0) || n.dot(m) > kAlike || !rises(facets_, n, t, edge, other)) return false;
   if (!facets_.curved(t) && !facets_.curved(other)) return true;
   int k = 0;
@@ -189,7 +189,7 @@ MeshFacetGroups::Approach MeshFacetGroups::approach(int t, const Vec3& a, const 
   offer(std::sqrt(closest_point_on_triangle(a, p, q, r).squared_distance), a);
   if (a == b) return best;
   offer(std::sqrt(closest_point_on_triangle(b, p, q, r).squared_distance), b);
-  const Vec3 n = normals_.face(facets_, t);
+  const Vec3 n = normals_.quick_face(facets_, t);
   const double above = n.dot(a - p), below = n.dot(b - p);
   if (above * below < 0) {
     const Vec3 x = a + above / (above - below) * (b - a);

@@ -1,10 +1,12 @@
-// Three classical tests of a point in a closed mesh, and whether a mesh is convex.
+// Three classical tests of a point in a closed mesh, of which that by a ray decides by exact signs, and
+// whether a mesh is convex.
 #include "hawser/geometry/point_in_polyhedron.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/geometry/wide.hpp"
 
 namespace hawser {
 namespace {
@@ -15,11 +17,40 @@ Vec3 facet_normal(const MeshView& mesh, std::size_t t) {
 
 int sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
+// Exact sign of the sum of six products of doubles.
+int exact_sign(const double (&product)[6][2]) {
+  // The sum as an expansion of non-overlapping doubles (Shewchuk 1997, "Adaptive precision floating-point
+  // arithmetic", grow-expansion); its sign is that of the largest, the last that is not zero.
+  double e[12];
+  int n = 0;
+  const auto add = [&](double b) {
+    for (int i = 0; i < n; ++i) {
+      const double s = e[i] + b, bb = s - e[i];
+      e[i] = (e[i] - (s - bb)) + (b - bb);
+      b = s;
+    }
+    e[n++] = b;
+  };
+  for (const auto& f : product) {
+    volatile double high = f[0] * f[1];  // not to be fused with the sums
+    add(std::fma(f[0], f[1], -high));
+    add(high);
+  }
+  while (n > 1 && e[n - 1] == 0) --n;
+  return sign(e[n - 1]);
+}
+
 // Side of the 2D point o of the line a -> b: 1 left, -1 right; never 0 unless a = b, as o is thought moved
-// by (eps, eps²). That of b -> a is the other one, whatever rounding does, as both are found for one order.
+// by (eps, eps²).
 int side(const double o[2], const double a[2], const double b[2]) {
-  if (std::lexicographical_compare(b, b + 2, a, a + 2)) return -side(o, b, a);
-  int s = sign((a[0] - o[0]) * (b[1] - o[1]) - (a[1] - o[1]) * (b[0] - o[0]));
+  const double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
+  const double l = ax * by, r = ay * bx, det = l - r;
+  int s = 0;
+  if (std::abs(det) > 4e-16 * (std::abs(l) + std::abs(r))) {
+    s = sign(det);
+  } else {
+    s = exact_sign({{a[0], b[1]}, {-a[0], o[1]}, {-o[0], b[1]}, {-a[1], b[0]}, {a[1], o[0]}, {o[1], b[0]}});
+  }
   if (s == 0) s = -sign(b[1] - a[1]);
   if (s == 0) s = sign(b[0] - a[0]);
   return s;
@@ -27,7 +58,15 @@ int side(const double o[2], const double a[2], const double b[2]) {
 
 // Sign of (a - p).n, n = (b - a) x (c - a): 1 when p is below the plane (inside of an outward face).
 int below(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  return sign((b - a).cross(c - a).dot(a - p));
+  const Vec3 n = (b - a).cross(c - a), r = a - p;
+  const double d = n.dot(r);
+  const double size = (b - a).cwiseAbs().maxCoeff() * (c - a).cwiseAbs().maxCoeff() * r.cwiseAbs().maxCoeff();
+  if (std::abs(d) > 1e-14 * size) return sign(d);
+  using detail::triple;
+  using detail::Wide;
+  const auto wa = triple<Wide>(a);
+  const Wide w = (triple<Wide>(b) - wa).cross(triple<Wide>(c) - wa).dot(wa - triple<Wide>(p));
+  return w > 0 ? 1 : w < 0 ? -1 : 0;
 }
 
 }  // namespace
@@ -49,6 +88,7 @@ bool inside_by_ray(const MeshView& mesh, const Vec3& p, int axis) {
       q[i][0] = mesh.corner(t, i)[u];
       q[i][1] = mesh.corner(t, i)[v];
     }
+    // The sign of an edge must come out the same for both its triangles: exact up to reversal.
     const int s0 = side(o, q[0], q[1]), s1 = side(o, q[1], q[2]), s2 = side(o, q[2], q[0]);
     if (s0 == 0 || s0 != s1 || s1 != s2) continue;
     // Seen along the axis the face points forward (s = 1) or back; the crossing is ahead when p is on the

@@ -2,6 +2,7 @@
 // near a point of a curved surface only its tangent planes count.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "facets.hpp"
@@ -18,7 +19,15 @@ class Pseudonormals {
   static Vec3 face(const Facets& facets, int t) {
     return triangle_normal(facets.corner(t, 0), facets.corner(t, 1), facets.corner(t, 2));
   }
-  static bool has_area(const Facets& facets, int t) { return !face(facets, t).isZero(0); }
+  // face() of a facet of sound shape without the care that others need: to 1e-12.
+  static Vec3 quick_face(const Facets& facets, int t) {
+    const Vec3 n = quick_area(facets, t);
+    return n.isZero(0) ? face(facets, t) : Vec3(n / n.norm());
+  }
+  // Whether face() is not zero.
+  static bool has_area(const Facets& facets, int t) {
+    return !quick_area(facets, t).isZero(0) || !face(facets, t).isZero(0);
+  }
   int neighbour(int t, int edge) const {
     return neighbours_[static_cast<std::size_t>(t)][static_cast<std::size_t>(edge)];
   }
@@ -34,6 +43,14 @@ class Pseudonormals {
   }
 
  private:
+  // Twice the area, along the normal, of a facet of sound shape; else zero.
+  static Vec3 quick_area(const Facets& facets, int t) {
+    const Vec3 &a = facets.corner(t, 0), e = facets.corner(t, 1) - a, f = facets.corner(t, 2) - a;
+    const Vec3 n = e.cross(f);
+    const double longest2 = std::max(e.squaredNorm(), f.squaredNorm());
+    return n.squaredNorm() > 1e-8 * longest2 * longest2 ? n : Vec3(Vec3::Zero());
+  }
+
   ConstArray<Vec3> vertex_;
   ConstArray<std::array<int, 3>> neighbours_;
   bool complete_ = true;

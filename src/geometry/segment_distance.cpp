@@ -1,21 +1,28 @@
-// The nearest points of two segments.
+// The nearest points of two segments, with the same answer in whichever order they are given.
 #include "hawser/geometry/segment_distance.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hawser {
 namespace {
 
 // Angle below which two directions are parallel to rounding.
 constexpr double kParallel = 1e-15;
+// Squares of squares of lengths beyond these would leave the range of double.
+constexpr double kSmall = 1e-60, kLarge = 1e60;
+
+bool before(const Vec3& a, const Vec3& b) {
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
 
 struct Best {
   double s = 0, t = 0, squared = 0;
   Vec3 w = Vec3::Zero();
 };
 
-// |r + s u - t v| over the unit square.
+// |r + s u - t v| over the unit square. The lengths are in range and not all zero.
 Best solve(const Vec3& r, const Vec3& u, const Vec3& v) {
   const double uu = u.squaredNorm(), vv = v.squaredNorm();
   const auto at = [&](double s, double t) {
@@ -64,9 +71,32 @@ Vec3 point(const Vec3& p0, const Vec3& p1, double s) {
 }  // namespace
 
 SegmentPair closest_points_of_segments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-  const Best best = solve(a0 - b0, a1 - a0, b1 - b0);
+  // In one order always: rounding, which may not treat the two alike, is then the same.
+  if (before(b0, a0) || (b0 == a0 && before(b1, a1))) {
+    SegmentPair p = closest_points_of_segments(b0, b1, a0, a1);
+    std::swap(p.s, p.t);
+    std::swap(p.on_a, p.on_b);
+    p.difference = -p.difference;
+    return p;
+  }
+  const Vec3 r = a0 - b0, u = a1 - a0, v = b1 - b0;
+  const double size = std::max({r.cwiseAbs().maxCoeff(), u.cwiseAbs().maxCoeff(), v.cwiseAbs().maxCoeff()});
   SegmentPair p;
-  p.s = best.s, p.t = best.t, p.difference = best.w, p.distance = std::sqrt(best.squared);
+  if (size > kSmall && size < kLarge) {
+    const Best best = solve(r, u, v);
+    p.s = best.s, p.t = best.t, p.difference = best.w, p.distance = std::sqrt(best.squared);
+  } else if (size > 0) {
+    // A power of two leaves the digits alone.
+    const int e = std::ilogb(size);
+    const auto scaled = [](const Vec3& x, int by) {
+      return Vec3(std::ldexp(x[0], by), std::ldexp(x[1], by), std::ldexp(x[2], by));
+    };
+    const Best best = solve(scaled(r, -e), scaled(u, -e), scaled(v, -e));
+    p.s = best.s, p.t = best.t;
+    p.difference = scaled(best.w, e), p.distance = std::ldexp(std::sqrt(best.squared), e);
+  } else {
+    p.s = p.t = 0.5;
+  }
   p.on_a = point(a0, a1, p.s);
   p.on_b = point(b0, b1, p.t);
   return p;

@@ -1,9 +1,9 @@
 // Closest points of simple shapes to a point, with the feature on which they lie.
 //
-// closest_point_on_triangle is accurate to rounding of max(|p - a|, edge lengths) over the sine of the
-// largest angle, and to 1e-7 of these for any triangle, also collapsed to a segment or a point. Nearest face,
-// edge or vertex as in Ericson (2005), "Real-Time Collision Detection", section 5.1.5. Segment-segment is in
-// segment_distance.hpp.
+// closest_point_on_triangle is accurate to a few units of rounding of max(|p - a|, edge lengths), also
+// for needles, caps and triangles collapsed to a segment or a point; the nearest face/edge/vertex
+// classification follows Ericson (2005), "Real-Time Collision Detection", section 5.1.5.
+// Segment-segment is in segment_distance.hpp.
 #pragma once
 
 #include "hawser/math/types.hpp"
@@ -32,11 +32,11 @@ struct ClosestPoint {
 // Nearest point of segment a-b to p; feature is vertex0, vertex1 or edge0. a = b is allowed.
 ClosestPoint closest_point_on_segment(const Vec3& p, const Vec3& a, const Vec3& b);
 
-// Nearest point of triangle a-b-c to p; degenerate triangles are segments or points.
+// Nearest point of triangle a-b-c to p, robust; degenerate triangles are segments or points.
 ClosestPoint closest_point_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
-// Unit normal by the right-hand rule; zero of degenerate triangles, the sine of whose largest angle is below
-// 1e-8.
+// Unit normal by the right-hand rule, to rounding also for very flat triangles; zero when the height
+// over the longest edge is below 1e-12 of that edge.
 Vec3 triangle_normal(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace hawser

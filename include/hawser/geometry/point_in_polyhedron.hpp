@@ -2,8 +2,8 @@
 // at every triangle. (For many points near one mesh use MeshSurface.)
 //
 //   tetrahedra   signed volume of the tetrahedron of the point and each face; convex meshes only
-//   ray          crossings of a ray along an axis; rays through vertices and edges are decided by a symbolic
-//                shift (Edelsbrunner & Mücke 1990, "Simulation of simplicity")
+//   ray          crossings of a ray along an axis; rays through vertices and edges are decided by exact
+//                signs and a symbolic shift (Edelsbrunner & Mücke 1990, "Simulation of simplicity")
 //   solid_angle  sum of the solid angles of the faces (van Oosterom & Strackee 1983, IEEE Trans. Biomed.
 //                Eng. 30(2)): 4 pi inside, 0 outside
 //
