@@ -94,6 +94,8 @@ def draw(rows, path):
 def make(options):
     depths = numbers_of("--depths", options.depths, "depths", "50,100,150")
     radii = numbers_of("--radii", options.radii, "radii", "80,100,120") if options.radii is not None else None
+    if not options.clearance >= 0:
+        raise Refusal(f"--clearance {options.clearance:g} is below 0 m: the pipe would lie on the last support")
     if not 0 < options.utilisation <= 1:
         raise Refusal(f"--utilisation {options.utilisation:g} is not above 0 and up to 1")
     path = Path(options.case)

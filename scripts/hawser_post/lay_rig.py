@@ -35,7 +35,10 @@ class Rig:
         results = self.run([])
         if results is None:
             raise Refusal(f"{case}: {self.told()} has no equilibrium from which to begin: see what 'hawser run' says of it")
-        self.name = pipe_of(results, None).name
+        try:
+            self.name = pipe_of(results, None).name
+        except Refusal as why:  # of the results in the temporary folder
+            raise Refusal(str(why).replace(str(results.path), str(case))) from None
         line = results.line(self.name)
         if pipe_checks.judged_pipe(results, line) is None:
             raise Refusal(f"{case}: the case does not say of which steel '{line.name}' is: 'grade' with the pipe of its line type")
@@ -112,6 +115,10 @@ class Rig:
         """The case at a depth, its line as long as that of a catenary with this tension at its lowest point is longer than
         the case's, in elements as long as those of the case."""
         rise = self.rise + depth - self.depth
+        if not rise > 0:
+            raise Refusal(f"{self.case}: a depth of {depth:g} m is too small for this stinger: in the lay of the case, in "
+                          f"{self.depth:g} m, the pipe leaves it {self.rise:.4g} m above the bed, which would then be "
+                          f"{-rise:.4g} m above that place; shorten the stinger, or raise it")
         span = np.sqrt(rise * (rise + 2 * bottom / self.weight))
         length = max(self.length + span - self.span, 0.2 * self.length)
         way = (self.anchor - self.top)[:2]

@@ -25,15 +25,15 @@ namespace {
 // cases/; steps over the longest ones.
 constexpr double kStatics = 60, kDynamics = 4, kAutomatic = 0.5;
 
+struct Spent {};  // statics has spent what it may
+
+}  // namespace
+
 double cpu_time() {
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
-
-struct Spent {};  // statics has spent what it may
-
-}  // namespace
 
 TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
   TrialRun trial;

@@ -39,6 +39,7 @@ namespace {
 
 constexpr double kCheckpoints = 0.02;  // of the time, unless the case says when
 constexpr double kTrial = 4;           // CPU s, of the trial run of `hawser check`
+constexpr double kLeast = 1;           // CPU s of it, that motion has where a search took the rest
 
 // Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
 // with everything on disk. Who cannot wait sends the signal again.
@@ -67,6 +68,8 @@ void give_back_memory() {
   malloc_trim(0);
 #endif
 }
+
+struct TrialOver {};  // a search of the trial run has spent what it may
 
 // Prints how the lines start beside the volumes; false if one starts inside, out of which statics must bring
 // it. InputError if there is no statics. On one rank.
@@ -187,7 +190,6 @@ int run(MPI_Comm comm, const RunOptions& options) {
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
   c = with_targets_met(comm, std::move(c), volumes, progress, options.restart);
-  c.tree.reset();
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
@@ -292,7 +294,16 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
   if (rank != 0) return 0;
   progress.end();
-  if (trial) c = with_targets_met(MPI_COMM_SELF, std::move(c), volumes, progress);
+  const double begun = cpu_time();
+  bool met = true;
+  if (trial) try {
+      c = with_targets_met(MPI_COMM_SELF, c, volumes, progress, "", [begun] {
+        if (cpu_time() - begun > kTrial) throw TrialOver();
+      });
+    } catch (const TrialOver&) {
+      met = false, progress.end();
+    }
+  const double searched = cpu_time() - begun;
   fmt::print("{}", model::summary(c));
   for (size_t i = 0; i < volumes.size(); ++i) {
     const LoadedVolume& v = volumes[i];
@@ -322,8 +333,14 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
                     nullptr, false, false);
   TrialRun tried;
   double checkpoint = planned_numbers(sim, recorder);
-  if (trial) {
-    tried = trial_run(sim, c, kTrial);
+  if (!met)
+    fmt::print(
+        "note: a trial of {:g} CPU s does not find the lengths that lines need to have at rest what is asked "
+        "for: all this is of the lengths in the case, and a run may search for long; lengths near those "
+        "needed make the search short\n",
+        kTrial);
+  if (trial && met) {
+    tried = trial_run(sim, c, std::max(kTrial - searched, kLeast));
     fmt::print("{}\n", cost_sentence(tried));
     fmt::print("{}\n", memory_sentence(read, peak_memory()));
     if (tried.moved)

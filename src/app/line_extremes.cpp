@@ -1,6 +1,8 @@
 // The class LineExtremes: which quantities are in the table, the comparison at every step, and the table.
 #include "hawser/app/line_extremes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +13,10 @@
 
 namespace hawser::app {
 namespace {
+
+// Of its size, by which a value must be beyond that of an earlier step: what rests is at its extreme from the
+// start on, whatever rounding makes of it later.
+constexpr double kBeyond = 1e-9;
 
 // Of a table that people read: in the order that fields ask for.
 std::vector<size_t> shown(const std::vector<io::ResultField>& fields) {
@@ -23,6 +29,10 @@ std::vector<size_t> shown(const std::vector<io::ResultField>& fields) {
 }
 
 }  // namespace
+
+std::string when_text(const model::Case& c, double time) {
+  return c.statics.enabled && time == 0 ? "at rest" : fmt::format("t = {:.6g} s", time);
+}
 
 LineExtremes::LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
                            const Feeders* feeders, const std::vector<io::ResultField>& fields)
@@ -58,7 +68,8 @@ void LineExtremes::add(double time, const std::vector<std::vector<double>>& valu
         const double v = values[f][n];
         if (std::isnan(v)) continue;  // no pipe
         Extreme& x = q.lines[static_cast<size_t>(node.line)];
-        if (!x.set || (q.largest ? v > x.value : v < x.value)) x = {v, time, node.arc, true};
+        const double slack = x.set && time > x.time ? kBeyond * std::abs(x.value) : 0;
+        if (!x.set || (q.largest ? v > x.value + slack : v < x.value - slack)) x = {v, time, node.arc, true};
       }
 }
 

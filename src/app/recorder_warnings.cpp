@@ -57,7 +57,7 @@ void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
         warnings_.push_back(w);
     if (r.quantity == "max effective tension" && r.value > 0)
       if (const std::string w = peak_warning(r); !w.empty()) warnings_.push_back(w);
-    if (const std::string w = overused(fields_, r); !w.empty()) warnings_.push_back(w);
+    if (const std::string w = overused(sim_.model(), fields_, r); !w.empty()) warnings_.push_back(w);
     if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;
     double radius = 0;
@@ -67,8 +67,8 @@ void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
     if (r.value > c.contact.warned_penetration * radius)
       warnings_.push_back(fmt::format(
           "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, "
-          "t = {:.6g} s: {}",
-          r.line, r.value, radius, r.arc_length, r.time,
+          "{}: {}",
+          r.line, r.value, radius, r.arc_length, when_text(c, r.time),
           r.value > radius
               ? "it is trapped inside, and contact forces there are meaningless"
               : "contact is too soft for what presses; a normal_stiffness that is given can be raised, an "

@@ -83,13 +83,15 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
 }
 
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
-                             Progress& progress, const std::string& restart) {
+                             Progress& progress, const std::string& restart,
+                             const std::function<void()>& looked) {
   if (!has_targets(c)) return c;
   MetTargets met;
   try {
     met = !restart.empty() ? with_lengths_of(c, restart, comm)
                            : meet_targets(comm, c, volumes, [&](const StaticsReport& now) {
                                progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+                               if (looked) looked();
                              });
   } catch (const SolveError&) {
     for (const std::string& n : model::grouped_notes(c.notes)) progress.say("note: " + n);  // may tell why

@@ -208,8 +208,12 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
   if (!case_.supports.empty()) {
     std::vector<RigidPose> poses;
     for (int b = 0; b < bodies_->size(); ++b) poses.push_back(bodies_->pose(b, start));
-    const std::string wrong = beneath_supports(case_, support_crossings(comm, case_, local(), start, poses));
-    if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
+    const auto wrong = beneath_supports(case_, support_crossings(comm, case_, local(), start, poses), poses);
+    if (wrong) try {
+        case_.refuse(wrong->key, wrong->why);
+      } catch (const InputError& e) {
+        throw WrongPlaces(e.what());
+      }
   }
   if (volumes_.empty()) return;
   contact_ = add<LineVolumeContact>(local(), bodies_, volumes_, contact_elements(case_, local(), held), comm,

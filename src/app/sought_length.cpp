@@ -169,7 +169,7 @@ std::string SoughtLength::tried() const {
                      : fmt::format("; of the lengths tried, {:.6g} to {:.6g} m, it was between {} and {}",
                                    seen.front().first, seen.back().first, at(*low), at(*high));
   }
-  if (!why_.empty()) text += "; beyond these: " + why_;
+  if (!why_.empty()) text += (seen.empty() ? "; as it is given: " : "; beyond these: ") + why_;
   return text;
 }
 

@@ -156,7 +156,15 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
   for (const auto& [key, l] : of) start.left_out.push_back(l);
 }
 
-// Lines that hang past a volume which the straight way between their ends passes on the other side.
+// Ends of a line that starts by itself, m in space.
+struct Chord {
+  bool known = false;
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+  Vec3 at(double share) const { return a + share * (b - a); }
+};
+
+// Lines that hang past a volume which the straight way between their ends passes on the other side, and under
+// one of the body that carries an end which is above it. A line goes off its own hull on any side.
 void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
                const Bodies& bodies, const std::vector<ContactVolume>& volumes,
                const std::vector<Inside>& inside, StartContact& start) {
@@ -169,12 +177,27 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
       continue;
     chords[l] = {true, model::end_position(c, line.end_a), model::end_position(c, line.end_b)};
   }
+  const auto share_of = [&](size_t line, double arc) { return arc / mesh.mesh->lines[line].length; };
+  const auto own = [&](const model::End& e, size_t v) {
+    return e.kind == model::EndKind::body && e.body == volumes[v].settings.body;
+  };
+  const LookedFor looked_for = [&](const Node& node, size_t v, const Vec3& x) -> std::optional<Vec3> {
+    const size_t l = static_cast<size_t>(node.line);
+    const model::Line& line = c.lines[l];
+    if (!chords[l].known || volumes[v].settings.roller) return {};  // of supports other sentences tell
+    double top = -HUGE_VAL;
+    if (own(line.end_a, v)) top = chords[l].a.z();
+    if (own(line.end_b, v)) top = std::max(top, chords[l].b.z());
+    if (top == -HUGE_VAL) return chords[l].at(share_of(l, node.arc));
+    if (!(top > x.z())) return {};
+    return Vec3(x.x(), x.y(), top);
+  };
   std::map<std::pair<int, int>, std::vector<double>> nearest;
   const auto keep = [&nearest](int line, int volume, const std::vector<double>& row) {
     auto& best = nearest[{line, volume}];
     if (best.empty() || std::pair(row[3], row[2]) < std::pair(best[3], best[2])) best = row;
   };
-  for (const Past& p : past_volumes(mesh, at, bodies, volumes, chords))
+  for (const Past& p : past_volumes(mesh, at, bodies, volumes, looked_for))
     keep(p.line, p.volume,
          {static_cast<double>(p.line), static_cast<double>(p.volume), p.at, p.distance, p.place.x(),
           p.place.y(), p.place.z()});
@@ -190,26 +213,23 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
     const auto& [l, v] = key;
     const model::Line& line = c.lines[static_cast<size_t>(l)];
     const model::Volume& volume = volumes[static_cast<size_t>(v)].settings;
-    // A line goes off its own hull on any side, and over its rollers; of what is inside the other sentences
-    // tell.
-    const auto own = [&](const model::End& e) {
-      return e.kind == model::EndKind::body && e.body == volume.body;
-    };
+    // Of what is inside the other sentences tell.
     const auto there = [&, line_of = l, volume_of = v](const Inside& s) {
       return s.line == line_of && s.volume == volume_of;
     };
-    if (volume.roller || own(line.end_a) || own(line.end_b) ||
-        std::any_of(inside.begin(), inside.end(), there))
-      continue;
-    const Chord& chord = chords[static_cast<size_t>(l)];
-    const double share = row[2] / mesh.mesh->lines[static_cast<size_t>(l)].length;
-    const bool under = (chord.a + share * (chord.b - chord.a)).z() >= row[6];
+    if (std::any_of(inside.begin(), inside.end(), there)) continue;
+    const size_t n = static_cast<size_t>(l);
+    const bool own_a = own(line.end_a, static_cast<size_t>(v)),
+               own_b = own(line.end_b, static_cast<size_t>(v));
+    const bool under = own_a || own_b || chords[n].at(share_of(n, row[2])).z() >= row[6];
+    const std::string but = own_a || own_b ? fmt::format("its end {} is above it", own_a ? "A" : "B")
+                                           : fmt::format("the straight way between its ends passes {} it",
+                                                         under ? "over" : "under");
     warnings.push_back(fmt::format(
         "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc "
-        "length, {}, while the straight way between its ends passes {} it; if it is to lie there, say "
-        "so with 'start: {{points: [[x, y, z], ...]}}'",
+        "length, {}, while {}; if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
         line.name, under ? "under" : "over", volume.name, row[3], row[2], point(Vec3(row[4], row[5], row[6])),
-        under ? "over" : "under"));
+        but));
   }
   shorten(warnings, "lines start like these");
   start.warnings.insert(start.warnings.end(), warnings.begin(), warnings.end());

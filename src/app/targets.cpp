@@ -69,6 +69,8 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
         for (const SoughtLength& s : all) out.found.push_back(s.found(c, trial));
         return out;
       }
+    } catch (const WrongPlaces&) {
+      throw;
     } catch (const InputError& e) {
       why = e.what();
     } catch (const SolveError& e) {

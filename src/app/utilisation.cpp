@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "hawser/app/line_extremes.hpp"
+
 namespace hawser::app {
 namespace {
 
@@ -82,11 +84,11 @@ bool Utilisation::known(int field, std::size_t node) const {
   return field != of_bending_ || radius_[node] > 0;
 }
 
-std::string overused(const std::vector<Field>& fields, const io::SummaryRow& row) {
+std::string overused(const model::Case& c, const std::vector<Field>& fields, const io::SummaryRow& row) {
   for (const Field& f : fields)
     if (!f.exceeded.empty() && row.quantity == "max " + f.extreme && row.value > 1)
-      return fmt::format("line {} is {} at arc length {:.6g} m, t = {:.6g} s: its {} is {:.3g}", row.line,
-                         f.exceeded, row.arc_length, row.time, label_of(f), row.value);
+      return fmt::format("line {} is {} at arc length {:.6g} m, {}: its {} is {:.3g}", row.line, f.exceeded,
+                         row.arc_length, when_text(c, row.time), label_of(f), row.value);
   return {};
 }
 

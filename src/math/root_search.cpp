@@ -14,7 +14,7 @@ constexpr int kMostFailures = 6;  // before what lies beyond is left alone: each
 
 RootSearch::RootSearch(double start, double step, double low, double high) : next_(start) {
   way_[0].step = step, way_[1].step = -step;
-  for (Way& w : way_) w.limit = w.step > 0 ? high : low, w.x = start;
+  for (Way& w : way_) w.limit = w.step > 0 ? high : low, w.x = start, w.tried = w.step;
 }
 
 double RootSearch::width() const { return std::abs(x_[1] - x_[0]); }
@@ -30,9 +30,7 @@ void RootSearch::add(double value) {
     return between();
   }
   if (values_++ == 0) {
-    for (Way& w : way_) w.f = value;
-    going_ = value > 0 ? 1 : 0;
-    return outward();
+    return begin(value);
   }
   Way& w = way_[going_];
   if ((value > 0) != (w.f > 0)) {
@@ -58,14 +56,34 @@ void RootSearch::fail() {
     next_ = x_[0] + share_ * (x_[1] - x_[0]);
     return;
   }
-  if (values_ == 0) {
-    exhausted_ = true;
-    return;
-  }
+  if (values_ == 0) return look_farther();
   Way& w = way_[going_];
   w.limit = next_, w.step = 0.5 * (next_ - w.x);
   if (++w.failures > kMostFailures) w.ended = true;
   outward();
+}
+
+// What was looked for on the way here, where the start has none, lies behind.
+void RootSearch::begin(double value) {
+  Way &there = way_[going_], &back = way_[1 - going_];
+  if (looked_ > 0) back.limit = there.x, back.failures = 1, back.ended = false;
+  there.ended = next_ == there.limit;
+  for (Way& w : way_) w.x = next_, w.f = value;
+  going_ = value > 0 ? 1 : 0;
+  outward();
+}
+
+// The start has no value: ever farther from it on either side.
+void RootSearch::look_farther() {
+  if (looked_++ > 0) way_[going_].x = next_, way_[going_].ended = next_ == way_[going_].limit;
+  if (!way_[1 - going_].ended) going_ = 1 - going_;
+  Way& w = way_[going_];
+  if (w.ended) {
+    exhausted_ = true;
+    return;
+  }
+  next_ = w.x + w.tried, w.tried *= kGrowth;
+  if ((w.step > 0) != (next_ < w.limit)) next_ = w.limit;
 }
 
 void RootSearch::outward() {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <variant>
 
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/check.hpp"
@@ -33,6 +34,10 @@ void check_names(const Case& c, std::vector<Issue>& issues) {
           {b.key, fmt::format("there is another history called '{}', and supports have one each; "
                               "give the group or that history another name",
                               b.name)});
+}
+
+double roller_radius(const Case& c, const SupportBox& b) {
+  return std::get<CylinderShape>(*c.volumes[b.first].shape).radius;
 }
 
 void check_start(const Case& c, const Line& line, const SupportBox& first, std::vector<Issue>& issues) {
@@ -120,6 +125,13 @@ void check_supports(const Case& c, std::vector<Issue>& issues) {
               {b.key, fmt::format("support '{}' lies behind '{}', which the line passes before it; give "
                                   "supports and groups in the order in which it passes them",
                                   b.name, before->name)});
+        else if (const double here_r = roller_radius(c, b), there_r = roller_radius(c, *before);
+                 way.norm() < here_r + there_r)
+          issues.push_back(
+              {b.key,
+               fmt::format("its rollers of {:g} m in diameter and those of support '{}', {:g} m, overlap: "
+                           "the supports are {:.4g} m apart; is 'roller_diameter' in m?",
+                           2 * here_r, before->name, 2 * there_r, way.norm())});
       }
       before = &b;
     }

@@ -74,6 +74,7 @@ void StaticSearch::approach() {
     system_.soften(soft);
     descend(1e-4);
   }
+  if (system_.soften(stiff)) descend(1e-4);  // what yields, over its elastic rest
   system_.soften(HUGE_VAL);
 }
 

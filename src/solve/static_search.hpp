@@ -28,7 +28,8 @@ class StaticSearch : StaticTrial {
   SNESConvergedReason check_step(int iteration) override;
   static PetscErrorCode search(SNESLineSearch search, void* self);
 
-  // Where the axial stiffness is far above the forces, equilibrium is found with a soft line first.
+  // Where the axial stiffness is far above the forces, equilibrium is found with a soft line first, and that
+  // of lines that yield with elastic ones.
   void approach();
   void descend(double tolerance);
   // Moves the state along Newton's direction y: as far as the energy falls or, near the end, the residual.

@@ -284,8 +284,11 @@ double ResidualNorms::relative() const {
                   ratio(moment, 4 * round_off * arm, moment_size(*this)));
 }
 
-void System::soften(double most) {
-  for (CarriesTension* t : carry_tension_) t->soften(most);
+bool System::soften(double most) {
+  int other = 0;
+  for (CarriesTension* t : carry_tension_) other |= t->soften(most);
+  MPI_Allreduce(MPI_IN_PLACE, &other, 1, MPI_INT, MPI_MAX, comm_);
+  return other != 0;
 }
 
 double System::axial_stiffness() const {

@@ -101,7 +101,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
 }
 
 std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
-                               const std::vector<ContactVolume>& volumes, const std::vector<Chord>& chords) {
+                               const std::vector<ContactVolume>& volumes, const LookedFor& looked_for) {
   std::vector<Past> out;
   for (size_t v = 0; v < volumes.size(); ++v) {
     if (volumes[v].off) continue;
@@ -110,11 +110,11 @@ std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, cons
     const RigidPose pose = bodies.pose(volumes[v].body, at);
     for (int n = 0; n < mesh.owned; ++n) {
       const Node& node = mesh.node(n);
-      if (node.body >= 0 || !chords[static_cast<size_t>(node.line)].known) continue;
-      const Chord& chord = chords[static_cast<size_t>(node.line)];
-      const double share = node.arc / mesh.mesh->lines[static_cast<size_t>(node.line)].length;
-      const Vec3 x = at.x[static_cast<size_t>(n)], from = pose.to_body(x),
-                 to = pose.to_body(chord.a + share * (chord.b - chord.a));
+      if (node.body >= 0) continue;
+      const Vec3 x = at.x[static_cast<size_t>(n)];
+      const std::optional<Vec3> there = looked_for(node, v, x);
+      if (!there) continue;
+      const Vec3 from = pose.to_body(x), to = pose.to_body(*there);
       Box way;
       way.add(from), way.add(to);
       const double length = (to - from).norm();

@@ -225,16 +225,26 @@ std::vector<double> StructureTerm::slack(const Kinematics& at) const {
   return lines;
 }
 
-// From the true stiffness each time: no bound gives it back to the last bit.
-void StructureTerm::soften(double most) {
-  if (true_EA_.empty()) {
-    for (const Beam& b : beams_) true_EA_.push_back(b.section.EA);
+// From what is true each time: no bound gives a stiffness back to the last bit.
+bool StructureTerm::soften(double most) {
+  if (true_beams_.empty() && true_EA_.empty()) {
+    for (const Beam& b : beams_) true_beams_.push_back({b.section.EA, b.section.plastic});
     for (const Cable& c : cables_) true_EA_.push_back(c.section.EA);
   }
-  size_t i = 0;
-  for (Beam& b : beams_) b.section.EA = std::min(most, true_EA_[i++]);
-  for (Cable& c : cables_) c.section.EA = std::min(most, true_EA_[i++]);
-  if (most == HUGE_VAL) true_EA_.clear();
+  const bool yields = most == HUGE_VAL;
+  bool other = false;
+  for (size_t i = 0; i < beams_.size(); ++i) {
+    const auto& [EA, plastic] = true_beams_[i];
+    BeamSection& s = beams_[i].section;
+    s.EA = std::min(most, EA), s.plastic = yields ? plastic : nullptr;
+    other |= s.EA != EA || s.plastic != plastic;
+  }
+  for (size_t i = 0; i < cables_.size(); ++i) {
+    cables_[i].section.EA = std::min(most, true_EA_[i]);
+    other |= cables_[i].section.EA != true_EA_[i];
+  }
+  if (yields) true_beams_.clear(), true_EA_.clear();
+  return other;
 }
 
 double StructureTerm::axial_stiffness() const {

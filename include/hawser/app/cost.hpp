@@ -8,6 +8,9 @@
 
 namespace hawser::app {
 
+// s, of this process.
+double cpu_time();
+
 // The beginning of a run, without results.
 struct TrialRun {
   double iteration = 0;              // CPU s, of one iteration of statics where that did not end; 0: it did

@@ -19,6 +19,9 @@ class Feeders;
 
 namespace hawser::app {
 
+// Of an extreme, "t = 2.5 s", or "at rest" where the run begins with its static equilibrium.
+std::string when_text(const model::Case& c, double time);
+
 class LineExtremes {
  public:
   // fields: those of which add() gets the values; feeders: null where no line is fed.

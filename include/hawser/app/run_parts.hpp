@@ -30,9 +30,10 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
                                    const std::vector<std::string>& chosen);
 // The case with the lengths that meet the targets of its lines (app/targets.hpp), and what they are told as
 // notes; the case itself where there are none. restart: results that a run goes on from, and its lengths with
-// it. Collective.
+// it. looked: called at every iteration of the search, which ends with what that throws. Collective.
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
-                             Progress& progress, const std::string& restart = "");
+                             Progress& progress, const std::string& restart = "",
+                             const std::function<void()>& looked = {});
 // Statics of the case with its stages, its progress and what is to be told of the equilibrium; what the
 // search of the last one was. rested: told which stage has come to rest. Collective; throws as
 // Simulation::solve_statics does.

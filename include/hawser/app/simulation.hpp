@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hawser/app/start_contact.hpp"
+#include "hawser/base/error.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/solve/dynamics.hpp"
@@ -32,6 +33,11 @@ class SeabedTerm;
 }  // namespace hawser
 
 namespace hawser::app {
+
+// Supports or ends that cannot be right, whatever the lengths of the lines are.
+struct WrongPlaces : InputError {
+  using InputError::InputError;
+};
 
 class Simulation {
  public:

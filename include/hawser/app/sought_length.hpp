@@ -39,7 +39,10 @@ class SoughtLength {
   // What the trial has brought. Whether it has parted from a target that was met.
   bool see(const AtRest& now);
   void go_on() { search_.add(value_ - t_.value); }
-  void fail(const std::string& why) { search_.fail(), why_ = why; }
+  void fail(const std::string& why) {
+    if (why_.empty() || !search_.seen().empty()) why_ = why;  // where none is known, of what is given
+    search_.fail();
+  }
   // From what was last reached on.
   void again();
   // No way on: nothing found, or a jump over it.

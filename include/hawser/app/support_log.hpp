@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,14 @@ struct SupportCrossing {
 std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                                const Kinematics& at, const std::vector<RigidPose>& poses);
 
-// A line that starts beneath the rollers that it should lie on, in one sentence with the remedy; empty: none.
-std::string beneath_supports(const model::Case& c, const std::vector<SupportCrossing>& crossings);
+// A line that starts beneath the rollers that it should lie on, in one sentence with the remedy; its key is
+// that of the support that is out of line with its neighbours, if one is. nullopt: none does. poses: of the
+// bodies.
+struct Beneath {
+  std::string key, why;
+};
+std::optional<Beneath> beneath_supports(const model::Case& c, const std::vector<SupportCrossing>& crossings,
+                                        const std::vector<RigidPose>& poses);
 
 // That a line which is laid over supports was bent farther than steel stays elastic, of a row of the summary;
 // empty: it was not.

@@ -34,6 +34,6 @@ class Utilisation {
 };
 
 // A sentence where a row of the summary is of a utilisation among these fields, and more than 1; else empty.
-std::string overused(const std::vector<Field>& fields, const io::SummaryRow& row);
+std::string overused(const model::Case& c, const std::vector<Field>& fields, const io::SummaryRow& row);
 
 }  // namespace hawser::app

@@ -7,7 +7,8 @@
 
 namespace hawser {
 
-// First outward from the start in growing steps until the sign changes, then between both sides by inverse
+// First outward from the start, or from the nearest place that has a value, in growing steps until the sign
+// changes, then between both sides by inverse
 // quadratic interpolation or bisection (Chandrupatla 1997, Advances in Engineering Software 28, 145-149).
 class RootSearch {
  public:
@@ -28,15 +29,18 @@ class RootSearch {
   const std::vector<std::pair<double, double>>& seen() const { return seen_; }
 
  private:
+  void begin(double value);
+  void look_farther();
   void outward();
   void between();
   struct Way {  // in one direction from the start
     double step = 0, limit = 0, x = 0, f = 0;
+    double tried = 0;  // size of the step with which a first value is looked for
     int failures = 0;
     bool ended = false;
   };
   Way way_[2];
-  int going_ = 0, values_ = 0;
+  int going_ = 0, values_ = 0, looked_ = 0;  // looked_: failures before the first value
   bool bracketed_ = false, exhausted_ = false;
   double next_ = 0;
   double x_[3] = {}, f_[3] = {};  // of the bracket: the newest, the other side, the one before

@@ -90,9 +90,11 @@ struct LineTension {
 class CarriesTension {
  public:
   virtual ~CarriesTension() = default;
-  // Axial stiffness is at most this, N, until told otherwise (HUGE_VAL: the true one): statics starts soft,
-  // where a very stiff line would have to creep along a narrow valley of its energy.
-  virtual void soften(double most) = 0;
+  // Axial stiffness is at most this, N, and nothing yields, until told otherwise (HUGE_VAL: as it truly is):
+  // statics starts soft, where a very stiff line would have to creep along a narrow valley of its energy, and
+  // elastic, where the bends of a shape far from rest would leave sections that yield hardly any stiffness.
+  // Whether that changes anything on this rank.
+  virtual bool soften(double most) = 0;
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const = 0;
   // The worst overstretched element of this rank, if there is one.

@@ -93,7 +93,7 @@ class System {
   const std::vector<double>& reactions() const { return force_; }
 
   // Over all ranks (collective): see roles.hpp.
-  void soften(double most);
+  bool soften(double most);  // true on all ranks: something is not as it truly is
   double axial_stiffness() const;
   double dead_load() const;
   // Of a step of at most `most` [s]: what impacts allow is bounded by the energy they are about.

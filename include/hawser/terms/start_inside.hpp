@@ -1,6 +1,8 @@
 // What of the lines lies inside volumes where a run starts, and what of them is left out of contact.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "hawser/mesh/local_mesh.hpp"
@@ -32,22 +34,17 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
 // Sorts, and puts intervals together that meet.
 void join(std::vector<Inside>& intervals, const Mesh& mesh);
 
-// A node that a volume parts from its place on the straight way between the ends of its line, which passes
-// the volume on the other side.
+// A node that a volume parts from the place where it is looked for.
 struct Past {
   int line = 0, volume = 0;
   double at = 0, distance = 0;  // m: arc length from end A, how far it is to the volume that way
   Vec3 place = Vec3::Zero();    // m
 };
 
-// The two ends of a line, m in space.
-struct Chord {
-  bool known = false;
-  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
-};
-// Of the nodes this rank owns, of the lines whose ends are known. Goes the way in steps of the distance, a
-// thousandth of it at least.
+// Where a node of a line at x, m in space, is looked for beside a volume; nullopt: nowhere.
+using LookedFor = std::function<std::optional<Vec3>(const Node& node, size_t volume, const Vec3& x)>;
+// Of the nodes this rank owns. Goes the way there in steps of the distance, a thousandth of it at least.
 std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
-                               const std::vector<ContactVolume>& volumes, const std::vector<Chord>& chords);
+                               const std::vector<ContactVolume>& volumes, const LookedFor& looked_for);
 
 }  // namespace hawser

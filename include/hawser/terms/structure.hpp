@@ -3,6 +3,7 @@
 
 #include <mpi.h>
 
+#include <utility>
 #include <vector>
 
 #include "hawser/kernels/beam.hpp"
@@ -56,7 +57,7 @@ class StructureTerm final : public ForceTerm,
   void tensions(const Kinematics& at, std::span<LineTension> lines) const override;
   // m of each line, of this rank's cables, that have no tension.
   std::vector<double> slack(const Kinematics& at) const;
-  void soften(double most) override;
+  bool soften(double most) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
@@ -93,12 +94,14 @@ class StructureTerm final : public ForceTerm,
   std::vector<Cable> cables_;
   std::vector<FedBends> fed_;             // by feeder
   bool damped_ = false, yields_ = false;  // any type of the model bends plastically
-  std::vector<double> set_;      // of all beams, see BeamReference::set; nothing but zeros in statics
-  std::vector<double> true_EA_;  // N, of beams, then cables, while they are softened
-  double power_ = -1;            // W, dissipated by beams at the committed state; < 0: not known yet
-  double damping_ = 0;           // J, dissipated so far
-  double filtered_ = 0;          // J, taken so far out of axial vibration that steps do not resolve
-  double last_step_ = 0;         // s, that led to the committed state
+  std::vector<double> set_;  // of all beams, see BeamReference::set; nothing but zeros in statics
+  // While they are softened: EA, N, and how they yield, of beams; EA of cables.
+  std::vector<std::pair<double, const PlasticBending*>> true_beams_;
+  std::vector<double> true_EA_;
+  double power_ = -1;     // W, dissipated by beams at the committed state; < 0: not known yet
+  double damping_ = 0;    // J, dissipated so far
+  double filtered_ = 0;   // J, taken so far out of axial vibration that steps do not resolve
+  double last_step_ = 0;  // s, that led to the committed state
 };
 
 }  // namespace hawser
