@@ -65,6 +65,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       registry_(simulation.system().fields()),
       end_forces_(simulation.system(), simulation.feeders()),
       element_errors_(comm, simulation.model(), simulation.local(), simulation.feeders()),
+      peaks_(simulation),
       folds_(simulation.model(), simulation.local(), simulation.feeders()),
       snaps_(simulation.model(), simulation.local()),
       utilisation_(simulation.model(), simulation.local()),
@@ -79,6 +80,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   if (std::any_of(all.begin(), all.end(), [&](const Field& f) { return f.name == tension; }))
     for (const std::string& side : {before, after}) registry_.add(tension_of_side(side.c_str(), tension));
   fields_.insert(fields_.end(), all.begin(), all.end());
+  peaks_.find(fields_);
   utilisation_.add_fields(fields_);
   pipes_.add_fields(fields_);
   for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
@@ -275,6 +277,7 @@ void Recorder::correct_ends(const Kinematics& at) {
     const Vec3 rows[] = {p.sign() * s.force, s.direction, p.sign() * s.moment};
     for (size_t f = 0; f < ends_.size(); ++f) ends_[f].insert(ends_[f].end(), rows[f].begin(), rows[f].end());
   }
+  peaks_.fill(now, values_);
 }
 
 // Stages have no time: that of the last is 0, and a second less for each before it.

@@ -35,7 +35,7 @@ const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
 // Of contact, and the name of a volume: N/m per m, what an automatic stiffness was raised to.
 const std::string kStiffness = "contact.stiffness.";
-const std::string kLink = "case.link ";
+const std::string kLink = "case.link ", kShape = "case.shape ", kPress = "case.stiffness ";
 
 // Of a state, const or not.
 auto& vectors(auto& s, size_t i) {
@@ -76,6 +76,42 @@ std::string text_of(const model::Link& l) {
   return out;
 }
 
+// All that the surface of a volume is made of, but for what is in the file of its mesh.
+std::string shape_of(const model::Volume& v) {
+  const auto of = [](const Vec3& x) { return fmt::format(" {} {} {}", x.x(), x.y(), x.z()); };
+  std::string out = fmt::format("'{}' {} {}", v.body, v.smooth, v.crease_angle);
+  if (!v.shape) out += fmt::format(" mesh {} '{}'", v.scale, v.active_part);
+  if (v.active_box) out += of(v.active_box->lower) + of(v.active_box->upper);
+  const auto round = [&](const char* name, const auto& s) {
+    return name + of(s.from) + of(s.to) + fmt::format(" {}", s.radius);
+  };
+  struct Parts {
+    const decltype(of)& at;
+    const decltype(round)& along;
+    std::string operator()(const PlaneShape& s) const { return "plane" + at(s.point) + at(s.normal); }
+    std::string operator()(const BoxShape& s) const {
+      return "box" + at(s.centre) + at(s.size) + at(s.rotation);
+    }
+    std::string operator()(const SphereShape& s) const {
+      return "sphere" + at(s.centre) + fmt::format(" {}", s.radius);
+    }
+    std::string operator()(const CylinderShape& s) const { return along("cylinder", s); }
+    std::string operator()(const CapsuleShape& s) const { return along("capsule", s); }
+    std::string operator()(const TorusShape& s) const {
+      return "torus" + at(s.centre) + at(s.axis) + fmt::format(" {} {}", s.radius, s.tube_radius);
+    }
+  };
+  return v.shape ? out + std::visit(Parts{of, round}, *v.shape) : out;
+}
+
+// How hard it is by the case: what the program chooses itself follows the run.
+std::string stiffness_of(const model::Volume& v) {
+  std::string out = fmt::format("{} {} {}", static_cast<int>(v.basis), v.normal_stiffness, v.smoothing);
+  if (v.force_table)
+    for (const auto& row : v.force_table->rows()) out += fmt::format("; {} {}", row.first, row.second);
+  return out;
+}
+
 // What the state and the contact history mean beyond numbers: which nodes rotate, which volume is which.
 std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
@@ -87,6 +123,10 @@ std::map<std::string, double> signature(const Simulation& simulation) {
       yields += p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
+  for (const model::Volume& v : volumes) {
+    out[kShape + v.name] = number_of(shape_of(v));
+    out[kPress + v.name] = number_of(stiffness_of(v));
+  }
   for (const model::Link& l : simulation.model().links) out[kLink + l.name] = number_of(text_of(l));
   return out;
 }
@@ -197,6 +237,9 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
     return InputError(fmt::format("cannot go on from {}: it holds another case: {}", path, why));
   };
   const auto here = signature(simulation);
+  const auto named = [](const std::string& key, const std::string& prefix, const char* what) {
+    return fmt::format("volume '{}' has another {}", key.substr(prefix.size()), what);
+  };
   for (const auto& [name, value] : here) {
     const auto there = c.scalars.find(name);
     if (there == c.scalars.end() || there->second != value)
@@ -206,7 +249,10 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
           : name.starts_with(kLink)
               ? fmt::format("link '{}' {}", name.substr(kLink.size()),
                             there == c.scalars.end() ? "is not there" : "has other ends or another law")
-              : "other volumes");
+          : there == c.scalars.end() ? "other volumes"
+          : name.starts_with(kShape) ? named(name, kShape, "shape")
+          : name.starts_with(kPress) ? named(name, kPress, "stiffness")
+                                     : "other volumes");
   }
   const auto more = std::count_if(c.scalars.begin(), c.scalars.end(),
                                   [](const auto& s) { return s.first.starts_with("case."); });

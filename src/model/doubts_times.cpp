@@ -170,9 +170,48 @@ void doubt_releases(const Case& c, std::vector<Doubt>& out) {
   }
 }
 
+namespace {
+
+// A jump of a feeder's speed stretches the element at its mouth at once, whose damper then pulls with v
+// beta EA/l: more, the shorter it is.
+void doubt_feed(const Case& c, const std::string& line, bool at_b, double jump, const std::string& key,
+                const char* remedy, std::vector<Doubt>& out) {
+  const Line& of = c.lines[static_cast<std::size_t>(c.line_index(line))];
+  const LineType& type = c.line_type((at_b ? of.sections.back() : of.sections.front()).type);
+  if (!(std::abs(jump) > kLeastJump) || !(type.stiffness_damping > 0)) return;
+  out.push_back({key,
+                 fmt::format("the speed jumps by {:.3g} m/s, and line type {} has 'stiffness_damping': the "
+                             "peak of tension that this makes depends on the length of elements; {} starts "
+                             "it smoothly",
+                             std::abs(jump), type.name, remedy),
+                 16});
+}
+
+void doubt_feeds(const Case& c, std::vector<Doubt>& out) {
+  const auto starts = [](const Feed& f) {
+    return f.tension == 0 && !f.speed.empty() ? f.speed.front().second : 0.0;
+  };
+  for (const Line& line : c.lines)
+    for (const bool at_b : {false, true})
+      if (const auto& feed = (at_b ? line.end_b : line.end_a).feed; feed && c.statics.enabled) {
+        const double first = fed_by(*feed, 0).speed;
+        doubt_feed(c, line.name, at_b, feed->tension == 0 ? first : 0,
+                   fmt::format("lines.{}.{}.feed", line.name, at_b ? "end_b" : "end_a"),
+                   fmt::format("'speed_table: [[0, 0], [2, {:g}]]'", first).c_str(), out);
+      }
+  for (std::size_t i = 0; i < c.events.size(); ++i) {
+    const Action& a = c.events[i].action;
+    if (a.kind == Action::Kind::feed && a.ramp == 0)
+      doubt_feed(c, a.line, a.at_b, starts(a.law), fmt::format("events[{}]", i), "a 'ramp' of 2 s", out);
+  }
+}
+
+}  // namespace
+
 void doubt_times(const Case& c, std::vector<Doubt>& out) {
   if (!c.dynamics.enabled) return;
   doubt_releases(c, out);
+  doubt_feeds(c, out);
   const Period drive = driving(c);
   doubt_step(c, drive, out);
   doubt_outputs(c, drive, out);

@@ -71,6 +71,14 @@ std::vector<Vec3> LineVolumeContact::forces_by_volume(const Kinematics& at) cons
   return out;
 }
 
+std::vector<LineVolumeContact::Load> LineVolumeContact::loads(const Kinematics& at) const {
+  std::vector<Load> out;
+  for (const Pair& pair : pairs_)
+    for (const AxisContactPoint& p : pair.points)
+      out.push_back({pair.element, p.xi, p.weight * (volumes_.pose_of(pair.volume, at).rotation * p.force)});
+  return out;
+}
+
 int LineVolumeContact::active_count() const {
   return static_cast<int>(std::count_if(
       pairs_.begin(), pairs_.end(), [this](const Pair& p) { return !p.points.empty() && local(p).counted; }));

@@ -275,6 +275,17 @@ output: {every: 5}
                 text = text.replace(", clamped: true", "")
             write(self.folder, f"{name}.yaml", text)
             restart("rod.h5", "it holds another case", why, case=f"{name}.yaml")
+        on_drum = CASE.replace("lines:", "volumes:\n  drum: {shape: {cylinder: {from: [5, -1, -2], to: [5, 1, -2], radius: 0.5}},"
+                                         " normal_stiffness: {per_length: 1.0e6}, friction: 0.2}\nlines:", 1)
+        write(self.folder, "drum.yaml", on_drum)
+        self.assertEqual(self.hawser("run", "drum.yaml", "-q").returncode, 0)
+        for name, old, new, why in [("larger", "radius: 0.5", "radius: 0.6", "volume 'drum' has another shape"),
+                                    ("lower", "to: [5, 1, -2]", "to: [5, 1, -2.1]", "volume 'drum' has another shape"),
+                                    ("harder", "1.0e6", "2.0e6", "volume 'drum' has another stiffness")]:
+            write(self.folder, f"{name}.yaml", on_drum.replace(old, new))
+            restart("drum.h5", "it holds another case", why, case=f"{name}.yaml")
+        write(self.folder, "rough.yaml", on_drum.replace("friction: 0.2", "friction: 0.3"))
+        self.assertEqual(self.hawser("run", "rough.yaml", "-q", "-o", "new.h5", "--restart", "drum.h5").returncode, 0)
         write(self.folder, "rest.yaml", CASE.replace("dynamics: {duration: 0.2, step: 0.05}", ""))
         self.refused(["run", "rest.yaml", "--restart", "rod.h5"], "only a run in time can go on from a checkpoint")
         self.assertEqual(self.hawser("run", "rest.yaml", "-q").returncode, 0)

@@ -249,6 +249,27 @@ TEST(Doubts, Releases) {
   EXPECT_TRUE(notes(damped).empty());
 }
 
+// Of the line's end B in the case, and of its stiffness-proportional damping.
+TEST(Doubts, FeedersThatStartAtOnce) {
+  const auto fed = [](const std::string& feed, const std::string& damping) {
+    return Changes{{"end_b: {", "end_b: {feed: {stock: 31, " + feed + "}, "},
+                   {"bending: false,", "bending: false," + damping}};
+  };
+  const std::string damped = " stiffness_damping: 0.01,";
+  expect_doubt(fed("speed: 0.5", damped), "lines.mooring.end_b.feed: the speed jumps by 0.5 m/s");
+  EXPECT_TRUE(notes(fed("speed: 0.5", "")).empty());
+  EXPECT_TRUE(notes(fed("speed_table: [[0, 0], [2, 0.5]]", damped)).empty());
+  EXPECT_TRUE(notes(fed("tension: 4e5", damped)).empty());
+  const auto event = [&](const std::string& more) {
+    Changes out = fed("speed: 0", damped);
+    out.push_back({"output: {every: 1}",
+                   "events: [{feed: {line: mooring, end: end_b, speed: -0.5" + more + "}, time: 30}]"});
+    return out;
+  };
+  expect_doubt(event(""), "events[0]: the speed jumps by 0.5 m/s");
+  EXPECT_TRUE(notes(event(", ramp: 2")).empty());
+}
+
 TEST(Doubts, ManyOfAKindAreCutShort) {
   std::string lines;
   for (int i = 0; i < 5; ++i)

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "hawser/app/contact_peaks.hpp"
 #include "hawser/app/targets.hpp"
 #include "hawser/app/touchdown.hpp"
 #include "hawser/app/volumes.hpp"
@@ -23,6 +24,7 @@ struct Setting {
   int rollers = 0;                // every 4 degrees
   double bed = 1e6;               // N/m per m
   double over = 0.5;              // m, elements of the overbend
+  bool peaks = true;              // those between nodes are shown at the nearer one
 };
 
 struct Laid {
@@ -96,8 +98,17 @@ inline Laid laid(const Setting& s) {
   out.iterations = sim.solve_statics().iterations;
   const Kinematics at = sim.state().view(0);
   const auto field = [&](const char* name) { return test::NodeField(sim, name).at(at); };
-  const std::vector<double> T = field("effective_tension"), kappa = field("curvature"),
-                            pressed = field("contact_normal_force"), shear = field("shear_force");
+  std::vector<std::vector<double>> bent;
+  std::vector<Field> fields;
+  for (const char* name : {"bending_moment", "bending_moment_2", "bending_moment_3", "curvature"})
+    bent.push_back(field(name)), fields.emplace_back().name = name;
+  if (s.peaks) {
+    app::ContactPeaks peaks(sim);
+    peaks.find(fields);
+    peaks.fill(at, bent);
+  }
+  const std::vector<double>&kappa = bent[3], T = field("effective_tension"),
+        pressed = field("contact_normal_force"), shear = field("shear_force");
   const size_t nodes = static_cast<size_t>(sim.local().owned);
   out.T0 = T.front(), out.H = T.back(), out.M0 = kEI * kappa.front();
   out.x_td = app::touchdowns(PETSC_COMM_SELF, met.model, sim.local(), at).at(0).from_a->position.x();

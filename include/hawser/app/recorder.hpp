@@ -10,6 +10,7 @@
 #include "hawser/app/audit.hpp"
 #include "hawser/app/clash_report.hpp"
 #include "hawser/app/clearances.hpp"
+#include "hawser/app/contact_peaks.hpp"
 #include "hawser/app/element_errors.hpp"
 #include "hawser/app/end_forces.hpp"
 #include "hawser/app/folds.hpp"
@@ -88,6 +89,7 @@ class Recorder {
   bool stepped_ = false;          // values_ have them of the last step
   std::vector<int> onto_;         // likewise: among values_, the field it is computed from; -1: none
   EndForces end_forces_;
+  ContactPeaks peaks_;
   std::vector<std::vector<double>> values_;  // position, velocity, the registry's fields, utilisations
   std::vector<std::vector<double>> ends_;    // force, direction, moment, of the owned ends in file order
   std::vector<io::ResultField> fields_;

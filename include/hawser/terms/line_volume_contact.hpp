@@ -77,6 +77,14 @@ class LineVolumeContact final : public ForceTerm,
   void active_contacts(ActiveContacts& out) const;
   // What each volume exerts on lines in the accepted state, of what this rank counts [N, space axes].
   std::vector<Vec3> forces_by_volume(const Kinematics& at) const;
+  // What volumes exert in the accepted state on each local element, counted here or not, in their order.
+  struct Load {
+    int element = 0;            // of LocalMesh::elements
+    double xi = 0;              // along it, 0 to 1
+    Vec3 force = Vec3::Zero();  // N, space axes
+  };
+  std::vector<Load> loads(const Kinematics& at) const;
+  AxisShape axis(const Kinematics& at, int element) const { return AxisShape(ends(at, element)); }
 
  private:
   using Pair = LineVolumePair;
