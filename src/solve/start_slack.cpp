@@ -7,7 +7,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kSlack = 1e-4;  // below which an arc is taken for straight
+constexpr double kStraight = 1e-4;  // below which an arc is taken for straight
 
 double bed_height(const model::Seabed& bed, const Vec3& x) {
   return -bed.depth -
@@ -55,7 +55,7 @@ bool lay_slack(const model::Environment& sea, bool floats, const std::vector<dou
   const double chord = along.norm(), length = arc[last] - arc[first];
   along = chord > 1e-9 * length ? Vec3(along / chord) : Vec3::UnitX();
   const Vec3 across = bulge(sea, along);
-  const bool straight = length < (1 + kSlack) * chord;
+  const bool straight = length < (1 + kStraight) * chord;
   const double half = straight ? 0 : half_angle(chord, length);
   // An end above (or below) where the line lies goes there over three times its height, within half the way.
   const double end_z[2] = {from.z(), to.z()};

@@ -13,7 +13,7 @@ namespace hawser {
 namespace {
 constexpr double kBodies = 20;  // m: where there are no lines, what moves are measured by
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
-constexpr int kHalvings = 30;
+constexpr int kMostHalvings = 30;
 }  // namespace
 
 StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
@@ -164,7 +164,7 @@ void StaticTrial::give_up(const std::string& why) {
 
 void StaticTrial::leave(int attempt) {
   double share = 1;
-  for (int k = 0; k < kHalvings; ++k, share *= 0.5) {
+  for (int k = 0; k < kMostHalvings; ++k, share *= 0.5) {
     trial_ = state_;
     push(attempt, share, trial_);
     if (!clear()) continue;
