@@ -194,7 +194,7 @@ events:
             self.assertNotIn("nan", done.stderr)
         write(self.folder, "wire.yaml", CASE.replace("pipe: {outer_diameter: 16 in, wall_thickness: 19.1 mm, grade: X60, coatings: "
                                                      "[{thickness: 40 mm, density: 3040}]}",
-                                                     "outer_diameter: 0.5\n    mass_per_length: 400\n    EA: 1 GN\n    EI: 100 MN m2"))
+                                                     "outer_diameter: 0.5\n    mass_per_length: 400\n    EA: 1 GN\n    EI: 100 MN m2\n    GJ: 80 MN m2"))
         done = run(HAWSER, "lay", self.folder / "wire.yaml", "--depths=50")
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn(f"{self.folder / 'wire.yaml'}: no line has a type with 'pipe'", done.stderr)
