@@ -16,6 +16,8 @@ const std::vector<io::ResultField> kBody = {{"position", "m", 3},   {"rotation_v
                                             {"velocity", "m/s", 3}, {"angular_velocity", "rad/s", 3},
                                             {"force", "N", 3},      {"moment", "N m", 3}};
 
+const std::vector<io::ResultField> kVolume = {{"force", "N", 3}, {"moment", "N m", 3}};
+
 // Two points are one when they are nearer to each other than this share of the line.
 constexpr double kSamePlace = 1e-9;
 
@@ -48,6 +50,8 @@ Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& end
     Point p;
     if (!h.body.empty()) {
       p.body = c.body_index(h.body);
+    } else if (!h.volume.empty()) {
+      p.volume = h.volume, series.columns = kVolume;
     } else {
       const int line = c.line_index(h.line);
       const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(line)];
@@ -72,7 +76,7 @@ Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& end
   std::vector<int> ranks;
   for (const Point& p : points_) ranks.push_back(p.nodes[0] >= 0 || p.nodes[1] >= 0);
   MPI_Allreduce(MPI_IN_PLACE, ranks.data(), static_cast<int>(ranks.size()), MPI_INT, MPI_SUM, comm_);
-  for (size_t i = 0; i < points_.size(); ++i) points_[i].shared = ranks[i] > 1;
+  for (size_t i = 0; i < points_.size(); ++i) points_[i].shared = ranks[i] > 1 || !points_[i].volume.empty();
 }
 
 Histories::Point Histories::point_of(int line, double arc) const {
@@ -182,14 +186,27 @@ std::vector<double> Histories::body_row(int body, const Kinematics& at) const {
   return row;
 }
 
+// This rank's part.
+std::vector<double> Histories::volume_row(const std::string& volume, const Kinematics& at) const {
+  std::array<Vec3, 2> sum{Vec3::Zero(), Vec3::Zero()};
+  const LineVolumeContact* contact = sim_.contact();
+  for (int v = 0; contact && v < contact->volumes(); ++v)
+    if (contact->volume_name(v) == volume) sum = contact->reaction(v, at);
+  std::vector<double> row;
+  for (const Vec3& x : sum) row.insert(row.end(), x.begin(), x.end());
+  return row;
+}
+
 std::vector<std::vector<double>> Histories::rows(const Kinematics& at,
                                                  const std::vector<std::vector<double>>& values,
                                                  const std::vector<std::vector<double>>& ends) const {
   std::vector<std::vector<double>> rows;
   for (const Point& p : points_)
-    rows.push_back(p.body >= 0 ? body_row(p.body, at) : line_row(p, at, values, ends));
+    rows.push_back(p.body >= 0        ? body_row(p.body, at)
+                   : p.volume.empty() ? line_row(p, at, values, ends)
+                                      : volume_row(p.volume, at));
 
-  // Two ranks each have a part of a shared point's row; the first rank writes their sum.
+  // Ranks each have a part of what they share; the first rank writes the sum.
   std::vector<double> parts;
   for (size_t i = 0; i < points_.size(); ++i) {
     if (!points_[i].shared) continue;

@@ -102,7 +102,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
     if (fields_[f].carries) carriers_.push_back(static_cast<int>(f));
   ends_.resize(moment_ >= 0 ? 3 : 2);
   const bool points = std::any_of(c.output.histories.begin(), c.output.histories.end(),
-                                  [](const auto& h) { return h.body.empty(); });
+                                  [](const auto& h) { return !h.line.empty(); });
   for (const FieldSource& s : registry_.sources())
     every_step_.push_back(s.name == tension || s.carries || pipes_.wants(s.name) ||
                           (points && s.history != Field::History::no) || !s.extreme.empty() ||

@@ -28,8 +28,9 @@ void finish_output(const Value& v, const CaseSource& source, model::Case& c) {
                    "' starts from, and would be overwritten; give another 'file'");
   for (std::size_t i = 0; i < o.histories.size(); ++i) {
     model::HistoryPoint& p = o.histories[i];
-    if (p.body.empty()) to_length(p.at, length_of(c, p.line));
-    if (p.name.empty()) p.name = p.body.empty() ? p.line + "@" + v["histories"].items[i]["at"].text : p.body;
+    if (!p.line.empty()) to_length(p.at, length_of(c, p.line));
+    if (p.name.empty())
+      p.name = p.line.empty() ? p.body + p.volume : p.line + "@" + v["histories"].items[i]["at"].text;
   }
   for (model::Clearance& k : o.clearances)
     if (k.name.empty()) k.name = k.line + " to " + k.other_line + k.volume;

@@ -65,7 +65,7 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
     if (!names.insert(h.name).second)
       issues.push_back(
           {name, fmt::format("there is another history called '{}'; give this one a 'name'", h.name)});
-    if (!h.body.empty()) continue;
+    if (h.line.empty()) continue;
     const double length = length_of(c.line(h.line));
     const std::string key = fmt::format("output.histories[{}]", i);
     if (h.at > length * (1 + kArcTolerance))

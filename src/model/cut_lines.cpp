@@ -141,7 +141,7 @@ class Cuts {
       if (e.cause.line == name) place(e.cause.line, e.cause.arc);
     }
     for (HistoryPoint& h : c_.output.histories)
-      if (h.line == name && h.body.empty()) place(h.line, h.at);
+      if (h.line == name) place(h.line, h.at);
     for (Link& l : c_.links)
       for (LinkEnd* end : {&l.end_a, &l.end_b})
         if (end->line == name) place(end->line, end->arc);

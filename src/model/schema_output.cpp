@@ -81,10 +81,14 @@ Key output() {
                         arc({"at", &HistoryPoint::at}, "arc length from end A"),
                         reference({"body", &HistoryPoint::body}, "bodies",
                                   "instead of a point of a line: a floating body"),
+                        reference({"volume", &HistoryPoint::volume}, "volumes",
+                                  "or force and moment that this volume exerts on lines"),
                         name({"name", &HistoryPoint::name}, "name in the results")
-                            .or_else_note("`<line>@<at>` or `<body>`")},
+                            .or_else_note("`<line>@<at>`, `<body>` or `<volume>`")},
                        "")
-                       .either({{{"line", "at"}, {"line", "at"}}, {{"body"}, {"body"}}}, true),
+                       .either(
+                           {{{"line", "at"}, {"line", "at"}}, {{"body"}, {"body"}}, {{"volume"}, {"volume"}}},
+                           true),
                    "points whose motion, tension and contact are kept at every step")
                   .or_else("[]"),
               number({"history_every", &Output::history_every}, time,

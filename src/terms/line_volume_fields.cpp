@@ -71,6 +71,20 @@ std::vector<Vec3> LineVolumeContact::forces_by_volume(const Kinematics& at) cons
   return out;
 }
 
+std::array<Vec3, 2> LineVolumeContact::reaction(int volume, const Kinematics& at) const {
+  std::array<Vec3, 2> out{Vec3::Zero(), Vec3::Zero()};
+  const RigidPose pose = volumes_.pose_of(volume, at);
+  for (const Pair& pair : pairs_) {
+    if (pair.volume != volume || pair.points.empty() || !local(pair).counted) continue;
+    const AxisShape shape = axis(at, pair.element);
+    for (const AxisContactPoint& p : pair.points) {
+      const Vec3 force = p.weight * (pose.rotation * p.force);
+      out[0] += force, out[1] += (shape.point(p.xi) - pose.position).cross(force);
+    }
+  }
+  return out;
+}
+
 std::vector<LineVolumeContact::Load> LineVolumeContact::loads(const Kinematics& at) const {
   std::vector<Load> out;
   for (const Pair& pair : pairs_)

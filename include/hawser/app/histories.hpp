@@ -25,7 +25,7 @@ class Histories {
   const std::vector<io::ResultSeries>& series() const { return series_; }
 
   // A row for each series, empty on all ranks but one. values: of the owned nodes, by field; ends: of the
-  // owned ends, by field of ends. Collective where a point lies between the nodes of two ranks.
+  // owned ends, by field of ends. Collective where ranks share a point or a volume.
   std::vector<std::vector<double>> rows(const Kinematics& at, const std::vector<std::vector<double>>& values,
                                         const std::vector<std::vector<double>>& ends) const;
 
@@ -33,11 +33,12 @@ class Histories {
   // A point of a line between node `nodes[0]` and the next; at a node the second has no weight.
   struct Point {
     int body = -1;                     // of the case, when it is one
+    std::string volume = {};           // its name, when it is one
     int end = -1;                      // its place among the owned ends, when it is one that this rank has
     std::array<int, 2> nodes{-1, -1};  // local; -1: another rank's, or without weight
     std::array<double, 2> weights{1, 0};
     std::array<int, 2> places{-1, -1};  // of its nodes among those of the end forces; -1: none
-    bool shared = false;                // its nodes belong to two ranks
+    bool shared = false;                // several ranks have a part of it
   };
   Point point_of(int line, double arc) const;
   std::vector<double> node_row(const Point& p, size_t side, const Kinematics& at,
@@ -47,6 +48,7 @@ class Histories {
                                const std::vector<std::vector<double>>& values,
                                const std::vector<std::vector<double>>& ends) const;
   std::vector<double> body_row(int body, const Kinematics& at) const;
+  std::vector<double> volume_row(const std::string& volume, const Kinematics& at) const;
 
   // What a section force has of a field, on the side of a node that faces the point; `otherwise` of others.
   double facing(int field, const SectionForce& s, const Quat& q, double otherwise) const;

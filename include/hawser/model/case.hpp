@@ -335,8 +335,8 @@ struct Dynamics {
 };
 
 struct HistoryPoint {
-  std::string line;  // or a body with mass:
-  std::string body;
+  std::string line;  // or a body with mass, or what a volume exerts on lines:
+  std::string body, volume;
   double at = 0;     // m, arc length from end A
   std::string name;  // default "<line>@<at>"
 };

@@ -77,6 +77,9 @@ class LineVolumeContact final : public ForceTerm,
   void active_contacts(ActiveContacts& out) const;
   // What each volume exerts on lines in the accepted state, of what this rank counts [N, space axes].
   std::vector<Vec3> forces_by_volume(const Kinematics& at) const;
+  // Of one of them the force and its moment about the origin of the volume's body, which acts where the axis
+  // of a line is [N, N m, space axes].
+  std::array<Vec3, 2> reaction(int volume, const Kinematics& at) const;
   // What volumes exert in the accepted state on each local element, counted here or not, in their order.
   struct Load {
     int element = 0;            // of LocalMesh::elements
