@@ -380,7 +380,7 @@ TEST(Feeders, StopWhereTheStockRunsOut) {
              {{"[[0, 0], [2, 1], [20, 1], [24, -1], [40, -1]]", "[[0, 0], [2, -1]]"},
               {"output:", "events: [{cut: {line: rope, at: 50}, time: 39}]\noutput:"}});
   EXPECT_NE(refusal(input, path + "/cut.h5")
-                .find("all of the line up to the place of its cut, which cannot be hauled in, is hauled in"),
+                .find("arc length 50 m of line 'rope' is hauled in at its end A by t = "),
             std::string::npos);
 }
 

@@ -152,14 +152,22 @@ TEST_F(Snapping, ALineThatPartsMakesNoEnergy) {
   expect_none_made("parted", parted.c_str(), 76);
 }
 
-// Largest tension over the cycles after the first, by default, and with elements and steps half as long.
+// Largest tension over the cycles after the first, by default, and with elements and steps half as long. A
+// blow of a chain that falls back on the bed depends on how it lay there: EA changed by 1e-7 changes the
+// largest tension of a run by 6 %. So it is the mean of three such runs that is compared.
 TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {
-  const auto peak = [&](const char* text, int elements, const std::string& step) {
-    const Results r = ran(text, elements, step);
-    return first() ? largest(r.column("near", 6)) : 0;
+  const auto peak = [&](int elements, const std::string& step) {
+    double sum = 0;
+    for (const char* EA : {"1.674 GN", "1.6740001 GN", "1.674001 GN"}) {
+      std::string text = kSnap;
+      text.replace(text.find("1.674 GN"), 8, EA);
+      const Results r = ran(text.c_str(), elements, step);
+      if (first()) sum += largest(r.column("near", 6)) / 3;
+    }
+    return sum;
   };
-  const double by_default = peak(kSnap, 20, ""), finer = peak(kSnap, 40, ", step: 0.002"),
-               finest = peak(kSnap, 80, ", step: 0.001");
+  const double by_default = peak(20, ""), finer = peak(40, ", step: 0.002"),
+               finest = peak(80, ", step: 0.001");
   if (!first()) return;
   printf("  largest tension: %.2f MN by default, %.2f and %.2f MN with finer elements and steps\n",
          by_default / 1e6, finer / 1e6, finest / 1e6);
