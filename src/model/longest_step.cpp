@@ -134,13 +134,31 @@ void add_links(const Case& c, Shortest& own) {
                "a twentieth of the period of body " + e->body + " on link " + l.name);
 }
 
+// Changes of its speed, where it goes by a table.
+void add_feed(const End& end, const std::string& line, Shortest& to) {
+  if (!end.feed) return;
+  const auto& rows = end.feed->speed;
+  for (size_t i = 1; i < rows.size(); ++i)
+    if (rows[i].second != rows[i - 1].second)
+      to.of((rows[i].first - rows[i - 1].first) / kOfRamp,
+            "a twentieth of a change of speed of the feeder of line " + line);
+}
+
+bool fed_at_once(const End& end) {
+  return end.feed && !end.feed->speed.empty() && fed_by(*end.feed, 0).speed != 0;
+}
+
 void add_ramps(const Case& c, Shortest& to) {
   const Water& w = c.environment.water;
   if (!w.current.profile.empty()) to.of(w.current.ramp / kOfRamp, "a twentieth of the ramp of the current");
   for (const Line& line : c.lines) {
     for (const auto& l : line.loads) to.of(l.ramp / kOfRamp, "a twentieth of the ramp of a load");
     for (const auto& l : line.point_loads) to.of(l.ramp / kOfRamp, "a twentieth of the ramp of a load");
+    for (const End* end : {&line.end_a, &line.end_b}) add_feed(*end, line.name, to);
   }
+  for (const Event& e : c.events)
+    if (e.action.kind == Action::Kind::feed)
+      to.of(e.action.ramp / kOfRamp, "a twentieth of the ramp of a feeder of line " + e.action.line);
 }
 
 }  // namespace
@@ -175,7 +193,8 @@ LongestStep longest_step(const Case& c) {
   to.of(c.output.every, "the time between outputs");
   to.of(c.dynamics.duration / kOfDuration, "a fiftieth of the duration");
   const bool jolted = !c.statics.enabled || !velocity_jumps(c.bodies).empty();
-  for (const Line& line : c.lines) add_line(c, line, speed, jolted, own, drags);
+  for (const Line& line : c.lines)
+    add_line(c, line, speed, jolted || fed_at_once(line.end_a) || fed_at_once(line.end_b), own, drags);
   const double driven = to.best().length;
   const auto follow = [&](const LongestStep& what, double least) {
     if (what.length > 0) to.of(std::max(what.length, least * driven), what.reason);

@@ -8,7 +8,9 @@
 
 #include "hawser/kernels/beam.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/case.hpp"
 #include "hawser/model/feed.hpp"
+#include "hawser/model/longest_step.hpp"
 
 namespace hawser::test::feed_test {
 namespace {
@@ -250,6 +252,16 @@ TEST(Feed, TheForceOfABeamFollowsTheLength) {
       EXPECT_LT((slope - K * d).norm(), 1e-6 * slope.norm()) << k;
     }
   }
+}
+
+TEST(Feed, StepsFollowItsChangesOfSpeed) {
+  model::Case c;
+  c.dynamics.duration = 1000, c.output.every = 10;
+  c.lines.emplace_back().end_b.feed.emplace().speed = {{0, 0.5}, {20, 0.5}, {24, 0}};
+  EXPECT_DOUBLE_EQ(model::longest_step(c).length, 4. / 20);
+  c.events.emplace_back().action.kind = model::Action::Kind::feed;
+  c.events.back().action.ramp = 2;
+  EXPECT_DOUBLE_EQ(model::longest_step(c).length, 2. / 20);
 }
 
 TEST(Feed, ItsLengthIsTheIntegralOfItsSpeed) {
