@@ -14,7 +14,6 @@
 #include "hawser/app/cost.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/app/run_parts.hpp"
-#include "hawser/app/touchdown.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -70,6 +69,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       snaps_(simulation.model(), simulation.local()),
       utilisation_(simulation.model(), simulation.local()),
       pipes_(simulation.model(), simulation.local()),
+      touchdowns_(comm, simulation.model(), simulation.local()),
       clearances_(comm, simulation.model(), simulation.local(), std::move(surfaces)),
       rows_every_(simulation.model().output.history_every) {
   const model::Case& c = sim_.model();
@@ -208,7 +208,7 @@ PipePlaces Recorder::pipe_places(const Kinematics& at) {
   const model::Case& c = sim_.model();
   if (supports_) out.supports = supports_->carrying(at, body_poses(sim_, at));
   if (!c.environment.seabed.present) return out;
-  const std::vector<Touchdown> all = touchdowns(comm_, c, sim_.local(), at);
+  const std::vector<Touchdown> all = touchdowns_.find(at);
   for (size_t l = 0; l < all.size(); ++l) {
     const Touchdown& t = all[l];
     std::array<double, 2>& lies = out.seabed.emplace_back(std::array{HUGE_VAL, -HUGE_VAL});
@@ -336,7 +336,7 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
   int rank = 0;
   MPI_Comm_rank(comm_, &rank);
   if (shows_touchdowns())
-    for (const Touchdown& t : touchdowns(comm_, sim_.model(), sim_.local(), at))
+    for (const Touchdown& t : touchdowns_.find(at))
       rows.push_back(rank == 0 ? touchdown_row(t) : std::vector<double>{});
   for (size_t i = 0; i < sim_.model().links.size(); ++i) {
     const Links::Now l = sim_.links()->now(i, at);

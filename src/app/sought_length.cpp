@@ -75,7 +75,7 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
   }
   MPI_Allreduce(MPI_IN_PLACE, out.ends.data(), static_cast<int>(out.ends.size()), MPI_DOUBLE, MPI_SUM, comm);
   out.feeders = ends.at_feeders();
-  out.down = touchdowns(comm, sim.model(), sim.local(), at);
+  out.down = Touchdowns(comm, sim.model(), sim.local()).find(at);
   return out;
 }
 

@@ -1,4 +1,4 @@
-// Touchdown points of lines: every rank looks for the first change of contact from either end among its
+// The class Touchdowns: every rank looks for the first change of contact from either end among its
 // elements; the few nodes about it are then told to all, and the place is found from them.
 #include "hawser/app/touchdown.hpp"
 
@@ -17,58 +17,11 @@ namespace {
 constexpr int kAbout = 5;       // nodes about a change of contact: two that lie, three that hang
 constexpr double kHeld = 1e-3;  // of the radius: an end held on the bed is there up to round-off
 constexpr double kSame = 1e-9;  // of a length: two that differ by less are one
+constexpr int kMostTries = 60;
 
 struct Gap {
   double value = 0, slope = 0;  // m; by arc length, of a beam
   Vec3 x = Vec3::Zero();
-};
-
-class Lines {
- public:
-  Lines(const model::Case& c, const LocalMesh& local, const Kinematics& at)
-      : bed_(c.environment.seabed),
-        normal_(model::bed_normal(bed_)),
-        local_(local),
-        mesh_(*local.mesh),
-        at_(at) {
-    for (const model::LineType& t : c.line_types) touching_.push_back(model::touching_height(c, t));
-  }
-
-  // m, of an element of the mesh: its axis above the bed where it begins to press.
-  double touching(int element) const {
-    return touching_[static_cast<size_t>(mesh_.elements[static_cast<size_t>(element)].type)];
-  }
-
-  Gap gap(int local) const {
-    const Node& n = mesh_.nodes[static_cast<size_t>(local_.global[static_cast<size_t>(local)])];
-    const LineSpan& span = mesh_.lines[static_cast<size_t>(n.line)];
-    const int i = local_.global[static_cast<size_t>(local)] - span.first_node;
-    double r = 0;
-    for (const int e : {i - 1, i})
-      if (e >= 0 && e < span.elements) r = std::max(r, touching(span.first_element + e));
-    Gap g;
-    g.x = at_.x[static_cast<size_t>(local)];
-    Vec3 normal = normal_;
-    if (bed_.surface) {
-      const auto near = bed_.surface->query(g.x, std::numeric_limits<double>::infinity());
-      g.value = near ? near->distance : std::numeric_limits<double>::infinity();
-      if (near) normal = near->normal;
-    } else {
-      g.value = normal.dot(g.x + Vec3(0, 0, bed_.depth));
-    }
-    g.value -= r;
-    if ((i == 0 || i == span.nodes - 1) && g.value > 0 && g.value < kHeld * r) g.value = 0;
-    if (n.rotates) g.slope = normal.dot(at_.q[static_cast<size_t>(local)] * Vec3::UnitX());
-    return g;
-  }
-
- private:
-  const model::Seabed& bed_;
-  const Vec3 normal_;             // where it is a plane
-  std::vector<double> touching_;  // by line type
-  const LocalMesh& local_;
-  const Mesh& mesh_;
-  const Kinematics& at_;
 };
 
 bool lies(double gap) { return gap <= 0; }
@@ -106,17 +59,20 @@ double steepness(const Gap& a, const Gap& b) {
 }
 
 // m, how far ground that yields carries a line beyond s0, seen from a node `behind` s0 that lies `deep` [m]
-// in it: l of deep = bend l² (1 - exp(-(behind + l) / l)), which grows with l.
+// in it: l of deep = bend l² (1 - exp(-(behind + l) / l)), which grows with l. Newton's iteration, which
+// stays between what is known to be too short and too long.
 double carried(double deep, double behind, double bend) {
-  double low = std::max(0.0, -behind), high = low + 1e-9;
-  const auto depth = [&](double l) { return bend * l * l * (1 - std::exp(-(behind + l) / l)); };
+  double low = std::max(0.0, -behind), high = HUGE_VAL;
   if (!(deep > 0)) return low;
-  while (depth(high) < deep && high < 1e9) high *= 2;
-  while (high - low > kSame * high) {
-    const double l = 0.5 * (low + high);
-    (depth(l) < deep ? low : high) = l;
+  double l = low + std::sqrt(deep / bend), step = HUGE_VAL;
+  for (int i = 0; i < kMostTries && std::abs(step) > kSame * l; ++i) {
+    const double e = std::exp(-(behind + l) / l), off = bend * l * l * (1 - e) - deep;
+    (off < 0 ? low : high) = l;
+    step = -off / (bend * (2 * l * (1 - e) - behind * e));
+    const double to = l + step;
+    l = to > low && to < high ? to : high < HUGE_VAL ? 0.5 * (low + high) : 2 * l;
   }
-  return high;
+  return l;
 }
 
 // m beyond the last node that lies.
@@ -148,17 +104,54 @@ TouchdownPoint place(const About& n, double s, double arc) {
 
 }  // namespace
 
-std::vector<Touchdown> touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
-                                  const Kinematics& at) {
+Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& local)
+    : comm_(comm), bed_(c.environment.seabed), normal_(model::bed_normal(bed_)), local_(local) {
+  if (!bed_.present) return;
+  const Mesh& mesh = *local.mesh;
+  std::vector<double> touching;  // by line type
+  for (const model::LineType& t : c.line_types) touching.push_back(model::touching_height(c, t));
+  heights_.resize(static_cast<size_t>(local.chain));
+  for (size_t k = 0; k < heights_.size(); ++k) {
+    const int global = local.global[k];
+    const Node& n = mesh.nodes[static_cast<size_t>(global)];
+    if (n.body >= 0) continue;
+    const LineSpan& span = mesh.lines[static_cast<size_t>(n.line)];
+    const int i = global - span.first_node;
+    Height& h = heights_[k];
+    h.end = i == 0 || i == span.nodes - 1;
+    for (const int e : {i - 1, i})
+      if (e >= 0 && e < span.elements) {
+        const Element& element = mesh.elements[static_cast<size_t>(span.first_element + e)];
+        h.touching = std::max(h.touching, touching[static_cast<size_t>(element.type)]);
+      }
+  }
+}
+
+// m, of a local node: its axis above the height at which it begins to press, and the normal of the bed there.
+double Touchdowns::gap(size_t n, const Kinematics& at, Vec3& normal) const {
+  double value = 0;
+  if (bed_.surface) {
+    const auto near = bed_.surface->query(at.x[n], std::numeric_limits<double>::infinity());
+    value = near ? near->distance : std::numeric_limits<double>::infinity();
+    normal = near ? near->normal : normal_;
+  } else {
+    value = normal_.dot(at.x[n] + Vec3(0, 0, bed_.depth));
+    normal = normal_;
+  }
+  const Height& h = heights_[n];
+  value -= h.touching;
+  return h.end && value > 0 && value < kHeld * h.touching ? 0 : value;
+}
+
+std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
+  const LocalMesh& local = local_;
   const Mesh& mesh = *local.mesh;
   const size_t lines = mesh.lines.size();
   std::vector<Touchdown> out(lines);
-  if (!c.environment.seabed.present) return out;
-  const Lines of(c, local, at);
-  std::vector<double> gap(static_cast<size_t>(local.nodes()));
-  for (int n = 0; n < local.nodes(); ++n)
-    if (mesh.nodes[static_cast<size_t>(local.global[static_cast<size_t>(n)])].body < 0)
-      gap[static_cast<size_t>(n)] = of.gap(n).value;
+  if (!bed_.present) return out;
+  std::vector<double> gap(heights_.size());
+  Vec3 normal;
+  for (size_t n = 0; n < gap.size(); ++n) gap[n] = this->gap(n, at, normal);
 
   // First element from A, and minus the first from B, in which contact changes; what lies.
   std::vector<int> first(2 * lines, std::numeric_limits<int>::max());
@@ -173,8 +166,8 @@ std::vector<Touchdown> touchdowns(MPI_Comm comm, const model::Case& c, const Loc
     laid[l] += lies(a) ? straight(a, b, g.length) : straight(b, a, g.length);
     first[2 * l] = std::min(first[2 * l], e.global), first[2 * l + 1] = std::min(first[2 * l + 1], -e.global);
   }
-  MPI_Allreduce(MPI_IN_PLACE, first.data(), static_cast<int>(first.size()), MPI_INT, MPI_MIN, comm);
-  MPI_Allreduce(MPI_IN_PLACE, laid.data(), static_cast<int>(lines), MPI_DOUBLE, MPI_SUM, comm);
+  MPI_Allreduce(MPI_IN_PLACE, first.data(), static_cast<int>(first.size()), MPI_INT, MPI_MIN, comm_);
+  MPI_Allreduce(MPI_IN_PLACE, laid.data(), static_cast<int>(lines), MPI_DOUBLE, MPI_SUM, comm_);
 
   // Gap and slope, then place of the nodes about each. Which of its two nodes lies is told by the first sum.
   std::vector<double> rows(2 * lines * 2 * kAbout * 5, 0);
@@ -190,17 +183,25 @@ std::vector<Touchdown> touchdowns(MPI_Comm comm, const model::Case& c, const Loc
       if (global < span.first_node || global >= span.first_node + span.nodes) continue;
       const int n = local.find(global);
       if (n < 0 || n >= local.owned) continue;
-      const Gap g = of.gap(n);
-      const double values[] = {g.value, g.slope, g.x.x(), g.x.y(), g.x.z()};
+      const size_t node = static_cast<size_t>(n);
+      const Vec3& x = at.x[node];
+      const double value = this->gap(node, at, normal),
+                   slope = local.rotates(n) ? normal.dot(at.q[node] * Vec3::UnitX()) : 0;
+      const double values[] = {value, slope, x.x(), x.y(), x.z()};
       std::copy(std::begin(values), std::end(values), row(k, i));
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, rows.data(), static_cast<int>(rows.size()), MPI_DOUBLE, MPI_SUM, comm);
+  MPI_Allreduce(MPI_IN_PLACE, rows.data(), static_cast<int>(rows.size()), MPI_DOUBLE, MPI_SUM, comm_);
 
   for (size_t k = 0; k < 2 * lines; ++k) {
     if (first[k] == std::numeric_limits<int>::max()) continue;
     const Element& e = mesh.elements[static_cast<size_t>(std::abs(first[k]))];
     const LineSpan& span = mesh.lines[static_cast<size_t>(e.line)];
+    Touchdown& t = out[static_cast<size_t>(e.line)];
+    if (k % 2 == 1 && first[k] == -first[k - 1]) {  // the same place
+      t.from_b = t.from_a;
+      continue;
+    }
     const bool up = lies(row(k, kAbout - 1)[0]);  // the node towards A lies
     const Change change{up ? e.first : e.second, up ? 1 : -1};
     About n{};
@@ -216,12 +217,10 @@ std::vector<Touchdown> touchdowns(MPI_Comm comm, const model::Case& c, const Loc
       n.arc[j] = change.way * node.arc, n.two_sided[j] = node.two_sided;
     }
     const double s = beyond(n, e.beam);
-    Touchdown& t = out[static_cast<size_t>(e.line)];
     (k % 2 == 0 ? t.from_a : t.from_b) = place(
         n, s,
         std::clamp(mesh.nodes[static_cast<size_t>(change.first)].arc + change.way * s, 0.0, span.length));
-    if (k % 2 == 0 || first[k] != -first[k - 1])
-      laid[static_cast<size_t>(e.line)] += s - straight(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1]);
+    laid[static_cast<size_t>(e.line)] += s - straight(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1]);
   }
   for (size_t l = 0; l < lines; ++l) out[l].laid = std::clamp(laid[l], 0.0, mesh.lines[l].length);
   return out;

@@ -16,19 +16,17 @@ namespace hawser {
 namespace {
 
 // Rounding, other on every number of ranks, may decide whether Newton needs an iteration more. The results
-// must not show it: what passed the tolerance is improved once more with the factors at hand, which costs
-// little, and steps are chosen by the iterations to this residual, far above rounding, and one that follows.
+// must not show it: what passed the tolerance, and is not at round-off yet, is improved once more with the
+// factors at hand, which costs little, and steps are chosen by the iterations to this residual, far above
+// rounding, and one that follows.
 constexpr double kCounted = 1e-5;
 constexpr int kMostRaises = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
-// With the old tangent the residual must fall so in an iteration, and reach the tolerance in so many; else a
-// new tangent is cheaper.
-constexpr double kChordRate = 0.1;
-// Below this tolerance results are to be the same to rounding on every number of ranks, and the old tangent
-// does not get there: what it leaves is far smaller than the tolerance, but far above rounding.
-constexpr double kLoose = 1e-6;
-constexpr int kMostChords = 2;
+// With the old tangent the residual must fall so in an iteration, and within two come down to this part of
+// the tolerance, where results are the same to rounding on every number of ranks; else a new tangent is
+// cheaper.
+constexpr double kChordRate = 0.1, kEven = 1e-6;
 
 // Whether iterations with the old tangent, each for a fourth of the price, are expected to end it. Newton's
 // error falls as e1 = C e0², with the old tangent then as e2 = 2 C e0 e1 (chord method: Kelley 1995,
@@ -36,7 +34,7 @@ constexpr int kMostChords = 2;
 // `before` to `now`.
 bool old_tangent_will_do(double before, double now, bool was_old, double tolerance) {
   const double rate = (was_old ? 1 : 2) * now / before;
-  return tolerance >= kLoose && rate < kChordRate && now * std::pow(rate, kMostChords) < tolerance;
+  return rate < kChordRate && now * rate * rate < kEven * tolerance;
 }
 
 }  // namespace
@@ -143,7 +141,7 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   if (counted_ < 0 && norms_.small(std::max(tolerance, kCounted))) counted_ = it;
   if (fnorm == 0) return SNES_CONVERGED_FNORM_ABS;
   const bool small = it > 0 && norms_.small(tolerance);
-  if (small && polishing_) return SNES_CONVERGED_FNORM_RELATIVE;
+  if (small && (polishing_ || norms_.relative() == 0)) return SNES_CONVERGED_FNORM_RELATIVE;
   polishing_ = small;
   old_tangent_ = small || (it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance));
   if (!old_tangent_) system_.tangent(trial_.s.view(h_), alpha_weights(alpha_, h_), local_u_, false, J_.get());

@@ -111,7 +111,7 @@ inline Laid laid(const Setting& s) {
         pressed = field("contact_normal_force"), shear = field("shear_force");
   const size_t nodes = static_cast<size_t>(sim.local().owned);
   out.T0 = T.front(), out.H = T.back(), out.M0 = kEI * kappa.front();
-  out.x_td = app::touchdowns(PETSC_COMM_SELF, met.model, sim.local(), at).at(0).from_a->position.x();
+  out.x_td = app::Touchdowns(PETSC_COMM_SELF, met.model, sim.local()).find(at).at(0).from_a->position.x();
   const auto angle = [&](size_t n) {
     return std::atan2(at.x[n].x(), at.x[n].z() - kTop + kRadius) * 180 / M_PI;
   };

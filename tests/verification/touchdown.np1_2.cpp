@@ -34,7 +34,7 @@ Rest at_rest(const model::Case& c) {
   Simulation sim(PETSC_COMM_WORLD, c);
   sim.solve_statics();
   Rest out;
-  out.touchdown = app::touchdowns(PETSC_COMM_WORLD, c, sim.local(), sim.state().view(0)).at(0);
+  out.touchdown = app::Touchdowns(PETSC_COMM_WORLD, c, sim.local()).find(sim.state().view(0)).at(0);
   return out;
 }
 

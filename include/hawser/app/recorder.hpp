@@ -22,6 +22,7 @@
 #include "hawser/app/snaps.hpp"
 #include "hawser/app/stations.hpp"
 #include "hawser/app/support_log.hpp"
+#include "hawser/app/touchdown.hpp"
 #include "hawser/app/utilisation.hpp"
 #include "hawser/io/results.hpp"
 
@@ -108,6 +109,7 @@ class Recorder {
   Snaps snaps_;
   Utilisation utilisation_;
   PipeStrength pipes_;
+  Touchdowns touchdowns_;
   Clearances clearances_;
   std::unique_ptr<SupportLog> supports_;           // null: the case has none
   std::vector<std::vector<double>> support_rows_;  // of the last step

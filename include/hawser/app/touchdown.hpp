@@ -25,7 +25,7 @@ struct Touchdown {
   double laid = 0;  // m, unstretched length that lies on the bed or below it
 };
 
-// Of every line of the case in its order, the same on all ranks. at: an accepted state of local nodes.
+// Of every line of the case in its order, the same on all ranks.
 //
 // The gap is that of the axis less the height at which the bed's force begins (model/bed_touch.hpp): half the
 // contact diameter, and the smooth start of the force. Between two nodes of a beam it is the cubic of
@@ -33,8 +33,27 @@ struct Touchdown {
 // unstretched arc length where it hangs freely (dz/dx = w (s - s0) / H): the two first elements that hang say
 // where it vanishes, s0, which is the end of what lies on rigid ground. Ground that yields carries the
 // line further: a string on springs joins the parabola of what hangs there (docs/theory/seabed.md,
-// "Touchdown points"). Collective: a few numbers a line.
-std::vector<Touchdown> touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                                  const Kinematics& at);
+// "Touchdown points").
+class Touchdowns {
+ public:
+  // Case and mesh outlive this.
+  Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
+
+  // at: an accepted state of local nodes. Collective: a few numbers a line.
+  std::vector<Touchdown> find(const Kinematics& at) const;
+
+ private:
+  struct Height {
+    double touching = 0;  // m, of the axis above the bed where it begins to press
+    bool end = false;     // of a line
+  };
+  double gap(size_t node, const Kinematics& at, Vec3& normal) const;
+
+  MPI_Comm comm_;
+  const model::Seabed& bed_;
+  Vec3 normal_;  // where it is a plane
+  const LocalMesh& local_;
+  std::vector<Height> heights_;  // of local nodes before LocalMesh::chain
+};
 
 }  // namespace hawser::app
