@@ -1,4 +1,5 @@
 // The nearest point of a segment and of a triangle, in wider numbers where the triangle is a needle or a cap.
+// Among many triangles: facets.cpp; with the sign of the distance: mesh_surface.cpp.
 #include "hawser/geometry/closest_point.hpp"
 
 #include <algorithm>

@@ -28,12 +28,11 @@ struct Row {
 }  // namespace
 
 AttachedForces::AttachedForces(int n, bool couples) : positions(static_cast<size_t>(n)), rotates(couples) {
-  const auto used = [this](size_t i) { return i < positions || (rotates && i >= kPositions); };
   for (size_t i = 0; i < kMost; ++i) {
-    if (!used(i)) continue;
+    if (!counts(i)) continue;
     F[i].setZero();
     for (size_t j = 0; j < kMost; ++j)
-      if (used(j)) K[i][j].setZero();
+      if (counts(j)) K[i][j].setZero();
     for (size_t j = 0; j < positions; ++j) C[i][j].setZero();
   }
 }

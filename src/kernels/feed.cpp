@@ -1,5 +1,5 @@
-// The implicit speed law of a winch: a scalar equation that grows with its unknown, by Newton's method
-// between bounds.
+// The implicit speed law of a winch or tensioner: a scalar equation that grows with its unknown, by Newton's
+// method between bounds. Which law an end has, and how it acts on the line: terms/feeders.cpp.
 #include "hawser/kernels/feed.hpp"
 
 #include <algorithm>

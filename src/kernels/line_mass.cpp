@@ -1,5 +1,5 @@
 // Consistent mass matrices of beam and cable elements, gyroscopic terms and rotary inertia, weight and dead
-// loads, with exact tangents, kinetic energy and work.
+// loads, with exact tangents, kinetic energy and work. Added mass is water's: morison_points.hpp.
 #include "hawser/kernels/line_mass.hpp"
 
 #include "hawser/math/clones.hpp"

@@ -10,8 +10,12 @@ namespace hawser {
 namespace {
 
 constexpr size_t kTurns = AttachedForces::kPositions, kMost = AttachedForces::kMost;
-using Column = Eigen::Matrix<double, 6, 1>;  // of force and couple
+constexpr int kByX = 3 * kTurns, kByAll = 3 * kMost;  // by positions, and by turns too
+using Column = Eigen::Matrix<double, 6, 1>;           // of force and couple
 using Six = Eigen::Matrix<double, 6, 3>;
+template <int rows, int columns>
+using Wide = Eigen::Matrix<double, rows, columns, Eigen::RowMajor>;
+using Gradient = Wide<1, kByX>;
 
 // d(turn v) by the chord of a cable, whose sections turn by the smallest rotation from f to t, its axis then
 // and now: v - (f + t)(t . v + f . v)/(1 + f . t) + 2 t (f . v).
@@ -22,6 +26,12 @@ Mat3 section_turn_by_chord(const PairAxis& cable, const Vec3& v) {
   const Mat3 by_t = -(a / opening) * Mat3::Identity() - sum * v.transpose() / opening +
                     sum * f.transpose() * (a / (opening * opening)) + 2 * f.dot(v) * Mat3::Identity();
   return by_t * ((Mat3::Identity() - t * t.transpose()) / chord.norm());
+}
+
+// The columns that belong to a position or a turn.
+template <class Matrix>
+auto of(Matrix& m, size_t position) {
+  return m.template middleCols<3>(3 * static_cast<Eigen::Index>(position));
 }
 
 }  // namespace
@@ -55,10 +65,10 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
 
 // The derivatives of force and couple at a point.
 struct LinePairPass::Slopes {
-  std::array<Six, kMost> by;        // of what the rows are conjugate to
-  Column by_xi, by_rate;            // by the place on the slave, and by the rate of the gap
-  bool slides_on = false;           // the nearest point moves along the master:
-  std::array<Vec3, kTurns> eta_by;  // d eta by the positions
+  Wide<6, kByAll> by;      // of what the rows are conjugate to
+  Column by_xi, by_rate;   // by the place on the slave, and by the rate of the gap
+  bool slides_on = false;  // the nearest point moves along the master:
+  Gradient eta_by;         // d eta by the positions
   double eta_by_xi = 0;
 };
 
@@ -96,22 +106,25 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
                c.by.col(F::kSlip + 1) * from.slip_slope[1];
   }
 
-  s.eta_by.fill(Vec3::Zero());
+  s.eta_by.setZero();
   const double curve = y1.squaredNorm() - p.foot.away.dot(y2);
   s.slides_on = p.foot.inside && curve > 0;
   if (s.slides_on) {
-    for (size_t j = 0; j < na; ++j) s.eta_by[j] = p.H[j] / curve * y1;
-    for (size_t m = na; m < n; ++m) s.eta_by[m] = (-rows.by_eta[m] * p.foot.away - p.G[m - na] * y1) / curve;
+    for (size_t j = 0; j < na; ++j) of(s.eta_by, j) = p.H[j] / curve * y1.transpose();
+    for (size_t m = na; m < n; ++m)
+      of(s.eta_by, m) = (-rows.by_eta[m] * p.foot.away - p.G[m - na] * y1).transpose() / curve;
     s.eta_by_xi = p.slope.dot(y1) / curve;
   }
   s.by_xi += by_eta * s.eta_by_xi;
 
+  s.by.setZero();
   for (size_t m = 0; m < n; ++m) {
-    s.by[m] = rows.share[m] * by_away;
-    if (m >= na && rubs) s.by[m] -= rows.by_eta[m] * by(F::kAlong);
-    if (rubs) s.by[m] += c.by.col(F::kClosing) * from.closing_by[m].transpose();
-    if (s.slides_on) s.by[m] += by_eta * s.eta_by[m].transpose();
+    auto by_m = of(s.by, m);
+    by_m = rows.share[m] * by_away;
+    if (m >= na && rubs) by_m -= rows.by_eta[m] * by(F::kAlong);
+    if (rubs) by_m += c.by.col(F::kClosing) * from.closing_by[m].transpose();
   }
+  if (s.slides_on) s.by.leftCols<kByX>() += by_eta.lazyProduct(s.eta_by);
   if (!rubs) return s;
   for (const bool of_master : {false, true}) {
     const PairAxis& axis = of_master ? master_ : slave_;
@@ -119,10 +132,10 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
     if (axis.beam()) {
       // - w N d(turn was), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
-        s.by[turn + i] = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.was);
+        of(s.by, turn + i) = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.was);
     } else {
       const Six turned = (of_master ? wb_ : wa_) * by_moved * section_turn_by_chord(axis, p.was);
-      s.by[position] += turned, s.by[position + 1] -= turned;
+      of(s.by, position) += turned, of(s.by, position + 1) -= turned;
     }
   }
   return s;
@@ -132,7 +145,7 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
 // along.
 struct LinePairPass::MovingEnd {
   bool moves = false;
-  std::array<Vec3, kTurns> by;    // of its place, by the positions
+  Gradient by;                    // of its place, by the positions
   std::array<Vec3, kMost> force;  // of the rows, by its place
 };
 
@@ -142,20 +155,21 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   const size_t na = static_cast<size_t>(slave_.now.count()), nb = static_cast<size_t>(master_.now.count());
   const Vec3 x = slave_.now.point(xi), x1 = slave_.now.slope(xi);
   const AxisShape::Weights H = slave_.now.functions(xi);
+  m.by.setZero();
   if (end == End::gap) {
     const AxisProjection f = projection(master_.now, part_, x);
     const double slope = f.normal.dot(x1);
     if (std::abs(slope) < 1e-9 * slave_.now.slope_bound()) return m;
     const AxisShape::Weights G = master_.now.functions(f.eta);
-    for (size_t j = 0; j < na; ++j) m.by[j] = -H[j] / slope * f.normal;
-    for (size_t k = 0; k < nb; ++k) m.by[na + k] = G[k] / slope * f.normal;
+    for (size_t j = 0; j < na; ++j) of(m.by, j) = -H[j] / slope * f.normal.transpose();
+    for (size_t k = 0; k < nb; ++k) of(m.by, na + k) = G[k] / slope * f.normal.transpose();
   } else {
     const double eta = end == End::first_joint ? 0 : 1;
     const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
     const double slope = x1.dot(t);
     const AxisShape::Weights G = master_.now.functions(eta), dG = master_.now.derivatives(eta);
-    for (size_t j = 0; j < na; ++j) m.by[j] = -H[j] / slope * t;
-    for (size_t k = 0; k < nb; ++k) m.by[na + k] = (G[k] * t - dG[k] * (x - V)) / slope;
+    for (size_t j = 0; j < na; ++j) of(m.by, j) = -H[j] / slope * t.transpose();
+    for (size_t k = 0; k < nb; ++k) of(m.by, na + k) = (G[k] * t - dG[k] * (x - V)).transpose() / slope;
   }
   m.force.fill(Vec3::Zero());
   m.moves = true;
@@ -178,8 +192,10 @@ void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows
 void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g,
                        std::vector<LinePairHistory>* points) const {
   const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
-  const size_t n = g.positions;
   const double L = set_.share * slave_.ends.length;
+  Wide<kByAll, kByAll> K;
+  Wide<kByAll, kByX> C;
+  if (exact) K.setZero(), C.setZero();
   for (const Panel& panel : panels) {
     const double span = panel.to - panel.from;
     std::array<MovingEnd, 2> ends;
@@ -199,18 +215,16 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
       if (!exact) continue;
 
       const Slopes s = slopes(p, from, c, rows);
+      Gradient rate = Gradient::Zero();  // of the gap, by the velocities of the positions
+      for (size_t m = 0; m < g.positions; ++m) of(rate, m) = rows.share[m] * p.foot.normal.transpose();
       for (const size_t r : rows) {
         const Vec3& v = vector(r);
-        const int first = r < kTurns ? 0 : 3;
-        for (const size_t m : rows) {
-          g.K[r][m] -= w * rows.share[r] * s.by[m].middleRows<3>(first);
-          if (m >= n) continue;
-          if (s.slides_on && rows.by_eta[r] != 0)
-            g.K[r][m] -= w * rows.by_eta[r] * v * s.eta_by[m].transpose();
-          if (set_.moves)
-            g.C[r][m] -=
-                w * rows.share[r] * rows.share[m] * s.by_rate.segment<3>(first) * p.foot.normal.transpose();
-        }
+        const int first = r < kTurns ? 0 : 3, row = 3 * static_cast<int>(r);
+        K.middleRows<3>(row) -= w * rows.share[r] * s.by.middleRows<3>(first);
+        if (s.slides_on && rows.by_eta[r] != 0)
+          K.block<3, kByX>(row, 0) -= Vec3(w * rows.by_eta[r] * v).lazyProduct(s.eta_by);
+        if (set_.moves)
+          C.middleRows<3>(row) -= Vec3(w * rows.share[r] * s.by_rate.segment<3>(first)).lazyProduct(rate);
         // Moving ends take the Gauss points along: the derivative along xi does the rest.
         const Vec3 along =
             (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.share[r] * s.by_xi.segment<3>(first);
@@ -222,9 +236,17 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
       }
     }
     for (const MovingEnd& end : ends)
-      for (size_t r = 0; r < kMost && end.moves; ++r)
-        for (size_t m = 0; m < n; ++m) g.K[r][m] += end.force[r] * end.by[m].transpose();
+      for (int r = 0; r < static_cast<int>(kMost) && end.moves; ++r)
+        K.block<3, kByX>(3 * r, 0) += end.force[static_cast<size_t>(r)].lazyProduct(end.by);
   }
+  if (!exact) return;
+  for (int r = 0; r < static_cast<int>(kMost); ++r)
+    for (int m = 0; m < static_cast<int>(kMost); ++m) {
+      const auto i = static_cast<size_t>(r), j = static_cast<size_t>(m);
+      if (!g.counts(i) || !g.counts(j)) continue;
+      g.K[i][j] += K.block<3, 3>(3 * r, 3 * m);
+      if (j < g.positions) g.C[i][j] += C.block<3, 3>(3 * r, 3 * m);
+    }
 }
 
 }  // namespace hawser

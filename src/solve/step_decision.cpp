@@ -1,4 +1,5 @@
-// What becomes of a step that was tried: the one place where it is accepted, tried again or given up.
+// What becomes of a step that was tried: the one place where it is accepted, tried again or given up. How
+// long the next one is: step_control.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

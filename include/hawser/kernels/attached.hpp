@@ -32,6 +32,7 @@ struct AttachedForces {
 
   // Zero. What does not count is left as it is.
   explicit AttachedForces(int positions, bool rotates = false);
+  bool counts(size_t row) const { return row < positions || (rotates && row >= kPositions); }
 };
 
 // The blocks that positions are attached to.

@@ -1,5 +1,5 @@
-// What is known of a field beside its values. Said once, where the field is declared; everything that shows
-// fields goes by it.
+// What is known of a field beside its values. Said once, where the field is declared (fields() of a force
+// term, for example in terms/structure.cpp); everything that shows fields goes by it.
 #pragma once
 
 #include <string>
