@@ -12,7 +12,7 @@
 
 #include "hawser/math/ordered.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/terms/contact_stiffness.hpp"
+#include "hawser/terms/automatic_stiffness.hpp"
 
 namespace hawser::app {
 namespace {

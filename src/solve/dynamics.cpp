@@ -16,16 +16,15 @@ namespace hawser {
 namespace {
 
 // Rounding, other on every number of ranks, may decide whether Newton needs an iteration more. The results
-// must not show it: what passed the tolerance, and is not this part of it yet, is improved once more with the
-// factors at hand, which costs little, and steps are chosen by the iterations to a residual far above
-// rounding, and one that follows.
-constexpr double kEven = 1e-3, kCounted = 1e-5;
+// must not show it: what passed the tolerance is improved once more with the factors at hand, which costs
+// little, and steps are chosen by the iterations to this residual, far above rounding, and one that follows.
+constexpr double kCounted = 1e-5;
 constexpr int kMostRaises = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
-// With the old tangent the residual must fall so in an iteration, and within two come down to that part of
-// the tolerance; else a new tangent is cheaper.
-constexpr double kChordRate = 0.1;
+// With the old tangent the residual must fall so in an iteration, and within two come down to this part of
+// the tolerance, which is round-off by default; else a new tangent is cheaper.
+constexpr double kChordRate = 0.1, kEven = 1e-6;
 
 // Whether iterations with the old tangent, each for a fourth of the price, are expected to end it. Newton's
 // error falls as e1 = C e0², with the old tangent then as e2 = 2 C e0 e1 (chord method: Kelley 1995,
@@ -140,9 +139,7 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   if (counted_ < 0 && norms_.small(std::max(tolerance, kCounted))) counted_ = it;
   if (fnorm == 0) return SNES_CONVERGED_FNORM_ABS;
   const bool small = it > 0 && norms_.small(tolerance);
-  ResidualNorms exact = norms_;
-  exact.round_off = 0;
-  if (small && (polishing_ || exact.small(kEven * tolerance))) return SNES_CONVERGED_FNORM_RELATIVE;
+  if (small && polishing_) return SNES_CONVERGED_FNORM_RELATIVE;
   polishing_ = small;
   old_tangent_ = small || (it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance));
   if (!old_tangent_) system_.tangent(trial_.s.view(h_), alpha_weights(alpha_, h_), local_u_, false, J_.get());

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hawser/terms/contact_stiffness.hpp"
+#include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_pairs.hpp"

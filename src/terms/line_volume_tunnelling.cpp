@@ -4,8 +4,8 @@
 #include <array>
 
 #include "hawser/kernels/axis_sweep.hpp"
+#include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/axis_distance.hpp"
-#include "hawser/terms/contact_stiffness.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {

@@ -27,7 +27,7 @@ struct LinePairOptions {
   model::LinePairSettings general;
   std::map<std::pair<int, int>, model::LinePairSettings> tuned;
   // For pairs with basis `automatic`, of each element: its own stiffness, and what it may be drawn across
-  // another with (contact_stiffness.hpp).
+  // another with (automatic_stiffness.hpp).
   struct Automatic {
     double per_length = 0, crossing = 0;  // N/m², N
   };

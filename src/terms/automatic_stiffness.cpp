@@ -1,7 +1,8 @@
 // Formulas for automatic contact stiffness, of a line on a volume and of lines that cross, and the sentences
-// that tell the user which stiffness was chosen, raised or too low. Applied in contact_volumes_stiffness.cpp,
-// raised during a run by line_volume_stiffness.cpp; of pairs of lines chosen in app/line_pairs.cpp.
-#include "hawser/terms/contact_stiffness.hpp"
+// that tell the user which stiffness was chosen, raised or too low. Applied in
+// contact_volumes_automatic_stiffness.cpp, raised during a run by line_volume_automatic_stiffness.cpp; of
+// pairs of lines chosen in app/line_pairs.cpp.
+#include "hawser/terms/automatic_stiffness.hpp"
 
 #include <algorithm>
 #include <cmath>

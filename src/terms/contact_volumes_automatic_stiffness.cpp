@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/terms/contact_stiffness.hpp"
+#include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/contact_volumes.hpp"
 
 namespace hawser {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/terms/contact_stiffness.hpp"
+#include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
