@@ -70,7 +70,7 @@ double carried(double deep, double behind, double bend) {
     (off < 0 ? low : high) = l;
     step = -off / (bend * (2 * l * (1 - e) - behind * e));
     const double to = l + step;
-    l = to > low && to < high ? to : high < HUGE_VAL ? 0.5 * (low + high) : 2 * l;
+    l = to >= low && to <= high ? to : high < HUGE_VAL ? 0.5 * (low + high) : 2 * l;
   }
   return l;
 }
