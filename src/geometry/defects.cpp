@@ -25,14 +25,12 @@ std::vector<std::vector<int>> boundaries(const MeshView& mesh) {
     unite(group, uses[i].low, uses[i].high);
     on[static_cast<std::size_t>(uses[i].low)] = on[static_cast<std::size_t>(uses[i].high)] = true;
   }
-  std::vector<std::vector<int>> out;
-  std::vector<int> number(on.size(), -1);
-  for (std::size_t v = 0; v < on.size(); ++v) {
-    if (!on[v]) continue;
-    int& n = number[static_cast<std::size_t>(root_of(group, static_cast<int>(v)))];
-    if (n < 0) n = static_cast<int>(out.size()), out.emplace_back();
-    out[static_cast<std::size_t>(n)].push_back(static_cast<int>(v));
-  }
+  int count = 0;
+  const std::vector<int> number = numbered(
+      group, [&](int v) { return on[static_cast<std::size_t>(v)]; }, count);
+  std::vector<std::vector<int>> out(static_cast<std::size_t>(count));
+  for (std::size_t v = 0; v < on.size(); ++v)
+    if (number[v] >= 0) out[static_cast<std::size_t>(number[v])].push_back(static_cast<int>(v));
   return out;
 }
 

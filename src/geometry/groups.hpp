@@ -29,4 +29,22 @@ inline void unite(std::vector<int>& group, int i, int j) {
   group[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
 }
 
+// The groups' numbers from 0 on, by their first members that are chosen(i); -1 of members that are not.
+template <class Chosen>
+std::vector<int> numbered(std::vector<int>& group, const Chosen& chosen, int& count) {
+  std::vector<int> of_root(group.size(), -1), out(group.size(), -1);
+  count = 0;
+  for (int i = 0; i < static_cast<int>(group.size()); ++i) {
+    if (!chosen(i)) continue;
+    int& n = of_root[static_cast<std::size_t>(root_of(group, i))];
+    if (n < 0) n = count++;
+    out[static_cast<std::size_t>(i)] = n;
+  }
+  return out;
+}
+inline std::vector<int> numbered(std::vector<int>& group, int& count) {
+  return numbered(
+      group, [](int) { return true; }, count);
+}
+
 }  // namespace hawser::detail

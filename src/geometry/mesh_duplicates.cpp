@@ -100,13 +100,11 @@ class Patches {
       for (const int other : topo.neighbours[f])
         if (other >= 0 && faces_[f].open() && faces_[static_cast<std::size_t>(other)].open())
           detail::unite(group, static_cast<int>(f), other);
-    std::vector<int> number(faces_.size(), -1);
-    for (std::size_t f = 0; f < faces_.size(); ++f) {
-      if (!faces_[f].open()) continue;
-      int& n = number[static_cast<std::size_t>(detail::root_of(group, static_cast<int>(f)))];
-      if (n < 0) n = static_cast<int>(count_++);
-      faces_[f].patch = n;
-    }
+    int count = 0;
+    const auto open = [&](int f) { return faces_[static_cast<std::size_t>(f)].open(); };
+    const std::vector<int> number = detail::numbered(group, open, count);
+    for (std::size_t f = 0; f < faces_.size(); ++f) faces_[f].patch = number[f];
+    count_ = static_cast<std::size_t>(count);
   }
   void find_rims() {
     struct Use {

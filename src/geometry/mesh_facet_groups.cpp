@@ -48,17 +48,11 @@ bool rises(const Facets& facets, const Vec3& n, int t, int edge, int u) {
   return n.dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
 }
 
-int index_of(const FacetGroup::Facet& f) { return f.triangle; }
-template <class F>
-int index_of(const F& f) {
-  return f.facet.triangle;
-}
 // Of a facet in a list by triangle; -1: it is not there.
 template <class F>
 int place_of(const std::vector<F>& facets, int triangle) {
-  const auto at = std::lower_bound(facets.begin(), facets.end(), triangle,
-                                   [](const F& f, int t) { return index_of(f) < t; });
-  return at != facets.end() && index_of(*at) == triangle ? static_cast<int>(at - facets.begin()) : -1;
+  const auto at = std::ranges::lower_bound(facets, triangle, {}, &F::triangle);
+  return at != facets.end() && at->triangle == triangle ? static_cast<int>(at - facets.begin()) : -1;
 }
 
 }  // namespace
@@ -131,13 +125,12 @@ bool MeshFacetGroups::alike(std::span<const Vec3> axis, double reach, std::vecto
 bool MeshFacetGroups::bulging(std::vector<Near>& near) const {
   thread_local std::vector<int> sets;
   if (near.size() < 2) return true;
-  std::sort(near.begin(), near.end(),
-            [](const Near& a, const Near& b) { return a.facet.triangle < b.facet.triangle; });
+  std::ranges::sort(near, {}, &Near::triangle);
   separate(sets, near.size());
   double concave = 0;
   for (int k = 0; k < static_cast<int>(near.size()); ++k) {
     const Near& f = near[static_cast<std::size_t>(k)];
-    const int t = f.facet.triangle;
+    const int t = f.triangle;
     for (int i = 0; i < 3; ++i) {
       const int u = normals_.neighbour(t, i);
       const int l = u > t ? place_of(near, u) : -1;
@@ -282,7 +275,7 @@ std::vector<FacetGroup::Facet> MeshFacetGroups::around(std::span<const Vec3> axi
   std::vector<FacetGroup::Facet> out;
   if (alike(axis, reach, near) || bulging(near)) return out;
   for (const Near& f : near)
-    if (!f.normal.isZero(0)) out.push_back(f.facet);
+    if (!f.normal.isZero(0)) out.push_back(f);
   return out;
 }
 
@@ -349,14 +342,12 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
     int nearest = -1;
     Approach at;
   };
-  std::vector<Found> found;
-  std::vector<int> number(facets.size(), -1);
-  for (int k = 0; k < static_cast<int>(facets.size()); ++k) {
-    int& n = number[static_cast<std::size_t>(root_of(sets, k))];
-    if (n < 0) n = static_cast<int>(found.size()), found.emplace_back();
-    found[static_cast<std::size_t>(n)].group.facets.push_back(facets[static_cast<std::size_t>(k)]);
-  }
-  if (found.size() < 2) return;
+  int count = 0;
+  const std::vector<int> number = numbered(sets, count);
+  if (count < 2) return;
+  std::vector<Found> found(static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < facets.size(); ++k)
+    found[static_cast<std::size_t>(number[k])].group.facets.push_back(facets[k]);
   for (Found& f : found)
     for (const FacetGroup::Facet& facet : f.group.facets)
       any_chord(axis, [&](const Vec3& p, const Vec3& q) {
@@ -395,9 +386,7 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
   if (facet_groups.size() < 2) return;
   for (Part& p : facet_groups) out.of.push_back(std::move(p.group));
   if (!backs.facets.empty()) out.of.push_back(std::move(backs));
-  for (FacetGroup& w : out.of)
-    std::sort(w.facets.begin(), w.facets.end(),
-              [](const auto& a, const auto& b) { return a.triangle < b.triangle; });
+  for (FacetGroup& w : out.of) std::ranges::sort(w.facets, {}, &FacetGroup::Facet::triangle);
 }
 
 }  // namespace hawser::detail

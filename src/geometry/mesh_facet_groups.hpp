@@ -41,8 +41,7 @@ class MeshFacetGroups {
 
  private:
   struct Part;
-  struct Near {
-    FacetGroup::Facet facet;
+  struct Near : FacetGroup::Facet {
     Vec3 normal;
   };
   static bool comes_near(std::span<const Vec3> axis, double reach, const Vec3& p, const Vec3& q);

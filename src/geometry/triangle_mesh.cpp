@@ -77,14 +77,7 @@ Topology topology(const TriangleMesh& mesh) {
       if (count > 2) neighbour = kNonManifoldEdge;
     }
   }
-  out.component.assign(n, -1);
-  for (std::size_t t = 0; t < n; ++t) {
-    const auto root = static_cast<std::size_t>(detail::root_of(group, static_cast<int>(t)));
-    if (root == t)
-      out.component[t] = out.components++;
-    else
-      out.component[t] = out.component[root];
-  }
+  out.component = detail::numbered(group, out.components);
   return out;
 }
 

@@ -12,19 +12,20 @@ namespace {
 constexpr double kRounding = 1e-12;  // of coordinates
 constexpr double kMargin = 1e-9;     // of distances
 
-// Between two places w apart.
+}  // namespace
+
 double least_between(double w, double a, double b, double slope, double bend) {
   const double span = slope * w, straight = 0.5 * (a + b - span);
   if (!(a > 0 && b > 0)) return straight;
   const double p = a * a, q = b * b;
+  // Half the second derivative of the square is at most |x'|² + distance |x''|.
   const double c = span * span + (std::max(a, b) + span) * bend * w * w;
   if (!(c > 0)) return std::min(a, b);
+  // Least of (1 - t) p + t q - c t (1 - t).
   const double t = std::clamp(0.5 - (q - p) / (2 * c), 0.0, 1.0);
   const double square = (1 - t) * p + t * q - c * t * (1 - t);
   return square > 0 ? std::max(straight, std::sqrt(square)) : straight;
 }
-
-}  // namespace
 
 void ClearanceTube::set(const BezierAxis& axis, double clearance) {
   double size = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/kernels/clearance_tube.hpp"
 #include "hawser/math/ordered.hpp"
 
 namespace hawser {
@@ -43,17 +44,9 @@ class Scan {
  private:
   // No contact between two points out of contact.
   bool apart(double w, double A, double B) const {
-    const double span = slope_bound_ * w;
-    if (A + B >= span) return true;
-    const double contact_distance = bounds_.contact_distance;
-    if (!(contact_distance > 0)) return false;
-    const double p = A * (A + 2 * contact_distance),
-                 q = B * (B + 2 * contact_distance);  // squares of the distances less contact_distance²
-    // Half the second derivative of the square is at most |x'|² + distance |x''|.
-    const double c = span * span + (std::max(A, B) + contact_distance + span) * bounds_.bend * w * w;
-    // Least of (1 - t) p + t q - c t (1 - t).
-    const double t = std::clamp(0.5 - (q - p) / (2 * c), 0.0, 1.0);
-    return (1 - t) * p + t * q - c * t * (1 - t) > 0;
+    const double far = bounds_.contact_distance;
+    return A + B >= slope_bound_ * w ||
+           (far > 0 && least_between(w, A + far, B + far, slope_bound_, bounds_.bend) > far);
   }
 
   // Whether the gap is neither convex nor concave (then its mean slope were between those at the ends) where

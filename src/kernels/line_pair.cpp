@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/kernels/line_pair_closing.hpp"
 #include "hawser/math/so3.hpp"
 #include "line_pair_point.hpp"
 
@@ -123,36 +122,12 @@ void LinePairPass::split(const Panel& panel, std::vector<Panel>& out) const {
   out.push_back(rest);
 }
 
-// Of material that did not touch.
-void LinePairPass::close(const Point& p, bool derivatives, Start& s) const {
-  using C = LinePairClosing;
-  const double eta = p.foot.eta;
-  const Vec3 slope0 = slave_.start.slope(p.xi), along0 = master_.start.slope(eta);
-  const C c = line_pair_closing({p.foot.away, p.was, p.slope, slope0, p.along, along0}, derivatives);
-  s.closing = c.value;
-  if (!derivatives) return;
-  const auto by = [&c](int row) -> Vec3 { return c.by.segment<3>(row); };
-  s.closing_xi = by(C::kAway).dot(p.slope) + by(C::kAwayBefore).dot(slope0) +
-                 by(C::kSlope).dot(slave_.now.bend(p.xi)) + by(C::kSlopeBefore).dot(slave_.start.bend(p.xi));
-  s.closing_eta = -by(C::kAway).dot(p.along) - by(C::kAwayBefore).dot(along0) +
-                  by(C::kAlong).dot(master_.now.bend(eta)) + by(C::kAlongBefore).dot(master_.start.bend(eta));
-  const AxisShape::Weights dH = slave_.now.derivatives(p.xi), dG = master_.now.derivatives(eta);
-  const size_t na = static_cast<size_t>(slave_.now.count()), nb = static_cast<size_t>(master_.now.count());
-  for (size_t j = 0; j < na; ++j) s.closing_by[j] = p.H[j] * by(C::kAway) + dH[j] * by(C::kSlope);
-  for (size_t k = 0; k < nb; ++k) s.closing_by[na + k] = -p.G[k] * by(C::kAway) + dG[k] * by(C::kAlong);
-}
-
 // Slip is interpolated between the Gauss points of one interval. Material that did not touch has none.
-LinePairPass::Start LinePairPass::start(const Point& p, bool derivatives) const {
+LinePairPass::Start LinePairPass::start(double xi) const {
   Start s;
-  const double xi = p.xi;
-  const bool touched = std::any_of(history_.begin(), history_.end(),
-                                   [xi](const LinePairHistory& h) { return h.from <= xi && xi <= h.to; });
-  s.closing_by.fill(Vec3::Zero());
-  if (!touched) {
-    close(p, derivatives, s);
-    return s;
-  }
+  s.is_new = std::none_of(history_.begin(), history_.end(),
+                          [xi](const LinePairHistory& h) { return h.from <= xi && xi <= h.to; });
+  if (s.is_new) return s;
   const auto after =
       std::find_if(history_.begin(), history_.end(), [xi](const LinePairHistory& h) { return h.xi > xi; });
   const LinePairHistory* b = after != history_.end() ? &*after : nullptr;
@@ -195,8 +170,10 @@ LinePairPoint LinePairPass::local(const Point& p, const Start& s) const {
   l.rate = p.foot.normal.dot(p.velocity);
   if (set_.law.friction.active()) {
     l.moved = l.away - wa_ * (p.Ta * p.was) - wb_ * (p.Tb * p.was);
-    l.closing = s.closing;
     l.slip[0] = s.slip[0], l.slip[1] = s.slip[1];
+    l.is_new = s.is_new, l.away_before = p.was;
+    l.slope = p.slope, l.slope_before = slave_.start.slope(p.xi);
+    l.along_before = master_.start.slope(p.foot.eta);
   }
   return l;
 }

@@ -99,11 +99,15 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
   }
   if (rubs) {
     const Mat3 T = wa_ * p.Ta + wb_ * p.Tb;
-    by_eta += by_moved * (T * master_.start.slope(eta) - wb_ * ((master_.turn[1] - master_.turn[0]) * p.was));
-    s.by_xi += by_moved * (-T * slave_.start.slope(xi) - wa_ * ((slave_.turn[1] - slave_.turn[0]) * p.was));
-    by_eta += c.by.col(F::kClosing) * from.closing_eta;
-    s.by_xi += c.by.col(F::kClosing) * from.closing_xi + c.by.col(F::kSlip) * from.slip_slope[0] +
-               c.by.col(F::kSlip + 1) * from.slip_slope[1];
+    const Vec3 x1_before = slave_.start.slope(xi), y1_before = master_.start.slope(eta);
+    by_eta += by_moved * (T * y1_before - wb_ * ((master_.turn[1] - master_.turn[0]) * p.was));
+    s.by_xi += by_moved * (-T * x1_before - wa_ * ((slave_.turn[1] - slave_.turn[0]) * p.was));
+    s.by_xi += c.by.col(F::kSlip) * from.slip_slope[0] + c.by.col(F::kSlip + 1) * from.slip_slope[1];
+    if (from.is_new) {
+      by_eta += by(F::kAlongBefore) * master_.start.bend(eta) - by(F::kAwayBefore) * y1_before;
+      s.by_xi += by(F::kAwayBefore) * x1_before + by(F::kSlope) * slave_.now.bend(xi) +
+                 by(F::kSlopeBefore) * slave_.start.bend(xi);
+    }
   }
 
   s.eta_by.setZero();
@@ -121,8 +125,7 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
   for (size_t m = 0; m < n; ++m) {
     auto by_m = of(s.by, m);
     by_m = rows.share[m] * by_away;
-    if (m >= na && rubs) by_m -= rows.by_eta[m] * by(F::kAlong);
-    if (rubs) by_m += c.by.col(F::kClosing) * from.closing_by[m].transpose();
+    if (rubs) by_m += rows.by_xi[m] * by(F::kSlope) - rows.by_eta[m] * by(F::kAlong);
   }
   if (s.slides_on) s.by.leftCols<kByX>() += by_eta.lazyProduct(s.eta_by);
   if (!rubs) return s;
@@ -203,7 +206,7 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
     for (size_t q = 0; q < ContactRule::kPoints; ++q) {
       const double place = ContactRule::abscissae()[q], part = ContactRule::weight()[q], w = L * span * part;
       const Point p = point(panel.from + span * place);
-      const Start from = rubs ? start(p, exact) : Start{};
+      const Start from = rubs ? start(p.xi) : Start{};
       const LinePairForce c = line_pair_force(set_.law, local(p, from), derivatives);
       if (points && c.normal.elastic > 0) points->push_back(left_behind(panel, p, c, w));
       if (!(c.normal.force > 0)) continue;

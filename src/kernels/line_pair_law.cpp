@@ -4,16 +4,18 @@
 
 #include <unsupported/Eigen/AutoDiff>
 
+#include "hawser/kernels/line_pair_closing.hpp"
+
 namespace hawser {
 namespace {
 
-using Row = Eigen::Matrix<double, LinePairForce::kInputs, 1>;
-using Dual = Eigen::AutoDiffScalar<Row>;
+using Force = LinePairForce;
 
 template <class S>
 struct Local {
   Vector3<S> away, along, moved;
-  S force, closing, slip[2];
+  S force, slip[2];
+  Vector3<S> away_before, slope, slope_before, along_before;  // where that matters
 };
 
 template <class S>
@@ -36,10 +38,14 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   b /= S(sqrt(S(b.squaredNorm())));
   const Vector3<S> l = n.cross(b);
   Vector3<S> slip = v.moved - n * S(n.dot(v.moved));
-  // What closed by less than the ramp is wide was there.
-  const double ramp = law.normal.smoothing;
-  const S deep = S(law.radii + ramp) - d;
-  if (v.closing > deep) slip *= S((deep + ramp) / (v.closing + ramp));
+  if (at.is_new) {
+    // What closed by less than the ramp is wide was there.
+    const double ramp = law.normal.smoothing;
+    const S deep = S(law.radii + ramp) - d;
+    const S closing =
+        line_pair_closing<S>({v.away, v.away_before, v.slope, v.slope_before, v.along, v.along_before});
+    if (closing > deep) slip *= S((deep + ramp) / (closing + ramp));
+  }
   slip += b * v.slip[0] + l * v.slip[1];
   const Friction<S> f = friction<S>(law.friction, Coulomb<double>{law.friction.axial, law.friction.lateral},
                                     v.force, slip, n, Vec3(Vec3::UnitX()));
@@ -51,55 +57,73 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   return r;
 }
 
+// With the derivatives by the first `Inputs`, which go to r.by.
+template <int Inputs>
+Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Force& r) {
+  using Row = Eigen::Matrix<double, Inputs, 1>;
+  using Dual = Eigen::AutoDiffScalar<Row>;
+  const auto dual = [](const Vec3& v, int first) -> Vector3<Dual> {
+    return {Dual(v[0], Inputs, first), Dual(v[1], Inputs, first + 1), Dual(v[2], Inputs, first + 2)};
+  };
+  Row by = Row::Zero();
+  by.template head<3>() = r.normal.by_gap * at.away.normalized();
+  by[Force::kRate] = r.normal.by_rate;
+  Local<Dual> v;
+  v.away = dual(at.away, Force::kAway), v.along = dual(at.along, Force::kAlong);
+  v.moved = dual(at.moved, Force::kMoved);
+  v.force = Dual(r.normal.force, by);
+  for (int c = 0; c < 2; ++c) v.slip[c] = Dual(at.slip[c], Inputs, Force::kSlip + c);
+  if constexpr (Inputs == Force::kInputs) {
+    v.away_before = dual(at.away_before, Force::kAwayBefore), v.slope = dual(at.slope, Force::kSlope);
+    v.slope_before = dual(at.slope_before, Force::kSlopeBefore);
+    v.along_before = dual(at.along_before, Force::kAlongBefore);
+  }
+  const Tangential<Dual> t = tangential<Dual>(law, at, v);
+  Tangential<double> out;
+  for (int c = 0; c < 3; ++c) {
+    out.force[c] = t.force[c].value(), out.couple[c] = t.couple[c].value();
+    r.by.row(c).template head<Inputs>() += t.force[c].derivatives().transpose();
+    r.by.row(3 + c).template head<Inputs>() += t.couple[c].derivatives().transpose();
+  }
+  out.slip[0] = t.slip[0].value(), out.slip[1] = t.slip[1].value();
+  out.slides = t.slides;
+  return out;
+}
+
 }  // namespace
 
-LinePairForce line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives) {
-  LinePairForce r;
+Force line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives) {
+  Force r;
+  if (derivatives) r.by.setZero();
   const double d = at.away.norm();
   r.gap = d - law.radii;
   r.normal = normal_force(law.normal, r.gap, at.rate);
   if (!(r.normal.force > 0) || !(d > 0)) {
-    r.by.setZero();
     r.normal.force = 0;
     return r;
   }
   const Vec3 n = at.away / d;
   r.force = r.normal.force * n;
   if (derivatives) {
-    r.by.setZero();
-    r.by.block<3, 3>(0, LinePairForce::kAway) =
+    r.by.block<3, 3>(0, Force::kAway) =
         r.normal.by_gap * n * n.transpose() + r.normal.force / d * (Mat3::Identity() - n * n.transpose());
-    r.by.block<3, 1>(0, LinePairForce::kRate) = r.normal.by_rate * n;
+    r.by.block<3, 1>(0, Force::kRate) = r.normal.by_rate * n;
   }
   if (!law.friction.active()) return r;
-  if (!derivatives) {
-    const Tangential<double> t = tangential<double>(
-        law, at, {at.away, at.along, at.moved, r.normal.force, at.closing, {at.slip[0], at.slip[1]}});
-    r.friction = t.force, r.couple = t.couple, r.slides = t.slides;
-    r.slip[0] = t.slip[0], r.slip[1] = t.slip[1];
-  } else {
-    Local<Dual> v;
-    for (int c = 0; c < 3; ++c) {
-      v.away[c] = Dual(at.away[c], LinePairForce::kInputs, LinePairForce::kAway + c);
-      v.along[c] = Dual(at.along[c], LinePairForce::kInputs, LinePairForce::kAlong + c);
-      v.moved[c] = Dual(at.moved[c], LinePairForce::kInputs, LinePairForce::kMoved + c);
-    }
-    Row by = Row::Zero();
-    by.head<3>() = r.normal.by_gap * n;
-    by[LinePairForce::kRate] = r.normal.by_rate;
-    v.force = Dual(r.normal.force, by);
-    v.closing = Dual(at.closing, LinePairForce::kInputs, LinePairForce::kClosing);
-    for (int c = 0; c < 2; ++c)
-      v.slip[c] = Dual(at.slip[c], LinePairForce::kInputs, LinePairForce::kSlip + c);
-    const Tangential<Dual> t = tangential<Dual>(law, at, v);
-    for (int c = 0; c < 3; ++c) {
-      r.friction[c] = t.force[c].value(), r.couple[c] = t.couple[c].value();
-      r.by.row(c) += t.force[c].derivatives().transpose();
-      r.by.row(3 + c) += t.couple[c].derivatives().transpose();
-    }
-    r.slip[0] = t.slip[0].value(), r.slip[1] = t.slip[1].value();
-    r.slides = t.slides;
-  }
+  const Tangential<double> t = !derivatives ? tangential<double>(law, at,
+                                                                 {at.away,
+                                                                  at.along,
+                                                                  at.moved,
+                                                                  r.normal.force,
+                                                                  {at.slip[0], at.slip[1]},
+                                                                  at.away_before,
+                                                                  at.slope,
+                                                                  at.slope_before,
+                                                                  at.along_before})
+                               : at.is_new  ? derived<Force::kInputs>(law, at, r)
+                                            : derived<Force::kAwayBefore>(law, at, r);
+  r.friction = t.force, r.couple = t.couple, r.slides = t.slides;
+  r.slip[0] = t.slip[0], r.slip[1] = t.slip[1];
   r.force += r.friction;
   return r;
 }

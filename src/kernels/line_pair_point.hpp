@@ -15,12 +15,11 @@ struct LinePairPass::Point {
   Vec3 was;                 // m, x - y of the same material at the start
 };
 
-// What a material point of the slave brings from the start of the step. Derivatives along the slave, along
-// the master, and by the generalised positions at these places.
+// What a material point of the slave brings from the start of the step: its slip, with the derivative along
+// the slave, or that it did not touch.
 struct LinePairPass::Start {
+  bool is_new = false;
   double slip[2] = {0, 0}, slip_slope[2] = {0, 0};
-  double closing = 0, closing_xi = 0, closing_eta = 0;
-  std::array<Vec3, AttachedForces::kPositions> closing_by;
 };
 
 }  // namespace hawser

@@ -37,7 +37,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     s.body = c.body_index(v.body);
     if (s.body >= 0 && c.bodies[static_cast<size_t>(s.body)].mass) {
       const model::BodyMass& m = *c.bodies[static_cast<size_t>(s.body)].mass;
-      s.centre = m.centre, s.mass = m.mass, s.inertia = m.tensor(), s.inverse_inertia = s.inertia.inverse();
+      s.centre = m.centre, s.mass = m.mass, s.inertia = m.tensor();
       s.global = mesh.mesh->body_node(s.body);
     }
     bodies_of_volumes_.push_back(s);
@@ -49,22 +49,15 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     Pair pair;
     pair.a = p.a, pair.b = p.b, pair.share = p.share, pair.hides = p.hides;
     pair.mass = 1 / (1 / bodies_of_volumes_[p.a].mass + 1 / bodies_of_volumes_[p.b].mass);
-    Box around;
-    const auto add = [&](const auto& b) {
-      pair.size = std::max(pair.size, 2 * b.radius);
-      around.add(Box{b.centre, b.centre}.grown(b.radius));
-    };
-    const BodySkeleton& leads = volumes_[p.a].skeleton;
-    std::for_each(leads.features.begin(), leads.features.end(), add);
-    if (!around.empty())
-      pair.middle = around.centre() - bodies_of_volumes_[p.a].centre,
-      pair.radius = 0.5 * around.extent().norm();
-    const Vec3 extent = boxes_[p.a].extent();
-    if (extent.allFinite()) pair.size = extent.maxCoeff();
+    pair.size = boxes_[p.a].extent().maxCoeff();  // no plane leads
     pair.most_depth = kDeepestAtOnce * pair.size;
-    for (const size_t i : {p.a, p.b}) {
+    for (const auto& [i, first] : {std::pair(p.a, 0), std::pair(p.b, 6)}) {
       const Vec3 e = boxes_[i].extent();
       if (e.allFinite() && e.minCoeff() > 0) pair.most_depth = std::min(pair.most_depth, 0.5 * e.minCoeff());
+      const PairBody& body = bodies_of_volumes_[i];
+      if (body.global < 0) continue;
+      pair.root.block<3, 3>(first, first) = Mat3::Identity() / std::sqrt(body.mass);
+      pair.root.block<3, 3>(first + 3, first + 3) = Mat3(body.inertia.inverse()).llt().matrixL();
     }
     // The mass that belongs to a unit of length or area is that over the whole of it.
     const double units = v.basis == model::StiffnessBasis::per_point    ? 1
@@ -78,11 +71,6 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
       pairs_.back().other = static_cast<int>(pairs_.size());
     }
     pairs_.push_back(pair);
-  }
-  for (const BodyVolume& v : volumes_) {
-    Box around;
-    for (const auto& b : v.skeleton.faces) around.add(Box{b.centre, b.centre}.grown(b.radius));
-    faces_.push_back(around);
   }
   update_ghosts();
 }
@@ -117,25 +105,32 @@ void BodyContactTerm::update_ghosts() {
   }
 }
 
-BodyFrame BodyContactTerm::frame(const PairBody& s, const Kinematics& at) const {
-  BodyFrame f;
+BodyFrame BodyContactTerm::frame(size_t volume, const Kinematics& at) const {
+  const PairBody& s = bodies_of_volumes_[volume];
   if (s.global < 0) {
     const RigidPose p = bodies_->pose(s.body, at.time);
-    f.x = p.position, f.R = p.rotation.toRotationMatrix(), f.v = p.velocity;
-    f.w = f.R.transpose() * p.angular_velocity;
-    return f;
+    const Mat3 R = p.rotation.toRotationMatrix(), back = R.transpose();
+    return {s.centre,
+            p.position,
+            R,
+            p.velocity,
+            p.acceleration,
+            back * p.angular_velocity,
+            back * p.angular_acceleration};
   }
   const size_t n = static_cast<size_t>(s.node);
-  f.x = at.x[n], f.R = at.q[n].toRotationMatrix(), f.v = at.v[n], f.w = at.w[n];
-  return f;
+  return {s.centre, at.x[n], at.q[n].toRotationMatrix(), at.v[n], at.a[n], at.w[n], at.alpha[n]};
 }
 
 BodyContactTerm::Both BodyContactTerm::both(const Pair& pair, const Kinematics& at) const {
-  const PairBody& b = bodies_of_volumes_[pair.b];
-  Both out{frame(bodies_of_volumes_[pair.a], at), frame(b, at), {}};
-  out.Bs = out.B;
-  out.Bs.x = out.B.to_space(b.global < 0 ? Vec3(Vec3::Zero()) : Vec3(-b.centre));
-  return out;
+  return {frame(pair.a, at), frame(pair.b, at)};
+}
+
+bool BodyContactTerm::near(size_t volume, const Vec3& centre, double radius, double gap) const {
+  const double reach = radius + gap, within = std::max(reach, 0.0);
+  if (squared_distance(boxes_[volume], centre) > within * within) return false;
+  const auto s = volumes_[volume].surface->query(centre, within);
+  return s && s->distance <= reach;
 }
 
 // A corner is an edge of no length.
@@ -173,7 +168,7 @@ void BodyContactTerm::contact_of_part(const Pair& pair, const Both& at, const Ri
   if (points.empty()) return;
   Stencil stencil;
   stencil.blocks = 2;
-  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, y, at.A.R, at.A.w});
+  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, y - at.A.centre, at.A.R, at.A.w});
   contact.to_blocks(stencil, f, K, C);
   sum.active = true;
   for (const AxisContactPoint& p : points) {
@@ -186,32 +181,25 @@ void BodyContactTerm::contact_of_part(const Pair& pair, const Both& at, const Ri
 
 BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
                                               const AxisContactMode& mode) const {
-  const BodyFrame &A = at.A, &B = at.B, &Bs = at.Bs;
-  const Vec3& ca = bodies_of_volumes_[pair.a].centre;  // zero of one with prescribed motion
-  RigidPose pose;
-  pose.position = Bs.x, pose.rotation = Quat(Bs.R);
-  pose.velocity = B.velocity(B.to_body(Bs.x)), pose.angular_velocity = B.R * B.w;
-  const Surface& surface = *volumes_[pair.b].surface;
-  const BodySkeleton& skeleton = volumes_[pair.a].skeleton;
-  const auto near = [&](const auto& b) {
-    const Vec3 z = Bs.to_body(A.to_space(b.centre - ca));
-    const double reach = b.radius + pair.law.smoothing;
-    return squared_distance(boxes_[pair.b], z) <= reach * reach && surface.query(z, reach);
-  };
+  const BodyFrame &A = at.A, &B = at.B;
+  RigidPose pose;  // of the surface
+  pose.position = B.to_space(Vec3::Zero()), pose.rotation = Quat(B.R);
+  pose.velocity = B.velocity(Vec3::Zero()), pose.angular_velocity = B.R * B.w;
   Sum sum;
   sum.on.f = Vec12::Zero();
   std::array<double, 6> f{};
   std::array<double, 36> K{}, C{};
   double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
-  for (const SkeletonBundle& b : skeleton.features)
-    if (near(b))
-      for (SkeletonPart p : b.parts) {
-        p.from -= ca, p.to -= ca;
-        contact_of_part(pair, at, pose, p, mode, f.data(), k, c, sum);
-      }
+  volumes_[pair.a].skeleton.features.walk(
+      [&](const Vec3& y, double r) { return near(pair.b, at.across(y), r, pair.law.smoothing); },
+      [&](const SkeletonPart& p) { contact_of_part(pair, at, pose, p, mode, f.data(), k, c, sum); });
   if (!sum.active) return sum;
   const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};
   sum.on = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f.data(), k, c);
+  const Vec12 rates = at.rates();
+  for (const auto& [volume, first] : {std::pair(pair.a, 0), std::pair(pair.b, 6)})
+    if (bodies_of_volumes_[volume].global < 0)
+      sum.work_power += sum.on.f.segment<6>(first).dot(rates.segment<6>(first));
   return sum;
 }
 
@@ -222,38 +210,14 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const bool tangent = assembler.wants_tangent();
     const Sum s = contact(p, both(p, trial), {true, tangent, false});
     if (!s.active) continue;
-    std::array<int, 4> blocks{};
-    std::array<int, 12> row{};  // of the twelve
-    int n = 0;
-    for (const auto& [body, first] : {std::pair(&a, 0), std::pair(&b, 6)}) {
-      if (body->global < 0) continue;
-      for (int k = 0; k < 2; ++k) {
-        for (int i = 0; i < 3; ++i) row[static_cast<size_t>(3 * n + i)] = first + 3 * k + i;
-        blocks[static_cast<size_t>(n++)] = body->block + k;
-      }
-    }
-    const size_t m = 3 * static_cast<size_t>(n);
-    std::array<double, 12> f{};
-    std::array<double, 144> K{}, C{};
-    for (size_t i = 0; i < m; ++i) {
-      f[i] = s.on.f[row[i]];
-      for (size_t j = 0; j < m && tangent; ++j)
-        K[m * i + j] = s.on.K(row[i], row[j]), C[m * i + j] = s.on.C(row[i], row[j]);
-    }
-    assembler.add({blocks.data(), static_cast<size_t>(n)}, f.data(), tangent ? K.data() : nullptr,
-                  tangent ? C.data() : nullptr, nullptr);
-  }
-}
-
-// Brought in by bodies with prescribed motion: the force they exert times their velocity.
-void BodyContactTerm::powers(const Pair& p, const Sum& s, const Kinematics& at, double& damping,
-                             double& work) const {
-  damping = s.damping_power, work = 0;
-  for (const auto& [body, first] :
-       {std::pair(&bodies_of_volumes_[p.a], 0), std::pair(&bodies_of_volumes_[p.b], 6)}) {
-    if (body->global >= 0) continue;
-    const BodyFrame f = frame(*body, at);
-    work += s.on.f.segment<3>(first).dot(f.v) + s.on.f.segment<3>(first + 3).dot(f.w);
+    // Rows and columns of bodies with unknowns.
+    const Eigen::Index first = a.global < 0 ? 6 : 0, count = a.global < 0 || b.global < 0 ? 6 : 12;
+    const std::array<int, 4> blocks{a.block, a.block + 1, b.block, b.block + 1};
+    const Eigen::VectorXd f = s.on.f.segment(first, count);
+    AgainstBody::Matrix K, C;
+    if (tangent) K = s.on.K.block(first, first, count, count), C = s.on.C.block(first, first, count, count);
+    assembler.add({&blocks[static_cast<size_t>(first / 3)], static_cast<size_t>(count / 3)}, f.data(),
+                  tangent ? K.data() : nullptr, tangent ? C.data() : nullptr, nullptr);
   }
 }
 
@@ -266,7 +230,7 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
     p.elastic = s.active ? Vec12(contact(p, p.at, kSprings).on.f) : Vec12(Vec12::Zero());
     p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.at) + s.potential;
-    if (p.counted) powers(p, s, committed, p.damping_power, p.work_power);
+    p.damping_power = s.damping_power, p.work_power = s.work_power;
   }
   if (h > 0) check_overlap(committed.time);
 }
@@ -279,10 +243,8 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
     p.now.force = s.on.f.segment<3>(0).norm();
     p.now.energy = s.potential, p.now.depth = s.depth;
     if (!(accepted.step > 0)) continue;
-    double damping = 0, work = 0;
-    powers(p, s, accepted, damping, work);
-    p.damping += 0.5 * accepted.step * (damping + p.damping_power);
-    p.work += 0.5 * accepted.step * (work + p.work_power);
+    p.damping += 0.5 * accepted.step * (s.damping_power + p.damping_power);
+    p.work += 0.5 * accepted.step * (s.work_power + p.work_power);
   }
 }
 

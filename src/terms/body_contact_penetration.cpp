@@ -18,24 +18,14 @@ constexpr double kBeyond = 2;      // times what was met: that may be of another
 }  // namespace
 
 double BodyContactTerm::deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const {
-  const Box& all = faces_[volume];
-  if (all.empty()) return 0;
-  const double radius = 0.5 * all.extent().norm();
-  if (squared_distance(boxes_[in], there.to_body(of.to_space(all.centre()))) > radius * radius) return 0;
-  const Surface& surface = *volumes_[in].surface;
-  double depth = 0;
-  for (const auto& b : volumes_[volume].skeleton.faces) {
-    const Vec3 centre = there.to_body(of.to_space(b.centre));
-    const double reach = b.radius - depth;  // no nearer is deeper
-    if (reach < 0 ? !boxes_[in].contains(centre) : squared_distance(boxes_[in], centre) > reach * reach)
-      continue;
-    const auto near = surface.query(centre, std::max(reach, 0.0));
-    if (!near || near->distance > reach) continue;
-    for (const SkeletonPart& p : b.parts) {
-      const auto s = surface.query(there.to_body(of.to_space(p.from)), 0);
-      if (s) depth = std::max(depth, -s->distance);
-    }
-  }
+  const auto across = [&](const Vec3& y) { return there.to_body(of.to_space(y)); };
+  double depth = 0;  // no nearer is deeper
+  volumes_[volume].skeleton.faces.walk(
+      [&](const Vec3& y, double r) { return near(in, across(y), r, -depth); },
+      [&](const SkeletonPart& p) {
+        if (const auto s = volumes_[in].surface->query(across(p.from), 0))
+          depth = std::max(depth, -s->distance);
+      });
   return depth;
 }
 
@@ -55,10 +45,7 @@ void BodyContactTerm::check_overlap(double time) {
     watched = watched || p.hides;
     const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two
     if (!p.hides || !p.counted || again) continue;
-    const PairBody& a = bodies_of_volumes_[p.a];
-    BodyFrame As = p.at.A;
-    if (a.global >= 0) As.x = As.to_space(-a.centre);
-    const double depth = std::max(deepest(p.a, As, p.b, p.at.Bs), deepest(p.b, p.at.Bs, p.a, As));
+    const double depth = std::max(deepest(p.a, p.at.A, p.b, p.at.B), deepest(p.b, p.at.B, p.a, p.at.A));
     // Of two that both lead the other may see it.
     const double penetration =
         std::max(p.penetration, p.other < 0 ? 0 : pairs_[static_cast<size_t>(p.other)].penetration);

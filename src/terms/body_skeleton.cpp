@@ -1,20 +1,19 @@
-// How corners, sharp edges, pieces of faces and rings are taken from a volume and bundled for contact of
-// bodies, and which places on its faces are watched.
+// How corners, sharp edges, pieces of faces and rings are taken from a volume for contact of bodies, and
+// which places on its faces are watched.
 #include "hawser/terms/body_skeleton.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
-#include <span>
+#include <utility>
 
 #include "hawser/geometry/sharp_edges.hpp"
 
 namespace hawser {
 namespace {
 
-constexpr int kBundle = 32;
+constexpr int kLeaf = 32;         // parts
 constexpr int kMostPieces = 400;  // along a side of a triangle
 constexpr int kRing = 64;
 constexpr double kWatched = 4000;  // places
@@ -59,29 +58,17 @@ void ring(const TorusShape& s, bool edges, std::vector<SkeletonPart>& parts) {
   for (int i = 0; i < kRing; ++i) parts.push_back({at(i), at(edges ? i + 1 : i), s.tube_radius, 1});
 }
 
-// By halves along the longest side of the box of their middles.
-std::vector<SkeletonBundle> bundles(std::span<SkeletonPart> parts) {
-  if (parts.empty()) return {};
-  Box box;
-  for (const SkeletonPart& p : parts) box.add(p.middle());
-  if (parts.size() <= kBundle) {
-    SkeletonBundle b{box.centre(), 0, {parts.begin(), parts.end()}};
-    for (const SkeletonPart& p : parts)
-      for (const Vec3& x : {p.from, p.to}) b.radius = std::max(b.radius, (x - b.centre).norm() + p.radius);
-    return {b};
-  }
-  Eigen::Index k = 0;
-  (box.hi - box.lo).maxCoeff(&k);
-  const size_t middle = parts.size() / 2;
-  std::nth_element(
-      parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(middle), parts.end(),
-      [&](const SkeletonPart& a, const SkeletonPart& b) { return a.middle()[k] < b.middle()[k]; });
-  std::vector<SkeletonBundle> out = bundles(parts.first(middle));
-  for (auto& b : bundles(parts.subspan(middle))) out.push_back(std::move(b));
-  return out;
-}
-
 }  // namespace
+
+SkeletonParts::SkeletonParts(std::vector<SkeletonPart> parts) : parts_(std::move(parts)) {
+  std::vector<Box> boxes;
+  for (const SkeletonPart& p : parts_) {
+    Box b{p.from, p.from};
+    b.add(p.to);
+    boxes.push_back(b.grown(p.radius));
+  }
+  tree_ = BoxTree(boxes, {}, kLeaf);
+}
 
 BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const std::vector<bool>& active,
                            double piece) {
@@ -112,7 +99,7 @@ BodySkeleton body_skeleton(const model::Volume& v, const MeshView& mesh, const s
       sharp(mesh, active, edges, parts);
     }
   }
-  return {bundles(parts), {}};
+  return {SkeletonParts(std::move(parts)), {}};
 }
 
 void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkeleton& skeleton) {
@@ -136,7 +123,7 @@ void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkel
       if (taken.insert(cell).second) places.push_back(p);
     }
   });
-  skeleton.faces = bundles(places);
+  skeleton.faces = SkeletonParts(std::move(places));
 }
 
 }  // namespace hawser

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/geometry/segment_distance.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser {
@@ -64,8 +63,8 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   for (Pair& p : pairs_) {
     p.trial = nullptr;
     const Rod &a = rods_[static_cast<size_t>(p.a)], &b = rods_[static_cast<size_t>(p.b)];
-    p.clear = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta -
-              p.law.radii - p.law.normal.smoothing;
+    p.chords = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
+    p.clear = p.chords.distance - a.sagitta - b.sagitta - p.law.radii - p.law.normal.smoothing;
   }
 }
 

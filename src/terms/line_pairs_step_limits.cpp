@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/geometry/segment_distance.hpp"
 #include "hawser/kernels/axis_approach.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/terms/line_pairs.hpp"
@@ -43,7 +42,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   double least = HUGE_VAL;
   for (const Pair& p : pairs_) {
     if (!met(p, is) || !tunnels(p, trial)) continue;
-    const double gap = nearest(p, start(p.a), start(p.b)).gap;
+    const double gap = nearest_at_start(p).gap;
     if (!through || gap < least) through = &p, least = gap;
   }
   if (through)
@@ -67,8 +66,8 @@ bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
 
 // Relative speed along the line between the nearest points of the chords, m/s (> 0: they part), and the gap,
 // m.
-LinePairs::Nearest LinePairs::nearest(const Pair& p, const AxisEnds& a, const AxisEnds& b) const {
-  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
+LinePairs::Nearest LinePairs::nearest(const Pair& p, const SegmentPair& c, const AxisEnds& a,
+                                      const AxisEnds& b) const {
   if (!(c.distance > 0)) return {};
   const Vec3 v = (1 - c.s) * a.v1 + c.s * a.v2 - (1 - c.t) * b.v1 - c.t * b.v2;
   return {v.dot(c.difference) / c.distance, c.distance - p.law.radii};
@@ -81,8 +80,7 @@ double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
     const ContactSegment& s = this->segment(segment);
     return 0.5 * (v[static_cast<size_t>(s.first)] + v[static_cast<size_t>(s.second)]);
   };
-  const AxisEnds &a = start(p.a), &b = start(p.b);
-  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
+  const SegmentPair& c = p.chords;
   return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
 }
 
@@ -109,8 +107,9 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   for (const Pair& p : pairs_) {
     const double slow = slowness(p), ramp = p.law.normal.smoothing;
     if (!p.counted || follows(slow, trial.step) || (!p.history && !near(p, is))) continue;
-    const Nearest before = nearest(p, start(p.a), start(p.b)),
-                  after = nearest(p, ends(trial, p.a), ends(trial, p.b));
+    const AxisEnds a = ends(trial, p.a), b = ends(trial, p.b);
+    const Nearest before = nearest_at_start(p),
+                  after = nearest(p, closest_points_of_segments(a.x1, a.x2, b.x1, b.x2), a, b);
     const double speed = std::max(std::abs(before.speed), std::abs(after.speed));
     if (!(speed * slow > 2 * ramp)) continue;
     const double m = mass(p), k = m / (slow * slow),
@@ -137,7 +136,7 @@ double LinePairs::deepest(const Pair& p) const {
 void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
   for (const Pair& p : pairs_) {
     const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
-    const Nearest c = nearest(p, start(p.a), start(p.b));
+    const Nearest c = nearest_at_start(p);
     const double ramp = p.law.normal.smoothing,
                  apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
     if (c.speed < 0) to.limit((apart + kDeep * p.law.radii) / -c.speed);
@@ -151,15 +150,13 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
 
 // Where two lines are nearest in the accepted state, in words.
 std::string LinePairs::where(const Pair& p) const {
-  const AxisEnds &a = start(p.a), &b = start(p.b);
-  const SegmentPair c = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
   const Mesh& m = *mesh_.mesh;
   const auto place = [&](int element, double xi) {
     const Element& e = this->element(element);
     return fmt::format("{} (arc length {:.6g} m)", m.lines[static_cast<size_t>(e.line)].name,
                        m.nodes[static_cast<size_t>(e.first)].arc + xi * e.length);
   };
-  return "lines " + place(p.key.first, c.s) + " and " + place(p.key.second, c.t);
+  return "lines " + place(p.key.first, p.chords.s) + " and " + place(p.key.second, p.chords.t);
 }
 
 // J, in the springs of the contact of the two lines, of what this rank counts.
@@ -173,8 +170,8 @@ double LinePairs::stored(const Pair& of) const {
 
 // A crossing holds energy with the depth to the power 5/2.
 std::string LinePairs::too_soft(const Pair& p) const {
-  const double radii = p.law.radii, k = p.law.normal.stiffness,
-               speed = -nearest(p, start(p.a), start(p.b)).speed, depth = deepest(p);
+  const double radii = p.law.radii, k = p.law.normal.stiffness, speed = -nearest_at_start(p).speed,
+               depth = deepest(p);
   if (!(depth > kProposed * radii))
     return where(p) + " would pass through each other: from the start they are nearer than their radii allow";
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;

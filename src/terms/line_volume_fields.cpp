@@ -62,25 +62,17 @@ void LineVolumeContact::active_contacts(ActiveContacts& out) const {
 
 std::vector<Vec3> LineVolumeContact::forces_by_volume(const Kinematics& at) const {
   std::vector<Vec3> out(static_cast<size_t>(volumes()), Vec3::Zero());
-  for (const Pair& pair : pairs_)
-    if (local(pair).counted)
-      for (const AxisContactPoint& p : pair.points)
-        out[static_cast<size_t>(pair.volume)] += p.weight * p.force;
-  for (int v = 0; v < volumes(); ++v)
-    if (Vec3& f = out[static_cast<size_t>(v)]; !f.isZero(0)) f = volumes_.pose_of(v, at).rotation * f;
+  for (const Load& l : loads(at))
+    if (mesh_.elements[static_cast<size_t>(l.element)].counted) out[static_cast<size_t>(l.volume)] += l.force;
   return out;
 }
 
 std::array<Vec3, 2> LineVolumeContact::reaction(int volume, const Kinematics& at) const {
   std::array<Vec3, 2> out{Vec3::Zero(), Vec3::Zero()};
-  const RigidPose pose = volumes_.pose_of(volume, at);
-  for (const Pair& pair : pairs_) {
-    if (pair.volume != volume || pair.points.empty() || !local(pair).counted) continue;
-    const AxisShape shape = axis(at, pair.element);
-    for (const AxisContactPoint& p : pair.points) {
-      const Vec3 force = p.weight * (pose.rotation * p.force);
-      out[0] += force, out[1] += (shape.point(p.xi) - pose.position).cross(force);
-    }
+  for (const Load& l : loads(at)) {
+    if (l.volume != volume || !mesh_.elements[static_cast<size_t>(l.element)].counted) continue;
+    const Vec3 arm = axis(at, l.element).point(l.xi) - volumes_.pose_of(volume, at).position;
+    out[0] += l.force, out[1] += arm.cross(l.force);
   }
   return out;
 }
@@ -89,7 +81,8 @@ std::vector<LineVolumeContact::Load> LineVolumeContact::loads(const Kinematics& 
   std::vector<Load> out;
   for (const Pair& pair : pairs_)
     for (const AxisContactPoint& p : pair.points)
-      out.push_back({pair.element, p.xi, p.weight * (volumes_.pose_of(pair.volume, at).rotation * p.force)});
+      out.push_back({pair.element, pair.volume, p.xi,
+                     p.weight * (volumes_.pose_of(pair.volume, at).rotation * p.force)});
   return out;
 }
 

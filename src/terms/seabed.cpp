@@ -60,9 +60,11 @@ Pull SeabedTerm::pull(const Point& p, const ContactTrial& trial, double step) co
   return pull_of(law(p).suction, history(p).deepest + trial.gap);
 }
 
-PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives,
-                                 ContactTrial& t) const {
-  if (!locate(p, of_nodes(p, at.x), suction_range(p, at.step), t)) return {};
+PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
+                                 bool convex) const {
+  const bool touches = locate(p, of_nodes(p, at.x), suction_range(p, at.step), t);
+  if (convex) t.curvature.setZero();
+  if (!touches) return {};
   if (at.step > 0) t.velocity = of_nodes(p, at.v);
   if (friction_on_) return volume_contact(law(p).law, start(p), t, derivatives);
   return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
@@ -96,45 +98,30 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
 // Half of what is half way along an element goes to either node.
 void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C,
                      Assembler& assembler) const {
-  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  const int first = mesh_.block[static_cast<size_t>(p.node)];
-  if (p.second < 0) {
-    RowMajor k, c;
-    if (K) k = *K;
-    if (C) c = *C;
-    assembler.add({&first, 1}, residual.data(), K ? k.data() : nullptr, C ? c.data() : nullptr, nullptr);
-    return;
-  }
-  const Vec3 half = 0.5 * residual;
-  const double f[6] = {half[0], half[1], half[2], half[0], half[1], half[2]};
-  const int blocks[2] = {first, mesh_.block[static_cast<size_t>(p.second)]};
-  Eigen::Matrix<double, 6, 6, Eigen::RowMajor> k, c;
-  for (const auto& [from, to] : {std::pair(K, &k), std::pair(C, &c)}) {
-    if (!from) continue;
-    const Mat3 quarter = 0.25 * *from;
-    *to << quarter, quarter, quarter, quarter;
-  }
-  assembler.add(blocks, f, K ? k.data() : nullptr, C ? c.data() : nullptr, nullptr);
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 6, 6>;
+  const int n = p.second < 0 ? 1 : 2;
+  int blocks[2];
+  for (int i = 0; i < n; ++i) blocks[i] = mesh_.block[static_cast<size_t>(i ? p.second : p.node)];
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6> f = (residual / n).replicate(n, 1);
+  RowMajor k, c;
+  if (K) k = (*K / (n * n)).replicate(n, n);
+  if (C) c = (*C / (n * n)).replicate(n, n);
+  assembler.add({blocks, static_cast<size_t>(n)}, f.data(), K ? k.data() : nullptr, C ? c.data() : nullptr,
+                nullptr);
 }
 
 void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
-    const Vec3 x = of_nodes(p, trial.x);
     if (kept(p, trial.step)) {
       const double k = law(p).law.normal.stiffness;
       const Vec3& normal = origin(p)->normal;
       const Mat3 K = k * (Mat3::Identity() - normal * normal.transpose());
-      add(p, k * strayed(p, x), tangent ? &K : nullptr, nullptr, assembler);
+      add(p, k * strayed(p, of_nodes(p, trial.x)), tangent ? &K : nullptr, nullptr, assembler);
     }
-    const bool touches = locate(p, x, suction_range(p, trial.step), at);
+    const PointContact c = contact(p, trial, tangent, at, convex);
     const Pull pulled = pull(p, at, trial.step);
-    if (!touches && pulled.force == 0) continue;
-    if (trial.step > 0) at.velocity = of_nodes(p, trial.v);
-    if (convex) at.curvature.setZero();  // of a hollow: negative stiffness
-    const ContactLaw acts{law(p).law.normal, friction_on_ ? law(p).law.friction : FrictionLaw{}};
-    const PointContact c = volume_contact(acts, start(p), at, tangent);
     if (c.normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
     if (!tangent) {

@@ -1,9 +1,12 @@
-// How far a contact of lines closed in a step: what comes nearer along the normal and is not made by sliding.
+// How far a contact of lines closed in a step: what comes nearer along the normal and is not made by sliding;
+// and the derivatives of the law that goes by it.
 #include "hawser/kernels/line_pair_closing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "hawser/kernels/line_pair_law.hpp"
 
 namespace hawser::line_pair_closing_test {
 namespace {
@@ -11,7 +14,7 @@ namespace {
 constexpr double kReach = 0.1;
 
 // x on top of y at the end, lines at the angle between them, both straight; `way`: of x relative to y.
-LinePairWay straight(double angle, const Vec3& way) {
+LinePairWay<double> straight(double angle, const Vec3& way) {
   const Vec3 a = 0.7 * Vec3::UnitX(), b = 1.3 * Vec3(std::cos(angle), std::sin(angle), 0),
              away = kReach * Vec3::UnitZ();
   return {away, away - way, a, a, b, b};
@@ -20,9 +23,9 @@ LinePairWay straight(double angle, const Vec3& way) {
 TEST(LinePairClosing, SweepsHaveNoneAndBlowsHaveAll) {
   for (const double angle : {0.2, 0.6, 1.0, M_PI / 2})
     for (const Vec3& way : {Vec3(0.3, 0, 0), Vec3(0, 0.2, 0), Vec3(-0.1, 0.4, 0)}) {
-      EXPECT_NEAR(line_pair_closing(straight(angle, way), false).value, 0, 1e-15);
-      EXPECT_NEAR(line_pair_closing(straight(angle, way - Vec3(0, 0, 0.02)), false).value, 0.02, 1e-15);
-      EXPECT_EQ(line_pair_closing(straight(angle, way + Vec3(0, 0, 0.02)), false).value, 0);
+      EXPECT_NEAR(line_pair_closing(straight(angle, way)), 0, 1e-15);
+      EXPECT_NEAR(line_pair_closing(straight(angle, way - Vec3(0, 0, 0.02))), 0.02, 1e-15);
+      EXPECT_LT(line_pair_closing(straight(angle, way + Vec3(0, 0, 0.02))), 0);
     }
 }
 
@@ -33,9 +36,9 @@ TEST(LinePairClosing, MaterialThatComesRoundABendSlides) {
   for (const double turn : {0.3, 0.1, -0.1, -0.3}) {
     const Vec3 leg(std::cos(turn), 0, std::sin(turn)), end = Vec3::UnitX();
     const Vec3 sharp = 0.2 * leg, round = 0.2 / turn * Vec3(std::sin(turn), 0, 1 - std::cos(turn));
-    EXPECT_NEAR(line_pair_closing({kReach * z, kReach * z - round, end, leg, b, b}, false).value, 0, 1e-6);
+    EXPECT_NEAR(line_pair_closing<double>({kReach * z, kReach * z - round, end, leg, b, b}), 0, 1e-6);
     if (turn > 0) {
-      EXPECT_EQ(line_pair_closing({kReach * z, kReach * z - sharp, end, leg, b, b}, false).value, 0);
+      EXPECT_LT(line_pair_closing<double>({kReach * z, kReach * z - sharp, end, leg, b, b}), 0);
     }
   }
 }
@@ -49,35 +52,50 @@ TEST(LinePairClosing, WhatIsWoundUpCloses) {
       x_before((r + kReach) * turn, 0, kReach);
   const Vec3 lower_before(std::cos(turn), 0, -std::sin(turn));
   for (const bool swapped : {false, true}) {
-    LinePairWay w{kReach * z, x_before - y_before, x, x, x, lower_before};
+    LinePairWay<double> w{kReach * z, x_before - y_before, x, x, x, lower_before};
     if (swapped) w = {-w.away, -w.away_before, x, lower_before, x, x};
-    EXPECT_NEAR(line_pair_closing(w, false).value, 0.5 * r * turn * turn, 0.03 * r * turn * turn);
+    EXPECT_NEAR(line_pair_closing(w), 0.5 * r * turn * turn, 0.03 * r * turn * turn);
   }
 }
 
-TEST(LinePairClosing, Derivatives) {
+// Of force and couple by all that the law goes by, whether the slip of new material is cut or not.
+TEST(LinePairClosing, DerivativesOfTheLaw) {
   const auto noise = [](int i) { return std::sin(12.9898 * i + 4.1 * i * i); };
+  using F = LinePairForce;
   for (int seed = 0; seed < 20; ++seed) {
-    double in[LinePairClosing::kInputs];
-    const auto way = [&]() -> LinePairWay {
-      const auto v = [&in](int k) { return Vec3(in[3 * k], in[3 * k + 1], in[3 * k + 2]); };
-      return {v(0), v(1), v(2), v(3), v(4), v(5)};
+    LinePairLaw law;
+    law.radii = 0.12;
+    law.normal.stiffness = 1e3, law.normal.smoothing = 1e-3, law.normal.damping = 2;
+    law.friction.axial = law.friction.lateral = seed % 2 ? 0.3 : 3;
+    law.friction.axial_length = law.friction.lateral_length = 0.4;
+    double in[F::kInputs];
+    const auto force = [&](bool derivatives) {
+      const auto v = [&in](int first) { return Vec3(in[first], in[first + 1], in[first + 2]); };
+      LinePairPoint at;
+      at.away = v(F::kAway), at.along = v(F::kAlong), at.moved = v(F::kMoved), at.rate = in[F::kRate];
+      at.slip[0] = in[F::kSlip], at.slip[1] = in[F::kSlip + 1];
+      at.is_new = seed % 4 < 3;
+      at.away_before = v(F::kAwayBefore), at.slope = v(F::kSlope), at.slope_before = v(F::kSlopeBefore);
+      at.along_before = v(F::kAlongBefore);
+      return line_pair_force(law, at, derivatives);
     };
-    const Vec3 base[6] = {{0.01, 0.02, 0.1}, {-0.2, 0.1, 0.2}, {1, 0.1, 0.02},
-                          {1, 0, -0.1},      {0.3, 1, 0.05},   {0.2, 1.1, 0}};
-    for (int i = 0; i < LinePairClosing::kInputs; ++i)
-      in[i] = base[i / 3][i % 3] + 0.02 * noise(100 * seed + i);
-    const LinePairClosing c = line_pair_closing(way(), true);
-    ASSERT_GT(c.value, 0);
-    EXPECT_NEAR(c.value, line_pair_closing(way(), false).value, 1e-14);
-    for (int i = 0; i < LinePairClosing::kInputs; ++i) {
+    const double base[F::kInputs] = {0.01, 0.02, 0.1, 0.3, 1,   0.05, 0.1, -0.05, 0.02, 0.1, 0.01, -0.02,
+                                     -0.2, 0.1,  0.2, 1,   0.1, 0.02, 1,   0,     -0.1, 0.2, 1.1,  0};
+    for (int i = 0; i < F::kInputs; ++i) in[i] = base[i] + 0.01 * noise(100 * seed + i);
+    const F f = force(true), same = force(false);
+    ASSERT_GT(f.normal.force, 0);
+    EXPECT_LT((f.force - same.force).norm() + (f.couple - same.couple).norm(), 1e-12);
+    for (int i = 0; i < F::kInputs; ++i) {
       const double at = in[i], e = 1e-6;
       in[i] = at + e;
-      const double p = line_pair_closing(way(), false).value;
+      const F p = force(false);
       in[i] = at - e;
-      const double m = line_pair_closing(way(), false).value;
+      const F m = force(false);
       in[i] = at;
-      EXPECT_NEAR(c.by[i], (p - m) / (2 * e), 1e-8) << seed << ", " << i;
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(f.by(c, i), (p.force[c] - m.force[c]) / (2 * e), 1e-5) << seed << ", " << i;
+        EXPECT_NEAR(f.by(3 + c, i), (p.couple[c] - m.couple[c]) / (2 * e), 1e-5) << seed << ", " << i;
+      }
     }
   }
 }

@@ -31,9 +31,13 @@ struct ClearancePoint {
   double xi = 0, distance = 0;
 };
 
-// The same of the whole axis, |dx/dxi| <= slope, |d²x/dxi²| <= bend [m]: places by xi, one at least. As in
-// contact_intervals(): distances change no faster than their points move, and the square of one less |x|² is
-// concave. worst: where between the places (or between them and the ends) it is least.
+// m: of a piece of an axis, w long in xi, with the distances a and b at its ends, none on it is less;
+// |dx/dxi| <= slope, |d²x/dxi²| <= bend [m]. Distances change no faster than their points move, and the
+// square of one less |x|² is concave, being the least of functions that are linear in x.
+double least_between(double w, double a, double b, double slope, double bend);
+
+// The same of the whole axis: places by xi, one at least. worst: where between the places (or between them
+// and the ends) it is least.
 double least_distance(const std::vector<ClearancePoint>& places, double slope, double bend, double& worst);
 
 }  // namespace hawser

@@ -23,9 +23,9 @@ struct ContactInterval {
 };
 
 // What excludes contact of a piece of the axis: the gap is the distance to a body less `contact_distance`
-// [m], and the square of a distance less |x|² is concave, being the least of functions that are linear in x.
-// So on a piece it stays above what its ends and |dx/dxi| <= slope, |d²x/dxi²| <= bend [m] allow.
-// contact_distance = 0: not known; only that no distance changes faster than its point moves.
+// [m], and on a piece it stays above what its ends and |dx/dxi| <= slope, |d²x/dxi²| <= bend [m] allow
+// (least_between()). contact_distance = 0: not known; only that no distance changes faster than its point
+// moves.
 struct AxisBounds {
   double slope = 0, contact_distance = 0, bend = 0;
 };

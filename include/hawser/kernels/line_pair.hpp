@@ -91,8 +91,7 @@ class LinePairPass {
   struct Slopes;
   struct MovingEnd;
   Point point(double xi) const;
-  Start start(const Point& p, bool derivatives) const;
-  void close(const Point& p, bool derivatives, Start& s) const;
+  Start start(double xi) const;
   double contact_distance() const {
     return set_.law.radii + set_.law.normal.smoothing;
   }  // m, between the axes

@@ -1,31 +1,48 @@
 // How far two lines came nearer to each other where they touch, sliding apart: what material that is new to a
-// contact needs to know about how long the contact has been there. See docs/theory/line-line.md. Pure.
+// contact needs to know about how long the contact has been there. See docs/theory/line-line.md. Pure, of any
+// scalar.
 #pragma once
 
-#include <Eigen/Core>
+#include <cmath>
 
 #include "hawser/math/types.hpp"
 
 namespace hawser {
 
 // Of two material points, x of one line and y of the other, which touch at the end of a step.
+template <class S>
 struct LinePairWay {
-  Vec3 away, away_before;    // m, x - y at the end of the step and at its start
-  Vec3 slope, slope_before;  // dx/dxi of the line of x, m: at the end and at the start
-  Vec3 along, along_before;  // dy/deta of the line of y, m
+  Vector3<S> away, away_before;    // m, x - y at the end of the step and at its start
+  Vector3<S> slope, slope_before;  // dx/dxi of the line of x, m: at the end and at the start
+  Vector3<S> along, along_before;  // dy/deta of the line of y, m
 };
 
-struct LinePairClosing {
-  // Rows of `by`: as in LinePairWay.
-  static constexpr int kAway = 0, kAwayBefore = 3, kSlope = 6, kSlopeBefore = 9, kAlong = 12,
-                       kAlongBefore = 15, kInputs = 18;
-  double value = 0;                      // m, >= 0
-  Eigen::Matrix<double, kInputs, 1> by;  // filled on request
-};
-
-// Of the way that x has come nearer to y along the normal, what neither line makes by sliding along itself. A
-// crossing that sweeps along a line has none, however far from it the material was that it meets; a line that
-// is laid down, wound up or strikes has all of it.
-LinePairClosing line_pair_closing(const LinePairWay& way, bool derivatives);
+// m: of the way that x has come nearer to y along the normal, what neither line makes by sliding along
+// itself. A crossing that sweeps along a line has none, however far from it the material was that it meets; a
+// line that is laid down, wound up or strikes has all of it. < 0: they parted.
+//
+// w = x - y less what it was is alpha a + beta b and what is normal to both, a and b the unit tangents at the
+// end; with s = (w.a + w.b)/2, d = (w.a - w.b)/2 and c = a.b it is alpha, beta = s/(1 + c) +- d/(1 - c). A
+// line that slides along itself by alpha brings x nearer by -alpha n.t/(a.t), t the mean of its tangents at
+// the start and at the end: on a circle this is the direction in which it went.
+template <class S>
+S line_pair_closing(const LinePairWay<S>& way) {
+  using std::sqrt;
+  // Lines at less than about a tenth of a radian count as along each other: which of them slides makes no
+  // difference then, and each has half of it.
+  constexpr double kParallel = 3e-3;
+  const auto unit = [](const Vector3<S>& v) -> Vector3<S> { return v / S(sqrt(S(v.squaredNorm()))); };
+  const auto over = [](const S& v, const S& by) -> S { return v * by / S(by * by + kParallel * kParallel); };
+  const Vector3<S> n = unit(way.away), w = way.away - way.away_before, a = unit(way.slope),
+                   b = unit(way.along);
+  const S c = a.dot(b), wa = w.dot(a), wb = w.dot(b);
+  const S both = over(S(0.5 * (wa + wb)), S(1 + c)), apart = over(S(0.5 * (wa - wb)), S(1 - c));
+  const auto brings = [&n](const S& by, const Vector3<S>& was, const Vector3<S>& now) -> S {
+    const Vector3<S> mean = was + now;
+    return -by * n.dot(mean) / S(now.dot(mean));
+  };
+  return -n.dot(w) - brings(S(both + apart), unit(way.slope_before), a) -
+         brings(S(both - apart), unit(way.along_before), b);
+}
 
 }  // namespace hawser

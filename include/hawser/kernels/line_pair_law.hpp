@@ -20,13 +20,19 @@ struct LinePairPoint {
   Vec3 along = Vec3::UnitX();  // m, T: the other's tangent at y, any length
   Vec3 moved = Vec3::Zero();   // m, M: motion of x's surface along y's in the step
   double rate = 0;             // m/s, of the gap
-  double closing = 0;          // m, by which the contact closed in the step; 0: it was there from its start
   double slip[2] = {0, 0};     // m, elastic slip at the start: along T and along n x T
+  // Of material that did not touch at the start of the step, how it was then (line_pair_closing.hpp); slope:
+  // m, of x's own line.
+  bool is_new = false;
+  Vec3 away_before = Vec3::UnitZ(), slope = Vec3::UnitX(), slope_before = Vec3::UnitX(),
+       along_before = Vec3::UnitX();
 };
 
 struct LinePairForce {
-  // Columns of `by`: D, T, M, rate, closing, slip.
-  static constexpr int kAway = 0, kAlong = 3, kMoved = 6, kRate = 9, kClosing = 10, kSlip = 11, kInputs = 13;
+  // Columns of `by`: D, T, M, rate, slip; zero but where material is new, D before, slope, slope and T
+  // before.
+  static constexpr int kAway = 0, kAlong = 3, kMoved = 6, kRate = 9, kSlip = 10, kAwayBefore = 12,
+                       kSlope = 15, kSlopeBefore = 18, kAlongBefore = 21, kInputs = 24;
 
   NormalForce normal;
   double gap = 0;                // m

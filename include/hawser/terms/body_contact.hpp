@@ -28,16 +28,17 @@ namespace hawser {
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
 
-// Where a rigid body is and how fast: of the point its unknowns belong to.
+// Where a rigid body is and how it moves: of the point its unknowns belong to, which is at `centre` in the
+// frame of its shapes. Places y are in that frame.
 struct BodyFrame {
-  Vec3 x = Vec3::Zero();      // m
-  Mat3 R = Mat3::Identity();  // body axes to space axes
-  Vec3 v = Vec3::Zero();      // m/s, space axes
-  Vec3 w = Vec3::Zero();      // rad/s, body axes
+  Vec3 centre = Vec3::Zero(), x = Vec3::Zero();  // m
+  Mat3 R = Mat3::Identity();                     // body axes to space axes
+  Vec3 v = Vec3::Zero(), a = Vec3::Zero();       // m/s, m/s², space axes
+  Vec3 w = Vec3::Zero(), alpha = Vec3::Zero();   // rad/s, rad/s², body axes
 
-  Vec3 to_space(const Vec3& y) const { return x + R * y; }
-  Vec3 to_body(const Vec3& p) const { return R.transpose() * (p - x); }
-  Vec3 velocity(const Vec3& y) const { return v + R * w.cross(y); }
+  Vec3 to_space(const Vec3& y) const { return x + R * (y - centre); }
+  Vec3 to_body(const Vec3& p) const { return centre + R.transpose() * (p - x); }
+  Vec3 velocity(const Vec3& y) const { return v + R * w.cross(y - centre); }
 };
 
 struct BodyVolume {
@@ -81,12 +82,14 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     int global = -1;                       // mesh node, -1: prescribed
     Vec3 centre = Vec3::Zero();            // m, of mass, body frame
     double mass = HUGE_VAL;                // kg
-    Mat3 inertia = Mat3::Zero(), inverse_inertia = Mat3::Zero();  // kg m² and its inverse, body axes
+    Mat3 inertia = Mat3::Zero();           // kg m², body axes
   };
-  // Where the bodies of a pair are. Shapes are given in the frame of the body, unknowns belong to its centre
-  // of mass: Bs is the frame of b's surface.
   struct Both {
-    BodyFrame A, B, Bs;
+    BodyFrame A, B;
+    Vec3 across(const Vec3& y) const { return B.to_body(A.to_space(y)); }  // a place of A, as B sees it
+    // Of the twelve unknowns.
+    Vec12 rates() const { return (Vec12() << A.v, A.w, B.v, B.w).finished(); }
+    Vec12 accelerations() const { return (Vec12() << A.a, A.alpha, B.a, B.alpha).finished(); }
     void move(double time);  // on at their velocities
   };
   struct Pair {
@@ -95,8 +98,8 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double share = 1, mass = 0;  // of the force; kg, effective
     double size = 0;             // m, of what stands out
     double most_depth = 0;       // m, most that passes in a step where they may meet
-    Vec3 middle = Vec3::Zero();  // m, of what stands out, from the centre of mass; and a ball about it
-    double radius = 0;
+    // A root of the inverse of the mass of the twelve unknowns; none where motion is prescribed.
+    Mat12 root = Mat12::Zero();
     bool hides = false;                        // as of model::BodyPair
     int other = -1;                            // the pair in which b leads, where both do
     bool here = false, counted = false;        // this rank owns a body of it; counts it
@@ -123,8 +126,9 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   // in space axes and rotations as material increments, and its derivatives if they were asked for.
   struct Sum {
     AgainstBody on;
-    double potential = 0, damping_power = 0;  // J, W
-    double depth = 0;                         // m, largest penetration
+    double potential = 0;                      // J
+    double damping_power = 0, work_power = 0;  // W, the latter brought in by prescribed motion
+    double depth = 0;                          // m, largest penetration
     bool active = false;
   };
   // What tells how stiff the springs are, dampers included, where they stand; and their forces alone.
@@ -133,13 +137,14 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double gap = 0;  // m
     Vec12 gradient = Vec12::Zero();
   };
-  BodyFrame frame(const PairBody& body, const Kinematics& at) const;
+  BodyFrame frame(size_t volume, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
   Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const;
   void contact_of_part(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
                        const AxisContactMode& mode, double* f, double* K, double* C, Sum& sum) const;
+  // Whether a ball, in the frame of a volume, may be nearer to its surface than `gap` [m].
+  bool near(size_t volume, const Vec3& centre, double radius, double gap) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
-  void powers(const Pair& pair, const Sum& s, const Kinematics& at, double& damping, double& work) const;
   // What looks ahead, body_contact_step_limits.cpp. rad/s, of the fastest motion of the bodies on those
   // springs.
   double frequency(const Pair& pair, const Sum& stiffness) const;
@@ -151,7 +156,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   std::optional<Nearest> nearest(const Pair& pair, const Both& at, double within) const;
   // s, at most `most`: a step from there that what it meets in it is followed with.
   double followed(const Pair& pair, const Both& at, double most) const;
-  void limit_by(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
+  void limit_by(const Pair& pair, ImpactEvents& to) const;
   // body_contact_penetration.cpp. m, of the deepest place of the faces of one volume in the other.
   double deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const;
   void check_overlap(double time);
@@ -161,7 +166,6 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   std::shared_ptr<const Bodies> bodies_;
   std::vector<BodyVolume> volumes_;
   std::vector<Box> boxes_;                   // of their surfaces
-  std::vector<Box> faces_;                   // of the places where they are watched, empty: of none
   std::vector<PairBody> bodies_of_volumes_;  // likewise
   std::vector<Pair> pairs_;
   std::vector<std::string> names_;  // of volumes, with their bodies

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hawser/geometry/box.hpp"
+#include "hawser/geometry/box_tree.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
 #include "hawser/model/case.hpp"
 
@@ -19,18 +19,36 @@ struct SkeletonPart {
   static SkeletonPart point(const Vec3& at, double radius = 0, double weight = 1) {
     return {at, at, radius, weight};
   }
-  Vec3 middle() const { return 0.5 * (from + to); }
 };
 
-// Neighbours beside each other: most of a body is left out a bundle at a time.
-struct SkeletonBundle {
-  Vec3 centre = Vec3::Zero();
-  double radius = 0;  // m, of a ball around all of it
-  std::vector<SkeletonPart> parts;
+// Parts in a tree of their boxes: most of a body is left out many parts at a time.
+class SkeletonParts {
+ public:
+  SkeletonParts() = default;
+  explicit SkeletonParts(std::vector<SkeletonPart> parts);
+
+  bool empty() const { return parts_.empty(); }
+  Vec3 centre() const { return tree_.box().centre(); }
+  double radius() const { return 0.5 * tree_.box().diagonal(); }  // m, of a ball about it that holds all
+  // Calls visit(part) for those in balls that near(centre, radius) says come near.
+  template <class Near, class Visit>
+  void walk(const Near& near, const Visit& visit) const {
+    tree_.walk(
+        [&](size_t n) {
+          const Box& b = tree_.nodes()[n].box;
+          return near(b.centre(), 0.5 * b.diagonal());
+        },
+        [&](int i) { visit(parts_[static_cast<size_t>(i)]); });
+  }
+
+ private:
+  std::vector<SkeletonPart> parts_;
+  BoxTree tree_;
 };
+
 struct BodySkeleton {
-  std::vector<SkeletonBundle> features;  // what may touch
-  std::vector<SkeletonBundle> faces;     // places all over them, where they are watched
+  SkeletonParts features;  // what may touch
+  SkeletonParts faces;     // places all over them, where they are watched
 };
 
 // By the basis of the stiffness: per_point: the corners of a mesh or box, balls (sphere); per_length: edges

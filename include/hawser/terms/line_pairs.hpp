@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/geometry/segment_distance.hpp"
 #include "hawser/kernels/line_pair.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
@@ -114,7 +115,8 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
     Key key;
     bool counted = false;
     LinePairLaw law;
-    double clear = 0;                  // m, between the surfaces at the start of the step, at least
+    SegmentPair chords;                // at the start of the step
+    double clear = 0;                  // m, between the surfaces then, at least
     std::unique_ptr<History> history;  // null: did not touch
     std::unique_ptr<Trial> trial;      // null: none was asked for in this step
   };
@@ -168,7 +170,8 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   struct Nearest {
     double speed = 0, gap = 0;
   };
-  Nearest nearest(const Pair& pair, const AxisEnds& a, const AxisEnds& b) const;
+  Nearest nearest(const Pair& pair, const SegmentPair& chords, const AxisEnds& a, const AxisEnds& b) const;
+  Nearest nearest_at_start(const Pair& p) const { return nearest(p, p.chords, start(p.a), start(p.b)); }
   double acceleration(const Pair& pair, const Kinematics& at) const;
   double mass_per_length(const Pair& pair) const;
   double slowness(const Pair& pair) const;

@@ -82,7 +82,8 @@ class LineVolumeContact final : public ForceTerm,
   std::array<Vec3, 2> reaction(int volume, const Kinematics& at) const;
   // What volumes exert in the accepted state on each local element, counted here or not, in their order.
   struct Load {
-    int element = 0;            // of LocalMesh::elements
+    int element = 0;  // of LocalMesh::elements
+    int volume = 0;
     double xi = 0;              // along it, 0 to 1
     Vec3 force = Vec3::Zero();  // N, space axes
   };

@@ -152,7 +152,9 @@ class SeabedTerm final : public ForceTerm {
   bool locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const;
   // Signed distance of x when less than `most` [m], infinite else.
   double gap(const Vec3& x, double most) const;
-  PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial) const;
+  // convex: without negative stiffness of a hollow.
+  PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
+                       bool convex = false) const;
   // How far above where springs touch suction goes [m].
   double suction_range(const Point& p, double step) const;
   Pull pull(const Point& p, const ContactTrial& trial, double step) const;
