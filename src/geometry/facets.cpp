@@ -1,4 +1,4 @@
-// Nearest points of single facets, and the search among many by the tree of their boxes.
+// Nearest points of single facets, and the search among many by the spatial hash or the tree of boxes.
 #include "facets.hpp"
 
 #include <algorithm>
@@ -7,6 +7,9 @@
 
 namespace hawser::detail {
 namespace {
+
+// A search farther than so many sides of a cube looks at too many of them.
+constexpr double kNearBy = 3;
 
 // Too flat for the short formula of the squared distance.
 bool thin(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -77,6 +80,7 @@ FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) 
   std::vector<Box> boxes;
   for (int t = 0; facets.has(t); ++t) boxes.push_back(facets.box(t));
   tree_ = BoxTree(boxes, chosen);
+  if (!facets.any_curved()) hash_ = SpatialHash(boxes, chosen);
 }
 
 std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, const Vec3& y,
@@ -99,7 +103,10 @@ std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, cons
     limit = p.squared_distance, reach = padded();
   };
   if (facets.has(hint) && (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)])) visit(hint);
-  tree_.nearest(y, limit, visit);
+  if (!hash_.empty() && limit <= std::pow(kNearBy * hash_.side(), 2))
+    hash_.nearest(y, limit, visit);
+  else
+    tree_.nearest(y, limit, visit);
   return best;
 }
 

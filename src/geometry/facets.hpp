@@ -7,6 +7,7 @@
 #include "hawser/geometry/box_tree.hpp"
 #include "hawser/geometry/mesh_bends.hpp"
 #include "hawser/geometry/smooth_patch.hpp"
+#include "hawser/geometry/spatial_hash.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
 
 namespace hawser::detail {
@@ -57,7 +58,8 @@ class Facets {
   std::vector<bool> thin_;                            // so much that their distances need care
 };
 
-// Search among the facets with their flag set (empty: all), by the tree of their boxes.
+// Search among the facets with their flag set (empty: all): those near by are found by the spatial hash where
+// all are flat, others by the tree of their boxes.
 class FacetSearch {
  public:
   struct Foot : PatchPoint {
@@ -72,11 +74,13 @@ class FacetSearch {
   const BoxTree& tree() const { return tree_; }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
+    SpatialHash::pack(self.hash_, p);
     BoxTree::pack(self.tree_, p);
     p.flags(self.chosen_);
   }
 
  private:
+  SpatialHash hash_;  // empty where facets are curved
   BoxTree tree_;
   std::vector<bool> chosen_;
 };

@@ -7,6 +7,7 @@
 
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/geometry/point_in_polyhedron.hpp"
+#include "hawser/geometry/spatial_hash.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "support/shapes.hpp"
 

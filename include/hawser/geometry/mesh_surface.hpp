@@ -5,10 +5,11 @@
 // distance is continuous; where it has a kink (at creases, and barely where patches meet) the point may be
 // nearest to an edge, with its curvature, as on flat facets.
 //
-// The nearest facet comes from a BoxTree; the sign from the angle-weighted pseudonormal at the nearest
-// feature: Bærentzen & Aanæs (2005), "Signed distance computation using the angle weighted pseudonormal",
-// IEEE TVCG 11(3). Where that is not defined (a vertex or edge where the surface touches itself, a triangle
-// of no area) the winding number decides (winding_tree.hpp).
+// The nearest flat facet comes from a SpatialHash, the nearest patch and what is far away from a BoxTree; the
+// sign from the angle-weighted pseudonormal at the nearest feature: Bærentzen & Aanæs (2005), "Signed
+// distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3). Where that is not defined (a
+// vertex or edge where the surface touches itself, a triangle of no area) the winding number decides
+// (winding_tree.hpp).
 //
 // Of an open mesh the inside is where the winding number is above 1/2. It is asked near holes, and near
 // facets about which it does not pass 1/2; elsewhere the pseudonormal gives the same sign at once. Facets

@@ -1,4 +1,5 @@
-// The nearest triangle by the tree of boxes is the nearest of all, on even and graded meshes, cold and warm.
+// The nearest triangle by the spatial hash and by the tree of boxes is the nearest of all, on even and graded
+// meshes, cold and warm, and the same by both.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -7,9 +8,10 @@
 
 #include "hawser/geometry/box_tree.hpp"
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/geometry/spatial_hash.hpp"
 #include "support/shapes.hpp"
 
-namespace hawser::geometry_box_tree_test {
+namespace hawser::geometry_spatial_hash_test {
 namespace {
 
 using namespace hawser::test;
@@ -41,11 +43,12 @@ struct Nearest {
   double squared_distance = 0;  // m²
 };
 
-// The nearest triangle, of those equally near the first.
+// The nearest triangle, of those equally near the first, by a SpatialHash or a BoxTree.
+template <class Structure>
 class Search {
  public:
   explicit Search(const TriangleMesh& mesh, const std::vector<bool>& active = {})
-      : tree_(boxes_of(mesh), active), mesh_(mesh) {}
+      : structure(boxes_of(mesh), active), mesh_(mesh) {}
   std::optional<Nearest> nearest(const Vec3& y, double max_distance = kInfinity, int hint = -1) const {
     Nearest best{-1, max_distance * max_distance};
     const auto visit = [&](int t) {
@@ -56,13 +59,13 @@ class Search {
         best = {t, squared};
     };
     if (hint >= 0) visit(hint);
-    tree_.nearest(y, best.squared_distance, visit);
+    structure.nearest(y, best.squared_distance, visit);
     return best.triangle < 0 ? std::nullopt : std::optional(best);
   }
+  Structure structure;
   mutable long visits = 0;
 
  private:
-  BoxTree tree_;
   const TriangleMesh& mesh_;
 };
 
@@ -88,7 +91,8 @@ TriangleMesh graded() {
 // A third of the n points; all of them with HAWSER_FULL.
 void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
   if (!std::getenv("HAWSER_FULL")) n = (n + 2) / 3;
-  const Search tree(m);
+  const Search<SpatialHash> hash(m);
+  const Search<BoxTree> tree(m);
   std::mt19937 gen(2);
   std::uniform_real_distribution<double> u(-1, 1);
   std::uniform_int_distribution<std::size_t> any(0, m.vertices.size() - 1);
@@ -97,9 +101,9 @@ void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
     const Vec3 shift(u(gen), u(gen), u(gen));
     const Vec3 y = m.vertices[any(gen)] + size * std::pow(finest, std::abs(u(gen))) * shift;
     const double exact = brute_force(m, y);
-    const Nearest all = tree.nearest(y).value();
+    const Nearest all = hash.nearest(y).value();
     ASSERT_EQ(all.squared_distance, exact) << y.transpose();
-    // Whatever the hint and the limit: the same, to the last bit.
+    // Whatever the hint and the limit, by one and by the other: the same, to the last bit.
     const int hint = static_cast<int>(gen() % m.triangles.size());
     const auto expect = [&](const std::optional<Nearest>& near, double factor) {
       ASSERT_TRUE(near) << y.transpose() << " x " << factor;
@@ -109,31 +113,33 @@ void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
     for (const double factor : {1.0 + 1e-9, 1.5, 4.0, 50.0, kInfinity})
       for (const int known : {-1, hint, all.triangle}) {
         const double within = std::isinf(factor) ? kInfinity : factor * std::sqrt(exact) + 1e-13 * size;
+        expect(hash.nearest(y, within, known), factor);
         expect(tree.nearest(y, within, known), factor);
       }
     const double less = (1 - 1e-9) * std::sqrt(exact) - 1e-13 * size;
     if (less > 0) {
+      ASSERT_FALSE(hash.nearest(y, less));
       ASSERT_FALSE(tree.nearest(y, less));
     }
   }
 }
 
-TEST(GeometryBoxTree, Even) { campaign(sphere_mesh(4), 3000); }
-TEST(GeometryBoxTree, Graded) { campaign(graded(), 5000); }
-TEST(GeometryBoxTree, LongThinFacets) { campaign(drum_mesh(96, 0.3, 50), 3000); }
-TEST(GeometryBoxTree, TrianglesSmallerThanSinglePrecision) {
+TEST(GeometrySpatialHash, Even) { campaign(sphere_mesh(4), 3000); }
+TEST(GeometrySpatialHash, Graded) { campaign(graded(), 5000); }
+TEST(GeometrySpatialHash, LongThinFacets) { campaign(drum_mesh(96, 0.3, 50), 3000); }
+TEST(GeometrySpatialHash, TrianglesSmallerThanSinglePrecision) {
   TriangleMesh m = box_mesh(Vec3::Constant(-50), Vec3::Constant(50));
   TriangleMesh s = sphere_mesh(3, 2e-5);
   for (Vec3& v : s.vertices) v += Vec3(33.3, 44.4, 50);
   append(m, s);
   campaign(m, 5000, 1e-8);
 }
-TEST(GeometryBoxTree, FewTriangles) {
+TEST(GeometrySpatialHash, FewTriangles) {
   campaign(tetrahedron_mesh(), 2000);
   campaign({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}, {}}, 500);
 }
 
-TEST(GeometryBoxTree, ManyTrianglesInOnePlaceAndNoSize) {
+TEST(GeometrySpatialHash, ManyTrianglesInOnePlaceAndNoSize) {
   // A hundred equal triangles and some points: equal distances.
   TriangleMesh m = tetrahedron_mesh();
   for (int i = 0; i < 100; ++i) m.triangles.push_back(m.triangles[3]);
@@ -142,8 +148,9 @@ TEST(GeometryBoxTree, ManyTrianglesInOnePlaceAndNoSize) {
   campaign({{{1, 2, 3}}, {{0, 0, 0}, {0, 0, 0}}, {}, {}}, 1);
 }
 
-TEST(GeometryBoxTree, FarApart) {
-  // Small triangles with much room between them.
+TEST(GeometrySpatialHash, FarApart) {
+  // Small triangles with much room between them: most cells are empty, and the nearest is often only in a
+  // cell beside that of the point, along one axis, two or three, below it or above.
   TriangleMesh m;
   std::mt19937 gen(6);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -154,9 +161,23 @@ TEST(GeometryBoxTree, FarApart) {
     m.triangles.push_back({v, v + 1, v + 2});
   }
   campaign(m, 3000, 1e-3);
+  // By cells of the whole and halves and quarters of it, at whose faces others begin.
+  const Search<SpatialHash> hash(m);
+  const Box box = box_of(m);
+  const double side = box.extent().maxCoeff();
+  for (int i = 0; i < 3000; ++i) {
+    Vec3 y = box.lo;
+    for (int a = 0; a < 3; ++a)
+      y[a] += side * (static_cast<int>(gen() % 65) / 64.0 + 1e-3 * u(gen) * (i % 2));
+    const double exact = std::sqrt(brute_force(m, y));
+    for (const double factor : {1.0 + 1e-9, 1.2, 3.0})
+      ASSERT_NEAR(std::sqrt(hash.nearest(y, factor * exact).value().squared_distance), exact, 1e-11)
+          << y.transpose();
+  }
 }
 
-TEST(GeometryBoxTree, ManyOfEachSizeInOnePlace) {
+TEST(GeometrySpatialHash, ManyOfEachSizeInOnePlace) {
+  // The finer ones all in one cube, and the largest in many.
   TriangleMesh m;
   std::mt19937 gen(7);
   std::uniform_real_distribution<double> u(0, 1);
@@ -170,7 +191,7 @@ TEST(GeometryBoxTree, ManyOfEachSizeInOnePlace) {
   campaign(m, 2000, 1e-7);
 }
 
-TEST(GeometryBoxTree, OnlyActiveTriangles) {
+TEST(GeometrySpatialHash, OnlyActiveTriangles) {
   const TriangleMesh m = sphere_mesh(3);
   std::vector<bool> active(m.triangles.size(), false);
   TriangleMesh some = m;
@@ -179,29 +200,37 @@ TEST(GeometryBoxTree, OnlyActiveTriangles) {
     active[t] = true;
     some.triangles.push_back(m.triangles[t]);
   }
-  const Search tree(m, active);
+  const Search<SpatialHash> hash(m, active);
+  const Search<BoxTree> tree(m, active);
   std::mt19937 gen(3);
   std::uniform_real_distribution<double> u(-2, 2);
   for (int i = 0; i < 1000; ++i) {
     const Vec3 y(u(gen), u(gen), u(gen));
-    const Nearest near = tree.nearest(y, 10).value();
+    const Nearest near = hash.nearest(y, 10).value();
     ASSERT_TRUE(active[static_cast<std::size_t>(near.triangle)]);
     ASSERT_EQ(near.squared_distance, brute_force(some, y));
+    ASSERT_EQ(tree.nearest(y, 10).value().triangle, near.triangle);
   }
 }
 
-TEST(GeometryBoxTree, EmptyAndStrangePoints) {
+template <class Structure>
+void strange_points() {
   const TriangleMesh nothing, m = sphere_mesh(2);
-  EXPECT_FALSE(Search(nothing).nearest({0, 0, 0}));
-  EXPECT_TRUE(BoxTree().empty());
-  const Search search(m);
+  EXPECT_FALSE(Search<Structure>(nothing).nearest({0, 0, 0}));
+  EXPECT_TRUE(Structure().empty());
+  const Search<Structure> search(m);
   EXPECT_TRUE(search.nearest(Vec3::Constant(1e12)));
   EXPECT_FALSE(search.nearest(Vec3::Constant(1e12), 5));
   EXPECT_TRUE(search.nearest(Vec3(0, 0, 0), 1 + 1e-9));
   EXPECT_FALSE(search.nearest(Vec3(0, 0, 0), 0.5));
 }
 
-TEST(GeometryBoxTree, VerySmallAndVeryLarge) {
+TEST(GeometrySpatialHash, EmptyAndStrangePoints) {
+  strange_points<SpatialHash>();
+  strange_points<BoxTree>();
+}
+
+TEST(GeometrySpatialHash, VerySmallAndVeryLarge) {
   for (const double scale : {1e-12, 1e-6, 1e6, 1e12}) {
     TriangleMesh m = graded();
     for (Vec3& v : m.vertices) v *= scale;
@@ -209,22 +238,24 @@ TEST(GeometryBoxTree, VerySmallAndVeryLarge) {
   }
 }
 
-// Their boxes are as large as all, others are far smaller.
-TEST(GeometryBoxTree, LongFacetsAlongTheDiagonal) {
+// Long facets along the diagonal have boxes as large as all, others are far smaller than the cubes.
+TEST(GeometrySpatialHash, MemoryIsBounded) {
   TriangleMesh m = sphere_mesh(4);
   for (int i = 0; i < 300; ++i) {
     const int v = static_cast<int>(m.vertices.size());
     for (const double at : {-100.0, 100.0, 100.1}) m.vertices.push_back(Vec3(at, at, at + 0.01 * i));
     m.triangles.push_back({v, v + 1, v + 2});
   }
+  const SpatialHash hash(boxes_of(m));
+  EXPECT_LE(hash.entries(), 6 * m.triangles.size());
   campaign(m, 300);
 }
 
-TEST(GeometryBoxTree, WorkDoesNotGrowWithTheMesh) {
+TEST(GeometrySpatialHash, WorkDoesNotGrowWithTheMesh) {
   // Triangles per query a fixed fraction of a triangle above the surface.
-  const auto work = [](int levels) {
+  const auto work = [](int levels, auto search) {
     const TriangleMesh m = sphere_mesh(levels, 10);
-    const Search at(m);
+    const decltype(search(m)) at(m);
     std::mt19937 gen(4);
     std::normal_distribution<double> g;
     const double d = 3.0 * std::ldexp(1.0, -levels);
@@ -233,10 +264,14 @@ TEST(GeometryBoxTree, WorkDoesNotGrowWithTheMesh) {
     return static_cast<double>(at.visits) / 2000;
   };
   // 2048 and 131072 triangles
-  EXPECT_LT(work(7), 1.3 * work(4));
-  EXPECT_LT(work(7), 20);
+  const auto hash = [](const TriangleMesh& m) { return Search<SpatialHash>(m); };
+  EXPECT_LT(work(7, hash), 1.3 * work(4, hash));
+  EXPECT_LT(work(7, hash), 60);
+  const auto tree = [](const TriangleMesh& m) { return Search<BoxTree>(m); };
+  EXPECT_LT(work(7, tree), 1.3 * work(4, tree));
+  EXPECT_LT(work(7, tree), 20);
 }
 
 }  // namespace
 
-}  // namespace hawser::geometry_box_tree_test
+}  // namespace hawser::geometry_spatial_hash_test

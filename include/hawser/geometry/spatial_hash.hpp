@@ -1,0 +1,115 @@
+// A spatial hash: cubes of one size, and in each the items whose boxes come into it; what is near a point is
+// found in the cubes about it, ring by ring outwards.
+//
+// A cube's coordinates are hashed to a place in a table (Teschner, Heidelberger, Müller, Pomeranets & Gross
+// 2003, "Optimized spatial hashing for collision detection of deformable objects"). Cubes that meet at one
+// place share it, which costs time and changes no answer, so that nothing is kept of the cubes themselves.
+// Cubes are about as large as the items, and larger where a few large items would be in too many: the memory
+// grows with the number of items whatever their sizes. Made for what is not farther than some cubes;
+// farther away BoxTree is quicker.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "hawser/geometry/box.hpp"
+#include "hawser/geometry/const_array.hpp"
+
+namespace hawser {
+
+class SpatialHash {
+ public:
+  SpatialHash() = default;
+  // Of the items with their flag set; no flags: of all.
+  explicit SpatialHash(std::span<const Box> boxes, const std::vector<bool>& chosen = {});
+
+  bool empty() const { return items_.empty(); }
+  double side() const { return side_; }                  // m, of a cube
+  std::size_t entries() const { return items_.size(); }  // items in cubes
+
+  // As BoxTree::nearest(); an item may be visited several times.
+  template <class Visit>
+  void nearest(const Vec3& p, double& squared, Visit&& visit) const {
+    if (empty()) return;
+    const Cell at = cell_of(p);
+    double looked = 0;
+    for (int ring = 0; way_to(ring, at, p) <= std::sqrt(squared) * kMore; ++ring) {
+      looked += 24.0 * ring * ring + 2;
+      if (looked > static_cast<double>(items_.size())) {  // more cubes than items
+        for (const int i : items_) visit(i);
+        return;
+      }
+      each_of_ring(ring, at, [&](const Cell& c) {
+        if (squared_distance(box_of(c), p) > squared * kMore) return;
+        const std::size_t k = place(c);
+        for (std::uint32_t i = first_[k]; i < first_[k + 1]; ++i) visit(items_[i]);
+      });
+    }
+  }
+
+  template <class Self, class P>
+  static void pack(Self& self, P& p) {
+    p.value(self.origin_), p.value(self.side_), p.value(self.last_), p.value(self.places_);
+    p.array(self.first_), p.array(self.items_);
+  }
+
+ private:
+  using Cell = Eigen::Vector3i;
+  Cell cell_of(const Vec3& p) const {
+    Cell c;
+    for (int a = 0; a < 3; ++a)
+      c[a] = static_cast<int>(std::clamp((p[a] - origin_[a]) / side_, 0.0, static_cast<double>(last_[a])));
+    return c;
+  }
+  // A little larger than it is, for rounding.
+  Box box_of(const Cell& c) const {
+    const Vec3 lo = origin_ + side_ * c.cast<double>();
+    return Box{lo, lo + Vec3::Constant(side_)}.grown(kRounding * side_);
+  }
+  std::size_t place(const Cell& c) const {
+    const auto part = [&](int a, std::uint64_t prime) { return static_cast<std::uint64_t>(c[a]) * prime; };
+    const std::uint64_t h = part(0, 73856093) ^ part(1, 19349663) ^ part(2, 83492791);
+    return static_cast<std::size_t>(h ^ h >> 20) & (places_ - 1);
+  }
+  // m, no cube of the ring, nor of one farther out, is nearer to p; infinite: there are none.
+  double way_to(int ring, const Cell& at, const Vec3& p) const {
+    if (ring == 0) return 0;
+    double way = std::numeric_limits<double>::infinity();
+    for (int a = 0; a < 3; ++a) {
+      const int below = at[a] - ring, above = at[a] + ring;
+      if (below >= 0) way = std::min(way, p[a] - (origin_[a] + side_ * (below + 1)));
+      if (above <= last_[a]) way = std::min(way, origin_[a] + side_ * above - p[a]);
+    }
+    return way - kRounding * side_;
+  }
+  // Calls visit(cell) for the cubes whose coordinates are `ring` off those of `at` at the most along an axis.
+  template <class Visit>
+  void each_of_ring(int ring, const Cell& at, Visit&& visit) const {
+    const auto from = [&](int a) { return std::max(at[a] - ring, 0); };
+    const auto to = [&](int a) { return std::min(at[a] + ring, last_[a]); };
+    for (int i = from(0); i <= to(0); ++i)
+      for (int j = from(1); j <= to(1); ++j) {
+        const bool face = std::abs(i - at[0]) == ring || std::abs(j - at[1]) == ring;
+        if (face)
+          for (int k = from(2); k <= to(2); ++k) visit(Cell{i, j, k});
+        else
+          for (const int k : {at[2] - ring, at[2] + ring})
+            if (k >= 0 && k <= last_[2]) visit(Cell{i, j, k});
+      }
+  }
+
+  static constexpr double kRounding = 1e-6, kMore = 1 + 1e-12;
+  Vec3 origin_ = Vec3::Zero();
+  double side_ = 1;
+  Cell last_ = Cell::Zero();         // of the cubes there are
+  std::uint64_t places_ = 1;         // a power of two
+  ConstArray<std::uint32_t> first_;  // of each place, of items_
+  ConstArray<int> items_;
+};
+
+}  // namespace hawser
