@@ -125,7 +125,8 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
   for (size_t m = 0; m < n; ++m) {
     auto by_m = of(s.by, m);
     by_m = rows.share[m] * by_away;
-    if (rubs) by_m += rows.by_xi[m] * by(F::kSlope) - rows.by_eta[m] * by(F::kAlong);
+    if (rubs && m >= na) by_m -= rows.by_eta[m] * by(F::kAlong);
+    if (from.is_new && m < na) by_m += rows.by_xi[m] * by(F::kSlope);
   }
   if (s.slides_on) s.by.leftCols<kByX>() += by_eta.lazyProduct(s.eta_by);
   if (!rubs) return s;

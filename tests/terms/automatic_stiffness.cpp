@@ -1,8 +1,8 @@
+#include "hawser/terms/automatic_stiffness.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "hawser/terms/automatic_stiffness.hpp"
 
 namespace hawser::contact_stiffness_test {
 namespace {
