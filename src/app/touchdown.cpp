@@ -127,20 +127,16 @@ Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& loc
   }
 }
 
-// m, of a local node: its axis above the height at which it begins to press, and the normal of the bed there.
-double Touchdowns::gap(size_t n, const Kinematics& at, Vec3& normal) const {
-  double value = 0;
+Touchdowns::Above Touchdowns::above(size_t n, const Kinematics& at) const {
+  Above out{normal_.dot(at.x[n] + Vec3(0, 0, bed_.depth)), normal_};
   if (bed_.surface) {
     const auto near = bed_.surface->query(at.x[n], std::numeric_limits<double>::infinity());
-    value = near ? near->distance : std::numeric_limits<double>::infinity();
-    normal = near ? near->normal : normal_;
-  } else {
-    value = normal_.dot(at.x[n] + Vec3(0, 0, bed_.depth));
-    normal = normal_;
+    out = near ? Above{near->distance, near->normal} : Above{HUGE_VAL, normal_};
   }
   const Height& h = heights_[n];
-  value -= h.touching;
-  return h.end && value > 0 && value < kHeld * h.touching ? 0 : value;
+  out.gap -= h.touching;
+  if (h.end && out.gap > 0 && out.gap < kHeld * h.touching) out.gap = 0;
+  return out;
 }
 
 std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
@@ -150,8 +146,8 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
   std::vector<Touchdown> out(lines);
   if (!bed_.present) return out;
   std::vector<double> gap(heights_.size());
-  Vec3 normal;
-  for (size_t n = 0; n < gap.size(); ++n) gap[n] = this->gap(n, at, normal);
+  for (size_t n = 0; n < gap.size(); ++n)
+    if (mesh.nodes[static_cast<size_t>(local.global[n])].body < 0) gap[n] = above(n, at).gap;
 
   // First element from A, and minus the first from B, in which contact changes; what lies.
   std::vector<int> first(2 * lines, std::numeric_limits<int>::max());
@@ -185,9 +181,8 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
       if (n < 0 || n >= local.owned) continue;
       const size_t node = static_cast<size_t>(n);
       const Vec3& x = at.x[node];
-      const double value = this->gap(node, at, normal),
-                   slope = local.rotates(n) ? normal.dot(at.q[node] * Vec3::UnitX()) : 0;
-      const double values[] = {value, slope, x.x(), x.y(), x.z()};
+      const double slope = local.rotates(n) ? above(node, at).normal.dot(at.q[node] * Vec3::UnitX()) : 0;
+      const double values[] = {gap[node], slope, x.x(), x.y(), x.z()};
       std::copy(std::begin(values), std::end(values), row(k, i));
     }
   }

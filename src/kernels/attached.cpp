@@ -27,14 +27,10 @@ struct Row {
 
 }  // namespace
 
-AttachedForces::AttachedForces(int n, bool couples) : positions(static_cast<size_t>(n)), rotates(couples) {
-  for (size_t i = 0; i < kMost; ++i) {
-    if (!counts(i)) continue;
-    F[i].setZero();
-    for (size_t j = 0; j < kMost; ++j)
-      if (counts(j)) K[i][j].setZero();
-    for (size_t j = 0; j < positions; ++j) C[i][j].setZero();
-  }
+AttachedForces::AttachedForces(int n, bool couples, bool derivatives)
+    : positions(static_cast<size_t>(n)), rotates(couples) {
+  F.fill(Vec3::Zero());
+  if (derivatives) K.setZero(), C.setZero();
 }
 
 void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double* K, double* C) const {
@@ -68,10 +64,10 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
       for (size_t j = 0; j < count; ++j)
         for (const Part& q : rows[j]) {
           const Row& column = rows[j];
-          Mat3 k = g.K[row.index][column.index];
+          Mat3 k = block_of(g.K, row.index, column.index);
           if (q.turns) k = k * q.E;
           if (!column.couple) {
-            Mat3 c = g.C[row.index][column.index];
+            Mat3 c = block_of(g.C, row.index, column.index);
             if (q.turns) k += c * q.D, c = c * q.E;
             if (p.turns) c = p.E.transpose() * c;
             put(C, p.block, q.block, c);

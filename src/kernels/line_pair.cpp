@@ -31,8 +31,8 @@ PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), end
   }
 }
 
-AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs) {
-  return AttachedForces(slave.now.count() + master.now.count(), rubs);
+AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs, bool derivatives) {
+  return AttachedForces(slave.now.count() + master.now.count(), rubs, derivatives);
 }
 
 Stencil stencil_of(const PairAxis& slave, const PairAxis& master) {

@@ -10,12 +10,10 @@ namespace hawser {
 namespace {
 
 constexpr size_t kTurns = AttachedForces::kPositions, kMost = AttachedForces::kMost;
-constexpr int kByX = 3 * kTurns, kByAll = 3 * kMost;  // by positions, and by turns too
-using Column = Eigen::Matrix<double, 6, 1>;           // of force and couple
+constexpr int kByX = 3 * kTurns;             // columns, by positions
+using Column = Eigen::Matrix<double, 6, 1>;  // of force and couple
 using Six = Eigen::Matrix<double, 6, 3>;
-template <int rows, int columns>
-using Wide = Eigen::Matrix<double, rows, columns, Eigen::RowMajor>;
-using Gradient = Wide<1, kByX>;
+using Gradient = Eigen::Matrix<double, 1, kByX>;
 
 // d(turn v) by the chord of a cable, whose sections turn by the smallest rotation from f to t, its axis then
 // and now: v - (f + t)(t . v + f . v)/(1 + f . t) + 2 t (f . v).
@@ -65,7 +63,7 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
 
 // The derivatives of force and couple at a point.
 struct LinePairPass::Slopes {
-  Wide<6, kByAll> by;      // of what the rows are conjugate to
+  Eigen::Matrix<double, 6, 3 * kMost, Eigen::RowMajor> by;  // of what the rows are conjugate to
   Column by_xi, by_rate;   // by the place on the slave, and by the rate of the gap
   bool slides_on = false;  // the nearest point moves along the master:
   Gradient eta_by;         // d eta by the positions
@@ -188,8 +186,8 @@ void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows
   const size_t n = g.positions;
   for (size_t r = 0; r < n; ++r)
     for (size_t m = 0; m < n; ++m)
-      g.K[r][m] -= weight * rows.share[r] * rows.share[m] *
-                   (c.normal.by_gap * nrm * nrm.transpose() + by_moved.topRows<3>());
+      block_of(g.K, r, m) -= weight * rows.share[r] * rows.share[m] *
+                             (c.normal.by_gap * nrm * nrm.transpose() + by_moved.topRows<3>());
 }
 
 // The tangent is exact.
@@ -197,9 +195,6 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
                        std::vector<LinePairHistory>* points) const {
   const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
   const double L = set_.share * slave_.ends.length;
-  Wide<kByAll, kByAll> K;
-  Wide<kByAll, kByX> C;
-  if (exact) K.setZero(), C.setZero();
   for (const Panel& panel : panels) {
     const double span = panel.to - panel.from;
     std::array<MovingEnd, 2> ends;
@@ -224,11 +219,11 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
       for (const size_t r : rows) {
         const Vec3& v = vector(r);
         const int first = r < kTurns ? 0 : 3, row = 3 * static_cast<int>(r);
-        K.middleRows<3>(row) -= w * rows.share[r] * s.by.middleRows<3>(first);
+        g.K.middleRows<3>(row) -= w * rows.share[r] * s.by.middleRows<3>(first);
         if (s.slides_on && rows.by_eta[r] != 0)
-          K.block<3, kByX>(row, 0) -= Vec3(w * rows.by_eta[r] * v).lazyProduct(s.eta_by);
+          g.K.block<3, kByX>(row, 0) -= Vec3(w * rows.by_eta[r] * v).lazyProduct(s.eta_by);
         if (set_.moves)
-          C.middleRows<3>(row) -= Vec3(w * rows.share[r] * s.by_rate.segment<3>(first)).lazyProduct(rate);
+          g.C.middleRows<3>(row) -= Vec3(w * rows.share[r] * s.by_rate.segment<3>(first)).lazyProduct(rate);
         // Moving ends take the Gauss points along: the derivative along xi does the rest.
         const Vec3 along =
             (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.share[r] * s.by_xi.segment<3>(first);
@@ -241,16 +236,8 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
     }
     for (const MovingEnd& end : ends)
       for (int r = 0; r < static_cast<int>(kMost) && end.moves; ++r)
-        K.block<3, kByX>(3 * r, 0) += end.force[static_cast<size_t>(r)].lazyProduct(end.by);
+        g.K.block<3, kByX>(3 * r, 0) += end.force[static_cast<size_t>(r)].lazyProduct(end.by);
   }
-  if (!exact) return;
-  for (int r = 0; r < static_cast<int>(kMost); ++r)
-    for (int m = 0; m < static_cast<int>(kMost); ++m) {
-      const auto i = static_cast<size_t>(r), j = static_cast<size_t>(m);
-      if (!g.counts(i) || !g.counts(j)) continue;
-      g.K[i][j] += K.block<3, 3>(3 * r, 3 * m);
-      if (j < g.positions) g.C[i][j] += C.block<3, 3>(3 * r, 3 * m);
-    }
 }
 
 }  // namespace hawser

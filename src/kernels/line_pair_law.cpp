@@ -110,18 +110,22 @@ Force line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool deri
     r.by.block<3, 1>(0, Force::kRate) = r.normal.by_rate * n;
   }
   if (!law.friction.active()) return r;
-  const Tangential<double> t = !derivatives ? tangential<double>(law, at,
-                                                                 {at.away,
-                                                                  at.along,
-                                                                  at.moved,
-                                                                  r.normal.force,
-                                                                  {at.slip[0], at.slip[1]},
-                                                                  at.away_before,
-                                                                  at.slope,
-                                                                  at.slope_before,
-                                                                  at.along_before})
-                               : at.is_new  ? derived<Force::kInputs>(law, at, r)
-                                            : derived<Force::kAwayBefore>(law, at, r);
+  Tangential<double> t;
+  if (!derivatives)
+    t = tangential<double>(law, at,
+                           {at.away,
+                            at.along,
+                            at.moved,
+                            r.normal.force,
+                            {at.slip[0], at.slip[1]},
+                            at.away_before,
+                            at.slope,
+                            at.slope_before,
+                            at.along_before});
+  else if (at.is_new)
+    t = derived<Force::kInputs>(law, at, r);
+  else
+    t = derived<Force::kAwayBefore>(law, at, r);
   r.friction = t.force, r.couple = t.couple, r.slides = t.slides;
   r.slip[0] = t.slip[0], r.slip[1] = t.slip[1];
   r.force += r.friction;

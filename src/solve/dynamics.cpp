@@ -22,9 +22,10 @@ constexpr double kCounted = 1e-5;
 constexpr int kMostRaises = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
-// With the old tangent the residual must fall so in an iteration, and within two come down to this part of
-// the tolerance, which is round-off by default; else a new tangent is cheaper.
-constexpr double kChordRate = 0.1, kEven = 1e-6;
+// With the old tangent the residual must fall by this factor in an iteration, else a new tangent is cheaper;
+// and two iterations must bring it down to this part of the tolerance (round-off by default), so that results
+// do not show on how many ranks they were made.
+constexpr double kChordRate = 0.1, kOfTolerance = 1e-6;
 
 // Whether iterations with the old tangent, each for a fourth of the price, are expected to end it. Newton's
 // error falls as e1 = C e0², with the old tangent then as e2 = 2 C e0 e1 (chord method: Kelley 1995,
@@ -32,7 +33,7 @@ constexpr double kChordRate = 0.1, kEven = 1e-6;
 // `before` to `now`.
 bool old_tangent_will_do(double before, double now, bool was_old, double tolerance) {
   const double rate = (was_old ? 1 : 2) * now / before;
-  return rate < kChordRate && now * rate * rate < kEven * tolerance;
+  return rate < kChordRate && now * rate * rate < kOfTolerance * tolerance;
 }
 
 }  // namespace

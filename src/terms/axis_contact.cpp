@@ -36,7 +36,7 @@ AxisContact::AxisContact(const AxisShape& shape, const RigidPose& pose, Pair pai
       R_(pose.rotation.toRotationMatrix()),
       back_(pose.rotation.conjugate()),
       spin_(hat(back_ * pose.angular_velocity)),
-      g_(shape.count(), rolls_.has_value()) {
+      g_(shape.count(), rolls_.has_value(), mode.tangent) {
   for (size_t i = 0; i < 2 && rolls_; ++i) about_[i] = shape_.axes(i) * rolls_->ends[i].by_turn;
 }
 
@@ -110,8 +110,8 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel,
     const Mat3 C = moves ? Mat3(-w * R_ * c.by_velocity * R_.transpose()) : Mat3(Mat3::Zero());
     for (size_t j = 0; j < n_; ++j)
       for (size_t k = 0; k < n_; ++k) {
-        g_.K[j][k] += H[j] * H[k] * K;
-        if (moves) g_.C[j][k] += H[j] * H[k] * C;
+        block_of(g_.K, j, k) += H[j] * H[k] * K;
+        if (moves) block_of(g_.C, j, k) += H[j] * H[k] * C;
       }
     if (!moving) continue;
 
@@ -141,8 +141,8 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel,
     if (!m.on) continue;
     for (size_t k = 0; k < n_; ++k) {
       for (size_t j = 0; j < 2 && rolls_; ++j)
-        g_.K[kTurns + j][k] += m.H[k] * m.torque[j] * about_[j] * m.by_axis.transpose();
-      for (size_t j = 0; j < n_; ++j) g_.K[j][k] += m.H[k] * m.force[j] * m.by_axis.transpose();
+        block_of(g_.K, kTurns + j, k) += m.H[k] * m.torque[j] * about_[j] * m.by_axis.transpose();
+      for (size_t j = 0; j < n_; ++j) block_of(g_.K, j, k) += m.H[k] * m.force[j] * m.by_axis.transpose();
     }
   }
 }
@@ -165,12 +165,12 @@ void AxisContact::add_rolling(const ContactTrial& trial, const ContactStart& beg
              by_roll = -w * (R_ * c.by_roll);
   for (size_t i = 0; i < 2; ++i) {
     for (size_t k = 0; k < n_; ++k) {
-      g_.K[kTurns + i][k] += N[i] * H[k] * about_[i] * by_x.transpose();
-      g_.C[kTurns + i][k] += N[i] * H[k] * about_[i] * by_v.transpose();
-      g_.K[k][kTurns + i] += N[i] * H[k] * by_roll * about_[i].transpose();
+      block_of(g_.K, kTurns + i, k) += N[i] * H[k] * about_[i] * by_x.transpose();
+      block_of(g_.C, kTurns + i, k) += N[i] * H[k] * about_[i] * by_v.transpose();
+      block_of(g_.K, k, kTurns + i) += N[i] * H[k] * by_roll * about_[i].transpose();
     }
     for (size_t k = 0; k < 2; ++k)
-      g_.K[kTurns + i][kTurns + k] -=
+      block_of(g_.K, kTurns + i, kTurns + k) -=
           w * N[i] * N[k] * arm.dot(c.by_roll) * about_[i] * about_[k].transpose();
   }
 }
@@ -180,7 +180,7 @@ void AxisContact::to_blocks(const Stencil& stencil, double* f, double* K, double
   for (size_t i = 0; i < 2 && rolls_ && K && !mode_.convex; ++i) {
     const AxisRoll& roll = rolls_->ends[i];
     const Mat3 turned = torque_[i] * (roll.by_turn_turn - hat(roll.by_turn));
-    g_.K[kTurns + i][kTurns + i] += shape_.axes(i) * turned * shape_.axes(i).transpose();
+    block_of(g_.K, kTurns + i, kTurns + i) += shape_.axes(i) * turned * shape_.axes(i).transpose();
   }
   stencil.to_blocks(g_, !mode_.convex, f, K, C);
 }

@@ -129,7 +129,9 @@ std::optional<AttachedForces> LinePairs::forces(const Pair& pair, const PairAxis
   std::optional<AttachedForces> g;
   each_pass(pair, A, B, mode.moves, mode.convex, [&](size_t part, const LinePairPass& pass) {
     if ((part >= 3) != swapped || found.panels[part].empty()) return;
-    if (!g) g = no_forces(swapped ? B : A, swapped ? A : B, friction_on_ && pair.law.friction.active());
+    if (!g)
+      g = no_forces(swapped ? B : A, swapped ? A : B, friction_on_ && pair.law.friction.active(),
+                    mode.tangent);
     found.points[part].clear();
     pass.add(found.panels[part], mode.tangent, *g, mode.tangent ? nullptr : &found.points[part]);
   });

@@ -154,7 +154,7 @@ TEST_F(Snapping, ALineThatPartsMakesNoEnergy) {
   expect_none_made("parted", parted.c_str(), 76);
 }
 
-// Largest tension of a cycle after the first, by default, and with elements a quarter and steps a fraction as
+// Largest tension of a cycle after the first, by default, and with steps of 1 ms and elements a quarter as
 // long. A blow of a chain that falls back on the bed depends on how it lay there: EA changed by 1e-7 changes
 // that of a cycle by 6 %. So it is the mean of three cycles in three such runs that is compared.
 TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {

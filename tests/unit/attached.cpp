@@ -27,11 +27,11 @@ Vec6 force(const Vec6& u, const Vec6& rate, Mat6* K = nullptr, Mat6* C = nullptr
     s.add({0, 1, kArms[i], R, w});
     const Vec3 X = x + R * kArms[i];
     g.F[i] = kField * X.array().sin().matrix() + kDrag * (v + R * w.cross(kArms[i]));
-    g.K[i][i] = kField * X.array().cos().matrix().asDiagonal();
-    g.C[i][i] = kDrag;
+    block_of(g.K, i, i) = kField * X.array().cos().matrix().asDiagonal();
+    block_of(g.C, i, i) = kDrag;
     if (i > 0) continue;
     g.F[AttachedForces::kPositions] = kField * X.array().cos().matrix();
-    g.K[AttachedForces::kPositions][i] = -kField * X.array().sin().matrix().asDiagonal();
+    block_of(g.K, AttachedForces::kPositions, i) = -kField * X.array().sin().matrix().asDiagonal();
   }
   s.turns[0] = {-1, 1, {}, R, {}};
   Vec6 f = Vec6::Zero();

@@ -38,7 +38,8 @@ Vec12 force(const AxisEnds& e, Mat12* K = nullptr, Mat12* C = nullptr) {
     const Mat3 k = A * x.array().cos().matrix().asDiagonal();
     for (size_t i = 0; i < 4; ++i) {
       g.F[i] += H[i] * p;
-      for (size_t j = 0; j < 4; ++j) g.K[i][j] += H[i] * H[j] * k, g.C[i][j] += H[i] * H[j] * B;
+      for (size_t j = 0; j < 4; ++j)
+        block_of(g.K, i, j) += H[i] * H[j] * k, block_of(g.C, i, j) += H[i] * H[j] * B;
     }
   }
   Vec12 f = Vec12::Zero();

@@ -47,13 +47,18 @@ class Touchdowns {
     double touching = 0;  // m, of the axis above the bed where it begins to press
     bool end = false;     // of a line
   };
-  double gap(size_t node, const Kinematics& at, Vec3& normal) const;
+  // Of a local node: its axis above that height [m], and the normal of the bed there.
+  struct Above {
+    double gap = 0;
+    Vec3 normal;
+  };
+  Above above(size_t node, const Kinematics& at) const;
 
   MPI_Comm comm_;
   const model::Seabed& bed_;
   Vec3 normal_;  // where it is a plane
   const LocalMesh& local_;
-  std::vector<Height> heights_;  // of local nodes before LocalMesh::chain
+  std::vector<Height> heights_;  // of local nodes before LocalMesh::chain; none of bodies
 };
 
 }  // namespace hawser::app

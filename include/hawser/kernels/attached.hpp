@@ -20,6 +20,12 @@ struct AttachedPosition {
   Vec3 w = Vec3::Zero();             // rad/s, material axes
 };
 
+// Of a matrix in blocks of three: one of them.
+template <class Matrix>
+auto block_of(Matrix& m, size_t row, size_t column) {
+  return m.template block<3, 3>(3 * static_cast<Eigen::Index>(row), 3 * static_cast<Eigen::Index>(column));
+}
+
 // Forces conjugate to positions [N], and behind them couples conjugate to small rotations of nodes, in space
 // axes [N m], with their derivatives by both and by the velocities of the positions.
 struct AttachedForces {
@@ -27,12 +33,12 @@ struct AttachedForces {
   size_t positions;
   bool rotates;  // couples act: rows and columns from kPositions on count
   std::array<Vec3, kMost> F;
-  std::array<std::array<Mat3, kMost>, kMost> K;
-  std::array<std::array<Mat3, kPositions>, kMost> C;
+  // In blocks of three, a row and a column for each of F (block_of).
+  Eigen::Matrix<double, 3 * kMost, 3 * kMost, Eigen::RowMajor> K;
+  Eigen::Matrix<double, 3 * kMost, 3 * kPositions, Eigen::RowMajor> C;
 
-  // Zero. What does not count is left as it is.
-  explicit AttachedForces(int positions, bool rotates = false);
-  bool counts(size_t row) const { return row < positions || (rotates && row >= kPositions); }
+  // Zero; without derivatives K and C are left as they are.
+  explicit AttachedForces(int positions, bool rotates = false, bool derivatives = true);
 };
 
 // The blocks that positions are attached to.

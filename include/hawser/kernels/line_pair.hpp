@@ -51,7 +51,7 @@ struct LinePairHistory : ContactPoint {
 
 // Of a pair with that slave and that master: none yet, and the blocks of the slave's nodes and of the
 // master's.
-AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs);
+AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs, bool derivatives = true);
 Stencil stencil_of(const PairAxis& slave, const PairAxis& master);
 
 class LinePairPass {
