@@ -134,7 +134,7 @@ HeightGrid::Height HeightGrid::at(double x, double y) const {
 }
 
 // A cone of the steepest slope below the point straight under y holds no ground nearer.
-double HeightGrid::free_radius(const Vec3& y, double distance) const {
+double HeightGrid::free_radius(const Vec3& y, double distance, int /*hint*/) const {
   return std::min(distance, (y.z() - at(y.x(), y.y()).z) / std::sqrt(1 + steepest_ * steepest_));
 }
 

@@ -74,7 +74,7 @@ struct MeshSurface::Data {
   }
   // m: the body begins nowhere nearer to y than that without an active facet: in a hole, or at an inactive
   // part, behind which it is less than zero. No farther than `most` is looked.
-  double closed_within(const Vec3& y, double most) const;
+  double closed_within(const Vec3& y, double most, int hint) const;
   std::optional<SurfacePoint> seen(const Vec3& y, double max_distance, const FacetSearch::Foot& c) const;
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
                         bool behind) const;
@@ -271,13 +271,13 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
 
 // Beyond a centre of curvature of a patch the point that is found need not be its nearest; both are as near
 // to the flat facet as it bulges.
-double MeshSurface::free_radius(const Vec3& y, double distance) const {
-  return std::min(distance - 2 * data_->bulge, data_->closed_within(y, distance));
+double MeshSurface::free_radius(const Vec3& y, double distance, int hint) const {
+  return std::min(distance - 2 * data_->bulge, data_->closed_within(y, distance, hint));
 }
 
-double MeshSurface::Data::closed_within(const Vec3& y, double most) const {
+double MeshSurface::Data::closed_within(const Vec3& y, double most, int hint) const {
   if (partial) {
-    const auto c = nearest(whole, y, most, -1);
+    const auto c = nearest(whole, y, most, hint);
     if (!c) return most;
     const double away = std::sqrt(c->squared_distance);
     return behind(*c, y, normals.at(facets, c->triangle, *c)) ? -away : away;

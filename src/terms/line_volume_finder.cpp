@@ -45,8 +45,7 @@ class LineVolumeFinder::Gap {
   std::optional<SurfacePoint> query(double xi, double within) {
     const Vec3 y = pose_.to_body(shape_.point(xi));
     const auto p = finder_.query(pair_, group_, xi, y, pair_.contact_distance + within);
-    const double distance = (p ? p->distance - pair_.contact_distance : within) + pair_.contact_distance;
-    places_.push_back({xi, finder_.surface(pair_).free_radius(y, distance)});
+    places_.push_back({xi, p ? p->distance : pair_.contact_distance + within});
     if (p) pair_.hint = p->triangle;
     return p;
   }
@@ -92,7 +91,11 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
   const auto by_xi = [](const ClearancePoint& a, const ClearancePoint& b) { return a.xi < b.xi; };
   std::sort(places.begin(), places.end(), by_xi);
   double least = std::numeric_limits<double>::infinity(), worst = 0;
-  for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.contact_distance);
+  for (ClearancePoint& p : places) {
+    if (!(p.distance > pair.contact_distance)) return;
+    p.distance = surface(pair).free_radius(pose.to_body(shape.point(p.xi)), p.distance, pair.hint);
+    least = std::min(least, p.distance - pair.contact_distance);
+  }
   if (!(least > 0)) return;
   double free =
       least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
@@ -100,7 +103,7 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
     const Vec3 y = pose.to_body(shape.point(worst));
     const double within = pair.contact_distance + 2 * least;
     const auto p = surface(pair).query(y, within, pair.hint);
-    const ClearancePoint more{worst, surface(pair).free_radius(y, p ? p->distance : within)};
+    const ClearancePoint more{worst, surface(pair).free_radius(y, p ? p->distance : within, pair.hint)};
     places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
     least = std::min(least, more.distance - pair.contact_distance);
     free = least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;

@@ -111,7 +111,8 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
     const Vec3 y = pair.start.pose.to_body(start.point(xi));
     const bool by_gap = finder_.by_gap();
     const auto p = by_gap ? finder_.query(pair, 0, xi, y, within) : surface.query(y, within, pair.ahead[i]);
-    if (const double f = surface.free_radius(y, p ? p->distance : within); f > 0 && !by_gap)
+    if (const double f = surface.free_radius(y, p ? p->distance : within, p ? p->triangle : pair.ahead[i]);
+        f > 0 && !by_gap)
       free.push_back({xi, f});
     if (!p) continue;
     pair.ahead[i] = p->triangle;

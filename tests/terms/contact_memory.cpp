@@ -24,7 +24,9 @@ class Counting final : public Surface {
     ++questions;
     return of_->query(y, max_distance, hint);
   }
-  double free_radius(const Vec3& y, double distance) const override { return of_->free_radius(y, distance); }
+  double free_radius(const Vec3& y, double distance, int hint = -1) const override {
+    return of_->free_radius(y, distance, hint);
+  }
   Box bounds() const override { return of_->bounds(); }
   void facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const override {
     of_->facet_groups(axis, reach, out);

@@ -21,7 +21,7 @@ class HeightGrid final : public Surface {
 
   // The ground is inside.
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
-  double free_radius(const Vec3& y, double distance) const override;
+  double free_radius(const Vec3& y, double distance, int hint = -1) const override;
   Box bounds() const override;  // infinite
 
   struct Height {

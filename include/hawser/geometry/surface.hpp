@@ -42,8 +42,8 @@ class Surface {
 
   // m: no point of the body is nearer to y than that, where query() says it is `distance` away or farther.
   // Less than `distance` where query() may take a near place for the nearest, and where the body begins
-  // without a surface: at the holes of an open mesh, at an inactive part.
-  virtual double free_radius(const Vec3& y, double distance) const { return (void)y, distance; }
+  // without a surface: at the holes of an open mesh, at an inactive part. `hint` as of query().
+  virtual double free_radius(const Vec3& /*y*/, double distance, int /*hint*/ = -1) const { return distance; }
 
   // Contains the surface that can be met and all points inside it; may be infinite.
   virtual Box bounds() const = 0;

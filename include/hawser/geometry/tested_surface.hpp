@@ -19,8 +19,8 @@ class TestedSurface final : public Surface {
   TestedSurface(std::shared_ptr<const MeshSurface> mesh, SignTest test, bool partial = false);
 
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
-  double free_radius(const Vec3& y, double distance) const override {
-    return mesh_->free_radius(y, distance);
+  double free_radius(const Vec3& y, double distance, int hint = -1) const override {
+    return mesh_->free_radius(y, distance, hint);
   }
   Box bounds() const override { return mesh_->bounds(); }
 
