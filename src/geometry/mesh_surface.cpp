@@ -269,10 +269,19 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
   return s;
 }
 
-// Beyond a centre of curvature of a patch the point that is found need not be its nearest; both are as near
-// to the flat facet as it bulges.
+// Beyond a centre of curvature of a patch the point that is found need not be its nearest; none is farther
+// from the flat facet than it bulges.
 double MeshSurface::free_radius(const Vec3& y, double distance, int hint) const {
-  return std::min(distance - 2 * data_->bulge, data_->closed_within(y, distance, hint));
+  if (!(distance > 0)) return distance;
+  const Facets& facets = data_->facets;
+  double squared = distance * distance;
+  const auto visit = [&](int t) {
+    if (!facets.curved(t) || one_nearest_point(y, facets.patch(t))) return;
+    const double least = std::max(0.0, std::sqrt(facets.squared_distance(t, y)) - facets.bulge(t));
+    squared = std::min(squared, least * least);
+  };
+  if (facets.any_curved()) data_->active.tree().nearest(y, squared, visit);
+  return data_->closed_within(y, std::sqrt(squared), hint);
 }
 
 double MeshSurface::Data::closed_within(const Vec3& y, double most, int hint) const {

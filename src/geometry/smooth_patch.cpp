@@ -135,6 +135,28 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
   return out;
 }
 
+bool one_nearest_point(const Vec3& y, const SmoothPatch& q) {
+  const Vec3 area = (q.p[1] - q.p[0]).cross(q.p[2] - q.p[0]);  // twice
+  const double size = area.norm();
+  if (!(size > 0)) return false;
+  std::array<double, 3> slope;  // 1/h_i, of barycentric coordinates
+  std::array<Vec3, 6> hull;     // control points from y
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = q.p[(i + 1) % 3], &b = q.p[(i + 2) % 3];
+    slope[i] = (b - a).norm() / size;
+    hull[i] = q.p[i] - y, hull[i + 3] = 0.5 * (q.p[i] + a + q.c[i]) - y;
+  }
+  double shrinks = 0, bends = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double i = slope[k], j = slope[(k + 1) % 3];
+    double most = 0;
+    for (const Vec3& r : hull) most = std::max(most, std::abs(r.dot(q.c[k])));
+    shrinks += area.cross(q.c[k]).norm() / size * std::max(i, j);
+    bends += 2 * most * i * j;
+  }
+  return shrinks < 1 && bends < (1 - shrinks) * (1 - shrinks);
+}
+
 Mat3 curvature_over_patch(const SmoothPatch& q, double u, double v, const Vec3& n, double d) {
   const Vec3 a = q.by_u(u, v), b = q.by_v(u, v);
   const double aa = a.dot(a), ab = a.dot(b), bb = b.dot(b), area2 = aa * bb - ab * ab;

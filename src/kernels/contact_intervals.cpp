@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kRoot = 1e-14;
+constexpr double kRoot = 1e-10;  // of xi; at the root there is no force yet, so its error counts squared
 constexpr int kMost = 100;
 constexpr int kFiner = 4;  // further halvings where contact is not excluded
 

@@ -42,6 +42,15 @@ struct PatchPoint : ClosestPoint {
 // beyond the centres of curvature, else a nearest one of its surroundings.
 PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& patch);
 
+// Whether that is known to be the nearest point of all, because the squared distance is convex over the
+// patch. Along a direction b' of the barycentric coordinates, which moves the point of the flat triangle by
+// w,
+//   (|q - y|²/2)'' = |q'|² + (q - y) . q'',  q' = w + sum (b_i b_j' + b_i' b_j) c_k,  q'' = 2 sum b_i' b_j'
+//   c_k
+// over the edges k = ij. With the heights h_i of the triangle |b_i'| <= |w| / h_i, and q lies in the hull of
+// its control points, which bounds both terms.
+bool one_nearest_point(const Vec3& y, const SmoothPatch& patch);
+
 // Hessian of the signed distance [1/m] where the nearest point is (u, v) inside the patch, with unit normal
 // n and signed distance d: A I^-1 II (I + d II)^-1 A', with A = [q_u q_v], I = A'A and II_ab = -n . q_ab
 // (the surface's curvatures k carried to the distance d: k / (1 + d k)). Zero factors 1 + d k are bounded.

@@ -42,7 +42,7 @@ std::vector<double> middles(const std::vector<InactiveInterval>& of);
 // 2^-levels (levels >= 1) of it, and up to four times more where an end of a piece is out of touch: over the
 // facets of a mesh the gap goes up and down, and a contact that was overlooked would vanish when its end
 // passes from one piece into the next. On the pieces that are left the gap has one minimum or one maximum at
-// most. Ends are roots to 1e-14. At `places`, ascending, the gap is asked first.
+// most. Ends are roots to 1e-10. At `places`, ascending, the gap is asked first.
 std::vector<ContactInterval> contact_intervals(const AxisGapFunction& gap, const AxisBounds& bounds,
                                                int levels, const std::vector<double>& places = {});
 
