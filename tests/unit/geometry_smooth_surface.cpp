@@ -236,6 +236,68 @@ TEST(GeometrySmoothSurface, NearestOfAll) {
 }
 
 // Neighbours share their edge to the last bit, and no patch folds.
+// No place of any patch is nearer than what is called free, also beyond centres of curvature, where the point
+// that is found need not be the nearest; near a round surface all of the distance is free.
+TEST(GeometrySmoothSurface, WhatIsFreeHoldsNoSurface) {
+  const MeshSurface rough(rough_mesh(0.03), {}, kSmooth);
+  std::vector<Vec3> places;
+  constexpr int kSteps = 12;
+  for (int t = 0; t < static_cast<int>(rough.mesh().triangles.size()); ++t)
+    for (int i = 0; i <= kSteps; ++i)
+      for (int j = 0; i + j <= kSteps; ++j)
+        places.push_back(
+            rough.patch(t).point(static_cast<double>(i) / kSteps, static_cast<double>(j) / kSteps));
+  Random random(6);
+  int shortened = 0, all = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 y = random(0.3, 1.6) * random.vec().normalized();
+    const auto s = rough.query(y, kInfinity);
+    const double distance = std::abs(s->distance), free = rough.free_radius(y, distance);
+    double least = kInfinity;
+    for (const Vec3& p : places) least = std::min(least, (p - y).squaredNorm());
+    EXPECT_LE(free, std::sqrt(least) + 1e-12);
+    EXPECT_GE(free, distance - 2 * rough.bulge());
+    ++(free < distance ? shortened : all);
+  }
+  printf("  all of the distance at %d places, less at %d\n", all, shortened);
+  EXPECT_GT(all, 50);
+  EXPECT_GT(shortened, 50);
+  const MeshSurface sphere(sphere_mesh(3), {}, kSmooth);
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 y = random(1.01, 1.1) * random.vec().normalized();
+    const double distance = sphere.query(y, 1)->distance;
+    EXPECT_EQ(sphere.free_radius(y, distance), distance);
+  }
+}
+
+// The squared distance along straight lines of a patch has no negative second difference where it is said to
+// be convex, and where it is not said it may.
+TEST(GeometrySmoothSurface, OneNearestPointMeansConvex) {
+  Random random(8);
+  int convex = 0, bent = 0;
+  for (int i = 0; i < 2000; ++i) {
+    SmoothPatch q;
+    for (Vec3& p : q.p) p = random.vec();
+    for (Vec3& c : q.c) c = 0.1 * random.vec();
+    const Vec3 y = (q.p[0] + q.p[1] + q.p[2]) / 3 + random(0, 1) * random.vec();
+    double least = kInfinity;
+    for (int k = 0; k < 200; ++k) {
+      const double u = random(0, 1), v = random(0, 1 - u), a = random(0, 1), b = random(0, 1 - a), h = 0.01;
+      const auto at = [&](double s) { return (q.point(u + s * (a - u), v + s * (b - v)) - y).squaredNorm(); };
+      least = std::min(least, at(0.5 + h) - 2 * at(0.5) + at(0.5 - h));
+    }
+    if (one_nearest_point(y, q)) {
+      ++convex;
+      EXPECT_GT(least, -1e-14);
+    } else {
+      bent += least < 0;
+    }
+  }
+  printf("  convex %d, not convex %d of 2000\n", convex, bent);
+  EXPECT_GT(convex, 50);
+  EXPECT_GT(bent, 50);
+}
+
 TEST(GeometrySmoothSurface, PatchesAreWatertightAndDoNotFold) {
   for (const double noise : {0.0, 0.05, 0.2}) {
     const TriangleMesh m = rough_mesh(noise);

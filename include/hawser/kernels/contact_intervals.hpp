@@ -66,7 +66,8 @@ std::vector<ContactInterval> split_intervals(const std::vector<ContactInterval>&
 
 // Gauss-Legendre on (0, 1).
 struct ContactRule {
-  static constexpr int kPoints = 4;  // a pressure as a parabola, times Hermite's cubics, with one to spare
+  static constexpr int kPoints = 4;  // more than a pressure as a parabola, times Hermite's cubics, needs;
+                                     // none in the middle, where edges are if a case is symmetric
   static const std::array<double, kPoints>& abscissae();
   static const std::array<double, kPoints>& weight();
 };
