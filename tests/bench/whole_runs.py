@@ -22,7 +22,7 @@ bodies:
 lines:
 {lines}
 contact: {{between_lines: false}}
-dynamics: {{duration: {seconds}}}
+dynamics: {{duration: {seconds}{steps}}}
 output: {{every: {every}}}
 """
 LINE = """  chain {y}:
@@ -32,9 +32,9 @@ LINE = """  chain {y}:
 SEA = "\n  waves: {{jonswap: {{hs: 3, tp: 9, direction_deg: 0, components: {}}}}}"
 
 
-def case_of(sea="", seconds=SECONDS, every=None, elements=100, lines=1):
+def case_of(sea="", seconds=SECONDS, every=None, elements=100, lines=1, steps=""):
     chains = "\n".join(LINE.format(y=10 * i, elements=elements) for i in range(lines))
-    return CASE.format(sea=sea, seconds=seconds, every=every or seconds, lines=chains)
+    return CASE.format(sea=sea, seconds=seconds, every=every or seconds, lines=chains, steps=steps)
 
 
 RUNS = {
@@ -44,6 +44,7 @@ RUNS = {
     "50 elements": case_of(elements=50),
     "200 components": case_of(sea=SEA.format(200)),
     "400 components": case_of(sea=SEA.format(400)),
+    "400, steps of 0.15 s": case_of(sea=SEA.format(400), steps=", max_step: 0.15"),
 }
 
 
