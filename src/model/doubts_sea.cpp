@@ -11,6 +11,18 @@
 #include "hawser/model/doubts.hpp"
 
 namespace hawser::model {
+
+double lowest_reach(const Case& c, const Line& line) {
+  const double length = length_of(line) + expansion_of(c, line);
+  const auto z = [&](const End& e) { return end_position(c, e).z(); };
+  const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
+  if (a && b) return 0.5 * (z(line.end_a) + z(line.end_b) - length);
+  if (a || b) return z(a ? line.end_a : line.end_b) - length;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : line.points) least = std::min(least, p.z());
+  return std::isfinite(least) ? least : -least;
+}
+
 namespace {
 
 constexpr double kSameDepth = 0.02;  // of the depth of the water
@@ -60,24 +72,11 @@ void doubt_anchor(const Case& c, const Line& line, const End& e, const char* whi
          6});
 }
 
-// z below which no point of the line can be, held at one end or both: hanging straight down. -inf: it is
-// free.
-double lowest(const Case& c, const Line& line) {
-  const double length = length_of(line) + expansion_of(c, line);
-  const auto z = [&](const End& e) { return end_position(c, e).z(); };
-  const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
-  if (a && b) return 0.5 * (z(line.end_a) + z(line.end_b) - length);
-  if (a || b) return z(a ? line.end_a : line.end_b) - length;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : line.points) least = std::min(least, p.z());
-  return std::isfinite(least) ? least : -least;
-}
-
 void doubt_bed_in_reach(const Case& c, std::vector<Doubt>& out) {
   const Seabed& bed = c.environment.seabed;
   if (!bed.present || bed.surface || bed.slope > 0 || c.lines.empty()) return;
   double least = std::numeric_limits<double>::infinity();
-  for (const Line& l : c.lines) least = std::min(least, lowest(c, l));
+  for (const Line& l : c.lines) least = std::min(least, lowest_reach(c, l));
   // Bodies that move take their lines along.
   if (least > -0.8 * bed.depth)
     out.push_back({"environment.seabed",
