@@ -22,6 +22,7 @@ std::vector<Doubt> doubts(const Case& c) {
   doubt_lines(c, out);
   doubt_supports(c, out);
   doubt_elements(c, out);
+  doubt_bodies(c, out);
   doubt_sea(c, out);
   doubt_times(c, out);
   return out;

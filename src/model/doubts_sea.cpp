@@ -1,5 +1,6 @@
-// Whether the depths of water, bed and ends fit each other, whether the bed is as stiff as soil, and what a
-// current does in statics to a slack line on the bed, which nothing holds across there.
+// Whether the depths of water, bed and ends fit each other, whether the bed is as stiff as soil, what a
+// current does in statics to a slack line on the bed, which nothing holds across there, and buoys
+// that moving water passes through.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -175,6 +176,19 @@ void doubt_soil(const Case& c, std::vector<Doubt>& out) {
                  14});
 }
 
+// Nothing of a buoy is taken for granted, as it is of lines.
+void doubt_buoy(const Case& c, const Line& line, const PointMass& m, std::vector<Doubt>& out) {
+  const Water& w = c.environment.water;
+  const bool moves = c.dynamics.enabled || !w.current.profile.empty();
+  if (!w.present || !moves || m.drag_area > 0 || m.Ca > 0 || m.mass >= w.density * m.volume) return;
+  out.push_back(
+      {"lines." + line.name + ".masses",
+       fmt::format("{:.4g} m³ at {:.6g} m of line {} have neither 'drag_area' nor 'Ca': no drag and no "
+                   "added mass; a ball of that volume has about {:.2g} m² and 0.5",
+                   m.volume, m.at, line.name, 0.5 * M_PI / 4 * std::pow(6 / M_PI * m.volume, 2.0 / 3)),
+       26});
+}
+
 }  // namespace
 
 void doubt_sea(const Case& c, std::vector<Doubt>& out) {
@@ -185,6 +199,7 @@ void doubt_sea(const Case& c, std::vector<Doubt>& out) {
     doubt_anchor(c, line, line.end_a, "end_a", out);
     doubt_anchor(c, line, line.end_b, "end_b", out);
     doubt_current(c, line, out);
+    for (const PointMass& m : line.masses) doubt_buoy(c, line, m, out);
   }
 }
 

@@ -276,12 +276,12 @@ TEST(Doubts, PlacesBetweenNodes) {
     return Changes{{"elements: 76}]", "elements: 76}]\n    " + more}};
   };
   expect_doubt(
-      line("masses: [{at: 333.3, mass: 1000, volume: 0.2}]"),
+      line("masses: [{at: 333.3, mass: 1000, volume: 0.2, Ca: 0.5}]"),
       "lines.mooring.masses: what is to be at 333.3 m of line mooring is fixed to the nearest node, at "
       "330 m; shorter elements, or a section that ends at 333.3 m, put a node there");
   expect_doubt(line("loads: [{at: 4, force: [0, 0, 1]}]"), "lines.mooring.loads[0]: what is to be at 4 m");
   for (const char* at : {"330", "330.9", "end_b", "0"})
-    EXPECT_EQ(notes(line("masses: [{at: " + std::string(at) + ", mass: 1000, volume: 0.2}]")),
+    EXPECT_EQ(notes(line("masses: [{at: " + std::string(at) + ", mass: 1000, volume: 0.2, Ca: 0.5}]")),
               std::vector<std::string>{})
         << at;
   expect_doubt({{"dynamics:",
@@ -292,15 +292,45 @@ TEST(Doubts, PlacesBetweenNodes) {
   EXPECT_EQ(
       notes({{"[{type: chain, length: 760, elements: 76}]",
               "[{type: chain, length: 333.3, elements: 33}, {type: chain, length: 426.7, elements: 43}]\n"
-              "    masses: [{at: 333.3, mass: 1000, volume: 0.2}]"}}),
+              "    masses: [{at: 333.3, mass: 1000, volume: 0.2, Ca: 0.5}]"}}),
       std::vector<std::string>{});
+}
+
+TEST(Doubts, BuoysWithoutDragAndAddedMass) {
+  const auto buoy = [](const std::string& more) {
+    return Changes{
+        {"elements: 76}]", "elements: 76}]\n    masses: [{at: 300, mass: 1000, volume: 8" + more + "}]"}};
+  };
+  expect_doubt(
+      buoy(""),
+      "lines.mooring.masses: 8 m³ at 300 m of line mooring have neither 'drag_area' nor 'Ca': no drag and "
+      "no added mass; a ball of that volume has about 2.4 m² and 0.5");
+  for (const char* more : {", Ca: 0.5", ", drag_area: 2"})
+    EXPECT_EQ(notes(buoy(more)), std::vector<std::string>{}) << more;
+}
+
+TEST(Doubts, RotationsOfATurnedBody) {
+  const auto turned = [](const std::string& heading, const std::string& motion) {
+    return Changes{{"vessel: {motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}",
+                    "vessel: {rotation_deg: [0, 0, " + heading + "], motion: {" + motion + ", ramp: 10}}"}};
+  };
+  const std::string roll = "harmonic: {rotation_amplitude_deg: [5, 0, 0], period: 10}",
+                    yaw = "harmonic: {rotation_amplitude_deg: [0, 0, 5], period: 10}",
+                    table = "table: {rows: [[0, 0, 0, 0, 0, 0, 0], [60, 0, 0, 0, 5, 0, 0]]}";
+  expect_doubt(
+      turned("90", roll),
+      "slips.yaml:10: bodies.vessel.motion.harmonic: turns the body about (1, 0, 0) in space, and that is "
+      "(0, -1, 0) of its own axes by its 'rotation_deg'; is it meant?");
+  expect_doubt(turned("30", table), "bodies.vessel.motion.table: turns the body about (1, 0, 0) in space");
+  EXPECT_EQ(notes(turned("0", roll)), std::vector<std::string>{});
+  EXPECT_EQ(notes(turned("90", yaw)), std::vector<std::string>{});
 }
 
 // The bed bears 100 kN/m³ times 0.25 m times 10 m for each metre: 860 kN go 3.4 m deep.
 TEST(Doubts, MassesThatSinkIntoTheBed) {
   const auto clump = [](const std::string& volume) {
-    return Changes{
-        {"elements: 76}]", "elements: 76}]\n    masses: [{at: 300, mass: 1.0e5, volume: " + volume + "}]"}};
+    return Changes{{"elements: 76}]",
+                    "elements: 76}]\n    masses: [{at: 300, mass: 1.0e5, volume: " + volume + ", Ca: 0.5}]"}};
   };
   expect_doubt(
       clump("12"),

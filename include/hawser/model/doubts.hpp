@@ -31,6 +31,8 @@ void doubt_supports(const Case& c, std::vector<Doubt>& out);
 // Masses, loads, links and bodies that nodes have elsewhere than the case, masses that sink into the bed, and
 // bend stiffeners of too few elements.
 void doubt_elements(const Case& c, std::vector<Doubt>& out);
+// Rotations about axes of space that are other axes of the body.
+void doubt_bodies(const Case& c, std::vector<Doubt>& out);
 // Depths of water and bed, soil that is none, ends far from the bed, and currents that push aside what lies
 // on it.
 void doubt_sea(const Case& c, std::vector<Doubt>& out);
