@@ -36,8 +36,6 @@
 namespace hawser::app {
 namespace {
 
-constexpr int kFew = 8;  // elements: with fewer a line on the bed may be slack in its model alone
-
 // Radius and mass of the elements, and which of their nodes are held, for contact along them.
 std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh,
                                                  const std::vector<int>& held) {
@@ -342,19 +340,14 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
                 system_->comm());
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
-      notes_.push_back(
-          fmt::format(
-              "lines.{}: {:.3g} m of it have no tension at rest and can lie in other places, of which {}",
-              mesh_->lines[l].name, slack[l],
-              settings.relaxation == RelaxationUse::when_newton_fails
-                  ? "rounding may choose (so may the number of ranks): 'start' says which is meant, and "
-                    "'statics: "
-                    "{dynamic_relaxation: always}' lets it fall into place"
-                  : "it has fallen into one; 'start' says which is meant") +
-          (mesh_->lines[l].elements < kFew
-               ? fmt::format("; or its elements, {} in all, are too long for it to hang by",
-                             mesh_->lines[l].elements)
-               : ""));
+      notes_.push_back(fmt::format(
+          "lines.{}: {:.3g} m of it have no tension at rest and can lie in other places, of which {}",
+          mesh_->lines[l].name, slack[l],
+          settings.relaxation == RelaxationUse::when_newton_fails
+              ? "rounding may choose (so may the number of ranks): 'start' says which is meant, and "
+                "'statics: "
+                "{dynamic_relaxation: always}' lets it fall into place"
+              : "it has fallen into one; 'start' says which is meant"));
   return report;
 }
 

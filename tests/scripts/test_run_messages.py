@@ -94,25 +94,6 @@ dynamics: {duration: 20}
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertNotIn("warning", result.stdout)
 
-    def test_slack_of_too_few_elements(self):
-        chain = """\
-hawser: 1
-environment: {water: {depth: 100}, seabed: {depth: 100, friction: 0.5}}
-line_types:
-  chain: {library: chain-studless, diameter: 84 mm, grade: R3}
-lines:
-  chain:
-    sections: [{type: chain, length: 250, elements: 2}]
-    end_a: {anchor: [0, 0, -5]}
-    end_b: {anchor: [200, 0, -100]}
-"""
-        told = "or its elements, 2 in all, are too long for it to hang by"
-        for elements, found in ((2, True), (50, False)):
-            write(self.folder, "rod.yaml", chain.replace("elements: 2", f"elements: {elements}"))
-            output = self.hawser("run", "rod.yaml").stdout
-            with self.subTest(elements=elements):
-                self.assertEqual(told in output, found, output)
-
     def test_lines_that_start_in_one_another(self):
         line = """  {}:
     sections: [{{type: wire, length: 20, elements: 20}}]

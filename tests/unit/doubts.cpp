@@ -178,6 +178,10 @@ TEST(Doubts, TensionsOfLinesAndLengths) {
                "lines.mooring.loads[0]: its force means a tension of 2e+04 kN");
   expect_doubt({{"length: 760", "length: 8000"}, {"  current: {speed: 0.2, direction_deg: 90}\n", ""}},
                "the line is 8000 m long, 11 times the distance of its ends (727.977 m)");
+  expect_doubt(
+      {{"elements: 76", "elements: 2"}},
+      "lines.mooring.sections: 2 elements for a line that is 4.4 % longer than the distance of its ends: it "
+      "hangs or lies in a curve, which takes twenty or more to follow");
   // What is inside a feeder does not reach from end to end.
   expect_doubt({{"length: 760", "length: 755"},
                 {"end_b: {body: vessel, at: [0, 0, 0]}",
