@@ -8,6 +8,16 @@
 #include "hawser/model/doubts.hpp"
 
 namespace hawser::app {
+namespace {
+
+// Of a line, N: what a strain of 1e-9 would exert. Less is round-off of a line without tension.
+double no_tension(const model::Case& c, const std::string& line) {
+  double EA = 0;
+  for (const auto& s : c.line(line).sections) EA = std::max(EA, c.line_type(s.type).EA);
+  return 1e-9 * EA;
+}
+
+}  // namespace
 
 std::string Recorder::audit_warning() const {
   const int node = audit_.worst.node;
@@ -51,12 +61,12 @@ void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
   };
   warnings_.clear();
   for (const auto& r : rows) {
-    if (r.quantity == "max effective tension" && r.value > 0)
+    if (r.quantity == "max effective tension" && r.value > no_tension(sim_.model(), r.line)) {
       for (const std::string& w :
            element_errors_.warnings(sim_.model().line_index(r.line), r.value, bent(r.line)))
         warnings_.push_back(w);
-    if (r.quantity == "max effective tension" && r.value > 0)
       if (const std::string w = peak_warning(r); !w.empty()) warnings_.push_back(w);
+    }
     if (const std::string w = overused(sim_.model(), fields_, r); !w.empty()) warnings_.push_back(w);
     if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;

@@ -134,6 +134,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   feeders_ = feeders.get();
   add_lines();
   StartShape start = start_shape(case_, local(), *bodies_);
+  notes_ = std::move(start.notes);
   const Kinematics at = start.state.view(0);
   bodies_->fix_drawn(comm, case_, at);
   if (!case_.links.empty()) links_ = add<Links>(comm, case_, local(), bodies_, at);

@@ -110,7 +110,7 @@ void check_stokes(const Value& v, const model::Environment& e, std::vector<std::
 // DNV-RP-C205, 3.5.4: steepness 2 pi Hs/(g Tp²) of the steepest seas, straight between 8 and 15 s.
 void check_sea_steepness(const Value& v, const model::Environment& e, std::vector<std::string>& notes) {
   const model::Waves& w = e.water.waves;
-  if (w.kind != model::Waves::Kind::spectrum || !(e.gravity > 0)) return;
+  if (w.kind != model::Waves::Kind::spectrum) return;
   const double share = std::clamp((w.peak_period - 8) / 7, 0.0, 1.0);
   const double steepest = (1 - share) / 15 + share / 25;
   const double steepness = 2 * M_PI * w.height / (e.gravity * w.peak_period * w.peak_period);
@@ -126,7 +126,6 @@ void check_sea_steepness(const Value& v, const model::Environment& e, std::vecto
 void check_steepness(const model::Environment& e, std::vector<std::string>& notes) {
   const model::Waves& w = e.water.waves;
   if (w.kind != model::Waves::Kind::regular && w.kind != model::Waves::Kind::components) return;
-  if (!(e.gravity > 0)) return;
   for (size_t i = 0; i < w.rows.size(); ++i) {
     const double k = wave_number(2 * M_PI / w.rows[i].period, e.water.depth, e.gravity);
     const double length = 2 * M_PI / k;
@@ -154,6 +153,7 @@ void finish_environment(const Value& v, const CaseSource& source, model::Environ
   }
   if (const Value* w = v.find("waves")) {
     if (!e.water.present) refuse(*w, "needs 'water' beside it");
+    if (!(e.gravity > 0)) refuse(*w, "without gravity there are no waves: 'environment.gravity' is 0");
     if (e.seabed.surface && !(e.water.depth > 0))
       refuse(*w, "over a bed of a grid or a mesh waves need 'depth' of the water, which is one for all");
     finish_waves(*w, source, e.water.waves);

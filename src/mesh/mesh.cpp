@@ -12,17 +12,6 @@
 namespace hawser {
 namespace {
 
-// Lengths of n elements over `length`, the last `ratio` times the first, in geometric progression.
-std::vector<double> graded_lengths(double length, int n, double ratio) {
-  std::vector<double> l(static_cast<size_t>(n), length / n);
-  if (n < 2 || ratio == 1) return l;
-  const double q = std::pow(ratio, 1.0 / (n - 1));
-  double sum = 0;
-  for (size_t i = 0; i < l.size(); ++i) sum += l[i] = std::pow(q, static_cast<double>(i));
-  for (double& x : l) x *= length / sum;
-  return l;
-}
-
 // Whether an event lets this end go.
 bool released(const model::Case& c, const model::Line& line, bool at_b) {
   return std::any_of(c.events.begin(), c.events.end(), [&](const model::Event& e) {
@@ -111,7 +100,7 @@ Mesh build_mesh(const model::Case& c) {
       const bool beam = c.line_types[static_cast<size_t>(type)].kind == model::LineKind::beam;
       const double start = m.nodes.back().arc;
       double along = 0;
-      for (double l : graded_lengths(section.length, section.elements, section.grading)) {
+      for (double l : model::element_lengths(section)) {
         along += l;
         const int a = static_cast<int>(m.nodes.size()) - 1;
         m.nodes.push_back({number, start + along, 0, false});

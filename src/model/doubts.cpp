@@ -21,6 +21,8 @@ std::vector<Doubt> doubts(const Case& c) {
   doubt_line_types(c, out);
   doubt_lines(c, out);
   doubt_supports(c, out);
+  doubt_elements(c, out);
+  doubt_bodies(c, out);
   doubt_sea(c, out);
   doubt_times(c, out);
   return out;

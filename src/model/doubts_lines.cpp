@@ -1,5 +1,6 @@
 // What a line must bear at least by the distance of its ends, its loads and its weight, as a strain and
-// against its breaking load; and whether it is far longer than the way between its ends.
+// against its breaking load; and whether it is far longer than the way between its ends, or hangs there in
+// too few elements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +18,9 @@ namespace {
 constexpr double kMetal = 20e9, kMetalStrain = 0.01,
                  kFibreStrain = 0.1;  // Pa, modulus of what counts as metal
 constexpr double kLong = 10;          // lengths over the distance of the ends
-constexpr double kDeepLong = 5;       // and over that and the height of both ends above the bed
+constexpr int kFew = 5;          // elements of what hangs: with fewer its tension is off by a tenth and more
+constexpr double kSlack = 1.01;  // lengths over the distance of the ends, of what hangs in a curve
+constexpr double kDeepLong = 5;  // and over that and the height of both ends above the bed
 
 double allowed_strain(const LineType& t) {
   return t.EA / (M_PI / 4 * t.outer_diameter * t.outer_diameter) > kMetal ? kMetalStrain : kFibreStrain;
@@ -60,6 +63,15 @@ void doubt_span(const Case& c, const Line& line, std::vector<Doubt>& out) {
           fmt::format("a length of {:.6g} m over a distance of {:.6g} m between its ends", loose, chord),
           out);
   const bool automatic = line.start == Start::automatic || line.start == Start::catenary;
+  int elements = 0;
+  for (const Section& s : line.sections) elements += s.elements;
+  if (automatic && elements < kFew && chord > 0 && length > kSlack * chord)
+    out.push_back(
+        {key,
+         fmt::format("{} element{} for a line that is {:.2g} % longer than the distance of its ends: it "
+                     "hangs or lies in a curve, which takes twenty or more to follow",
+                     elements, elements == 1 ? "" : "s", 100 * (length / chord - 1)),
+         27});
   double room = chord;
   if (const Seabed& bed = c.environment.seabed; bed.present)
     for (const End* e : {&line.end_a, &line.end_b})

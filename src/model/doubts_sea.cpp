@@ -1,5 +1,6 @@
-// Whether the depths of water, bed and ends fit each other, whether the bed is as stiff as soil, and what a
-// current does in statics to a slack line on the bed, which nothing holds across there.
+// Whether the depths of water, bed and ends fit each other, whether the bed is as stiff as soil, what a
+// current does in statics to a slack line on the bed, which nothing holds across there, and buoys
+// that moving water passes through.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +12,18 @@
 #include "hawser/model/doubts.hpp"
 
 namespace hawser::model {
+
+double lowest_reach(const Case& c, const Line& line) {
+  const double length = length_of(line) + expansion_of(c, line);
+  const auto z = [&](const End& e) { return end_position(c, e).z(); };
+  const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
+  if (a && b) return 0.5 * (z(line.end_a) + z(line.end_b) - length);
+  if (a || b) return z(a ? line.end_a : line.end_b) - length;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec3& p : line.points) least = std::min(least, p.z());
+  return std::isfinite(least) ? least : -least;
+}
+
 namespace {
 
 constexpr double kSameDepth = 0.02;  // of the depth of the water
@@ -60,24 +73,11 @@ void doubt_anchor(const Case& c, const Line& line, const End& e, const char* whi
          6});
 }
 
-// z below which no point of the line can be, held at one end or both: hanging straight down. -inf: it is
-// free.
-double lowest(const Case& c, const Line& line) {
-  const double length = length_of(line) + expansion_of(c, line);
-  const auto z = [&](const End& e) { return end_position(c, e).z(); };
-  const bool a = line.end_a.kind != EndKind::free, b = line.end_b.kind != EndKind::free;
-  if (a && b) return 0.5 * (z(line.end_a) + z(line.end_b) - length);
-  if (a || b) return z(a ? line.end_a : line.end_b) - length;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec3& p : line.points) least = std::min(least, p.z());
-  return std::isfinite(least) ? least : -least;
-}
-
 void doubt_bed_in_reach(const Case& c, std::vector<Doubt>& out) {
   const Seabed& bed = c.environment.seabed;
   if (!bed.present || bed.surface || bed.slope > 0 || c.lines.empty()) return;
   double least = std::numeric_limits<double>::infinity();
-  for (const Line& l : c.lines) least = std::min(least, lowest(c, l));
+  for (const Line& l : c.lines) least = std::min(least, lowest_reach(c, l));
   // Bodies that move take their lines along.
   if (least > -0.8 * bed.depth)
     out.push_back({"environment.seabed",
@@ -176,6 +176,19 @@ void doubt_soil(const Case& c, std::vector<Doubt>& out) {
                  14});
 }
 
+// Nothing of a buoy is taken for granted, as it is of lines.
+void doubt_buoy(const Case& c, const Line& line, const PointMass& m, std::vector<Doubt>& out) {
+  const Water& w = c.environment.water;
+  const bool moves = c.dynamics.enabled || !w.current.profile.empty();
+  if (!w.present || !moves || m.drag_area > 0 || m.Ca > 0 || m.mass >= w.density * m.volume) return;
+  out.push_back(
+      {"lines." + line.name + ".masses",
+       fmt::format("{:.4g} m³ at {:.6g} m of line {} have neither 'drag_area' nor 'Ca': no drag and no "
+                   "added mass; a ball of that volume has about {:.2g} m² and 0.5",
+                   m.volume, m.at, line.name, 0.5 * M_PI / 4 * std::pow(6 / M_PI * m.volume, 2.0 / 3)),
+       26});
+}
+
 }  // namespace
 
 void doubt_sea(const Case& c, std::vector<Doubt>& out) {
@@ -186,6 +199,7 @@ void doubt_sea(const Case& c, std::vector<Doubt>& out) {
     doubt_anchor(c, line, line.end_a, "end_a", out);
     doubt_anchor(c, line, line.end_b, "end_b", out);
     doubt_current(c, line, out);
+    for (const PointMass& m : line.masses) doubt_buoy(c, line, m, out);
   }
 }
 

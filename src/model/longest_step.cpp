@@ -172,7 +172,9 @@ double slowest_period(const Case& c, const Line& line) {
     bend += s.length * (t.kind == LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
   }
   if (length == 0 || mass == 0) return 0;
-  double square = 1.45 * c.environment.gravity / length + std::pow(M_PI / length, 4) * bend / mass;
+  const bool spans = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;
+  const double wave = spans ? M_PI : 1.8751;  // of a beam between hinges, of a cantilever
+  double square = 1.45 * c.environment.gravity / length + std::pow(wave / length, 4) * bend / mass;
   if (is_held(line.end_a) && is_held(line.end_b)) {
     const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
     square += std::pow(M_PI / length, 2) * std::max(chord - loose, 0.0) / give / (mass / length);

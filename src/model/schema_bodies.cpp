@@ -22,7 +22,7 @@ Key harmonic(const Field& field, std::string about) {
             "amplitudes of x, y, z: offset = amplitude sin(2 pi t / period + phase)")
            .or_else(kZero),
        vec3({"rotation_amplitude_deg", &HarmonicMotion::rotation_amplitude}, angle,
-            "amplitudes of the rotation vector")
+            "amplitudes of the rotation vector, about axes of space")
            .or_else(kZero),
        number({"period", &HarmonicMotion::period}, time, "period").above(0).is_required(),
        vec3({"phase_deg", &HarmonicMotion::phase}, angle, "phases of x, y, z").or_else(kZero),

@@ -2,6 +2,8 @@
 // tied ends, and the start of floating bodies.
 #include "hawser/solve/start_shape.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,8 @@
 
 namespace hawser {
 namespace {
+
+constexpr double kAgainst = 0.75 * M_PI;  // rad between a direction that is given and that of the shape
 
 // Tangents where the shape has none (a slack end): from the neighbours' positions.
 void mend(LineStart& s) {
@@ -36,21 +40,42 @@ bool rigid(const model::Case& c, const model::End& e) {
   return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
 }
 
+bool by_itself(const model::Line& line) {
+  return line.start == model::Start::automatic || line.start == model::Start::catenary;
+}
+
+// Says that an end is clamped against the way that the line takes there by itself.
+void doubt_direction(const model::Line& line, bool at_b, const Vec3& own, const Vec3& given,
+                     std::vector<std::string>& notes) {
+  const double turn = std::acos(std::clamp(own.dot(given), -1.0, 1.0));
+  if (turn < kAgainst) return;
+  const Vec3& d = *line.end(at_b).direction;
+  std::string note = fmt::format(
+      "lines.{}.{}.direction: the line would have to turn by {:.0f} degrees to have this direction at end "
+      "{}: "
+      "at both ends it is the direction from end A to end B; is [{:.3g}, {:.3g}, {:.3g}] meant?",
+      line.name, at_b ? "end_b" : "end_a", turn * 180 / M_PI, at_b ? 'B' : 'A', 0 - d.x(), 0 - d.y(),
+      0 - d.z());
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
+}
+
 // Places, tangents and node axes of a line that is not a part of another.
 LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& g,
-                   const LineSpan& span) {
-  const bool by_itself = line.start == model::Start::automatic || line.start == model::Start::catenary;
-  LineStart shape = line.end_a.feed || line.end_b.feed  ? line_start_fed(c, line, bodies, g, span)
-                    : by_itself && !line.buried.empty() ? line_start_from_soil(c, line, bodies, g, span)
-                                                        : line_start(c, line, bodies, g, span);
+                   const LineSpan& span, std::vector<std::string>& notes) {
+  LineStart shape = line.end_a.feed || line.end_b.feed        ? line_start_fed(c, line, bodies, g, span)
+                    : by_itself(line) && !line.buried.empty() ? line_start_from_soil(c, line, bodies, g, span)
+                                                              : line_start(c, line, bodies, g, span);
   mend(shape);
-  if (by_itself && line.buried.empty()) lift(c.environment.seabed, shape);
-  auto clamp_direction = [&](const model::End& e, size_t node) {
-    if ((e.clamped || rigid(c, e)) && e.direction)
-      shape.tangent[node] = start_pose(c, bodies, e).rotation * e.direction->normalized();
+  if (by_itself(line) && line.buried.empty()) lift(c.environment.seabed, shape);
+  const auto clamp_direction = [&](bool at_b) {
+    const model::End& e = line.end(at_b);
+    if (!(e.clamped || rigid(c, e)) || !e.direction) return;
+    const Vec3 given = start_pose(c, bodies, e).rotation * e.direction->normalized();
+    Vec3& tangent = at_b ? shape.tangent.back() : shape.tangent.front();
+    if (by_itself(line)) doubt_direction(line, at_b, tangent.normalized(), given, notes);
+    tangent = given;
   };
-  clamp_direction(line.end_a, 0);
-  clamp_direction(line.end_b, shape.x.size() - 1);
+  clamp_direction(false), clamp_direction(true);
   std::vector<Quat>& q = shape.q;
   if (q.empty()) {
     q.push_back(axes_along(shape.tangent[0]));
@@ -64,11 +89,12 @@ LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& 
 }
 
 // Of a part of a line that is cut: what it has of the whole.
-LineStart part_of_shape(const model::Case& c, const model::Line& line, const Bodies& bodies, int nodes) {
+LineStart part_of_shape(const model::Case& c, const model::Line& line, const Bodies& bodies, int nodes,
+                        std::vector<std::string>& notes) {
   model::Case alone;
   alone.line_types = c.line_types, alone.lines = {*line.whole};
   const Mesh mesh = build_mesh(alone);
-  LineStart shape = shape_of(c, *line.whole, bodies, mesh, mesh.lines.front());
+  LineStart shape = shape_of(c, *line.whole, bodies, mesh, mesh.lines.front(), notes);
   const auto first = mesh.nearest_node(0, line.from), last = first + nodes;
   const auto take = [&](auto& values) {
     values.erase(values.begin() + last, values.end()), values.erase(values.begin(), values.begin() + first);
@@ -173,13 +199,13 @@ void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bod
 
 StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies) {
   const Mesh& g = *mesh.mesh;
-  StartShape out{State(mesh.nodes()), {}, {}};
+  StartShape out{State(mesh.nodes()), {}, {}, {}};
 
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
     const LineSpan& span = g.lines[l];
-    const LineStart shape =
-        line.whole ? part_of_shape(c, line, bodies, span.nodes) : shape_of(c, line, bodies, g, span);
+    const LineStart shape = line.whole ? part_of_shape(c, line, bodies, span.nodes, out.notes)
+                                       : shape_of(c, line, bodies, g, span, out.notes);
     const std::vector<Quat>& q = shape.q;
     out.ends.push_back({start_pose(c, bodies, line.end_a).rotation.conjugate() * q.front(),
                         start_pose(c, bodies, line.end_b).rotation.conjugate() * q.back()});

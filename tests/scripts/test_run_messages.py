@@ -63,6 +63,49 @@ class Messages(unittest.TestCase):
         launch = ["mpirun", "-n", ranks, HAWSER] if ranks else [HAWSER]
         return run(*launch, *arguments, cwd=self.folder, timeout=300, env={**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0"})
 
+    def test_end_clamped_against_its_line(self):
+        hang = CASE.replace("    start: straight\n", "")
+        turned = "end_b: {anchor: [9, 0, 0], direction: [-1, 0, 1], clamped: true}"
+        for direction, found in (("[-1, 0, 1]", 0), ("[1, 0, 1]", 0), ("[0, 0, -1]", 1)):
+            end = turned.replace("[-1, 0, 1]", direction)
+            write(self.folder, "rod.yaml", hang.replace("end_b: free", end).replace("dynamics: {duration: 0.2, step: 0.05}\n", ""))
+            output = self.hawser("run", "rod.yaml").stdout
+            with self.subTest(direction=direction):
+                self.assertEqual(output.count("lines.rod.end_b.direction: the line would have to turn by "), found, output)
+        self.assertIn("degrees to have this direction at end B: at both ends it is the direction from end A to end B; "
+                      "is [0, 0, 1] meant?", output)
+
+    def test_no_blow_without_tension(self):
+        write(self.folder, "rod.yaml", """\
+hawser: 1
+environment: {water: {depth: 1000}}
+line_types:
+  wire: {outer_diameter: 0.05, mass_per_length: 8, EA: 100 MN, bending: false}
+lines:
+  wire:
+    sections: [{type: wire, length: 60, elements: 30}]
+    end_a: free
+    end_b: free
+    start: {points: [[0, 0, -100], [60, 0, -100]]}
+statics: false
+dynamics: {duration: 20}
+""")
+        result = self.hawser("run", "rod.yaml")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertNotIn("warning", result.stdout)
+
+    def test_lines_that_start_in_one_another(self):
+        line = """  {}:
+    sections: [{{type: wire, length: 20, elements: 20}}]
+    end_a: {{anchor: [0, 0, 0]}}
+    end_b: {{anchor: [18, 0, 0]}}
+"""
+        write(self.folder, "rod.yaml", "hawser: 1\nline_types:\n  wire: {outer_diameter: 0.04, mass_per_length: 1, EA: 10 MN, "
+              "bending: false}\nlines:\n" + line.format("one") + line.format("other"))
+        result = self.hawser("run", "rod.yaml")
+        self.assertEqual(result.returncode, 3, result.stdout)
+        self.assertIn("would pass through each other: they are in one another by more than half of their radii; do they start so", result.stderr)
+
     def test_supports_that_carry_nothing(self):
         roller = "type: flat, roller_diameter: 0.4, roller_length: 2, normal_stiffness: 1.0e7}"
         low = PIPE.replace("at: [5, 10, 15], " + roller, "at: [5, 15], " + roller + "\n      - {at: [10], above_path: -3, " + roller)

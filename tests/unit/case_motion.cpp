@@ -21,7 +21,7 @@ hawser: 1
 line_types: {{chain: {{outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending: false}}}}
 bodies: {{ship: {{motion: {{table: {{{}}}{}}}}}}}
 lines:
-  mooring: {{sections: [{{type: chain, length: 120, elements: 4}}], end_a: {{anchor: [100, 0, -50]}}, end_b: {{body: ship, at: [0, 0, 0]}}}}
+  mooring: {{sections: [{{type: chain, length: 120, elements: 12}}], end_a: {{anchor: [100, 0, -50]}}, end_b: {{body: ship, at: [0, 0, 0]}}}}
 dynamics: {{duration: 6}}
 )",
                                         table, more),

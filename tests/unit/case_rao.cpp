@@ -29,7 +29,7 @@ bodies:
     motion: {rao: {phase: lead, rows: [[5, 0, 0, 0, 0, 0, 1, 0, 0, 0, 2, 90, 0, 0], [20, 0, 0, 0, 0, 0, 1, 0, 0, 0, 2, 90, 0, 0]]}}
 lines:
   mooring:
-    sections: [{type: chain, length: 120, elements: 4}]
+    sections: [{type: chain, length: 120, elements: 12}]
     end_a: {anchor: [100, 0, -50]}
     end_b: {body: ship, at: [0, 0, 0]}
 dynamics: {duration: 60}
@@ -70,7 +70,7 @@ bodies:
       drift: {offset: [12, -7, 0], rotation_deg: [0, 0, 45], harmonic: {amplitude: [10, 4, 0], period: 90}}
 lines:
   mooring:
-    sections: [{type: chain, length: 120, elements: 4}]
+    sections: [{type: chain, length: 120, elements: 12}]
     end_a: {anchor: [100, 0, -50]}
     end_b: {body: ship, at: [0, 0, 0]}
 dynamics: {duration: 100}
@@ -117,7 +117,7 @@ line_types: {chain: {outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending:
 bodies: {ship: {position: [0, 0, 0], rotation_deg: [0, 0, 30], motion: {rao: {)" +
                                   rao + "rows: [" + rows + R"(]}}}}
 lines:
-  mooring: {sections: [{type: chain, length: 120, elements: 4}], end_a: {anchor: [100, 0, -50]}, end_b: {body: ship, at: [0, 0, 0]}}
+  mooring: {sections: [{type: chain, length: 120, elements: 12}], end_a: {anchor: [100, 0, -50]}, end_b: {body: ship, at: [0, 0, 0]}}
 dynamics: {duration: 20}
 )",
                               "/nowhere/case.yaml");
@@ -169,7 +169,7 @@ line_types: {chain: {outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending:
 bodies: {ship: {position: [0, 0, 0], rotation_deg: [0, 0, 30], motion: {rao: {rows: [)" +
                                   rows + R"(]}}}}
 lines:
-  mooring: {sections: [{type: chain, length: 120, elements: 4}], end_a: {anchor: [100, 0, -50]}, end_b: {body: ship, at: [0, 0, 0]}}
+  mooring: {sections: [{type: chain, length: 120, elements: 12}], end_a: {anchor: [100, 0, -50]}, end_b: {body: ship, at: [0, 0, 0]}}
 dynamics: {duration: 20}
 )",
                               "/nowhere/case.yaml")

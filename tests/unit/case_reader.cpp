@@ -40,7 +40,7 @@ TEST(CaseReader, WavesThatWouldBreak) {
     std::vector<std::string> all =
         read(kTypes + std::string("environment: {") + sea +
              "}\n"
-             "lines: {a: {sections: [{type: hose, length: 100, elements: 2}], end_a: {anchor: [0, 0, 0]}, "
+             "lines: {a: {sections: [{type: hose, length: 100, elements: 20}], end_a: {anchor: [0, 0, 0]}, "
              "end_b: {anchor: [90, 0, 0]}}}\n")
             .notes;
     // The chain is too heavy for its diameter under water.

@@ -178,6 +178,10 @@ TEST(Doubts, TensionsOfLinesAndLengths) {
                "lines.mooring.loads[0]: its force means a tension of 2e+04 kN");
   expect_doubt({{"length: 760", "length: 8000"}, {"  current: {speed: 0.2, direction_deg: 90}\n", ""}},
                "the line is 8000 m long, 11 times the distance of its ends (727.977 m)");
+  expect_doubt(
+      {{"elements: 76", "elements: 2"}},
+      "lines.mooring.sections: 2 elements for a line that is 4.4 % longer than the distance of its ends: it "
+      "hangs or lies in a curve, which takes twenty or more to follow");
   // What is inside a feeder does not reach from end to end.
   expect_doubt({{"length: 760", "length: 755"},
                 {"end_b: {body: vessel, at: [0, 0, 0]}",
@@ -270,6 +274,94 @@ TEST(Doubts, FeedersThatStartAtOnce) {
   EXPECT_TRUE(notes(event(", ramp: 2")).empty());
 }
 
+// What nodes have elsewhere: elements of 10 m, from an anchor to a vessel.
+TEST(Doubts, PlacesBetweenNodes) {
+  const auto line = [](const std::string& more) {
+    return Changes{{"elements: 76}]", "elements: 76}]\n    " + more}};
+  };
+  expect_doubt(
+      line("masses: [{at: 333.3, mass: 1000, volume: 0.2, Ca: 0.5}]"),
+      "lines.mooring.masses: what is to be at 333.3 m of line mooring is fixed to the nearest node, at "
+      "330 m; shorter elements, or a section that ends at 333.3 m, put a node there");
+  expect_doubt(line("loads: [{at: 4, force: [0, 0, 1]}]"), "lines.mooring.loads[0]: what is to be at 4 m");
+  for (const char* at : {"330", "330.9", "end_b", "0"})
+    EXPECT_EQ(notes(line("masses: [{at: " + std::string(at) + ", mass: 1000, volume: 0.2, Ca: 0.5}]")),
+              std::vector<std::string>{})
+        << at;
+  expect_doubt({{"dynamics:",
+                 "links: {k: {end_a: {line: mooring, at: 25}, end_b: {anchor: [0, 0, 0]}, stiffness: 1}}\n"
+                 "dynamics:"}},
+               "links.k: what is to be at 25 m of line mooring is fixed to the nearest node, at 30 m");
+  // At the end of a section there is one.
+  EXPECT_EQ(
+      notes({{"[{type: chain, length: 760, elements: 76}]",
+              "[{type: chain, length: 333.3, elements: 33}, {type: chain, length: 426.7, elements: 43}]\n"
+              "    masses: [{at: 333.3, mass: 1000, volume: 0.2, Ca: 0.5}]"}}),
+      std::vector<std::string>{});
+}
+
+TEST(Doubts, BuoysWithoutDragAndAddedMass) {
+  const auto buoy = [](const std::string& more) {
+    return Changes{
+        {"elements: 76}]", "elements: 76}]\n    masses: [{at: 300, mass: 1000, volume: 8" + more + "}]"}};
+  };
+  expect_doubt(
+      buoy(""),
+      "lines.mooring.masses: 8 m³ at 300 m of line mooring have neither 'drag_area' nor 'Ca': no drag and "
+      "no added mass; a ball of that volume has about 2.4 m² and 0.5");
+  for (const char* more : {", Ca: 0.5", ", drag_area: 2"})
+    EXPECT_EQ(notes(buoy(more)), std::vector<std::string>{}) << more;
+}
+
+TEST(Doubts, RotationsOfATurnedBody) {
+  const auto turned = [](const std::string& heading, const std::string& motion) {
+    return Changes{{"vessel: {motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}",
+                    "vessel: {rotation_deg: [0, 0, " + heading + "], motion: {" + motion + ", ramp: 10}}"}};
+  };
+  const std::string roll = "harmonic: {rotation_amplitude_deg: [5, 0, 0], period: 10}",
+                    yaw = "harmonic: {rotation_amplitude_deg: [0, 0, 5], period: 10}",
+                    table = "table: {rows: [[0, 0, 0, 0, 0, 0, 0], [60, 0, 0, 0, 5, 0, 0]]}";
+  expect_doubt(
+      turned("90", roll),
+      "slips.yaml:10: bodies.vessel.motion.harmonic: turns the body about (1, 0, 0) in space, and that is "
+      "(0, -1, 0) of its own axes by its 'rotation_deg'; is it meant?");
+  expect_doubt(turned("30", table), "bodies.vessel.motion.table: turns the body about (1, 0, 0) in space");
+  EXPECT_EQ(notes(turned("0", roll)), std::vector<std::string>{});
+  EXPECT_EQ(notes(turned("90", yaw)), std::vector<std::string>{});
+}
+
+// The bed bears 100 kN/m³ times 0.25 m times 10 m for each metre: 860 kN go 3.4 m deep.
+TEST(Doubts, MassesThatSinkIntoTheBed) {
+  const auto clump = [](const std::string& volume) {
+    return Changes{{"elements: 76}]",
+                    "elements: 76}]\n    masses: [{at: 300, mass: 1.0e5, volume: " + volume + ", Ca: 0.5}]"}};
+  };
+  expect_doubt(
+      clump("12"),
+      "lines.mooring.masses: where it lies on the bed, 1e+05 kg at 300 m of line mooring sinks in by about "
+      "3.4 m: it rests there on an element of 'chain', 0.25 m thick");
+  EXPECT_EQ(notes(clump("40")), std::vector<std::string>{});   // a light ball of 4.2 m
+  EXPECT_EQ(notes(clump("100")), std::vector<std::string>{});  // it floats
+  Changes out_of_reach = clump("12");
+  out_of_reach.push_back({"seabed: {depth: 200, friction: 0.6}", "seabed: {depth: 2000, friction: 0.6}"});
+  out_of_reach.push_back({"water: {depth: 200}", "water: {}"});
+  const std::vector<std::string> found = notes(out_of_reach);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found.front().find("no line gets near the bed"), std::string::npos) << found.front();
+}
+
+TEST(Doubts, StiffenersOfTooFewElements) {
+  const auto stiffener = [](const std::string& rows) {
+    return Changes{
+        {"bending: false,", "EI: 1e5, GJ: 1e5,"},
+        {"elements: 76}]", "elements: 76}]\n    bend_stiffeners: [{at: end_b, EI: " + rows + "}]"}};
+  };
+  expect_doubt(stiffener("[[0, 1e6], [12, 0]]"),
+               "lines.mooring.bend_stiffeners[0]: its 12 m are 1.2 elements, each of which has one bending "
+               "stiffness: curvature and moment along it show with 6 or more");
+  EXPECT_EQ(notes(stiffener("[[0, 1e6], [30, 0]]")), std::vector<std::string>{});
+}
+
 TEST(Doubts, ManyOfAKindAreCutShort) {
   std::string lines;
   for (int i = 0; i < 5; ++i)
@@ -297,6 +389,17 @@ TEST(Doubts, SlowestPeriodOfATautString) {
       "0]}, end_b: {anchor: [100.1, 0, 0]}}}\n",
       "wire.yaml");
   EXPECT_NEAR(slowest_period(c, c.lines.front()), 2, 1e-3);
+}
+
+TEST(Doubts, SlowestPeriodOfACantilever) {
+  // EI = 1e5 N m², m = 10 kg/m, L = 10 m: 2 pi L² sqrt(m/EI) / 1.8751² = 1.787 s, without gravity.
+  const model::Case c = io::read_case_text(
+      "hawser: 1\nenvironment: {gravity: 0}\nline_types: {beam: {outer_diameter: 0.1, mass_per_length: 10, "
+      "EA: "
+      "1e9, EI: 1e5, GJ: 1e5}}\nlines: {beam: {sections: [{type: beam, length: 10, elements: 10}], end_a: "
+      "{anchor: [0, 0, 0], clamped: true, direction: [1, 0, 0]}, end_b: free}}\n",
+      "beam.yaml");
+  EXPECT_NEAR(slowest_period(c, c.lines.front()), 1.787, 1e-3);
 }
 
 }  // namespace

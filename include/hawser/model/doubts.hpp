@@ -28,6 +28,11 @@ void doubt_line_types(const Case& c, std::vector<Doubt>& out);
 void doubt_lines(const Case& c, std::vector<Doubt>& out);
 // Supports that bend their line more than pipes bear, and elements too long to show what rollers do to it.
 void doubt_supports(const Case& c, std::vector<Doubt>& out);
+// Masses, loads, links and bodies that nodes have elsewhere than the case, masses that sink into the bed, and
+// bend stiffeners of too few elements.
+void doubt_elements(const Case& c, std::vector<Doubt>& out);
+// Rotations about axes of space that are other axes of the body.
+void doubt_bodies(const Case& c, std::vector<Doubt>& out);
 // Depths of water and bed, soil that is none, ends far from the bed, and currents that push aside what lies
 // on it.
 void doubt_sea(const Case& c, std::vector<Doubt>& out);
@@ -41,6 +46,9 @@ struct StartSpeeds {
 };
 StartSpeeds start_speeds(const Case& c, const Body& body);
 
+// z [m] below which no point of a line can be: hanging straight down, held at one end or both. -inf: nothing
+// says where it is.
+double lowest_reach(const Case& c, const Line& line);
 // kg/m of a type less the water that it displaces, at a height z [m] below the surface; above it all.
 double mass_in_water(const Case& c, const LineType& type, double z);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "hawser/mesh/local_mesh.hpp"
@@ -17,6 +18,7 @@ struct StartShape {
   std::vector<Support> supports;  // of this rank's local nodes
   // Of all lines: node axes at ends A and B, in the frame of the body there (or space).
   std::vector<std::array<Quat, 2>> ends;
+  std::vector<std::string> notes;  // of clamped ends that point against their line
 };
 
 // Nodes are placed by line (Start of the case); rotations follow the tangent with least twist from end A,

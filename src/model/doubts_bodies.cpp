@@ -1,0 +1,46 @@
+// Whether the rotations of a motion, which are about the axes of space, are those of a body that is turned.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/math/so3.hpp"
+#include "hawser/model/doubts.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kTurned = 0.17;  // rad, about ten degrees
+
+// A rotation vector [rad] of a motion.
+void doubt_rotation(const Body& b, const Vec3& about, const char* motion, std::vector<Doubt>& out) {
+  const double size = about.norm();
+  if (!(size > 0)) return;
+  const Vec3 space = about / size, own = exp_so3(b.rotation).conjugate() * space;
+  if ((own - space).norm() < kTurned) return;
+  const auto text = [](const Vec3& v) {
+    const Vec3 r = ((100 * v).array().round() / 100 + 0.0).matrix();
+    return fmt::format("({:g}, {:g}, {:g})", r.x(), r.y(), r.z());
+  };
+  out.push_back({fmt::format("bodies.{}.motion.{}", b.name, motion),
+                 fmt::format("turns the body about {} in space, and that is {} of its own axes by its "
+                             "'rotation_deg'; is it meant?",
+                             text(space), text(own)),
+                 25});
+}
+
+}  // namespace
+
+void doubt_bodies(const Case& c, std::vector<Doubt>& out) {
+  for (const Body& b : c.bodies) {
+    if (const auto* h = std::get_if<HarmonicMotion>(&b.motion))
+      doubt_rotation(b, h->rotation_amplitude, "harmonic", out);
+    const auto* t = std::get_if<TableMotion>(&b.motion);
+    if (t && !t->of_waves && !t->rotation.empty())
+      doubt_rotation(b,
+                     *std::max_element(t->rotation.begin(), t->rotation.end(),
+                                       [](const Vec3& x, const Vec3& y) { return x.norm() < y.norm(); }),
+                     "table", out);
+  }
+}
+
+}  // namespace hawser::model

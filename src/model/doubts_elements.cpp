@@ -1,0 +1,115 @@
+// What the elements of a line make of its parts: what is fixed to a node that is not where the case has it,
+// masses that only the elements beside them hold up on the bed, and bend stiffeners too short for them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/check.hpp"
+#include "hawser/model/doubts.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kApart = 0.1;   // of the element that it lies in
+constexpr double kFewest = 3;    // elements of a stiffener: the curvature at its tip is 6 % too low
+constexpr double kSteel = 7850;  // kg/m³, of a mass without a volume
+constexpr double kRound = 1e-6;  // of a number of elements
+
+// Where the elements of a line begin and end, m from end A.
+std::vector<double> node_arcs(const Line& line) {
+  std::vector<double> arcs = {0};
+  for (const Section& s : line.sections)
+    for (const double l : element_lengths(s)) arcs.push_back(arcs.back() + l);
+  return arcs;
+}
+
+// The element that an arc length [m] lies in, and its node that is nearer.
+struct Place {
+  double from = 0, to = 0, node = 0;
+  int number = 0;  // of the element along the line
+};
+
+Place place_of(const Line& line, double at) {
+  const std::vector<double> arcs = node_arcs(line);
+  const auto after =
+      std::clamp(std::lower_bound(arcs.begin(), arcs.end(), at), arcs.begin() + 1, arcs.end() - 1);
+  const double from = *(after - 1), to = *after;
+  return {from, to, at - from < to - at ? from : to, static_cast<int>(after - arcs.begin()) - 1};
+}
+
+void doubt_place(const Line& line, double at, const std::string& key, std::vector<Doubt>& out) {
+  const Place p = place_of(line, at);
+  if (std::abs(p.node - at) > kApart * (p.to - p.from))
+    out.push_back({key,
+                   fmt::format("what is to be at {:.6g} m of line {} is fixed to the nearest node, at {:.6g} "
+                               "m; shorter elements, or a section that ends at {:.6g} m, put a node there",
+                               at, line.name, p.node, at),
+                   22});
+}
+
+// On the bed a mass rests on the length of line that belongs to its node, about an element, however large it
+// is itself: it may sink in by more than its diameter. Not where the bed is out of reach.
+void doubt_sinking(const Case& c, const Line& line, const PointMass& m, std::vector<Doubt>& out) {
+  const Seabed& bed = c.environment.seabed;
+  const Water& w = c.environment.water;
+  const double weight = c.environment.gravity * (m.mass - (w.present ? w.density * m.volume : 0));
+  if (!bed.present || bed.force_table || weight <= 0 || lowest_reach(c, line) > -0.8 * bed.depth) return;
+  const Place p = place_of(line, m.at);
+  int section = 0;
+  for (int before = line.sections.front().elements; p.number >= before;)
+    before += line.sections[static_cast<std::size_t>(++section)].elements;
+  const LineType& t = c.line_type(line.sections[static_cast<std::size_t>(section)].type);
+  const double per_length =
+      bed.normal_stiffness * (bed.basis == StiffnessBasis::per_length ? 1 : t.contact_diameter);
+  const double sinks = weight / (per_length * (p.to - p.from)),
+               own = std::cbrt(6 / M_PI * (m.volume > 0 ? m.volume : m.mass / kSteel));
+  if (sinks > own)
+    out.push_back(
+        {"lines." + line.name + ".masses",
+         fmt::format(
+             "where it lies on the bed, {:.4g} kg at {:.6g} m of line {} sinks in by about {:.2g} m: it "
+             "rests there on an element of '{}', {:g} m thick; a short section of a type with the "
+             "'contact_diameter' of what lies there bears it",
+             m.mass, m.at, line.name, sinks, t.name, t.contact_diameter),
+         24});
+}
+
+void doubt_stiffener(const Line& line, std::size_t i, std::vector<Doubt>& out) {
+  const BendStiffener& b = line.bend_stiffeners[i];
+  const double most = b.at + (b.towards_a ? -1 : 1) * b.rows.back().first, total = length_of(line),
+               from = std::clamp(std::min(b.at, most), 0.0, total),
+               to = std::clamp(std::max(b.at, most), 0.0, total);
+  const std::vector<double> arcs = node_arcs(line);
+  double elements = 0;
+  for (std::size_t n = 1; n < arcs.size(); ++n)
+    elements += std::max(std::min(arcs[n], to) - std::max(arcs[n - 1], from), 0.0) / (arcs[n] - arcs[n - 1]);
+  if (elements < kFewest - kRound)
+    out.push_back({fmt::format("lines.{}.bend_stiffeners[{}]", line.name, i),
+                   fmt::format("its {:.3g} m are {:.2g} elements, each of which has one bending stiffness: "
+                               "curvature and moment along it show with {:g} or more",
+                               to - from, elements, 2 * kFewest),
+                   23});
+}
+
+}  // namespace
+
+void doubt_elements(const Case& c, std::vector<Doubt>& out) {
+  for (const Line& line : c.lines) {
+    const std::string key = "lines." + line.name;
+    for (const PointMass& m : line.masses) {
+      doubt_place(line, m.at, key + ".masses", out);
+      doubt_sinking(c, line, m, out);
+    }
+    for (const PointLoad& p : line.point_loads)
+      doubt_place(line, p.at, fmt::format("{}.loads[{}]", key, p.order), out);
+    for (std::size_t i = 0; i < line.bend_stiffeners.size(); ++i) doubt_stiffener(line, i, out);
+  }
+  for (const Link& l : c.links)
+    for (const LinkEnd* e : {&l.end_a, &l.end_b})
+      if (!e->line.empty()) doubt_place(c.line(e->line), e->arc, "links." + l.name, out);
+  for (const Body& b : c.bodies)
+    if (b.on && !b.on->drawn) doubt_place(c.line(b.on->line), b.on->at, "bodies." + b.name + ".on", out);
+}
+
+}  // namespace hawser::model
