@@ -31,6 +31,9 @@ struct Bounds {
 struct Group {
   std::vector<std::string> keys;
   std::vector<std::string> needed;  // those of them that must be there when the group is used
+
+  Group(const char* key) : keys{key}, needed{key} {}
+  Group(std::vector<std::string> k, std::vector<std::string> n) : keys(std::move(k)), needed(std::move(n)) {}
 };
 
 // A struct of the case (case.hpp) that keys fill.
@@ -85,16 +88,6 @@ struct Key {
   // The fields that it is for. None: the keys of a map are for the struct around it; what else has none is
   // read by hand (src/io/case_reader*.cpp).
   std::vector<Put> fields;
-
-  // Builders, to be chained.
-  Key&& is_required() &&;
-  Key&& or_else(std::string literal) &&;     // default, as written
-  Key&& or_else_note(std::string words) &&;  // default, in words
-  Key&& above(double x) &&;
-  Key&& at_least(double x) &&;
-  Key&& at_most(double x) &&;
-  Key&& items(std::size_t least, std::size_t most = 0) &&;
-  Key&& either(std::vector<Group> g, bool needed) &&;
 };
 
 // The whole case file: a map.
