@@ -40,8 +40,7 @@ double Actions::away(const Action& a, const Kinematics& at) const {
 Actions::Found Actions::act(const Action& a, const Kinematics& at) {
   Found found;
   const auto refuse = [&](const std::string& why) {
-    throw SolveError(
-        fmt::format("at t = {:.6g} s {} is to be {}, but {}", at.time, a.subject(), a.participle(), why));
+    throw SolveError("at t = {:.6g} s {} is to be {}, but {}", at.time, a.subject(), a.participle(), why);
   };
   switch (a.kind) {
     case Action::Kind::release:

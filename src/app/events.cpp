@@ -122,13 +122,12 @@ void Events::refuse_met(const std::vector<double>& values) const {
     if (!(g[e] >= 0)) continue;
     const model::Event& what = events_[e].what;
     const bool pulls = what.cause.kind == Cause::Kind::tension;
-    sim_.model().refuse(
-        fmt::format("events[{}]", e),
-        fmt::format(
-            "{} would be {} before anything moves: {:.6g} {} at the start is {} {:g} {} already; give "
-            "another limit, or 'time: 0'",
-            what.action.subject(), what.action.participle(), values[e], pulls ? "N" : "m",
-            what.cause.below ? "below" : "above", what.cause.limit, pulls ? "N" : "m"));
+    sim_.model().refuse(fmt::format("events[{}]", e),
+
+                        "{} would be {} before anything moves: {:.6g} {} at the start is {} {:g} {} already; "
+                        "give another limit, or 'time: 0'",
+                        what.action.subject(), what.action.participle(), values[e], pulls ? "N" : "m",
+                        what.cause.below ? "below" : "above", what.cause.limit, pulls ? "N" : "m");
   }
 }
 
@@ -189,8 +188,8 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
     const double length = a.at_b ? out.end_b : out.end_a;
     if (out.line == sim_.model().line_index(a.line) && length > 0)
       messages.push_back(
-          fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the "
-                      "line from there on go through it as if it were not there",
+          fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the line from "
+                      "there on go through it as if it were not there",
                       a.subject(), sim_.contact()->volume_name(out.volume), length));
   }
 }
@@ -269,9 +268,8 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
         solve(false);
     } catch (const SolveError& e) {
       const auto& [f, length] = *left.begin();
-      throw SolveError(fmt::format("stage {}, when {:.6g} m are left to be {} at {}: {}", stage,
-                                   std::abs(length), length < 0 ? "hauled in" : "paid out", f->name,
-                                   e.what()));
+      throw SolveError("stage {}, when {:.6g} m are left to be {} at {}: {}", stage, std::abs(length),
+                       length < 0 ? "hauled in" : "paid out", f->name, e.what());
     }
   }
 }

@@ -169,10 +169,9 @@ void Feeding::haul_in(Feeder& f) {
 void Feeding::refuse_all_out(const Feeder& f, double time) const {
   if (f.mouth == 0 && f.length >= sim_.feeders()->element_length(f, 0))
     throw SolveError(
-        fmt::format("the stock at {} runs out at t = {:.6g} s: give the line more length there and the "
-                    "feeder that much more "
-                    "'stock', or let the run end before",
-                    f.name, time));
+        "the stock at {} runs out at t = {:.6g} s: give the line more length there and the feeder that much "
+        "more 'stock', or let the run end before",
+        f.name, time);
 }
 
 void Feeding::refuse_all_in(const Feeder& f, double time) const {
@@ -181,13 +180,13 @@ void Feeding::refuse_all_in(const Feeder& f, double time) const {
   for (const Feeder& o : sim_.feeders()->list())
     if (o.line == f.line && o.at_b != f.at_b) others = o.mouth;
   if (f.mouth + 2 + others >= all.elements(f))
-    throw SolveError(fmt::format(
+    throw SolveError(
         "at t = {:.6g} s all of the line{} is hauled in at {}: let it haul in less, or the run end before",
         time,
         sim_.model().lines[static_cast<size_t>(f.line)].whole
             ? " up to the place of its cut, which cannot be hauled in,"
             : "",
-        f.name));
+        f.name);
 }
 
 void Feeding::shift(Feeder& f, double by) {
@@ -246,7 +245,7 @@ void Feeding::save(io::Checkpoint& to) const {
 
 void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
   const auto refuse = [&](const std::string& why) {
-    return InputError(fmt::format("cannot go on from {}: {}", path, why));
+    return InputError("cannot go on from {}: {}", path, why);
   };
   size_t there = 0, here = sim_.feeders() ? sim_.feeders()->list().size() : 0;
   for (const auto& [name, value] : from.scalars)

@@ -17,9 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void compare_lines(const std::string& path, const Mesh& mesh) {
-  const auto other = [&](const std::string& what) {
-    return InputError(fmt::format("it holds another case: {}", what));
-  };
+  const auto other = [&](const std::string& what) { return InputError("it holds another case: {}", what); };
   const io::h5::Id file = io::h5::open_read(path);
   const auto names = io::h5::read_texts(file, "lines/name");
   const auto nodes = io::h5::read_array(file, "lines/nodes").values;
@@ -66,7 +64,7 @@ void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh
   on_root(comm, [&] {
     std::error_code e;
     const auto refuse = [&](const std::string& why) {
-      return InputError(fmt::format("cannot go on from {}: {}", path, why));
+      return InputError("cannot go on from {}: {}", path, why);
     };
     if (!fs::exists(path, e)) throw refuse("there is no such file");
     if (access(path.c_str(), R_OK) != 0) throw refuse("it cannot be read");

@@ -210,10 +210,10 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
 namespace {
 
 InputError older(const std::string& path, const std::string& what) {
-  return InputError(fmt::format(
-      "cannot go on from {}: another version of hawser wrote it, which kept other quantities of {}; "
-      "begin with its last shape by 'start: {{from: {}}}', or anew",
-      path, what, path));
+  return InputError(
+      "cannot go on from {}: another version of hawser wrote it, which kept other quantities of {}; begin "
+      "with its last shape by 'start: {{from: {}}}', or anew",
+      path, what, path);
 }
 
 }  // namespace
@@ -234,7 +234,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   io::Checkpoint c = io::read_checkpoint(comm, path, static_cast<int>(simulation.mesh().nodes.size()),
                                          {m.global.begin(), m.global.begin() + m.owned});
   const auto refuse = [&](const std::string& why) {
-    return InputError(fmt::format("cannot go on from {}: it holds another case: {}", path, why));
+    return InputError("cannot go on from {}: it holds another case: {}", path, why);
   };
   const auto here = signature(simulation);
   const auto named = [](const std::string& key, const std::string& prefix, const char* what) {
@@ -258,7 +258,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
                                   [](const auto& s) { return s.first.starts_with("case."); });
   if (more != static_cast<long>(here.size())) throw refuse("other volumes, or more links");
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
-    throw InputError(fmt::format("cannot go on from {}: {}", path, wrong));
+    throw InputError("cannot go on from {}: {}", path, wrong);
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
   check_history(c, simulation.system(), path);
   return c;
@@ -272,11 +272,11 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
   } catch (const InputError& e) {
     const std::vector<std::string>& changes = simulation.model().changes;
     if (changes.empty()) throw;
-    throw InputError(fmt::format(
+    throw InputError(
         "{} (the case is changed by --set {}; a run that goes on may have another duration, other motions, "
         "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or "
         "volumes)",
-        e.what(), fmt::join(changes, " --set ")));
+        e.what(), fmt::join(changes, " --set "));
   }
 }
 

@@ -107,7 +107,7 @@ model::Case read_case_text(const std::string& text, const std::string& path, con
     // What is wrong may be in another line of the file than what was changed.
     const std::string why = e.what();
     if (changes.empty() || why.find("--set") != std::string::npos) throw;
-    throw InputError(fmt::format("{} (the case is changed by --set {})", why, fmt::join(changes, " --set ")));
+    throw InputError("{} (the case is changed by --set {})", why, fmt::join(changes, " --set "));
   }
 }
 

@@ -238,7 +238,7 @@ Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>
   const auto next = [&] { return at < values.size() ? values[at++] : throw wrong(); };
   const auto count = [&](double most) {
     const double n = next();
-    if (!(n >= 0 && n <= most)) throw InputError(fmt::format("the checkpoint is damaged: it counts {:g}", n));
+    if (!(n >= 0 && n <= most)) throw InputError("the checkpoint is damaged: it counts {:g}", n);
     return static_cast<size_t>(n);
   };
   Checkpoint c;

@@ -182,8 +182,7 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
     std::vector<NaturalMode> modes = nearest_modes(system, at, K.get(), M.get(), static_cast<int>(ask));
     const size_t wanted = static_cast<size_t>(count);
     if (modes.size() < wanted)
-      throw SolveError(
-          fmt::format("modes: {} of {} eigenvalues have converged: ask for fewer", modes.size(), count));
+      throw SolveError("modes: {} of {} eigenvalues have converged: ask for fewer", modes.size(), count);
     const bool no_more = ask == free || std::ssize(modes) < ask;
     if (!no_more && !complete(K.get(), M.get(), modes, wanted)) {
       if (ask > kMost * (count + kMore))

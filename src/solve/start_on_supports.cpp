@@ -162,11 +162,10 @@ class OverSupports {
     way_.add({way_.places.back().at, over});
     way_.add({*to_, over});
     if (way_.length() > (1 + kStretched) * length_)
-      c_.refuse(
-          "lines." + line_.name + ".sections",
-          fmt::format("the line is {:.6g} m long, and the shortest way over its supports to its other end is "
-                      "{:.6g} m; make it {:.3g} m longer, or move the end",
-                      length_, way_.length(), way_.length() - length_));
+      c_.refuse("lines." + line_.name + ".sections",
+                "the line is {:.6g} m long, and the shortest way over its supports to its other end is "
+                "{:.6g} m; make it {:.3g} m longer, or move the end",
+                length_, way_.length(), way_.length() - length_);
   }
   // A free end: off the last support straight on, and along the bed.
   void hang() {

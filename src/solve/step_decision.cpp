@@ -73,9 +73,8 @@ Dynamics::Decision Dynamics::decide() {
         }
       }
       if (const std::string why = system_.overstretched(trial_.s.view(h_)); !why.empty())
-        throw SolveError(
-            fmt::format("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?",
-                        trial_.s.time, why));
+        throw SolveError("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?",
+                         trial_.s.time, why);
       control_.accepted(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
     case Verdict::Kind::prepare_anew:
@@ -94,8 +93,8 @@ Dynamics::Decision Dynamics::decide() {
   ++tries_.info.rejected;
   tries_.search = {}, tries_.event = HUGE_VAL;  // what is shorter may not reach the event
   if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
-  throw SolveError(fmt::format("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}",
-                               committed_.s.time, h_, verdict.because));
+  throw SolveError("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}",
+                   committed_.s.time, h_, verdict.because);
 }
 
 }  // namespace hawser

@@ -63,10 +63,10 @@ void BodyContactTerm::check_overlap(double time) {
   double met = p.counted ? p.met : 0;
   MPI_Allreduce(MPI_IN_PLACE, &met, 1, MPI_DOUBLE, MPI_MAX, comm_);
   throw SolveError(
-      fmt::format("at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to "
-                  "meet the other met {:.3g} m at most; give them stiffnesses per_area (per_length where "
-                  "edges cross), or a sphere or capsule where they meet",
-                  time, names_[p.a], names_[p.b], worst.depth, met));
+      "at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to meet the "
+      "other met {:.3g} m at most; give them stiffnesses per_area (per_length where edges cross), or a "
+      "sphere or capsule where they meet",
+      time, names_[p.a], names_[p.b], worst.depth, met);
 }
 
 }  // namespace hawser
