@@ -4,24 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "hawser/base/error.hpp"
 #include "hawser/terms/feeders.hpp"
-#include "hawser/terms/start_inside.hpp"
 
 namespace hawser::app {
 
 using model::Action;
 
 int Actions::node(const Action& a) const {
-  const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(sim_.model().line_index(a.line))];
+  const LineSpan& span = sim_.mesh().lines[sim_.model().line_index(a.line)];
   return span.first_node + (a.at_b ? span.nodes - 1 : 0);
 }
 
 bool Actions::held(int node) const {
   int here = std::any_of(supports_.begin(), supports_.end(), [&](const Support& s) {
-    return s.position_mask == 7 && sim_.local().global[static_cast<size_t>(s.node)] == node;
+    return s.position_mask == 7 && sim_.local().global[s.node] == node;
   });
   MPI_Allreduce(MPI_IN_PLACE, &here, 1, MPI_INT, MPI_MAX, sim_.system().comm());
   return here != 0;
@@ -34,7 +32,7 @@ RigidPose Actions::pose(const Action& a, const Kinematics& at) const {
 double Actions::away(const Action& a, const Kinematics& at) const {
   const int n = sim_.local().find(node(a));
   if (!a.at || n < 0 || n >= sim_.local().owned) return 0;
-  return (pose(a, at).to_space(*a.at) - at.x[static_cast<size_t>(n)]).norm();
+  return (pose(a, at).to_space(*a.at) - at.x[n]).norm();
 }
 
 Actions::Found Actions::act(const Action& a, const Kinematics& at) {
@@ -52,10 +50,10 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       const int n = local.find(node(a)), body = sim_.model().body_index(a.body);
       std::array<double, 8> packed{};
       if (n >= 0 && n < local.owned) {
-        const size_t i = static_cast<size_t>(n);
+        const size_t i = n;
         const RigidPose p = pose(a, at);
         Vec3 y = p.rotation.conjugate() * (at.x[i] - p.position);
-        if (sim_.model().floats(body)) y -= sim_.model().bodies[static_cast<size_t>(body)].mass->centre;
+        if (sim_.model().floats(body)) y -= sim_.model().bodies[body].mass->centre;
         const Quat q = p.rotation.conjugate() * at.q[i];
         packed = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, at)};
       }
@@ -87,9 +85,8 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
 void Actions::again(const Action& a, const Found& found, double time) {
   switch (a.kind) {
     case Action::Kind::release:
-      std::erase_if(supports_, [&, n = node(a)](const Support& s) {
-        return sim_.local().global[static_cast<size_t>(s.node)] == n;
-      });
+      std::erase_if(supports_,
+                    [&, n = node(a)](const Support& s) { return sim_.local().global[s.node] == n; });
       break;
     case Action::Kind::attach:
       hold(a, found);

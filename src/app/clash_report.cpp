@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 #include "hawser/terms/body_contact.hpp"
 
@@ -64,7 +62,7 @@ ClashReport::ClashReport(MPI_Comm comm, Simulation& simulation)
 void ClashReport::step(double time) {
   ActiveContacts touches;
   if (sim_.contact()) sim_.contact()->active_contacts(touches);
-  for (ActiveContact& t : touches) t.volume = volumes_[static_cast<size_t>(t.volume)];
+  for (ActiveContact& t : touches) t.volume = volumes_[t.volume];
   if (sim_.line_pairs()) sim_.line_pairs()->active_contacts(touches);
   if (sim_.body_contact()) sim_.body_contact()->active_contacts(touches);
   touches = put_together(std::move(touches), settings_.merge_length);
@@ -111,7 +109,7 @@ std::vector<HistoryRecord> ClashReport::save() {
   if (rank_ == 0) values = log_.save();
   int n = static_cast<int>(values.size());
   MPI_Bcast(&n, 1, MPI_INT, 0, comm_);
-  values.resize(static_cast<size_t>(n));
+  values.resize(n);
   MPI_Bcast(values.data(), n, MPI_DOUBLE, 0, comm_);
   const int first = sim_.local().find(0);
   if (first < 0 || first >= sim_.local().owned) return {};
@@ -125,7 +123,7 @@ void ClashReport::restore(const std::vector<HistoryRecord>& records) {
   std::vector<int> counts(static_cast<size_t>(size));
   MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
   for (int r = 0; r < size; ++r) {
-    const int count = counts[static_cast<size_t>(r)];
+    const int count = counts[r];
     if (count < 0) continue;
     std::vector<double> values(static_cast<size_t>(count));
     if (r == rank_) values = records.front().values;
@@ -146,8 +144,8 @@ std::string ClashReport::table() const {
                                      : ":\n");
   if (rows.empty()) return text;
   const auto name = [&](const io::ClashRow& r) {
-    const auto line = [&](int l) { return c.lines[static_cast<size_t>(l)].name; };
-    const auto volume = [&](int v) { return c.volumes[static_cast<size_t>(v)].name; };
+    const auto line = [&](int l) { return c.lines[l].name; };
+    const auto volume = [&](int v) { return c.volumes[v].name; };
     if (r.line < 0) return volume(r.volume) + " / " + volume(r.other_volume);
     if (r.other_line < 0) return line(r.line) + " / " + volume(r.volume);
     return line(r.line) + " / " + (r.other_line == r.line ? "itself" : line(r.other_line));

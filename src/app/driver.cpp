@@ -6,7 +6,6 @@
 #include <petsclog.h>
 
 #include <algorithm>
-#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <optional>
@@ -30,7 +29,6 @@
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
-#include "hawser/model/notes.hpp"
 #include "hawser/model/summary.hpp"
 #include "hawser/solve/start_shape.hpp"
 
@@ -324,16 +322,15 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
   const std::vector<int> owner = share_nodes(c, mesh, bodies, ranks);
   std::vector<int> share(static_cast<size_t>(ranks), 0);
-  for (const int o : owner) ++share[static_cast<size_t>(o)];
+  for (const int o : owner) ++share[o];
   const auto [least, most] = std::minmax_element(share.begin(), share.end());
   fmt::print("partition: {} rank{}, {} nodes{}, {} cut elements\n", ranks, ranks > 1 ? "s" : "",
              ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
              ranks > 8 ? " each" : "", cut_elements(mesh, owner));
   Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
-  fmt::print("{}", starts_well
-                       ? "the case is valid\n"
-                       : "the case is valid if statics moves its lines out of the volumes they start in; "
-                         "the run stops if not\n");
+  fmt::print("{}", starts_well ? "the case is valid\n"
+                               : "the case is valid if statics moves its lines out of the volumes they start "
+                                 "in; the run stops if not\n");
   std::fflush(stdout);
   const double longest = sim.dynamics_settings().step.longest;
   Recorder recorder(MPI_COMM_SELF, sim, volume_meshes(c, volumes), surfaces(volumes), run_info(c, "", 1),

@@ -71,10 +71,10 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
         const auto pose = sim_.body_pose(sim_.model().body_index(cause.body), at);
         return pose ? pose->position[cause.axis] : -HUGE_VAL;
       }
-      return own ? at.x[static_cast<size_t>(n)][cause.axis] : -HUGE_VAL;
+      return own ? at.x[n][cause.axis] : -HUGE_VAL;
     case Cause::Kind::paid_out: {
       const Feeders& feeders = *sim_.feeders();
-      const Feeder& f = feeders.list()[static_cast<size_t>(h.feeder)];
+      const Feeder& f = feeders.list()[h.feeder];
       if (!feeders.at_mouth(f)) return -HUGE_VAL;
       return feeders.outside(f) - f.length + feeders.mouth(f, at, true).length - f.outside_at_start;
     }
@@ -135,7 +135,7 @@ double Events::due(const Happening& h) const {
   const Cause& c = h.what.cause;
   if (c.kind == Cause::Kind::time) return c.time;
   if (c.kind != Cause::Kind::after) return HUGE_VAL;
-  const double first = events_[static_cast<size_t>(h.after)].happened;
+  const double first = events_[h.after].happened;
   return first < 0 ? HUGE_VAL : first + c.time;
 }
 
@@ -175,7 +175,7 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
   }
   if (a.at) how = fmt::format(", {:.3g} m from the place", h.found.away);
   if (a.kind == Action::Kind::attach && !a.at && !a.body.empty()) {
-    const model::Body& body = sim_.model().bodies[static_cast<size_t>(sim_.model().body_index(a.body))];
+    const model::Body& body = sim_.model().bodies[sim_.model().body_index(a.body)];
     const Vec3 centre =
         sim_.model().floats(sim_.model().body_index(a.body)) ? body.mass->centre : Vec3(Vec3::Zero());
     how = fmt::format(", {:.4g} m from its origin", (Vec3(h.found.place.data()) + centre).norm());

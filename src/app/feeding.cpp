@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "hawser/app/end_forces.hpp"
@@ -77,8 +76,7 @@ void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional
 Dynamics::Moved Feeding::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();
   const double share = all.element_length(f, f.mouth) / f.length;  // from the free end
-  const size_t i = static_cast<size_t>(f.at_b ? e.second : e.first),
-               j = static_cast<size_t>(f.at_b ? e.first : e.second);
+  const size_t i = f.at_b ? e.second : e.first, j = static_cast<size_t>(f.at_b ? e.first : e.second);
   const Mouth mouth = all.mouth(f, k, true);
   const Feeders::Flow flow = all.flow(mouth, k, e, f.at_b);
   const Vec3 a = k.a[i] + flow.acceleration;
@@ -118,7 +116,7 @@ void Feeding::let_out(Feeder& f) {
   const double more = (before - felt(f)) * (f.length + whole) / f.bar.EA;
   if (moved) {
     const Kinematics k = sim_.dynamics().kinematics();
-    const size_t n = static_cast<size_t>(sim_.local().find(node));
+    const size_t n = sim_.local().find(node);
     moved->x = k.x[n], moved->q = k.q[n];
   }
   hand_over(f, f.mouth, f.length - more, moved);
@@ -129,7 +127,7 @@ double Feeding::felt(const Feeder& f) {
   EndForces ends(sim_.system(), sim_.feeders());
   ends.evaluate(sim_.dynamics().kinematics(),
                 std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
-  return ends.at_feeders()[static_cast<size_t>(&f - sim_.feeders()->list().data())];
+  return ends.at_feeders()[&f - sim_.feeders()->list().data()];
 }
 
 // The first free node goes into the feeder. What was bent there is straight now: the unstretched length is
@@ -144,8 +142,7 @@ std::optional<Dynamics::Moved> Feeding::caught(const Feeder& f, const Kinematics
   const int at[3] = {local.find(held), local.find(caught), local.find(next)};
   const bool known = at[0] >= 0 && at[1] >= 0 && at[2] >= 0;
   if (known) {
-    const size_t i = static_cast<size_t>(at[0]), j = static_cast<size_t>(at[1]),
-                 n = static_cast<size_t>(at[2]);
+    const size_t i = at[0], j = static_cast<size_t>(at[1]), n = static_cast<size_t>(at[2]);
     // What bending adds to the strain of an element's chord.
     const auto bow = [&](size_t a, size_t b) {
       if (f.at_b) std::swap(a, b);
@@ -183,9 +180,7 @@ void Feeding::refuse_all_in(const Feeder& f, double time) const {
     throw SolveError(
         "at t = {:.6g} s all of the line{} is hauled in at {}: let it haul in less, or the run end before",
         time,
-        sim_.model().lines[static_cast<size_t>(f.line)].whole
-            ? " up to the place of its cut, which cannot be hauled in,"
-            : "",
+        sim_.model().lines[f.line].whole ? " up to the place of its cut, which cannot be hauled in," : "",
         f.name);
 }
 
@@ -194,7 +189,7 @@ void Feeding::shift(Feeder& f, double by) {
   State& state = sim_.state();
   const auto put = [&](const std::optional<Dynamics::Moved>& moved) {
     const int n = moved ? sim_.local().find(moved->node) : -1;
-    if (n >= 0) state.x[static_cast<size_t>(n)] = moved->x, state.q[static_cast<size_t>(n)] = moved->q;
+    if (n >= 0) state.x[n] = moved->x, state.q[n] = moved->q;
     sim_.system().spread(state);
   };
   const auto set = [&](int mouth, double length) {

@@ -31,7 +31,7 @@ void compare_lines(const std::string& path, const Mesh& mesh) {
     if (nodes[l] != line.nodes)
       throw other(fmt::format("line {} has {} nodes there, {} here", line.name, nodes[l], line.nodes));
     for (int n = line.first_node; n < line.first_node + line.nodes; ++n) {
-      const double here = mesh.nodes[static_cast<size_t>(n)].arc, there = arc.at(static_cast<size_t>(n));
+      const double here = mesh.nodes[n].arc, there = arc.at(static_cast<size_t>(n));
       if (std::abs(here - there) > 1e-9 * line.length)
         throw other(
             fmt::format("a node of line {} is at {:.6g} m there, {:.6g} m here", line.name, there, here));
@@ -55,7 +55,7 @@ void on_root(MPI_Comm comm, const std::function<void()>& work) {
   }
   MPI_Bcast(&length, 1, MPI_INT, 0, comm);
   if (length < 0) return;
-  text.resize(static_cast<size_t>(length));
+  text.resize(length);
   MPI_Bcast(text.data(), length, MPI_CHAR, 0, comm);
   throw InputError(text);
 }

@@ -54,7 +54,7 @@ Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& end
       p.volume = h.volume, series.columns = kVolume;
     } else {
       const int line = c.line_index(h.line);
-      const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(line)];
+      const LineSpan& span = sim_.mesh().lines[line];
       p = point_of(line, h.at);
       const double arc = std::clamp(h.at, 0.0, span.length);
       const bool at_end = std::min(arc, span.length - arc) <= kSamePlace * span.length;
@@ -81,7 +81,7 @@ Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& end
 
 Histories::Point Histories::point_of(int line, double arc) const {
   const Mesh& mesh = sim_.mesh();
-  const LineSpan& span = mesh.lines[static_cast<size_t>(line)];
+  const LineSpan& span = mesh.lines[line];
   const auto first = mesh.nodes.begin() + span.first_node, last = first + span.nodes - 1;
   const double same = kSamePlace * span.length;
   // The last node that is not behind the point.
@@ -121,11 +121,10 @@ double Histories::facing(int field, const SectionForce& s, const Quat& q, double
 std::vector<double> Histories::node_row(const Point& p, size_t side, const Kinematics& at,
                                         const std::vector<std::vector<double>>& values,
                                         const std::vector<std::vector<double>>& ends) const {
-  const size_t n = static_cast<size_t>(p.nodes[side]);
+  const size_t n = p.nodes[side];
   const bool between = p.weights[1] > 0;
-  const EndForces::Place* place =
-      p.places[side] >= 0 ? &ends_.places()[static_cast<size_t>(p.places[side])] : nullptr;
-  const auto of = [&](int field) { return values[static_cast<size_t>(field)][n]; };
+  const EndForces::Place* place = p.places[side] >= 0 ? &ends_.places()[p.places[side]] : nullptr;
+  const auto of = [&](int field) { return values[field][n]; };
   std::vector<double> row;
   const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
   const auto show = [&](const std::vector<size_t>& fields) {

@@ -120,8 +120,7 @@ CommandLine::CommandLine() {
   cli.footer(
       "Run on several ranks with: mpirun -n 4 hawser run case.yaml\n"
       "Exit codes: 0 done, 2 the input is wrong, 3 the solver gave up, 4 the run has ended but its energy "
-      "does not "
-      "add up, 130 stopped by a signal, 1 anything else.");
+      "does not add up, 130 stopped by a signal, 1 anything else.");
 
   run_command = cli.add_subcommand("run", "Run a case: statics, then dynamics; results go to an HDF5 file.");
   run_command->add_option("case", run.case_path, "Case file (YAML; `hawser schema` prints its keys)")

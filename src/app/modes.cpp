@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "hawser/app/events.hpp"
@@ -74,8 +73,7 @@ io::ResultContents contents(const Simulation& sim, const std::vector<LoadedVolum
 
 std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
   std::vector<double> out;
-  for (int n = 0; n < nodes; ++n)
-    out.insert(out.end(), values[static_cast<size_t>(n)].begin(), values[static_cast<size_t>(n)].end());
+  for (int n = 0; n < nodes; ++n) out.insert(out.end(), values[n].begin(), values[n].end());
   return out;
 }
 
@@ -84,8 +82,7 @@ double drawn_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode)
   double size = sim.model().lines.empty() ? 1 : 0, turn = 0;  // m, rad
   for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
   for (int b = 0; b < sim.bodies().size(); ++b)
-    if (const int n = sim.bodies().local_node(b); n >= 0)
-      turn = std::max(turn, mode.rotation[static_cast<size_t>(n)].norm());
+    if (const int n = sim.bodies().local_node(b); n >= 0) turn = std::max(turn, mode.rotation[n].norm());
   MPI_Allreduce(MPI_IN_PLACE, &turn, 1, MPI_DOUBLE, MPI_MAX, comm);
   return size * turn > kTurned ? kTurned / turn : size;
 }

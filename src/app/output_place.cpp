@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <utility>
 
 #include "hawser/app/files.hpp"
 #include "hawser/base/error.hpp"

@@ -109,7 +109,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
                           (c.output.statistics && s.statistics));
   const int corrected[] = {tension_, declination_, wall_, shear_, torsion_, moment_, moment_2_, moment_3_};
   rest_apart_ = std::all_of(std::begin(corrected), std::end(corrected),
-                            [this](int f) { return f < 0 || every_step_[static_cast<size_t>(f) - 2]; });
+                            [this](int f) { return f < 0 || every_step_[f - 2]; });
 
   io::ResultContents contents;
   contents.run = run;
@@ -159,7 +159,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   if (const Feeders* feeders = sim_.feeders())
     for (const Feeder& f : feeders->list())
       contents.series.push_back(
-          {fmt::format("{} {} feed", c.lines[static_cast<size_t>(f.line)].name, f.at_b ? "end_b" : "end_a"),
+          {fmt::format("{} {} feed", c.lines[f.line].name, f.at_b ? "end_b" : "end_a"),
            {{"paid_out", "m", 1}, {"feed_speed", "m/s", 1}, {"tension", "N", 1}, {"mouth_length", "m", 1}}});
   io::ResultSeries energy{"energy", {}};
   for (const char* name :
@@ -188,7 +188,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
 
 // Fields that neither histories nor extremes nor statistics show are for outputs alone.
 void Recorder::fill(const Kinematics& at, bool all) {
-  const size_t owned = static_cast<size_t>(sim_.local().owned);
+  const size_t owned = sim_.local().owned;
   for (size_t n = 0; n < owned; ++n)
     for (size_t k = 0; k < 3; ++k) {
       values_[0][3 * n + k] = at.x[n][static_cast<Eigen::Index>(k)];
@@ -227,7 +227,7 @@ PipePlaces Recorder::pipe_places(const Kinematics& at) {
 }
 
 void Recorder::fill_field(size_t f, const Kinematics& at) {
-  if (onto_[f] >= 0) values_[f + 2] = values_[static_cast<size_t>(onto_[f])];
+  if (onto_[f] >= 0) values_[f + 2] = values_[onto_[f]];
   registry_.sources()[f].fill(at, values_[f + 2]);
 }
 
@@ -239,7 +239,7 @@ void Recorder::correct_ends(const Kinematics& at) {
   std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
   for (const int f : carriers_)
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
-      carried[n] += Eigen::Map<const Vec3>(values_[static_cast<size_t>(f)].data() + 3 * n).cwiseAbs();
+      carried[n] += Eigen::Map<const Vec3>(values_[f].data() + 3 * n).cwiseAbs();
   if (!carriers_.empty()) sim_.system().spread(carried);
   // A run in time that begins without statics has no step yet, but what acts is that of motion: waves.
   Kinematics now = at;
@@ -249,20 +249,20 @@ void Recorder::correct_ends(const Kinematics& at) {
 
   for (auto& e : ends_) e.clear();
   for (const EndForces::Place& p : end_forces_.places()) {
-    const size_t n = static_cast<size_t>(p.node);
+    const size_t n = p.node;
     const auto larger = [&p](auto&& of) {
       const double a = of(p.sides[0]), b = of(p.sides[1]);
       return std::abs(a) > std::abs(b) ? a : b;
     };
     const auto put = [&](int field, double value) {
-      return field < 0 ? 0 : std::exchange(values_[static_cast<size_t>(field)][n], value);
+      return field < 0 ? 0 : std::exchange(values_[field][n], value);
     };
     put(before_, p.sides[0].tension()), put(after_, p.sides[1].tension());
     const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
     put(declination_, degrees(declination(p.end >= 0 ? p.at_end().direction : Vec3(first + second))));
     const double tension = larger([](const SectionForce& s) { return s.tension(); });
     const double middle = put(tension_, tension);
-    if (wall_ >= 0) values_[static_cast<size_t>(wall_)][n] += tension - middle;
+    if (wall_ >= 0) values_[wall_][n] += tension - middle;
     if (p.sides[0].beam || p.sides[1].beam) {
       const auto moment = [&](int axis) {
         return larger([&](const SectionForce& s) { return s.moment.dot(at.q[n] * Vec3::Unit(axis)); });
@@ -312,7 +312,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   if (audit_.update(start_, sum_of(comm_, share), info.time, info.h, passed_through(info.h)) && info.h > 0)
     find_worst(at);
   extremes_->add(info.time, values_, utilisation_);
-  const auto &on_a = values_[static_cast<size_t>(before_)], &on_b = values_[static_cast<size_t>(after_)];
+  const auto &on_a = values_[before_], &on_b = values_[after_];
   folds_.look(shown, on_a, on_b);
   snaps_.look(info.time, info.h, on_a, on_b);
   if (statistics_) statistics_->add(info.time, values_);
@@ -383,8 +383,7 @@ void Recorder::find_worst(const Kinematics& at) {
     for (size_t f = 2; f < fields_.size() && with == 0; ++f) {
       const int components = fields_[f].components;
       double size = 0;
-      for (int c = 0; c < components; ++c)
-        size += std::abs(values_[f][static_cast<size_t>(n * components + c)]);
+      for (int c = 0; c < components; ++c) size += std::abs(values_[f][n * components + c]);
       if (size == 0) continue;
       if (fields_[f].name == "contact_normal_force")
         with = static_cast<int>(Audit::Step::ContactWith::volume);

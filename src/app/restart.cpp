@@ -149,7 +149,7 @@ std::string damage(const io::Checkpoint& c) {
 // The state, reactions and mean forces of the owned nodes.
 void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<double>& reactions,
                 const MeanForces& mean, io::Checkpoint& c) {
-  const size_t owned = static_cast<size_t>(m.owned);
+  const size_t owned = m.owned;
   for (size_t i = 0; i < std::size(kVectors); ++i)
     c.nodes[kVectors[i]] = field_of(
         owned, 3, [&of = vectors(s, i)](size_t n, size_t k) { return of[n][static_cast<Eigen::Index>(k)]; });
@@ -304,7 +304,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   s.s.resize(m.nodes());
   s.s.time = c.time;
   alpha_start(m, s);
-  const size_t owned = static_cast<size_t>(m.owned);
+  const size_t owned = m.owned;
   const auto take = [&](const char* name, std::vector<Vec3>& to) {
     const auto& f = c.nodes.at(name);
     for (size_t n = 0; n < owned; ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);

@@ -29,8 +29,7 @@ std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh)
   std::vector<io::ResultLine> out;
   for (size_t l = 0; l < mesh.lines.size(); ++l) {
     io::ResultLine line{c.lines[l].name, mesh.lines[l].first_node, mesh.lines[l].nodes, {}};
-    for (int n = 0; n < line.nodes; ++n)
-      line.arc.push_back(mesh.nodes[static_cast<size_t>(line.first_node + n)].arc);
+    for (int n = 0; n < line.nodes; ++n) line.arc.push_back(mesh.nodes[line.first_node + n].arc);
     out.push_back(std::move(line));
   }
   return out;
@@ -119,9 +118,8 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
       !sim.static_friction() && c.contact.has_friction(c.volumes) ? ", without friction of contact" : ""));
   if (s.escapes > 0)
     progress.say(fmt::format(
-        "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can "
-        "rest in "
-        "more than one shape, see whether this is the one meant, and say so by `start` if it is not",
+        "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can rest "
+        "in more than one shape, see whether this is the one meant, and say so by `start` if it is not",
         s.escapes, s.escapes == 1 ? "um" : "a"));
   if (s.negative_eigenvalues > 0)
     progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",

@@ -40,17 +40,16 @@ namespace {
 std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh,
                                                  const std::vector<int>& held) {
   std::vector<bool> is_held(static_cast<size_t>(mesh.nodes()), false);
-  for (const int n : held) is_held[static_cast<size_t>(n)] = true;
+  for (const int n : held) is_held[n] = true;
   std::vector<LineContactElement> out;
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
-    const auto& type = c.line_types[static_cast<size_t>(g.type)];
+    const auto& type = c.line_types[g.type];
     LineContactElement& element = out.emplace_back();
-    if (c.contact.takes_part(c.lines[static_cast<size_t>(g.line)]))
-      element.radius = 0.5 * type.contact_diameter;
+    if (c.contact.takes_part(c.lines[g.line])) element.radius = 0.5 * type.contact_diameter;
     element.mass_per_length = type.mass_per_length;
     element.rolling = c.contact.rolling;
-    element.held = {is_held[static_cast<size_t>(e.first)], is_held[static_cast<size_t>(e.second)]};
+    element.held = {is_held[e.first], is_held[e.second]};
   }
   return out;
 }
@@ -65,13 +64,12 @@ std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const 
   }
   for (const model::Event& e : c.events)
     if (e.action.kind == model::Action::Kind::release) {
-      const LineSpan& span = local.mesh->lines[static_cast<size_t>(c.line_index(e.action.line))];
+      const LineSpan& span = local.mesh->lines[c.line_index(e.action.line)];
       let_go.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
     }
   std::vector<int> held;
   for (const Support& s : supports)
-    if (s.position_mask != 0 && !let_go.count(local.global[static_cast<size_t>(s.node)]))
-      held.push_back(s.node);
+    if (s.position_mask != 0 && !let_go.count(local.global[s.node])) held.push_back(s.node);
   return held;
 }
 
@@ -83,11 +81,11 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   AutomaticStiffness best;
   double mass = 0, most = 0;
   for (const Element& e : mesh.elements) {
-    const auto& t = c.line_types[static_cast<size_t>(e.type)];
+    const auto& t = c.line_types[e.type];
     StiffnessDemand d;
     d.radius = 0.5 * t.contact_diameter;
     d.weight = t.mass_per_length * c.environment.gravity;
-    d.length = mesh.lines[static_cast<size_t>(e.line)].length;
+    d.length = mesh.lines[e.line].length;
     d.EA = t.EA;
     d.bend = bending_radius(v, d.radius);
     d.allowed_penetration = v.allowed_penetration;
@@ -103,8 +101,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
   if (c.dynamics.enabled && step > 0 && bounce < 1.5 * step)
     note += fmt::format(
-        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show "
-        "its force",
+        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show its force",
         bounce, step);
   notes.push_back(note);
 }
@@ -285,7 +282,7 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
     notes_.push_back(
         fmt::format("lines.{}: lies on the bed from end to end and nothing says where it was laid, so that "
                     "statics has no friction on it; 'start: straight' or points on the bed say where",
-                    mesh_->lines[static_cast<size_t>(l)].name));
+                    mesh_->lines[l].name));
   settings.near = true;
   const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
   report.iterations += more.iterations, report.escapes += more.escapes;
@@ -344,8 +341,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
           mesh_->lines[l].name, slack[l],
           settings.relaxation == RelaxationUse::when_newton_fails
               ? "rounding may choose (so may the number of ranks): 'start' says which is meant, and "
-                "'statics: "
-                "{dynamic_relaxation: always}' lets it fall into place"
+                "'statics: {dynamic_relaxation: always}' lets it fall into place"
               : "it has fallen into one; 'start' says which is meant"));
   return report;
 }
@@ -353,7 +349,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
 std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
   std::vector<std::string> out;
   for (int v = 0; contact_ && v < contact_->volumes(); ++v) {
-    double& last = last_stiffness_[static_cast<size_t>(v)];
+    double& last = last_stiffness_[v];
     if (contact_->stiffness(v) == last) continue;
     out.push_back(raised_note(contact_->volume_name(v), last, contact_->stiffness(v), when));
     last = contact_->stiffness(v);
@@ -369,7 +365,7 @@ void Simulation::check_inside() const {
 }
 
 std::string Simulation::inside(int volume, const Kinematics& at) const {
-  ContactVolume v = volumes_[static_cast<size_t>(volume)];
+  ContactVolume v = volumes_[volume];
   v.off = false;
   std::vector<LeftOut> left_out;
   for (LeftOut l : start_contact_.left_out)

@@ -163,7 +163,7 @@ class Change {
              found(v), name, path, name);
     path += (path.empty() ? "" : ".") + name;
     const auto at = std::find(v.keys.begin(), v.keys.end(), name);
-    if (at != v.keys.end()) return v.items[static_cast<std::size_t>(at - v.keys.begin())];
+    if (at != v.keys.end()) return v.items[at - v.keys.begin()];
     v.keys.push_back(name);
     Value& added = v.items.emplace_back();
     added.line = model::kBySet;

@@ -17,7 +17,6 @@
 #include "hawser/model/check.hpp"
 #include "hawser/model/cut_lines.hpp"
 #include "hawser/model/doubts.hpp"
-#include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::io {

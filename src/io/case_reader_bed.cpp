@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "hawser/base/error.hpp"
@@ -76,12 +75,12 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
     const size_t k = place(y, rows[i][1]) * x.size() + place(x, rows[i][0]);
     if (given[k] >= 0)
       refuse_row(i, fmt::format("x {:g}, y {:g} is there twice, first in line {}", rows[i][0], rows[i][1],
-                                line[static_cast<size_t>(given[k])]));
+                                line[given[k]]));
     given[k] = static_cast<int>(i), z[k] = up * rows[i][2];
   }
   const auto missing = std::find(given.begin(), given.end(), -1);
   if (missing != given.end()) {
-    const size_t k = static_cast<size_t>(missing - given.begin());
+    const size_t k = missing - given.begin();
     refuse(v["file"],
            "{}: there is no height at x {:g}, y {:g} ({} of {} places are missing); a grid has one for every "
            "x and every y",

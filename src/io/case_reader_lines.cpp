@@ -98,7 +98,7 @@ void check_temperature_change(const Value& v, const model::Line& l) {
 void finish_target(const Value& v, const Value& sections, model::LengthTarget& t) {
   if (t.kind == model::LengthTarget::Kind::laid_length && v["at"].given)
     refuse(v["at"], "has no meaning for 'laid_length', which is that of the whole line; remove it");
-  const auto length = [&](int i) { return sections.items[static_cast<std::size_t>(i)]["length"].number; };
+  const auto length = [&](int i) { return sections.items[i]["length"].number; };
   const int count = static_cast<int>(sections.items.size());
   for (int i = 1; i < count; ++i)
     if (length(i) > length(t.section)) t.section = i;

@@ -128,8 +128,7 @@ unsigned long long checkpoint_sum(const std::string& index, long long sequence, 
 bool fits(const CheckpointHistory& history, const HistoryRecord& r) {
   if (r.kind < 0 || static_cast<size_t>(r.kind) >= history.kinds.size()) return false;
   size_t size = 0;
-  for (const HistoryQuantity& q : history.kinds[static_cast<size_t>(r.kind)].quantities)
-    size += static_cast<size_t>(q.components);
+  for (const HistoryQuantity& q : history.kinds[r.kind].quantities) size += static_cast<size_t>(q.components);
   return size > 0 && r.values.size() % size == 0;
 }
 
@@ -200,8 +199,7 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
       return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
     });
     std::vector<long long> start(static_cast<size_t>(nodes_total) + 1, 0);
-    for (const auto* r : sorted)
-      start[static_cast<size_t>(r->node) + 1] += kRecordHead + std::ssize(r->values);
+    for (const auto* r : sorted) start[r->node + 1] += kRecordHead + std::ssize(r->values);
     MPI_Allreduce(MPI_IN_PLACE, start.data(), nodes_total + 1, MPI_LONG_LONG, MPI_SUM, comm);
     for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
     size_t most = sorted.size();
@@ -213,7 +211,7 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
     for (size_t from = 0; from == 0 || from < most; from += kPiece) {
       for (size_t i = from; i < std::min(from + kPiece, sorted.size()); ++i) {
         const HistoryRecord* r = sorted[i];
-        long long& to = start[static_cast<size_t>(r->node)];
+        long long& to = start[r->node];
         const long long length = kRecordHead + std::ssize(r->values);
         if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
         runs.back().count += length, to += length;

@@ -9,10 +9,7 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "hawser/base/error.hpp"

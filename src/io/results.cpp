@@ -191,7 +191,7 @@ struct ResultsFile::Impl {
     waiting.moved.resize(drawn.size());
     for (size_t i = 0; i < drawn.size(); ++i) {
       if (!drawn[i].moves || !root()) continue;
-      const BodyPose& pose = poses[static_cast<size_t>(contents.volumes[i].body)];
+      const BodyPose& pose = poses[contents.volumes[i].body];
       const Mat3 turn = pose.rotation.toRotationMatrix();
       for (const auto& v : drawn[i].vertices) {
         const Eigen::Vector3f x = (pose.position + turn * v).cast<float>();
@@ -345,10 +345,9 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
                     static_cast<long long>(told.open.size())};
   // A run that failed left with its last output also what ended later; older checkpoints do not know what
   // went to another file.
-  if (n[0] > 0 && !progress.clashes.empty())
-    n[5] = std::min(told.ended, progress.clashes[static_cast<size_t>(n[0] - 1)]);
+  if (n[0] > 0 && !progress.clashes.empty()) n[5] = std::min(told.ended, progress.clashes[n[0] - 1]);
   MPI_Bcast(n, 7, MPI_LONG_LONG, 0, comm);
-  progress.output_times.resize(static_cast<size_t>(n[0]));
+  progress.output_times.resize(n[0]);
   MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
 
   auto impl = std::make_unique<Impl>(comm, path, std::move(contents), std::move(owned));

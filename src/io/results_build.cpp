@@ -438,7 +438,7 @@ std::vector<double> counted(const std::string& path, hid_t file, const std::stri
   std::vector<double> times = h5::read_array(file, name).values;
   if (rows < 0 || rows > static_cast<long long>(times.size()))
     throw damaged(path, fmt::format("it counts {} rows of {}, which has {}", rows, name, times.size()));
-  times.resize(static_cast<size_t>(rows));
+  times.resize(rows);
   return times;
 }
 

@@ -68,7 +68,7 @@ void SharedFile::agree() {
   if (who == size) return;
   auto length = static_cast<int>(trouble_.size());
   MPI_Bcast(&length, 1, MPI_INT, who, comm_);
-  trouble_.resize(static_cast<size_t>(length));
+  trouble_.resize(length);
   MPI_Bcast(trouble_.data(), length, MPI_CHAR, who, comm_);
   MPI_Bcast(&ours_, 1, MPI_C_BOOL, who, comm_);
   const std::string text = std::exchange(trouble_, "");

@@ -5,12 +5,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
 #include <set>
 #include <stdexcept>
 
-#include "hawser/model/bed.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/body_pairs.hpp"
 
@@ -198,7 +195,7 @@ Vec3 end_position(const Case& c, const End& end) {
   if (end.kind == EndKind::anchor || end.kind == EndKind::joint) return end.at;
   const int i = c.body_index(end.body);
   if (i < 0) throw std::out_of_range("no body '" + end.body + "'");
-  return rigid_motion(c.bodies[static_cast<std::size_t>(i)]).at(0).to_space(end.at);
+  return rigid_motion(c.bodies[i]).at(0).to_space(end.at);
 }
 
 std::vector<Issue> check(const Case& c) {

@@ -60,7 +60,7 @@ void check_contact(const Case& c, const Issues& issue) {
     const std::string key = fmt::format("contact.between_lines.pairs[{}]", i);
     for (const std::string& name : {p.first, p.second}) {
       const int line = c.line_index(name);
-      if (line < 0 || c.contact.takes_part(c.lines[static_cast<std::size_t>(line)])) continue;
+      if (line < 0 || c.contact.takes_part(c.lines[line])) continue;
       issue(key + ".lines", "{} takes no part in contact; 'contact.lines' has {}", quote(name),
             fmt::join(c.contact.lines, ", "));
       break;

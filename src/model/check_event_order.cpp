@@ -51,7 +51,7 @@ class EventOrder {
       if (steps == names.size())
         return issue("after", "it waits for '{}', which waits for it in turn: neither ever happens",
                      event().cause.event);
-      e = &c_.events[static_cast<std::size_t>(next - names.begin())];
+      e = &c_.events[next - names.begin()];
     }
   }
 

@@ -16,12 +16,12 @@ constexpr double kSteep = 0.25;  // up to the first roller: the tangent of a tur
 
 RigidPose pose_of_end(const Case& c, const End& e) {
   const int body = c.body_index(e.body);
-  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[static_cast<std::size_t>(body)]).at(0);
+  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[body]).at(0);
 }
 
 RigidPose pose_of(const Case& c, const SupportBox& b) {
   const int body = c.body_index(b.body);
-  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[static_cast<std::size_t>(body)]).at(0);
+  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[body]).at(0);
 }
 
 void check_names(const Case& c, const Issues& issue) {
@@ -97,8 +97,7 @@ void check_supports(const Case& c, const Issues& issue) {
               line.name);
         break;
       }
-      if (const int body = c.body_index(b.body);
-          c.rides(body) && !c.bodies[static_cast<std::size_t>(body)].on->drawn) {
+      if (const int body = c.body_index(b.body); c.rides(body) && !c.bodies[body].on->drawn) {
         issue(b.key,
               "body '{}' rides on a line; name that line in 'on' of the group, and as 'body' the one in "
               "whose frame the boxes are drawn",

@@ -130,8 +130,7 @@ class Cuts {
     for (Event& e : c_.events) {
       Action& a = e.action;
       if (a.cut >= 0 && a.whole == name) {
-        a.line =
-            names_[static_cast<std::size_t>(std::find(arcs_.begin(), arcs_.end(), a.cut) - arcs_.begin())];
+        a.line = names_[std::find(arcs_.begin(), arcs_.end(), a.cut) - arcs_.begin()];
         a.at_b = false;
       } else if (a.line == name && a.at_b) {
         a.line = names_.back();

@@ -2,7 +2,6 @@
 #include "hawser/model/schema.hpp"
 
 #include <stdexcept>
-#include <utility>
 
 #include "schema_build.hpp"
 

@@ -66,8 +66,8 @@ Key motion() {
             "constant velocity"),
        map({"rotation", by<Body>([](Body& b, const Value& v) { take(v, steady(b)); })},
            {vec3({"axis", unit(&ConstantMotion::axis)}, none,
-                 "direction of the axis through the body's position, fixed in space; its length does "
-                 "not matter",
+                 "direction of the axis through the body's position, fixed in space; its length does not "
+                 "matter",
                  required),
             number({"rate", &ConstantMotion::rate}, angular_velocity,
                    "turning rate, right-handed about the axis", required)},
@@ -76,18 +76,17 @@ Key motion() {
        table(moves<TableMotion>(), "offsets from `position` against time"),
        map("rao",
            {text("file",
-                 "text file beside the case: columns period [s], direction [deg] the wave goes to as "
-                 "seen from the bow (0: from astern), then surge, sway, heave [m/m], roll, pitch, yaw "
-                 "[deg/m], each amplitude followed by its phase [deg]; every direction at the same "
-                 "periods"),
+                 "text file beside the case: columns period [s], direction [deg] the wave goes to as seen "
+                 "from the bow (0: from astern), then surge, sway, heave [m/m], roll, pitch, yaw [deg/m], "
+                 "each amplitude followed by its phase [deg]; every direction at the same periods"),
             list("rows", list("", number("", none), items(14, 14)), "the same, written here", items(1)),
             word("phase", {"lag", "lead"},
-                 "what phases are: how far the motion comes after the crest at the body's origin, or "
-                 "before it",
+                 "what phases are: how far the motion comes after the crest at the body's origin, or before "
+                 "it",
                  or_else("lag")),
             word("symmetry", {"none", "port_starboard"},
-                 "of a table of one side (0 to 180 deg): `port_starboard` has the vessel answer waves "
-                 "from the other side as in a mirror, with sway, roll and yaw the other way",
+                 "of a table of one side (0 to 180 deg): `port_starboard` has the vessel answer waves from "
+                 "the other side as in a mirror, with sway, roll and yaw the other way",
                  or_else("none"))},
            "moves in the waves by response amplitude operators, about `position`", either({"file", "rows"})),
        drift(),
@@ -119,8 +118,8 @@ Key body_in_water() {
        vec3("Ca", none, "added mass over the mass of the water of `volume`, along the body's axes ...",
             in_range(0, 100)),
        vec3({"added_mass", &BodyInWater::added_mass}, mass, "... or the added mass itself", at_least(0))},
-      "water acts on it by Morison's equation along its axes "
-      "([theory](../theory/bodies-in-water.md)); `weight: true` belongs to it",
+      "water acts on it by Morison's equation along its axes ([theory](../theory/bodies-in-water.md)); "
+      "`weight: true` belongs to it",
       at_most_one({"Ca", "added_mass"}));
 }
 
@@ -166,8 +165,8 @@ Key bodies() {
                {reference({"line", &Ride::line}, "lines", "the line", required),
                 arc({"at", &Ride::at}, "where on it: the nearest node, between elements that resist bending",
                     required)},
-               "it rides on a line and turns with it; `position` and `rotation_deg` are then seen "
-               "from there, with x along the line")}),
+               "it rides on a line and turns with it; `position` and `rotation_deg` are then seen from "
+               "there, with x along the line")}),
       "Rigid bodies that carry volumes and line ends, by name.", or_else("{}"));
 }
 

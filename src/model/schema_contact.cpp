@@ -96,13 +96,13 @@ Key contact() {
                     "volumes that take part in contact"),
        word({"method", &Contact::method},
             {{"line", ContactMethod::line}, {"nodes", ContactMethod::nodes}, {"gap", ContactMethod::gap}},
-            "where a line touches: anywhere along its elements (`line`) or at its nodes alone; to "
-            "compare with, at the nodes: `gap` has a spring each, in the direction of the surface "
-            "nearest at the start",
+            "where a line touches: anywhere along its elements (`line`) or at its nodes alone; to compare "
+            "with, at the nodes: `gap` has a spring each, in the direction of the surface nearest at the "
+            "start",
             or_else("line")),
        boolean({"rolling", &Contact::rolling},
-               "friction acts at the lines' surface: it turns them about their axes, and a line that "
-               "rolls does not slide (beams, method `line`)",
+               "friction acts at the lines' surface: it turns them about their axes, and a line that rolls "
+               "does not slide (beams, method `line`)",
                or_else("false")),
        number({"penetration_warning", &Contact::warned_penetration}, none,
               "share of a line's radius above which a penetration is warned of", above(0), or_else("0.1")),

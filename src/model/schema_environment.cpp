@@ -44,11 +44,11 @@ Key current() {
               or_else("0")),
        map("time_factor",
            {text("file",
-                 "text file beside the case: columns t [s] and factor; blanks or commas between, `#` "
-                 "starts a comment"),
+                 "text file beside the case: columns t [s] and factor; blanks or commas between, `#` starts "
+                 "a comment"),
             rows("rows", "the same, written here: `[[t, factor], ...]`", items(2))},
-           "multiplies the current, below 0 turning it round, beside `ramp`: straight lines between "
-           "rows, constant beyond them; in statics what it is at t = 0",
+           "multiplies the current, below 0 turning it round, beside `ramp`: straight lines between rows, "
+           "constant beyond them; in statics what it is at t = 0",
            either({"file", "rows"}), or_else_note("1 at all times"))},
       "current; needs `water`", either({{{"speed", "direction_deg", "exponent"}, {"speed"}}, "profile"}));
 }
@@ -101,24 +101,23 @@ Key spectrum() {
 }
 
 Key stokes() {
-  return map(
-      "stokes",
-      {number({"height", only(&Waves::Row::height), set(&Waves::kind, Waves::Kind::stokes)}, length,
-              "from trough to crest", above(0), required),
-       number({"period", only(&Waves::Row::period)}, time, "at a fixed place", above(0), required),
-       number({"direction_deg", only(&Waves::Row::direction)}, angle,
-              "where it goes to, anticlockwise from +x", or_else("0")),
-       number({"phase_deg", only(&Waves::Row::phase)}, angle, "a crest is where k x - omega t + phase = 0",
-              or_else("0")),
-       number({"current", &Waves::current}, velocity,
-              "uniform, along the wave (against it: negative): the wave rides on it, and its water moves "
-              "with it; not `current` of the environment once more",
-              or_else("0")),
-       word({"current_is", &Waves::transport}, {{"euler", false}, {"transport", true}},
-            "what `current` is: the mean velocity at a place under the troughs, or the mean over the depth "
-            "of what is carried along (0: nothing is, as in a closed tank)",
-            or_else("euler"))},
-      "one wave of finite height by Stokes' theory of fifth order (Fenton 1985)");
+  return map("stokes",
+             {number({"height", only(&Waves::Row::height), set(&Waves::kind, Waves::Kind::stokes)}, length,
+                     "from trough to crest", above(0), required),
+              number({"period", only(&Waves::Row::period)}, time, "at a fixed place", above(0), required),
+              number({"direction_deg", only(&Waves::Row::direction)}, angle,
+                     "where it goes to, anticlockwise from +x", or_else("0")),
+              number({"phase_deg", only(&Waves::Row::phase)}, angle,
+                     "a crest is where k x - omega t + phase = 0", or_else("0")),
+              number({"current", &Waves::current}, velocity,
+                     "uniform, along the wave (against it: negative): the wave rides on it, and its water "
+                     "moves with it; not `current` of the environment once more",
+                     or_else("0")),
+              word({"current_is", &Waves::transport}, {{"euler", false}, {"transport", true}},
+                   "what `current` is: the mean velocity at a place under the troughs, or the mean over the "
+                   "depth of what is carried along (0: nothing is, as in a closed tank)",
+                   or_else("euler"))},
+             "one wave of finite height by Stokes' theory of fifth order (Fenton 1985)");
 }
 
 Key waves() {
@@ -145,8 +144,8 @@ Key waves() {
        word(
            {"stretching", &Waves::stretching},
            {{"wheeler", Stretching::wheeler}, {"vertical", Stretching::vertical}, {"none", Stretching::none}},
-           "what linear theory is taken for above the still water: its profile stretched to the "
-           "surface, what it is at the still water, or nothing",
+           "what linear theory is taken for above the still water: its profile stretched to the surface, "
+           "what it is at the still water, or nothing",
            or_else("wheeler")),
        number({"ramp", &Waves::ramp}, time, "they grow smoothly over this time", at_least(0),
               or_else_note("the (longest or peak) period"))},
@@ -164,8 +163,8 @@ Key seabed() {
               "where it goes down to, anticlockwise from +x", or_else("0")),
        map("grid",
            {text("file",
-                 "text file beside the case: rows x, y, z [m], one for every x and every y, in any "
-                 "order; blanks or commas between, `#` starts a comment",
+                 "text file beside the case: rows x, y, z [m], one for every x and every y, in any order; "
+                 "blanks or commas between, `#` starts a comment",
                  required),
             boolean("depths", "z counts downwards from z = 0 and not upwards", or_else("false"))},
            "instead: a bed through measured heights, by a bicubic spline"),
@@ -189,8 +188,8 @@ Key seabed() {
            "of the soil against penetration; without it 100 kN/m³",
            either({"per_length", "per_area", {{"table", "per"}, {"table", "per"}}})),
        number({"damping", &Seabed::damping}, none,
-              "of the soil, in the unit of `normal_stiffness` times s; with a table it is that where "
-              "the table is steepest, and goes with its slope",
+              "of the soil, in the unit of `normal_stiffness` times s; with a table it is that where the "
+              "table is steepest, and goes with its slope",
               at_least(0), or_else("0")),
        number({"smoothing", &Seabed::smoothing}, length, "half width of the smooth start of the soil's force",
               at_least(0), or_else_note("a fifth of what the line at rest sinks in")),
@@ -199,14 +198,14 @@ Key seabed() {
                    "largest pull, in the unit of `normal_stiffness` times m", above(0), required),
             number({"length", &Seabed::suction_length}, length, "how far above its deepest place it lets go",
                    above(0), required)},
-           "pull of the soil in dynamics on what is lifted out of it: 16 limit s²(1 - s)², s the lift "
-           "over `length`; it takes hold again of what goes deeper or lands anew"),
+           "pull of the soil in dynamics on what is lifted out of it: 16 limit s²(1 - s)², s the lift over "
+           "`length`; it takes hold again of what goes deeper or lands anew"),
        friction(&Seabed::friction),
        word({"friction_in_statics", by<Seabed>(friction_in_statics)}, {"as_laid", "full", "none"},
-            "what friction does before anything moves: it holds against the stretch of a line that "
-            "was laid without tension from its anchor on (from its start shape, where the case gives "
-            "one on the bed from end to end); all of it from where the line touches down, as far as "
-            "the tension goes; or nothing",
+            "what friction does before anything moves: it holds against the stretch of a line that was laid "
+            "without tension from its anchor on (from its start shape, where the case gives one on the bed "
+            "from end to end); all of it from where the line touches down, as far as the tension goes; or "
+            "nothing",
             or_else("as_laid"))},
       "what lines lie on: level, sloping, or of a grid or mesh",
       at_most_one({{{"depth", "slope_deg", "slope_direction_deg"}, {}}, "grid", "mesh"}));

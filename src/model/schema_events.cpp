@@ -113,11 +113,9 @@ Key events() {
   keys.push_back(text({"name", &Event::name}, "by which other events know it", or_else_note("what it does")));
   keys.push_back(
       number({"time", within(&Event::cause, &Cause::time)}, Dimension::time, "when it happens", at_least(0)));
-  keys.push_back(
-      number({"tension", within(&Event::cause, &Cause::limit), on(On::tension)}, force,
-             "it happens when the effective tension at that end, or where the line is cut, reaches "
-             "this",
-             above(0)));
+  keys.push_back(number(
+      {"tension", within(&Event::cause, &Cause::limit), on(On::tension)}, force,
+      "it happens when the effective tension at that end, or where the line is cut, reaches this", above(0)));
   keys.push_back(condition());
   keys.push_back(text({"after", within(&Event::cause, &Cause::event), on(On::after)},
                       "it happens after the event of this name"));
@@ -125,19 +123,17 @@ Key events() {
       number({"delay", by<Event>(delay)}, Dimension::time, "so much later", at_least(0), or_else("0")));
   keys.push_back(text({"stage", within(&Event::cause, &Cause::event), on(On::stage)},
                       "it happens at the beginning of this stage of statics"));
-  return list({"events", &Case::events}, map("", std::move(keys), either(kActions)),
-              "What happens, each event once: at a `time`, at a `tension`, at a condition (`when`), `after` "
-              "another, or in a `stage` of statics. What is to be attached within a distance may wait for "
-              "that "
-              "alone.",
-              or_else("[]"));
+  return list(
+      {"events", &Case::events}, map("", std::move(keys), either(kActions)),
+      "What happens, each event once: at a `time`, at a `tension`, at a condition (`when`), `after` another, "
+      "or in a `stage` of statics. What is to be attached within a distance may wait for that alone.",
+      or_else("[]"));
 }
 
 Key stages() {
   return list({"stages", &Case::stages}, name(""),
               "Names of stages of statics, in their order: each begins from the rest of the one before with "
-              "the "
-              "`events` that name it, dynamics from the rest of the last.",
+              "the `events` that name it, dynamics from the rest of the last.",
               or_else("[]"));
 }
 

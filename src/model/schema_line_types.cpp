@@ -111,23 +111,21 @@ Key line_types() {
       boolean({"bending", by<LineType>(bending)},
               "`false` makes a cable: axial stiffness only, may go slack; its nodes have no rotations",
               or_else_note("`true`; `false` with `library`")),
-      one_of(
-          "EA",
-          {number({"", &LineType::EA}, force, above(0)),
-           map("", {rows({"table", by<LineType>(tensions)},
-                         "tension over strain, `[[strain, N], ...]`, rising through zero: a monotone cubic, "
-                         "elastic, straight beyond the rows",
-                         required, items(1))})},
-          "axial stiffness", or_else_note(kFromPipe)),
-      one_of(
-          "EI",
-          {number({"", &LineType::EI2, &LineType::EI3}, bending_stiffness, above(0)),
-           list({"", by<LineType>(two_axes)}, number("", bending_stiffness, above(0)), items(2, 2)),
-           map("", {rows({"table", by<LineType>(moments)},
-                         "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the same "
-                         "in all directions: a monotone cubic, elastic, straight beyond the rows",
-                         required, items(1))})},
-          "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3", or_else_note(kStiffness)),
+      one_of("EA",
+             {number({"", &LineType::EA}, force, above(0)),
+              map("", {rows({"table", by<LineType>(tensions)},
+                            "tension over strain, `[[strain, N], ...]`, rising through zero: a monotone "
+                            "cubic, elastic, straight beyond the rows",
+                            required, items(1))})},
+             "axial stiffness", or_else_note(kFromPipe)),
+      one_of("EI",
+             {number({"", &LineType::EI2, &LineType::EI3}, bending_stiffness, above(0)),
+              list({"", by<LineType>(two_axes)}, number("", bending_stiffness, above(0)), items(2, 2)),
+              map("", {rows({"table", by<LineType>(moments)},
+                            "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the "
+                            "same in all directions: a monotone cubic, elastic, straight beyond the rows",
+                            required, items(1))})},
+             "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3", or_else_note(kStiffness)),
       plasticity(),
       number({"GJ", &LineType::GJ}, bending_stiffness, "torsion stiffness", above(0),
              or_else_note(kStiffness)),

@@ -13,13 +13,12 @@ void temperature(Line& l, const Value& v) {
 
 Key fed_end() {
   std::vector<Key> keys = feed_law();
-  keys.insert(
-      keys.begin(),
-      number({"stock", &Feed::stock}, length,
-             "of the line, counted from this end on, is inside the feeder at t = 0: held at it, without "
-             "weight and forces; of a feeder that keeps a `tension` about as much: statics finds how much "
-             "is inside when that is there",
-             above(0), required));
+  keys.insert(keys.begin(),
+              number({"stock", &Feed::stock}, length,
+                     "of the line, counted from this end on, is inside the feeder at t = 0: held at it, "
+                     "without weight and forces; of a feeder that keeps a `tension` about as much: statics "
+                     "finds how much is inside when that is there",
+                     above(0), required));
   keys.push_back(rows({"speed_table", &Feed::speed},
                       "`[[s, m/s], ...]`: straight between the rows, constant before and beyond", items(1)));
   return map({"feed", &End::feed}, std::move(keys),
@@ -68,8 +67,8 @@ Key target() {
        number({"declination_deg", &LengthTarget::value,
                set(&LengthTarget::kind, LengthTarget::Kind::declination)},
               angle,
-              "angle at the end between the upward vertical and the line's direction from end A to "
-              "end B, as of `ends/direction` in the results",
+              "angle at the end between the upward vertical and the line's direction from end A to end B, as "
+              "of `ends/direction` in the results",
               in_range(0, 3.14159265358979323846)),
        number({"touchdown", &LengthTarget::value, set(&LengthTarget::kind, LengthTarget::Kind::touchdown)},
               length, "arc length from end A of the touchdown point that is the first one from `at`",
@@ -83,8 +82,8 @@ Key target() {
        list({"between", by<LengthTarget>(between)}, number("", length, above(0)),
             "lengths of that section that are tried", items(2, 2),
             or_else_note("half its `length` and one and a half times it"))},
-      "what statics is to meet at t = 0 by the length of one section: its `length` is then only where "
-      "the search begins",
+      "what statics is to meet at t = 0 by the length of one section: its `length` is then only where the "
+      "search begins",
       either({"tension", "declination_deg", "touchdown", "laid_length"}));
 }
 
@@ -112,13 +111,12 @@ Key start() {
                      {list({"points", &Line::points, set(&Line::start, Start::points)}, vec3("", length),
                            "polyline from end A to end B that the line is laid along", items(2)),
                       text("from",
-                           "results (.h5) of another run, beside the case: as it left the line, by "
-                           "share of the length, its ends where they are now ..."),
+                           "results (.h5) of another run, beside the case: as it left the line, by share of "
+                           "the length, its ends where they are now ..."),
                       number("time", time, "... at this output", at_least(0), or_else_note("the last")),
                       text("line", "... what the line is called there", or_else_note("as here"))},
                      either({"points", {{"from", "time", "line"}, {"from"}}}))},
-                "shape from which statics starts; `auto`: catenary between two held ends, hanging from "
-                "one",
+                "shape from which statics starts; `auto`: catenary between two held ends, hanging from one",
                 or_else("auto"));
 }
 
@@ -143,8 +141,8 @@ Key bend_stiffeners() {
                word({"towards", &BendStiffener::towards_a}, {{"end_a", true}, {"end_b", false}},
                     "where it goes to from its root", or_else_note("`end_b`; from `end_b` on: `end_a`")),
                rows({"EI", &BendStiffener::rows},
-                    "bending stiffness it adds to that of the line, `[[m from the root, N m²], "
-                    "...]`, straight between the rows and nothing beyond",
+                    "bending stiffness it adds to that of the line, `[[m from the root, N m²], ...]`, "
+                    "straight between the rows and nothing beyond",
                     required, items(2))}),
       "bend stiffeners, and whatever else makes the bending stiffness vary along the line", or_else("[]"));
 }
@@ -165,10 +163,9 @@ Key buried() {
                     number({"normal", &Buried::normal_length}, length, "across it", above(0),
                            or_else_note("10 % of the contact diameter"))},
                    "after which the soil resists with all of it", or_else("{}"))}),
-      "stretches in the soil, which holds them where they start until it yields: an anchor's end "
-      "below "
-      "the bed (a line that starts by itself goes straight from it to the bed), a pipe in a trench "
-      "(`start` says where); the bed does not act on them, nor water but for its buoyancy",
+      "stretches in the soil, which holds them where they start until it yields: an anchor's end below the "
+      "bed (a line that starts by itself goes straight from it to the bed), a pipe in a trench (`start` says "
+      "where); the bed does not act on them, nor water but for its buoyancy",
       or_else("[]"));
 }
 
@@ -176,8 +173,8 @@ Key change_of_temperature() {
   return one_of("temperature_change",
                 {number({"", by<Line>(temperature)}, temperature_change),
                  rows({"", &Line::temperature_change}, items(2))},
-                "what the line is warmer than when its sections had their `length`, or along it `[[m "
-                "from end A, K], ...]`, straight between the rows and constant beyond: types with "
+                "what the line is warmer than when its sections had their `length`, or along it `[[m from "
+                "end A, K], ...]`, straight between the rows and constant beyond: types with "
                 "`thermal_expansion` get longer; acts from statics on",
                 or_else("0"));
 }
@@ -223,8 +220,8 @@ Key joints() {
                    "lines that resist bending are joined rigidly: they keep the angles between them that "
                    "they start with (their `direction` there, or the tangents of their start shapes)",
                    or_else("false"))}),
-      "Where ends of lines are joined to each other, by name: bridles, branches, frames. Of lines "
-      "that resist bending a joint that is not rigid takes one.",
+      "Where ends of lines are joined to each other, by name: bridles, branches, frames. Of lines that "
+      "resist bending a joint that is not rigid takes one.",
       or_else("{}"));
 }
 

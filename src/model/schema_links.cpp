@@ -26,8 +26,8 @@ Key links() {
            number({"stiffness", within(&Link::law, &LinkLaw::stiffness)}, point_stiffness,
                   "of a linear spring", above(0), or_else_note("0")),
            rows("force_table",
-                "or the tension over the elongation, `[[m, N], ...]`: a rising curve through the "
-                "rows, straight beyond them",
+                "or the tension over the elongation, `[[m, N], ...]`: a rising curve through the rows, "
+                "straight beyond them",
                 items(2)),
            number({"rest_length", within(&Link::law, &LinkLaw::rest_length), set(&Link::rest_given, true)},
                   length, "from which the elongation counts", at_least(0),
@@ -35,14 +35,14 @@ Key links() {
            number({"damping", within(&Link::law, &LinkLaw::damping)}, point_damping,
                   "tension for the speed at which it lengthens", above(0), or_else_note("0")),
            rows("damping_table",
-                "or the tension over that speed, `[[m/s, N], ...]`: a rising curve through zero and "
-                "the rows; without negative rows the same both ways",
+                "or the tension over that speed, `[[m/s, N], ...]`: a rising curve through zero and the "
+                "rows; without negative rows the same both ways",
                 items(1)),
            boolean({"tension_only", within(&Link::law, &LinkLaw::tension_only)},
                    "it goes slack and never pushes", or_else("false"))},
           at_most_one({"stiffness", "force_table"})),
-      "Springs and dampers between two points, along the straight line that joins them, by name: "
-      "heave compensators, links, fender springs ([theory](../theory/links.md)).",
+      "Springs and dampers between two points, along the straight line that joins them, by name: heave "
+      "compensators, links, fender springs ([theory](../theory/links.md)).",
       or_else("{}"));
 }
 

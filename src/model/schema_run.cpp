@@ -12,9 +12,8 @@ Key statics() {
             number({"tolerance", &Statics::tolerance}, none, "residual over the size of the internal forces",
                    above(0), at_most(1e-2), or_else("1e-8")),
             boolean({"contact_friction", &Statics::contact_friction},
-                    "friction of volumes and between lines acts in statics too, against the way of "
-                    "the lines from where their `start` puts them; else it acts from the equilibrium "
-                    "without it on",
+                    "friction of volumes and between lines acts in statics too, against the way of the lines "
+                    "from where their `start` puts them; else it acts from the equilibrium without it on",
                     or_else("false")),
             integer({"max_iterations", &Statics::max_iterations}, "Newton iterations of a stage",
                     in_range(1, 1e6), or_else("500")),
@@ -22,9 +21,8 @@ Key statics() {
                  {{"auto", Relaxation::automatic},
                   {"always", Relaxation::always},
                   {"never", Relaxation::never}},
-                 "lets lines come to rest from the start shape by a damped motion, for slack and "
-                 "floating lines, before Newton's iteration: where that alone fails (`auto`), "
-                 "`always` or `never`",
+                 "lets lines come to rest from the start shape by a damped motion, for slack and floating "
+                 "lines, before Newton's iteration: where that alone fails (`auto`), `always` or `never`",
                  or_else("auto")),
             integer({"relaxation_steps", &Statics::relaxation_steps}, "steps of that motion at most",
                     in_range(1, 1e7), or_else("5000"))})},

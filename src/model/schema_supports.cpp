@@ -29,30 +29,30 @@ Key boxes() {
                   {number("", length, at_least(0)), list("", number("", length, at_least(0)), items(1))},
                   "one box at each of these lengths along `path` ..."),
            number("above_path", length,
-                  "... and so far above it, across it (negative: below): the axis of the roller that "
-                  "carries the pipe, of a V where its rollers meet",
+                  "... and so far above it, across it (negative: below): the axis of the roller that carries "
+                  "the pipe, of a V where its rollers meet",
                   or_else("0")),
            list("points", vec3("", length),
-                "instead of `at`: that place of each box in the body's frame, in the order in which "
-                "the pipe passes them",
+                "instead of `at`: that place of each box in the body's frame, in the order in which the pipe "
+                "passes them",
                 items(1)),
            word("type", {"flat", "V", "U", "box"},
-                "one roller below; two that rise to both sides; one below and one at each side; the "
-                "same with one above",
+                "one roller below; two that rise to both sides; one below and one at each side; the same "
+                "with one above",
                 required),
            number("roller_diameter", length, "of all its rollers", above(0), required),
            number("roller_length", length,
                   "of the roller below, and so the clear width of a U or a box; of a V each of the two",
                   above(0), required),
            number("side_height", length,
-                  "of a U or a box: of the rollers at the sides above the roller below; in a box the "
-                  "roller above is there",
+                  "of a U or a box: of the rollers at the sides above the roller below; in a box the roller "
+                  "above is there",
                   above(0)),
            number("angle_deg", angle, "of a V: of each roller above the horizontal", above(0),
                   at_most(80 * M_PI / 180)),
            one_of("normal_stiffness", {word("", {"auto"}), number("", point_stiffness, above(0))},
-                  "of a roller: force over penetration where that is 1 % of the pipe's radius; "
-                  "`auto` is raised in the run as far as tensions and speeds need it",
+                  "of a roller: force over penetration where that is 1 % of the pipe's radius; `auto` is "
+                  "raised in the run as far as tensions and speeds need it",
                   or_else("auto")),
            relative_damping(), friction(&Volume::friction)},
           either({{{"at", "above_path"}, {"at"}}, "points"})),

@@ -39,8 +39,8 @@ Key friction(const Field& field) {
                    "coefficients of fast sliding, those above being of rest; needs `blend_speed`",
                    or_else_note("as at rest")),
             number({"blend_speed", &Friction::blend_speed}, velocity,
-                   "speed v0 at which 1/e of the difference between rest and `kinetic` is left; it "
-                   "goes with exp(-(v/v0)²)",
+                   "speed v0 at which 1/e of the difference between rest and `kinetic` is left; it goes with "
+                   "exp(-(v/v0)²)",
                    above(0)),
             one_of("mobilisation_length",
                    {number({"", &Friction::mobilisation_length, &Friction::lateral_mobilisation_length},
@@ -61,8 +61,8 @@ Key friction(const Field& field) {
                  or_else("radial")),
             word({"stick", &Friction::spring},
                  {{"elliptic", FrictionSpring::elliptic}, {"michalopoulos", FrictionSpring::michalopoulos}},
-                 "with mobilisation lengths: a spring each way, whose closed paths take no work, or "
-                 "the law of OMAE2006-92155 (Michalopoulos 1986), which is that only for equal lengths",
+                 "with mobilisation lengths: a spring each way, whose closed paths take no work, or the law "
+                 "of OMAE2006-92155 (Michalopoulos 1986), which is that only for equal lengths",
                  or_else("elliptic"))},
            at_most_one({"mobilisation_length", "shear_stiffness"}))},
       "one coefficient for all directions, or more", or_else("0"));
@@ -145,16 +145,15 @@ Key stiffness() {
             number({"per_area", &Volume::normal_stiffness, set(&Volume::basis, StiffnessBasis::per_area)},
                    area_stiffness, "per projected area (length times contact diameter)", above(0)),
             number({"allowed_penetration", &Volume::allowed_penetration}, length,
-                   "as `auto`, for this penetration: the largest in statics, twice that in motion except "
-                   "in impacts; default 0.4 % of the line's radius",
+                   "as `auto`, for this penetration: the largest in statics, twice that in motion except in "
+                   "impacts; default 0.4 % of the line's radius",
                    above(0)),
             force_rows(by<Volume>(force_table<Volume>)),
             word({"per", &Volume::basis},
                  {{"point", StiffnessBasis::per_point},
                   {"length", StiffnessBasis::per_length},
                   {"area", StiffnessBasis::per_area}},
-                 "what the forces of the table are of: N of a node, N/m of line, N/m² of projected "
-                 "area")},
+                 "what the forces of the table are of: N of a node, N/m of line, N/m² of projected area")},
            either({"per_point",
                    "per_length",
                    "per_area",
@@ -170,8 +169,8 @@ Key active() {
                  map("", {list({"box", by<Volume>(active_box)}, vec3("", length),
                                "`[[x, y, z], [x, y, z]]`: lower and upper corner, in the body's frame",
                                items(2, 2), required)})},
-                "the part of the mesh that takes part in contact: name of a part (OBJ group, STL "
-                "solid), or the triangles with all corners in a box",
+                "the part of the mesh that takes part in contact: name of a part (OBJ group, STL solid), or "
+                "the triangles with all corners in a box",
                 or_else_note("all"));
 }
 
@@ -182,14 +181,13 @@ Key volumes() {
       {"volumes", &Case::volumes},
       map("<volume>",
           {text({"mesh", &Volume::mesh},
-                "triangle mesh (STL, OBJ or PLY), relative to the case file; this or `shape` is "
-                "needed"),
+                "triangle mesh (STL, OBJ or PLY), relative to the case file; this or `shape` is needed"),
            shape(),
            number({"scale", &Volume::scale}, none, "mesh units to m: 0.001 for a mesh in mm", above(0),
                   or_else("1")),
            word({"closed", &Volume::closed}, {{"required", true}, {"repair", false}},
-                "what to do with a mesh that is open or inconsistent: refuse it, or mend what can be "
-                "and take for inside where the winding number is above 1/2",
+                "what to do with a mesh that is open or inconsistent: refuse it, or mend what can be and "
+                "take for inside where the winding number is above 1/2",
                 or_else("repair")),
            word({"sign", &Volume::sign},
                 {{"automatic", SignTest::automatic},
@@ -198,14 +196,14 @@ Key volumes() {
                  {"tetrahedron", SignTest::tetrahedra},
                  {"ray", SignTest::ray},
                  {"solid_angle", SignTest::solid_angle}},
-                "how inside is told from outside: `automatic` by pseudonormals, and by winding "
-                "numbers where the mesh is not in order; the last three are those of OMAE2006-92155, "
-                "look at every triangle each time and, as `winding`, leave the facets flat",
+                "how inside is told from outside: `automatic` by pseudonormals, and by winding numbers where "
+                "the mesh is not in order; the last three are those of OMAE2006-92155, look at every "
+                "triangle each time and, as `winding`, leave the facets flat",
                 or_else("automatic")),
-           boolean({"smooth", &Volume::smooth},
-                   "curve the facets of a mesh where they stand for a curved surface; with `false` "
-                   "they are flat",
-                   or_else("true")),
+           boolean(
+               {"smooth", &Volume::smooth},
+               "curve the facets of a mesh where they stand for a curved surface; with `false` they are flat",
+               or_else("true")),
            number({"crease_angle_deg", &Volume::crease_angle}, angle,
                   "edges whose facets meet at more than this stay sharp", above(0), at_most(M_PI),
                   or_else("40")),

@@ -45,8 +45,8 @@ MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights
   const auto& is_held = system.supports().held();
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
     for (int c = 0; c < 3; ++c) {
-      if (!(is_held[static_cast<size_t>(b)] >> c & 1)) continue;
-      const PetscInt row = 3 * system.mesh().global_block[static_cast<size_t>(b)] + c;
+      if (!(is_held[b] >> c & 1)) continue;
+      const PetscInt row = 3 * system.mesh().global_block[b] + c;
       check(MatSetValue(A.get(), row, row, held - 1, ADD_VALUES));
     }
   check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));
@@ -58,7 +58,7 @@ MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights
 long free_components(const System& system) {
   long free = 0;
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
-    for (int c = 0; c < 3; ++c) free += !(system.supports().held()[static_cast<size_t>(b)] >> c & 1);
+    for (int c = 0; c < 3; ++c) free += !(system.supports().held()[b] >> c & 1);
   MPI_Allreduce(MPI_IN_PLACE, &free, 1, MPI_LONG, MPI_SUM, system.comm());
   return free;
 }
@@ -84,10 +84,9 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
     if (mesh.rotates(static_cast<int>(n))) mode.rotation[n] = at.q[n] * block(mesh.block[n] + 1);
   }
   for (const int i : system.supports().ties()) {
-    const Support& s = system.supports().list()[static_cast<size_t>(i)];
-    const int frame = mesh.block[static_cast<size_t>(s.frame)];
-    mode.shape[static_cast<size_t>(s.node)] =
-        block(frame) + at.q[static_cast<size_t>(s.frame)] * block(frame + 1).cross(s.at);
+    const Support& s = system.supports().list()[i];
+    const int frame = mesh.block[s.frame];
+    mode.shape[s.node] = block(frame) + at.q[s.frame] * block(frame + 1).cross(s.at);
   }
   double most[2] = {0, 0};
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
@@ -180,7 +179,7 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
   // be missing at first.
   for (long ask = std::min<long>(count + kMore, free);; ask = std::min(2 * ask, free)) {
     std::vector<NaturalMode> modes = nearest_modes(system, at, K.get(), M.get(), static_cast<int>(ask));
-    const size_t wanted = static_cast<size_t>(count);
+    const size_t wanted = count;
     if (modes.size() < wanted)
       throw SolveError("modes: {} of {} eigenvalues have converged: ask for fewer", modes.size(), count);
     const bool no_more = ask == free || std::ssize(modes) < ask;

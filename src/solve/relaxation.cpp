@@ -36,10 +36,9 @@ class Relaxation : StaticTrial {
       : StaticTrial(system, state), settings_(settings) {
     momentum_.assign(3 * static_cast<size_t>(system.mesh().owned_blocks), 0);
     for (const LineSpan& l : system.mesh().mesh->lines) longest_ = std::max(longest_, l.length);
-    turns_.assign(static_cast<size_t>(system.mesh().owned_blocks), 0);
+    turns_.assign(system.mesh().owned_blocks, 0);
     for (int n = 0; n < system.mesh().owned; ++n)
-      if (system.mesh().rotates(n))
-        turns_[static_cast<size_t>(system.mesh().block[static_cast<size_t>(n)]) + 1] = 1;
+      if (system.mesh().rotates(n)) turns_[system.mesh().block[n] + 1] = 1;
     check(SNESSetTolerances(snes_.get(), 0, 0, 0, kMostIterations, PETSC_DEFAULT));
   }
 

@@ -26,8 +26,8 @@ std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion
     t->motion(accelerations, std::span(lines).last(n));
   }
   for (const ImpactEvent& s : strikes) {
-    lines[static_cast<size_t>(s.line)].striking += s.energy();
-    if (s.other >= 0) lines[static_cast<size_t>(s.other)].striking += s.energy();
+    lines[s.line].striking += s.energy();
+    if (s.other >= 0) lines[s.other].striking += s.energy();
   }
   static_assert(sizeof(LineMotion) == 6 * sizeof(double));
   sum({reinterpret_cast<double*>(lines.data()), 6 * lines.size()});

@@ -19,7 +19,7 @@ AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMes
     return now;
   }
   const int local = mesh.find(carrier);
-  const size_t n = static_cast<size_t>(local);
+  const size_t n = local;
   now.R = at.q[n].toRotationMatrix();
   now.arm = a.body < 0 ? a.at : bodies.in_node_axes(a.body, a.at, a.direction);
   now.rate = at.w[n].cross(now.arm);

@@ -58,7 +58,7 @@ void Bodies::fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& st
 
 RigidPose Bodies::pose(int body, const Kinematics& at) const {
   if (!floats(body)) return pose(body, at.time);
-  const Frame& f = frames_[static_cast<size_t>(body)];
+  const Frame& f = frames_[body];
   const int node = local_node(body);
   if (node < 0) return f.exchanged;
   RigidBodyState s = floating_state(at, node);

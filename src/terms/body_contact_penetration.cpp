@@ -47,8 +47,7 @@ void BodyContactTerm::check_overlap(double time) {
     if (!p.hides || !p.counted || again) continue;
     const double depth = std::max(deepest(p.a, p.at.A, p.b, p.at.B), deepest(p.b, p.at.B, p.a, p.at.A));
     // Of two that both lead the other may see it.
-    const double penetration =
-        std::max(p.penetration, p.other < 0 ? 0 : pairs_[static_cast<size_t>(p.other)].penetration);
+    const double penetration = std::max(p.penetration, p.other < 0 ? 0 : pairs_[p.other].penetration);
     p.met = depth > 0 ? std::max(p.met, penetration) : 0;
     double size = HUGE_VAL;
     for (const size_t v : {p.a, p.b})
@@ -59,7 +58,7 @@ void BodyContactTerm::check_overlap(double time) {
   if (!watched) return;
   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
   if (worst.pair < 0) return;
-  const Pair& p = pairs_[static_cast<size_t>(worst.pair)];
+  const Pair& p = pairs_[worst.pair];
   double met = p.counted ? p.met : 0;
   MPI_Allreduce(MPI_IN_PLACE, &met, 1, MPI_DOUBLE, MPI_MAX, comm_);
   throw SolveError(

@@ -32,14 +32,14 @@ std::vector<double> ContactVolumes::stiffnesses() const {
 }
 
 void ContactVolumes::raise_to(int volume, double stiffness) {
-  const size_t k = static_cast<size_t>(volume);
+  const size_t k = volume;
   if (!automatic(volume)) return;
   volumes_[k].settings.normal_stiffness = committed_[k] = std::max(stiffness, committed_[k]);
 }
 
 void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPoint& p, double step,
                          std::vector<double>& wanted) const {
-  const size_t k = static_cast<size_t>(volume);
+  const size_t k = volume;
   const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
   const double allowed = given > 0 ? given : kAllowed * p.radius;
   if (p.held) return;
@@ -90,7 +90,7 @@ bool ContactVolumes::has_back(int volume) const {
 }
 
 double ContactVolumes::deepest(int volume, double radius) const {
-  const ContactVolume& c = volumes_[static_cast<size_t>(volume)];
+  const ContactVolume& c = volumes_[volume];
   const model::Volume& v = c.settings;
   if (!c.automatic && !has_back(volume)) return HUGE_VAL;
   return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;

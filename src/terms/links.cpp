@@ -42,10 +42,9 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
     double& rest = list_[i].law.rest_length;
     rest = (Vec3(&places[6 * i + 3]) - Vec3(&places[6 * i])).norm();
     if (!(rest > 0))
-      c.refuse(
-          "links." + c.links[i].name,
-          "its ends start at the same point, so that it has no length: give it a 'rest_length', which may be "
-          "0, or place its ends apart");
+      c.refuse("links." + c.links[i].name,
+               "its ends start at the same point, so that it has no length: give it a 'rest_length', which "
+               "may be 0, or place its ends apart");
   }
   update_ghosts();
 }
@@ -162,7 +161,7 @@ std::vector<HistoryRecord> Links::save() const {
 void Links::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= list_.size()) continue;
-    Link& l = list_[static_cast<size_t>(r.key)];
+    Link& l = list_[r.key];
     if (!owned(l.owner)) continue;  // the other end may not be here yet
     const Link kept = entry<Link>(r);
     l.damping = kept.damping, l.work = kept.work;

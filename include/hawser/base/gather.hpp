@@ -21,7 +21,7 @@ inline std::string first_text(MPI_Comm comm, std::string mine) {
   if (first == size) return {};
   int length = static_cast<int>(mine.size());
   MPI_Bcast(&length, 1, MPI_INT, first, comm);
-  mine.resize(static_cast<std::size_t>(length));
+  mine.resize(length);
   MPI_Bcast(mine.data(), length, MPI_CHAR, first, comm);
   return mine;
 }
@@ -68,7 +68,7 @@ class GatherPlan {
   GatherPlan(MPI_Comm comm, int mine) : comm_(comm), mine_(mine) {
     int size = 1;
     MPI_Comm_size(comm, &size);
-    count_.resize(static_cast<std::size_t>(size)), start_.resize(static_cast<std::size_t>(size) + 1, 0);
+    count_.resize(size), start_.resize(size + 1, 0);
     MPI_Allgather(&mine, 1, MPI_INT, count_.data(), 1, MPI_INT, comm);
     std::inclusive_scan(count_.begin(), count_.end(), start_.begin() + 1);
   }
