@@ -51,7 +51,7 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
   Rows r;
   const double xi = p.xi, eta = p.foot.eta;
   const AxisShape::Weights dH = slave_.now.derivatives(xi), dG = master_.now.derivatives(eta);
-  const size_t na = slave_.now.count(), nb = static_cast<size_t>(master_.now.count());
+  const size_t na = slave_.now.count(), nb = master_.now.count();
   for (size_t j = 0; j < na; ++j) r.add(j, p.H[j], dH[j], 0);
   for (size_t k = 0; k < nb; ++k) r.add(na + k, -p.G[k], 0, -dG[k]);
   if (!set_.law.friction.active()) return r;
@@ -152,7 +152,7 @@ struct LinePairPass::MovingEnd {
 LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   MovingEnd m;
   if (end == End::fixed) return m;
-  const size_t na = slave_.now.count(), nb = static_cast<size_t>(master_.now.count());
+  const size_t na = slave_.now.count(), nb = master_.now.count();
   const Vec3 x = slave_.now.point(xi), x1 = slave_.now.slope(xi);
   const AxisShape::Weights H = slave_.now.functions(xi);
   m.by.setZero();

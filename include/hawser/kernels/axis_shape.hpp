@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-#include "hawser/kernels/attached.hpp"
+#include "hawser/kernels/stencil.hpp"
 #include "hawser/kernels/bezier_axis.hpp"
 
 namespace hawser {

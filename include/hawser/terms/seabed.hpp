@@ -1,6 +1,6 @@
 // The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node and
-// half way along cables' elements, shared out by the length of line that belongs to each. See
-// docs/theory/seabed.md.
+// half way along cables' elements, shared out by the length of line that belongs to each. The law at a point,
+// with friction and the tangent of both: kernels/volume_contact.cpp. See docs/theory/seabed.md.
 #pragma once
 
 #include <mpi.h>
