@@ -1,4 +1,5 @@
-// The class Actions: supports, feeders and volumes after an action.
+// The class Actions: supports, feeders and volumes after an action. A line that is cut is two from the start
+// (model/cut_lines.cpp), and the cut lets their joint go.
 #include "hawser/app/actions.hpp"
 
 #include <fmt/format.h>
@@ -6,6 +7,7 @@
 #include <algorithm>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser::app {
@@ -18,11 +20,10 @@ int Actions::node(const Action& a) const {
 }
 
 bool Actions::held(int node) const {
-  int here = std::any_of(supports_.begin(), supports_.end(), [&](const Support& s) {
-    return s.position_mask == 7 && sim_.local().global[s.node] == node;
-  });
-  MPI_Allreduce(MPI_IN_PLACE, &here, 1, MPI_INT, MPI_MAX, sim_.system().comm());
-  return here != 0;
+  return on_any_rank(sim_.system().comm(),
+                     std::any_of(supports_.begin(), supports_.end(), [&](const Support& s) {
+                       return s.position_mask == 7 && sim_.local().global[s.node] == node;
+                     }));
 }
 
 RigidPose Actions::pose(const Action& a, const Kinematics& at) const {
@@ -31,7 +32,7 @@ RigidPose Actions::pose(const Action& a, const Kinematics& at) const {
 
 double Actions::away(const Action& a, const Kinematics& at) const {
   const int n = sim_.local().find(node(a));
-  if (!a.at || n < 0 || n >= sim_.local().owned) return 0;
+  if (!a.at || !sim_.local().owns(n)) return 0;
   return (pose(a, at).to_space(*a.at) - at.x[n]).norm();
 }
 
@@ -49,15 +50,14 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       const LocalMesh& local = sim_.local();
       const int n = local.find(node(a)), body = sim_.model().body_index(a.body);
       std::array<double, 8> packed{};
-      if (n >= 0 && n < local.owned) {
-        const size_t i = n;
+      if (local.owns(n)) {
         const RigidPose p = pose(a, at);
-        Vec3 y = p.rotation.conjugate() * (at.x[i] - p.position);
+        Vec3 y = p.rotation.conjugate() * (at.x[n] - p.position);
         if (sim_.model().floats(body)) y -= sim_.model().bodies[body].mass->centre;
-        const Quat q = p.rotation.conjugate() * at.q[i];
+        const Quat q = p.rotation.conjugate() * at.q[n];
         packed = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, at)};
       }
-      MPI_Allreduce(MPI_IN_PLACE, packed.data(), 8, MPI_DOUBLE, MPI_SUM, sim_.system().comm());
+      all_reduce(sim_.system().comm(), MPI_SUM, packed);
       std::copy_n(packed.begin(), 3, found.place.begin()),
           std::copy_n(packed.begin() + 3, 4, found.rotation.begin());
       found.away = packed[7];

@@ -49,7 +49,7 @@ std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) 
   for (const LocalElement& local : mesh_.elements) {
     const Element& e = mesh_.element(local);
     if (e.line != line || !local.counted) continue;
-    const size_t i = local.first, j = static_cast<size_t>(local.second);
+    const size_t i = local.first, j = local.second;
     const double radius = 0.5 * case_.line_types[e.type].contact_diameter;
     out.push_back({local.global, radius,
                    e.beam ? BezierAxis::beam(at.x[i], at.q[i] * Vec3::UnitX(), at.x[j],
@@ -68,8 +68,7 @@ Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
 
 // Of all ranks: a step of a line costs far more than to send where it is.
 Clearances::Tree Clearances::of_all_ranks(const Tree& own) const {
-  int size = 1;
-  MPI_Comm_size(comm_, &size);
+  const int size = ranks_of(comm_);
   if (size == 1) return own;
   std::vector<double> mine;
   for (const Shaped& s : own.elements) {
@@ -208,8 +207,7 @@ std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
     add(to_volume(tree_of(line).elements, *surfaces_[v], body < 0 ? io::BodyPose{} : poses[body], seen_[k]));
   }
   smallest_of_ranks(comm_, values, numbers);
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   std::vector<std::vector<double>> out(values.size());
   for (size_t k = 0; k < out.size() && rank == 0; ++k) {
     const double* n = numbers.data() + 4 * k;

@@ -21,13 +21,8 @@ ContactPeaks::ContactPeaks(Simulation& simulation) : sim_(simulation) {
 }
 
 void ContactPeaks::find(const std::vector<Field>& fields) {
-  for (size_t f = 0; f < fields.size(); ++f) {
-    const std::string& name = fields[f].name;
-    if (name == "bending_moment") moment_ = static_cast<int>(f);
-    if (name == "bending_moment_2") moment_2_ = static_cast<int>(f);
-    if (name == "bending_moment_3") moment_3_ = static_cast<int>(f);
-    if (name == "curvature") curvature_ = static_cast<int>(f);
-  }
+  moment_ = find_field(fields, "bending_moment"), moment_2_ = find_field(fields, "bending_moment_2");
+  moment_3_ = find_field(fields, "bending_moment_3"), curvature_ = find_field(fields, "curvature");
 }
 
 ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& e, const AxisShape& shape,
@@ -79,8 +74,7 @@ void ContactPeaks::fill(const Kinematics& at, std::vector<std::vector<double>>& 
       const int node = second ? e.second : e.first;
       if (node >= mesh.owned) continue;
       const Peak p = peak(at, e, shape, own, second ? 0.5 : 0, second ? HUGE_VAL : 0.5);
-      const size_t n = node;
-      const auto value = [&](int field) -> double& { return values[field][n]; };
+      const auto value = [&](int field) -> double& { return values[field][node]; };
       const double size = std::hypot(p.about2, p.about3);
       if (size <= value(moment_)) continue;
       value(moment_) = size, value(moment_2_) = p.about2, value(moment_3_) = p.about3;

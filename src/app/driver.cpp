@@ -26,6 +26,7 @@
 #include "hawser/app/start_contact.hpp"
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
@@ -104,8 +105,7 @@ bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, 
   const Stage stage("dynamics");
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
   const MPI_Comm comm = sim.system().comm();
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   Dynamics& d = sim.dynamics();
   progress.begin(d.committed().s.time, end);
   const OutputTimes times(sim.model());
@@ -130,7 +130,7 @@ bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, 
     int agreed[2] = {0, 0};
     if (output || save) {
       agreed[0] = stop_requested, agreed[1] = rank == 0 && checkpoints.due();
-      MPI_Allreduce(MPI_IN_PLACE, agreed, 2, MPI_INT, MPI_MAX, comm);
+      all_reduce(comm, MPI_MAX, agreed);
     }
     const bool stop = agreed[0] != 0;
     if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
@@ -175,9 +175,7 @@ void print_results(const model::Case& c, const Recorder& recorder, const std::st
 }  // namespace
 
 int run(MPI_Comm comm, const RunOptions& options) {
-  int rank = 0, size = 1;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &size);
+  const int rank = rank_of(comm), size = ranks_of(comm);
   const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
   Progress progress(speak);
   model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
@@ -284,8 +282,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
 
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,
                const std::vector<std::string>& changes) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
   Progress progress(rank == 0);
   model::Case c = io::read_case(case_path, news(progress), comm, changes);

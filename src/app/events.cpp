@@ -1,4 +1,5 @@
-// The class Events: which event happens at a state, and what the user is told of it.
+// The class Events: which event happens at a state, and what the user is told of it. What it does there is in
+// actions.cpp.
 #include "hawser/app/events.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "hawser/app/feeding.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser::app {
@@ -64,7 +66,7 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
   const LocalMesh& local = sim_.local();
   const Cause& cause = h.what.cause;
   const int n = h.node < 0 ? -1 : local.find(h.node);
-  const bool own = n >= 0 && n < local.owned;
+  const bool own = local.owns(n);
   switch (cause.kind) {
     case Cause::Kind::position:
       if (!cause.body.empty()) {
@@ -102,8 +104,7 @@ std::vector<double> Events::values(const Kinematics& at) {
   ends_.evaluate(at, std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
   std::vector<double> out;
   for (const Happening& h : events_) out.push_back(local_value(h, at));
-  MPI_Allreduce(MPI_IN_PLACE, out.data(), static_cast<int>(out.size()), MPI_DOUBLE, MPI_MAX, comm_);
-  return out;
+  return all_reduce(comm_, MPI_MAX, out);
 }
 
 std::vector<double> Events::conditions(const std::vector<double>& values) const {
@@ -170,7 +171,7 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
   std::string how;
   if (a.kind == Action::Kind::release) {
     double tension = local_tension(actions_.node(a));
-    MPI_Allreduce(MPI_IN_PLACE, &tension, 1, MPI_DOUBLE, MPI_MAX, comm_);
+    all_reduce(comm_, MPI_MAX, tension);
     how = fmt::format(", with a tension of {:.6g} N", tension);
   }
   if (a.at) how = fmt::format(", {:.3g} m from the place", h.found.away);

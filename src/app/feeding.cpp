@@ -8,6 +8,7 @@
 
 #include "hawser/app/end_forces.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser::app {
@@ -23,8 +24,7 @@ std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.
 // On every rank what the ranks that know it have.
 double of_all(MPI_Comm comm, bool known, double value) {
   double out = known ? value : -HUGE_VAL;
-  MPI_Allreduce(MPI_IN_PLACE, &out, 1, MPI_DOUBLE, MPI_MAX, comm);
-  return out;
+  return all_reduce(comm, MPI_MAX, out);
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional
 Dynamics::Moved Feeding::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();
   const double share = all.element_length(f, f.mouth) / f.length;  // from the free end
-  const size_t i = f.at_b ? e.second : e.first, j = static_cast<size_t>(f.at_b ? e.first : e.second);
+  const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
   const Mouth mouth = all.mouth(f, k, true);
   const Feeders::Flow flow = all.flow(mouth, k, e, f.at_b);
   const Vec3 a = k.a[i] + flow.acceleration;
@@ -142,7 +142,7 @@ std::optional<Dynamics::Moved> Feeding::caught(const Feeder& f, const Kinematics
   const int at[3] = {local.find(held), local.find(caught), local.find(next)};
   const bool known = at[0] >= 0 && at[1] >= 0 && at[2] >= 0;
   if (known) {
-    const size_t i = at[0], j = static_cast<size_t>(at[1]), n = static_cast<size_t>(at[2]);
+    const size_t i = at[0], j = at[1], n = static_cast<size_t>(at[2]);
     // What bending adds to the strain of an element's chord.
     const auto bow = [&](size_t a, size_t b) {
       if (f.at_b) std::swap(a, b);
@@ -224,7 +224,7 @@ void Feeding::shift(Feeder& f, double by) {
 void Feeding::save(io::Checkpoint& to) const {
   if (!sim_.feeders()) return;
   double work = sim_.feeders()->work();
-  MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, sim_.system().comm());
+  all_reduce(sim_.system().comm(), MPI_SUM, work);
   to.scalars["feeders.work"] = work;
   for (const Feeder& f : sim_.feeders()->list()) {
     to.scalars[key(f, "mouth")] = f.mouth;
@@ -249,8 +249,7 @@ void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
     throw refuse(fmt::format("{} of its lines' ends {} fed, and {} in this case", there,
                              there == 1 ? "is" : "are", here));
   if (!sim_.feeders()) return;
-  int rank = 0;
-  MPI_Comm_rank(sim_.system().comm(), &rank);
+  const int rank = rank_of(sim_.system().comm());
   sim_.feeders()->set_work(rank == 0 ? from.scalars.at("feeders.work") : 0);
   for (Feeder& f : sim_.feeders()->list()) {
     if (!from.scalars.count(key(f, "mouth"))) throw refuse(f.name + " is not fed there");

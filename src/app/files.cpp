@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"
 
 namespace hawser::app {
@@ -42,22 +43,14 @@ void compare_lines(const std::string& path, const Mesh& mesh) {
 }  // namespace
 
 void on_root(MPI_Comm comm, const std::function<void()>& work) {
-  int rank = 0, length = -1;
-  MPI_Comm_rank(comm, &rank);
   std::string text;
-  if (rank == 0) {
-    try {
+  if (rank_of(comm) == 0) try {
       work();
     } catch (const InputError& e) {
       text = e.what();
-      length = static_cast<int>(text.size());
     }
-  }
-  MPI_Bcast(&length, 1, MPI_INT, 0, comm);
-  if (length < 0) return;
-  text.resize(length);
-  MPI_Bcast(text.data(), length, MPI_CHAR, 0, comm);
-  throw InputError(text);
+  text = first_text(comm, std::move(text));
+  if (!text.empty()) throw InputError(text);
 }
 
 void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
@@ -26,11 +27,7 @@ constexpr double kSamePlace = 1e-9;
 Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& ends,
                      std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields)
     : comm_(comm), sim_(simulation), ends_(ends) {
-  const auto find = [&](const std::string& name) {
-    for (size_t f = 0; f < fields.size(); ++f)
-      if (fields[f].name == name) return static_cast<int>(f);
-    return -1;
-  };
+  const auto find = [&](const char* name) { return find_field(fields, name); };
   for (size_t f = 0; f < fields.size(); ++f) {
     if (fields[f].history == Field::History::yes) shown_.push_back(f);
     if (fields[f].history == Field::History::behind_ends) shown_last_.push_back(f);
@@ -75,7 +72,7 @@ Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& end
   }
   std::vector<int> ranks;
   for (const Point& p : points_) ranks.push_back(p.nodes[0] >= 0 || p.nodes[1] >= 0);
-  MPI_Allreduce(MPI_IN_PLACE, ranks.data(), static_cast<int>(ranks.size()), MPI_INT, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, ranks);
   for (size_t i = 0; i < points_.size(); ++i) points_[i].shared = ranks[i] > 1 || !points_[i].volume.empty();
 }
 
@@ -97,7 +94,7 @@ Histories::Point Histories::point_of(int line, double arc) const {
   for (size_t k = 0; k < 2; ++k) {
     if (p.weights[k] == 0) continue;
     const int n = local.find(static_cast<int>(node - mesh.nodes.begin()) + static_cast<int>(k));
-    if (n < 0 || n >= local.owned) continue;
+    if (!local.owns(n)) continue;
     p.nodes[k] = n;
     const auto& places = ends_.places();
     for (size_t i = 0; i < places.size(); ++i)
@@ -173,8 +170,7 @@ std::vector<double> Histories::line_row(const Point& p, const Kinematics& at,
 // Empty on ranks that do not own the body.
 std::vector<double> Histories::body_row(int body, const Kinematics& at) const {
   const auto p = sim_.body_pose(body, at);
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   if (!p || (!sim_.bodies().floats(body) && rank != 0)) return {};
   std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
   if (sim_.floating() && sim_.model().floats(body)) force = sim_.floating()->force_on(body, at);
@@ -215,8 +211,7 @@ std::vector<std::vector<double>> Histories::rows(const Kinematics& at,
     parts.insert(parts.end(), rows[i].begin(), rows[i].end());
   }
   if (parts.empty()) return rows;
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   MPI_Reduce(rank == 0 ? MPI_IN_PLACE : parts.data(), parts.data(), static_cast<int>(parts.size()),
              MPI_DOUBLE, MPI_SUM, 0, comm_);
   auto part = parts.begin();

@@ -22,6 +22,7 @@
 #include "hawser/app/version.hpp"
 #include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/io/line_library.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/model/schema.hpp"
@@ -82,8 +83,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   } catch (const std::exception& e) {
     // Not the user's doing, and perhaps only this rank's: the others must not wait for it.
     std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
-    int size = 1;
-    MPI_Comm_size(PETSC_COMM_WORLD, &size);
+    const int size = hawser::ranks_of(PETSC_COMM_WORLD);
     if (size > 1) MPI_Abort(PETSC_COMM_WORLD, 1);
     return 1;
   }

@@ -83,7 +83,7 @@ double drawn_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode)
   for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
   for (int b = 0; b < sim.bodies().size(); ++b)
     if (const int n = sim.bodies().local_node(b); n >= 0) turn = std::max(turn, mode.rotation[n].norm());
-  MPI_Allreduce(MPI_IN_PLACE, &turn, 1, MPI_DOUBLE, MPI_MAX, comm);
+  all_reduce(comm, MPI_MAX, turn);
   return size * turn > kTurned ? kTurned / turn : size;
 }
 
@@ -100,8 +100,7 @@ State moved(const State& at, const NaturalMode& mode, double size) {
 void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volumes, const ModesOptions& o,
            const std::string& path, const std::vector<NaturalMode>& found,
            const std::vector<std::string>& messages) {
-  int rank = 0, size = 1;
-  MPI_Comm_rank(comm, &rank), MPI_Comm_size(comm, &size);
+  const int rank = rank_of(comm), size = ranks_of(comm);
   const LocalMesh& local = sim.local();
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   io::ResultsFile file = io::ResultsFile::create(
@@ -124,8 +123,7 @@ void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volu
 }  // namespace
 
 int modes(MPI_Comm comm, const ModesOptions& options) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   Progress progress(rank == 0 && !options.quiet);
   model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
   const std::filesystem::path beside(c.path);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/gather.hpp"
+
 namespace hawser::app {
 namespace {
 
@@ -55,10 +57,7 @@ PipeStrength::PipeStrength(const model::Case& c, const LocalMesh& local) : case_
 }
 
 void PipeStrength::add_fields(std::vector<Field>& fields) {
-  const auto find = [&](const char* name) {
-    const auto at = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
-    return at == fields.end() ? -1 : static_cast<int>(at - fields.begin());
-  };
+  const auto find = [&](const char* name) { return find_field(fields, name); };
   tension_ = find(kTension), moment_2_ = find(kMoment2), moment_3_ = find(kMoment3),
   curvature_ = find(kCurvature);
   if (codes_.empty() || std::min({tension_, moment_2_, moment_3_, curvature_}) < 0) return;
@@ -128,7 +127,7 @@ void PipeStrength::fill(std::vector<std::vector<double>>& values, const PipePlac
 
 std::vector<std::string> PipeStrength::warnings(MPI_Comm comm) const {
   double most = pulled_;
-  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
+  all_reduce(comm, MPI_MAX, most);
   if (!(most > kMostPulled)) return {};
   return {
       fmt::format("the design tension of a pipe is {:.2g} of that at yield: DNV-ST-F101's formulas for "

@@ -14,6 +14,7 @@
 #include "hawser/app/cost.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/app/run_parts.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -84,11 +85,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   utilisation_.add_fields(fields_);
   pipes_.add_fields(fields_);
   for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
-  auto find = [&](const std::string& name) {
-    for (size_t i = 0; i < fields_.size(); ++i)
-      if (fields_[i].name == name) return static_cast<int>(i);
-    return -1;
-  };
+  const auto find = [&](const std::string& name) { return find_field(fields_, name); };
   pressed_ = find("contact_normal_force");
   for (const char* name : {"contact_normal_force", "line_contact_normal_force", "seabed_force"})
     if (const int f = find(name); f >= 0) touches_.push_back(f);
@@ -333,8 +330,7 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
       rows.push_back(std::move(row));
   if (supports_)
     for (std::vector<double>& row : support_rows_) rows.push_back(std::move(row));
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   if (shows_touchdowns())
     for (const Touchdown& t : touchdowns_.find(at))
       rows.push_back(rank == 0 ? touchdown_row(t) : std::vector<double>{});
@@ -379,7 +375,7 @@ void Recorder::find_worst(const Kinematics& at) {
   const NodeValue most = sim_.dynamics().roughest();
   int with = 0;
   const int n = sim_.local().find(most.node);
-  if (n >= 0 && n < sim_.local().owned)
+  if (sim_.local().owns(n))
     for (size_t f = 2; f < fields_.size() && with == 0; ++f) {
       const int components = fields_[f].components;
       double size = 0;
@@ -391,7 +387,7 @@ void Recorder::find_worst(const Kinematics& at) {
         with = static_cast<int>(Audit::Step::ContactWith::line);
       if (fields_[f].name == "seabed_force") with = static_cast<int>(Audit::Step::ContactWith::seabed);
     }
-  MPI_Allreduce(MPI_IN_PLACE, &with, 1, MPI_INT, MPI_MAX, comm_);
+  all_reduce(comm_, MPI_MAX, with);
   audit_.located(most.node, static_cast<Audit::Step::ContactWith>(with));
 }
 

@@ -196,7 +196,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
   c.scalars["step.calm"] = d.control().calm();
   c.scalars["step.last"] = d.last_step();
   double work = d.support_work();
-  MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, simulation.system().comm());
+  all_reduce(simulation.system().comm(), MPI_SUM, work);
   c.scalars["support_work"] = work;
   const LineVolumeContact* contact = simulation.contact();
   for (int v = 0; contact && v < contact->volumes(); ++v)
@@ -338,8 +338,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
       contact->raise_to(v, it->second);
   simulation.raised_stiffness("");  // that was told by the run that raised it
 
-  int rank = 0;
-  MPI_Comm_rank(system.comm(), &rank);
+  const int rank = rank_of(system.comm());
   Dynamics::Carried carried;
   // The case may ask for shorter steps than it did then.
   const StepSettings step = simulation.dynamics_settings().step;

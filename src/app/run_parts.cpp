@@ -11,6 +11,7 @@
 #include "hawser/app/targets.hpp"
 #include "hawser/app/version.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/model/wave_components.hpp"
 
@@ -54,9 +55,7 @@ std::vector<io::BodyPose> body_poses(Simulation& sim, const Kinematics& at) {
     const Vec3 x = p ? p->position : Vec3(Vec3::Zero());
     packed.insert(packed.end(), {x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z()});
   }
-  if (!packed.empty())
-    MPI_Allreduce(MPI_IN_PLACE, packed.data(), static_cast<int>(packed.size()), MPI_DOUBLE, MPI_SUM,
-                  sim.system().comm());
+  if (!packed.empty()) all_reduce(sim.system().comm(), MPI_SUM, packed);
   std::vector<io::BodyPose> out;
   const double* t = packed.data();
   for (int b = 0; b < bodies; ++b) {

@@ -152,9 +152,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 
 // The mesh over the ranks.
 void Simulation::distribute(MPI_Comm comm) {
-  int rank = 0, size = 1;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &size);
+  const int rank = rank_of(comm), size = ranks_of(comm);
   const std::vector<int> owner = share_nodes(case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
   if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
@@ -238,7 +236,7 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
 
 std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) const {
   if (bodies_->floats(body))
-    if (const int n = bodies_->local_node(body); n < 0 || n >= local().owned) return std::nullopt;
+    if (const int n = bodies_->local_node(body); !local().owns(n)) return std::nullopt;
   return bodies_->pose(body, at);
 }
 
@@ -332,8 +330,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
       throw SolveError("statics: " + why);
   for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
   std::vector<double> slack = structure_->slack(state_.view(0));
-  MPI_Allreduce(MPI_IN_PLACE, slack.data(), static_cast<int>(slack.size()), MPI_DOUBLE, MPI_SUM,
-                system_->comm());
+  all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
       notes_.push_back(fmt::format(

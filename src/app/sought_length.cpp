@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hawser/app/end_forces.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -73,7 +74,7 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
     out.ends[2 * static_cast<size_t>(p.end)] = s.tension();
     out.ends[2 * static_cast<size_t>(p.end) + 1] = declination(s.direction);
   }
-  MPI_Allreduce(MPI_IN_PLACE, out.ends.data(), static_cast<int>(out.ends.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, out.ends);
   out.feeders = ends.at_feeders();
   out.down = Touchdowns(comm, sim.model(), sim.local()).find(at);
   return out;

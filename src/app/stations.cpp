@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "hawser/base/gather.hpp"
+
 namespace hawser::app {
 Stations::Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
                    const std::vector<io::ResultField>& fields)
@@ -36,7 +38,7 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
     if (const int i = mesh_.global[n] - span.first_node; i >= 0 && i < span.nodes)
       for (size_t k = 0; k < place_.size(); ++k)
         along[k * nodes + static_cast<size_t>(i)] = values[place_[k]][n];
-  MPI_Allreduce(MPI_IN_PLACE, along.data(), static_cast<int>(along.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, along);
 
   const auto arc = [&](int i) { return mesh_.mesh->nodes[span.first_node + i].arc; };
   int first = 0, last = span.nodes - 1;       // free nodes, or an end that is not fed

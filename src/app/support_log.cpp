@@ -230,8 +230,7 @@ std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
   const model::Case& c = sim_.model();
   const std::vector<SupportCrossing> crosses = crossings(at, poses);
   std::vector<Vec3> forces = sim_.contact()->forces_by_volume(at);
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   MPI_Reduce(rank == 0 ? MPI_IN_PLACE : forces.data(), forces.data(), 3 * static_cast<int>(forces.size()),
              MPI_DOUBLE, MPI_SUM, 0, comm_);
   std::vector<std::vector<double>> out(c.supports.size());

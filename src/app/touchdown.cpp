@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/bed_touch.hpp"
@@ -162,8 +163,8 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
     laid[l] += lies(a) ? straight(a, b, g.length) : straight(b, a, g.length);
     first[2 * l] = std::min(first[2 * l], e.global), first[2 * l + 1] = std::min(first[2 * l + 1], -e.global);
   }
-  MPI_Allreduce(MPI_IN_PLACE, first.data(), static_cast<int>(first.size()), MPI_INT, MPI_MIN, comm_);
-  MPI_Allreduce(MPI_IN_PLACE, laid.data(), static_cast<int>(lines), MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_MIN, first);
+  all_reduce(comm_, MPI_SUM, laid);
 
   // Gap and slope, then place of the nodes about each. Which of its two nodes lies is told by the first sum.
   std::vector<double> rows(2 * lines * 2 * kAbout * 5, 0);
@@ -178,7 +179,7 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
       const int global = e.first - kAbout + 1 + i;
       if (global < span.first_node || global >= span.first_node + span.nodes) continue;
       const int n = local.find(global);
-      if (n < 0 || n >= local.owned) continue;
+      if (!local.owns(n)) continue;
       const size_t node = n;
       const Vec3& x = at.x[node];
       const double slope = local.rotates(n) ? above(node, at).normal.dot(at.q[node] * Vec3::UnitX()) : 0;
@@ -186,7 +187,7 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
       std::copy(std::begin(values), std::end(values), row(k, i));
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, rows.data(), static_cast<int>(rows.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, rows);
 
   for (size_t k = 0; k < 2 * lines; ++k) {
     if (first[k] == std::numeric_limits<int>::max()) continue;
@@ -202,14 +203,13 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
     About n{};
     for (int i = 0; i < kAbout; ++i) {
       const int global = change.first + change.way * (i - 1);
-      const size_t j = i;
-      n.there[j] = global >= span.first_node && global < span.first_node + span.nodes;
-      if (!n.there[j]) continue;
-      n.inside[j] = global != span.first_node && global != span.first_node + span.nodes - 1;
+      n.there[i] = global >= span.first_node && global < span.first_node + span.nodes;
+      if (!n.there[i]) continue;
+      n.inside[i] = global != span.first_node && global != span.first_node + span.nodes - 1;
       const Node& node = mesh.nodes[global];
       const double* v = row(k, global - e.first + kAbout - 1);
-      n.gap[j] = {v[0], change.way * v[1], Vec3(v[2], v[3], v[4])};
-      n.arc[j] = change.way * node.arc, n.two_sided[j] = node.two_sided;
+      n.gap[i] = {v[0], change.way * v[1], Vec3(v[2], v[3], v[4])};
+      n.arc[i] = change.way * node.arc, n.two_sided[i] = node.two_sided;
     }
     const double s = beyond(n, e.beam);
     (k % 2 == 0 ? t.from_a : t.from_b) =

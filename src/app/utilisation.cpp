@@ -59,10 +59,7 @@ Utilisation::Utilisation(const model::Case& c, const LocalMesh& local) {
 }
 
 void Utilisation::add_fields(std::vector<Field>& fields) {
-  const auto find = [&](const char* name) {
-    const auto at = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
-    return at == fields.end() ? -1 : static_cast<int>(at - fields.begin());
-  };
+  const auto find = [&](const char* name) { return find_field(fields, name); };
   before_ = find("effective_tension_before"), after_ = find("effective_tension_after");
   curvature_ = find("curvature");
   if (tension_ && before_ >= 0) of_tension_ = static_cast<int>(fields.size()), fields.push_back(kTension);

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"
 
 namespace hawser::io {
@@ -152,7 +153,7 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
   }
   room.index = describe(c, nodes_total);
   agree(comm, good, room.index);
-  MPI_Allreduce(MPI_IN_PLACE, &room.size, 1, MPI_LONG_LONG, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, room.size);
   room.size += 1 + std::ssize(c.scalars) + std::ssize(c.history);
   for (const auto& [name, field] : c.nodes)
     room.size += nodes_total * static_cast<long long>(field.components);
@@ -161,8 +162,7 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
 
 unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, const std::vector<int>& owned,
                                   const PutNumbers& put) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   unsigned long long sum = 0;
   const auto piece = [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
     const double* from = values.data();
@@ -200,7 +200,7 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
     });
     std::vector<long long> start(static_cast<size_t>(nodes_total) + 1, 0);
     for (const auto* r : sorted) start[r->node + 1] += kRecordHead + std::ssize(r->values);
-    MPI_Allreduce(MPI_IN_PLACE, start.data(), nodes_total + 1, MPI_LONG_LONG, MPI_SUM, comm);
+    all_reduce(comm, MPI_SUM, start);
     for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
     size_t most = sorted.size();
     MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_UNSIGNED_LONG, MPI_MAX, comm);
@@ -299,8 +299,7 @@ long long checkpoint_sequence(const std::string& path) {
 
 Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
                            const std::vector<int>& owned) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   Slot slot;
   std::string error;
   if (rank == 0) error = read_newest(path, slot);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
 #include "hawser/solve/linear_solver.hpp"
 
@@ -68,8 +69,8 @@ double size_of(const System& system, const Kinematics& at) {
   Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
   for (size_t n = 0; n < static_cast<size_t>(system.mesh().owned); ++n)
     low = low.cwiseMin(at.x[n]), high = high.cwiseMax(at.x[n]);
-  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, system.comm());
-  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, system.comm());
+  all_reduce(system.comm(), MPI_MIN, low);
+  all_reduce(system.comm(), MPI_MAX, high);
   return (high - low).norm();
 }
 
@@ -93,7 +94,7 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
     most[0] = std::max(most[0], mode.shape[n].norm());
     most[1] = std::max(most[1], mode.rotation[n].norm());
   }
-  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system.comm());
+  all_reduce(system.comm(), MPI_MAX, most);
   const bool in_place = most[0] < kInPlace * most[1] * size_of(system, at);
   for (size_t n = 0; n < nodes; ++n) {
     mode.shape[n] = in_place ? Vec3(Vec3::Zero()) : Vec3(mode.shape[n] / most[0]);

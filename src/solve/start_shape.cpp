@@ -163,8 +163,7 @@ void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bod
     const int body = mesh.node(n).body;
     if (body < 0) continue;
     const RigidBodyState s = floating_start(*c.bodies[body].mass, bodies.pose(body, 0));
-    const size_t i = n;
-    state.x[i] = s.x, state.q[i] = s.q, state.v[i] = s.v, state.w[i] = s.w;
+    state.x[n] = s.x, state.q[n] = s.q, state.v[n] = s.v, state.w[n] = s.w;
   }
 }
 
@@ -186,7 +185,7 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
     for (int i = 0; i < span.nodes; ++i) {
       const int here = mesh.find(span.first_node + i);
       if (here < 0) continue;
-      const size_t n = here, k = static_cast<size_t>(i);
+      const size_t n = here, k = i;
       out.state.x[n] = shape.x[k];
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/system/line_candidates.hpp"
 
@@ -89,7 +90,7 @@ bool StaticTrial::prepare() {
 }
 
 double StaticTrial::sum(double x) const {
-  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, system_.comm());
+  all_reduce(system_.comm(), MPI_SUM, x);
   return x;
 }
 
@@ -118,7 +119,7 @@ double StaticTrial::limit() const {
   for (const LineSpan& l : m.mesh->lines) longest = std::max(longest, l.length);
   if (m.mesh->lines.empty()) longest = kBodies;
   double worst = std::max(x / (0.05 * longest), turn / 0.5);
-  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+  all_reduce(system_.comm(), MPI_MAX, worst);
   return worst > 1 ? 1 / worst : 1;
 }
 

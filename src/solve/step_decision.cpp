@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/solve/dynamics.hpp"
 #include "hawser/system/imbalance.hpp"
 
@@ -20,7 +21,7 @@ Verdict Dynamics::check_step() {
   const Kinematics trial = trial_.s.view(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
   double most[2] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_), turn.value};
-  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system_.comm());
+  all_reduce(system_.comm(), MPI_MAX, most);
   tries_.info.error = most[0];
   if (most[1] > M_PI) {  // a rotation beyond half a turn is another one
     NodeValue worst = turn;

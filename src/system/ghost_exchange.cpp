@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "hawser/base/gather.hpp"
+
 namespace hawser {
 namespace {
 constexpr int kPlan = 71, kValues = 72;  // message tags
@@ -12,8 +14,7 @@ constexpr int kPlan = 71, kValues = 72;  // message tags
 
 GhostExchange::GhostExchange(MPI_Comm comm, const LocalMesh& mesh)
     : comm_(comm), nodes_(static_cast<size_t>(mesh.nodes())) {
-  int size = 1;
-  MPI_Comm_size(comm, &size);
+  const int size = ranks_of(comm);
   if (size == 1) return;
   const size_t ranks = size;
   std::vector<std::vector<int>> wanted(ranks), local(ranks);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/geometry/box_pairs.hpp"
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/kernels/bezier_axis.hpp"
@@ -130,7 +131,7 @@ SweptAxis LineCandidates::at_rest(int element) const {
 
 // Of Hermite's cubic (kernels/axis_shape.hpp) after a time h at the present rates.
 std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics& at, double h) const {
-  const size_t i = e.first, j = static_cast<size_t>(e.second);
+  const size_t i = e.first, j = e.second;
   const Element& element = mesh_.element(e);
   const bool moves = h > 0;
   const auto place = [&](size_t n) -> Vec3 {
@@ -184,7 +185,7 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
     const bool foreseen = known && holds(committed, h, part(committed.time + h));
     for (int& g : good) g = g && foreseen;
   }
-  MPI_Allreduce(MPI_IN_PLACE, good, 2, MPI_INT, MPI_MIN, comm_);
+  all_reduce(comm_, MPI_MIN, good);
   if (good[0] || good[1]) return false;
   ++builds_;
   outdated_ = false;
@@ -220,7 +221,7 @@ void LineCandidates::foresee(const Kinematics& committed, double h) {
   };
   for (size_t i = 0; i < built_.size(); ++i) built_[i].from = axis(local_[i], committed, 0);
   double worst = go();
-  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  all_reduce(comm_, MPI_MAX, worst);
   if (worst > 1) {
     steps = std::max(1.0, std::floor(steps / std::sqrt(worst)));
     go();
@@ -235,7 +236,7 @@ std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptA
   const auto axis_of = [&](size_t i) { return i < own ? &built_[i] : &others[i - own]; };
   std::vector<std::pair<int, int>> out;
   for (const auto& [first, second] : overlapping_pairs(boxes_)) {
-    const size_t i = first, j = static_cast<size_t>(second);
+    const size_t i = first, j = second;
     if (i >= own) continue;  // and so is the second
     if (j - i <= unseen_[i]) continue;
     const SweptAxis *p = axis_of(i), *q = axis_of(j);

@@ -65,7 +65,7 @@ std::vector<SweptAxis> LineCandidates::from_others() const {
   std::map<size_t, Trade> trades;
   const size_t first = static_cast<size_t>(starts[me]) / kBox;
   for (const auto& [i, j] : overlapping_pairs(boxes)) {
-    const size_t a = i, b = static_cast<size_t>(j);
+    const size_t a = i, b = j;
     if (of_rank[a] == of_rank[b]) continue;
     if (of_rank[a] == me) trades[of_rank[b]].give.insert(a - first), trades[of_rank[b]].take.insert(b);
     if (of_rank[b] == me) trades[of_rank[a]].give.insert(b - first), trades[of_rank[a]].take.insert(a);

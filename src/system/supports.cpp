@@ -68,7 +68,7 @@ void Supports::rates(double t, State& out) const {
 void Supports::follow(State& out) const {
   for (const int i : ties_) {
     const Support& s = supports_[i];
-    const size_t n = s.node, f = static_cast<size_t>(s.frame);
+    const size_t n = s.node, f = s.frame;
     const Mat3 D =
         out.directors.empty() ? director_acceleration(out.q[f], out.w[f], out.alpha[f]) : out.directors[f];
     if (s.position_mask == 7) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/base/steady.hpp"
 #include "hawser/math/so3.hpp"
 #include "logged.hpp"
@@ -119,8 +120,7 @@ void System::add_to_frames(const Kinematics& trial) {
 
 void System::gather(Vec u, std::vector<double>& out) const {
   out.resize(3 * static_cast<size_t>(mesh_.blocks()));
-  int size = 1;
-  MPI_Comm_size(comm_, &size);
+  const int size = ranks_of(comm_);
   if (size > 1) {
     check(VecGhostUpdateBegin(u, INSERT_VALUES, SCATTER_FORWARD));
     check(VecGhostUpdateEnd(u, INSERT_VALUES, SCATTER_FORWARD));
@@ -218,11 +218,10 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   const auto& held = supports_.held();
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;
   for (int b = 0; b < mesh_.owned_blocks; ++b) {
-    const size_t i = b;
-    if (!held[i] && !shifted) continue;
-    const double shift = is_rotation_[i] ? weights.shift_rotation : weights.shift_position;
+    if (!held[b] && !shifted) continue;
+    const double shift = is_rotation_[b] ? weights.shift_rotation : weights.shift_position;
     double* diagonal = own.at(b, b);
-    for (int c = 0; c < 3; ++c) diagonal[4 * c] += held[i] >> c & 1 ? 1 : shift;
+    for (int c = 0; c < 3; ++c) diagonal[4 * c] += held[b] >> c & 1 ? 1 : shift;
   }
   check(MatAssemblyBegin(J, MAT_FINAL_ASSEMBLY));
   check(MatAssemblyEnd(J, MAT_FINAL_ASSEMBLY));
@@ -238,7 +237,7 @@ ResidualNorms System::norms(Vec r) const {
     s[sums_ + line] += squares_[b];
   }
   check(VecRestoreArrayRead(r, &p));
-  MPI_Allreduce(MPI_IN_PLACE, s.data(), static_cast<int>(s.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, s);
   ResidualNorms worst;
   double most = -1;
   for (size_t l = 0; l < sums_ / 2; ++l) {
@@ -284,23 +283,21 @@ double ResidualNorms::relative() const {
 }
 
 bool System::soften(double most) {
-  int other = 0;
+  bool other = false;
   for (CarriesTension* t : carry_tension_) other |= t->soften(most);
-  MPI_Allreduce(MPI_IN_PLACE, &other, 1, MPI_INT, MPI_MAX, comm_);
-  return other != 0;
+  return on_any_rank(comm_, other);
 }
 
 double System::axial_stiffness() const {
   double most = 0;
   for (const CarriesTension* t : carry_tension_) most = std::max(most, t->axial_stiffness());
-  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, comm_);
-  return most;
+  return all_reduce(comm_, MPI_MAX, most);
 }
 
 double System::dead_load() const {
   double sum = 0;
   for (const ScalesResiduals* t : scale_residuals_) sum += t->dead_load();
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, sum);
   return steady(sum);
 }
 
@@ -331,7 +328,7 @@ void System::prepare(const Kinematics& committed, double h) {
 void System::expect(const Kinematics& committed, double h) {
   double square = 0;
   for (const ScalesResiduals* t : scale_residuals_) square += t->round_off(committed, h);
-  MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, square);
   round_off_ = steady(std::sqrt(square));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 bool all(MPI_Comm comm, bool here) {
   int yes = here;
-  MPI_Allreduce(MPI_IN_PLACE, &yes, 1, MPI_INT, MPI_MIN, comm);
+  all_reduce(comm, MPI_MIN, yes);
   return yes;
 }
 

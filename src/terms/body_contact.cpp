@@ -86,7 +86,7 @@ void BodyContactTerm::couple(Couplings& to) const {
     const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;
     const auto here = [&](int n) {
       const int local = n < 0 ? -1 : mesh_.find(n);
-      return local >= 0 && local < mesh_.owned;
+      return mesh_.owns(local);
     };
     if (a >= 0 && b >= 0 && (here(a) || here(b))) to.add({a, a}, {b, b});
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/body_contact.hpp"
 
 namespace hawser {
@@ -60,7 +61,7 @@ void BodyContactTerm::check_overlap(double time) {
   if (worst.pair < 0) return;
   const Pair& p = pairs_[worst.pair];
   double met = p.counted ? p.met : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &met, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  all_reduce(comm_, MPI_MAX, met);
   throw SolveError(
       "at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to meet the "
       "other met {:.3g} m at most; give them stiffnesses per_area (per_length where edges cross), or a "

@@ -20,14 +20,13 @@ std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Cas
     for (const bool second : {false, true}) {
       const int node = second ? e.second : e.first;
       if (node >= mesh.owned) continue;
-      const size_t n = node;
       for (const model::Buried& b : line.buried) {
         const double start = from + (second ? half : 0);
         const double in = std::min(start + half, b.to) - std::max(start, b.from);
         if (!(in > 0)) continue;
-        soil[n].axial += in * b.axial, soil[n].normal += in * b.normal;
-        soil[n].axial_length += in * b.axial_length, soil[n].normal_length += in * b.normal_length;
-        length[n] += in;
+        soil[node].axial += in * b.axial, soil[node].normal += in * b.normal;
+        soil[node].axial_length += in * b.axial_length, soil[node].normal_length += in * b.normal_length;
+        length[node] += in;
       }
     }
   }

@@ -10,12 +10,6 @@ namespace {
 
 constexpr double kStaticsWay = 0.15;  // of the line: Newton's iteration of statics goes no farther at once
 
-bool any(MPI_Comm comm, bool here) {
-  int yes = here;
-  MPI_Allreduce(MPI_IN_PLACE, &yes, 1, MPI_INT, MPI_MAX, comm);
-  return yes != 0;
-}
-
 }  // namespace
 
 void ContactVolumes::pose(const Kinematics& at, std::vector<RigidPose>& poses) const {
@@ -31,8 +25,7 @@ RigidPose ContactVolumes::pose_of(int volume, const Kinematics& at) const {
 
 FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& at) const {
   const int local = bodies_->local_node(this->at(volume).body);
-  const size_t n = local;
-  return {mesh_.block[n], at.x[n], at.v[n], at.q[n].toRotationMatrix()};
+  return {mesh_.block[local], at.x[local], at.v[local], at.q[local].toRotationMatrix()};
 }
 
 // Elements are told with room to spare, so that the list holds for many steps; it is made anew where one
@@ -49,7 +42,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
   for (const LocalElement& e : mesh_.elements) {
     if (!e.counted) continue;
     const Element& g = mesh.elements[e.global];
-    const size_t a = e.first, b = static_cast<size_t>(e.second);
+    const size_t a = e.first, b = e.second;
     const Vec3 middle = 0.5 * (committed.x[a] + committed.x[b]);
     for (size_t k = 0; k < volumes_.size(); ++k) {
       const ContactVolume& v = volumes_[k];
@@ -69,7 +62,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
       missing = missing || (away <= way && !std::binary_search(near_.begin(), near_.end(), met));
     }
   }
-  if (!any(comm_, missing)) return false;
+  if (!on_any_rank(comm_, missing)) return false;
   std::vector<double> mine, all;
   for (const auto& met : wide) mine.insert(mine.end(), met.begin(), met.end());
   const GatherPlan plan(comm_, static_cast<int>(mine.size()));
@@ -85,7 +78,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
 void ContactVolumes::couple(Couplings& to) const {
   const auto here = [this](int n) {
     const int local = mesh_.find(n);
-    return local >= 0 && local < mesh_.owned;
+    return mesh_.owns(local);
   };
   for (const auto& [a, b, body] : near_)
     if (here(a) || here(b) || here(body)) to.add({a, b}, {body, body});

@@ -38,7 +38,7 @@ std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh) 
       const model::End& e = c.lines[l].end(end);
       if (e.kind == model::EndKind::free || !(e.rotational_stiffness > 0) || !e.direction) continue;
       const int node = mesh.find(span.first_node + (end ? span.nodes - 1 : 0));
-      if (node < 0 || node >= mesh.owned || !mesh.rotates(node)) continue;
+      if (!mesh.owns(node) || !mesh.rotates(node)) continue;
       out.push_back({node, e.kind == model::EndKind::body ? c.body_index(e.body) : -1,
                      e.direction->normalized(), e.rotational_stiffness});
     }

@@ -31,7 +31,7 @@ constexpr double kShortest = 0.1, kLonger = 0.9;
 double chord(const Kinematics& at, const LocalElement& e) { return (at.x[e.second] - at.x[e.first]).norm(); }
 
 BeamFeed feed_of_beam(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) {
-  const size_t i = e.first, j = static_cast<size_t>(e.second);
+  const size_t i = e.first, j = e.second;
   BeamSection s = f.bar;
   s.length = length;
   BeamReference r;
@@ -124,7 +124,7 @@ Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
       {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting, f.feed.least, f.feed.most},
       f.length, h);
   Mouth m{fed.length, (fed.length - f.length) / h, 0, 0, fed.gives};
-  const size_t i = e->first, j = static_cast<size_t>(e->second);
+  const size_t i = e->first, j = e->second;
   const double l = chord(at, *e), parts = l > 0 ? (at.x[j] - at.x[i]).dot(at.v[j] - at.v[i]) / l : 0;
   m.by_chord = fed.gives * (f.beam ? feed_of_beam(f, at, *e, m.length).by_chord
                                    : feed_of_cable(f, at, *e, m.length).by_chord);
@@ -215,7 +215,7 @@ std::vector<int> Feeders::fed_nodes() const {
 }
 
 Feeders::Flow Feeders::flow(const Mouth& m, const Kinematics& at, const LocalElement& e, bool at_b) const {
-  const size_t i = at_b ? e.second : e.first, j = static_cast<size_t>(at_b ? e.first : e.second);
+  const size_t i = at_b ? e.second : e.first, j = at_b ? e.first : e.second;
   Flow o;
   const double rate = m.speed / m.length;
   o.chord = at.x[j] - at.x[i];
@@ -295,7 +295,7 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, double*
 double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement& e) const {
   const Mouth m = mouth(f, at, true);
   if (m.speed == 0) return 0;
-  const size_t i = f.at_b ? e.second : e.first, j = static_cast<size_t>(f.at_b ? e.first : e.second);
+  const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
   const Flow o = flow(m, at, e, f.at_b);
   const double mass = f.mass_per_length, rate = m.speed / m.length;
   const auto [own, shared] = mass_shares(f.beam);
@@ -339,7 +339,7 @@ void Feeders::commit(const Kinematics& accepted) {
 
 // Of the weight of the element at the mouth, J.
 double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
-  const size_t i = e.first, j = static_cast<size_t>(e.second);
+  const size_t i = e.first, j = e.second;
   if (!f.beam) return 0.5 * length * f.weight.dot(at.x[i] + at.x[j]);
   const MassSection s{length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()};
   return beam_load_work(s, at.x[i], at.q[i], at.x[j], at.q[j], f.weight);
@@ -353,7 +353,7 @@ Energy Feeders::energy(const Kinematics& at) const {
     const LocalElement* e = at_mouth(f);
     if (!e || !e->counted) continue;
     const Mouth m = mouth(f, at, true);
-    const size_t i = f.at_b ? e->second : e->first, j = static_cast<size_t>(f.at_b ? e->first : e->second);
+    const size_t i = f.at_b ? e->second : e->first, j = f.at_b ? e->first : e->second;
     const Vec3 v = flow(m, at, *e, f.at_b).velocity, &held = at.v[i], &w = at.v[j];
     const auto [own, shared] = mass_shares(f.beam);
     out.kinetic += f.mass_per_length * m.length *

@@ -13,7 +13,7 @@ namespace hawser {
 namespace {
 
 MassEnds ends(const LineMassTerm::Piece& p, const Kinematics& k) {
-  const size_t i = p.at.first, j = static_cast<size_t>(p.at.second);
+  const size_t i = p.at.first, j = p.at.second;
   const bool given = !k.directors.empty();
   return {k.a[i],
           k.a[j],
@@ -31,7 +31,7 @@ MassEnds ends(const LineMassTerm::Piece& p, const Kinematics& k) {
 }
 
 double load_work(const LineMassTerm::Piece& p, const Kinematics& k, const Vec3& load) {
-  const size_t i = p.at.first, j = static_cast<size_t>(p.at.second);
+  const size_t i = p.at.first, j = p.at.second;
   if (p.beam) return beam_load_work(p.section, k.x[i], k.q[i], k.x[j], k.q[j], load);
   return 0.5 * p.section.length * load.dot(k.x[i] + k.x[j]);
 }
@@ -105,7 +105,7 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Vec3 w = load(p, trial.time);
     const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
     if (!p.beam) {
-      const size_t i = p.at.first, j = static_cast<size_t>(p.at.second);
+      const size_t i = p.at.first, j = p.at.second;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
       assembler.add_masses(p.blocks[0], p.blocks[1], f, m.own, m.shared);
@@ -191,7 +191,7 @@ Energy LineMassTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Piece& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
-    const size_t i = p.at.first, j = static_cast<size_t>(p.at.second);
+    const size_t i = p.at.first, j = p.at.second;
     e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, at))
                         : cable_kinetic_energy(p.section, at.v[i], at.v[j]);
     e.potential -= load_work(p, at, p.load);

@@ -76,8 +76,9 @@ std::vector<LinePairs::Rod> LinePairs::rods(const Kinematics& at) const {
 // Whether the surfaces, which were `clear` apart, may have met since the start of the step.
 bool LinePairs::met(const Pair& p, const std::vector<Rod>& is) const {
   const auto moved = [&](int segment) {
-    const size_t i = segment;
-    return std::max((is[i].x1 - rods_[i].x1).norm(), (is[i].x2 - rods_[i].x2).norm()) + is[i].sagitta;
+    return std::max((is[segment].x1 - rods_[segment].x1).norm(),
+                    (is[segment].x2 - rods_[segment].x2).norm()) +
+           is[segment].sagitta;
   };
   return moved(p.a) + moved(p.b) >= p.clear;
 }

@@ -67,7 +67,7 @@ void LinePairs::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     if (r.kind == kSums) {
       const int n = mesh_.find(r.node);
-      if (n >= 0 && n < mesh_.owned) accounts_[n] = entry<Account>(r);
+      if (mesh_.owns(n)) accounts_[n] = entry<Account>(r);
       continue;
     }
     if (r.kind == kDeepest) {

@@ -48,7 +48,7 @@ LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineConta
 
 LinePairLaw LinePairs::law(int a, int b) const {
   const Mesh& m = *mesh_.mesh;
-  const size_t i = a, j = static_cast<size_t>(b);
+  const size_t i = a, j = b;
   const auto tuned = options_.tuned.find(
       {std::min(m.elements[i].line, m.elements[j].line), std::max(m.elements[i].line, m.elements[j].line)});
   const model::LinePairSettings& s = tuned == options_.tuned.end() ? options_.general : tuned->second;

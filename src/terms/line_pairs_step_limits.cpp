@@ -135,7 +135,7 @@ double LinePairs::deepest(const Pair& p) const {
 // An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
 void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
   for (const Pair& p : pairs_) {
-    const size_t i = p.a, j = static_cast<size_t>(p.b);
+    const size_t i = p.a, j = p.b;
     const Nearest c = nearest_at_start(p);
     const double ramp = p.law.normal.smoothing,
                  apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);

@@ -28,7 +28,7 @@ bool resting(double stiffness, double depth, double mass, double speed) {
 double LineVolumeContact::still_part(const Pair& pair, const Kinematics& at, double force, double depth,
                                      const Vec3& normal) const {
   if (!(at.step > 0)) return 1;
-  const size_t a = local(pair).first, b = static_cast<size_t>(local(pair).second);
+  const size_t a = local(pair).first, b = local(pair).second;
   const Vec3 place = 0.5 * (at.x[a] + at.x[b]),
              velocity = 0.5 * (at.v[a] + at.v[b]) - volumes_.trial_pose(pair.volume).velocity_at(place);
   const double mass = settings(pair).mass_per_length;

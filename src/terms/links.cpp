@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/base/gather.hpp"
+
 namespace hawser {
 namespace {
 
@@ -22,8 +24,7 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
              const Kinematics& start)
     : mesh_(mesh), bodies_(std::move(bodies)) {
   std::vector<double> places;  // of both ends, from the ranks that own what carries them
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   for (const model::Link& m : c.links) {
     Link& l = list_.emplace_back();
     l.a = attached(m.end_a, c, mesh), l.b = attached(m.end_b, c, mesh);
@@ -36,7 +37,7 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
       places.insert(places.end(), x.begin(), x.end());
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, places.data(), static_cast<int>(places.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, places);
   for (size_t i = 0; i < list_.size(); ++i) {
     if (c.links[i].rest_given) continue;
     double& rest = list_[i].law.rest_length;
@@ -51,7 +52,7 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
 
 bool Links::owned(int node) const {
   const int local = node < 0 ? -1 : mesh_.find(node);
-  return local >= 0 && local < mesh_.owned;
+  return mesh_.owns(local);
 }
 
 bool Links::recouple(const Kinematics&, double) {

@@ -39,8 +39,7 @@ RigidPose floating_pose(const RigidBodyState& s, const Vec3& centre) {
 }
 
 RigidBodyState floating_state(const Kinematics& at, int node) {
-  const size_t n = node;
-  return {at.x[n], at.q[n], at.v[n], at.a[n], at.w[n], at.alpha[n]};
+  return {at.x[node], at.q[node], at.v[node], at.a[node], at.w[node], at.alpha[node]};
 }
 
 namespace {

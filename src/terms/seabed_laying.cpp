@@ -3,6 +3,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/seabed.hpp"
 
 namespace hawser {
@@ -20,8 +21,8 @@ SeabedTerm::Lying SeabedTerm::lying(MPI_Comm comm, const Kinematics& at) const {
     for (int c = 0; c < 3; ++c) all.x[3 * mesh_.global[i] + c] = at.x[i][c];
   for (const Point& p : points_)
     if (p.second < 0) all.contact_distance[number(p)] = contact_distance(p);
-  MPI_Allreduce(MPI_IN_PLACE, all.x.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
-  MPI_Allreduce(MPI_IN_PLACE, all.contact_distance.data(), static_cast<int>(n), MPI_DOUBLE, MPI_MAX, comm);
+  all_reduce(comm, MPI_SUM, all.x);
+  all_reduce(comm, MPI_MAX, all.contact_distance);
   return all;
 }
 
@@ -63,7 +64,7 @@ SeabedTerm::Full SeabedTerm::full(MPI_Comm comm, const Kinematics& at,
     all[n + number(p)] = limit;
     all[2 * n + number(p)] = f.stiffness > 0 ? limit / f.stiffness : f.axial_length;
   }
-  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, all);
   for (size_t e = 0; e < n - nodes; ++e) {
     const Element& g = mesh_.mesh->elements[e];
     all[nodes + e] = 0.5 * (all[g.first] + all[g.second]);
@@ -85,7 +86,7 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
   };
   const auto lies = [&](int node) { return buried_[node] || rests(node); };
   int everywhere = !tension.empty();  // a rank may own no node
-  MPI_Allreduce(MPI_IN_PLACE, &everywhere, 1, MPI_INT, MPI_MAX, comm);
+  all_reduce(comm, MPI_MAX, everywhere);
   const Full most = everywhere ? full(comm, at, tension) : Full{};
   std::vector<int> unsaid;
   // By number of a point: m, away from the end, signed from A to B.

@@ -19,7 +19,7 @@ std::vector<HistoryRecord> SeabedTerm::save() const {
     HistoryRecord r;
     put(h, r.values);
     for (const int node : {p.node, p.second}) {
-      if (node < 0 || node >= mesh_.owned) continue;
+      if (!mesh_.owns(node)) continue;
       r.node = mesh_.global[node];
       r.key = p.second < 0 ? 0 : node == p.node ? 1 : 2;
       records.push_back(r);

@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
-  const size_t i = b.at.first, j = static_cast<size_t>(b.at.second);
+  const size_t i = b.at.first, j = b.at.second;
   BeamEnds e;
   e.x1 = k.x[i], e.x2 = k.x[j], e.q1 = k.q[i], e.q2 = k.q[j];
   if (b.section.beta > 0) e.v1 = k.v[i], e.v2 = k.v[j], e.w1 = k.w[i], e.w2 = k.w[j];
@@ -24,7 +24,7 @@ BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
 }
 
 CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k) {
-  const size_t i = c.at.first, j = static_cast<size_t>(c.at.second);
+  const size_t i = c.at.first, j = c.at.second;
   return {k.x[i], k.x[j], k.v[i], k.v[j]};
 }
 

@@ -2,6 +2,7 @@
 // what sections that yield remember on their way through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/kernels/carried_bends.hpp"
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/structure.hpp"
@@ -18,7 +19,7 @@ std::vector<double> turned(const double* values, size_t n, bool at_b) {
 }
 
 BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
-  const size_t i = b.at.first, j = static_cast<size_t>(b.at.second);
+  const size_t i = b.at.first, j = b.at.second;
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
 
@@ -68,11 +69,10 @@ void StructureTerm::see_feeders(const Kinematics& at, bool accepted) {
 
 // Of the material at that label, which is inside.
 std::vector<double> StructureTerm::entering(int feeder, double label) const {
-  const size_t k = feeder;
   std::vector<double> out;
-  for (const RememberedCell& c : inside(*feeders_, feeders_->list()[k], fed_[k].inside))
+  for (const RememberedCell& c : inside(*feeders_, feeders_->list()[feeder], fed_[feeder].inside))
     if (out.empty() || c.from <= label)
-      out.assign(c.values, c.values + fed_[k].inside.size() / (2 * kBendingPlaces));
+      out.assign(c.values, c.values + fed_[feeder].inside.size() / (2 * kBendingPlaces));
   return out;
 }
 
@@ -156,7 +156,7 @@ void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
       std::copy(values.begin(), values.end(), part(i));
       if (i == 0) std::copy(fed_[k].inside.begin(), fed_[k].inside.end(), part(3));
     }
-  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, all);
   const auto keep = [&](int element, const std::vector<double>& values) {
     Beam* b = beam(element);
     if (!b) return;

@@ -65,7 +65,7 @@ std::vector<HistoryRecord> StructureTerm::save() const {
     if (fed_[k].inside.empty()) continue;
     const Feeder& f = feeders_->list()[k];
     for (const int i : {f.mouth, f.mouth + 1})
-      if (const int n = mesh_.find(feeders_->node(f, i)); n >= 0 && n < mesh_.owned)
+      if (const int n = mesh_.find(feeders_->node(f, i)); mesh_.owns(n))
         out.push_back({feeders_->node(f, i), static_cast<int>(k), fed_[k].inside, kInside});
   }
   return out;

@@ -30,6 +30,7 @@ struct LocalMesh {
   std::vector<int> first_block;        // of every node of the mesh, in the parallel numbering
 
   int nodes() const { return static_cast<int>(global.size()); }
+  bool owns(int local) const { return local >= 0 && local < owned; }
   int blocks() const { return static_cast<int>(global_block.size()); }
   // What a local node and a local element are in the whole mesh.
   template <class Index>

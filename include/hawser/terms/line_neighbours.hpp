@@ -23,8 +23,7 @@ class LineNeighbours {
 
   // From the node before an owned node to the one after it, at an end from or to itself; unit.
   Vec3 tangent(const Kinematics& at, int node) const {
-    const size_t n = node;
-    const Vec3 chord = at.x[after_[n]] - at.x[before_[n]];
+    const Vec3 chord = at.x[after_[node]] - at.x[before_[node]];
     const double length = chord.norm();
     return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
   }
@@ -32,8 +31,7 @@ class LineNeighbours {
   // Angle by which the line turns from the element before an owned node to the one after it, rad; 0 at an
   // end.
   double turn(const Kinematics& at, int node) const {
-    const size_t n = node;
-    const Vec3 in = at.x[n] - at.x[before_[n]], out = at.x[after_[n]] - at.x[n];
+    const Vec3 in = at.x[node] - at.x[before_[node]], out = at.x[after_[node]] - at.x[node];
     return std::atan2(in.cross(out).norm(), in.dot(out));
   }
 
