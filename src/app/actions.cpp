@@ -1,30 +1,29 @@
-// The class Actions: supports, feeders and volumes after an action.
+// The class Actions: supports, feeders and volumes after an action. A line that is cut is two from the start
+// (model/cut_lines.cpp), and the cut lets their joint go.
 #include "hawser/app/actions.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/feeders.hpp"
-#include "hawser/terms/start_inside.hpp"
 
 namespace hawser::app {
 
 using model::Action;
 
 int Actions::node(const Action& a) const {
-  const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(sim_.model().line_index(a.line))];
+  const LineSpan& span = sim_.mesh().lines[sim_.model().line_index(a.line)];
   return span.first_node + (a.at_b ? span.nodes - 1 : 0);
 }
 
 bool Actions::held(int node) const {
-  int here = std::any_of(supports_.begin(), supports_.end(), [&](const Support& s) {
-    return s.position_mask == 7 && sim_.local().global[static_cast<size_t>(s.node)] == node;
-  });
-  MPI_Allreduce(MPI_IN_PLACE, &here, 1, MPI_INT, MPI_MAX, sim_.system().comm());
-  return here != 0;
+  return on_any_rank(sim_.system().comm(),
+                     std::any_of(supports_.begin(), supports_.end(), [&](const Support& s) {
+                       return s.position_mask == 7 && sim_.local().global[s.node] == node;
+                     }));
 }
 
 RigidPose Actions::pose(const Action& a, const Kinematics& at) const {
@@ -33,15 +32,14 @@ RigidPose Actions::pose(const Action& a, const Kinematics& at) const {
 
 double Actions::away(const Action& a, const Kinematics& at) const {
   const int n = sim_.local().find(node(a));
-  if (!a.at || n < 0 || n >= sim_.local().owned) return 0;
-  return (pose(a, at).to_space(*a.at) - at.x[static_cast<size_t>(n)]).norm();
+  if (!a.at || !sim_.local().owns(n)) return 0;
+  return (pose(a, at).to_space(*a.at) - at.x[n]).norm();
 }
 
 Actions::Found Actions::act(const Action& a, const Kinematics& at) {
   Found found;
   const auto refuse = [&](const std::string& why) {
-    throw SolveError(
-        fmt::format("at t = {:.6g} s {} is to be {}, but {}", at.time, a.subject(), a.participle(), why));
+    throw SolveError("at t = {:.6g} s {} is to be {}, but {}", at.time, a.subject(), a.participle(), why);
   };
   switch (a.kind) {
     case Action::Kind::release:
@@ -52,15 +50,14 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       const LocalMesh& local = sim_.local();
       const int n = local.find(node(a)), body = sim_.model().body_index(a.body);
       std::array<double, 8> packed{};
-      if (n >= 0 && n < local.owned) {
-        const size_t i = static_cast<size_t>(n);
+      if (local.owns(n)) {
         const RigidPose p = pose(a, at);
-        Vec3 y = p.rotation.conjugate() * (at.x[i] - p.position);
-        if (sim_.model().floats(body)) y -= sim_.model().bodies[static_cast<size_t>(body)].mass->centre;
-        const Quat q = p.rotation.conjugate() * at.q[i];
+        Vec3 y = p.rotation.conjugate() * (at.x[n] - p.position);
+        if (sim_.model().floats(body)) y -= sim_.model().bodies[body].mass->centre;
+        const Quat q = p.rotation.conjugate() * at.q[n];
         packed = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, at)};
       }
-      MPI_Allreduce(MPI_IN_PLACE, packed.data(), 8, MPI_DOUBLE, MPI_SUM, sim_.system().comm());
+      all_reduce(sim_.system().comm(), MPI_SUM, packed);
       std::copy_n(packed.begin(), 3, found.place.begin()),
           std::copy_n(packed.begin() + 3, 4, found.rotation.begin());
       found.away = packed[7];
@@ -88,9 +85,8 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
 void Actions::again(const Action& a, const Found& found, double time) {
   switch (a.kind) {
     case Action::Kind::release:
-      std::erase_if(supports_, [&, n = node(a)](const Support& s) {
-        return sim_.local().global[static_cast<size_t>(s.node)] == n;
-      });
+      std::erase_if(supports_,
+                    [&, n = node(a)](const Support& s) { return sim_.local().global[s.node] == n; });
       break;
     case Action::Kind::attach:
       hold(a, found);

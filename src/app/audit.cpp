@@ -86,15 +86,14 @@ std::string Audit::warning(bool fixed, const std::string& where, const std::stri
   if (making > losing && blow)
     text = fmt::format(
         "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} "
-        "s "
-        "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {} begins with a velocity and strikes "
-        "the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter step is no help",
+        "s that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {} begins with a velocity and "
+        "strikes the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter step is no help",
         made.value, made.time, 100 * made.value / size(), worst.length, worst.time, worst.value, where,
         striking);
   else if (making > losing)
     text = fmt::format(
-        "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of "
-        "{:.3g} s that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",
+        "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} "
+        "s that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",
         made.value, made.time, 100 * made.value / size(), worst.length, worst.time, worst.value, where,
         words(worst.with), remedy(fixed, worst.length));
   else

@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "hawser/base/gather.hpp"
+
 namespace hawser::app {
 namespace {
 
@@ -62,7 +64,7 @@ void restore_audit(const io::Checkpoint& from, Energy& start, Audit& audit) {
 Energy sum_of(MPI_Comm comm, Energy e) {
   std::array<double, std::size(kEnergies)> v;
   for (size_t i = 0; i < v.size(); ++i) v[i] = e.*kEnergies[i].second;
-  MPI_Allreduce(MPI_IN_PLACE, v.data(), static_cast<int>(v.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, v);
   for (size_t i = 0; i < v.size(); ++i) e.*kEnergies[i].second = v[i];
   return e;
 }

@@ -14,7 +14,7 @@ constexpr size_t kKept = 1000;  // of the largest, for the table at the end
 auto pair_of(const auto& t) { return std::tuple(t.line, t.other_line, t.volume, t.other_volume); }
 
 double merge_length(const std::vector<double>& by_line, int line) {
-  const size_t l = static_cast<size_t>(line);
+  const size_t l = line;
   return line >= 0 && l < by_line.size() ? by_line[l] : 0;
 }
 

@@ -5,9 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/body_contact.hpp"
 
 namespace hawser::app {
@@ -50,8 +49,11 @@ bool ClashReport::wanted(Simulation& s) {
 }
 
 ClashReport::ClashReport(MPI_Comm comm, Simulation& simulation)
-    : comm_(comm), sim_(simulation), settings_(settings_of(simulation.model())), log_(settings_) {
-  MPI_Comm_rank(comm, &rank_);
+    : comm_(comm),
+      sim_(simulation),
+      rank_(rank_of(comm)),
+      settings_(settings_of(simulation.model())),
+      log_(settings_) {
   const auto& volumes = sim_.model().volumes;
   for (int v = 0; sim_.contact() && v < sim_.contact()->volumes(); ++v) {
     const auto at = std::find_if(volumes.begin(), volumes.end(), [&](const model::Volume& o) {
@@ -64,7 +66,7 @@ ClashReport::ClashReport(MPI_Comm comm, Simulation& simulation)
 void ClashReport::step(double time) {
   ActiveContacts touches;
   if (sim_.contact()) sim_.contact()->active_contacts(touches);
-  for (ActiveContact& t : touches) t.volume = volumes_[static_cast<size_t>(t.volume)];
+  for (ActiveContact& t : touches) t.volume = volumes_[t.volume];
   if (sim_.line_pairs()) sim_.line_pairs()->active_contacts(touches);
   if (sim_.body_contact()) sim_.body_contact()->active_contacts(touches);
   touches = put_together(std::move(touches), settings_.merge_length);
@@ -74,18 +76,13 @@ void ClashReport::step(double time) {
 }
 
 void ClashReport::collect() {
-  int size = 1;
-  MPI_Comm_size(comm_, &size);
-  std::vector<int> counts(static_cast<size_t>(size), 0), starts(static_cast<size_t>(size) + 1, 0);
-  const int n = static_cast<int>(steps_.size());
-  MPI_Gather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, comm_);
-  for (size_t r = 0; r < counts.size(); ++r) starts[r + 1] = starts[r] + counts[r];
-  std::vector<double> all(rank_ == 0 ? static_cast<size_t>(starts.back()) : 0);
-  MPI_Gatherv(steps_.data(), n, MPI_DOUBLE, all.data(), counts.data(), starts.data(), MPI_DOUBLE, 0, comm_);
+  const GatherPlan plan(comm_, static_cast<int>(steps_.size()));
+  std::vector<double> all;
+  plan.gather(steps_.data(), all);
   steps_.clear();
   const int steps = std::exchange(waiting_, 0);
   if (rank_ > 0) return;
-  std::vector<size_t> at(starts.begin(), starts.end() - 1);
+  std::vector<size_t> at(plan.starts().begin(), plan.starts().end() - 1);
   for (int k = 0; k < steps; ++k) {
     ActiveContacts touches;
     double time = 0;
@@ -104,35 +101,24 @@ io::ClashTables ClashReport::take() {
   return log_.take();
 }
 
+// What the one rank that has some brings, to every rank.
+std::vector<double> ClashReport::of_all(const std::vector<double>& mine) const {
+  std::vector<double> all;
+  GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
+  return all;
+}
+
 // A record belongs to a node of the rank that gives it; rank 0 need not own any.
 std::vector<HistoryRecord> ClashReport::save() {
   collect();
-  std::vector<double> values;
-  if (rank_ == 0) values = log_.save();
-  int n = static_cast<int>(values.size());
-  MPI_Bcast(&n, 1, MPI_INT, 0, comm_);
-  values.resize(static_cast<size_t>(n));
-  MPI_Bcast(values.data(), n, MPI_DOUBLE, 0, comm_);
-  const int first = sim_.local().find(0);
-  if (first < 0 || first >= sim_.local().owned) return {};
+  std::vector<double> values = of_all(rank_ == 0 ? log_.save() : std::vector<double>{});
+  if (!sim_.local().owns(sim_.local().find(0))) return {};
   return {{0, 0, std::move(values)}};
 }
 
 void ClashReport::restore(const std::vector<HistoryRecord>& records) {
-  int size = 1;
-  MPI_Comm_size(comm_, &size);
-  int n = records.empty() ? -1 : static_cast<int>(records.front().values.size());
-  std::vector<int> counts(static_cast<size_t>(size));
-  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm_);
-  for (int r = 0; r < size; ++r) {
-    const int count = counts[static_cast<size_t>(r)];
-    if (count < 0) continue;
-    std::vector<double> values(static_cast<size_t>(count));
-    if (r == rank_) values = records.front().values;
-    MPI_Bcast(values.data(), count, MPI_DOUBLE, r, comm_);
-    if (rank_ == 0) log_.restore(values);
-    return;
-  }
+  const std::vector<double> values = of_all(records.empty() ? std::vector<double>{} : records.front().values);
+  if (rank_ == 0 && !values.empty()) log_.restore(values);
 }
 
 std::string ClashReport::table() const {
@@ -146,8 +132,8 @@ std::string ClashReport::table() const {
                                      : ":\n");
   if (rows.empty()) return text;
   const auto name = [&](const io::ClashRow& r) {
-    const auto line = [&](int l) { return c.lines[static_cast<size_t>(l)].name; };
-    const auto volume = [&](int v) { return c.volumes[static_cast<size_t>(v)].name; };
+    const auto line = [&](int l) { return c.lines[l].name; };
+    const auto volume = [&](int v) { return c.volumes[v].name; };
     if (r.line < 0) return volume(r.volume) + " / " + volume(r.other_volume);
     if (r.other_line < 0) return line(r.line) + " / " + volume(r.volume);
     return line(r.line) + " / " + (r.other_line == r.line ? "itself" : line(r.other_line));

@@ -40,7 +40,7 @@ std::vector<io::ResultSeries> Clearances::series() const {
 }
 
 double Clearances::arc(int element, double xi) const {
-  return arc_at(*mesh_.mesh, mesh_.mesh->elements[static_cast<size_t>(element)], xi);
+  return arc_at(*mesh_.mesh, mesh_.mesh->elements[element], xi);
 }
 
 // What this rank counts of a line.
@@ -49,8 +49,8 @@ std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) 
   for (const LocalElement& local : mesh_.elements) {
     const Element& e = mesh_.element(local);
     if (e.line != line || !local.counted) continue;
-    const size_t i = static_cast<size_t>(local.first), j = static_cast<size_t>(local.second);
-    const double radius = 0.5 * case_.line_types[static_cast<size_t>(e.type)].contact_diameter;
+    const size_t i = local.first, j = local.second;
+    const double radius = 0.5 * case_.line_types[e.type].contact_diameter;
     out.push_back({local.global, radius,
                    e.beam ? BezierAxis::beam(at.x[i], at.q[i] * Vec3::UnitX(), at.x[j],
                                              at.q[j] * Vec3::UnitX(), e.length)
@@ -68,8 +68,7 @@ Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
 
 // Of all ranks: a step of a line costs far more than to send where it is.
 Clearances::Tree Clearances::of_all_ranks(const Tree& own) const {
-  int size = 1;
-  MPI_Comm_size(comm_, &size);
+  const int size = ranks_of(comm_);
   if (size == 1) return own;
   std::vector<double> mine;
   for (const Shaped& s : own.elements) {
@@ -82,8 +81,8 @@ Clearances::Tree Clearances::of_all_ranks(const Tree& own) const {
   for (size_t i = 0; i < all.size(); i += kAxis) {
     Shaped s;
     s.element = static_cast<int>(all[i]);
-    const Element& e = mesh_.mesh->elements[static_cast<size_t>(s.element)];
-    s.radius = 0.5 * case_.line_types[static_cast<size_t>(e.type)].contact_diameter;
+    const Element& e = mesh_.mesh->elements[s.element];
+    s.radius = 0.5 * case_.line_types[e.type].contact_diameter;
     for (size_t k = 0; k < 4; ++k) s.axis.b[k] = Eigen::Map<const Vec3>(all.data() + i + 1 + 3 * k);
     elements.push_back(s);
   }
@@ -113,8 +112,7 @@ Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
     stack.pop_back();
     if (!(least < best.clearance)) continue;
     if (p[i].count == 1 && q[j].count == 1) {
-      const Shaped &x = a.elements[static_cast<size_t>(a.boxes.below(p[i]).front())],
-                   &y = b.elements[static_cast<size_t>(b.boxes.below(q[j]).front())];
+      const Shaped &x = a.elements[a.boxes.below(p[i]).front()], &y = b.elements[b.boxes.below(q[j]).front()];
       const double radii = x.radius + y.radius;
       const auto near = nearest_of(x.axis, y.axis, best.clearance + radii, kResolution * radii);
       if (!near) continue;
@@ -164,7 +162,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
       hint = p->triangle, normal = p->normal;
       return p->distance;
     };
-    const double length = mesh_.mesh->elements[static_cast<size_t>(e.element)].length;
+    const double length = mesh_.mesh->elements[e.element].length;
     const double within = best.clearance + e.radius;
     const auto near = nearest_to(field, axes[i], within, contact_levels(length, e.radius));
     // A piece more is not excluded between the places looked at.
@@ -206,12 +204,10 @@ std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
     size_t v = 0;
     while (case_.volumes[v].name != w.volume) ++v;
     const int body = case_.body_index(case_.volumes[v].body);
-    add(to_volume(tree_of(line).elements, *surfaces_[v],
-                  body < 0 ? io::BodyPose{} : poses[static_cast<size_t>(body)], seen_[k]));
+    add(to_volume(tree_of(line).elements, *surfaces_[v], body < 0 ? io::BodyPose{} : poses[body], seen_[k]));
   }
   smallest_of_ranks(comm_, values, numbers);
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   std::vector<std::vector<double>> out(values.size());
   for (size_t k = 0; k < out.size() && rank == 0; ++k) {
     const double* n = numbers.data() + 4 * k;

@@ -21,13 +21,8 @@ ContactPeaks::ContactPeaks(Simulation& simulation) : sim_(simulation) {
 }
 
 void ContactPeaks::find(const std::vector<Field>& fields) {
-  for (size_t f = 0; f < fields.size(); ++f) {
-    const std::string& name = fields[f].name;
-    if (name == "bending_moment") moment_ = static_cast<int>(f);
-    if (name == "bending_moment_2") moment_2_ = static_cast<int>(f);
-    if (name == "bending_moment_3") moment_3_ = static_cast<int>(f);
-    if (name == "curvature") curvature_ = static_cast<int>(f);
-  }
+  moment_ = find_field(fields, "bending_moment"), moment_2_ = find_field(fields, "bending_moment_2");
+  moment_3_ = find_field(fields, "bending_moment_3"), curvature_ = find_field(fields, "curvature");
 }
 
 ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& e, const AxisShape& shape,
@@ -36,7 +31,7 @@ ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& 
   double f[12] = {};
   sim_.system().element_force(at, e, f);
   const auto part = [&f](int i) { return Vec3(f[3 * i], f[3 * i + 1], f[3 * i + 2]); };
-  const Quat &q1 = at.q[static_cast<size_t>(e.first)], &q2 = at.q[static_cast<size_t>(e.second)];
+  const Quat &q1 = at.q[e.first], &q2 = at.q[e.second];
   const Vec3 x1 = shape.point(0);
   // Of what comes after the first node on what is before it, and what else than contact acts along the
   // element.
@@ -70,7 +65,7 @@ void ContactPeaks::fill(const Kinematics& at, std::vector<std::vector<double>>& 
     const auto last =
         std::find_if(first, loads.end(), [&](const auto& l) { return l.element != first->element; });
     const std::span<const LineVolumeContact::Load> own(first, last);
-    const size_t i = static_cast<size_t>(first->element);
+    const size_t i = first->element;
     first = last;
     if (EI_[i][0] <= 0 || EI_[i][1] <= 0) continue;
     const LocalElement& e = mesh.elements[i];
@@ -79,8 +74,7 @@ void ContactPeaks::fill(const Kinematics& at, std::vector<std::vector<double>>& 
       const int node = second ? e.second : e.first;
       if (node >= mesh.owned) continue;
       const Peak p = peak(at, e, shape, own, second ? 0.5 : 0, second ? HUGE_VAL : 0.5);
-      const size_t n = static_cast<size_t>(node);
-      const auto value = [&](int field) -> double& { return values[static_cast<size_t>(field)][n]; };
+      const auto value = [&](int field) -> double& { return values[field][node]; };
       const double size = std::hypot(p.about2, p.about3);
       if (size <= value(moment_)) continue;
       value(moment_) = size, value(moment_2_) = p.about2, value(moment_3_) = p.about3;

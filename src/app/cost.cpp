@@ -145,8 +145,7 @@ std::string size_sentence(const io::ResultsSize& size, const std::string& folder
   if (const double left = static_cast<double>(disk.available); !unknown && 2 * size.total() > left)
     s += fmt::format(
         "\nnote: the disk of {} has {} left, and a run takes up to twice the size of its results: give a "
-        "larger "
-        "output.every, or another disk with -o",
+        "larger output.every, or another disk with -o",
         folder, bytes(left));
   else if (size.total() > kMuch)
     s += "\nnote: output.every says how often fields are written, which is most of it in most runs";

@@ -6,7 +6,6 @@
 #include <petsclog.h>
 
 #include <algorithm>
-#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <optional>
@@ -27,10 +26,10 @@
 #include "hawser/app/start_contact.hpp"
 #include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
-#include "hawser/model/notes.hpp"
 #include "hawser/model/summary.hpp"
 #include "hawser/solve/start_shape.hpp"
 
@@ -106,8 +105,7 @@ bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, 
   const Stage stage("dynamics");
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
   const MPI_Comm comm = sim.system().comm();
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   Dynamics& d = sim.dynamics();
   progress.begin(d.committed().s.time, end);
   const OutputTimes times(sim.model());
@@ -132,7 +130,7 @@ bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, 
     int agreed[2] = {0, 0};
     if (output || save) {
       agreed[0] = stop_requested, agreed[1] = rank == 0 && checkpoints.due();
-      MPI_Allreduce(MPI_IN_PLACE, agreed, 2, MPI_INT, MPI_MAX, comm);
+      all_reduce(comm, MPI_MAX, agreed);
     }
     const bool stop = agreed[0] != 0;
     if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
@@ -177,9 +175,7 @@ void print_results(const model::Case& c, const Recorder& recorder, const std::st
 }  // namespace
 
 int run(MPI_Comm comm, const RunOptions& options) {
-  int rank = 0, size = 1;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &size);
+  const int rank = rank_of(comm), size = ranks_of(comm);
   const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
   Progress progress(speak);
   model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
@@ -286,8 +282,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
 
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,
                const std::vector<std::string>& changes) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
   Progress progress(rank == 0);
   model::Case c = io::read_case(case_path, news(progress), comm, changes);
@@ -324,16 +319,15 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
   const std::vector<int> owner = share_nodes(c, mesh, bodies, ranks);
   std::vector<int> share(static_cast<size_t>(ranks), 0);
-  for (const int o : owner) ++share[static_cast<size_t>(o)];
+  for (const int o : owner) ++share[o];
   const auto [least, most] = std::minmax_element(share.begin(), share.end());
   fmt::print("partition: {} rank{}, {} nodes{}, {} cut elements\n", ranks, ranks > 1 ? "s" : "",
              ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
              ranks > 8 ? " each" : "", cut_elements(mesh, owner));
   Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
-  fmt::print("{}", starts_well
-                       ? "the case is valid\n"
-                       : "the case is valid if statics moves its lines out of the volumes they start in; "
-                         "the run stops if not\n");
+  fmt::print("{}", starts_well ? "the case is valid\n"
+                               : "the case is valid if statics moves its lines out of the volumes they start "
+                                 "in; the run stops if not\n");
   std::fflush(stdout);
   const double longest = sim.dynamics_settings().step.longest;
   Recorder recorder(MPI_COMM_SELF, sim, volume_meshes(c, volumes), surfaces(volumes), run_info(c, "", 1),

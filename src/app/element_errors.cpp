@@ -29,9 +29,7 @@ constexpr double kGoodAtEnd = 2.1;
 
 int owned_line_nodes(const LocalMesh& mesh) {
   int n = 0;
-  while (n < mesh.owned &&
-         mesh.mesh->nodes[static_cast<size_t>(mesh.global[static_cast<size_t>(n)])].body < 0)
-    ++n;
+  while (n < mesh.owned && mesh.mesh->nodes[mesh.global[n]].body < 0) ++n;
   return n;
 }
 
@@ -47,18 +45,16 @@ ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMes
   plan_.gather(mesh.global.data(), place_);
 }
 
-const model::LineType& ElementErrors::type(const Element& e) const {
-  return case_.line_types[static_cast<size_t>(e.type)];
-}
+const model::LineType& ElementErrors::type(const Element& e) const { return case_.line_types[e.type]; }
 
 std::vector<ElementErrors::At> ElementErrors::gathered(const Kinematics& at, const Values& values) const {
-  const size_t owned = static_cast<size_t>(owned_line_nodes(mesh_));
+  const size_t owned = owned_line_nodes(mesh_);
   std::vector<double> mine(owned), all;
   std::vector<At> out(place_.size());
   const auto bring = [&](const auto& of, const auto& put) {
     for (size_t n = 0; n < owned; ++n) mine[n] = of(n);
     plan_.gather(mine.data(), all);
-    for (size_t k = 0; k < all.size(); ++k) put(out[static_cast<size_t>(place_[k])], all[k]);
+    for (size_t k = 0; k < all.size(); ++k) put(out[place_[k]], all[k]);
   };
   const auto value = [](std::span<const double> of) {
     return [of](size_t n) { return of.empty() ? 0 : of[n]; };
@@ -94,8 +90,7 @@ void ElementErrors::look_at_edges(const LineSpan& line, std::span<const At> node
     if (!(nodes[n].pressed > 0)) continue;
     const double turn = angle(nodes[n].x - nodes[n - 1].x, nodes[n + 1].x - nodes[n].x);
     const double error = nodes[n].tension * (1 - std::cos(turn));
-    if (error > worst.error)
-      worst = {error, mesh_.mesh->nodes[static_cast<size_t>(line.first_node) + n].arc, time, turn};
+    if (error > worst.error) worst = {error, mesh_.mesh->nodes[line.first_node + n].arc, time, turn};
   }
 }
 
@@ -104,16 +99,12 @@ void ElementErrors::look_at_edges(const LineSpan& line, std::span<const At> node
 // shape.
 void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes, int first, int last,
                                 double time, Worst& worst) const {
-  const auto chord = [&](int i) {
-    return Vec3((nodes[static_cast<size_t>(i) + 1].x - nodes[static_cast<size_t>(i)].x).normalized());
-  };
-  const auto element = [&](int i) -> const Element& {
-    return mesh_.mesh->elements[static_cast<size_t>(line.first_element + i)];
-  };
+  const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
+  const auto element = [&](int i) -> const Element& { return mesh_.mesh->elements[line.first_element + i]; };
   // The turn at a node that nothing but the line's own loads make; -1: others do.
   const auto turn = [&](int n) {
-    const bool plain = n > first && n < last && !nodes[static_cast<size_t>(n)].carried &&
-                       !mesh_.mesh->nodes[static_cast<size_t>(line.first_node + n)].two_sided;
+    const bool plain =
+        n > first && n < last && !nodes[n].carried && !mesh_.mesh->nodes[line.first_node + n].two_sided;
     return plain ? angle(chord(n - 1), chord(n)) : -1;
   };
   double longer = 0, gives = 0, most = 0, tension = HUGE_VAL;
@@ -121,16 +112,13 @@ void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes,
   for (int i = first; i < last;) {
     int end = i;  // of what hangs from here on
     Vec3 way = Vec3::Zero();
-    const auto hangs = [&](int e) {
-      return !nodes[static_cast<size_t>(e)].carried || !nodes[static_cast<size_t>(e) + 1].carried;
-    };
+    const auto hangs = [&](int e) { return !nodes[e].carried || !nodes[e + 1].carried; };
     for (; end < last && hangs(end); ++end) way += element(end).length * chord(end);
     double length = 0;
     for (int k = i; k < end; ++k) length += element(k).length;
     for (int k = i; k < std::max(end, i + 1); ++k) {
       const Element& e = element(k);
-      const double pull =
-          0.5 * (nodes[static_cast<size_t>(k)].tension + nodes[static_cast<size_t>(k) + 1].tension);
+      const double pull = 0.5 * (nodes[k].tension + nodes[k + 1].tension);
       gives += e.length * std::max(pull, 0.0) / type(e).EA;
       if (end == i) continue;  // it lies
       tension = std::min(tension, std::max(pull, 0.0));
@@ -141,7 +129,7 @@ void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes,
       longer += more;
       if (more <= most) continue;
       most = more;
-      here = {0, mesh_.mesh->nodes[static_cast<size_t>(e.first)].arc + 0.5 * e.length, time, theta, e.length};
+      here = {0, mesh_.mesh->nodes[e.first].arc + 0.5 * e.length, time, theta, e.length};
     }
     i = std::max(end, i + 1);
   }
@@ -155,18 +143,17 @@ void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes,
 void ElementErrors::look_at_bends(const LineSpan& line, std::span<const At> nodes, int first, int last,
                                   double time, Worst& worst) const {
   for (int n = first; n <= last; ++n) {
-    const At& here = nodes[static_cast<size_t>(n)];
+    const At& here = nodes[n];
     if (here.moment <= worst.error || !(here.tension > 0)) continue;
-    const Node& node = mesh_.mesh->nodes[static_cast<size_t>(line.first_node + n)];
+    const Node& node = mesh_.mesh->nodes[line.first_node + n];
     const bool at_end = n == first || n == last || node.two_sided;
     Worst least{.error = HUGE_VAL};  // of both sides
     for (const int side : {-1, 1}) {
       const int i = side < 0 ? n - 1 : n;
       if (i < first || i >= last) continue;
-      const Element& e = mesh_.mesh->elements[static_cast<size_t>(line.first_element + i)];
+      const Element& e = mesh_.mesh->elements[line.first_element + i];
       const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / here.tension), x = e.length / decay;
-      const bool falls = e.beam && nodes[static_cast<size_t>(n + side)].moment <
-                                       here.moment * std::exp(-0.5 * std::min(x, 1.0));
+      const bool falls = e.beam && nodes[n + side].moment < here.moment * std::exp(-0.5 * std::min(x, 1.0));
       const double error = falls ? here.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
       if (error < least.error)
         least = {error, node.arc, time, 0, e.length, decay, decay * (at_end ? kGoodAtEnd : kGoodInside)};
@@ -177,29 +164,29 @@ void ElementErrors::look_at_bends(const LineSpan& line, std::span<const At> node
 
 std::vector<std::string> ElementErrors::warnings(int line, double largest_tension,
                                                  double largest_moment) const {
-  const std::string& name = mesh_.mesh->lines[static_cast<size_t>(line)].name;
-  const auto& [edge, sag, bend] = lines_[static_cast<size_t>(line)];
+  const std::string& name = mesh_.mesh->lines[line].name;
+  const auto& [edge, sag, bend] = lines_[line];
   std::vector<std::string> out;
   if (edge.error > kEdgeWarned * largest_tension)
-    out.push_back(fmt::format(
-        "line {} turns by {:.0f} degrees from one element to the next where it lies on a volume (arc length "
-        "{:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to {:.2g} N, {:.0f} % of the "
-        "largest: give it elements so short that it turns by no more than {:.0f} degrees; over a sharp edge "
-        "that is less than half its radius",
-        name, edge.turn * 180 / M_PI, edge.arc, edge.time, edge.error, 100 * edge.error / largest_tension,
-        kGoodTurn * 180 / M_PI));
+    out.push_back(
+        fmt::format("line {} turns by {:.0f} degrees from one element to the next where it lies on a volume "
+                    "(arc length {:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to "
+                    "{:.2g} N, {:.0f} % of the largest: give it elements so short that it turns by no more "
+                    "than {:.0f} degrees; over a sharp edge that is less than half its radius",
+                    name, edge.turn * 180 / M_PI, edge.arc, edge.time, edge.error,
+                    100 * edge.error / largest_tension, kGoodTurn * 180 / M_PI));
   if (sag.error > kWarned * largest_tension)
     out.push_back(fmt::format(
         "line {} sags between the nodes of its elements of {:.3g} m: it turns by {:.2g} degrees from one to "
-        "the next (arc length {:.4g} m, t = {:.4g} s), so that its tension is off by about {:.2g} % of "
-        "the largest: give it elements of {:.2g} m there",
+        "the next (arc length {:.4g} m, t = {:.4g} s), so that its tension is off by about {:.2g} % of the "
+        "largest: give it elements of {:.2g} m there",
         name, sag.length, sag.turn * 180 / M_PI, sag.arc, sag.time, 100 * sag.error / largest_tension,
         sag.length * std::sqrt(kGood * largest_tension / sag.error)));
   if (bend.error > kWarned * largest_moment)
     out.push_back(fmt::format(
         "the bending moment of line {} falls off within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), "
-        "which "
-        "elements of {:.3g} m miss by about {:.2g} % of the largest: give it elements of {:.2g} m there",
+        "which elements of {:.3g} m miss by about {:.2g} % of the largest: give it elements of {:.2g} m "
+        "there",
         name, bend.decay, bend.arc, bend.time, bend.length, 100 * bend.error / largest_moment, bend.good));
   return out;
 }

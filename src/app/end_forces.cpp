@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/gather.hpp"
+
 namespace hawser::app {
 
 double SectionForce::tension() const {
@@ -21,16 +23,16 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
     for (const bool second : {false, true}) {
       const int node = second ? e.second : e.first;
       if (node >= local.owned) continue;
-      const size_t n = static_cast<size_t>(node);
-      const int global = local.global[n];
-      const Node& g = mesh.nodes[static_cast<size_t>(global)];
-      const LineSpan& span = mesh.lines[static_cast<size_t>(g.line)];
+      const int global = local.global[node];
+      const Node& g = mesh.nodes[global];
+      const LineSpan& span = mesh.lines[g.line];
       int end = -1;
       if (global == span.first_node) end = 2 * g.line;
       if (global == span.first_node + span.nodes - 1) end = 2 * g.line + 1;
       if (end < 0 && !g.two_sided) continue;
-      if (at[n] < 0) at[n] = static_cast<int>(places_.size()), places_.push_back({node, end, -1, -1, {}});
-      Place& p = places_[static_cast<size_t>(at[n])];
+      if (at[node] < 0)
+        at[node] = static_cast<int>(places_.size()), places_.push_back({node, end, -1, -1, {}});
+      Place& p = places_[at[node]];
       (second ? p.before : p.after) = static_cast<int>(i);
     }
   }
@@ -70,13 +72,12 @@ void EndForces::evaluate_mouths(const Kinematics& at, std::span<const Vec3> carr
       m = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
       felt = m.tension();
       if (f.beam && !f.bar.plastic) {
-        const Vec3 own = at.q[static_cast<size_t>(f.at_b ? e->second : e->first)].conjugate() * m.moment;
+        const Vec3 own = at.q[f.at_b ? e->second : e->first].conjugate() * m.moment;
         felt += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
       }
     }
-    for (Vec3* v : {&m.force, &m.moment, &m.direction})
-      MPI_Allreduce(MPI_IN_PLACE, v->data(), 3, MPI_DOUBLE, MPI_MAX, system_.comm());
-    MPI_Allreduce(MPI_IN_PLACE, &felt, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+    for (Vec3* v : {&m.force, &m.moment, &m.direction}) all_reduce(system_.comm(), MPI_MAX, *v);
+    all_reduce(system_.comm(), MPI_MAX, felt);
     m.beam = f.beam, felt_[k] = felt;
     for (Place& p : places_)
       if (p.end == 2 * f.line + f.at_b) p.sides = {mouths_[k], mouths_[k]};
@@ -86,11 +87,11 @@ void EndForces::evaluate_mouths(const Kinematics& at, std::span<const Vec3> carr
 SectionForce EndForces::section(const Kinematics& at, int element, bool second,
                                 std::span<const Vec3> carried) const {
   const LocalMesh& local = system_.mesh();
-  const LocalElement& e = local.elements[static_cast<size_t>(element)];
+  const LocalElement& e = local.elements[element];
   double f[12] = {};
   system_.element_force(at, e, f);
   const auto part = [&f](int i) { return Vec3(f[3 * i], f[3 * i + 1], f[3 * i + 2]); };
-  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second), n = second ? j : i;
+  const size_t i = e.first, j = e.second, n = second ? j : i;
   SectionForce s;
   s.beam = local.element(e).beam;
   s.force = second ? part(2) : Vec3(-part(0));

@@ -1,4 +1,5 @@
-// The class Events: which event happens at a state, and what the user is told of it.
+// The class Events: which event happens at a state, and what the user is told of it. What it does there is in
+// actions.cpp.
 #include "hawser/app/events.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "hawser/app/feeding.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser::app {
@@ -64,17 +66,17 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
   const LocalMesh& local = sim_.local();
   const Cause& cause = h.what.cause;
   const int n = h.node < 0 ? -1 : local.find(h.node);
-  const bool own = n >= 0 && n < local.owned;
+  const bool own = local.owns(n);
   switch (cause.kind) {
     case Cause::Kind::position:
       if (!cause.body.empty()) {
         const auto pose = sim_.body_pose(sim_.model().body_index(cause.body), at);
         return pose ? pose->position[cause.axis] : -HUGE_VAL;
       }
-      return own ? at.x[static_cast<size_t>(n)][cause.axis] : -HUGE_VAL;
+      return own ? at.x[n][cause.axis] : -HUGE_VAL;
     case Cause::Kind::paid_out: {
       const Feeders& feeders = *sim_.feeders();
-      const Feeder& f = feeders.list()[static_cast<size_t>(h.feeder)];
+      const Feeder& f = feeders.list()[h.feeder];
       if (!feeders.at_mouth(f)) return -HUGE_VAL;
       return feeders.outside(f) - f.length + feeders.mouth(f, at, true).length - f.outside_at_start;
     }
@@ -102,8 +104,7 @@ std::vector<double> Events::values(const Kinematics& at) {
   ends_.evaluate(at, std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
   std::vector<double> out;
   for (const Happening& h : events_) out.push_back(local_value(h, at));
-  MPI_Allreduce(MPI_IN_PLACE, out.data(), static_cast<int>(out.size()), MPI_DOUBLE, MPI_MAX, comm_);
-  return out;
+  return all_reduce(comm_, MPI_MAX, out);
 }
 
 std::vector<double> Events::conditions(const std::vector<double>& values) const {
@@ -122,13 +123,12 @@ void Events::refuse_met(const std::vector<double>& values) const {
     if (!(g[e] >= 0)) continue;
     const model::Event& what = events_[e].what;
     const bool pulls = what.cause.kind == Cause::Kind::tension;
-    sim_.model().refuse(
-        fmt::format("events[{}]", e),
-        fmt::format(
-            "{} would be {} before anything moves: {:.6g} {} at the start is {} {:g} {} already; give "
-            "another limit, or 'time: 0'",
-            what.action.subject(), what.action.participle(), values[e], pulls ? "N" : "m",
-            what.cause.below ? "below" : "above", what.cause.limit, pulls ? "N" : "m"));
+    sim_.model().refuse(fmt::format("events[{}]", e),
+
+                        "{} would be {} before anything moves: {:.6g} {} at the start is {} {:g} {} already; "
+                        "give another limit, or 'time: 0'",
+                        what.action.subject(), what.action.participle(), values[e], pulls ? "N" : "m",
+                        what.cause.below ? "below" : "above", what.cause.limit, pulls ? "N" : "m");
   }
 }
 
@@ -136,7 +136,7 @@ double Events::due(const Happening& h) const {
   const Cause& c = h.what.cause;
   if (c.kind == Cause::Kind::time) return c.time;
   if (c.kind != Cause::Kind::after) return HUGE_VAL;
-  const double first = events_[static_cast<size_t>(h.after)].happened;
+  const double first = events_[h.after].happened;
   return first < 0 ? HUGE_VAL : first + c.time;
 }
 
@@ -171,12 +171,12 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
   std::string how;
   if (a.kind == Action::Kind::release) {
     double tension = local_tension(actions_.node(a));
-    MPI_Allreduce(MPI_IN_PLACE, &tension, 1, MPI_DOUBLE, MPI_MAX, comm_);
+    all_reduce(comm_, MPI_MAX, tension);
     how = fmt::format(", with a tension of {:.6g} N", tension);
   }
   if (a.at) how = fmt::format(", {:.3g} m from the place", h.found.away);
   if (a.kind == Action::Kind::attach && !a.at && !a.body.empty()) {
-    const model::Body& body = sim_.model().bodies[static_cast<size_t>(sim_.model().body_index(a.body))];
+    const model::Body& body = sim_.model().bodies[sim_.model().body_index(a.body)];
     const Vec3 centre =
         sim_.model().floats(sim_.model().body_index(a.body)) ? body.mass->centre : Vec3(Vec3::Zero());
     how = fmt::format(", {:.4g} m from its origin", (Vec3(h.found.place.data()) + centre).norm());
@@ -189,8 +189,8 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
     const double length = a.at_b ? out.end_b : out.end_a;
     if (out.line == sim_.model().line_index(a.line) && length > 0)
       messages.push_back(
-          fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the "
-                      "line from there on go through it as if it were not there",
+          fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the line from "
+                      "there on go through it as if it were not there",
                       a.subject(), sim_.contact()->volume_name(out.volume), length));
   }
 }
@@ -269,9 +269,8 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
         solve(false);
     } catch (const SolveError& e) {
       const auto& [f, length] = *left.begin();
-      throw SolveError(fmt::format("stage {}, when {:.6g} m are left to be {} at {}: {}", stage,
-                                   std::abs(length), length < 0 ? "hauled in" : "paid out", f->name,
-                                   e.what()));
+      throw SolveError("stage {}, when {:.6g} m are left to be {} at {}: {}", stage, std::abs(length),
+                       length < 0 ? "hauled in" : "paid out", f->name, e.what());
     }
   }
 }

@@ -46,14 +46,14 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
     if (at == from.scalars.end()) {
       if (h.what.cause.kind == Cause::Kind::time && h.what.cause.time < from.time - time_tolerance(from.time))
         throw InputError(
-            fmt::format("{}: events: {} was to be {} at {:g} s, before t = {:g} s from which the run goes "
-                        "on, and was not; give it a later time",
-                        sim_.model().path, h.what.action.subject(), h.what.action.participle(),
-                        h.what.cause.time, from.time));
+            "{}: events: {} was to be {} at {:g} s, before t = {:g} s from which the run goes on, and was "
+            "not; give it a later time",
+            sim_.model().path, h.what.action.subject(), h.what.action.participle(), h.what.cause.time,
+            from.time);
       if (h.what.cause.kind == Cause::Kind::stage)
-        throw InputError(fmt::format(
-            "{}: events: {} is to be {} {}, and was not in the run that this one goes on from",
-            sim_.model().path, h.what.action.subject(), h.what.action.participle(), h.what.cause.text()));
+        throw InputError("{}: events: {} is to be {} {}, and was not in the run that this one goes on from",
+                         sim_.model().path, h.what.action.subject(), h.what.action.participle(),
+                         h.what.cause.text());
       continue;
     }
     h.happened = at->second;
@@ -68,10 +68,10 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   }
   for (const auto& [key, time] : from.scalars)
     if (key.starts_with(kHappened) && !known.count(key))
-      throw InputError(fmt::format(
-          "{}: events: '{}' happened at t = {:g} s of the run that this one goes on from, and no event "
-          "of the case says so; keep that event",
-          sim_.model().path, key.substr(kHappened.size()), time));
+      throw InputError(
+          "{}: events: '{}' happened at t = {:g} s of the run that this one goes on from, and no event of "
+          "the case says so; keep that event",
+          sim_.model().path, key.substr(kHappened.size()), time);
   std::stable_sort(happened.begin(), happened.end(), [](const Happening* a, const Happening* b) {
     return std::tie(a->happened, a->order) < std::tie(b->happened, b->order);
   });

@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "hawser/app/end_forces.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser::app {
@@ -24,8 +24,7 @@ std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.
 // On every rank what the ranks that know it have.
 double of_all(MPI_Comm comm, bool known, double value) {
   double out = known ? value : -HUGE_VAL;
-  MPI_Allreduce(MPI_IN_PLACE, &out, 1, MPI_DOUBLE, MPI_MAX, comm);
-  return out;
+  return all_reduce(comm, MPI_MAX, out);
 }
 
 }  // namespace
@@ -77,8 +76,7 @@ void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional
 Dynamics::Moved Feeding::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();
   const double share = all.element_length(f, f.mouth) / f.length;  // from the free end
-  const size_t i = static_cast<size_t>(f.at_b ? e.second : e.first),
-               j = static_cast<size_t>(f.at_b ? e.first : e.second);
+  const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
   const Mouth mouth = all.mouth(f, k, true);
   const Feeders::Flow flow = all.flow(mouth, k, e, f.at_b);
   const Vec3 a = k.a[i] + flow.acceleration;
@@ -118,7 +116,7 @@ void Feeding::let_out(Feeder& f) {
   const double more = (before - felt(f)) * (f.length + whole) / f.bar.EA;
   if (moved) {
     const Kinematics k = sim_.dynamics().kinematics();
-    const size_t n = static_cast<size_t>(sim_.local().find(node));
+    const size_t n = sim_.local().find(node);
     moved->x = k.x[n], moved->q = k.q[n];
   }
   hand_over(f, f.mouth, f.length - more, moved);
@@ -129,7 +127,7 @@ double Feeding::felt(const Feeder& f) {
   EndForces ends(sim_.system(), sim_.feeders());
   ends.evaluate(sim_.dynamics().kinematics(),
                 std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
-  return ends.at_feeders()[static_cast<size_t>(&f - sim_.feeders()->list().data())];
+  return ends.at_feeders()[&f - sim_.feeders()->list().data()];
 }
 
 // The first free node goes into the feeder. What was bent there is straight now: the unstretched length is
@@ -144,8 +142,7 @@ std::optional<Dynamics::Moved> Feeding::caught(const Feeder& f, const Kinematics
   const int at[3] = {local.find(held), local.find(caught), local.find(next)};
   const bool known = at[0] >= 0 && at[1] >= 0 && at[2] >= 0;
   if (known) {
-    const size_t i = static_cast<size_t>(at[0]), j = static_cast<size_t>(at[1]),
-                 n = static_cast<size_t>(at[2]);
+    const size_t i = at[0], j = at[1], n = static_cast<size_t>(at[2]);
     // What bending adds to the strain of an element's chord.
     const auto bow = [&](size_t a, size_t b) {
       if (f.at_b) std::swap(a, b);
@@ -169,10 +166,9 @@ void Feeding::haul_in(Feeder& f) {
 void Feeding::refuse_all_out(const Feeder& f, double time) const {
   if (f.mouth == 0 && f.length >= sim_.feeders()->element_length(f, 0))
     throw SolveError(
-        fmt::format("the stock at {} runs out at t = {:.6g} s: give the line more length there and the "
-                    "feeder that much more "
-                    "'stock', or let the run end before",
-                    f.name, time));
+        "the stock at {} runs out at t = {:.6g} s: give the line more length there and the feeder that much "
+        "more 'stock', or let the run end before",
+        f.name, time);
 }
 
 void Feeding::refuse_all_in(const Feeder& f, double time) const {
@@ -181,13 +177,11 @@ void Feeding::refuse_all_in(const Feeder& f, double time) const {
   for (const Feeder& o : sim_.feeders()->list())
     if (o.line == f.line && o.at_b != f.at_b) others = o.mouth;
   if (f.mouth + 2 + others >= all.elements(f))
-    throw SolveError(fmt::format(
+    throw SolveError(
         "at t = {:.6g} s all of the line{} is hauled in at {}: let it haul in less, or the run end before",
         time,
-        sim_.model().lines[static_cast<size_t>(f.line)].whole
-            ? " up to the place of its cut, which cannot be hauled in,"
-            : "",
-        f.name));
+        sim_.model().lines[f.line].whole ? " up to the place of its cut, which cannot be hauled in," : "",
+        f.name);
 }
 
 void Feeding::shift(Feeder& f, double by) {
@@ -195,7 +189,7 @@ void Feeding::shift(Feeder& f, double by) {
   State& state = sim_.state();
   const auto put = [&](const std::optional<Dynamics::Moved>& moved) {
     const int n = moved ? sim_.local().find(moved->node) : -1;
-    if (n >= 0) state.x[static_cast<size_t>(n)] = moved->x, state.q[static_cast<size_t>(n)] = moved->q;
+    if (n >= 0) state.x[n] = moved->x, state.q[n] = moved->q;
     sim_.system().spread(state);
   };
   const auto set = [&](int mouth, double length) {
@@ -230,7 +224,7 @@ void Feeding::shift(Feeder& f, double by) {
 void Feeding::save(io::Checkpoint& to) const {
   if (!sim_.feeders()) return;
   double work = sim_.feeders()->work();
-  MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, sim_.system().comm());
+  all_reduce(sim_.system().comm(), MPI_SUM, work);
   to.scalars["feeders.work"] = work;
   for (const Feeder& f : sim_.feeders()->list()) {
     to.scalars[key(f, "mouth")] = f.mouth;
@@ -246,7 +240,7 @@ void Feeding::save(io::Checkpoint& to) const {
 
 void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
   const auto refuse = [&](const std::string& why) {
-    return InputError(fmt::format("cannot go on from {}: {}", path, why));
+    return InputError("cannot go on from {}: {}", path, why);
   };
   size_t there = 0, here = sim_.feeders() ? sim_.feeders()->list().size() : 0;
   for (const auto& [name, value] : from.scalars)
@@ -255,8 +249,7 @@ void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
     throw refuse(fmt::format("{} of its lines' ends {} fed, and {} in this case", there,
                              there == 1 ? "is" : "are", here));
   if (!sim_.feeders()) return;
-  int rank = 0;
-  MPI_Comm_rank(sim_.system().comm(), &rank);
+  const int rank = rank_of(sim_.system().comm());
   sim_.feeders()->set_work(rank == 0 ? from.scalars.at("feeders.work") : 0);
   for (Feeder& f : sim_.feeders()->list()) {
     if (!from.scalars.count(key(f, "mouth"))) throw refuse(f.name + " is not fed there");

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"
 
 namespace hawser::app {
@@ -17,9 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void compare_lines(const std::string& path, const Mesh& mesh) {
-  const auto other = [&](const std::string& what) {
-    return InputError(fmt::format("it holds another case: {}", what));
-  };
+  const auto other = [&](const std::string& what) { return InputError("it holds another case: {}", what); };
   const io::h5::Id file = io::h5::open_read(path);
   const auto names = io::h5::read_texts(file, "lines/name");
   const auto nodes = io::h5::read_array(file, "lines/nodes").values;
@@ -33,7 +32,7 @@ void compare_lines(const std::string& path, const Mesh& mesh) {
     if (nodes[l] != line.nodes)
       throw other(fmt::format("line {} has {} nodes there, {} here", line.name, nodes[l], line.nodes));
     for (int n = line.first_node; n < line.first_node + line.nodes; ++n) {
-      const double here = mesh.nodes[static_cast<size_t>(n)].arc, there = arc.at(static_cast<size_t>(n));
+      const double here = mesh.nodes[n].arc, there = arc.at(static_cast<size_t>(n));
       if (std::abs(here - there) > 1e-9 * line.length)
         throw other(
             fmt::format("a node of line {} is at {:.6g} m there, {:.6g} m here", line.name, there, here));
@@ -44,29 +43,21 @@ void compare_lines(const std::string& path, const Mesh& mesh) {
 }  // namespace
 
 void on_root(MPI_Comm comm, const std::function<void()>& work) {
-  int rank = 0, length = -1;
-  MPI_Comm_rank(comm, &rank);
   std::string text;
-  if (rank == 0) {
-    try {
+  if (rank_of(comm) == 0) try {
       work();
     } catch (const InputError& e) {
       text = e.what();
-      length = static_cast<int>(text.size());
     }
-  }
-  MPI_Bcast(&length, 1, MPI_INT, 0, comm);
-  if (length < 0) return;
-  text.resize(static_cast<size_t>(length));
-  MPI_Bcast(text.data(), length, MPI_CHAR, 0, comm);
-  throw InputError(text);
+  text = first_text(comm, std::move(text));
+  if (!text.empty()) throw InputError(text);
 }
 
 void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh) {
   on_root(comm, [&] {
     std::error_code e;
     const auto refuse = [&](const std::string& why) {
-      return InputError(fmt::format("cannot go on from {}: {}", path, why));
+      return InputError("cannot go on from {}: {}", path, why);
     };
     if (!fs::exists(path, e)) throw refuse("there is no such file");
     if (access(path.c_str(), R_OK) != 0) throw refuse("it cannot be read");

@@ -22,7 +22,7 @@ Folds::Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders
   const auto inside = feeders ? feeders->inside() : std::vector<std::array<int, 2>>(worst_.size());
   for (size_t i = 0; i < folds_.size(); ++i) {
     const Element& e = mesh.element(mesh.elements[i]);
-    const model::LineType& t = c.line_types[static_cast<size_t>(e.type)];
+    const model::LineType& t = c.line_types[e.type];
     const auto line = static_cast<size_t>(e.line);
     const bool fed = inside[line][0] + inside[line][1] > 0;
     if (!e.beam && !fed)
@@ -45,21 +45,19 @@ void Folds::look(const Kinematics& at, std::span<const double> before, std::span
     const bool first = l.first < mesh_.owned;
     const double tension = first ? after[a] : before[b];
     const size_t n = first ? a : b;
-    Worst& w = worst_[static_cast<size_t>(e.line)];
+    Worst& w = worst_[e.line];
     if (tension > w.tension) w = {tension, at.time, mesh_.node(n).arc, f.share};
   }
 }
 
 std::string Folds::warning(MPI_Comm comm, int line, const std::string& name, double largest_tension) const {
-  Worst w = worst_[static_cast<size_t>(line)];
+  Worst w = worst_[line];
   if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
   return fmt::format(
       "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that with which an "
       "element snaps taut that was folded to {:.0f} % of its length: how sharply the line bends there, and "
-      "this "
-      "tension, depend on the length of its elements. Where it matters, give the line type its EI, which "
-      "keeps "
-      "it from folding, and compare with half as long elements",
+      "this tension, depend on the length of its elements. Where it matters, give the line type its EI, "
+      "which keeps it from folding, and compare with half as long elements",
       name, w.tension / 1000, w.arc, w.time, 100 * w.share);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
@@ -26,11 +27,7 @@ constexpr double kSamePlace = 1e-9;
 Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& ends,
                      std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields)
     : comm_(comm), sim_(simulation), ends_(ends) {
-  const auto find = [&](const std::string& name) {
-    for (size_t f = 0; f < fields.size(); ++f)
-      if (fields[f].name == name) return static_cast<int>(f);
-    return -1;
-  };
+  const auto find = [&](const char* name) { return find_field(fields, name); };
   for (size_t f = 0; f < fields.size(); ++f) {
     if (fields[f].history == Field::History::yes) shown_.push_back(f);
     if (fields[f].history == Field::History::behind_ends) shown_last_.push_back(f);
@@ -54,7 +51,7 @@ Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& end
       p.volume = h.volume, series.columns = kVolume;
     } else {
       const int line = c.line_index(h.line);
-      const LineSpan& span = sim_.mesh().lines[static_cast<size_t>(line)];
+      const LineSpan& span = sim_.mesh().lines[line];
       p = point_of(line, h.at);
       const double arc = std::clamp(h.at, 0.0, span.length);
       const bool at_end = std::min(arc, span.length - arc) <= kSamePlace * span.length;
@@ -75,13 +72,13 @@ Histories::Histories(MPI_Comm comm, Simulation& simulation, const EndForces& end
   }
   std::vector<int> ranks;
   for (const Point& p : points_) ranks.push_back(p.nodes[0] >= 0 || p.nodes[1] >= 0);
-  MPI_Allreduce(MPI_IN_PLACE, ranks.data(), static_cast<int>(ranks.size()), MPI_INT, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, ranks);
   for (size_t i = 0; i < points_.size(); ++i) points_[i].shared = ranks[i] > 1 || !points_[i].volume.empty();
 }
 
 Histories::Point Histories::point_of(int line, double arc) const {
   const Mesh& mesh = sim_.mesh();
-  const LineSpan& span = mesh.lines[static_cast<size_t>(line)];
+  const LineSpan& span = mesh.lines[line];
   const auto first = mesh.nodes.begin() + span.first_node, last = first + span.nodes - 1;
   const double same = kSamePlace * span.length;
   // The last node that is not behind the point.
@@ -97,7 +94,7 @@ Histories::Point Histories::point_of(int line, double arc) const {
   for (size_t k = 0; k < 2; ++k) {
     if (p.weights[k] == 0) continue;
     const int n = local.find(static_cast<int>(node - mesh.nodes.begin()) + static_cast<int>(k));
-    if (n < 0 || n >= local.owned) continue;
+    if (!local.owns(n)) continue;
     p.nodes[k] = n;
     const auto& places = ends_.places();
     for (size_t i = 0; i < places.size(); ++i)
@@ -121,11 +118,10 @@ double Histories::facing(int field, const SectionForce& s, const Quat& q, double
 std::vector<double> Histories::node_row(const Point& p, size_t side, const Kinematics& at,
                                         const std::vector<std::vector<double>>& values,
                                         const std::vector<std::vector<double>>& ends) const {
-  const size_t n = static_cast<size_t>(p.nodes[side]);
+  const size_t n = p.nodes[side];
   const bool between = p.weights[1] > 0;
-  const EndForces::Place* place =
-      p.places[side] >= 0 ? &ends_.places()[static_cast<size_t>(p.places[side])] : nullptr;
-  const auto of = [&](int field) { return values[static_cast<size_t>(field)][n]; };
+  const EndForces::Place* place = p.places[side] >= 0 ? &ends_.places()[p.places[side]] : nullptr;
+  const auto of = [&](int field) { return values[field][n]; };
   std::vector<double> row;
   const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
   const auto show = [&](const std::vector<size_t>& fields) {
@@ -174,8 +170,7 @@ std::vector<double> Histories::line_row(const Point& p, const Kinematics& at,
 // Empty on ranks that do not own the body.
 std::vector<double> Histories::body_row(int body, const Kinematics& at) const {
   const auto p = sim_.body_pose(body, at);
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   if (!p || (!sim_.bodies().floats(body) && rank != 0)) return {};
   std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
   if (sim_.floating() && sim_.model().floats(body)) force = sim_.floating()->force_on(body, at);
@@ -216,8 +211,7 @@ std::vector<std::vector<double>> Histories::rows(const Kinematics& at,
     parts.insert(parts.end(), rows[i].begin(), rows[i].end());
   }
   if (parts.empty()) return rows;
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   MPI_Reduce(rank == 0 ? MPI_IN_PLACE : parts.data(), parts.data(), static_cast<int>(parts.size()),
              MPI_DOUBLE, MPI_SUM, 0, comm_);
   auto part = parts.begin();

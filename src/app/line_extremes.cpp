@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "hawser/base/gather.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -54,7 +53,7 @@ void LineExtremes::add(double time, const std::vector<std::vector<double>>& valu
                        const Utilisation& utilisation) {
   const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>{};
   const auto is_inside = [&](const Node& node, size_t n) {
-    const size_t line = static_cast<size_t>(node.line);
+    const size_t line = node.line;
     const LineSpan& span = local_.mesh->lines[line];
     const int i = local_.global[n] - span.first_node;
     return i < inside[line][0] || i >= span.nodes - inside[line][1];
@@ -67,7 +66,7 @@ void LineExtremes::add(double time, const std::vector<std::vector<double>>& valu
         if (!utilisation.known(static_cast<int>(f), n) || (feeders_ && is_inside(node, n))) continue;
         const double v = values[f][n];
         if (std::isnan(v)) continue;  // no pipe
-        Extreme& x = q.lines[static_cast<size_t>(node.line)];
+        Extreme& x = q.lines[node.line];
         const double slack = x.set && time > x.time ? kBeyond * std::abs(x.value) : 0;
         if (!x.set || (q.largest ? v > x.value + slack : v < x.value - slack)) x = {v, time, node.arc, true};
       }

@@ -73,8 +73,8 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   const auto& excluded = options.candidates.excluded;
   size_t pairs = 0, wanted = 0;
   for (int i = 0; i < lines; ++i)
-    for (int j = i; j < lines && takes_part[static_cast<size_t>(i)]; ++j)
-      if (takes_part[static_cast<size_t>(j)])
+    for (int j = i; j < lines && takes_part[i]; ++j)
+      if (takes_part[j])
         ++pairs, wanted += !std::binary_search(excluded.begin(), excluded.end(), std::pair(i, j));
   if (wanted == 0) return nullptr;
   options.candidates.joined = joined_ends(c, *mesh.mesh);
@@ -90,14 +90,14 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   };
   std::map<int, Kind> kinds;
   for (const Element& e : mesh.mesh->elements) {
-    const model::LineType& t = c.line_types[static_cast<size_t>(e.type)];
+    const model::LineType& t = c.line_types[e.type];
     LineContactElement& element = elements.emplace_back();
-    if (takes_part[static_cast<size_t>(e.line)]) element.radius = 0.5 * t.contact_diameter;
+    if (takes_part[e.line]) element.radius = 0.5 * t.contact_diameter;
     element.mass_per_length = t.mass_per_length;
     StiffnessDemand d;
     d.radius = 0.5 * t.contact_diameter;
     d.weight = t.mass_per_length * c.environment.gravity;
-    d.length = mesh.mesh->lines[static_cast<size_t>(e.line)].length;
+    d.length = mesh.mesh->lines[e.line].length;
     d.EA = t.EA;
     options.automatic.push_back(
         {automatic_contact_stiffness(d).per_length, crossing_force(t.EA, d.weight * d.length)});
@@ -119,15 +119,15 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
         least = std::min(least, automatic_stiffness(i.least, j.least, i.radius + j.radius));
         most = std::max(most, automatic_stiffness(i.most, j.most, i.radius + j.radius));
       }
-    notes.push_back(fmt::format(
-        "contact {}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
-        "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false leaves such "
-        "contact out",
-        lines == 1 ? fmt::format("of line {} with itself", c.lines.front().name)
-        : b.self   ? "between lines and of lines with themselves"
-                   : "between lines",
-        most > least * (1 + 1e-9) ? fmt::format("{:.3g} to {:.3g}", least, most)
-                                  : fmt::format("{:.3g}", most)));
+    notes.push_back(
+        fmt::format("contact {}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
+                    "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false "
+                    "leaves such contact out",
+                    lines == 1 ? fmt::format("of line {} with itself", c.lines.front().name)
+                    : b.self   ? "between lines and of lines with themselves"
+                               : "between lines",
+                    most > least * (1 + 1e-9) ? fmt::format("{:.3g} to {:.3g}", least, most)
+                                              : fmt::format("{:.3g}", most)));
   }
   return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
 }

@@ -22,6 +22,7 @@
 #include "hawser/app/version.hpp"
 #include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/io/line_library.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/model/schema.hpp"
@@ -82,8 +83,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   } catch (const std::exception& e) {
     // Not the user's doing, and perhaps only this rank's: the others must not wait for it.
     std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
-    int size = 1;
-    MPI_Comm_size(PETSC_COMM_WORLD, &size);
+    const int size = hawser::ranks_of(PETSC_COMM_WORLD);
     if (size > 1) MPI_Abort(PETSC_COMM_WORLD, 1);
     return 1;
   }
@@ -120,8 +120,7 @@ CommandLine::CommandLine() {
   cli.footer(
       "Run on several ranks with: mpirun -n 4 hawser run case.yaml\n"
       "Exit codes: 0 done, 2 the input is wrong, 3 the solver gave up, 4 the run has ended but its energy "
-      "does not "
-      "add up, 130 stopped by a signal, 1 anything else.");
+      "does not add up, 130 stopped by a signal, 1 anything else.");
 
   run_command = cli.add_subcommand("run", "Run a case: statics, then dynamics; results go to an HDF5 file.");
   run_command->add_option("case", run.case_path, "Case file (YAML; `hawser schema` prints its keys)")

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "hawser/app/events.hpp"
@@ -74,8 +73,7 @@ io::ResultContents contents(const Simulation& sim, const std::vector<LoadedVolum
 
 std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
   std::vector<double> out;
-  for (int n = 0; n < nodes; ++n)
-    out.insert(out.end(), values[static_cast<size_t>(n)].begin(), values[static_cast<size_t>(n)].end());
+  for (int n = 0; n < nodes; ++n) out.insert(out.end(), values[n].begin(), values[n].end());
   return out;
 }
 
@@ -84,9 +82,8 @@ double drawn_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode)
   double size = sim.model().lines.empty() ? 1 : 0, turn = 0;  // m, rad
   for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
   for (int b = 0; b < sim.bodies().size(); ++b)
-    if (const int n = sim.bodies().local_node(b); n >= 0)
-      turn = std::max(turn, mode.rotation[static_cast<size_t>(n)].norm());
-  MPI_Allreduce(MPI_IN_PLACE, &turn, 1, MPI_DOUBLE, MPI_MAX, comm);
+    if (const int n = sim.bodies().local_node(b); n >= 0) turn = std::max(turn, mode.rotation[n].norm());
+  all_reduce(comm, MPI_MAX, turn);
   return size * turn > kTurned ? kTurned / turn : size;
 }
 
@@ -103,8 +100,7 @@ State moved(const State& at, const NaturalMode& mode, double size) {
 void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volumes, const ModesOptions& o,
            const std::string& path, const std::vector<NaturalMode>& found,
            const std::vector<std::string>& messages) {
-  int rank = 0, size = 1;
-  MPI_Comm_rank(comm, &rank), MPI_Comm_size(comm, &size);
+  const int rank = rank_of(comm), size = ranks_of(comm);
   const LocalMesh& local = sim.local();
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   io::ResultsFile file = io::ResultsFile::create(
@@ -127,8 +123,7 @@ void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volu
 }  // namespace
 
 int modes(MPI_Comm comm, const ModesOptions& options) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   Progress progress(rank == 0 && !options.quiet);
   model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
   const std::filesystem::path beside(c.path);

@@ -1,7 +1,6 @@
 // The class NodeStatistics: the update of statistics at a step, their table, and their place in a checkpoint.
 #include "hawser/app/node_statistics.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

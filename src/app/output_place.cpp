@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <utility>
 
 #include "hawser/app/files.hpp"
 #include "hawser/base/error.hpp"
@@ -27,7 +26,7 @@ std::string followed(fs::path path) {
 }
 
 InputError refusal(const std::string& path, const std::string& why) {
-  return InputError(fmt::format("cannot write the results to {}: {}", path, why));
+  return InputError("cannot write the results to {}: {}", path, why);
 }
 
 bool same_file(const std::string& a, const std::string& b) {
@@ -68,9 +67,9 @@ void OutputPlace::check() const {
   if (limit > 0 && longest.size() > static_cast<size_t>(limit))
     throw refusal(
         path_,
-        fmt::format("the name is too long: with .xdmf.new in place of .h5 it has {} characters, {} are "
-                    "allowed there",
-                    longest.size(), limit));
+        fmt::format(
+            "the name is too long: with .xdmf.new in place of .h5 it has {} characters, {} are allowed there",
+            longest.size(), limit));
 }
 
 // Files that are there already, and that the run will replace.
@@ -78,12 +77,10 @@ void OutputPlace::check_old(const std::string& restart) {
   const auto there = [](const std::string& name) { return fs::exists(fs::symlink_status(name)); };
   const auto check_one = [&](const std::string& name, bool ours) {
     if (!there(name) || ours) return;
-    throw refusal(path_,
-                  fs::is_directory(name)
-                      ? name + " is a folder"
-                      : name +
-                            " is not of hawser's making, and is not replaced; move it away, or give another "
-                            "file with -o");
+    throw refusal(path_, fs::is_directory(name) ? name + " is a folder"
+                                                : name +
+                                                      " is not of hawser's making, and is not replaced; move "
+                                                      "it away, or give another file with -o");
   };
   const std::string xdmf = io::xdmf_beside(path_);
   check_one(path_, io::is_results(path_));

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/gather.hpp"
+
 namespace hawser::app {
 namespace {
 
@@ -41,24 +43,21 @@ PipeStrength::PipeStrength(const model::Case& c, const LocalMesh& local) : case_
   }
   const Mesh& mesh = *local.mesh;
   for (size_t n = 0; n < static_cast<size_t>(local.owned) && !codes_.empty(); ++n) {
-    const Node& node = mesh.nodes[static_cast<size_t>(local.global[n])];
+    const Node& node = mesh.nodes[local.global[n]];
     auto& sides = sides_.emplace_back();
     if (node.body >= 0) continue;
-    const LineSpan& line = mesh.lines[static_cast<size_t>(node.line)];
+    const LineSpan& line = mesh.lines[node.line];
     for (const size_t side : {0u, 1u}) {
       const int i = local.global[n] - line.first_node - 1 + static_cast<int>(side);
       if (i < 0 || i >= line.elements) continue;
-      const int type = mesh.elements[static_cast<size_t>(line.first_element + i)].type;
-      if (of_type_[static_cast<size_t>(type)] >= 0) sides[side] = {type, node.arc, node.line};
+      const int type = mesh.elements[line.first_element + i].type;
+      if (of_type_[type] >= 0) sides[side] = {type, node.arc, node.line};
     }
   }
 }
 
 void PipeStrength::add_fields(std::vector<Field>& fields) {
-  const auto find = [&](const char* name) {
-    const auto at = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
-    return at == fields.end() ? -1 : static_cast<int>(at - fields.begin());
-  };
+  const auto find = [&](const char* name) { return find_field(fields, name); };
   tension_ = find(kTension), moment_2_ = find(kMoment2), moment_3_ = find(kMoment3),
   curvature_ = find(kCurvature);
   if (codes_.empty() || std::min({tension_, moment_2_, moment_3_, curvature_}) < 0) return;
@@ -78,7 +77,7 @@ bool PipeStrength::wants(std::string_view field) const {
 }
 
 PipeLoads PipeStrength::loads(const std::vector<std::vector<double>>& values, size_t node) const {
-  const auto of = [&](int field) { return values[static_cast<size_t>(field)][node]; };
+  const auto of = [&](int field) { return values[field][node]; };
   return {of(moment_2_), of(moment_3_), of(tension_)};
 }
 
@@ -88,10 +87,10 @@ void PipeStrength::rest(const std::vector<std::vector<double>>& values) {
 }
 
 double PipeStrength::condition(const Side& side, const PipePlaces& places) const {
-  const PipeConditions& of = case_.line_types[static_cast<size_t>(side.type)].conditions;
+  const PipeConditions& of = case_.line_types[side.type].conditions;
   const auto in = [&](const std::vector<std::array<double, 2>>& stretches) {
     if (stretches.empty()) return false;
-    const auto& [from, to] = stretches[static_cast<size_t>(side.line)];
+    const auto& [from, to] = stretches[side.line];
     return from <= side.arc && side.arc <= to;
   };
   return in(places.supports) ? of.supports : in(places.seabed) ? of.seabed : of.span;
@@ -107,11 +106,11 @@ void PipeStrength::fill(std::vector<std::vector<double>>& values, const PipePlac
     double worst[3] = {std::nan(""), std::nan(""), std::nan("")};
     for (const Side& side : sides_[n]) {
       if (side.type < 0) continue;
-      const model::LineType& type = case_.line_types[static_cast<size_t>(side.type)];
-      const PipeCodes& codes = codes_[static_cast<size_t>(of_type_[static_cast<size_t>(side.type)])];
+      const model::LineType& type = case_.line_types[side.type];
+      const PipeCodes& codes = codes_[of_type_[side.type]];
       const double inside =
           type.contents_pressure + type.contents_density * case_.environment.gravity * depth;
-      const double strain = 0.5 * codes.outer() * values[static_cast<size_t>(curvature_)][n];
+      const double strain = 0.5 * codes.outer() * values[curvature_][n];
       if (!rest_.empty()) {
         const double factor = condition(side, places);
         worst[0] = std::fmax(worst[0], codes.local_buckling(rest_[n], now, factor, outside, inside));
@@ -122,13 +121,13 @@ void PipeStrength::fill(std::vector<std::vector<double>>& values, const PipePlac
     }
     for (const auto& [field, value] :
          {std::pair{buckling_, worst[0]}, {bending_, worst[1]}, {pull_, worst[2]}})
-      if (field >= 0) values[static_cast<size_t>(field)][n] = value;
+      if (field >= 0) values[field][n] = value;
   }
 }
 
 std::vector<std::string> PipeStrength::warnings(MPI_Comm comm) const {
   double most = pulled_;
-  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, comm);
+  all_reduce(comm, MPI_MAX, most);
   if (!(most > kMostPulled)) return {};
   return {
       fmt::format("the design tension of a pipe is {:.2g} of that at yield: DNV-ST-F101's formulas for "

@@ -50,8 +50,8 @@ int post(char** arguments) {
   // The package comes first, not the folder of the user, in which there may be modules of the same names.
   std::string python = "python3", no_bytecode = "-B", command = "-c", from = folder.string(),
               start =
-                  "import runpy, sys; sys.path[0] = sys.argv.pop(1); "
-                  "runpy.run_module('hawser_post', run_name='__main__', alter_sys=True)";
+                  "import runpy, sys; sys.path[0] = sys.argv.pop(1); runpy.run_module('hawser_post', "
+                  "run_name='__main__', alter_sys=True)";
   std::vector<char*> words{python.data(), no_bytecode.data(), command.data(), start.data(), from.data()};
   for (; *arguments; ++arguments) words.push_back(*arguments);
   words.push_back(nullptr);

@@ -14,6 +14,7 @@
 #include "hawser/app/cost.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/app/run_parts.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -84,11 +85,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   utilisation_.add_fields(fields_);
   pipes_.add_fields(fields_);
   for (const auto& f : fields_) values_.emplace_back(static_cast<size_t>(local.owned * f.components));
-  auto find = [&](const std::string& name) {
-    for (size_t i = 0; i < fields_.size(); ++i)
-      if (fields_[i].name == name) return static_cast<int>(i);
-    return -1;
-  };
+  const auto find = [&](const std::string& name) { return find_field(fields_, name); };
   pressed_ = find("contact_normal_force");
   for (const char* name : {"contact_normal_force", "line_contact_normal_force", "seabed_force"})
     if (const int f = find(name); f >= 0) touches_.push_back(f);
@@ -109,7 +106,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
                           (c.output.statistics && s.statistics));
   const int corrected[] = {tension_, declination_, wall_, shear_, torsion_, moment_, moment_2_, moment_3_};
   rest_apart_ = std::all_of(std::begin(corrected), std::end(corrected),
-                            [this](int f) { return f < 0 || every_step_[static_cast<size_t>(f) - 2]; });
+                            [this](int f) { return f < 0 || every_step_[f - 2]; });
 
   io::ResultContents contents;
   contents.run = run;
@@ -159,7 +156,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
   if (const Feeders* feeders = sim_.feeders())
     for (const Feeder& f : feeders->list())
       contents.series.push_back(
-          {fmt::format("{} {} feed", c.lines[static_cast<size_t>(f.line)].name, f.at_b ? "end_b" : "end_a"),
+          {fmt::format("{} {} feed", c.lines[f.line].name, f.at_b ? "end_b" : "end_a"),
            {{"paid_out", "m", 1}, {"feed_speed", "m/s", 1}, {"tension", "N", 1}, {"mouth_length", "m", 1}}});
   io::ResultSeries energy{"energy", {}};
   for (const char* name :
@@ -188,7 +185,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
 
 // Fields that neither histories nor extremes nor statistics show are for outputs alone.
 void Recorder::fill(const Kinematics& at, bool all) {
-  const size_t owned = static_cast<size_t>(sim_.local().owned);
+  const size_t owned = sim_.local().owned;
   for (size_t n = 0; n < owned; ++n)
     for (size_t k = 0; k < 3; ++k) {
       values_[0][3 * n + k] = at.x[n][static_cast<Eigen::Index>(k)];
@@ -227,7 +224,7 @@ PipePlaces Recorder::pipe_places(const Kinematics& at) {
 }
 
 void Recorder::fill_field(size_t f, const Kinematics& at) {
-  if (onto_[f] >= 0) values_[f + 2] = values_[static_cast<size_t>(onto_[f])];
+  if (onto_[f] >= 0) values_[f + 2] = values_[onto_[f]];
   registry_.sources()[f].fill(at, values_[f + 2]);
 }
 
@@ -239,7 +236,7 @@ void Recorder::correct_ends(const Kinematics& at) {
   std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
   for (const int f : carriers_)
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
-      carried[n] += Eigen::Map<const Vec3>(values_[static_cast<size_t>(f)].data() + 3 * n).cwiseAbs();
+      carried[n] += Eigen::Map<const Vec3>(values_[f].data() + 3 * n).cwiseAbs();
   if (!carriers_.empty()) sim_.system().spread(carried);
   // A run in time that begins without statics has no step yet, but what acts is that of motion: waves.
   Kinematics now = at;
@@ -249,20 +246,20 @@ void Recorder::correct_ends(const Kinematics& at) {
 
   for (auto& e : ends_) e.clear();
   for (const EndForces::Place& p : end_forces_.places()) {
-    const size_t n = static_cast<size_t>(p.node);
+    const size_t n = p.node;
     const auto larger = [&p](auto&& of) {
       const double a = of(p.sides[0]), b = of(p.sides[1]);
       return std::abs(a) > std::abs(b) ? a : b;
     };
     const auto put = [&](int field, double value) {
-      return field < 0 ? 0 : std::exchange(values_[static_cast<size_t>(field)][n], value);
+      return field < 0 ? 0 : std::exchange(values_[field][n], value);
     };
     put(before_, p.sides[0].tension()), put(after_, p.sides[1].tension());
     const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
     put(declination_, degrees(declination(p.end >= 0 ? p.at_end().direction : Vec3(first + second))));
     const double tension = larger([](const SectionForce& s) { return s.tension(); });
     const double middle = put(tension_, tension);
-    if (wall_ >= 0) values_[static_cast<size_t>(wall_)][n] += tension - middle;
+    if (wall_ >= 0) values_[wall_][n] += tension - middle;
     if (p.sides[0].beam || p.sides[1].beam) {
       const auto moment = [&](int axis) {
         return larger([&](const SectionForce& s) { return s.moment.dot(at.q[n] * Vec3::Unit(axis)); });
@@ -312,7 +309,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   if (audit_.update(start_, sum_of(comm_, share), info.time, info.h, passed_through(info.h)) && info.h > 0)
     find_worst(at);
   extremes_->add(info.time, values_, utilisation_);
-  const auto &on_a = values_[static_cast<size_t>(before_)], &on_b = values_[static_cast<size_t>(after_)];
+  const auto &on_a = values_[before_], &on_b = values_[after_];
   folds_.look(shown, on_a, on_b);
   snaps_.look(info.time, info.h, on_a, on_b);
   if (statistics_) statistics_->add(info.time, values_);
@@ -333,8 +330,7 @@ void Recorder::append_rows(const StepInfo& info, const Kinematics& at) {
       rows.push_back(std::move(row));
   if (supports_)
     for (std::vector<double>& row : support_rows_) rows.push_back(std::move(row));
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   if (shows_touchdowns())
     for (const Touchdown& t : touchdowns_.find(at))
       rows.push_back(rank == 0 ? touchdown_row(t) : std::vector<double>{});
@@ -379,12 +375,11 @@ void Recorder::find_worst(const Kinematics& at) {
   const NodeValue most = sim_.dynamics().roughest();
   int with = 0;
   const int n = sim_.local().find(most.node);
-  if (n >= 0 && n < sim_.local().owned)
+  if (sim_.local().owns(n))
     for (size_t f = 2; f < fields_.size() && with == 0; ++f) {
       const int components = fields_[f].components;
       double size = 0;
-      for (int c = 0; c < components; ++c)
-        size += std::abs(values_[f][static_cast<size_t>(n * components + c)]);
+      for (int c = 0; c < components; ++c) size += std::abs(values_[f][n * components + c]);
       if (size == 0) continue;
       if (fields_[f].name == "contact_normal_force")
         with = static_cast<int>(Audit::Step::ContactWith::volume);
@@ -392,7 +387,7 @@ void Recorder::find_worst(const Kinematics& at) {
         with = static_cast<int>(Audit::Step::ContactWith::line);
       if (fields_[f].name == "seabed_force") with = static_cast<int>(Audit::Step::ContactWith::seabed);
     }
-  MPI_Allreduce(MPI_IN_PLACE, &with, 1, MPI_INT, MPI_MAX, comm_);
+  all_reduce(comm_, MPI_MAX, with);
   audit_.located(most.node, static_cast<Audit::Step::ContactWith>(with));
 }
 

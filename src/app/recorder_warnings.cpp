@@ -33,15 +33,14 @@ std::string Recorder::audit_warning() const {
 
 void Recorder::look_at_elements(const Kinematics& at) {
   const auto of = [&](int f) {
-    return f < 0 ? std::span<const double>() : std::span<const double>(values_[static_cast<size_t>(f)]);
+    return f < 0 ? std::span<const double>() : std::span<const double>(values_[f]);
   };
   ElementErrors::Values v{of(tension_), of(moment_), of(pressed_), {}};
-  v.carried.resize(static_cast<size_t>(sim_.local().owned), false);
+  v.carried.resize(sim_.local().owned, false);
   for (const int f : touches_)
-    for (size_t n = 0, c = static_cast<size_t>(fields_[static_cast<size_t>(f)].components);
-         n < v.carried.size(); ++n)
+    for (size_t n = 0, c = static_cast<size_t>(fields_[f].components); n < v.carried.size(); ++n)
       for (size_t k = 0; k < c; ++k)
-        if (values_[static_cast<size_t>(f)][n * c + k] != 0) v.carried[n] = true;
+        if (values_[f][n * c + k] != 0) v.carried[n] = true;
   element_errors_.look(at, v);
 }
 
@@ -72,18 +71,16 @@ void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
     if (r.quantity != "max penetration") continue;
     double radius = 0;
     const model::Case& c = sim_.model();
-    for (const auto& s : c.lines[static_cast<size_t>(c.line_index(r.line))].sections)
+    for (const auto& s : c.lines[c.line_index(r.line)].sections)
       radius = std::max(radius, 0.5 * c.line_type(s.type).contact_diameter);
     if (r.value > c.contact.warned_penetration * radius)
       warnings_.push_back(fmt::format(
-          "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, "
-          "{}: {}",
+          "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, {}: {}",
           r.line, r.value, radius, r.arc_length, when_text(c, r.time),
           r.value > radius
               ? "it is trapped inside, and contact forces there are meaningless"
               : "contact is too soft for what presses; a normal_stiffness that is given can be raised, an "
-                "automatic one is as high as the line's EA asks: is its tension more than it "
-                "bears?"));
+                "automatic one is as high as the line's EA asks: is its tension more than it bears?"));
   }
   for (const std::string& w : pipes_.warnings(comm_)) warnings_.push_back(w);
   if (supports_)

@@ -149,7 +149,7 @@ std::string damage(const io::Checkpoint& c) {
 // The state, reactions and mean forces of the owned nodes.
 void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<double>& reactions,
                 const MeanForces& mean, io::Checkpoint& c) {
-  const size_t owned = static_cast<size_t>(m.owned);
+  const size_t owned = m.owned;
   for (size_t i = 0; i < std::size(kVectors); ++i)
     c.nodes[kVectors[i]] = field_of(
         owned, 3, [&of = vectors(s, i)](size_t n, size_t k) { return of[n][static_cast<Eigen::Index>(k)]; });
@@ -196,7 +196,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
   c.scalars["step.calm"] = d.control().calm();
   c.scalars["step.last"] = d.last_step();
   double work = d.support_work();
-  MPI_Allreduce(MPI_IN_PLACE, &work, 1, MPI_DOUBLE, MPI_SUM, simulation.system().comm());
+  all_reduce(simulation.system().comm(), MPI_SUM, work);
   c.scalars["support_work"] = work;
   const LineVolumeContact* contact = simulation.contact();
   for (int v = 0; contact && v < contact->volumes(); ++v)
@@ -210,10 +210,10 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
 namespace {
 
 InputError older(const std::string& path, const std::string& what) {
-  return InputError(fmt::format(
-      "cannot go on from {}: another version of hawser wrote it, which kept other quantities of {}; "
-      "begin with its last shape by 'start: {{from: {}}}', or anew",
-      path, what, path));
+  return InputError(
+      "cannot go on from {}: another version of hawser wrote it, which kept other quantities of {}; begin "
+      "with its last shape by 'start: {{from: {}}}', or anew",
+      path, what, path);
 }
 
 }  // namespace
@@ -234,7 +234,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   io::Checkpoint c = io::read_checkpoint(comm, path, static_cast<int>(simulation.mesh().nodes.size()),
                                          {m.global.begin(), m.global.begin() + m.owned});
   const auto refuse = [&](const std::string& why) {
-    return InputError(fmt::format("cannot go on from {}: it holds another case: {}", path, why));
+    return InputError("cannot go on from {}: it holds another case: {}", path, why);
   };
   const auto here = signature(simulation);
   const auto named = [](const std::string& key, const std::string& prefix, const char* what) {
@@ -258,7 +258,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
                                   [](const auto& s) { return s.first.starts_with("case."); });
   if (more != static_cast<long>(here.size())) throw refuse("other volumes, or more links");
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
-    throw InputError(fmt::format("cannot go on from {}: {}", path, wrong));
+    throw InputError("cannot go on from {}: {}", path, wrong);
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
   check_history(c, simulation.system(), path);
   return c;
@@ -272,11 +272,11 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
   } catch (const InputError& e) {
     const std::vector<std::string>& changes = simulation.model().changes;
     if (changes.empty()) throw;
-    throw InputError(fmt::format(
+    throw InputError(
         "{} (the case is changed by --set {}; a run that goes on may have another duration, other motions, "
         "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or "
         "volumes)",
-        e.what(), fmt::join(changes, " --set ")));
+        e.what(), fmt::join(changes, " --set "));
   }
 }
 
@@ -304,7 +304,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   s.s.resize(m.nodes());
   s.s.time = c.time;
   alpha_start(m, s);
-  const size_t owned = static_cast<size_t>(m.owned);
+  const size_t owned = m.owned;
   const auto take = [&](const char* name, std::vector<Vec3>& to) {
     const auto& f = c.nodes.at(name);
     for (size_t n = 0; n < owned; ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
@@ -338,8 +338,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
       contact->raise_to(v, it->second);
   simulation.raised_stiffness("");  // that was told by the run that raised it
 
-  int rank = 0;
-  MPI_Comm_rank(system.comm(), &rank);
+  const int rank = rank_of(system.comm());
   Dynamics::Carried carried;
   // The case may ask for shorter steps than it did then.
   const StepSettings step = simulation.dynamics_settings().step;

@@ -11,6 +11,7 @@
 #include "hawser/app/targets.hpp"
 #include "hawser/app/version.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/model/wave_components.hpp"
 
@@ -29,8 +30,7 @@ std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh)
   std::vector<io::ResultLine> out;
   for (size_t l = 0; l < mesh.lines.size(); ++l) {
     io::ResultLine line{c.lines[l].name, mesh.lines[l].first_node, mesh.lines[l].nodes, {}};
-    for (int n = 0; n < line.nodes; ++n)
-      line.arc.push_back(mesh.nodes[static_cast<size_t>(line.first_node + n)].arc);
+    for (int n = 0; n < line.nodes; ++n) line.arc.push_back(mesh.nodes[line.first_node + n].arc);
     out.push_back(std::move(line));
   }
   return out;
@@ -55,9 +55,7 @@ std::vector<io::BodyPose> body_poses(Simulation& sim, const Kinematics& at) {
     const Vec3 x = p ? p->position : Vec3(Vec3::Zero());
     packed.insert(packed.end(), {x.x(), x.y(), x.z(), q.w(), q.x(), q.y(), q.z()});
   }
-  if (!packed.empty())
-    MPI_Allreduce(MPI_IN_PLACE, packed.data(), static_cast<int>(packed.size()), MPI_DOUBLE, MPI_SUM,
-                  sim.system().comm());
+  if (!packed.empty()) all_reduce(sim.system().comm(), MPI_SUM, packed);
   std::vector<io::BodyPose> out;
   const double* t = packed.data();
   for (int b = 0; b < bodies; ++b) {
@@ -119,9 +117,8 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
       !sim.static_friction() && c.contact.has_friction(c.volumes) ? ", without friction of contact" : ""));
   if (s.escapes > 0)
     progress.say(fmt::format(
-        "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can "
-        "rest in "
-        "more than one shape, see whether this is the one meant, and say so by `start` if it is not",
+        "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can rest "
+        "in more than one shape, see whether this is the one meant, and say so by `start` if it is not",
         s.escapes, s.escapes == 1 ? "um" : "a"));
   if (s.negative_eigenvalues > 0)
     progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",

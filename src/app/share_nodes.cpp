@@ -15,9 +15,8 @@ std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh&
   if (!c.contact.between_lines.enabled) return {};
   std::vector<double> radius;
   for (const Element& e : mesh.elements)
-    radius.push_back(c.contact.takes_part(c.lines[static_cast<size_t>(e.line)])
-                         ? 0.5 * c.line_types[static_cast<size_t>(e.type)].contact_diameter
-                         : 0.0);
+    radius.push_back(c.contact.takes_part(c.lines[e.line]) ? 0.5 * c.line_types[e.type].contact_diameter
+                                                           : 0.0);
   const LocalMesh whole = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
   const StartShape shape = start_shape(c, whole, bodies);
   CandidateSettings settings;
@@ -32,7 +31,7 @@ std::vector<int> whole_lines(const model::Case& c) {
   const std::vector<std::pair<int, int>> excluded = excluded_pairs(c);
   std::vector<int> whole;
   for (int l = 0; l < static_cast<int>(c.lines.size()); ++l)
-    if (c.contact.takes_part(c.lines[static_cast<size_t>(l)]) &&
+    if (c.contact.takes_part(c.lines[l]) &&
         !std::binary_search(excluded.begin(), excluded.end(), std::pair(l, l)))
       whole.push_back(l);
   return whole;

@@ -40,17 +40,16 @@ namespace {
 std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh,
                                                  const std::vector<int>& held) {
   std::vector<bool> is_held(static_cast<size_t>(mesh.nodes()), false);
-  for (const int n : held) is_held[static_cast<size_t>(n)] = true;
+  for (const int n : held) is_held[n] = true;
   std::vector<LineContactElement> out;
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
-    const auto& type = c.line_types[static_cast<size_t>(g.type)];
+    const auto& type = c.line_types[g.type];
     LineContactElement& element = out.emplace_back();
-    if (c.contact.takes_part(c.lines[static_cast<size_t>(g.line)]))
-      element.radius = 0.5 * type.contact_diameter;
+    if (c.contact.takes_part(c.lines[g.line])) element.radius = 0.5 * type.contact_diameter;
     element.mass_per_length = type.mass_per_length;
     element.rolling = c.contact.rolling;
-    element.held = {is_held[static_cast<size_t>(e.first)], is_held[static_cast<size_t>(e.second)]};
+    element.held = {is_held[e.first], is_held[e.second]};
   }
   return out;
 }
@@ -65,13 +64,12 @@ std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const 
   }
   for (const model::Event& e : c.events)
     if (e.action.kind == model::Action::Kind::release) {
-      const LineSpan& span = local.mesh->lines[static_cast<size_t>(c.line_index(e.action.line))];
+      const LineSpan& span = local.mesh->lines[c.line_index(e.action.line)];
       let_go.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
     }
   std::vector<int> held;
   for (const Support& s : supports)
-    if (s.position_mask != 0 && !let_go.count(local.global[static_cast<size_t>(s.node)]))
-      held.push_back(s.node);
+    if (s.position_mask != 0 && !let_go.count(local.global[s.node])) held.push_back(s.node);
   return held;
 }
 
@@ -83,11 +81,11 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   AutomaticStiffness best;
   double mass = 0, most = 0;
   for (const Element& e : mesh.elements) {
-    const auto& t = c.line_types[static_cast<size_t>(e.type)];
+    const auto& t = c.line_types[e.type];
     StiffnessDemand d;
     d.radius = 0.5 * t.contact_diameter;
     d.weight = t.mass_per_length * c.environment.gravity;
-    d.length = mesh.lines[static_cast<size_t>(e.line)].length;
+    d.length = mesh.lines[e.line].length;
     d.EA = t.EA;
     d.bend = bending_radius(v, d.radius);
     d.allowed_penetration = v.allowed_penetration;
@@ -103,8 +101,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
   if (c.dynamics.enabled && step > 0 && bounce < 1.5 * step)
     note += fmt::format(
-        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show "
-        "its force",
+        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show its force",
         bounce, step);
   notes.push_back(note);
 }
@@ -156,9 +153,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 
 // The mesh over the ranks.
 void Simulation::distribute(MPI_Comm comm) {
-  int rank = 0, size = 1;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &size);
+  const int rank = rank_of(comm), size = ranks_of(comm);
   const std::vector<int> owner = share_nodes(case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
   if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
@@ -242,7 +237,7 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
 
 std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) const {
   if (bodies_->floats(body))
-    if (const int n = bodies_->local_node(body); n < 0 || n >= local().owned) return std::nullopt;
+    if (const int n = bodies_->local_node(body); !local().owns(n)) return std::nullopt;
   return bodies_->pose(body, at);
 }
 
@@ -286,7 +281,7 @@ void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
     notes_.push_back(
         fmt::format("lines.{}: lies on the bed from end to end and nothing says where it was laid, so that "
                     "statics has no friction on it; 'start: straight' or points on the bed say where",
-                    mesh_->lines[static_cast<size_t>(l)].name));
+                    mesh_->lines[l].name));
   settings.near = true;
   const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
   report.iterations += more.iterations, report.escapes += more.escapes;
@@ -336,8 +331,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
       throw SolveError("statics: " + why);
   for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
   std::vector<double> slack = structure_->slack(state_.view(0));
-  MPI_Allreduce(MPI_IN_PLACE, slack.data(), static_cast<int>(slack.size()), MPI_DOUBLE, MPI_SUM,
-                system_->comm());
+  all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
       notes_.push_back(fmt::format(
@@ -345,8 +339,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
           mesh_->lines[l].name, slack[l],
           settings.relaxation == RelaxationUse::when_newton_fails
               ? "rounding may choose (so may the number of ranks): 'start' says which is meant, and "
-                "'statics: "
-                "{dynamic_relaxation: always}' lets it fall into place"
+                "'statics: {dynamic_relaxation: always}' lets it fall into place"
               : "it has fallen into one; 'start' says which is meant"));
   return report;
 }
@@ -354,7 +347,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
 std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
   std::vector<std::string> out;
   for (int v = 0; contact_ && v < contact_->volumes(); ++v) {
-    double& last = last_stiffness_[static_cast<size_t>(v)];
+    double& last = last_stiffness_[v];
     if (contact_->stiffness(v) == last) continue;
     out.push_back(raised_note(contact_->volume_name(v), last, contact_->stiffness(v), when));
     last = contact_->stiffness(v);
@@ -370,7 +363,7 @@ void Simulation::check_inside() const {
 }
 
 std::string Simulation::inside(int volume, const Kinematics& at) const {
-  ContactVolume v = volumes_[static_cast<size_t>(volume)];
+  ContactVolume v = volumes_[volume];
   v.off = false;
   std::vector<LeftOut> left_out;
   for (LeftOut l : start_contact_.left_out)

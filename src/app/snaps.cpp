@@ -31,16 +31,16 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
       echo_(mesh.mesh->lines.size(), 0),
       worst_(mesh.mesh->lines.size()) {
   for (const Element& e : mesh.mesh->elements) {
-    const model::LineType& t = c.line_types[static_cast<size_t>(e.type)];
-    echo_[static_cast<size_t>(e.line)] += 2 * e.length * std::sqrt(t.mass_per_length / t.EA);
+    const model::LineType& t = c.line_types[e.type];
+    echo_[e.line] += 2 * e.length * std::sqrt(t.mass_per_length / t.EA);
   }
   for (const LocalElement& l : mesh.elements) {
-    const Element& e = mesh.mesh->elements[static_cast<size_t>(l.global)];
-    const model::LineType& t = c.line_types[static_cast<size_t>(e.type)];
-    if (!counts(c, c.lines[static_cast<size_t>(e.line)])) continue;
+    const Element& e = mesh.mesh->elements[l.global];
+    const model::LineType& t = c.line_types[e.type];
+    if (!counts(c, c.lines[e.line])) continue;
     for (const int n : {l.first, l.second})
       if (n < mesh.owned) {
-        double& slowest = passage_[static_cast<size_t>(n)];
+        double& slowest = passage_[n];
         slowest = std::max(slowest, e.length * std::sqrt(t.mass_per_length / t.EA));
       }
   }
@@ -51,8 +51,8 @@ void Snaps::look(double time, double h, std::span<const double> on_a, std::span<
   before_.resize(passage_.size());
   for (size_t n = 0; n < passage_.size(); ++n) {
     if (passage_[n] == 0) continue;
-    const Node& node = mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[n])];
-    Worst& w = worst_[static_cast<size_t>(node.line)];
+    const Node& node = mesh_.mesh->nodes[mesh_.global[n]];
+    Worst& w = worst_[node.line];
     Before& b = before_[n];
     const double tension = std::max({on_a[n], on_b[n], 0.0});
     if (!steps || tension < (1 - kHeld) * b.last || tension <= b.low) b.low = tension, b.since = time;
@@ -78,10 +78,10 @@ void Snaps::look(double time, double h, std::span<const double> on_a, std::span<
 
 std::string Snaps::warning(MPI_Comm comm, int line, const std::string& name, double largest_tension,
                            bool damped, bool fixed) const {
-  Worst w = worst_[static_cast<size_t>(line)];
+  Worst w = worst_[line];
   if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
   const bool steps = w.angle > kResolved, elements = w.rate * w.passage > kResolved,
-             blow = w.tension - w.from > kBlow * w.tension && w.within < echo_[static_cast<size_t>(line)];
+             blow = w.tension - w.from > kBlow * w.tension && w.within < echo_[line];
   if (!steps && !elements && !(damped && blow)) return {};
   std::string why;
   if (steps)
@@ -95,8 +95,7 @@ std::string Snaps::warning(MPI_Comm comm, int line, const std::string& name, dou
   const double shorter = steps ? 0.5 * w.step * kResolved / w.angle : 0.5 * w.step;
   return fmt::format(
       "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that of a blow "
-      "which "
-      "is not resolved: {}, so that it may be higher or lower. Where it matters, compare with "
+      "which is not resolved: {}, so that it may be higher or lower. Where it matters, compare with "
       "dynamics.{}: {:.2g} s and elements half as long",
       name, w.tension / 1000, w.arc, w.time, why, fixed ? "step" : "max_step", shorter);
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hawser/app/end_forces.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/declination.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -73,7 +74,7 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
     out.ends[2 * static_cast<size_t>(p.end)] = s.tension();
     out.ends[2 * static_cast<size_t>(p.end) + 1] = declination(s.direction);
   }
-  MPI_Allreduce(MPI_IN_PLACE, out.ends.data(), static_cast<int>(out.ends.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, out.ends);
   out.feeders = ends.at_feeders();
   out.down = Touchdowns(comm, sim.model(), sim.local()).find(at);
   return out;
@@ -83,7 +84,7 @@ SoughtLength::SoughtLength(const model::Case& c, size_t line)
     : line_(line),
       t_(*c.lines[line].target),
       key_(fmt::format("lines.{}.sections[{}]", c.lines[line].name, t_.section)),
-      given_(c.lines[line].sections[static_cast<size_t>(t_.section)].length),
+      given_(c.lines[line].sections[t_.section].length),
       rest_(model::length_of(c.lines[line]) - given_) {
   begin(given_, kFirstStep * given_);
 }
@@ -112,7 +113,7 @@ void SoughtLength::again() { begin(good_, kNextStep * good_); }
 bool SoughtLength::narrow() const { return search_.bracketed() && search_.width() < kNarrow * length_; }
 
 double SoughtLength::reached(const AtRest& now) const {
-  if (feeder_ >= 0) return now.feeders[static_cast<size_t>(feeder_)];
+  if (feeder_ >= 0) return now.feeders[feeder_];
   if (t_.kind == Kind::tension || t_.kind == Kind::declination)
     return now.ends[4 * line_ + (t_.at_a ? 0 : 2) + (t_.kind == Kind::tension ? 0 : 1)];
   const Touchdown& down = now.down[line_];
@@ -150,8 +151,7 @@ std::string SoughtLength::found(const model::Case& c, int trials) const {
         "rest with its tension of {} (found in {} statics)",
         name, length_, end, given_, value_text(t_, t_.value), trials);
   return fmt::format(
-      "line {}: section {} is {:.6f} m long ({:g} m in the case), so that the {} is {} (found in "
-      "{} statics)",
+      "line {}: section {} is {:.6f} m long ({:g} m in the case), so that the {} is {} (found in {} statics)",
       name, t_.section + 1, length_, given_, name_of(t_), value_text(t_, value_), trials);
 }
 

@@ -23,8 +23,8 @@ std::vector<double> radii(const model::Case& c, const LocalMesh& mesh) {
   std::vector<double> out;
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
-    const bool part = c.contact.takes_part(c.lines[static_cast<size_t>(g.line)]);
-    out.push_back(part ? 0.5 * c.line_types[static_cast<size_t>(g.type)].contact_diameter : 0);
+    const bool part = c.contact.takes_part(c.lines[g.line]);
+    out.push_back(part ? 0.5 * c.line_types[g.type].contact_diameter : 0);
   }
   return out;
 }
@@ -97,7 +97,7 @@ void shorten(std::vector<std::string>& sentences, const std::string& what) {
 void take_off(std::vector<Inside>& inside, const std::vector<LeftOut>& left_out, const Mesh& mesh) {
   std::vector<Inside> out;
   for (Inside s : inside) {
-    const double length = mesh.lines[static_cast<size_t>(s.line)].length;
+    const double length = mesh.lines[s.line].length;
     const auto l = std::find_if(left_out.begin(), left_out.end(),
                                 [&](const LeftOut& o) { return o.line == s.line && o.volume == s.volume; });
     if (l != left_out.end()) {
@@ -129,15 +129,14 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
     }
   for (size_t v = 0; v < volumes.size(); ++v)  // what rides on a line does not touch it
     if (c.rides(volumes[v].body)) {
-      const int line = c.line_index(c.bodies[static_cast<size_t>(volumes[v].body)].on->line);
-      entry(line, static_cast<int>(v)).end_a = mesh.lines[static_cast<size_t>(line)].length;
+      const int line = c.line_index(c.bodies[volumes[v].body].on->line);
+      entry(line, static_cast<int>(v)).end_a = mesh.lines[line].length;
     }
   for (const Inside& s : start.inside) {
-    if (const auto known = of.find({s.line, s.volume});
-        known != of.end() && c.rides(volumes[static_cast<size_t>(s.volume)].body))
+    if (const auto known = of.find({s.line, s.volume}); known != of.end() && c.rides(volumes[s.volume].body))
       continue;
-    const model::Line& line = c.lines[static_cast<size_t>(s.line)];
-    const double length = mesh.lines[static_cast<size_t>(s.line)].length, near = 1e-9 * length;
+    const model::Line& line = c.lines[s.line];
+    const double length = mesh.lines[s.line].length, near = 1e-9 * length;
     if (s.from <= near && s.to >= length - near) continue;  // never comes out
     for (const bool b : {false, true}) {
       const model::End& e = line.end(b);
@@ -150,7 +149,7 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
           "contact with it ('no_contact_within' sets another length)",
           line.name, b ? "b" : "a",
           s.depth > 0 ? fmt::format("up to {:.3g} m inside", s.depth) : std::string("at the surface of"),
-          volumes[static_cast<size_t>(s.volume)].settings.name, reach));
+          volumes[s.volume].settings.name, reach));
     }
   }
   for (const auto& [key, l] : of) start.left_out.push_back(l);
@@ -182,7 +181,7 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
     return e.kind == model::EndKind::body && e.body == volumes[v].settings.body;
   };
   const LookedFor looked_for = [&](const Node& node, size_t v, const Vec3& x) -> std::optional<Vec3> {
-    const size_t l = static_cast<size_t>(node.line);
+    const size_t l = node.line;
     const model::Line& line = c.lines[l];
     if (!chords[l].known || volumes[v].settings.roller) return {};  // of supports other sentences tell
     double top = -HUGE_VAL;
@@ -211,14 +210,14 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
   std::vector<std::string> warnings;
   for (const auto& [key, row] : nearest) {
     const auto& [l, v] = key;
-    const model::Line& line = c.lines[static_cast<size_t>(l)];
-    const model::Volume& volume = volumes[static_cast<size_t>(v)].settings;
+    const model::Line& line = c.lines[l];
+    const model::Volume& volume = volumes[v].settings;
     // Of what is inside the other sentences tell.
     const auto there = [&, line_of = l, volume_of = v](const Inside& s) {
       return s.line == line_of && s.volume == volume_of;
     };
     if (std::any_of(inside.begin(), inside.end(), there)) continue;
-    const size_t n = static_cast<size_t>(l);
+    const size_t n = l;
     const bool own_a = own(line.end_a, static_cast<size_t>(v)),
                own_b = own(line.end_b, static_cast<size_t>(v));
     const bool under = own_a || own_b || chords[n].at(share_of(n, row[2])).z() >= row[6];
@@ -226,8 +225,8 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
                                            : fmt::format("the straight way between its ends passes {} it",
                                                          under ? "over" : "under");
     warnings.push_back(fmt::format(
-        "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc "
-        "length, {}, while {}; if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
+        "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, "
+        "while {}; if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
         line.name, under ? "under" : "over", volume.name, row[3], row[2], point(Vec3(row[4], row[5], row[6])),
         but));
   }
@@ -255,8 +254,7 @@ std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& me
   std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, feeders, {volume});
   take_off(inside, left_out, *mesh.mesh);
   if (inside.empty()) return "";
-  return fmt::format("line {} is inside it {}", c.lines[static_cast<size_t>(inside.front().line)].name,
-                     where(inside.front()));
+  return fmt::format("line {} is inside it {}", c.lines[inside.front().line].name, where(inside.front()));
 }
 
 StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
@@ -270,13 +268,12 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
   // Ends have their lengths without contact with a volume that is off as well; of what else is inside it one
   // looks again when it is switched on.
   leave_out(c, *mesh.mesh, volumes, out);
-  std::erase_if(out.inside, [&](const Inside& s) { return volumes[static_cast<size_t>(s.volume)].off; });
+  std::erase_if(out.inside, [&](const Inside& s) { return volumes[s.volume].off; });
   const std::vector<Inside> all = out.inside;
   take_off(out.inside, out.left_out, *mesh.mesh);
   for (const Inside& s : out.inside)
-    out.warnings.push_back(inside_text(c.lines[static_cast<size_t>(s.line)],
-                                       volumes[static_cast<size_t>(s.volume)].settings.name, s,
-                                       mesh.mesh->lines[static_cast<size_t>(s.line)].length));
+    out.warnings.push_back(
+        inside_text(c.lines[s.line], volumes[s.volume].settings.name, s, mesh.mesh->lines[s.line].length));
   shorten(out.notes, "ends of lines start like these");
   shorten(out.warnings, "stretches of lines lie inside volumes");
   hang_past(comm, c, mesh, at, bodies, volumes, all, out);
@@ -295,12 +292,11 @@ std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& m
              s.depth > kLeft * o.depth;
     });
     if (!before) continue;
-    const model::Line& line = c.lines[static_cast<size_t>(s.line)];
+    const model::Line& line = c.lines[s.line];
     return fmt::format(
-        "lines.{}: starts inside volume {}, and {} {}; {}", line.name,
-        volumes[static_cast<size_t>(s.volume)].settings.name,
+        "lines.{}: starts inside volume {}, and {} {}; {}", line.name, volumes[s.volume].settings.name,
         c.statics.enabled ? "statics leaves it there," : "there are no statics to move it out:", where(s),
-        remedy(line, s, mesh.mesh->lines[static_cast<size_t>(s.line)].length));
+        remedy(line, s, mesh.mesh->lines[s.line].length));
   }
   return "";
 }

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
+
+#include "hawser/base/gather.hpp"
 
 namespace hawser::app {
 Stations::Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
@@ -29,17 +30,17 @@ const std::vector<std::vector<double>>& Stations::at(const std::vector<std::vect
 }
 
 void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& values) {
-  const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
-  const size_t nodes = static_cast<size_t>(span.nodes);
+  const LineSpan& span = mesh_.mesh->lines[f.line];
+  const size_t nodes = span.nodes;
   // Of the line's nodes, in its order, on every rank.
   std::vector<double> along(fields_.size() * nodes, 0);
   for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n)
     if (const int i = mesh_.global[n] - span.first_node; i >= 0 && i < span.nodes)
       for (size_t k = 0; k < place_.size(); ++k)
         along[k * nodes + static_cast<size_t>(i)] = values[place_[k]][n];
-  MPI_Allreduce(MPI_IN_PLACE, along.data(), static_cast<int>(along.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, along);
 
-  const auto arc = [&](int i) { return mesh_.mesh->nodes[static_cast<size_t>(span.first_node + i)].arc; };
+  const auto arc = [&](int i) { return mesh_.mesh->nodes[span.first_node + i].arc; };
   int first = 0, last = span.nodes - 1;       // free nodes, or an end that is not fed
   double from = 0, to = span.length;          // m, arc lengths at the feeders
   for (const Feeder& o : feeders_->list()) {  // both, if there are two

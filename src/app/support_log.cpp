@@ -44,7 +44,7 @@ std::vector<Stop> way_over_supports(const model::Case& c, const model::Line& lin
     if (b.line != line.name) continue;
     const auto pose_of = [&](const std::string& body) {
       const int i = c.body_index(body);
-      return i < 0 ? RigidPose{} : poses[static_cast<size_t>(i)];
+      return i < 0 ? RigidPose{} : poses[i];
     };
     const RigidPose pose = pose_of(b.body);
     const Stop stop{pose.to_space(b.at), pose.rotation * b.along, pose.rotation * b.up, &b};
@@ -88,14 +88,14 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
   for (size_t k = 0; k < c.supports.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
     const int body = c.body_index(b.body), line = c.line_index(b.line);
-    const RigidPose pose = body < 0 ? RigidPose{} : poses[static_cast<size_t>(body)];
+    const RigidPose pose = body < 0 ? RigidPose{} : poses[body];
     const Vec3 place = pose.to_space(b.at), along = pose.rotation * b.along;
     double best = far;
     SupportCrossing found;
     for (const LocalElement& e : mesh.elements) {
       const Element& g = mesh.element(e);
       if (!e.counted || g.line != line) continue;
-      const Vec3 &x1 = at.x[static_cast<size_t>(e.first)], &x2 = at.x[static_cast<size_t>(e.second)];
+      const Vec3 &x1 = at.x[e.first], &x2 = at.x[e.second];
       if (((x1 - place).dot(along) > 0) == ((x2 - place).dot(along) > 0)) continue;
       const AxisShape shape(element_axis(at, g, e.first, e.second, Vec3::UnitX()));
       const double xi = on_plane(shape, place, along);
@@ -103,7 +103,7 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
       if (!(x.norm() < best)) continue;
       best = x.norm();
       found = {true, x.dot(pose.rotation * b.left()), x.dot(pose.rotation * b.up),
-               mesh.mesh->nodes[static_cast<size_t>(g.first)].arc + xi * g.length};
+               mesh.mesh->nodes[g.first].arc + xi * g.length};
     }
     nearest.push_back(best);
     numbers.insert(numbers.end(), {found.offset, found.height, found.arc});
@@ -135,17 +135,18 @@ std::optional<Beneath> beneath_supports(const model::Case& c, const std::vector<
       if (const double above = above_the_others(way, i); std::abs(above) > std::abs(off))
         odd = i, off = above;
     if (!(std::abs(off) > b.rise))
-      return Beneath{b.key, fmt::format("line {} {}; move the supports, or the end of the line, so that one "
-                                        "leads to the other",
-                                        line.name, wrong)};
+      return Beneath{
+          b.key,
+          fmt::format("line {} {}; move the supports, or the end of the line, so that one leads to the other",
+                      line.name, wrong)};
     const model::SupportBox& named = *way[odd].box;
     const std::string cause =
-        odd > 0 ? fmt::format("support '{}' is {:.3g} m {} the way over its neighbours", named.name,
-                              std::abs(off), off > 0 ? "above" : "below")
-                : fmt::format(
-                      "the way over the supports begins {:.3g} m {} the end from which line {} goes "
-                      "overboard",
-                      std::abs(off), off > 0 ? "below" : "above", line.name);
+        odd > 0
+            ? fmt::format("support '{}' is {:.3g} m {} the way over its neighbours", named.name,
+                          std::abs(off), off > 0 ? "above" : "below")
+            : fmt::format(
+                  "the way over the supports begins {:.3g} m {} the end from which line {} goes overboard",
+                  std::abs(off), off > 0 ? "below" : "above", line.name);
     return Beneath{named.key, fmt::format("{}, so that line {} {}; move {}", cause, line.name, wrong,
                                           odd > 0 ? "it into line with them"
                                                   : "them, or the end, so that one leads to the other")};
@@ -165,11 +166,9 @@ std::string overbent(const model::Case& c, const io::SummaryRow& row) {
   const double strain = 0.5 * diameter * row.value;
   if (!(strain > kYielded)) return "";
   return fmt::format(
-      "line {} is bent to a radius of {:.3g} m at arc length {:.6g} m, {}, {:.2g} % of strain: "
-      "steel "
-      "yields before, and this pipe is elastic; do the places and directions of its ends and supports fit, "
-      "or does it "
-      "need 'plasticity'?",
+      "line {} is bent to a radius of {:.3g} m at arc length {:.6g} m, {}, {:.2g} % of strain: steel yields "
+      "before, and this pipe is elastic; do the places and directions of its ends and supports fit, or does "
+      "it need 'plasticity'?",
       row.line, 1 / row.value, row.arc_length, when_text(c, row.time), 100 * strain);
 }
 
@@ -220,7 +219,7 @@ std::vector<std::array<double, 2>> SupportLog::carrying(const Kinematics& at,
     if (!crosses[k].known ||
         std::all_of(first, first + std::ssize(b.rollers), [](const Vec3& f) { return f == Vec3::Zero(); }))
       continue;
-    auto& [from, to] = out[static_cast<size_t>(c.line_index(b.line))];
+    auto& [from, to] = out[c.line_index(b.line)];
     from = std::min(from, crosses[k].arc), to = std::max(to, crosses[k].arc);
   }
   return out;
@@ -231,8 +230,7 @@ std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
   const model::Case& c = sim_.model();
   const std::vector<SupportCrossing> crosses = crossings(at, poses);
   std::vector<Vec3> forces = sim_.contact()->forces_by_volume(at);
-  int rank = 0;
-  MPI_Comm_rank(comm_, &rank);
+  const int rank = rank_of(comm_);
   MPI_Reduce(rank == 0 ? MPI_IN_PLACE : forces.data(), forces.data(), 3 * static_cast<int>(forces.size()),
              MPI_DOUBLE, MPI_SUM, 0, comm_);
   std::vector<std::vector<double>> out(c.supports.size());
@@ -240,7 +238,7 @@ std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
     const model::SupportBox& b = c.supports[k];
     const SupportCrossing& x = crosses[k];
     std::vector<double>& row = out[k];
-    const auto of = [&](size_t i) -> const Vec3& { return forces[static_cast<size_t>(first_[k]) + i]; };
+    const auto of = [&](size_t i) -> const Vec3& { return forces[first_[k] + i]; };
     Vec3 sum = Vec3::Zero();
     for (size_t i = 0; i < b.rollers.size(); ++i) sum += of(i);
     row.assign(sum.begin(), sum.end());
@@ -252,8 +250,7 @@ std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
     off_[k] = true;
     warnings_.push_back(fmt::format(
         "line {} is off the end of the rollers of support {} at t = {:.6g} s: {:.3g} m to the {} of its "
-        "middle, and "
-        "they reach {:.3g} m",
+        "middle, and they reach {:.3g} m",
         b.line, b.name, at.time, std::abs(x.offset), x.offset > 0 ? "left" : "right", b.half_width));
   }
   return out;
@@ -277,8 +274,7 @@ std::vector<std::string> SupportLog::warnings() const {
     if (further && !carried_[k] && lowest_[k] > diameter)
       out.push_back(
           fmt::format("support {} never carries line {}, {} and lies on supports further on: raise it by "
-                      "'above_path', or leave "
-                      "it out",
+                      "'above_path', or leave it out",
                       b.name, b.line,
                       std::isfinite(lowest_[k]) ? fmt::format("which passes {:.3g} m above it", lowest_[k])
                                                 : std::string("which does not come by it")));

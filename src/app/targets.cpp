@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "hawser/app/events.hpp"
 #include "hawser/app/simulation.hpp"
@@ -100,8 +99,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
   }
   throw SolveError(
       "statics: the targets of the lines do not settle together: the length that one needs changes with "
-      "those "
-      "of the others; give fewer lines a target");
+      "those of the others; give fewer lines a target");
 }
 
 MetTargets with_lengths_of(const model::Case& c, const std::string& results, MPI_Comm comm) {
@@ -117,10 +115,8 @@ MetTargets with_lengths_of(const model::Case& c, const std::string& results, MPI
       const auto at = std::find(names.begin(), names.end(), l.name);
       if (!l.target || at == names.end()) continue;
       size_t node = static_cast<size_t>(first.at(static_cast<size_t>(at - names.begin())));
-      for (int i = 0; i < l.target->section; ++i)
-        node += static_cast<size_t>(l.sections[static_cast<size_t>(i)].elements);
-      const size_t last =
-          node + static_cast<size_t>(l.sections[static_cast<size_t>(l.target->section)].elements);
+      for (int i = 0; i < l.target->section; ++i) node += static_cast<size_t>(l.sections[i].elements);
+      const size_t last = node + static_cast<size_t>(l.sections[l.target->section].elements);
       const double length = arc.at(last) - arc.at(node);
       lengths[fmt::format("lines.{}.sections[{}]", l.name, l.target->section)] = length;
       out.found.push_back(

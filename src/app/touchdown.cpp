@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/bed_touch.hpp"
@@ -110,19 +111,19 @@ Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& loc
   const Mesh& mesh = *local.mesh;
   std::vector<double> touching;  // by line type
   for (const model::LineType& t : c.line_types) touching.push_back(model::touching_height(c, t));
-  heights_.resize(static_cast<size_t>(local.chain));
+  heights_.resize(local.chain);
   for (size_t k = 0; k < heights_.size(); ++k) {
     const int global = local.global[k];
-    const Node& n = mesh.nodes[static_cast<size_t>(global)];
+    const Node& n = mesh.nodes[global];
     if (n.body >= 0) continue;
-    const LineSpan& span = mesh.lines[static_cast<size_t>(n.line)];
+    const LineSpan& span = mesh.lines[n.line];
     const int i = global - span.first_node;
     Height& h = heights_[k];
     h.end = i == 0 || i == span.nodes - 1;
     for (const int e : {i - 1, i})
       if (e >= 0 && e < span.elements) {
-        const Element& element = mesh.elements[static_cast<size_t>(span.first_element + e)];
-        h.touching = std::max(h.touching, touching[static_cast<size_t>(element.type)]);
+        const Element& element = mesh.elements[span.first_element + e];
+        h.touching = std::max(h.touching, touching[element.type]);
       }
   }
 }
@@ -147,23 +148,23 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
   if (!bed_.present) return out;
   std::vector<double> gap(heights_.size());
   for (size_t n = 0; n < gap.size(); ++n)
-    if (mesh.nodes[static_cast<size_t>(local.global[n])].body < 0) gap[n] = above(n, at).gap;
+    if (mesh.nodes[local.global[n]].body < 0) gap[n] = above(n, at).gap;
 
   // First element from A, and minus the first from B, in which contact changes; what lies.
   std::vector<int> first(2 * lines, std::numeric_limits<int>::max());
   std::vector<double> laid(lines, 0);
   for (const LocalElement& e : local.elements) {
     if (!e.counted) continue;
-    const Element& g = mesh.elements[static_cast<size_t>(e.global)];
-    const size_t l = static_cast<size_t>(g.line);
-    const double a = gap[static_cast<size_t>(e.first)], b = gap[static_cast<size_t>(e.second)];
+    const Element& g = mesh.elements[e.global];
+    const size_t l = g.line;
+    const double a = gap[e.first], b = gap[e.second];
     if (lies(a) && lies(b)) laid[l] += g.length;
     if (lies(a) == lies(b)) continue;
     laid[l] += lies(a) ? straight(a, b, g.length) : straight(b, a, g.length);
     first[2 * l] = std::min(first[2 * l], e.global), first[2 * l + 1] = std::min(first[2 * l + 1], -e.global);
   }
-  MPI_Allreduce(MPI_IN_PLACE, first.data(), static_cast<int>(first.size()), MPI_INT, MPI_MIN, comm_);
-  MPI_Allreduce(MPI_IN_PLACE, laid.data(), static_cast<int>(lines), MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_MIN, first);
+  all_reduce(comm_, MPI_SUM, laid);
 
   // Gap and slope, then place of the nodes about each. Which of its two nodes lies is told by the first sum.
   std::vector<double> rows(2 * lines * 2 * kAbout * 5, 0);
@@ -172,27 +173,27 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
   };
   for (size_t k = 0; k < 2 * lines; ++k) {
     if (first[k] == std::numeric_limits<int>::max()) continue;
-    const Element& e = mesh.elements[static_cast<size_t>(std::abs(first[k]))];
-    const LineSpan& span = mesh.lines[static_cast<size_t>(e.line)];
+    const Element& e = mesh.elements[std::abs(first[k])];
+    const LineSpan& span = mesh.lines[e.line];
     for (int i = 0; i < 2 * kAbout; ++i) {  // from four nodes before the element's first one to five after
       const int global = e.first - kAbout + 1 + i;
       if (global < span.first_node || global >= span.first_node + span.nodes) continue;
       const int n = local.find(global);
-      if (n < 0 || n >= local.owned) continue;
-      const size_t node = static_cast<size_t>(n);
+      if (!local.owns(n)) continue;
+      const size_t node = n;
       const Vec3& x = at.x[node];
       const double slope = local.rotates(n) ? above(node, at).normal.dot(at.q[node] * Vec3::UnitX()) : 0;
       const double values[] = {gap[node], slope, x.x(), x.y(), x.z()};
       std::copy(std::begin(values), std::end(values), row(k, i));
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, rows.data(), static_cast<int>(rows.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, rows);
 
   for (size_t k = 0; k < 2 * lines; ++k) {
     if (first[k] == std::numeric_limits<int>::max()) continue;
-    const Element& e = mesh.elements[static_cast<size_t>(std::abs(first[k]))];
-    const LineSpan& span = mesh.lines[static_cast<size_t>(e.line)];
-    Touchdown& t = out[static_cast<size_t>(e.line)];
+    const Element& e = mesh.elements[std::abs(first[k])];
+    const LineSpan& span = mesh.lines[e.line];
+    Touchdown& t = out[e.line];
     if (k % 2 == 1 && first[k] == -first[k - 1]) {  // the same place
       t.from_b = t.from_a;
       continue;
@@ -202,20 +203,18 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
     About n{};
     for (int i = 0; i < kAbout; ++i) {
       const int global = change.first + change.way * (i - 1);
-      const size_t j = static_cast<size_t>(i);
-      n.there[j] = global >= span.first_node && global < span.first_node + span.nodes;
-      if (!n.there[j]) continue;
-      n.inside[j] = global != span.first_node && global != span.first_node + span.nodes - 1;
-      const Node& node = mesh.nodes[static_cast<size_t>(global)];
+      n.there[i] = global >= span.first_node && global < span.first_node + span.nodes;
+      if (!n.there[i]) continue;
+      n.inside[i] = global != span.first_node && global != span.first_node + span.nodes - 1;
+      const Node& node = mesh.nodes[global];
       const double* v = row(k, global - e.first + kAbout - 1);
-      n.gap[j] = {v[0], change.way * v[1], Vec3(v[2], v[3], v[4])};
-      n.arc[j] = change.way * node.arc, n.two_sided[j] = node.two_sided;
+      n.gap[i] = {v[0], change.way * v[1], Vec3(v[2], v[3], v[4])};
+      n.arc[i] = change.way * node.arc, n.two_sided[i] = node.two_sided;
     }
     const double s = beyond(n, e.beam);
-    (k % 2 == 0 ? t.from_a : t.from_b) = place(
-        n, s,
-        std::clamp(mesh.nodes[static_cast<size_t>(change.first)].arc + change.way * s, 0.0, span.length));
-    laid[static_cast<size_t>(e.line)] += s - straight(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1]);
+    (k % 2 == 0 ? t.from_a : t.from_b) =
+        place(n, s, std::clamp(mesh.nodes[change.first].arc + change.way * s, 0.0, span.length));
+    laid[e.line] += s - straight(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1]);
   }
   for (size_t l = 0; l < lines; ++l) out[l].laid = std::clamp(laid[l], 0.0, mesh.lines[l].length);
   return out;

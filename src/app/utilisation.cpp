@@ -42,16 +42,16 @@ Utilisation::Utilisation(const model::Case& c, const LocalMesh& local) {
   }
   const Mesh& mesh = *local.mesh;
   for (std::size_t n = 0; n < static_cast<std::size_t>(local.owned); ++n) {
-    const Node& node = mesh.nodes[static_cast<std::size_t>(local.global[n])];
+    const Node& node = mesh.nodes[local.global[n]];
     auto& breaking = breaking_.emplace_back();
     double& radius = radius_.emplace_back();
     if (node.body >= 0) continue;
-    const LineSpan& line = mesh.lines[static_cast<std::size_t>(node.line)];
+    const LineSpan& line = mesh.lines[node.line];
     for (const std::size_t side : {0u, 1u}) {
       const int i = local.global[n] - line.first_node - 1 + static_cast<int>(side);
       if (i < 0 || i >= line.elements) continue;
-      const Element& e = mesh.elements[static_cast<std::size_t>(line.first_element + i)];
-      const model::LineType& t = c.line_types[static_cast<std::size_t>(e.type)];
+      const Element& e = mesh.elements[line.first_element + i];
+      const model::LineType& t = c.line_types[e.type];
       breaking[side] = t.breaking_load > 0 ? 1 / t.breaking_load : 0;
       if (e.beam) radius = std::max(radius, t.minimum_bend_radius);
     }
@@ -59,10 +59,7 @@ Utilisation::Utilisation(const model::Case& c, const LocalMesh& local) {
 }
 
 void Utilisation::add_fields(std::vector<Field>& fields) {
-  const auto find = [&](const char* name) {
-    const auto at = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
-    return at == fields.end() ? -1 : static_cast<int>(at - fields.begin());
-  };
+  const auto find = [&](const char* name) { return find_field(fields, name); };
   before_ = find("effective_tension_before"), after_ = find("effective_tension_after");
   curvature_ = find("curvature");
   if (tension_ && before_ >= 0) of_tension_ = static_cast<int>(fields.size()), fields.push_back(kTension);
@@ -70,7 +67,7 @@ void Utilisation::add_fields(std::vector<Field>& fields) {
 }
 
 void Utilisation::fill(std::vector<std::vector<double>>& values) const {
-  const auto of = [&](int field) -> std::vector<double>& { return values[static_cast<std::size_t>(field)]; };
+  const auto of = [&](int field) -> std::vector<double>& { return values[field]; };
   for (std::size_t n = 0; n < breaking_.size(); ++n) {
     if (of_tension_ >= 0)
       of(of_tension_)[n] = std::max({of(before_)[n] * breaking_[n][0], of(after_)[n] * breaking_[n][1], 0.0});

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 
 #include "hawser/base/error.hpp"
 #include "hawser/base/host.hpp"
@@ -135,7 +134,7 @@ void broadcast(MPI_Comm comm, LoadedVolume& l) {
 // A line reaches its length from one held end, half its length from the middle between two.
 Box reach(const model::Case& c, const std::string& body_name) {
   const int b = c.body_index(body_name);
-  const model::Body space, &body = b < 0 ? space : c.bodies[static_cast<std::size_t>(b)];
+  const model::Body space, &body = b < 0 ? space : c.bodies[b];
   const Quat turn = exp_so3(body.rotation).conjugate();
   const auto local = [&](const Vec3& x) { return Vec3(turn * (x - body.position)); };
   Box box;

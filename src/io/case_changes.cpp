@@ -39,7 +39,7 @@ class Change {
     try {
       value_ = parse_yaml(given_, "");
     } catch (const InputError&) {
-      refuse("", model::quote(given_) + " is no value of YAML: " + why_no_value());
+      refuse("", "{} is no value of YAML: {}", model::quote(given_), why_no_value());
     }
     mark(value_);
   }
@@ -75,9 +75,10 @@ class Change {
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& path, const std::string& why) const {
-    throw InputError(
-        fmt::format("{} with --set {}: {}{}{}", file_, text_, path, path.empty() ? "" : ": ", why));
+  template <class... Args>
+  [[noreturn]] void refuse(const std::string& path, fmt::format_string<Args...> why, Args&&... args) const {
+    throw InputError("{} with --set {}: {}{}{}", file_, text_, path, path.empty() ? "" : ": ",
+                     fmt::format(why, std::forward<Args>(args)...));
   }
 
   // As the value of a key, which the search for the likely mistake knows best.
@@ -100,7 +101,7 @@ class Change {
   void read_steps() {
     std::size_t at = 0;
     const auto wrong = [&](const std::string& why) {
-      refuse("", why + "; a key is written as lines.riser.sections[0].length");
+      refuse("", "{}; a key is written as lines.riser.sections[0].length", why);
     };
     while (at < key_.size()) {
       if (key_[at] == '[') {
@@ -140,9 +141,9 @@ class Change {
 
   Value& entry(Value& v, const Key& key, const std::string& name, std::string& path) const {
     if (key.type == Type::list || key.type == Type::vec3)
-      refuse(path, fmt::format("is a list: give a place in it, '{}[0]', not '{}'", path, name));
+      refuse(path, "is a list: give a place in it, '{}[0]', not '{}'", path, name);
     if (key.type != Type::map && key.type != Type::names)
-      refuse(path, fmt::format("is {}, which has no keys", model::describe(key)));
+      refuse(path, "is {}, which has no keys", model::describe(key));
     std::vector<std::string> known;
     for (const Key& k : key.keys) known.push_back(k.name);
     if (key.type == Type::names) known = v.keys;
@@ -152,18 +153,17 @@ class Change {
           !below.empty())
         meant = fmt::format("; did you mean '{}{}{}'?", path, path.empty() ? "" : ".", below);
       known.resize(std::min<std::size_t>(known.size(), 20));
-      refuse(path, fmt::format("{} '{}'{} ({}: {})", key.type == Type::names ? "there is no" : "unknown key",
-                               name, meant, key.type == Type::names ? "there are" : "allowed",
-                               known.empty() ? "none" : model::enumerate(known, "and")));
+      refuse(path, "{} '{}'{} ({}: {})", key.type == Type::names ? "there is no" : "unknown key", name, meant,
+             key.type == Type::names ? "there are" : "allowed",
+             known.empty() ? "none" : model::enumerate(known, "and"));
     }
     if (v.kind == Kind::null) v.kind = Kind::map;
     if (v.kind != Kind::map)
-      refuse(path, fmt::format("the file has {} here, which has no key '{}'; give the whole: --set "
-                               "'{}={{{}: ...}}'",
-                               found(v), name, path, name));
+      refuse(path, "the file has {} here, which has no key '{}'; give the whole: --set '{}={{{}: ...}}'",
+             found(v), name, path, name);
     path += (path.empty() ? "" : ".") + name;
     const auto at = std::find(v.keys.begin(), v.keys.end(), name);
-    if (at != v.keys.end()) return v.items[static_cast<std::size_t>(at - v.keys.begin())];
+    if (at != v.keys.end()) return v.items[at - v.keys.begin()];
     v.keys.push_back(name);
     Value& added = v.items.emplace_back();
     added.line = model::kBySet;
@@ -171,16 +171,15 @@ class Change {
   }
 
   Value& item(Value& v, const Key& key, std::size_t index, std::string& path) const {
-    if (key.type == Type::map)
-      refuse(path, fmt::format("is no list but has keys: {}.{}", path, key.keys[0].name));
+    if (key.type == Type::map) refuse(path, "is no list but has keys: {}.{}", path, key.keys[0].name);
     if (key.type != Type::list && key.type != Type::vec3 && key.type != Type::names)
-      refuse(path, fmt::format("is {}, not a list", model::describe(key)));
+      refuse(path, "is {}, not a list", model::describe(key));
     if (v.kind != (key.type == Type::names ? Kind::map : Kind::list))
-      refuse(path, v.kind == Kind::null ? std::string("is not in the file; give the whole list")
-                                        : fmt::format("the file has {} here, not a list", found(v)));
+      refuse(path, "{}",
+             v.kind == Kind::null ? std::string("is not in the file; give the whole list")
+                                  : fmt::format("the file has {} here, not a list", found(v)));
     if (index >= v.items.size())
-      refuse(path, fmt::format("has no [{}]: there are {}, from [0] to [{}]", index, v.items.size(),
-                               v.items.size() - 1));
+      refuse(path, "has no [{}]: there are {}, from [0] to [{}]", index, v.items.size(), v.items.size() - 1);
     path += key.type == Type::names ? "." + v.keys[index] : fmt::format("[{}]", index);
     return v.items[index];
   }

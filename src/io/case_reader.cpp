@@ -17,7 +17,6 @@
 #include "hawser/model/check.hpp"
 #include "hawser/model/cut_lines.hpp"
 #include "hawser/model/doubts.hpp"
-#include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::io {
@@ -107,7 +106,7 @@ model::Case read_case_text(const std::string& text, const std::string& path, con
     // What is wrong may be in another line of the file than what was changed.
     const std::string why = e.what();
     if (changes.empty() || why.find("--set") != std::string::npos) throw;
-    throw InputError(fmt::format("{} (the case is changed by --set {})", why, fmt::join(changes, " --set ")));
+    throw InputError("{} (the case is changed by --set {})", why, fmt::join(changes, " --set "));
   }
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <stdexcept>
 
 #include "hawser/base/error.hpp"
@@ -43,7 +42,7 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
   std::vector<int> line;
   const std::vector<std::vector<double>> rows = read_rows(path, v["file"], &line);
   const auto refuse_row = [&](size_t row, const std::string& text) {
-    refuse(v["file"], fmt::format("{}:{}: {}", path, line[row], text));
+    refuse(v["file"], "{}:{}: {}", path, line[row], text);
   };
   std::vector<double> x, y;
   for (size_t i = 0; i < rows.size(); ++i) {
@@ -60,15 +59,15 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
   if (rows.empty()) refuse(v["file"], path + ": the file has no rows");
   x = distinct(std::move(x)), y = distinct(std::move(y));
   if (x.size() < 2 || y.size() < 2)
-    refuse(v["file"], fmt::format("{}: a grid has two columns and two rows at least, but there {} x and {} y",
-                                  path, x.size() == 1 ? "is 1" : fmt::format("are {}", x.size()), y.size()));
+    refuse(v["file"], "{}: a grid has two columns and two rows at least, but there {} x and {} y", path,
+           x.size() == 1 ? "is 1" : fmt::format("are {}", x.size()), y.size());
   constexpr double kSparse = 100;
   if (static_cast<double>(x.size()) * static_cast<double>(y.size()) >
       kSparse * static_cast<double>(rows.size()))
     refuse(v["file"],
-           fmt::format("{}: {} rows with {} different x and {} different y are no grid: a grid has a "
-                       "height for every x and every y; scattered points make a mesh",
-                       path, rows.size(), x.size(), y.size()));
+           "{}: {} rows with {} different x and {} different y are no grid: a grid has a height for every x "
+           "and every y; scattered points make a mesh",
+           path, rows.size(), x.size(), y.size());
   const double up = v["depths"].number != 0 ? -1 : 1;
   std::vector<double> z(x.size() * y.size());
   std::vector<int> given(z.size(), -1);
@@ -76,17 +75,16 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
     const size_t k = place(y, rows[i][1]) * x.size() + place(x, rows[i][0]);
     if (given[k] >= 0)
       refuse_row(i, fmt::format("x {:g}, y {:g} is there twice, first in line {}", rows[i][0], rows[i][1],
-                                line[static_cast<size_t>(given[k])]));
+                                line[given[k]]));
     given[k] = static_cast<int>(i), z[k] = up * rows[i][2];
   }
   const auto missing = std::find(given.begin(), given.end(), -1);
   if (missing != given.end()) {
-    const size_t k = static_cast<size_t>(missing - given.begin());
+    const size_t k = missing - given.begin();
     refuse(v["file"],
-           fmt::format("{}: there is no height at x {:g}, y {:g} ({} of {} places are missing); a grid "
-                       "has one for every x and every y",
-                       path, x[k % x.size()], y[k / x.size()], std::count(given.begin(), given.end(), -1),
-                       given.size()));
+           "{}: there is no height at x {:g}, y {:g} ({} of {} places are missing); a grid has one for every "
+           "x and every y",
+           path, x[k % x.size()], y[k / x.size()], std::count(given.begin(), given.end(), -1), given.size());
   }
   return std::make_shared<const HeightGrid>(std::move(x), std::move(y), z);
 }
@@ -188,8 +186,7 @@ class BedCheck {
               : std::max(box_.extent().x(), box_.extent().y());
     const char* kind = grid_ ? "grid" : "mesh";
     if (const std::string odd = other_units(size, kSizes, c_); !odd.empty())
-      c_.refuse(fmt::format("environment.seabed.{}.file", kind),
-                fmt::format("{}: the bed {}", bed_.file, odd));
+      c_.refuse(fmt::format("environment.seabed.{}.file", kind), "{}: the bed {}", bed_.file, odd);
   }
   // Whether a share of the line's length is in the soil or where it comes out of it.
   static bool buried(const model::Line& line, double share) {
@@ -250,16 +247,17 @@ class BedCheck {
     const double length = line.buried[i].to - line.buried[i].from, deep = -model::height_above_bed(bed_, x);
     const std::string key = fmt::format("lines.{}.buried[{}].{}", line.name, i, a ? "to" : "from");
     if (deep >= length)
-      c_.refuse(key, fmt::format("{:.4g} m of line do not reach the seabed, which is {:.4g} m above its end",
-                                 length, deep));
+      c_.refuse(key, "{:.4g} m of line do not reach the seabed, which is {:.4g} m above its end", length,
+                deep);
   }
   // The bed would throw it out.
   void place(const std::string& key, const Vec3& x, const model::LineType& type) const {
     const double deep = -model::height_above_bed(bed_, x), most = deepest_start(c_, type);
     if (covers(x) && deep > most)
-      c_.refuse(key, fmt::format("is {:.3g} m under the seabed, which would throw the line out; a line of "
-                                 "'{}' may start {:.2g} m deep at most where it is not 'buried'",
-                                 deep, type.name, most));
+      c_.refuse(key,
+                "is {:.3g} m under the seabed, which would throw the line out; a line of '{}' may start "
+                "{:.2g} m deep at most where it is not 'buried'",
+                deep, type.name, most);
     else if (covers(x) && deep >= 0.5 * type.contact_diameter && deep > kTold)
       c_.notes.push_back(
           fmt::format("{}: is {:.3g} m under the seabed, and the soil presses the line up beside it; give "

@@ -12,19 +12,18 @@ namespace hawser::io {
 namespace {
 
 using model::refuse;
+using model::refuse_key;
 using model::Value;
 
 // Rows of t and factor, from a file or written there.
 TimeFactor read_time_factor(const Value& v, const CaseSource& source) {
   const GivenRows given = read_given_rows(v, source);
   const auto& [at, rows] = given;
-  if (rows.size() < 2)
-    refuse(at, fmt::format("a table of factors needs at least 2 rows, found {}", rows.size()));
+  if (rows.size() < 2) refuse(at, "a table of factors needs at least 2 rows, found {}", rows.size());
   std::vector<TimeFactor::Row> out;
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
-    if (r.size() != 2)
-      refuse(at, fmt::format("a row has 2 numbers, t and factor, but row {} has {}", i + 1, r.size()));
+    if (r.size() != 2) refuse(at, "a row has 2 numbers, t and factor, but row {} has {}", i + 1, r.size());
     check_time(given, i);
     out.emplace_back(r[0], r[1]);
   }
@@ -37,8 +36,7 @@ void finish_current(const Value& v, double water_depth, const CaseSource& source
     refuse(v["exponent"], "a power law needs 'depth' of the water or of the seabed");
   for (size_t i = 1; i < c.profile.size(); ++i)
     if (const double above = c.profile[i - 1].depth, here = c.profile[i].depth; !(here > above))
-      refuse(v["profile"].items[i]["depth"],
-             fmt::format("rows go downwards, but {:g} m comes after {:g} m", here, above));
+      refuse(v["profile"].items[i]["depth"], "rows go downwards, but {:g} m comes after {:g} m", here, above);
 }
 
 // Rows of a spectrum; the period [s] of its peak.
@@ -49,17 +47,16 @@ double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) 
   SpectrumRow peak;
   for (size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].size() != 2)
-      refuse(at, fmt::format("a row has 2 numbers, frequency and density, but row {} has {}", i + 1,
-                             rows[i].size()));
+      refuse(at, "a row has 2 numbers, frequency and density, but row {} has {}", i + 1, rows[i].size());
     const SpectrumRow r{rows[i][0] * unit, rows[i][1] / unit};
     if (!(r.omega >= 0) || !(r.density >= 0))
-      refuse(at, fmt::format("frequencies and densities must not be negative, but row {} has {:g} and {:g}",
-                             i + 1, rows[i][0], rows[i][1]));
+      refuse(at, "frequencies and densities must not be negative, but row {} has {:g} and {:g}", i + 1,
+             rows[i][0], rows[i][1]);
     if (!w.spectrum.empty()) {
       const SpectrumRow& last = w.spectrum.back();
       if (!(r.omega > last.omega))
-        refuse(at, fmt::format("frequencies must grow, but row {} has {:g} after {:g}", i + 1, rows[i][0],
-                               rows[i - 1][0]));
+        refuse(at, "frequencies must grow, but row {} has {:g} after {:g}", i + 1, rows[i][0],
+               rows[i - 1][0]);
       energy += 0.5 * (r.omega - last.omega) * (r.density + last.density);
     }
     w.spectrum.push_back(r);
@@ -83,7 +80,7 @@ void finish_seabed(const Value& v, double water_depth, const CaseSource& source,
   if (!v.has("depth")) b.depth = water_depth;
   read_bed_surface(v, source, b);
   if (!b.surface && !(b.depth > 0))
-    refuse(v, v.where + ".depth", "required key is missing: the depth, here or of the water");
+    refuse_key(v, v.where + ".depth", "required key is missing: the depth, here or of the water");
   if (!v.has("normal_stiffness")) b.normal_stiffness = 1e5;
   if (b.force_table && v.has("smoothing"))
     refuse(v["smoothing"], "a force table defines the whole law, so there is nothing to smooth");
@@ -170,14 +167,14 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
     const bool bore = c->has("inner_diameter"), pipe = v.has("pipe");
     if (bore && pipe) refuse((*c)["inner_diameter"], "'pipe' already says what it is; remove one of them");
     if (!bore && !pipe)
-      refuse(*c, c->where + ".inner_diameter", "required key is missing: the diameter of the bore");
+      refuse_key(*c, c->where + ".inner_diameter", "required key is missing: the diameter of the bore");
     if (const Value& density = (*c)["density"]; density.is("flooded")) {
       if (!water.present) refuse(density, "is 'flooded', but there is no 'environment.water'");
       t.contents_density = water.density;
     }
     if (t.inner_diameter >= t.outer_diameter)
-      refuse((*c)["inner_diameter"],
-             fmt::format("{:g} m is not inside the outside of {:g} m", t.inner_diameter, t.outer_diameter));
+      refuse((*c)["inner_diameter"], "{:g} m is not inside the outside of {:g} m", t.inner_diameter,
+             t.outer_diameter);
     t.mass_per_length += t.contents_density * M_PI / 4 * t.inner_diameter * t.inner_diameter;
   }
   if (const Value* g = v.find("marine_growth")) {

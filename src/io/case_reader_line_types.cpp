@@ -12,6 +12,7 @@ namespace hawser::io {
 namespace {
 
 using model::refuse;
+using model::refuse_key;
 using model::Value;
 
 void read_plasticity(const Value& v, model::LineType& t) {
@@ -22,18 +23,18 @@ void read_plasticity(const Value& v, model::LineType& t) {
   const bool curve = p.has("ramberg_osgood");
   if (curve == p.has("table")) refuse(p, "needs either 'ramberg_osgood' or 'table'");
   if (t.moment_table || t.GA > 0 || t.EI2 != t.EI3)
-    refuse(p, fmt::format("cannot be combined with {}; remove one of them", t.moment_table ? "a table of EI"
-                                                                            : t.GA > 0     ? "GA"
-                                                                                       : "two values of EI"));
+    refuse(p, "cannot be combined with {}; remove one of them",
+           t.moment_table ? "a table of EI"
+           : t.GA > 0     ? "GA"
+                          : "two values of EI");
   std::vector<PlasticBending::Row> rows;
   if (curve) {
     const Value& c = p["ramberg_osgood"];
     const double last = 2 * kStrain / t.outer_diameter, yield = c["yield_moment"].number / t.EI2;
     if (!(last > yield))
-      refuse(
-          c["yield_moment"],
-          fmt::format("is reached at a curvature of {:.3g} 1/m only, beyond {:g} % of strain; is it in N m?",
-                      yield, 100 * kStrain));
+      refuse(c["yield_moment"],
+             "is reached at a curvature of {:.3g} 1/m only, beyond {:g} % of strain; is it in N m?", yield,
+             100 * kStrain);
     rows = ramberg_osgood(t.EI2, c["yield_moment"].number, c["A"].number, c["B"].number, last, kRows);
   } else {
     rows = p["table"].rows();
@@ -45,9 +46,8 @@ void read_plasticity(const Value& v, model::LineType& t) {
   }
   const double slope = t.plastic_bending->initial();
   if (!curve && std::abs(slope - t.EI2) > 0.05 * t.EI2)
-    refuse(p["table"],
-           fmt::format("its first row makes EI {:.4g} N m2, but the type has {:.4g}; they must agree to 5 %",
-                       slope, t.EI2));
+    refuse(p["table"], "its first row makes EI {:.4g} N m2, but the type has {:.4g}; they must agree to 5 %",
+           slope, t.EI2);
   t.EI2 = t.EI3 = slope;
 }
 
@@ -55,9 +55,9 @@ void finish_bending(const Value& v, model::LineType& t) {
   if (v.has("pipe")) return read_plasticity(v, t);
   for (const char* key : {"EI", "GJ"})
     if (!v.has(key))
-      refuse(v, v.where + "." + key,
-             "required key is missing; a type that resists bending needs EI and GJ (a type that doesn't says "
-             "'bending: false')");
+      refuse_key(v, v.where + "." + key,
+                 "required key is missing; a type that resists bending needs EI and GJ (a type that doesn't "
+                 "says 'bending: false')");
   if (t.moment_table && t.GA > 0)
     refuse(v["GA"], "cannot be combined with a table of moments; remove one of them");
   read_plasticity(v, t);
@@ -81,9 +81,9 @@ model::LineType read_line_type(const std::string& name, const Value& v, const mo
       if (v.has(key)) refuse(v[key], "has a meaning with 'library' only");
     for (const char* key : {"outer_diameter", "mass_per_length", "EA"})
       if (!v.has(key) && !(v.has("weight") && std::string_view(key) == "mass_per_length"))
-        refuse(v, v.where + "." + key,
-               "required key is missing: a type that is no 'pipe' and not from the 'library' needs "
-               "outer_diameter, mass_per_length (or weight) and EA");
+        refuse_key(v, v.where + "." + key,
+                   "required key is missing: a type that is no 'pipe' and not from the 'library' needs "
+                   "outer_diameter, mass_per_length (or weight) and EA");
   }
   t.name = name;
   model::take(v, t, known);  // what the library says goes before defaults

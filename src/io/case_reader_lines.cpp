@@ -53,8 +53,7 @@ void finish_section(const Value& v, const SectionLengths& lengths, model::Sectio
   if (const Value* h = v.find("element_length")) {
     constexpr double kMost = 1e6;
     const double n = elements_for(s.length, h->number, s.grading);
-    if (!(n <= kMost))
-      refuse(*h, fmt::format("makes {:.3g} elements of this section; the limit is {:.0e}", n, kMost));
+    if (!(n <= kMost)) refuse(*h, "makes {:.3g} elements of this section; the limit is {:.0e}", n, kMost);
     s.elements = static_cast<int>(n);
   }
   if (const auto found = lengths.find(v.where); found != lengths.end()) s.length = found->second;
@@ -81,18 +80,17 @@ void finish_bend_stiffener(const Value& v, double length, model::BendStiffener& 
       refuse(rows.items[i], i > 0 ? fmt::format("rows go away from the root, but {:g} m comes after {:g} m",
                                                 d, b.rows[i - 1].first)
                                   : fmt::format("{:g} m is before the root", d));
-    if (!(k >= 0)) refuse(rows.items[i], fmt::format("{:g} N m² would soften the line", k));
+    if (!(k >= 0)) refuse(rows.items[i], "{:g} N m² would soften the line", k);
   }
   const double tip = b.towards_a ? b.at - b.rows.back().first : b.at + b.rows.back().first;
   if (tip < -1e-9 * length || tip > length * (1 + 1e-9))
-    refuse(rows, fmt::format("reaches to {:g} m of a line of {:g} m", tip, length));
+    refuse(rows, "reaches to {:g} m of a line of {:g} m", tip, length);
 }
 
 void check_temperature_change(const Value& v, const model::Line& l) {
   for (std::size_t i = 1; i < l.temperature_change.size(); ++i) {
     const double before = l.temperature_change[i - 1].first, s = l.temperature_change[i].first;
-    if (!(s > before))
-      refuse(v.items[i], fmt::format("rows go from end A on, but {:g} m comes after {:g} m", s, before));
+    if (!(s > before)) refuse(v.items[i], "rows go from end A on, but {:g} m comes after {:g} m", s, before);
   }
 }
 
@@ -100,23 +98,21 @@ void check_temperature_change(const Value& v, const model::Line& l) {
 void finish_target(const Value& v, const Value& sections, model::LengthTarget& t) {
   if (t.kind == model::LengthTarget::Kind::laid_length && v["at"].given)
     refuse(v["at"], "has no meaning for 'laid_length', which is that of the whole line; remove it");
-  const auto length = [&](int i) { return sections.items[static_cast<std::size_t>(i)]["length"].number; };
+  const auto length = [&](int i) { return sections.items[i]["length"].number; };
   const int count = static_cast<int>(sections.items.size());
   for (int i = 1; i < count; ++i)
     if (length(i) > length(t.section)) t.section = i;
   if (const Value* s = v.find("section")) {
-    if (s->number > count)
-      refuse(*s, fmt::format("there is no section {:g}; the line has {}", s->number, count));
+    if (s->number > count) refuse(*s, "there is no section {:g}; the line has {}", s->number, count);
     t.section = static_cast<int>(s->number) - 1;
   }
   const double given = length(t.section);
   if (!v.has("between")) t.least = 0.5 * given, t.most = 1.5 * given;
   if (!(t.least < given && given < t.most))
-    refuse(
-        v["between"],
-        fmt::format(
-            "the search begins with the length of section {}, {:g} m, which is not between {:g} and {:g} m",
-            t.section + 1, given, t.least, t.most));
+    refuse(v["between"],
+
+           "the search begins with the length of section {}, {:g} m, which is not between {:g} and {:g} m",
+           t.section + 1, given, t.least, t.most);
 }
 
 // Of a shape that another run left: its own `start`, or the one of the whole case (`whole`, may be null).

@@ -7,6 +7,7 @@
 namespace hawser::io {
 
 using model::refuse;
+using model::refuse_key;
 using model::Value;
 
 namespace {
@@ -34,19 +35,19 @@ void finish_link(const Value& v, model::Link& l, const model::Case& c) {
     std::vector<MonotoneCubic::Row> r = table->rows();
     for (size_t i = 1; i < r.size(); ++i)
       if (!(r[i].first > r[i - 1].first) || !(r[i].second > r[i - 1].second))
-        refuse(table->items[i], table->where,
-               "row " + std::to_string(i + 1) +
-                   " must have more elongation and more tension than the one before");
+        refuse_key(table->items[i], table->where,
+                   "row " + std::to_string(i + 1) +
+                       " must have more elongation and more tension than the one before");
     if (law.tension_only && r.front().second < 0)
-      refuse(table->items[0], table->where,
-             "row 1 has a tension below 0, but the link is 'tension_only': begin where it goes slack");
+      refuse_key(table->items[0], table->where,
+                 "row 1 has a tension below 0, but the link is 'tension_only': begin where it goes slack");
     // The slope at an end is at least a tenth of the secant's, so that it holds on beyond its rows.
     constexpr double kLeastSlope = 0.1;
     law.spring = std::make_shared<MonotoneCubic>(std::move(r), std::nullopt, kLeastSlope);
   }
   if (const Value* table = v.find("damping_table")) {
     if (v.has("damping"))
-      refuse(*table, v.where, "'damping' and 'damping_table' exclude each other; give only one of them");
+      refuse_key(*table, v.where, "'damping' and 'damping_table' exclude each other; give only one of them");
     const std::vector<MonotoneCubic::Row> r = table->rows();
     try {
       law.damper = std::make_shared<ResponseCurve>(r, r.front().first >= 0);

@@ -9,6 +9,7 @@
 namespace hawser::io {
 
 using model::refuse;
+using model::refuse_key;
 using model::Value;
 namespace fs = std::filesystem;
 
@@ -23,9 +24,9 @@ void finish_output(const Value& v, const CaseSource& source, model::Case& c) {
   for (const model::Line& l : c.lines)
     for (const std::string& replaced : {o.file, kept_name(o.file)})
       if (std::error_code same; l.left && fs::equivalent(l.left->file, replaced, same))
-        refuse(v.has("file") ? v["file"] : v, "output.file",
-               replaced + " is the run that line '" + l.name +
-                   "' starts from, and would be overwritten; give another 'file'");
+        refuse_key(v.has("file") ? v["file"] : v, "output.file",
+                   "{} is the run that line '{}' starts from, and would be overwritten; give another 'file'",
+                   replaced, l.name);
   for (std::size_t i = 0; i < o.histories.size(); ++i) {
     model::HistoryPoint& p = o.histories[i];
     if (!p.line.empty()) to_length(p.at, length_of(c, p.line));

@@ -37,7 +37,7 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
     for (std::string w; words >> w;) {
       const model::Quantity q = model::parse_quantity(w, model::Dimension::none);
       if (q.status != model::Quantity::Status::ok)
-        refuse(at, fmt::format("{}:{}: {} is no finite number", path, n, model::quote(w)));
+        refuse(at, "{}:{}: {} is no finite number", path, n, model::quote(w));
       row.push_back(q.si);
     }
     if (row.empty()) continue;
@@ -91,8 +91,7 @@ void check_time(const GivenRows& given, size_t i) {
   if (i == 0) return;
   const double before = given.rows[i - 1][0], now = given.rows[i][0];
   if (!(now > before))
-    refuse(given.at,
-           fmt::format("times must increase, but row {} has t = {:g} s after {:g} s", i + 1, now, before));
+    refuse(given.at, "times must increase, but row {} has t = {:g} s after {:g} s", i + 1, now, before);
 }
 
 namespace {
@@ -144,17 +143,13 @@ void read_motion_table(const Value& table, const CaseSource& source, model::Tabl
                        std::vector<std::string>& notes) {
   const GivenRows given = read_given_rows(table, source);
   const auto& [at, rows] = given;
-  if (rows.size() < 2)
-    refuse(at, fmt::format("a table of motion needs at least 2 rows, found {}", rows.size()));
+  if (rows.size() < 2) refuse(at, "a table of motion needs at least 2 rows, found {}", rows.size());
   const std::size_t columns = rows.front().size();
   if (columns != 4 && columns != 7)
-    refuse(at,
-           fmt::format("a row of motion has 4 numbers (t, x, y, z) or 7 (and a rotation vector), found {}",
-                       columns));
+    refuse(at, "a row of motion has 4 numbers (t, x, y, z) or 7 (and a rotation vector), found {}", columns);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
-    if (r.size() != columns)
-      refuse(at, fmt::format("row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns));
+    if (r.size() != columns) refuse(at, "row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns);
     check_time(given, i);
     m.time.push_back(r[0]);
     m.offset.emplace_back(r[1], r[2], r[3]);

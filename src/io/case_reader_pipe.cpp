@@ -37,7 +37,7 @@ double polar(double d, double D) { return area(d, D) / 8 * (D * D + d * d); }
 void only(const Value& v, const char* by, std::initializer_list<const char*> keys) {
   for (const char* key : keys)
     if (const Value* k = v.find(key); k && k->given)
-      refuse(*k, fmt::format("'{}' already says what it is; remove one of them", by));
+      refuse(*k, "'{}' already says what it is; remove one of them", by);
 }
 
 // What codes judge the pipe by; of no account without a grade.
@@ -71,8 +71,8 @@ void read_pipe(const Value& v, bool uneven_bed, model::LineType& t) {
   const Value& p = v["pipe"];
   const double D = p["outer_diameter"].number, wall = p["wall_thickness"].number, d = D - 2 * wall;
   if (!(d > 0))
-    refuse(p["wall_thickness"],
-           fmt::format("a wall of {:g} m fills the pipe of {:g} m; it must be below half of that", wall, D));
+    refuse(p["wall_thickness"], "a wall of {:g} m fills the pipe of {:g} m; it must be below half of that",
+           wall, D);
   const Material m = material(p["material"]);
   t.EA = m.E * area(d, D);
   t.EI2 = t.EI3 = m.E * polar(d, D) / 2;
@@ -97,21 +97,23 @@ void read_weight(const Value& v, double gravity, model::LineType& t) {
   // Without gravity what weighs has its mass all the same.
   const double g = gravity > 0 ? gravity : 9.80665;
   if (!(air > submerged))
-    refuse(w["submerged"], fmt::format("{:g} N/m is not less than the weight in air of {:g} N/m, so that the "
-                                       "line would displace no water",
-                                       submerged, air));
+    refuse(
+        w["submerged"],
+        "{:g} N/m is not less than the weight in air of {:g} N/m, so that the line would displace no water",
+        submerged, air);
   t.mass_per_length = air / g;
   t.displaced_diameter = std::sqrt(4 / M_PI * (air - submerged) / (g * w["water_density"].number));
   if (const Value* outer = v.find("outer_diameter"); outer && t.displaced_diameter > 1.02 * outer->number)
-    refuse(w["submerged"], fmt::format("with {:g} N/m in air and {:g} N/m under water the line displaces as "
-                                       "much as a cylinder of {:.4g} m, but its outer_diameter is {:g} m",
-                                       air, submerged, t.displaced_diameter, outer->number));
+    refuse(w["submerged"],
+           "with {:g} N/m in air and {:g} N/m under water the line displaces as much as a cylinder of {:.4g} "
+           "m, but its outer_diameter is {:g} m",
+           air, submerged, t.displaced_diameter, outer->number);
   const Value *contents = v.find("contents"), *bore = contents ? contents->find("inner_diameter") : nullptr;
   if (!w.has("full_of") || !bore) return;
   t.mass_per_length -= w["full_of"].number * area(0, bore->number);
   if (!(t.mass_per_length > 0))
-    refuse(*bore, fmt::format("what fills a bore of {:g} m weighs more than the line full of it, {:g} N/m",
-                              bore->number, air));
+    refuse(*bore, "what fills a bore of {:g} m weighs more than the line full of it, {:g} N/m", bore->number,
+           air);
 }
 
 }  // namespace hawser::io

@@ -36,15 +36,15 @@ RaoTable read_table(const model::Value& rao, const CaseSource& source) {
   for (size_t i = 0; i < rows.size(); ++i) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 14)
-      refuse(at, fmt::format("a row of responses has 14 numbers (period, direction, six amplitudes each with "
-                             "its phase), but row {} has {}",
-                             i + 1, r.size()));
-    if (!(r[0] > 0)) refuse(at, fmt::format("periods must be above 0, but row {} has {:g} s", i + 1, r[0]));
+      refuse(at,
+             "a row of responses has 14 numbers (period, direction, six amplitudes each with its phase), but "
+             "row {} has {}",
+             i + 1, r.size());
+    if (!(r[0] > 0)) refuse(at, "periods must be above 0, but row {} has {:g} s", i + 1, r[0]);
     for (size_t k = 2; k < 14; k += 2)
       if (!(r[k] >= 0))
-        refuse(at,
-               fmt::format("amplitudes must not be negative, but row {} has {:g}: turn its phase by 180 deg",
-                           i + 1, r[k]));
+        refuse(at, "amplitudes must not be negative, but row {} has {:g}: turn its phase by 180 deg", i + 1,
+               r[k]);
     RaoTable::Row& row = table.emplace_back();
     row.omega = 2 * M_PI / r[0], row.direction = r[1] * kDegree;
     for (size_t k = 0; k < 6; ++k)
@@ -54,8 +54,8 @@ RaoTable read_table(const model::Value& rao, const CaseSource& source) {
   if (rao["symmetry"].is("port_starboard")) {
     if (both_sides(table))
       refuse(at,
-             "'symmetry: port_starboard' makes the other side of a table of one side (directions from 0 "
-             "to 180 deg, or from 180 to 360), but the rows have directions on both");
+             "'symmetry: port_starboard' makes the other side of a table of one side (directions from 0 to "
+             "180 deg, or from 180 to 360), but the rows have directions on both");
     table = with_other_side(table);
   }
   try {
@@ -143,8 +143,8 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
   const double count = duration / step + 20;
   constexpr double kMost = 5e6;
   if (count > kMost)
-    refuse(rao, fmt::format("{:g} s of this motion are {:.3g} rows of a table; the limit is {:g}", duration,
-                            count, kMost));
+    refuse(rao, "{:g} s of this motion are {:.3g} rows of a table; the limit is {:g}", duration, count,
+           kMost);
   model::TableMotion m;
   m.of_waves = true;
   for (int i = -10; i <= static_cast<int>(count) - 10; ++i) {

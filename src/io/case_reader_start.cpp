@@ -16,6 +16,7 @@
 namespace hawser::io {
 
 using model::refuse;
+using model::refuse_key;
 using model::Value;
 
 namespace {
@@ -56,7 +57,7 @@ const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
       for (const char* axis : {"fields/axis_1", "fields/axis_2"})
         r.axes.push_back(h5::read_row(file, axis, row).values);
   } catch (const std::runtime_error& e) {  // no results file, or not whole
-    refuse(from, fmt::format("{}: cannot be read: {}", path, e.what()));
+    refuse(from, "{}: cannot be read: {}", path, e.what());
   }
   if (!missing.empty()) refuse(*time, missing);
   return r;
@@ -69,8 +70,8 @@ std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, con
   if (found == r.lines.end()) {
     if (!must) return nullptr;
     const Value& at = start.has("line") ? start["line"] : start["from"];
-    refuse(at, fmt::format("{} has no line {}{} (lines: {})", r.path, model::quote(name),
-                           model::did_you_mean(name, r.lines), fmt::join(r.lines, ", ")));
+    refuse(at, "{} has no line {}{} (lines: {})", r.path, model::quote(name),
+           model::did_you_mean(name, r.lines), fmt::join(r.lines, ", "));
   }
   auto left = std::make_shared<model::LeftShape>();
   left->file = r.path;
@@ -115,12 +116,11 @@ void check_left_shape(const model::Line& line, const Value& at, const std::strin
   constexpr double kSame = 1e-6, kMost = 0.2;  // of the length
   const double here = model::length_of(line), there = line.left->arc.back();
   if (std::abs(here - there) > kMost * here)
-    refuse(at, key,
-           fmt::format("the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %{}", here, there,
-                       line.left->file, 100 * kMost,
-                       parted ? ". It is cut there, and its parts have come apart: give a 'time' "
-                                "before that, or make each part a line"
-                              : ""));
+    refuse_key(at, key, "the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %{}", here, there,
+               line.left->file, 100 * kMost,
+               parted ? ". It is cut there, and its parts have come apart: give a 'time' before that, or "
+                        "make each part a line"
+                      : "");
   if (std::abs(here - there) > kSame * here)
     notes.push_back(fmt::format(
         "{}: the line is {:g} m long and was {:g} m in {}; its shape is taken by share of the length", key,

@@ -17,6 +17,7 @@ namespace hawser::io {
 namespace {
 
 using model::refuse;
+using model::refuse_key;
 using model::SupportBox;
 using model::Value;
 
@@ -56,19 +57,19 @@ class Group {
   const model::Line& the_line() const {
     if (v_.has("line")) return c_.line(v_["line"].text);
     if (c_.lines.size() != 1)
-      refuse(
+      refuse_key(
           v_, v_.where + ".line",
-          fmt::format(
-              "required key is missing: the case has {} lines; say which of them is laid over these supports",
-              c_.lines.size()));
+
+          "required key is missing: the case has {} lines; say which of them is laid over these supports",
+          c_.lines.size());
     return c_.lines.front();
   }
 
   void places(const Value& e) {
     if (!places_.empty() && e.has("points") != places_.front().entry->has("points"))
       refuse(e,
-             "has 'points' where other boxes of the group have 'at', or the other way round; make it a "
-             "group of its own");
+             "has 'points' where other boxes of the group have 'at', or the other way round; make it a group "
+             "of its own");
     if (const Value* points = e.find("points")) {
       if (v_.has("path"))
         refuse(*points,
@@ -91,16 +92,16 @@ class Group {
     const Value& at = e["at"];
     const auto add = [&](const Value& s) {
       if (s.number > along.length() * (1 + 1e-9))
-        refuse(s, e.where + ".at",
-               fmt::format("a box {:g} m along the path is beyond its end at {:g} m; lengthen the last "
-                           "of its segments or move the box",
-                           s.number, along.length()));
+        refuse_key(s, e.where + ".at",
+                   "a box {:g} m along the path is beyond its end at {:g} m; lengthen the last of its "
+                   "segments or move the box",
+                   s.number, along.length());
       PathPoint p = along.at(s.number);
       if (p.dip > 0.5 * std::numbers::pi * (1 - 1e-9))
-        refuse(s, e.where + ".at",
-               fmt::format("the path has turned by {:.3g} degrees below the horizontal there, and must "
-                           "stay below 90; make its arcs shorter or their radius larger",
-                           p.dip * 180 / std::numbers::pi));
+        refuse_key(s, e.where + ".at",
+                   "the path has turned by {:.3g} degrees below the horizontal there, and must stay below "
+                   "90; make its arcs shorter or their radius larger",
+                   p.dip * 180 / std::numbers::pi);
       p.at += e["above_path"].number * p.up;
       places_.push_back({&e, s.number, p});
     };
@@ -116,19 +117,17 @@ class Group {
     for (const Place& p : places_) points.push_back(p.at.at);
     if (points.size() < 2)
       refuse(v_,
-             "one point alone does not say which way the pipe goes; give two points or more, or a "
-             "'path' and 'at'");
+             "one point alone does not say which way the pipe goes; give two points or more, or a 'path' and "
+             "'at'");
     for (size_t i = 0; i < points.size(); ++i) {
       Place& p = places_[i];
       if (i > 0 && !((points[i] - points[i - 1]).norm() > 0))
-        refuse(*p.entry, p.entry->where + ".points",
-               fmt::format("point {} is the same as the one before it", i + 1));
+        refuse_key(*p.entry, p.entry->where + ".points", "point {} is the same as the one before it", i + 1);
       p.at.along = direction_at(points, i);
       if (std::hypot(p.at.along.x(), p.at.along.y()) < 1e-6)
-        refuse(
-            *p.entry, p.entry->where + ".points",
-            fmt::format("the pipe would go straight up or down at point {}, where it does not lie on rollers",
-                        i + 1));
+        refuse_key(*p.entry, p.entry->where + ".points",
+                   "the pipe would go straight up or down at point {}, where it does not lie on rollers",
+                   i + 1);
       p.at.up = across(p.at.along);
     }
   }
@@ -138,11 +137,10 @@ class Group {
     const bool v = e["type"].is("V"), flat = e["type"].is("flat");
     const auto only = [&](const char* key, bool wanted, const char* of) {
       if (e.has(key) && !wanted)
-        refuse(e[key],
-               fmt::format("a support of type '{}' has none; remove it, or choose {}", e["type"].text, of));
+        refuse(e[key], "a support of type '{}' has none; remove it, or choose {}", e["type"].text, of);
       if (!e.has(key) && wanted)
-        refuse(e, e.where + "." + key,
-               fmt::format("required key is missing: a support of type '{}' needs it", e["type"].text));
+        refuse_key(e, e.where + "." + key, "required key is missing: a support of type '{}' needs it",
+                   e["type"].text);
     };
     only("angle_deg", v, "type 'V'");
     only("side_height", !v && !flat, "type 'U' or 'box'");
@@ -156,9 +154,9 @@ class Group {
     const double angle = v ? e["angle_deg"].number : 0;
     if (const double needed = (r + radius_) * std::tan(angle); length < needed)
       refuse(e["roller_length"],
-             fmt::format("is {:g} m, but a line of radius {:g} m lies {:.3g} m along the rollers of a V "
-                         "of {:.3g} deg: it would hang between their ends; make them longer",
-                         length, radius_, needed, angle * 180 / M_PI));
+             "is {:g} m, but a line of radius {:g} m lies {:.3g} m along the rollers of a V of {:.3g} deg: "
+             "it would hang between their ends; make them longer",
+             length, radius_, needed, angle * 180 / M_PI);
     b.rise = (r + radius_) / std::cos(angle);
     b.at = p.at.at + b.rise * b.up;
     if (const Value* on = v_.find("on")) b.body = carry(b, *on);
@@ -183,17 +181,16 @@ class Group {
           roller(side > 0 ? "left" : "right", foot, foot + (closed ? top : r + height) * b.up);
         }
         if (closed && height < 2 * radius_)
-          refuse(
-              e["side_height"],
-              fmt::format("a clear height of {:g} m is less than the contact diameter of line '{}', {:g} m",
-                          height, line_.name, 2 * radius_));
+          refuse(e["side_height"],
+                 "a clear height of {:g} m is less than the contact diameter of line '{}', {:g} m", height,
+                 line_.name, 2 * radius_);
         if (closed)
           roller("above", base + 0.5 * length * left + top * b.up, base - 0.5 * length * left + top * b.up);
       }
       if (!flat && length < 2 * radius_)
         refuse(e["roller_length"],
-               fmt::format("a clear width of {:g} m is less than the contact diameter of line '{}', {:g} m",
-                           length, line_.name, 2 * radius_));
+               "a clear width of {:g} m is less than the contact diameter of line '{}', {:g} m", length,
+               line_.name, 2 * radius_);
     }
     c_.supports.push_back(std::move(b));
   }
@@ -205,27 +202,25 @@ class Group {
     if (const int body = c_.body_index(b.body); body >= 0) {
       if (c_.rides(body))
         refuse(v_["body"],
-               fmt::format(
-                   "body '{}' rides on a line itself; name the body in whose frame the supports are drawn",
-                   b.body));
-      pose = model::rigid_motion(c_.bodies[static_cast<size_t>(body)]).at(0);
+
+               "body '{}' rides on a line itself; name the body in whose frame the supports are drawn",
+               b.body);
+      pose = model::rigid_motion(c_.bodies[body]).at(0);
     }
     const Vec3 place = pose.to_space(b.at - b.rise * b.up);
     model::Body o;
     o.name = b.name, o.position = pose.position, o.rotation = log_so3(pose.rotation);
     if (c_.body_index(o.name) >= 0)
-      refuse(v_, fmt::format(
-                     "the body of one of its boxes is called '{}' as another is; give the group another name",
-                     o.name));
+      refuse(v_, "the body of one of its boxes is called '{}' as another is; give the group another name",
+             o.name);
     double nearest = HUGE_VAL;
     for (const Value& name : on.items) {
       const model::Line& line = c_.line(name.text);
       if (line.name == line_.name || line.end_a.kind == model::EndKind::free ||
           line.end_b.kind == model::EndKind::free)
-        refuse(
-            name, v_.where + ".on",
-            fmt::format("line '{}' {}; name beams with both ends at joints, anchors or bodies", line.name,
-                        line.name == line_.name ? "is laid over these supports itself" : "has a free end"));
+        refuse_key(name, v_.where + ".on",
+                   "line '{}' {}; name beams with both ends at joints, anchors or bodies", line.name,
+                   line.name == line_.name ? "is laid over these supports itself" : "has a free end");
       const Vec3 a = model::end_position(c_, line.end_a), way = model::end_position(c_, line.end_b) - a;
       const double share = std::clamp((place - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
       const double away = (a + share * way - place).norm();
@@ -240,9 +235,8 @@ class Group {
     o.name = b.name + " " + b.rollers.back();
     for (const model::Volume& other : c_.volumes)
       if (other.name == o.name)
-        refuse(v_, fmt::format(
-                       "one of its rollers is called '{}' as another volume is; give the group another name",
-                       o.name));
+        refuse(v_, "one of its rollers is called '{}' as another volume is; give the group another name",
+               o.name);
     model::take(e, o);
     o.shape = shape, o.body = b.body, o.roller = true;
     if (const Value& k = e["normal_stiffness"]; !k.is("auto"))

@@ -10,6 +10,7 @@
 namespace hawser::io {
 
 using model::refuse;
+using model::refuse_key;
 using model::Value;
 
 void finish_volume(const Value& v, const CaseSource& source, model::Volume& o) {
@@ -36,9 +37,8 @@ void finish_contact(const Value& v, model::Contact& to) {
     t.settings = to.between_lines.general;  // what a pair does not say is as for all
     model::take(p, t, true);
     if (!seen.insert(ordered(t.first, t.second)).second)
-      refuse(p, p["lines"].where,
-             fmt::format("lines {} and {} have settings already", model::quote(t.first),
-                         model::quote(t.second)));
+      refuse_key(p, p["lines"].where, "lines {} and {} have settings already", model::quote(t.first),
+                 model::quote(t.second));
   }
 }
 

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"
 
 namespace hawser::io {
@@ -128,8 +129,7 @@ unsigned long long checkpoint_sum(const std::string& index, long long sequence, 
 bool fits(const CheckpointHistory& history, const HistoryRecord& r) {
   if (r.kind < 0 || static_cast<size_t>(r.kind) >= history.kinds.size()) return false;
   size_t size = 0;
-  for (const HistoryQuantity& q : history.kinds[static_cast<size_t>(r.kind)].quantities)
-    size += static_cast<size_t>(q.components);
+  for (const HistoryQuantity& q : history.kinds[r.kind].quantities) size += static_cast<size_t>(q.components);
   return size > 0 && r.values.size() % size == 0;
 }
 
@@ -153,7 +153,7 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
   }
   room.index = describe(c, nodes_total);
   agree(comm, good, room.index);
-  MPI_Allreduce(MPI_IN_PLACE, &room.size, 1, MPI_LONG_LONG, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, room.size);
   room.size += 1 + std::ssize(c.scalars) + std::ssize(c.history);
   for (const auto& [name, field] : c.nodes)
     room.size += nodes_total * static_cast<long long>(field.components);
@@ -162,8 +162,7 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
 
 unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, const std::vector<int>& owned,
                                   const PutNumbers& put) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   unsigned long long sum = 0;
   const auto piece = [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
     const double* from = values.data();
@@ -200,9 +199,8 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
       return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
     });
     std::vector<long long> start(static_cast<size_t>(nodes_total) + 1, 0);
-    for (const auto* r : sorted)
-      start[static_cast<size_t>(r->node) + 1] += kRecordHead + std::ssize(r->values);
-    MPI_Allreduce(MPI_IN_PLACE, start.data(), nodes_total + 1, MPI_LONG_LONG, MPI_SUM, comm);
+    for (const auto* r : sorted) start[r->node + 1] += kRecordHead + std::ssize(r->values);
+    all_reduce(comm, MPI_SUM, start);
     for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
     size_t most = sorted.size();
     MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_UNSIGNED_LONG, MPI_MAX, comm);
@@ -213,7 +211,7 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
     for (size_t from = 0; from == 0 || from < most; from += kPiece) {
       for (size_t i = from; i < std::min(from + kPiece, sorted.size()); ++i) {
         const HistoryRecord* r = sorted[i];
-        long long& to = start[static_cast<size_t>(r->node)];
+        long long& to = start[r->node];
         const long long length = kRecordHead + std::ssize(r->values);
         if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
         runs.back().count += length, to += length;
@@ -238,7 +236,7 @@ Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>
   const auto next = [&] { return at < values.size() ? values[at++] : throw wrong(); };
   const auto count = [&](double most) {
     const double n = next();
-    if (!(n >= 0 && n <= most)) throw InputError(fmt::format("the checkpoint is damaged: it counts {:g}", n));
+    if (!(n >= 0 && n <= most)) throw InputError("the checkpoint is damaged: it counts {:g}", n);
     return static_cast<size_t>(n);
   };
   Checkpoint c;
@@ -301,8 +299,7 @@ long long checkpoint_sequence(const std::string& path) {
 
 Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
                            const std::vector<int>& owned) {
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   Slot slot;
   std::string error;
   if (rank == 0) error = read_newest(path, slot);

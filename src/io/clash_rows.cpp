@@ -79,7 +79,7 @@ ClashTables read_clashes(const std::string& path) {
     h5::check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, written), "counter");
   }
   if (written[0] == 0) return out;
-  const size_t last = static_cast<size_t>(written[0] - 1);
+  const size_t last = written[0] - 1;
   const h5::Array counts = h5::read_array(file, kClashCounts);
   out.ended = read(file, kClashesEnded, -1, static_cast<size_t>(counts.values[2 * last]));
   out.open = read(file, kClashesOpen, static_cast<long long>(last % 2),

@@ -19,6 +19,7 @@ extern const char* const kLineLibrary;
 namespace {
 
 using model::refuse;
+using model::refuse_key;
 using model::Value;
 
 const Value& library() {
@@ -73,12 +74,12 @@ model::LineType library_line_type(const Value& v) {
     refuse(v["library"], model::quote(name) + " is not in the library" + model::did_you_mean(name, names) +
                              " (there are " + model::enumerate(names, "and") + ")");
   if (!v.has("diameter"))
-    refuse(v, v.where + ".diameter", "required key is missing: the nominal diameter of " + name);
+    refuse_key(v, v.where + ".diameter", "required key is missing: the nominal diameter of " + name);
   const double d = v["diameter"].number;
   double strength = 1;
   if (const Value* grades = entry->find("grades")) {
     const std::string known = model::enumerate(grades->keys);
-    if (!v.has("grade")) refuse(v, v.where + ".grade", "required key is missing: " + known);
+    if (!v.has("grade")) refuse_key(v, v.where + ".grade", "required key is missing: " + known);
     const std::string& grade = v["grade"].text;
     const Value* g = grades->find(grade);
     if (!g)
@@ -101,9 +102,10 @@ model::LineType library_line_type(const Value& v) {
   t.Cd_normal = of("Cd_normal"), t.Cd_axial = of("Cd_axial");
   t.Ca_normal = of("Ca_normal"), t.Ca_axial = of("Ca_axial");
   if (!(t.breaking_load > 0) || !(t.EA > 0))
-    refuse(v["diameter"], fmt::format("{:g} m is beyond what the formulas of {} are made for (the diameter "
-                                      "is in m, or with its unit: 84 mm)",
-                                      d, name));
+    refuse(v["diameter"],
+           "{:g} m is beyond what the formulas of {} are made for (the diameter is in m, or with its unit: "
+           "84 mm)",
+           d, name);
   return t;
 }
 

@@ -68,7 +68,7 @@ FitMesh check_mesh(const model::Case& c, const model::Volume& v, const LoadedMes
   const std::string key = "volumes." + v.name;
   const double size = loaded.report.box.extent().maxCoeff();
   if (const std::string odd = other_units(size, kSizes, c); !odd.empty())
-    c.refuse(key + ".scale", fmt::format("the mesh, with scale {:g}, {}", v.scale, odd));
+    c.refuse(key + ".scale", "the mesh, with scale {:g}, {}", v.scale, odd);
   if (const std::string why = unfit(loaded, v.sign); !why.empty())
     c.refuse(key + ".sign", std::string("'") + kSigns[static_cast<int>(v.sign)] + "' " + why);
   FitMesh fit;
@@ -93,10 +93,10 @@ void check_leaders(const model::Case& c, const std::vector<bool>& blunt) {
     const model::Volume &a = c.volumes[p.a], &b = c.volumes[p.b];
     const bool points = a.basis == model::StiffnessBasis::per_point;
     c.refuse("volumes." + a.name + ".normal_stiffness",
-             fmt::format("'{}' is to meet '{}' with its {}, but {} of more than 10 deg: nothing would touch; "
-                         "give a stiffness per_area",
-                         a.name, b.name, points ? "corners (per_point)" : "edges (per_length)",
-                         blunt[p.b] ? "neither mesh has an edge" : "its mesh has none"));
+             "'{}' is to meet '{}' with its {}, but {} of more than 10 deg: nothing would touch; give a "
+             "stiffness per_area",
+             a.name, b.name, points ? "corners (per_point)" : "edges (per_length)",
+             blunt[p.b] ? "neither mesh has an edge" : "its mesh has none");
   }
 }
 

@@ -9,10 +9,7 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <cmath>
-#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 
 #include "hawser/base/error.hpp"
@@ -28,8 +25,9 @@
 namespace hawser::io {
 namespace {
 
-[[noreturn]] void bad(const std::string& path, const std::string& text) {
-  std::string s = path + ": " + text;
+template <class... Args>
+[[noreturn]] void bad(const std::string& path, fmt::format_string<Args...> text, Args&&... args) {
+  std::string s = path + ": " + fmt::format(text, std::forward<Args>(args)...);
   for (char& c : s)
     if (static_cast<unsigned char>(c) < 0x20) c = ' ';
   throw InputError(s);
@@ -67,33 +65,30 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, 
 TriangleMesh import(const std::string& path, double scale) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (const std::string why = unreadable(path, "mesh", kMostMesh); !why.empty()) bad(path, why);
+  if (const std::string why = unreadable(path, "mesh", kMostMesh); !why.empty()) bad(path, "{}", why);
   std::string extension = fs::path(path).extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension != ".stl" && extension != ".obj" && extension != ".ply")
-    bad(path, "meshes are read from STL, OBJ and PLY files (.stl, .obj, .ply), not from '" + extension + "'");
+    bad(path, "meshes are read from STL, OBJ and PLY files (.stl, .obj, .ply), not from '{}'", extension);
   if (fs::file_size(path, error) == 0 || error) bad(path, "the mesh file is empty or cannot be read");
 
   TriangleMesh mesh;
   if (extension != ".obj") {
     const auto read = extension == ".ply" ? read_ply : read_stl;
     if (const std::string problem = read(path, fs::file_size(path), scale, mesh); !problem.empty())
-      bad(path, problem);
+      bad(path, "{}", problem);
   } else {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate | aiProcess_SortByPType);
-    if (!scene || !scene->mRootNode)
-      bad(path, fmt::format("cannot be read as a mesh: {}", importer.GetErrorString()));
+    if (!scene || !scene->mRootNode) bad(path, "cannot be read as a mesh: {}", importer.GetErrorString());
     append(*scene, *scene->mRootNode, aiMatrix4x4(), scale, mesh);
   }
   if (mesh.triangles.empty()) bad(path, "holds no triangles");
   for (const Vec3& v : mesh.vertices) {
     if (!v.allFinite()) bad(path, "has a vertex that is no finite number");
     if (const double far = v.cwiseAbs().maxCoeff(); far > kFarthest)
-      bad(path,
-          fmt::format("has a vertex {:.4g} m from the origin; is it in other units than metres (scale is "
-                      "{:g})?",
-                      far, scale));
+      bad(path, "has a vertex {:.4g} m from the origin; is it in other units than metres (scale is {:g})?",
+          far, scale);
   }
   return mesh;
 }
@@ -112,7 +107,7 @@ void mend(const std::string& path, LoadedMesh& loaded, bool closed) {
   const RepairResult repaired = repair(loaded.mesh);
   loaded.report = inspect(loaded.mesh);
   loaded.open = !loaded.report.valid();
-  if (closed && loaded.open) bad(path, "the triangles cannot be turned outward: " + repaired.sentence);
+  if (closed && loaded.open) bad(path, "the triangles cannot be turned outward: {}", repaired.sentence);
   std::vector<std::string> faults;
   if (found.open_edges > 0) faults.push_back(many(found.open_edges, "open edge", "open edges"));
   if (found.non_manifold_edges > 0)
@@ -123,16 +118,15 @@ void mend(const std::string& path, LoadedMesh& loaded, bool closed) {
   if (faults.empty()) faults.push_back("normals that point into the solid");
   if (repaired.enclosing < 0.5)
     bad(path,
-        fmt::format("the mesh encloses nothing: it has {} among {} triangles, and only {:.0f} % of its area "
-                    "has an inside; a sheet needs a thickness, or use a `shape`",
-                    fmt::join(faults, ", "), found.triangles, 100 * repaired.enclosing));
+        "the mesh encloses nothing: it has {} among {} triangles, and only {:.0f} % of its area has an "
+        "inside; a sheet needs a thickness, or use a `shape`",
+        fmt::join(faults, ", "), found.triangles, 100 * repaired.enclosing);
   loaded.notes.push_back(
       fmt::format("{}: the mesh is not clean: {}; {}", path, fmt::join(faults, ", "), repaired.sentence));
   if (loaded.open)
     loaded.notes.push_back(
         fmt::format("{}: holes are not filled: inside is where the winding number is above 1/2, as it is "
-                    "behind {:.4g} % of the "
-                    "surface",
+                    "behind {:.4g} % of the surface",
                     path, 100 * repaired.enclosing));
 }
 
@@ -198,9 +192,9 @@ LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
   report = inspect(mesh);
   if (closed && !report.closed)
     bad(path,
-        fmt::format("the mesh is not closed: {} open edges and {} edges of more than two triangles in {} "
-                    "triangles; the volume says `closed: required`",
-                    report.open_edges, report.non_manifold_edges, report.triangles));
+        "the mesh is not closed: {} open edges and {} edges of more than two triangles in {} triangles; the "
+        "volume says `closed: required`",
+        report.open_edges, report.non_manifold_edges, report.triangles);
   if (!report.valid()) mend(path, loaded, closed);
   report.welded = welded.welded;
   report.removed = welded.removed;
@@ -220,9 +214,8 @@ std::vector<bool> active_triangles(const TriangleMesh& mesh, const model::Volume
   }
   if (!volume.active_part.empty()) {
     if (std::find(mesh.parts.begin(), mesh.parts.end(), volume.active_part) == mesh.parts.end())
-      throw InputError(fmt::format("the mesh has no part {}{} (parts: {})", model::quote(volume.active_part),
-                                   model::did_you_mean(volume.active_part, mesh.parts),
-                                   fmt::join(mesh.parts, ", ")));
+      throw InputError("the mesh has no part {}{} (parts: {})", model::quote(volume.active_part),
+                       model::did_you_mean(volume.active_part, mesh.parts), fmt::join(mesh.parts, ", "));
     return active_by_part(mesh, {volume.active_part});
   }
   return std::vector<bool>(mesh.triangles.size(), true);

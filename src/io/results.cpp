@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/old_results.hpp"
 #include "hawser/io/results_build.hpp"
@@ -136,8 +137,7 @@ struct ResultsFile::Impl {
     const double last = until + 1e-9 * std::max(std::abs(until), 1.0);
     const auto n = std::upper_bound(step_times.begin(), step_times.end(), last) - step_times.begin();
     std::vector<int> owners(mine.begin(), mine.end());
-    MPI_Allreduce(MPI_IN_PLACE, owners.data(), static_cast<int>(owners.size()), MPI_INT, MPI_SUM,
-                  file.comm());
+    all_reduce(file.comm(), MPI_SUM, owners);
     if (n > 0)
       for (const int k : owners)
         if (k != 1) throw std::logic_error("results: a series must come from exactly one rank");
@@ -191,7 +191,7 @@ struct ResultsFile::Impl {
     waiting.moved.resize(drawn.size());
     for (size_t i = 0; i < drawn.size(); ++i) {
       if (!drawn[i].moves || !root()) continue;
-      const BodyPose& pose = poses[static_cast<size_t>(contents.volumes[i].body)];
+      const BodyPose& pose = poses[contents.volumes[i].body];
       const Mat3 turn = pose.rotation.toRotationMatrix();
       for (const auto& v : drawn[i].vertices) {
         const Eigen::Vector3f x = (pose.position + turn * v).cast<float>();
@@ -317,8 +317,7 @@ ResultsFile ResultsFile::create(MPI_Comm comm, const std::string& path, ResultCo
 ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultContents contents,
                                 std::vector<int> owned, double time, const ClashesTold& told) {
   ResultProgress progress;
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   std::string error;
   // Times are compared with room for rounding: a step ends on the output time to the last few bits.
   const double last = time + 1e-9 * std::max(std::abs(time), 1.0);
@@ -345,10 +344,9 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
                     static_cast<long long>(told.open.size())};
   // A run that failed left with its last output also what ended later; older checkpoints do not know what
   // went to another file.
-  if (n[0] > 0 && !progress.clashes.empty())
-    n[5] = std::min(told.ended, progress.clashes[static_cast<size_t>(n[0] - 1)]);
+  if (n[0] > 0 && !progress.clashes.empty()) n[5] = std::min(told.ended, progress.clashes[n[0] - 1]);
   MPI_Bcast(n, 7, MPI_LONG_LONG, 0, comm);
-  progress.output_times.resize(static_cast<size_t>(n[0]));
+  progress.output_times.resize(n[0]);
   MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
 
   auto impl = std::make_unique<Impl>(comm, path, std::move(contents), std::move(owned));
@@ -410,9 +408,7 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   for (size_t i = 0; i < ends.size(); ++i) w.ends[i].insert(w.ends[i].end(), ends[i].begin(), ends[i].end());
   w.clashes.push_back(clashes);
   m.wait(poses);
-  int due = (m.root() && m.output_time.due()) || w.size() > kMostWaiting;
-  MPI_Allreduce(MPI_IN_PLACE, &due, 1, MPI_INT, MPI_MAX, m.file.comm());
-  if (!due) return;
+  if (!on_any_rank(m.file.comm(), (m.root() && m.output_time.due()) || w.size() > kMostWaiting)) return;
   m.output_time.spend([&] { m.write_waiting(); });
   m.save_xdmf(false);
 }

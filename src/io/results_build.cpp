@@ -246,9 +246,9 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   for (const std::string& name : h5::members(from, "series"))
     if (!h5::exists(to, "series/" + name))
       throw InputError(
-          fmt::format("{} cannot be continued: the case no longer has its history or clearance {}, which "
-                      "would be lost; keep it, or go on in another file with -o",
-                      path, name));
+          "{} cannot be continued: the case no longer has its history or clearance {}, which would be lost; "
+          "keep it, or go on in another file with -o",
+          path, name);
   for (const auto& s : row_sets(c)) {
     // Statistics are made anew from the checkpoint, which older files do not hold.
     if (s.by == RowsBy::node && !h5::exists(from, s.name)) continue;
@@ -430,8 +430,7 @@ void build_results(const std::string& path, const ResultContents& contents, cons
 namespace {
 
 InputError damaged(const std::string& path, const std::string& what) {
-  return InputError(
-      fmt::format("{} is damaged and cannot be continued: {}; go on in another file with -o", path, what));
+  return InputError("{} is damaged and cannot be continued: {}; go on in another file with -o", path, what);
 }
 
 // The rows that count of a column of times.
@@ -439,7 +438,7 @@ std::vector<double> counted(const std::string& path, hid_t file, const std::stri
   std::vector<double> times = h5::read_array(file, name).values;
   if (rows < 0 || rows > static_cast<long long>(times.size()))
     throw damaged(path, fmt::format("it counts {} rows of {}, which has {}", rows, name, times.size()));
-  times.resize(static_cast<size_t>(rows));
+  times.resize(rows);
   return times;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/io/write_error.hpp"
 
 namespace hawser::io {
@@ -34,8 +35,7 @@ void SharedFile::open(const std::vector<std::string>& datasets) {
     h5::quiet();
     const h5::Id access = h5::serial_access();
     transfer_ = h5::own(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "HDF5 property list");
-    int size = 0;
-    MPI_Comm_size(comm_, &size);
+    const int size = ranks_of(comm_);
     if (size > 1) {
       h5::check(H5Pset_fapl_mpio(access, comm_, MPI_INFO_NULL), "HDF5 with MPI");
       h5::check(H5Pset_dxpl_mpio(transfer_, H5FD_MPIO_COLLECTIVE), "HDF5 with MPI");
@@ -61,14 +61,13 @@ void SharedFile::note(const std::exception& e) {
 }
 
 void SharedFile::agree() {
-  int size = 0;
-  MPI_Comm_size(comm_, &size);
+  const int size = ranks_of(comm_);
   int who = trouble_.empty() ? size : rank_;
-  MPI_Allreduce(MPI_IN_PLACE, &who, 1, MPI_INT, MPI_MIN, comm_);
+  all_reduce(comm_, MPI_MIN, who);
   if (who == size) return;
   auto length = static_cast<int>(trouble_.size());
   MPI_Bcast(&length, 1, MPI_INT, who, comm_);
-  trouble_.resize(static_cast<size_t>(length));
+  trouble_.resize(length);
   MPI_Bcast(trouble_.data(), length, MPI_CHAR, who, comm_);
   MPI_Bcast(&ours_, 1, MPI_C_BOOL, who, comm_);
   const std::string text = std::exchange(trouble_, "");

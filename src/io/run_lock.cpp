@@ -32,16 +32,15 @@ RunLock::RunLock(const std::string& results) : path_(results + ".lock") {
   const std::string begin = "cannot write the results to " + results + ": ";
   for (;;) {
     file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-    if (file_ < 0)
-      throw InputError(fmt::format("{}{} cannot be made ({})", begin, path_, std::strerror(errno)));
+    if (file_ < 0) throw InputError("{}{} cannot be made ({})", begin, path_, std::strerror(errno));
     held_ = flock(file_, LOCK_EX | LOCK_NB) == 0;
     if (!held_ && errno == EWOULDBLOCK) {
       close(file_);
       std::string who;
       std::getline(std::ifstream(path_), who);
-      throw InputError(fmt::format(
+      throw InputError(
           "{}another run is writing them{}; wait for its end, or give this one another file with -o", begin,
-          who.empty() ? "" : " (" + who + ")"));
+          who.empty() ? "" : " (" + who + ")");
     }
     if (!held_ || still_there(file_, path_)) break;
     close(file_);

@@ -125,15 +125,14 @@ std::uint32_t facets_told(const std::string& file) {
 std::string read_binary(const std::string& file, double scale, TriangleMesh& mesh) {
   if (file.size() < kHeader)
     return fmt::format(
-        "is no STL file: a text begins with 'solid', and a binary file has {} bytes at least, "
-        "not {}",
+        "is no STL file: a text begins with 'solid', and a binary file has {} bytes at least, not {}",
         kHeader, file.size());
   const std::uintmax_t n = facets_told(file);
   if (n == 0) return "the binary STL file says that it has no facets";
   if (kHeader + kFacet * n > file.size())
     return fmt::format(
-        "is truncated or no STL file: it does not begin with 'solid', and for binary it says "
-        "that it has {} facets, which are {} bytes, but there are {}",
+        "is truncated or no STL file: it does not begin with 'solid', and for binary it says that it has {} "
+        "facets, which are {} bytes, but there are {}",
         n, kHeader + kFacet * n, file.size());
   mesh.parts = {""};
   mesh.part.assign(n, 0);

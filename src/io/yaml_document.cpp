@@ -93,9 +93,8 @@ class TreeBuilder final : public YAML::EventHandler {
   void count_nodes(long n, int line) {
     nodes_ += n;
     if (nodes_ + kept_ > kMostNodes)
-      model::fail(file_, line, path(),
-                  fmt::format("has too many entries, or aliases of them: more than {:g}",
-                              static_cast<double>(kMostNodes)));
+      model::fail(file_, line, path(), "has too many entries, or aliases of them: more than {:g}",
+                  static_cast<double>(kMostNodes));
   }
 
   void open(Value::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
@@ -150,9 +149,7 @@ class TreeBuilder final : public YAML::EventHandler {
       f.key_line = v.line;
       f.has_key = true;
       const auto [first, is_new] = f.key_lines.emplace(f.key, f.key_line);
-      if (!is_new)
-        model::fail(file_, f.key_line, path(),
-                    fmt::format("is given twice (first in line {})", first->second));
+      if (!is_new) model::fail(file_, f.key_line, path(), "is given twice (first in line {})", first->second);
     } else {
       v.line = f.key_line;
       f.value.keys.push_back(std::move(f.key));
@@ -173,10 +170,9 @@ class NoDocument final : public YAML::EventHandler {
  public:
   explicit NoDocument(const std::string& file) : file_(file) {}
   void OnDocumentStart(const YAML::Mark& mark) override {
-    model::fail(
-        file_, line_of(mark), "",
-        "a second YAML document begins here; a case file holds one (is this line indented less than the "
-        "first?)");
+    model::fail(file_, line_of(mark), "",
+                "a second YAML document begins here; a case file holds one (is this line indented less than "
+                "the first?)");
   }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
@@ -202,8 +198,7 @@ void refuse_deep_brackets(const std::string& text, const std::string& file) {
     line += c == '\n';
     if ((c == ']' || c == '}') && open > 0) --open;
     if ((c == '[' || c == '{') && ++open > kDeepest)
-      model::fail(file, line, "",
-                  fmt::format("is nested too deeply: more than {} brackets are open here", kDeepest));
+      model::fail(file, line, "", "is nested too deeply: more than {} brackets are open here", kDeepest);
   }
 }
 
@@ -249,9 +244,8 @@ model::Value parse_yaml(const std::string& text, const std::string& file) {
   } catch (const YAML::Exception& e) {
     const int line = e.mark.line < 0 ? 1 : e.mark.line + 1;
     if (const auto fault = find_yaml_fault(text, line)) model::fail(file, fault->line, "", fault->text);
-    model::fail(file, line, "",
-                fmt::format("this is not valid YAML at column {}: {}", std::max(e.mark.column, 0) + 1,
-                            in_words(e.msg)));
+    model::fail(file, line, "", "this is not valid YAML at column {}: {}", std::max(e.mark.column, 0) + 1,
+                in_words(e.msg));
   }
 }
 

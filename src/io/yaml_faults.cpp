@@ -225,21 +225,19 @@ std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_
     while (!levels.empty() && levels.back().indent > l.indent) levels.pop_back(), dropped = true;
     const bool known = !levels.empty() && levels.back().indent == l.indent;
     if (i == at && !known && levels.empty() && dropped)
-      return YamlFault{number(i),
-                       "the line begins further left than the first one: all top-level keys begin in "
-                       "the same column"};
+      return YamlFault{
+          number(i),
+          "the line begins further left than the first one: all top-level keys begin in the same column"};
     if (i == at && !known && dropped)
-      return YamlFault{
-          number(i),
-          fmt::format("the line is indented by {} blanks, which no line that it could belong to is "
-                      "(line {} is by {}): keys of one map begin in the same column",
-                      l.indent, number(levels.back().line), levels.back().indent)};
+      return YamlFault{number(i),
+                       fmt::format("the line is indented by {} blanks, which no line that it could belong to "
+                                   "is (line {} is by {}): keys of one map begin in the same column",
+                                   l.indent, number(levels.back().line), levels.back().indent)};
     if (!known && !levels.empty() && !levels.back().open && i + 1 >= at && l.indent > levels.back().indent)
-      return YamlFault{
-          number(i),
-          fmt::format("the line is indented by {} blanks, but line {} by {}, and that has its value "
-                      "already: keys of one map begin in the same column",
-                      l.indent, number(levels.back().line), levels.back().indent)};
+      return YamlFault{number(i),
+                       fmt::format("the line is indented by {} blanks, but line {} by {}, and that has its "
+                                   "value already: keys of one map begin in the same column",
+                                   l.indent, number(levels.back().line), levels.back().indent)};
     if (known) levels.pop_back();
     const char last = l.text.back();
     const bool item = l.text.compare(l.indent, 2, "- ") == 0;

@@ -3,7 +3,6 @@
 #include "hawser/kernels/axis_approach.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "hawser/geometry/segment_ccd.hpp"
 #include "hawser/geometry/segment_distance.hpp"

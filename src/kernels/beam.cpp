@@ -3,7 +3,6 @@
 #include "hawser/kernels/beam.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "beam_local.hpp"
 #include "hawser/math/clones.hpp"

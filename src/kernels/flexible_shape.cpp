@@ -233,7 +233,7 @@ std::vector<Vec3> flexible_shape(const FlexibleLine& line, std::vector<Vec3> sta
 
 Vec3 interpolated(const std::vector<double>& s, const std::vector<Vec3>& x, double at) {
   const size_t n = s.size();
-  size_t i = static_cast<size_t>(std::upper_bound(s.begin(), s.end(), at) - s.begin());
+  size_t i = std::upper_bound(s.begin(), s.end(), at) - s.begin();
   i = std::clamp<size_t>(i, 1, n - 1) - 1;
   const auto slope = [&](size_t k) {
     const size_t a = k > 0 ? k - 1 : 0, b = std::min(k + 1, n - 1);

@@ -25,8 +25,8 @@ double until_contact(double away, double speed, double acceleration) {
 
 // Relative to what is bearable for its line; of two lines for the one that bears less.
 double weight(int line, int other, std::span<const double> bearable) {
-  double least = bearable[static_cast<size_t>(line)];
-  if (other >= 0) least = std::min(least, bearable[static_cast<size_t>(other)]);
+  double least = bearable[line];
+  if (other >= 0) least = std::min(least, bearable[other]);
   return least > 0 ? 1 / least : 1 / std::numeric_limits<double>::min();
 }
 
@@ -37,7 +37,7 @@ double largest(double most, const Sum& sum, const What& what) {
   double from = 0, part = most / kParts;
   std::array<double, kParts> at{};
   for (int round = 0; round < kRounds; ++round, part /= kParts) {
-    for (int i = 0; i < kParts; ++i) at[static_cast<size_t>(i)] = what(from + (i + 1) * part);
+    for (int i = 0; i < kParts; ++i) at[i] = what(from + (i + 1) * part);
     sum(at);
     const auto end = std::find_if(at.begin(), at.end(), [](double e) { return !(e <= 1); });
     from += static_cast<double>(end - at.begin()) * part;

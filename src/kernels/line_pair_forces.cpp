@@ -1,6 +1,5 @@
 // The part of LinePairPass that sums forces and couples over the Gauss points, with their exact tangent; the
 // law at a pair of points is in line_pair_law.cpp.
-#include <algorithm>
 #include <cmath>
 
 #include "hawser/math/so3.hpp"
@@ -52,7 +51,7 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
   Rows r;
   const double xi = p.xi, eta = p.foot.eta;
   const AxisShape::Weights dH = slave_.now.derivatives(xi), dG = master_.now.derivatives(eta);
-  const size_t na = static_cast<size_t>(slave_.now.count()), nb = static_cast<size_t>(master_.now.count());
+  const size_t na = slave_.now.count(), nb = master_.now.count();
   for (size_t j = 0; j < na; ++j) r.add(j, p.H[j], dH[j], 0);
   for (size_t k = 0; k < nb; ++k) r.add(na + k, -p.G[k], 0, -dG[k]);
   if (!set_.law.friction.active()) return r;
@@ -77,8 +76,7 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
                                           const Rows& rows) const {
   using F = LinePairForce;
   const bool rubs = set_.law.friction.active();
-  const size_t na = static_cast<size_t>(slave_.now.count()),
-               n = na + static_cast<size_t>(master_.now.count());
+  const size_t na = slave_.now.count(), n = na + static_cast<size_t>(master_.now.count());
   const double xi = p.xi, eta = p.foot.eta;
   const Vec3 &nrm = p.foot.normal, &y1 = p.along;
   const Vec3 y2 = master_.now.bend(eta);
@@ -154,7 +152,7 @@ struct LinePairPass::MovingEnd {
 LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   MovingEnd m;
   if (end == End::fixed) return m;
-  const size_t na = static_cast<size_t>(slave_.now.count()), nb = static_cast<size_t>(master_.now.count());
+  const size_t na = slave_.now.count(), nb = master_.now.count();
   const Vec3 x = slave_.now.point(xi), x1 = slave_.now.slope(xi);
   const AxisShape::Weights H = slave_.now.functions(xi);
   m.by.setZero();
@@ -236,7 +234,7 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
     }
     for (const MovingEnd& end : ends)
       for (int r = 0; r < static_cast<int>(kMost) && end.moves; ++r)
-        g.K.block<3, kByX>(3 * r, 0) += end.force[static_cast<size_t>(r)].lazyProduct(end.by);
+        g.K.block<3, kByX>(3 * r, 0) += end.force[r].lazyProduct(end.by);
   }
 }
 

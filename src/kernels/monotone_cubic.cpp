@@ -3,7 +3,6 @@
 #include "hawser/kernels/monotone_cubic.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hawser {
 

@@ -100,7 +100,7 @@ VectorMotion RowCurve::at(double t) const {
   if (time_.empty()) return {};
   if (time_.size() == 1) return {value_[0], Vec3::Zero(), Vec3::Zero()};
   const auto above = std::upper_bound(time_.begin() + 1, time_.end() - 1, t);
-  const size_t j = static_cast<size_t>(above - time_.begin()), i = j - 1;
+  const size_t j = above - time_.begin(), i = j - 1;
   const double h = time_[j] - time_[i];
   const double at = std::clamp(t, time_[i], time_[j]);
   const double v = (at - time_[i]) / h, u = 1 - v;

@@ -96,7 +96,7 @@ std::vector<PlasticBending::Row> ramberg_osgood(double EI, double yield_moment, 
   for (int r = 1; r <= rows; ++r) {
     const double wanted = sum.back() * r / rows;
     const auto after = std::lower_bound(sum.begin(), sum.end(), wanted);
-    const double m = at[static_cast<size_t>(std::min<std::ptrdiff_t>(after - sum.begin(), kFine))];
+    const double m = at[std::min<std::ptrdiff_t>(after - sum.begin(), kFine)];
     if (out.empty() || m * yield_moment > out.back().second) out.emplace_back(curvature(m), m * yield_moment);
   }
   return out;

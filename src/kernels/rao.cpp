@@ -49,7 +49,7 @@ RaoTable::RaoTable(std::vector<Row> rows) {
 
 Response RaoTable::at(double omega, double direction) const {
   const double w = std::clamp(omega, omega_.front(), omega_.back());
-  size_t i = static_cast<size_t>(std::upper_bound(omega_.begin(), omega_.end(), w) - omega_.begin());
+  size_t i = std::upper_bound(omega_.begin(), omega_.end(), w) - omega_.begin();
   i = std::clamp<size_t>(i, 1, std::max<size_t>(omega_.size() - 1, 1)) - 1;
   const size_t next = std::min(i + 1, omega_.size() - 1);
   const double z = next > i ? (w - omega_[i]) / (omega_[next] - omega_[i]) : 0;
@@ -77,7 +77,7 @@ RaoTable::Between RaoTable::neighbours(double direction) const {
 std::pair<size_t, size_t> RaoTable::either_side(double direction) const {
   const size_t n = direction_.size();
   const auto above = std::upper_bound(direction_.begin(), direction_.end(), all_round(direction));
-  const size_t after = static_cast<size_t>(above - direction_.begin());
+  const size_t after = above - direction_.begin();
   return {(after + n - 1) % n, after % n};
 }
 

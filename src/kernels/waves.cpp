@@ -65,8 +65,8 @@ struct Grid {
   std::vector<double> omega, sum;
   Grid(double peak, double gamma, double from, double to, int cells) {
     const double step = std::log(to / from) / cells;
-    omega.resize(static_cast<size_t>(cells) + 1), sum.assign(static_cast<size_t>(cells) + 1, 0);
-    for (int i = 0; i <= cells; ++i) omega[static_cast<size_t>(i)] = peak * from * std::exp(i * step);
+    omega.resize(cells + 1), sum.assign(cells + 1, 0);
+    for (int i = 0; i <= cells; ++i) omega[i] = peak * from * std::exp(i * step);
     const auto f = [&](double w) { return w * shape(w, peak, gamma); };
     for (size_t i = 1; i < omega.size(); ++i) {
       const double a = omega[i - 1], b = omega[i], m = std::sqrt(a * b);
@@ -126,7 +126,7 @@ std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, 
   Random random = random_of(seed);
   std::vector<WaveComponent> out;
   for (int i = 0; i < count; ++i) {
-    const size_t from = static_cast<size_t>(kFine * i), to = from + kFine;
+    const size_t from = kFine * i, to = from + kFine;
     // What the range leaves out goes to all bins.
     const double energy = (g.sum[to] - g.sum[from]) / g.sum.back() * spectrum.height * spectrum.height / 16;
     out.push_back(component_of(energy, g.omega[from], g.omega[to], direction, spreading, random));

@@ -20,12 +20,12 @@ int add_blocks(LocalMesh& l, int first, int width) {
 // The block of a node that has another's position is that one's, or where that is no local node the one that
 // has come for the same joint already.
 void pin(LocalMesh& l, int local) {
-  const int g = l.global[static_cast<size_t>(local)], other = l.mesh->nodes[static_cast<size_t>(g)].pinned_to;
+  const int g = l.global[local], other = l.mesh->nodes[g].pinned_to;
   if (other < 0) return;
-  int& block = l.block[static_cast<size_t>(local)];
-  const int first = l.first_block[static_cast<size_t>(g)];
+  int& block = l.block[local];
+  const int first = l.first_block[g];
   if (const int here = l.find(other); here >= 0) {
-    block = l.block[static_cast<size_t>(here)];
+    block = l.block[here];
     return;
   }
   const auto known = std::find(l.global_block.begin(), l.global_block.end(), first);
@@ -41,31 +41,28 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
   // Parallel numbering: rank by rank, in file order within a rank.
   std::vector<int> count(static_cast<size_t>(ranks) + 1, 0);
   auto width = [&](size_t n) { return mesh.nodes[n].pinned_to >= 0 ? 0 : mesh.nodes[n].rotates ? 2 : 1; };
-  for (size_t n = 0; n < owner.size(); ++n) count[static_cast<size_t>(owner[n]) + 1] += width(n);
+  for (size_t n = 0; n < owner.size(); ++n) count[owner[n] + 1] += width(n);
   for (size_t r = 0; r < static_cast<size_t>(ranks); ++r) count[r + 1] += count[r];
   std::vector<int> first_block(owner.size());
   for (size_t n = 0; n < owner.size(); ++n) {
-    int& next = count[static_cast<size_t>(owner[n])];
+    int& next = count[owner[n]];
     first_block[n] = next;
     next += width(n);
   }
   for (size_t n = 0; n < owner.size(); ++n)
-    if (const int other = mesh.nodes[n].pinned_to; other >= 0)
-      first_block[n] = first_block[static_cast<size_t>(other)];
+    if (const int other = mesh.nodes[n].pinned_to; other >= 0) first_block[n] = first_block[other];
 
   std::vector<int> ghosts;
   for (size_t n = 0; n < owner.size(); ++n)
     if (owner[n] == rank) l.global.push_back(static_cast<int>(n));
   l.owned = static_cast<int>(l.global.size());
   for (const Element& e : mesh.elements) {
-    const bool a = owner[static_cast<size_t>(e.first)] == rank,
-               b = owner[static_cast<size_t>(e.second)] == rank;
+    const bool a = owner[e.first] == rank, b = owner[e.second] == rank;
     if (a && !b) ghosts.push_back(e.second);
     if (b && !a) ghosts.push_back(e.first);
     if (a == b) continue;
     for (const int n : {e.first, e.second})  // with the frames that carry them
-      if (const int frame = mesh.nodes[static_cast<size_t>(n)].tied_to;
-          frame >= 0 && owner[static_cast<size_t>(frame)] != rank)
+      if (const int frame = mesh.nodes[n].tied_to; frame >= 0 && owner[frame] != rank)
         ghosts.push_back(frame);
   }
   std::sort(ghosts.begin(), ghosts.end());
@@ -74,7 +71,7 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
 
   std::unordered_map<int, int> local;
   for (int i = 0; i < l.nodes(); ++i) {
-    const size_t n = static_cast<size_t>(l.global[static_cast<size_t>(i)]);
+    const size_t n = l.global[i];
     local[static_cast<int>(n)] = i;
     l.block.push_back(add_blocks(l, first_block[n], width(n)));
     if (i + 1 == l.owned) l.owned_blocks = l.blocks();
@@ -86,25 +83,24 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
   l.chain_blocks = l.blocks();
   for (size_t i = 0; i < mesh.elements.size(); ++i) {
     const Element& e = mesh.elements[i];
-    const bool a = owner[static_cast<size_t>(e.first)] == rank,
-               b = owner[static_cast<size_t>(e.second)] == rank;
+    const bool a = owner[e.first] == rank, b = owner[e.second] == rank;
     if (a || b) l.elements.push_back({local.at(e.first), local.at(e.second), static_cast<int>(i), a});
   }
   return l;
 }
 
 void set_coupling_ghosts(LocalMesh& l, std::span<const int> nodes) {
-  const size_t chain = static_cast<size_t>(l.chain);
-  if (l.chain_blocks > 0) l.global_block.resize(static_cast<size_t>(l.chain_blocks));
+  const size_t chain = l.chain;
+  if (l.chain_blocks > 0) l.global_block.resize(l.chain_blocks);
   l.global.resize(chain), l.block.resize(chain);
   std::vector<int> more;
   for (int n : nodes)
     if (l.find(n) < 0) more.push_back(n);
   for (int n : more) {
-    const Node& node = l.mesh->nodes[static_cast<size_t>(n)];
+    const Node& node = l.mesh->nodes[n];
     l.global.push_back(n);
     const int width = node.pinned_to >= 0 ? 0 : node.rotates ? 2 : 1;
-    l.block.push_back(add_blocks(l, l.first_block[static_cast<size_t>(n)], width));
+    l.block.push_back(add_blocks(l, l.first_block[n], width));
   }
   for (int n = l.chain; n < l.nodes(); ++n) pin(l, n);
 }

@@ -37,13 +37,13 @@ void join(const model::Case& c, Mesh& m) {
     }
     int first = -1;
     for (int n : ends)
-      if (first < 0 || m.nodes[static_cast<size_t>(n)].rotates) first = n;
+      if (first < 0 || m.nodes[n].rotates) first = n;
     for (int n : ends)
       if (n != first) {
-        Node& node = m.nodes[static_cast<size_t>(n)];
+        Node& node = m.nodes[n];
         (joint.rigid && node.rotates ? node.tied_to : node.pinned_to) = first;
       }
-    for (int n : leaving) m.nodes[static_cast<size_t>(n)].tied_to = first;
+    for (int n : leaving) m.nodes[n].tied_to = first;
   }
 }
 
@@ -52,29 +52,27 @@ void tie(const model::Case& c, Mesh& m) {
   for (const model::Event& e : c.events) {
     const model::Action& a = e.action;
     if (a.kind != model::Action::Kind::attach || !c.floats(c.body_index(a.body))) continue;
-    const LineSpan& span = m.lines[static_cast<size_t>(c.line_index(a.line))];
-    m.nodes[static_cast<size_t>(span.first_node + (a.at_b ? span.nodes - 1 : 0))].tied_to =
-        m.body_node(c.body_index(a.body));
+    const LineSpan& span = m.lines[c.line_index(a.line)];
+    m.nodes[span.first_node + (a.at_b ? span.nodes - 1 : 0)].tied_to = m.body_node(c.body_index(a.body));
   }
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool last : {false, true}) {
       const model::End& e = c.lines[l].end(last);
       if (e.kind != model::EndKind::body || !c.floats(c.body_index(e.body))) continue;
       const int n = m.lines[l].first_node + (last ? m.lines[l].nodes - 1 : 0);
-      m.nodes[static_cast<size_t>(n)].tied_to = m.body_node(c.body_index(e.body));
+      m.nodes[n].tied_to = m.body_node(c.body_index(e.body));
     }
 }
 
 void mark_two_sided(const model::Case& c, Mesh& m) {
   for (size_t e = 1; e < m.elements.size(); ++e)
     if (m.elements[e].line == m.elements[e - 1].line && m.elements[e].type != m.elements[e - 1].type)
-      m.nodes[static_cast<size_t>(m.elements[e].first)].two_sided = true;
+      m.nodes[m.elements[e].first].two_sided = true;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const LineSpan& span = m.lines[l];
     const auto attach = [&](double at) {
       const int n = m.nearest_node(static_cast<int>(l), at);
-      if (n > span.first_node && n < span.first_node + span.nodes - 1)
-        m.nodes[static_cast<size_t>(n)].two_sided = true;
+      if (n > span.first_node && n < span.first_node + span.nodes - 1) m.nodes[n].two_sided = true;
     };
     for (const model::PointMass& p : c.lines[l].masses) attach(p.at);
     for (const model::PointLoad& p : c.lines[l].point_loads) attach(p.at);
@@ -96,21 +94,20 @@ Mesh build_mesh(const model::Case& c) {
     m.nodes.push_back({number, 0, 0, false});
     for (const auto& section : line.sections) {
       int type = 0;
-      while (c.line_types[static_cast<size_t>(type)].name != section.type) ++type;
-      const bool beam = c.line_types[static_cast<size_t>(type)].kind == model::LineKind::beam;
+      while (c.line_types[type].name != section.type) ++type;
+      const bool beam = c.line_types[type].kind == model::LineKind::beam;
       const double start = m.nodes.back().arc;
       double along = 0;
       for (double l : model::element_lengths(section)) {
         along += l;
         const int a = static_cast<int>(m.nodes.size()) - 1;
         m.nodes.push_back({number, start + along, 0, false});
-        const double at = m.nodes[static_cast<size_t>(a)].arc;
+        const double at = m.nodes[a].arc;
         m.elements.push_back(
-            {number, a, a + 1, type, l, beam,
-             model::thermal_strain(c.line_types[static_cast<size_t>(type)], line, at, at + l)});
+            {number, a, a + 1, type, l, beam, model::thermal_strain(c.line_types[type], line, at, at + l)});
         for (int n : {a, a + 1}) {
-          m.nodes[static_cast<size_t>(n)].tributary += 0.5 * l;
-          m.nodes[static_cast<size_t>(n)].rotates |= beam;
+          m.nodes[n].tributary += 0.5 * l;
+          m.nodes[n].rotates |= beam;
         }
       }
       m.nodes.back().arc = start + section.length;
@@ -138,7 +135,7 @@ Mesh build_mesh(const model::Case& c) {
 
 int Mesh::body_node(int body) const {
   for (int n = line_nodes(); n < static_cast<int>(nodes.size()); ++n)
-    if (nodes[static_cast<size_t>(n)].body == body) return n;
+    if (nodes[n].body == body) return n;
   return -1;
 }
 
@@ -149,18 +146,17 @@ int Mesh::frame_node(int body) const {
 }
 
 int Mesh::nearest_node(int line, double s) const {
-  const LineSpan& span = lines[static_cast<size_t>(line)];
+  const LineSpan& span = lines[line];
   int best = span.first_node;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n)
-    if (std::abs(nodes[static_cast<size_t>(n)].arc - s) < std::abs(nodes[static_cast<size_t>(best)].arc - s))
-      best = n;
+    if (std::abs(nodes[n].arc - s) < std::abs(nodes[best].arc - s)) best = n;
   return best;
 }
 
 std::string Mesh::place(int node) const {
-  const Node& n = nodes[static_cast<size_t>(node)];
-  if (n.body >= 0) return "body " + bodies[static_cast<size_t>(n.body)];
-  return fmt::format("line {}, arc length {:.6g} m", lines[static_cast<size_t>(n.line)].name, n.arc);
+  const Node& n = nodes[node];
+  if (n.body >= 0) return "body " + bodies[n.body];
+  return fmt::format("line {}, arc length {:.6g} m", lines[n.line].name, n.arc);
 }
 
 }  // namespace hawser

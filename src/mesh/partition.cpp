@@ -46,7 +46,7 @@ std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> n
     for (const int other : {mesh.nodes[n].pinned_to, mesh.nodes[n].tied_to})
       if (other >= 0) add(static_cast<int>(n), other, kChainEdge);
   for (const auto& [a, b] : near) {
-    const Element &p = mesh.elements[static_cast<size_t>(a)], &q = mesh.elements[static_cast<size_t>(b)];
+    const Element &p = mesh.elements[a], &q = mesh.elements[b];
     for (int m : {p.first, p.second})
       for (int n : {q.first, q.second}) add(m, n, kNearEdge);
   }
@@ -58,7 +58,7 @@ std::vector<idx_t> bisect(std::vector<idx_t> weight, const std::vector<Edge>& al
   std::vector<idx_t> start(weight.size() + 1, 0), next, edge, part(weight.size(), 0);
   if (weight.empty() || parts == 1) return part;
   for (const Edge& e : all) {
-    ++start[static_cast<size_t>(e.from) + 1];
+    ++start[e.from + 1];
     next.push_back(e.to), edge.push_back(e.weight);
   }
   for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
@@ -87,7 +87,7 @@ Shares share_lines(const Mesh& mesh, int ranks, std::span<const int> whole) {
   s.owner.assign(mesh.nodes.size(), -1), s.vertex = s.owner;
   const auto work = [&](size_t n) { return mesh.nodes[n].rotates ? kBeamWork : kCableWork; };
   const auto each_node = [&](int line, const auto& what) {
-    const LineSpan& l = mesh.lines[static_cast<size_t>(line)];
+    const LineSpan& l = mesh.lines[line];
     for (int i = 0; i < l.nodes; ++i) what(static_cast<size_t>(l.first_node + i));
   };
   idx_t left = 0;
@@ -119,16 +119,16 @@ std::vector<int> cut_graph(const Mesh& mesh, int ranks, std::span<const int> who
   const Shares s = share_lines(mesh, ranks, whole);
   std::vector<Edge> between;
   for (const Edge& e : all) {
-    const int a = s.vertex[static_cast<size_t>(e.from)], b = s.vertex[static_cast<size_t>(e.to)];
+    const int a = s.vertex[e.from], b = s.vertex[e.to];
     if (a >= 0 && b >= 0 && a != b) between.push_back({a, b, e.weight});
   }
   const std::vector<idx_t> part = bisect(s.weight, merged(std::move(between)), ranks - s.first);
   std::vector<int> owner = s.owner;
   for (size_t n = 0; n < owner.size(); ++n)
-    if (owner[n] < 0) owner[n] = s.first + static_cast<int>(part[static_cast<size_t>(s.vertex[n])]);
+    if (owner[n] < 0) owner[n] = s.first + static_cast<int>(part[s.vertex[n]]);
   for (size_t n = 0; n < owner.size(); ++n)  // one position has one owner
     for (const int other : {mesh.nodes[n].pinned_to, mesh.nodes[n].tied_to})
-      if (other >= 0) owner[n] = owner[static_cast<size_t>(other)];
+      if (other >= 0) owner[n] = owner[other];
   return owner;
 }
 
@@ -136,8 +136,7 @@ std::vector<int> cut_graph(const Mesh& mesh, int ranks, std::span<const int> who
 size_t shared_nodes(const std::vector<Edge>& all, const std::vector<int>& owner) {
   std::vector<std::pair<int, int>> seen;
   for (const Edge& e : all)
-    if (const int rank = owner[static_cast<size_t>(e.to)]; rank != owner[static_cast<size_t>(e.from)])
-      seen.emplace_back(e.from, rank);
+    if (const int rank = owner[e.to]; rank != owner[e.from]) seen.emplace_back(e.from, rank);
   std::sort(seen.begin(), seen.end());
   return static_cast<size_t>(std::unique(seen.begin(), seen.end()) - seen.begin());
 }
@@ -156,9 +155,8 @@ std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pai
 }
 
 int cut_elements(const Mesh& mesh, const std::vector<int>& owner) {
-  return static_cast<int>(std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const Element& e) {
-    return owner[static_cast<size_t>(e.first)] != owner[static_cast<size_t>(e.second)];
-  }));
+  return static_cast<int>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                                        [&](const Element& e) { return owner[e.first] != owner[e.second]; }));
 }
 
 }  // namespace hawser

@@ -97,9 +97,7 @@ int Case::line_index(const std::string& name) const {
   throw std::out_of_range("no line '" + name + "'");
 }
 
-const Line& Case::line(const std::string& name) const {
-  return lines[static_cast<std::size_t>(line_index(name))];
-}
+const Line& Case::line(const std::string& name) const { return lines[line_index(name)]; }
 
 bool Case::off_at_start(const Volume& volume) const {
   for (const Event& e : events)

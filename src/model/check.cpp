@@ -5,12 +5,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
 #include <set>
 #include <stdexcept>
 
-#include "hawser/model/bed.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/body_pairs.hpp"
 
@@ -19,21 +16,19 @@ namespace {
 
 constexpr double kMostElements = 1e6;  // of a case; each takes 5 to 10 KB in a run
 
-void check_whole(const Case& c, std::vector<Issue>& issues) {
+void check_whole(const Case& c, const Issues& issue) {
   double elements = 0;
   for (const Line& l : c.lines)
     for (const Section& s : l.sections) elements += s.elements;
   if (elements > kMostElements)
-    issues.push_back(
-        {"lines", fmt::format("{:.3g} elements in all; the limit is {:.3g}", elements, kMostElements)});
+    issue("lines", "{:.3g} elements in all; the limit is {:.3g}", elements, kMostElements);
   if (!c.statics.enabled && !c.dynamics.enabled)
-    issues.push_back({"statics", "statics is off and there is no 'dynamics': nothing to run"});
+    issue("statics", "statics is off and there is no 'dynamics': nothing to run");
   const Dynamics& d = c.dynamics;
   if (d.enabled) {
     const auto over = [&](double a, const char* key, double b, const char* than) {
       if (a > 0 && b > 0 && a > b)
-        issues.push_back(
-            {fmt::format("dynamics.{}", key), fmt::format("{:g} s is longer than {} ({:g} s)", a, than, b)});
+        issue(fmt::format("dynamics.{}", key), "{:g} s is longer than {} ({:g} s)", a, than, b);
     };
     over(d.step, "step", d.duration, "the duration");
     over(d.min_step, "min_step", d.duration, "the duration");
@@ -44,12 +39,9 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
   // A spline knows nothing beyond its rows, and going on with its last slope would be a guess.
   const auto covers = [&](const TableMotion& t, const std::string& key) {
     if (t.time.empty()) return;
-    if (t.time.front() > 0)
-      issues.push_back(
-          {key, fmt::format("the first row is at {:g} s; the run starts at 0 s", t.time.front())});
+    if (t.time.front() > 0) issue(key, "the first row is at {:g} s; the run starts at 0 s", t.time.front());
     if (d.enabled && t.time.back() < d.duration)
-      issues.push_back(
-          {key, fmt::format("the last row is at {:g} s; the run lasts {:g} s", t.time.back(), d.duration)});
+      issue(key, "the last row is at {:g} s; the run lasts {:g} s", t.time.back(), d.duration);
   };
   for (const Body& b : c.bodies) {
     const std::string key = fmt::format("bodies.{}.motion", b.name);
@@ -63,34 +55,27 @@ void check_whole(const Case& c, std::vector<Issue>& issues) {
     const HistoryPoint& h = c.output.histories[i];
     const std::string name = fmt::format("output.histories[{}]", i);
     if (!names.insert(h.name).second)
-      issues.push_back(
-          {name, fmt::format("there is another history called '{}'; give this one a 'name'", h.name)});
+      issue(name, "there is another history called '{}'; give this one a 'name'", h.name);
     if (h.line.empty()) continue;
     const double length = length_of(c.line(h.line));
     const std::string key = fmt::format("output.histories[{}]", i);
     if (h.at > length * (1 + kArcTolerance))
-      issues.push_back(
-          {key + ".at", fmt::format("arc length {:.6g} m is beyond the end of line '{}', which is {:.6g} "
-                                    "m long",
-                                    h.at, h.line, length)});
+      issue(key + ".at", "arc length {:.6g} m is beyond the end of line '{}', which is {:.6g} m long", h.at,
+            h.line, length);
   }
   if (c.dynamics.enabled && c.output.statistics && c.output.statistics_from >= c.dynamics.duration)
-    issues.push_back(
-        {"output.statistics_from", fmt::format("statistics would begin at {:g} s, but the run ends at {:g} s",
-                                               c.output.statistics_from, c.dynamics.duration)});
+    issue("output.statistics_from", "statistics would begin at {:g} s, but the run ends at {:g} s",
+          c.output.statistics_from, c.dynamics.duration);
   for (std::size_t i = 0; i < c.output.clearances.size(); ++i) {
     const Clearance& k = c.output.clearances[i];
     const std::string key = fmt::format("output.clearances[{}]", i);
     if (!names.insert(k.name).second)
-      issues.push_back(
-          {key, fmt::format("there is another history called '{}'; give this one a 'name'", k.name)});
-    if (k.line == k.other_line)
-      issues.push_back({key + ".other_line", "a line has no clearance to itself; name another"});
+      issue(key, "there is another history called '{}'; give this one a 'name'", k.name);
+    if (k.line == k.other_line) issue(key + ".other_line", "a line has no clearance to itself; name another");
   }
   for (const Volume& v : c.volumes)
     if (v.active_box && (v.active_box->lower.array() >= v.active_box->upper.array()).any())
-      issues.push_back(
-          {"volumes." + v.name + ".active.box", "the first corner must be below the second in x, y and z"});
+      issue("volumes." + v.name + ".active.box", "the first corner must be below the second in x, y and z");
 }
 
 std::string section_at(const Line& line, double at) {
@@ -100,7 +85,7 @@ std::string section_at(const Line& line, double at) {
   return line.sections.back().type;
 }
 
-void check_joints(const Case& c, std::vector<Issue>& issues) {
+void check_joints(const Case& c, const Issues& issue) {
   for (const Joint& j : c.joints) {
     int ends = 0, bending = 0;
     for (const Line& l : c.lines) {
@@ -111,90 +96,80 @@ void check_joints(const Case& c, std::vector<Issue>& issues) {
       };
       const int of_line = here(l.end_a, l.sections.front()) + here(l.end_b, l.sections.back());
       if (of_line == 2)
-        issues.push_back({"lines." + l.name + ".end_b.joint",
-                          fmt::format("both ends are at joint '{}'; a line goes somewhere", j.name)});
+        issue("lines." + l.name + ".end_b.joint", "both ends are at joint '{}'; a line goes somewhere",
+              j.name);
       ends += of_line;
     }
     const std::string key = "joints." + j.name;
-    if (ends < 2) issues.push_back({key, fmt::format("joins {} end of a line; it takes two", ends)});
+    if (ends < 2) issue(key, "joins {} end of a line; it takes two", ends);
     if (bending > 1 && !j.rigid)
-      issues.push_back(
-          {key, fmt::format(
-                    "joins {} lines that resist bending; at most one may, unless the joint is 'rigid: true'; "
-                    "the others need 'bending: false' in the section at the joint",
-                    bending)});
+      issue(key,
+            "joins {} lines that resist bending; at most one may, unless the joint is 'rigid: true'; the "
+            "others need 'bending: false' in the section at the joint",
+            bending);
   }
 }
 
-void check_rides(const Case& c, std::vector<Issue>& issues) {
+void check_rides(const Case& c, const Issues& issue) {
   for (const Body& b : c.bodies) {
     if (!b.on) continue;
     const std::string key = "bodies." + b.name;
     const Line& line = c.line(b.on->line);
     if (b.mass || b.motion.index() != 0 || b.drift)
-      issues.push_back({key + ".on",
-                        "a body that rides on a line has no motion or mass of its own; give the line a mass "
-                        "there ('lines.<line>.masses')"});
+      issue(key + ".on",
+            "a body that rides on a line has no motion or mass of its own; give the line a mass there "
+            "('lines.<line>.masses')");
     if (!(b.on->at >= 0 && b.on->at <= length_of(line)))
-      issues.push_back({key + ".on.at",
-                        fmt::format("line {} ends at {:.6g} m of arc length", line.name, length_of(line))});
+      issue(key + ".on.at", "line {} ends at {:.6g} m of arc length", line.name, length_of(line));
     else if (c.line_type(section_at(line, b.on->at)).kind == LineKind::cable)
-      issues.push_back(
-          {key + ".on.at", fmt::format("line {} does not resist bending there, so that nothing says how the "
-                                       "body is turned",
-                                       line.name)});
+      issue(key + ".on.at",
+            "line {} does not resist bending there, so that nothing says how the body is turned", line.name);
     for (const Line& l : c.lines)
       for (const End* e : {&l.end_a, &l.end_b})
         if (e->kind == EndKind::body && e->body == b.name)
-          issues.push_back(
-              {"lines." + l.name + (e == &l.end_a ? ".end_a" : ".end_b") + ".body",
-               fmt::format("body {} rides on a line; ends of lines are tied to lines at a joint", b.name)});
+          issue("lines." + l.name + (e == &l.end_a ? ".end_a" : ".end_b") + ".body",
+                "body {} rides on a line; ends of lines are tied to lines at a joint", b.name);
   }
 }
 
-void check_floating(const Case& c, std::vector<Issue>& issues) {
+void check_floating(const Case& c, const Issues& issue) {
   bool any = false;
   for (const Body& b : c.bodies) {
     if (!b.mass) continue;
     any = true;
     const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(b.mass->tensor()).eigenvalues();  // ascending
     if (!(moments[0] > 0) || moments[2] > (1 + 1e-9) * (moments[0] + moments[1]))
-      issues.push_back(
-          {"bodies." + b.name + ".floating.inertia",
-           fmt::format("no body has the principal moments {:.6g}, {:.6g}, {:.6g} kg m²: each must be "
-                       "above 0 and at most the sum of the other two",
-                       moments[0], moments[1], moments[2])});
+      issue("bodies." + b.name + ".floating.inertia",
+            "no body has the principal moments {:.6g}, {:.6g}, {:.6g} kg m²: each must be above 0 and at "
+            "most the sum of the other two",
+            moments[0], moments[1], moments[2]);
     if (!b.mass->in_water) continue;
     const std::string key = "bodies." + b.name + ".floating.in_water";
-    if (!c.environment.water.present)
-      issues.push_back({key, "there is no water: give 'environment: {water: ...}'"});
+    if (!c.environment.water.present) issue(key, "there is no water: give 'environment: {{water: ...}}'");
     if (!b.mass->weight)
-      issues.push_back({key,
-                        "brings the buoyancy of the body, so that its weight acts as well: 'weight: true' "
-                        "beside it"});
+      issue(key,
+            "brings the buoyancy of the body, so that its weight acts as well: 'weight: true' beside it");
   }
   if (c.lines.empty() && !any)
-    issues.push_back({"lines", "required key is missing: there is no line, and no floating body either"});
+    issue("lines", "required key is missing: there is no line, and no floating body either");
   for (const BodyPair& p : body_pairs(c))
     if (!(p.stiffness > 0))
-      issues.push_back(
-          {"volumes." + c.volumes[p.a].name + ".normal_stiffness",
-           fmt::format("contact of bodies needs a stiffness of '{}' or '{}': per_point (its corners "
-                       "and balls touch), per_length (its edges) or per_area (its faces)",
-                       c.volumes[p.a].name, c.volumes[p.b].name)});
+      issue("volumes." + c.volumes[p.a].name + ".normal_stiffness",
+            "contact of bodies needs a stiffness of '{}' or '{}': per_point (its corners and balls touch), "
+            "per_length (its edges) or per_area (its faces)",
+            c.volumes[p.a].name, c.volumes[p.b].name);
 }
 
 // What the numbers of a shape cannot say one by one.
-void check_shape(const Volume& v, std::vector<Issue>& issues) {
+void check_shape(const Volume& v, const Issues& issue) {
   const std::string key = "volumes." + v.name + ".shape.";
   if (const auto* s = std::get_if<CylinderShape>(&*v.shape); s && s->from == s->to)
-    issues.push_back({key + "cylinder.to", "is the same point as 'from': a cylinder has a length"});
+    issue(key + "cylinder.to", "is the same point as 'from': a cylinder has a length");
   if (const auto* s = std::get_if<CapsuleShape>(&*v.shape); s && s->from == s->to)
-    issues.push_back({key + "capsule.to", "is the same point as 'from'; give a sphere instead"});
+    issue(key + "capsule.to", "is the same point as 'from'; give a sphere instead");
   if (const auto* s = std::get_if<TorusShape>(&*v.shape); s && s->tube_radius >= s->radius)
-    issues.push_back({key + "torus.tube_radius",
-                      fmt::format("{:g} m closes the hole of the ring; must be below the radius of {:g} m",
-                                  s->tube_radius, s->radius)});
+    issue(key + "torus.tube_radius", "{:g} m closes the hole of the ring; must be below the radius of {:g} m",
+          s->tube_radius, s->radius);
 }
 
 }  // namespace
@@ -220,22 +195,23 @@ Vec3 end_position(const Case& c, const End& end) {
   if (end.kind == EndKind::anchor || end.kind == EndKind::joint) return end.at;
   const int i = c.body_index(end.body);
   if (i < 0) throw std::out_of_range("no body '" + end.body + "'");
-  return rigid_motion(c.bodies[static_cast<std::size_t>(i)]).at(0).to_space(end.at);
+  return rigid_motion(c.bodies[i]).at(0).to_space(end.at);
 }
 
 std::vector<Issue> check(const Case& c) {
   std::vector<Issue> issues;
-  for (const Line& l : c.lines) check_line(c, l, issues);
+  const Issues issue(issues);
+  for (const Line& l : c.lines) check_line(c, l, issue);
   for (const Volume& v : c.volumes)
-    if (v.shape) check_shape(v, issues);
-  check_whole(c, issues);
-  check_joints(c, issues);
-  check_rides(c, issues);
-  check_floating(c, issues);
-  check_contact(c, issues);
-  check_supports(c, issues);
-  check_links(c, issues);
-  check_events(c, issues);
+    if (v.shape) check_shape(v, issue);
+  check_whole(c, issue);
+  check_joints(c, issue);
+  check_rides(c, issue);
+  check_floating(c, issue);
+  check_contact(c, issue);
+  check_supports(c, issue);
+  check_links(c, issue);
+  check_events(c, issue);
   return issues;
 }
 

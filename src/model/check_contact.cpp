@@ -22,24 +22,22 @@ double thinnest(const Case& c, const Which& which) {
   return least;
 }
 
-void check_smoothing(double smoothing, double thickness, const std::string& key, std::vector<Issue>& issues) {
+void check_smoothing(double smoothing, double thickness, const std::string& key, const Issues& issue) {
   if (thickness > 0 && smoothing > thickness)
-    issues.push_back(
-        {key, fmt::format("a ramp of {:g} m is wider than the thinnest line is thick; at most its "
-                          "contact diameter of {:g} m is allowed",
-                          smoothing, thickness)});
+    issue(key,
+          "a ramp of {:g} m is wider than the thinnest line is thick; at most its contact diameter of {:g} m "
+          "is allowed",
+          smoothing, thickness);
 }
 
-void check_kinetic(const Volume& v, std::vector<Issue>& issues) {
+void check_kinetic(const Volume& v, const Issues& issue) {
   const Friction& f = v.friction;
   if (!(f.blend_speed > 0)) return;
   const auto below = [&](const char* which, double kinetic, double still) {
     if (kinetic > still)
-      issues.push_back(
-          {"volumes." + v.name + ".friction.kinetic",
-           fmt::format("{} friction of {:g} in motion is more than that of {:g} at rest; at most that is "
-                       "allowed",
-                       which, kinetic, still)});
+      issue("volumes." + v.name + ".friction.kinetic",
+            "{} friction of {:g} in motion is more than that of {:g} at rest; at most that is allowed", which,
+            kinetic, still);
   };
   below("axial", f.axial_kinetic, f.axial);
   if (!(f.axial_kinetic > f.axial)) below("lateral", f.lateral_kinetic, f.lateral);
@@ -47,37 +45,35 @@ void check_kinetic(const Volume& v, std::vector<Issue>& issues) {
 
 }  // namespace
 
-void check_contact(const Case& c, std::vector<Issue>& issues) {
+void check_contact(const Case& c, const Issues& issue) {
   const double thickness = thinnest(c, [](const Line&) { return true; });
   for (const Volume& v : c.volumes) {
     if (c.contact.takes_part(v))
-      check_smoothing(v.smoothing, thickness, "volumes." + v.name + ".smoothing", issues);
-    check_kinetic(v, issues);
+      check_smoothing(v.smoothing, thickness, "volumes." + v.name + ".smoothing", issue);
+    check_kinetic(v, issue);
   }
   const BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return;
-  check_smoothing(b.general.smoothing, thickness, "contact.between_lines.smoothing", issues);
+  check_smoothing(b.general.smoothing, thickness, "contact.between_lines.smoothing", issue);
   for (std::size_t i = 0; i < b.pairs.size(); ++i) {
     const BetweenLines::Tuned& p = b.pairs[i];
     const std::string key = fmt::format("contact.between_lines.pairs[{}]", i);
     for (const std::string& name : {p.first, p.second}) {
       const int line = c.line_index(name);
-      if (line < 0 || c.contact.takes_part(c.lines[static_cast<std::size_t>(line)])) continue;
-      issues.push_back({key + ".lines", fmt::format("{} takes no part in contact; 'contact.lines' has {}",
-                                                    quote(name), fmt::join(c.contact.lines, ", "))});
+      if (line < 0 || c.contact.takes_part(c.lines[line])) continue;
+      issue(key + ".lines", "{} takes no part in contact; 'contact.lines' has {}", quote(name),
+            fmt::join(c.contact.lines, ", "));
       break;
     }
     const auto same = [&](const auto& e) { return ordered(e.first, e.second) == ordered(p.first, p.second); };
     if (std::any_of(b.exclude.begin(), b.exclude.end(), same))
-      issues.push_back(
-          {key + ".lines",
-           fmt::format("lines {} and {} are in 'exclude', so that these settings would never act; "
-                       "give one of the two",
-                       quote(p.first), quote(p.second))});
+      issue(key + ".lines",
+            "lines {} and {} are in 'exclude', so that these settings would never act; give one of the two",
+            quote(p.first), quote(p.second));
     if (p.settings.smoothing != b.general.smoothing)
       check_smoothing(p.settings.smoothing,
                       thinnest(c, [&](const Line& l) { return l.name == p.first || l.name == p.second; }),
-                      key + ".smoothing", issues);
+                      key + ".smoothing", issue);
   }
 }
 

@@ -18,7 +18,7 @@ using Kind = Action::Kind;
 
 class EventOrder {
  public:
-  EventOrder(const Case& c, std::vector<Issue>& issues) : c_(c), issues_(issues) {}
+  EventOrder(const Case& c, const Issues& issue) : c_(c), all_(issue) {}
 
   void run() {
     for (i_ = 0; i_ < c_.events.size(); ++i_) check_chain(), check_feeds();
@@ -32,8 +32,7 @@ class EventOrder {
  private:
   template <class... Args>
   void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
-    issues_.push_back(
-        {fmt::format("events[{}].{}", i_, key), fmt::format(text, std::forward<Args>(args)...)});
+    all_.below(fmt::format("events[{}]", i_))(key, text, std::forward<Args>(args)...);
   }
   const Event& event() const { return c_.events[i_]; }
   const Line& line(const std::string& name) const { return c_.line(name); }
@@ -52,7 +51,7 @@ class EventOrder {
       if (steps == names.size())
         return issue("after", "it waits for '{}', which waits for it in turn: neither ever happens",
                      event().cause.event);
-      e = &c_.events[static_cast<std::size_t>(next - names.begin())];
+      e = &c_.events[next - names.begin()];
     }
   }
 
@@ -170,34 +169,31 @@ class EventOrder {
     std::set<std::string> names;
     for (std::size_t k = 0; k < c_.events.size(); ++k)
       if (!names.insert(c_.events[k].name).second)
-        issues_.push_back(
-            {fmt::format("events[{}]", k),
-             fmt::format("another event is called '{}' as well; give this one a 'name'", c_.events[k].name)});
+        all_(fmt::format("events[{}]", k), "another event is called '{}' as well; give this one a 'name'",
+             c_.events[k].name);
   }
 
   void check_stages() {
     for (std::size_t k = 0; k < c_.stages.size(); ++k) {
       const std::string key = fmt::format("stages[{}]", k), &name = c_.stages[k];
-      if (!c_.statics.enabled) issues_.push_back({key, "statics is off, of which it would be a stage"});
+      if (!c_.statics.enabled) all_(key, "statics is off, of which it would be a stage");
       if (std::find(c_.stages.begin(), c_.stages.begin() + static_cast<std::ptrdiff_t>(k), name) !=
           c_.stages.begin() + static_cast<std::ptrdiff_t>(k))
-        issues_.push_back({key, fmt::format("there is another stage called '{}'", name)});
+        all_(key, "there is another stage called '{}'", name);
       else if (k > 0 && std::none_of(c_.events.begin(), c_.events.end(), [&](const Event& e) {
                  return e.cause.kind == Cause::Kind::stage && e.cause.event == name;
                }))
-        issues_.push_back(
-            {key,
-             fmt::format("no event begins stage '{}', which would find the rest of the stage before", name)});
+        all_(key, "no event begins stage '{}', which would find the rest of the stage before", name);
     }
   }
 
   const Case& c_;
-  std::vector<Issue>& issues_;
+  const Issues& all_;
   std::size_t i_ = 0;  // of the event that is looked at
 };
 
 }  // namespace
 
-void check_event_order(const Case& c, std::vector<Issue>& issues) { EventOrder(c, issues).run(); }
+void check_event_order(const Case& c, const Issues& issue) { EventOrder(c, issue).run(); }
 
 }  // namespace hawser::model

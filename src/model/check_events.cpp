@@ -15,7 +15,7 @@ using Kind = Action::Kind;
 
 class EventCheck {
  public:
-  EventCheck(const Case& c, std::vector<Issue>& issues) : c_(c), issues_(issues) {}
+  EventCheck(const Case& c, const Issues& issue) : c_(c), all_(issue) {}
 
   void run() {
     for (i_ = 0; i_ < c_.events.size(); ++i_) {
@@ -32,9 +32,7 @@ class EventCheck {
  private:
   template <class... Args>
   void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
-    const std::string base = fmt::format("events[{}]", i_);
-    issues_.push_back(
-        {key.empty() ? base : base + "." + key, fmt::format(text, std::forward<Args>(args)...)});
+    all_.below(fmt::format("events[{}]", i_))(key, text, std::forward<Args>(args)...);
   }
   const Event& event() const { return c_.events[i_]; }
   const Line& line(const std::string& name) const { return c_.line(name); }
@@ -75,8 +73,8 @@ class EventCheck {
             "{} of line '{}' is fed, and an end that is fed stays where its feeder is", end_name(a), a.line);
     if (end.rotational_stiffness > 0)
       issue(a.kind == Kind::release ? "release" : "attach",
-            "{} of line '{}' has a rotational spring, which would go on turning it; an "
-            "end that is released turns freely or is 'clamped' until then",
+            "{} of line '{}' has a rotational spring, which would go on turning it; an end that is released "
+            "turns freely or is 'clamped' until then",
             end_name(a), a.line);
     if (a.kind == Kind::attach) check_attach(a, end);
   }
@@ -89,17 +87,16 @@ class EventCheck {
       issue("attach.body", "body '{}' rides on a line; ends of lines are tied to lines at a joint", a.body);
     if (c_.floats(body) && (end.kind == EndKind::joint || (end.kind == EndKind::body && end.body != a.body &&
                                                            c_.floats(c_.body_index(end.body)))))
-      issue(
-          "attach.body",
-          "{} of line '{}' begins at {} '{}', and an end goes with one thing that moves by its own equations "
-          "only, which would be body '{}' too",
-          end_name(a), a.line, end.kind == EndKind::joint ? "joint" : "body", end.body, a.body);
+      issue("attach.body",
+            "{} of line '{}' begins at {} '{}', and an end goes with one thing that moves by its own "
+            "equations only, which would be body '{}' too",
+            end_name(a), a.line, end.kind == EndKind::joint ? "joint" : "body", end.body, a.body);
     for (const Event& other : c_.events)
       if (other.action.kind == Kind::attach && other.action.line == a.line && other.action.at_b == a.at_b &&
           c_.floats(body) && c_.floats(c_.body_index(other.action.body)) && other.action.body != a.body)
         issue("attach.body",
-              "another event attaches {} of line '{}' to body '{}', and an end can be attached "
-              "to one body only that moves by its own equations",
+              "another event attaches {} of line '{}' to body '{}', and an end can be attached to one body "
+              "only that moves by its own equations",
               end_name(a), a.line, other.action.body);
   }
 
@@ -133,8 +130,7 @@ class EventCheck {
     if (end.feed->speed.empty())
       return issue("feed.paid_out",
                    "the feeder keeps a tension, for which statics finds how much is inside; give its 'feed' "
-                   "a 'speed', "
-                   "and that 'tension' by an event at 'time: 0'");
+                   "a 'speed', and that 'tension' by an event at 'time: 0'");
     for (const Section& s : line(a.line).sections)
       if (c_.line_type(s.type).plastic_bending)
         return issue("feed.paid_out",
@@ -152,7 +148,7 @@ class EventCheck {
 
   void check_law(const Action& a, const End& end) {
     if (!end.feed) return issue("feed", "{} of line '{}' has no 'feed'", end_name(a), a.line);
-    for (Issue& i : law_issues(a.law)) issue("feed." + i.key, "{}", i.text);
+    hawser::model::check_law(a.law, all_.below(fmt::format("events[{}].feed", i_)));
   }
 
   void check_cause(const Cause& cause) {
@@ -176,16 +172,14 @@ class EventCheck {
               cause.limit, type.name, type.breaking_load);
       if (type.kind == LineKind::cable && cause.limit <= 0)
         issue(when + "tension",
-              "line '{}' has no bending stiffness there and is never pressed; give a limit "
-              "above 0",
+              "line '{}' has no bending stiffness there and is never pressed; give a limit above 0",
               cause.line);
       for (const bool b : {false, true})
         if (const auto& feed = line(cause.line).end(b).feed;
             feed && cause.arc > 0 && cause.arc < length && (b ? length - cause.arc : cause.arc) < feed->stock)
           issue("when.tension.at",
                 "arc length {:.6g} m of line '{}' is inside the feeder at its end {} at the start, where "
-                "nothing pulls; "
-                "the tension at the feeder is that at '{}'",
+                "nothing pulls; the tension at the feeder is that at '{}'",
                 cause.arc, cause.line, b ? 'B' : 'A', b ? "end_b" : "end_a");
       const End* end = cause.arc <= kArcTolerance * length         ? &line(cause.line).end_a
                        : cause.arc >= length * (1 - kArcTolerance) ? &line(cause.line).end_b
@@ -213,15 +207,15 @@ class EventCheck {
   }
 
   const Case& c_;
-  std::vector<Issue>& issues_;
+  const Issues& all_;
   std::size_t i_ = 0;  // of the event that is looked at
 };
 
 }  // namespace
 
-void check_events(const Case& c, std::vector<Issue>& issues) {
-  EventCheck(c, issues).run();
-  check_event_order(c, issues);
+void check_events(const Case& c, const Issues& issue) {
+  EventCheck(c, issue).run();
+  check_event_order(c, issue);
 }
 
 }  // namespace hawser::model

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
@@ -37,31 +35,28 @@ double runs_out(const Feed& f, double end) {
   return HUGE_VAL;
 }
 
-// With keys below that of the feeder.
-using Report = std::function<void(const std::string& key, std::string text)>;
-
 // Why such a line cannot be fed at such an end; empty: it can.
 std::string why_not_fed(const Case& c, const Line& line, const End& end) {
   if (end.kind == EndKind::joint) return "a joint cannot feed a line; the end must be at an anchor or a body";
   if (end.kind == EndKind::body && (c.floats(c.body_index(end.body)) || c.rides(c.body_index(end.body))))
     return fmt::format(
-        "body '{}' moves by its own equations or rides on a line, and a line can be fed "
-        "only from an anchor or a body whose motion is prescribed",
+        "body '{}' moves by its own equations or rides on a line, and a line can be fed only from an anchor "
+        "or a body whose motion is prescribed",
         end.body);
   for (const Section& s : line.sections)
     if (const LineType& t = c.line_type(s.type); t.kind != LineKind::cable) {
       if (!end.clamped)
         return fmt::format(
-            "line type '{}' resists bending, and a feeder holds such a line clamped: give the "
-            "end 'clamped: true' and a 'direction', or the line type 'bending: false'",
+            "line type '{}' resists bending, and a feeder holds such a line clamped: give the end 'clamped: "
+            "true' and a 'direction', or the line type 'bending: false'",
             s.type);
       const char* cannot = t.moment_table            ? "bends by a table"
                            : t.stiffness_damping > 0 ? "has 'stiffness_damping'"
                                                      : nullptr;
       if (cannot)
         return fmt::format(
-            "line type '{}' {}, and what resists bending can be fed only where it bends "
-            "linearly or yields, without damping",
+            "line type '{}' {}, and what resists bending can be fed only where it bends linearly or yields, "
+            "without damping",
             s.type, cannot);
     }
   const auto yields = [&](const Section& s) { return c.line_type(s.type).plastic_bending != nullptr; };
@@ -73,7 +68,7 @@ std::string why_not_fed(const Case& c, const Line& line, const End& end) {
 }
 
 // At least so many elements are inside the feeder at the start, and outside.
-void check_elements(const Line& line, bool at_b, const Report& issue) {
+void check_elements(const Line& line, bool at_b, const Issues& issue) {
   const Feed& f = *line.end(at_b).feed;
   const std::optional<Feed>& beyond = line.end(!at_b).feed;
   const double other = beyond ? beyond->stock : 0;
@@ -92,29 +87,28 @@ void check_elements(const Line& line, bool at_b, const Report& issue) {
   constexpr int kLeastInside = 2, kLeastOutside = 3;
   if (inside < kLeastInside)
     issue("stock",
-          fmt::format("{:g} m are {} element{} of this line, and a stock needs {} at least: make it longer "
-                      "or the elements shorter",
-                      f.stock, inside, inside == 1 ? "" : "s", kLeastInside));
+          "{:g} m are {} element{} of this line, and a stock needs {} at least: make it longer or the "
+          "elements shorter",
+          f.stock, inside, inside == 1 ? "" : "s", kLeastInside);
   if (outside < kLeastOutside)
-    issue("stock",
-          fmt::format("leaves {} elements of the line, which is {:g} m long, outside; {} are the least",
-                      outside, length_of(line), kLeastOutside));
+    issue("stock", "leaves {} elements of the line, which is {:g} m long, outside; {} are the least", outside,
+          length_of(line), kLeastOutside);
 }
 
-void check_speed_table(const Feed& f, const Report& issue) {
+void check_speed_table(const Feed& f, const Issues& issue) {
   for (std::size_t i = 0; i < f.speed.size(); ++i) {
     if (f.speed[i].first < 0)
-      issue(fmt::format("speed_table[{}]", i),
-            fmt::format("the time {:g} s is before the start of the run", f.speed[i].first));
+      issue(fmt::format("speed_table[{}]", i), "the time {:g} s is before the start of the run",
+            f.speed[i].first);
     if (i > 0 && !(f.speed[i].first > f.speed[i - 1].first))
       issue(fmt::format("speed_table[{}]", i),
-            fmt::format("the time {:g} s does not follow {:g} s; times must grow from row to row",
-                        f.speed[i].first, f.speed[i - 1].first));
+            "the time {:g} s does not follow {:g} s; times must grow from row to row", f.speed[i].first,
+            f.speed[i - 1].first);
   }
 }
 
 // What else a line has that a feeder cannot take in.
-void check_surroundings(const Case& c, const Line& line, const End& end, const Report& issue) {
+void check_surroundings(const Case& c, const Line& line, const End& end, const Issues& issue) {
   const Vec3 place = end_position(c, end);
   if (c.environment.seabed.present &&
       height_above_bed(c.environment.seabed, place) < c.line_type(line.sections.front().type).outer_diameter)
@@ -125,23 +119,22 @@ void check_surroundings(const Case& c, const Line& line, const End& end, const R
   if (!line.loads.empty()) issue("", "a line with distributed loads cannot be fed");
   for (const Body& b : c.bodies)
     if (b.on && b.on->line == line.name)
-      issue("", fmt::format("body '{}' rides on line {}, and a line that carries bodies cannot be fed",
-                            b.name, line.name));
+      issue("", "body '{}' rides on line {}, and a line that carries bodies cannot be fed", b.name,
+            line.name);
 }
 
-void check_stock(const Case& c, const Feed& f, const std::string& key, std::vector<Issue>& issues) {
+void check_stock(const Case& c, const Feed& f, const Issues& issue) {
   const double end = c.dynamics.duration;
   if (f.speed.empty() || !c.dynamics.enabled || !(end > 0)) return;
   if (const double t = runs_out(f, end); t < end)
-    issues.push_back(
-        {key + ".stock",
-         fmt::format("{:g} m are paid out by t = {:.4g} s, and the run goes on to {:g} s: make the line and "
-                     "its stock that much longer, or stop the feeder before",
-                     f.stock, t, end)});
+    issue("stock",
+          "{:g} m are paid out by t = {:.4g} s, and the run goes on to {:g} s: make the line and its stock "
+          "that much longer, or stop the feeder before",
+          f.stock, t, end);
 }
 
 // Places at which events cut the line, which a feeder cannot take in.
-void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, std::vector<Issue>& issues) {
+void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, const Issues& issue) {
   const double end = c.dynamics.duration;
   if (f.speed.empty() || !c.dynamics.enabled || !(end > 0)) return;
   Feed inwards = f;
@@ -152,57 +145,45 @@ void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, std::
     inwards.stock = (at_b ? length_of(line) - a.cut : a.cut) - f.stock;
     if (!(inwards.stock > 0)) continue;  // told already
     if (const double t = runs_out(inwards, end); t < end)
-      issues.push_back(
-          {fmt::format("events[{}].cut.at", k),
-           fmt::format("arc length {:.6g} m of line '{}' is hauled in at its end {} by t = {:.4g} s, and a "
-                       "feeder cannot take in the place of a cut: cut the line further away, or stop the "
-                       "feeder before",
-                       a.cut, line.name, at_b ? 'B' : 'A', t)});
+      issue(fmt::format("events[{}].cut.at", k),
+            "arc length {:.6g} m of line '{}' is hauled in at its end {} by t = {:.4g} s, and a feeder "
+            "cannot take in the place of a cut: cut the line further away, or stop the feeder before",
+            a.cut, line.name, at_b ? 'B' : 'A', t);
   }
 }
 
 }  // namespace
 
-std::vector<Issue> law_issues(const Feed& f) {
-  std::vector<Issue> out;
-  const auto issue = [&out](const char* key, std::string text) { out.push_back({key, std::move(text)}); };
-  if (f.most > 0 || f.least > 0) {
-    if (!(f.least < f.most))
-      issue("dead_band",
-            fmt::format("from {:g} N to {:g} N is no band; the first must be the smaller", f.least, f.most));
-    else if (!(f.least < f.tension && f.tension < f.most))
-      issue("dead_band",
-            fmt::format("from {:g} N to {:g} N does not hold the 'tension' of {:g} N between its ends",
-                        f.least, f.most, f.tension));
-    if (!(f.speed_per_tension > 0))
-      issue("dead_band", "needs 'speed_per_tension', by which the feeder comes back to its 'tension'");
-  }
-  return out;
+void check_law(const Feed& f, const Issues& issue) {
+  if (f.most == 0 && f.least == 0) return;
+  if (!(f.least < f.most))
+    issue("dead_band", "from {:g} N to {:g} N is no band; the first must be the smaller", f.least, f.most);
+  else if (!(f.least < f.tension && f.tension < f.most))
+    issue("dead_band", "from {:g} N to {:g} N does not hold the 'tension' of {:g} N between its ends",
+          f.least, f.most, f.tension);
+  if (!(f.speed_per_tension > 0))
+    issue("dead_band", "needs 'speed_per_tension', by which the feeder comes back to its 'tension'");
 }
 
-void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& issues) {
+void check_feed(const Case& c, const Line& line, bool at_b, const Issues& all) {
   const End& end = line.end(at_b);
   if (!end.feed) return;
   const Feed& f = *end.feed;
-  const std::string key = fmt::format("lines.{}.end_{}.feed", line.name, at_b ? 'b' : 'a');
-  const auto issue = [&](const std::string& of, std::string text) {
-    issues.push_back({of.empty() ? key : key + "." + of, std::move(text)});
-  };
-  if (std::string why = why_not_fed(c, line, end); !why.empty()) return issue("", std::move(why));
+  const Issues issue = all.below(fmt::format("lines.{}.end_{}.feed", line.name, at_b ? 'b' : 'a'));
+  if (const std::string why = why_not_fed(c, line, end); !why.empty()) return issue("", "{}", why);
   check_elements(line, at_b, issue);
   check_speed_table(f, issue);
   const bool changes = std::any_of(c.events.begin(), c.events.end(), [&](const Event& e) {
     return e.action.kind == Action::Kind::feed && e.action.line == line.name && e.action.at_b == at_b;
   });
-  if (!changes) check_stock(c, f, key, issues), check_cuts(c, line, f, at_b, issues);
-  for (Issue& i : law_issues(f)) issue(i.key, std::move(i.text));
+  if (!changes) check_stock(c, f, issue), check_cuts(c, line, f, at_b, all);
+  check_law(f, issue);
   for (const PointMass& m : line.masses)
     if ((at_b ? length_of(line) - m.at : m.at) < f.stock)
-      issue(
-          "stock",
-          fmt::format("a mass or buoy at arc length {:g} m is inside the feeder at the start, and only those "
-                      "outside can be; they must not be hauled in either",
-                      m.at));
+      issue("stock",
+            "a mass or buoy at arc length {:g} m is inside the feeder at the start, and only those outside "
+            "can be; they must not be hauled in either",
+            m.at);
   check_surroundings(c, line, end, issue);
 }
 

@@ -16,8 +16,8 @@ constexpr double kMostWeight = 100;  // of a line in air, in EA: soft rubber und
 
 class LineCheck {
  public:
-  LineCheck(const Case& c, const Line& line, std::vector<Issue>& issues)
-      : c_(c), line_(line), key_("lines." + line.name), length_(length_of(line)), issues_(issues) {}
+  LineCheck(const Case& c, const Line& line, const Issues& all)
+      : c_(c), line_(line), length_(length_of(line)), issue(all.below("lines." + line.name)) {}
 
   void run() {
     check_weight();
@@ -35,12 +35,6 @@ class LineCheck {
   }
 
  private:
-  template <class... Args>
-  void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
-    issues_.push_back(
-        {key.empty() ? key_ : key_ + "." + key, fmt::format(text, std::forward<Args>(args)...)});
-  }
-
   bool held(const End& e) const { return e.kind != EndKind::free; }
 
   // m, of what is not inside a feeder at the start.
@@ -192,10 +186,9 @@ class LineCheck {
       return;
     const bool at_a = b.from <= near, at_b = b.to >= length_ - near;
     if (!held(line_.end_a) || !held(line_.end_b) || line_.start == Start::hanging || at_a == at_b)
-      issue(
-          key,
-          "nothing says where this stretch lies: give 'start' as straight or as points, or two held ends of "
-          "which it begins at one");
+      issue(key,
+            "nothing says where this stretch lies: give 'start' as straight or as points, or two held ends "
+            "of which it begins at one");
   }
 
   void check_target(const LengthTarget& t) {
@@ -221,7 +214,7 @@ class LineCheck {
   bool check_temperature() {
     const auto& rows = line_.temperature_change;
     if (rows.empty()) return true;
-    const std::size_t before = issues_.size();
+    const std::size_t before = issue.count();
     const std::string key = "temperature_change";
     if (rows.front().first < -kArcTolerance * length_)
       issue(key + "[0]", "arc length {:.6g} m is before end A", rows.front().first);
@@ -241,7 +234,7 @@ class LineCheck {
     if (!expands)
       issue(key, "none of the line's types has 'thermal_expansion', so nothing comes of it; give it to '{}'",
             line_.sections.front().type);
-    return issues_.size() == before;
+    return issue.count() == before;
   }
 
   const LineType& type_at(double s) const {
@@ -273,16 +266,15 @@ class LineCheck {
 
   const Case& c_;
   const Line& line_;
-  std::string key_;
   double length_;
-  std::vector<Issue>& issues_;
+  const Issues issue;
 };
 
 }  // namespace
 
-void check_line(const Case& c, const Line& line, std::vector<Issue>& issues) {
-  LineCheck(c, line, issues).run();
-  for (const bool at_b : {false, true}) check_feed(c, line, at_b, issues);
+void check_line(const Case& c, const Line& line, const Issues& issue) {
+  LineCheck(c, line, issue).run();
+  for (const bool at_b : {false, true}) check_feed(c, line, at_b, issue);
 }
 
 }  // namespace hawser::model

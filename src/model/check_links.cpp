@@ -15,52 +15,46 @@ bool prescribed(const Case& c, const LinkEnd& e) {
   return e.line.empty() && !c.floats(body) && !c.rides(body);
 }
 
-void check_end(const Case& c, const LinkEnd& e, const std::string& key, std::vector<Issue>& issues) {
+void check_end(const Case& c, const LinkEnd& e, const std::string& key, const Issues& issue) {
   if (e.line.empty()) return;
   const double length = length_of(c.line(e.line));
   if (e.arc > length * (1 + kArcTolerance))
-    issues.push_back({key + ".at", fmt::format("arc length {:.6g} m is beyond the end of line '{}', which is "
-                                               "{:.6g} m long",
-                                               e.arc, e.line, length)});
+    issue(key + ".at", "arc length {:.6g} m is beyond the end of line '{}', which is {:.6g} m long", e.arc,
+          e.line, length);
 }
 
 // Where it is drawn; nothing of ends on lines and on what rides on them.
 std::optional<Vec3> drawn(const Case& c, const LinkEnd& e) {
   const int body = c.body_index(e.body);
   if (!e.line.empty() || c.rides(body)) return std::nullopt;
-  return body < 0 ? e.at : rigid_motion(c.bodies[static_cast<std::size_t>(body)]).at(0).to_space(e.at);
+  return body < 0 ? e.at : rigid_motion(c.bodies[body]).at(0).to_space(e.at);
 }
 
 }  // namespace
 
-void check_links(const Case& c, std::vector<Issue>& issues) {
+void check_links(const Case& c, const Issues& issue) {
   for (const Link& l : c.links) {
     const std::string key = "links." + l.name;
-    check_end(c, l.end_a, key + ".end_a", issues), check_end(c, l.end_b, key + ".end_b", issues);
+    check_end(c, l.end_a, key + ".end_a", issue), check_end(c, l.end_b, key + ".end_b", issue);
     const bool spring = l.law.stiffness > 0 || l.law.spring, damper = l.law.damping > 0 || l.law.damper;
     if (!spring && !damper)
-      issues.push_back({key,
-                        "does nothing: give it a 'stiffness', a 'force_table', a 'damping' or a "
-                        "'damping_table'"});
+      issue(key, "does nothing: give it a 'stiffness', a 'force_table', a 'damping' or a 'damping_table'");
     if (l.law.tension_only && !spring)
-      issues.push_back(
-          {key + ".tension_only",
-           "a damper alone does not say when it is slack: give it a 'stiffness' or a 'force_table'"});
+      issue(key + ".tension_only",
+            "a damper alone does not say when it is slack: give it a 'stiffness' or a 'force_table'");
     if (prescribed(c, l.end_a) && prescribed(c, l.end_b))
-      issues.push_back({key,
-                        "the motion of both ends is prescribed, so that it acts on nothing: fix an end to a "
-                        "line or to a body with 'floating' or 'on'"});
+      issue(key,
+            "the motion of both ends is prescribed, so that it acts on nothing: fix an end to a line or to a "
+            "body with 'floating' or 'on'");
     if (!l.end_a.body.empty() && l.end_a.body == l.end_b.body)
-      issues.push_back(
-          {key + ".end_b", fmt::format("both ends are on body '{}', which is rigid", l.end_a.body)});
+      issue(key + ".end_b", "both ends are on body '{}', which is rigid", l.end_a.body);
     if (!l.end_a.line.empty() && l.end_a.line == l.end_b.line && l.end_a.arc == l.end_b.arc)
-      issues.push_back(
-          {key + ".end_b", fmt::format("both ends are at the same point of line '{}'", l.end_a.line)});
+      issue(key + ".end_b", "both ends are at the same point of line '{}'", l.end_a.line);
     const std::optional<Vec3> a = drawn(c, l.end_a), b = drawn(c, l.end_b);
     if (!l.rest_given && a && b && *a == *b)
-      issues.push_back({key,
-                        "its ends are drawn at the same point, so that it has no length: give it a "
-                        "'rest_length', which may be 0, or place its ends apart"});
+      issue(key,
+            "its ends are drawn at the same point, so that it has no length: give it a 'rest_length', which "
+            "may be 0, or place its ends apart");
   }
 }
 

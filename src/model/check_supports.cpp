@@ -16,31 +16,31 @@ constexpr double kSteep = 0.25;  // up to the first roller: the tangent of a tur
 
 RigidPose pose_of_end(const Case& c, const End& e) {
   const int body = c.body_index(e.body);
-  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[static_cast<std::size_t>(body)]).at(0);
+  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[body]).at(0);
 }
 
 RigidPose pose_of(const Case& c, const SupportBox& b) {
   const int body = c.body_index(b.body);
-  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[static_cast<std::size_t>(body)]).at(0);
+  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[body]).at(0);
 }
 
-void check_names(const Case& c, std::vector<Issue>& issues) {
+void check_names(const Case& c, const Issues& issue) {
   std::set<std::string> names;
   for (const HistoryPoint& h : c.output.histories) names.insert(h.name);
   for (const Clearance& k : c.output.clearances) names.insert(k.name);
   for (const SupportBox& b : c.supports)
     if (!names.insert(b.name).second)
-      issues.push_back(
-          {b.key, fmt::format("there is another history called '{}', and supports have one each; "
-                              "give the group or that history another name",
-                              b.name)});
+      issue(b.key,
+            "there is another history called '{}', and supports have one each; give the group or that "
+            "history another name",
+            b.name);
 }
 
 double roller_radius(const Case& c, const SupportBox& b) {
   return std::get<CylinderShape>(*c.volumes[b.first].shape).radius;
 }
 
-void check_start(const Case& c, const Line& line, const SupportBox& first, std::vector<Issue>& issues) {
+void check_start(const Case& c, const Line& line, const SupportBox& first, const Issues& issue) {
   const End* end = end_before(c, line, first);
   if (!end) return;
   const RigidPose pose = pose_of(c, first);
@@ -50,26 +50,23 @@ void check_start(const Case& c, const Line& line, const SupportBox& first, std::
     const Vec3 given =
         end->kind == EndKind::body ? pose_of_end(c, *end).rotation * *end->direction : *end->direction;
     if (given.dot(along) * (end == &line.end_a ? 1 : -1) < 0)
-      return issues.push_back(
-          {which + ".direction",
-           fmt::format(
-               "points away from support '{}', over which the line goes overboard from there; turn it "
-               "round, or the path",
-               first.name)});
+      return issue(which + ".direction",
+
+                   "points away from support '{}', over which the line goes overboard from there; turn it "
+                   "round, or the path",
+                   first.name);
   }
   const double ahead = to.dot(along), below = to.dot(pose.rotation * first.up);
   if (!(ahead > 0))
-    return issues.push_back(
-        {first.key,
-         fmt::format("support '{}' lies {:.4g} m behind '{}', from which the line goes overboard over "
-                     "it; move the end back or the supports ahead, or turn the path round",
-                     first.name, -ahead, which)});
+    return issue(first.key,
+                 "support '{}' lies {:.4g} m behind '{}', from which the line goes overboard over it; move "
+                 "the end back or the supports ahead, or turn the path round",
+                 first.name, -ahead, which);
   if (below > first.rise && below > kSteep * ahead)
-    issues.push_back(
-        {which, fmt::format("is {:.4g} m below where the line lies on support '{}', {:.4g} m further "
-                            "on: the line would start beneath its roller; raise the end or lower "
-                            "the support",
-                            below, first.name, ahead)});
+    issue(which,
+          "is {:.4g} m below where the line lies on support '{}', {:.4g} m further on: the line would start "
+          "beneath its roller; raise the end or lower the support",
+          below, first.name, ahead);
 }
 
 }  // namespace
@@ -88,50 +85,47 @@ const End* end_before(const Case& c, const Line& line, const SupportBox& first) 
   return best;
 }
 
-void check_supports(const Case& c, std::vector<Issue>& issues) {
-  check_names(c, issues);
+void check_supports(const Case& c, const Issues& issue) {
+  check_names(c, issue);
   for (const Line& line : c.lines) {
     const SupportBox* before = nullptr;
     for (const SupportBox& b : c.supports) {
       if (b.line != line.name) continue;
       if (!c.contact.takes_part(line)) {
-        issues.push_back(
-            {b.key, fmt::format("line '{}' takes no part in contact and cannot lie on supports; name it "
-                                "in 'contact.lines'",
-                                line.name)});
+        issue(b.key,
+              "line '{}' takes no part in contact and cannot lie on supports; name it in 'contact.lines'",
+              line.name);
         break;
       }
-      if (const int body = c.body_index(b.body);
-          c.rides(body) && !c.bodies[static_cast<std::size_t>(body)].on->drawn) {
-        issues.push_back(
-            {b.key, fmt::format("body '{}' rides on a line; name that line in 'on' of the group, and as "
-                                "'body' the one in whose frame the boxes are drawn",
-                                b.body)});
+      if (const int body = c.body_index(b.body); c.rides(body) && !c.bodies[body].on->drawn) {
+        issue(b.key,
+              "body '{}' rides on a line; name that line in 'on' of the group, and as 'body' the one in "
+              "whose frame the boxes are drawn",
+              b.body);
         break;
       }
       if ((pose_of(c, b).rotation * b.up).z() <= 0)
-        issues.push_back(
-            {b.key, fmt::format("support '{}' faces downwards, so that its rollers are above the line; "
-                                "turn the body or the path of the supports round",
-                                b.name)});
+        issue(b.key,
+              "support '{}' faces downwards, so that its rollers are above the line; turn the body or the "
+              "path of the supports round",
+              b.name);
       if (!before) {
-        check_start(c, line, b, issues);
+        check_start(c, line, b, issue);
       } else {
         const Vec3 way = support_point(c, b, b.at) - support_point(c, *before, before->at);
         const Vec3 there = pose_of(c, *before).rotation * before->along,
                    here = pose_of(c, b).rotation * b.along;
         if (!(way.dot(there) > 0) || !(here.dot(there) > 0))
-          issues.push_back(
-              {b.key, fmt::format("support '{}' lies behind '{}', which the line passes before it; give "
-                                  "supports and groups in the order in which it passes them",
-                                  b.name, before->name)});
+          issue(b.key,
+                "support '{}' lies behind '{}', which the line passes before it; give supports and groups in "
+                "the order in which it passes them",
+                b.name, before->name);
         else if (const double here_r = roller_radius(c, b), there_r = roller_radius(c, *before);
                  way.norm() < here_r + there_r)
-          issues.push_back(
-              {b.key,
-               fmt::format("its rollers of {:g} m in diameter and those of support '{}', {:g} m, overlap: "
-                           "the supports are {:.4g} m apart; is 'roller_diameter' in m?",
-                           2 * here_r, before->name, 2 * there_r, way.norm())});
+          issue(b.key,
+                "its rollers of {:g} m in diameter and those of support '{}', {:g} m, overlap: the supports "
+                "are {:.4g} m apart; is 'roller_diameter' in m?",
+                2 * here_r, before->name, 2 * there_r, way.norm());
       }
       before = &b;
     }

@@ -89,9 +89,8 @@ class Cuts {
       names_.push_back(fmt::format("{} part {}", line.name, k + 1));
       if (std::any_of(c_.lines.begin(), c_.lines.end(),
                       [&](const Line& l) { return l.name == names_.back(); }))
-        c_.refuse(
-            "lines." + names_.back(),
-            fmt::format("this is the name of what is beyond the cut of line '{}'; give another", line.name));
+        c_.refuse("lines." + names_.back(),
+                  "this is the name of what is beyond the cut of line '{}'; give another", line.name);
     }
     for (std::size_t k = 0; k + 1 < arcs_.size(); ++k) {
       Line part = part_of(line, arcs_[k], arcs_[k + 1], length);
@@ -99,10 +98,9 @@ class Cuts {
       if (k > 0) join(to.back(), part);
       to.push_back(std::move(part));
       if (k > 0)
-        c_.notes.push_back(
-            fmt::format("lines.{}: what is beyond its cut at {:g} m is '{}' in results, with arc "
-                        "lengths from there",
-                        line.name, arcs_[k], names_[k]));
+        c_.notes.push_back(fmt::format(
+            "lines.{}: what is beyond its cut at {:g} m is '{}' in results, with arc lengths from there",
+            line.name, arcs_[k], names_[k]));
     }
     // With the nodes of its parts.
     whole->sections.clear();
@@ -132,8 +130,7 @@ class Cuts {
     for (Event& e : c_.events) {
       Action& a = e.action;
       if (a.cut >= 0 && a.whole == name) {
-        a.line =
-            names_[static_cast<std::size_t>(std::find(arcs_.begin(), arcs_.end(), a.cut) - arcs_.begin())];
+        a.line = names_[std::find(arcs_.begin(), arcs_.end(), a.cut) - arcs_.begin()];
         a.at_b = false;
       } else if (a.line == name && a.at_b) {
         a.line = names_.back();

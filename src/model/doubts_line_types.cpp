@@ -56,11 +56,12 @@ bool doubt_coatings(const Case& c, const LineType& t, std::vector<Doubt>& out) {
   const double D = (*pipe)["outer_diameter"].number;
   for (std::size_t i = 0; i < coatings->items.size(); ++i)
     if (const double thickness = coatings->items[i]["thickness"].number; thickness > D / 2)
-      out.push_back({fmt::format("line_types.{}.pipe.coatings[{}].thickness", t.name, i),
-                     fmt::format("a coating of {:.4g} m is thicker than half of the pipe of {:.4g} m; is it "
-                                 "in mm? ('{:g} mm')",
-                                 thickness, D, thickness),
-                     13});
+      out.push_back(
+          {fmt::format("line_types.{}.pipe.coatings[{}].thickness", t.name, i),
+           fmt::format(
+               "a coating of {:.4g} m is thicker than half of the pipe of {:.4g} m; is it in mm? ('{:g} mm')",
+               thickness, D, thickness),
+           13});
   return out.size() > before;
 }
 
@@ -103,25 +104,23 @@ void doubt_line_types(const Case& c, std::vector<Doubt>& out) {
                                  density_hint(density, water)),
                      1});
     else if (t.outer_diameter > kThick)
-      out.push_back(
-          {key,
-           fmt::format("an outer diameter of {:.4g} m is more than that of any pipe, hose or rope; is "
-                       "it in mm? ('{:g} mm')",
-                       t.outer_diameter, t.outer_diameter),
-           0});
+      out.push_back({key,
+                     fmt::format("an outer diameter of {:.4g} m is more than that of any pipe, hose or rope; "
+                                 "is it in mm? ('{:g} mm')",
+                                 t.outer_diameter, t.outer_diameter),
+                     0});
     const double D = t.outer_diameter, modulus = t.EA / (M_PI / 4 * D * D);
     if (modulus > kStiff)
-      out.push_back(
-          {key,
-           fmt::format("an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} GPa; that "
-                       "of a solid steel bar is 206, of wire rope and chain 20 to 130",
-                       t.EA, D, modulus / 1e9),
-           2});
+      out.push_back({key,
+                     fmt::format("an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} GPa; "
+                                 "that of a solid steel bar is 206, of wire rope and chain 20 to 130",
+                                 t.EA, D, modulus / 1e9),
+                     2});
     if (modulus < kSoft)
       out.push_back(
           {key,
-           fmt::format("an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} MPa, less "
-                       "than that of rubber (1 to 10){}",
+           fmt::format("an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} MPa, less than "
+                       "that of rubber (1 to 10){}",
                        t.EA, D, modulus / 1e6,
                        modulus * 1000 > 1e6 ? "; is the EA in kN or MN? ('900 MN')" : "; check both"),
            2});

@@ -77,12 +77,11 @@ void doubt_span(const Case& c, const Line& line, std::vector<Doubt>& out) {
     for (const End* e : {&line.end_a, &line.end_b})
       room += std::max(height_above_bed(bed, end_position(c, *e)), 0.0);
   if (automatic && chord > 0 && length > kLong * chord && length > kDeepLong * room)
-    out.push_back(
-        {key,
-         fmt::format("the line is {:.6g} m long, {:.3g} times the distance of its ends ({:.6g} m); is it "
-                     "meant to be that slack?",
-                     length, length / chord, chord),
-         4});
+    out.push_back({key,
+                   fmt::format("the line is {:.6g} m long, {:.3g} times the distance of its ends ({:.6g} m); "
+                               "is it meant to be that slack?",
+                               length, length / chord, chord),
+                   4});
 }
 
 // At the higher end of a line hangs at least what is between the heights of its ends, at the end of one that

@@ -40,12 +40,11 @@ void doubt_depths(const Case& c, std::vector<Doubt>& out) {
   if (!w.present || !bed.present || bed.surface || bed.slope > 0 || !(w.depth > 0)) return;
   const double depth = bed.depth + w.surface;
   if (std::abs(depth - w.depth) > kSameDepth * w.depth)
-    out.push_back(
-        {"environment.seabed.depth",
-         fmt::format("the bed is {:.6g} m below the still water, but the water is {:.6g} m deep; the "
-                     "waves go by the latter",
-                     depth, w.depth),
-         5});
+    out.push_back({"environment.seabed.depth",
+                   fmt::format("the bed is {:.6g} m below the still water, but the water is {:.6g} m deep; "
+                               "the waves go by the latter",
+                               depth, w.depth),
+                   5});
 }
 
 // An anchor above the water as far as the bed is below: a lost minus sign. One in the lower half of the
@@ -65,12 +64,11 @@ void doubt_anchor(const Case& c, const Line& line, const End& e, const char* whi
   if (!bed.present || bed.surface) return;
   const double height = height_above_bed(bed, e.at);
   if (height > kNear && height < kNearShare * bed.depth)
-    out.push_back(
-        {key,
-         fmt::format("is {:.4g} m above the bed, which is at z = {:.6g} m there; is it meant to be held "
-                     "in mid-water?",
-                     height, e.at.z() - height / bed_normal(bed).z()),
-         6});
+    out.push_back({key,
+                   fmt::format("is {:.4g} m above the bed, which is at z = {:.6g} m there; is it meant to be "
+                               "held in mid-water?",
+                               height, e.at.z() - height / bed_normal(bed).z()),
+                   6});
 }
 
 void doubt_bed_in_reach(const Case& c, std::vector<Doubt>& out) {
@@ -149,11 +147,10 @@ void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {
   const std::string far = bow < 0.1 ? fmt::format("about {:.2g} m sideways", bow * lies) : "far sideways";
   out.push_back(
       {"lines." + line.name,
-       fmt::format(
-           "{:.3g} m of it lie slack on the bed ({:.3g} kN), and in statics, where no friction acts across "
-           "a line before it is at rest, the current of {:.3g} m/s there bows them {}; with "
-           "'environment.current.ramp' the current begins in dynamics, where friction holds them",
-           lies, a * weight / 1000, speed, far),
+       fmt::format("{:.3g} m of it lie slack on the bed ({:.3g} kN), and in statics, where no friction acts "
+                   "across a line before it is at rest, the current of {:.3g} m/s there bows them {}; with "
+                   "'environment.current.ramp' the current begins in dynamics, where friction holds them",
+                   lies, a * weight / 1000, speed, far),
        8});
 }
 

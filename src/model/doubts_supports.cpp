@@ -1,9 +1,6 @@
 // Supports that bend their line more than pipes bear, and elements too long to show what rollers do to it.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "hawser/model/check.hpp"
 #include "hawser/model/doubts.hpp"
 
@@ -50,13 +47,11 @@ void doubt_line(const Case& c, const Line& line, std::vector<Doubt>& out) {
     const Vec3 turn = support_point(c, b, b.at + b.along) - at -
                       support_point(c, *before, before->at + before->along) + there;
     if (const double strain = 0.5 * here.diameter * turn.norm() / apart; strain > kStrain)
-      out.push_back(
-          {b.key,
-           fmt::format(
-               "between supports '{}' and '{}' line '{}' is bent to a radius of {:.4g} m, {:.3g} % of "
-               "strain; steel pipes are laid with less than 0.35 %",
-               before->name, b.name, line.name, apart / turn.norm(), 100 * strain),
-           20});
+      out.push_back({b.key,
+                     fmt::format("between supports '{}' and '{}' line '{}' is bent to a radius of {:.4g} m, "
+                                 "{:.3g} % of strain; steel pipes are laid with less than 0.35 %",
+                                 before->name, b.name, line.name, apart / turn.norm(), 100 * strain),
+                     20});
     else if (here.element > kCoarse * apart)
       out.push_back(
           {"lines." + line.name + ".sections",

@@ -64,12 +64,11 @@ void doubt_step(const Case& c, const Period& drive, std::vector<Doubt>& out) {
   for (const Line& line : c.lines)
     if (!is_member(c, line)) shorter(own, slowest_period(c, line), "line " + line.name);
   if (own.length > 0 && step > own.length / kOwnSteps)
-    out.push_back(
-        {"dynamics.step",
-         fmt::format("{:g} s is {:.2g} steps in the slowest natural period of {} (about {:.2g} s): none "
-                     "of its vibrations is resolved",
-                     step, own.length / step, own.of, own.length),
-         9});
+    out.push_back({"dynamics.step",
+                   fmt::format("{:g} s is {:.2g} steps in the slowest natural period of {} (about {:.2g} s): "
+                               "none of its vibrations is resolved",
+                               step, own.length / step, own.of, own.length),
+                   9});
 }
 
 void doubt_outputs(const Case& c, const Period& drive, std::vector<Doubt>& out) {
@@ -77,17 +76,16 @@ void doubt_outputs(const Case& c, const Period& drive, std::vector<Doubt>& out) 
   if (every > c.dynamics.duration)
     out.push_back(
         {"output.every",
-         fmt::format("{:g} s is longer than the run ({:g} s): there are outputs at its start and its end "
-                     "only",
-                     every, c.dynamics.duration),
+         fmt::format(
+             "{:g} s is longer than the run ({:g} s): there are outputs at its start and its end only", every,
+             c.dynamics.duration),
          10});
   else if (drive.length > 0 && every > drive.length / kOutputs)
-    out.push_back(
-        {"output.every",
-         fmt::format("{:g} s is {:.2g} outputs in a period of {} ({:g} s): they show no period; usual is "
-                     "10 or more (histories have every step)",
-                     every, drive.length / every, drive.of, drive.length),
-         10});
+    out.push_back({"output.every",
+                   fmt::format("{:g} s is {:.2g} outputs in a period of {} ({:g} s): they show no period; "
+                               "usual is 10 or more (histories have every step)",
+                               every, drive.length / every, drive.of, drive.length),
+                   10});
 }
 
 // Speed of a body's origin and, by its turning, of what is tied to it [m/s].
@@ -141,12 +139,11 @@ void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
   const StartSpeeds speed = start_speeds(c, b);
   const auto doubt = [&](double first, const char* key) {
     if (first > 0)
-      out.push_back(
-          {fmt::format("bodies.{}.{}", b.name, key),
-           fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: it strikes them; a "
-                       "'ramp' of some periods starts it smoothly",
-                       first),
-           11});
+      out.push_back({fmt::format("bodies.{}.{}", b.name, key),
+                     fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: it strikes "
+                                 "them; a 'ramp' of some periods starts it smoothly",
+                                 first),
+                     11});
   };
   doubt(speed.motion, "motion"), doubt(speed.drift, "motion.drift");
 }
@@ -157,15 +154,14 @@ void doubt_releases(const Case& c, std::vector<Doubt>& out) {
   for (std::size_t i = 0; i < c.events.size(); ++i) {
     const Action& r = c.events[i].action;
     if (r.kind != Action::Kind::release) continue;
-    const Line& line = c.lines[static_cast<std::size_t>(c.line_index(r.line))];
+    const Line& line = c.lines[c.line_index(r.line)];
     const Section& end = r.at_b ? line.sections.back() : line.sections.front();
     if (c.line_type(end.type).stiffness_damping > 0) continue;
     out.push_back(
         {fmt::format("events[{}]", i),
-         fmt::format(
-             "line type {} has no 'stiffness_damping': what recoils rings on in the last elements, whose "
-             "speeds and forces then depend on the step; 0.001 s damps that",
-             end.type),
+         fmt::format("line type {} has no 'stiffness_damping': what recoils rings on in the last elements, "
+                     "whose speeds and forces then depend on the step; 0.001 s damps that",
+                     end.type),
          15});
   }
 }
@@ -176,15 +172,15 @@ namespace {
 // beta EA/l: more, the shorter it is.
 void doubt_feed(const Case& c, const std::string& line, bool at_b, double jump, const std::string& key,
                 const char* remedy, std::vector<Doubt>& out) {
-  const Line& of = c.lines[static_cast<std::size_t>(c.line_index(line))];
+  const Line& of = c.lines[c.line_index(line)];
   const LineType& type = c.line_type((at_b ? of.sections.back() : of.sections.front()).type);
   if (!(std::abs(jump) > kLeastJump) || !(type.stiffness_damping > 0)) return;
-  out.push_back({key,
-                 fmt::format("the speed jumps by {:.3g} m/s, and line type {} has 'stiffness_damping': the "
-                             "peak of tension that this makes depends on the length of elements; {} starts "
-                             "it smoothly",
-                             std::abs(jump), type.name, remedy),
-                 16});
+  out.push_back(
+      {key,
+       fmt::format("the speed jumps by {:.3g} m/s, and line type {} has 'stiffness_damping': the peak of "
+                   "tension that this makes depends on the length of elements; {} starts it smoothly",
+                   std::abs(jump), type.name, remedy),
+       16});
 }
 
 void doubt_feeds(const Case& c, std::vector<Doubt>& out) {

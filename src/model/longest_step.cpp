@@ -129,8 +129,7 @@ void add_links(const Case& c, Shortest& own) {
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
       if (const int body = c.body_index(e->body); c.floats(body))
-        own.of(2 * M_PI * std::sqrt(c.bodies[static_cast<size_t>(body)].mass->mass / l.law.most_stiffness()) /
-                   kOfOwn,
+        own.of(2 * M_PI * std::sqrt(c.bodies[body].mass->mass / l.law.most_stiffness()) / kOfOwn,
                "a twentieth of the period of body " + e->body + " on link " + l.name);
 }
 

@@ -16,19 +16,16 @@ Field moves() {
 }
 
 Key harmonic(const Field& field, std::string about) {
-  return map(
-      {"harmonic", field},
-      {vec3({"amplitude", &HarmonicMotion::amplitude}, length,
-            "amplitudes of x, y, z: offset = amplitude sin(2 pi t / period + phase)")
-           .or_else(kZero),
-       vec3({"rotation_amplitude_deg", &HarmonicMotion::rotation_amplitude}, angle,
-            "amplitudes of the rotation vector, about axes of space")
-           .or_else(kZero),
-       number({"period", &HarmonicMotion::period}, time, "period").above(0).is_required(),
-       vec3({"phase_deg", &HarmonicMotion::phase}, angle, "phases of x, y, z").or_else(kZero),
-       vec3({"rotation_phase_deg", &HarmonicMotion::rotation_phase}, angle, "phases of the rotation vector")
-           .or_else(kZero)},
-      std::move(about));
+  return map({"harmonic", field},
+             {vec3({"amplitude", &HarmonicMotion::amplitude}, length,
+                   "amplitudes of x, y, z: offset = amplitude sin(2 pi t / period + phase)", or_else(kZero)),
+              vec3({"rotation_amplitude_deg", &HarmonicMotion::rotation_amplitude}, angle,
+                   "amplitudes of the rotation vector, about axes of space", or_else(kZero)),
+              number({"period", &HarmonicMotion::period}, time, "period", above(0), required),
+              vec3({"phase_deg", &HarmonicMotion::phase}, angle, "phases of x, y, z", or_else(kZero)),
+              vec3({"rotation_phase_deg", &HarmonicMotion::rotation_phase}, angle,
+                   "phases of the rotation vector", or_else(kZero))},
+             std::move(about));
 }
 
 Key table(const Field& field, std::string about) {
@@ -36,174 +33,141 @@ Key table(const Field& field, std::string about) {
              {text("file",
                    "text file beside the case: columns t [s], x, y, z [m] and, if it turns, the rotation "
                    "vector [deg]; blanks or commas between, `#` starts a comment"),
-              list("rows", list("", number("", none), "").items(4, 7),
-                   "the same, written here: `[[t, x, y, z], ...]`")
-                  .items(2),
+              list("rows", list("", number("", none), items(4, 7)),
+                   "the same, written here: `[[t, x, y, z], ...]`", items(2)),
               word({"interpolation", &TableMotion::between},
                    {{"spline", BetweenRows::spline},
                     {"monotone", BetweenRows::monotone},
                     {"linear", BetweenRows::linear}},
                    "between rows: a cubic spline; a cubic that stays between them; straight lines, whose "
-                   "velocity jumps at the rows")
-                  .or_else("spline")},
-             std::move(about))
-      .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true);
+                   "velocity jumps at the rows",
+                   or_else("spline"))},
+             std::move(about), either({"file", "rows"}));
 }
 
 // With `motion`, whatever that is.
 Key drift() {
   return map({"drift", &Body::drift},
-             {vec3({"offset", &Drift::offset}, length, "away from `position`").or_else(kZero),
-              vec3({"rotation_deg", &Drift::rotation}, angle, "rotation vector").or_else(kZero),
+             {vec3({"offset", &Drift::offset}, length, "away from `position`", or_else(kZero)),
+              vec3({"rotation_deg", &Drift::rotation}, angle, "rotation vector", or_else(kZero)),
               harmonic(&Drift::harmonic, "slow sinusoidal motion on top of it"),
               table(&Drift::table, "slow motion against time on top of it"),
               number({"ramp", &Drift::ramp}, time,
-                     "the drift starts smoothly over this time; 0: it is there in statics")
-                  .at_least(0)
-                  .or_else("0")},
+                     "the drift starts smoothly over this time; 0: it is there in statics", at_least(0),
+                     or_else("0"))},
              "slow drift that carries the body with its other motion; with `rao` the vessel meets the waves "
              "where it has drifted to");
 }
 
 Key motion() {
-  return map("motion",
-             {vec3({"velocity", by<Body>([](Body& b, const Value& v) { put(steady(b).velocity, v); })},
-                   velocity, "constant velocity"),
-              map({"rotation", by<Body>([](Body& b, const Value& v) { take(v, steady(b)); })},
-                  {vec3({"axis", unit(&ConstantMotion::axis)}, none,
-                        "direction of the axis through the body's position, fixed in space; its length does "
-                        "not matter")
-                       .is_required(),
-                   number({"rate", &ConstantMotion::rate}, angular_velocity,
-                          "turning rate, right-handed about the axis")
-                       .is_required()},
-                  "constant turning"),
-              harmonic(moves<HarmonicMotion>(), "sinusoidal motion about the position at rest"),
-              table(moves<TableMotion>(), "offsets from `position` against time"),
-              map("rao",
-                  {text("file",
-                        "text file beside the case: columns period [s], direction [deg] the wave goes to as "
-                        "seen from the bow (0: from astern), then surge, sway, heave [m/m], roll, pitch, yaw "
-                        "[deg/m], each amplitude followed by its phase [deg]; every direction at the same "
-                        "periods"),
-                   list("rows", list("", number("", none), "").items(14, 14), "the same, written here")
-                       .items(1),
-                   word("phase", {"lag", "lead"},
-                        "what phases are: how far the motion comes after the crest at the body's origin, or "
-                        "before it")
-                       .or_else("lag"),
-                   word("symmetry", {"none", "port_starboard"},
-                        "of a table of one side (0 to 180 deg): `port_starboard` has the vessel answer waves "
-                        "from the other side as in a mirror, with sway, roll and yaw the other way")
-                       .or_else("none")},
-                  "moves in the waves by response amplitude operators, about `position`")
-                  .either({{{"file"}, {"file"}}, {{"rows"}, {"rows"}}}, true),
-              drift(),
-              number({"ramp", &Body::ramp}, time,
-                     "the motion starts smoothly over this time (quintic); of `rao`: that of the waves")
-                  .at_least(0)
-                  .or_else("0")},
-             "prescribed motion; without it the body stands still")
-      .either({{{"velocity", "rotation"}, {}},
-               {{"harmonic"}, {"harmonic"}},
-               {{"table"}, {"table"}},
-               {{"rao"}, {"rao"}}},
-              false);
+  return map(
+      "motion",
+      {vec3({"velocity", by<Body>([](Body& b, const Value& v) { put(steady(b).velocity, v); })}, velocity,
+            "constant velocity"),
+       map({"rotation", by<Body>([](Body& b, const Value& v) { take(v, steady(b)); })},
+           {vec3({"axis", unit(&ConstantMotion::axis)}, none,
+                 "direction of the axis through the body's position, fixed in space; its length does not "
+                 "matter",
+                 required),
+            number({"rate", &ConstantMotion::rate}, angular_velocity,
+                   "turning rate, right-handed about the axis", required)},
+           "constant turning"),
+       harmonic(moves<HarmonicMotion>(), "sinusoidal motion about the position at rest"),
+       table(moves<TableMotion>(), "offsets from `position` against time"),
+       map("rao",
+           {text("file",
+                 "text file beside the case: columns period [s], direction [deg] the wave goes to as seen "
+                 "from the bow (0: from astern), then surge, sway, heave [m/m], roll, pitch, yaw [deg/m], "
+                 "each amplitude followed by its phase [deg]; every direction at the same periods"),
+            list("rows", list("", number("", none), items(14, 14)), "the same, written here", items(1)),
+            word("phase", {"lag", "lead"},
+                 "what phases are: how far the motion comes after the crest at the body's origin, or before "
+                 "it",
+                 or_else("lag")),
+            word("symmetry", {"none", "port_starboard"},
+                 "of a table of one side (0 to 180 deg): `port_starboard` has the vessel answer waves from "
+                 "the other side as in a mirror, with sway, roll and yaw the other way",
+                 or_else("none"))},
+           "moves in the waves by response amplitude operators, about `position`", either({"file", "rows"})),
+       drift(),
+       number({"ramp", &Body::ramp}, time,
+              "the motion starts smoothly over this time (quintic); of `rao`: that of the waves", at_least(0),
+              or_else("0"))},
+      "prescribed motion; without it the body stands still",
+      at_most_one({{{"velocity", "rotation"}, {}}, "harmonic", "table", "rao"}));
 }
 
 Key body_in_water() {
-  return map({"in_water", &BodyMass::in_water},
-             {number({"volume", &BodyInWater::volume}, volume,
-                     "of the water that it displaces when it is wholly under water")
-                  .above(0)
-                  .is_required(),
-              number({"height", &BodyInWater::height}, length,
-                     "over which it gets wet, half of it above its `centre_of_buoyancy`")
-                  .above(0)
-                  .is_required(),
-              vec3({"centre_of_buoyancy", &BodyInWater::centre, &BodyInWater::drag_centre}, length,
-                   "in the body's frame; inertia of the water acts there as well")
-                  .or_else(kZero),
-              vec3({"drag_area", &BodyInWater::drag_area}, area, "projected areas along the body's axes")
-                  .at_least(0)
-                  .or_else(kZero),
-              vec3({"Cd", by<BodyInWater>([](BodyInWater& w, const Value& v) {
-                      Vec3 Cd;
-                      put(Cd, v), w.drag_area = w.drag_area.cwiseProduct(Cd);
-                    })},
-                   none, "drag coefficients along the body's axes")
-                  .at_least(0)
-                  .at_most(100)
-                  .or_else("[1, 1, 1]"),
-              vec3({"centre_of_drag", &BodyInWater::drag_centre}, length, "in the body's frame")
-                  .or_else_note("`centre_of_buoyancy`"),
-              vec3("Ca", none, "added mass over the mass of the water of `volume`, along the body's axes ...")
-                  .at_least(0)
-                  .at_most(100),
-              vec3({"added_mass", &BodyInWater::added_mass}, mass, "... or the added mass itself")
-                  .at_least(0)},
-             "water acts on it by Morison's equation along its axes "
-             "([theory](../theory/bodies-in-water.md)); `weight: true` belongs to it")
-      .either({{{"Ca"}, {"Ca"}}, {{"added_mass"}, {"added_mass"}}}, false);
+  return map(
+      {"in_water", &BodyMass::in_water},
+      {number({"volume", &BodyInWater::volume}, volume,
+              "of the water that it displaces when it is wholly under water", above(0), required),
+       number({"height", &BodyInWater::height}, length,
+              "over which it gets wet, half of it above its `centre_of_buoyancy`", above(0), required),
+       vec3({"centre_of_buoyancy", &BodyInWater::centre, &BodyInWater::drag_centre}, length,
+            "in the body's frame; inertia of the water acts there as well", or_else(kZero)),
+       vec3({"drag_area", &BodyInWater::drag_area}, area, "projected areas along the body's axes",
+            at_least(0), or_else(kZero)),
+       vec3({"Cd", by<BodyInWater>([](BodyInWater& w, const Value& v) {
+               Vec3 Cd;
+               put(Cd, v), w.drag_area = w.drag_area.cwiseProduct(Cd);
+             })},
+            none, "drag coefficients along the body's axes", in_range(0, 100), or_else("[1, 1, 1]")),
+       vec3({"centre_of_drag", &BodyInWater::drag_centre}, length, "in the body's frame",
+            or_else_note("`centre_of_buoyancy`")),
+       vec3("Ca", none, "added mass over the mass of the water of `volume`, along the body's axes ...",
+            in_range(0, 100)),
+       vec3({"added_mass", &BodyInWater::added_mass}, mass, "... or the added mass itself", at_least(0))},
+      "water acts on it by Morison's equation along its axes ([theory](../theory/bodies-in-water.md)); "
+      "`weight: true` belongs to it",
+      at_most_one({"Ca", "added_mass"}));
 }
 
 Key floating() {
-  return map(
-      {"floating", &Body::mass},
-      {number({"mass", &BodyMass::mass}, mass, "mass").above(0).is_required(),
-       vec3({"inertia", &BodyMass::inertia}, inertia,
-            "moments of inertia about the centre of mass, along the body's axes")
-           .above(0)
-           .is_required(),
-       vec3({"products_of_inertia", &BodyMass::products}, inertia,
-            "Ixy, Iyz, Ixz: off the diagonal of the inertia")
-           .or_else(kZero),
-       vec3({"centre_of_mass", &BodyMass::centre}, length, "in the body's frame").or_else(kZero),
-       boolean({"weight", &BodyMass::weight},
-               "gravity acts on it; `false`: buoyancy that is not modelled carries its weight")
-           .or_else("false"),
-       vec3({"velocity", &BodyMass::velocity}, velocity, "of the centre of mass at t = 0, axes of space")
-           .or_else(kZero),
-       vec3({"angular_velocity", &BodyMass::angular_velocity}, angular_velocity, "at t = 0, axes of the body")
-           .or_else(kZero),
-       vec3({"stiffness", &BodyMass::stiffness}, point_stiffness,
-            "springs in x, y, z that pull it to where `motion` (or `position`) wants it")
-           .at_least(0)
-           .or_else(kZero),
-       vec3({"damping", &BodyMass::damping}, point_damping, "dampers in x, y, z beside them")
-           .at_least(0)
-           .or_else(kZero),
-       vec3({"turning_stiffness", &BodyMass::turning_stiffness}, turning_stiffness,
-            "springs against turning, axes of the body")
-           .at_least(0)
-           .or_else(kZero),
-       vec3({"turning_damping", &BodyMass::turning_damping}, turning_damping, "dampers beside them")
-           .at_least(0)
-           .or_else(kZero),
-       body_in_water()},
-      "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
-      "prescribed");
+  return map({"floating", &Body::mass},
+             {number({"mass", &BodyMass::mass}, mass, "mass", above(0), required),
+              vec3({"inertia", &BodyMass::inertia}, inertia,
+                   "moments of inertia about the centre of mass, along the body's axes", above(0), required),
+              vec3({"products_of_inertia", &BodyMass::products}, inertia,
+                   "Ixy, Iyz, Ixz: off the diagonal of the inertia", or_else(kZero)),
+              vec3({"centre_of_mass", &BodyMass::centre}, length, "in the body's frame", or_else(kZero)),
+              boolean({"weight", &BodyMass::weight},
+                      "gravity acts on it; `false`: buoyancy that is not modelled carries its weight",
+                      or_else("false")),
+              vec3({"velocity", &BodyMass::velocity}, velocity,
+                   "of the centre of mass at t = 0, axes of space", or_else(kZero)),
+              vec3({"angular_velocity", &BodyMass::angular_velocity}, angular_velocity,
+                   "at t = 0, axes of the body", or_else(kZero)),
+              vec3({"stiffness", &BodyMass::stiffness}, point_stiffness,
+                   "springs in x, y, z that pull it to where `motion` (or `position`) wants it", at_least(0),
+                   or_else(kZero)),
+              vec3({"damping", &BodyMass::damping}, point_damping, "dampers in x, y, z beside them",
+                   at_least(0), or_else(kZero)),
+              vec3({"turning_stiffness", &BodyMass::turning_stiffness}, turning_stiffness,
+                   "springs against turning, axes of the body", at_least(0), or_else(kZero)),
+              vec3({"turning_damping", &BodyMass::turning_damping}, turning_damping, "dampers beside them",
+                   at_least(0), or_else(kZero)),
+              body_in_water()},
+             "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
+             "prescribed");
 }
 
 }  // namespace
 
 Key bodies() {
   return names(
-             {"bodies", &Case::bodies},
-             map("<body>",
-                 {vec3({"position", &Body::position}, length, "of the body's origin at t = 0").or_else(kZero),
-                  vec3({"rotation_deg", &Body::rotation}, angle, "rotation vector at t = 0").or_else(kZero),
-                  motion(), floating(),
-                  map({"on", &Body::on},
-                      {reference({"line", &Ride::line}, "lines", "the line").is_required(),
-                       arc({"at", &Ride::at},
-                           "where on it: the nearest node, between elements that resist bending")
-                           .is_required()},
-                      "it rides on a line and turns with it; `position` and `rotation_deg` are then seen "
-                      "from there, with x along the line")},
-                 ""),
-             "Rigid bodies that carry volumes and line ends, by name.")
-      .or_else("{}");
+      {"bodies", &Case::bodies},
+      map("<body>",
+          {vec3({"position", &Body::position}, length, "of the body's origin at t = 0", or_else(kZero)),
+           vec3({"rotation_deg", &Body::rotation}, angle, "rotation vector at t = 0", or_else(kZero)),
+           motion(), floating(),
+           map({"on", &Body::on},
+               {reference({"line", &Ride::line}, "lines", "the line", required),
+                arc({"at", &Ride::at}, "where on it: the nearest node, between elements that resist bending",
+                    required)},
+               "it rides on a line and turns with it; `position` and `rotation_deg` are then seen from "
+               "there, with x along the line")}),
+      "Rigid bodies that carry volumes and line ends, by name.", or_else("{}"));
 }
 
 }  // namespace hawser::model::schema_build

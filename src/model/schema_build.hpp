@@ -1,10 +1,9 @@
 // What the keys of a case file are put together from, and the fields that they fill:
-//   number({"mass", &PointMass::mass}, mass, "point mass").above(0).is_required()
-// is the name, the field, the unit and the help of a key, then its range and whether it is needed or its
-// default.
+//   number({"mass", &PointMass::mass}, mass, "point mass", above(0), required)
+// is the name, the field, the unit and the help of a key, its range and that it is needed.
 #pragma once
 
-#include <cstdint>
+#include <concepts>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -112,73 +111,93 @@ struct Word {
 using Type = Key::Type;
 using enum Dimension;
 
-inline Key make(Type type, Head head, std::string about) {
+// What may stand behind a key's name, in any order: its help, its unit, the keys that it is put together
+// from, and any of the functions below.
+inline void say(Key& k, std::string about) { k.about = std::move(about); }
+inline void say(Key& k, Dimension unit) { k.unit = unit; }
+inline void say(Key& k, std::vector<Key> keys) { k.keys = std::move(keys); }
+inline void say(Key& k, std::invocable<Key&> auto what) { what(k); }
+
+inline auto above(double x) {
+  return [x](Key& k) { k.bounds.above = x; };
+}
+inline auto at_least(double x) {
+  return [x](Key& k) { k.bounds.at_least = x; };
+}
+inline auto at_most(double x) {
+  return [x](Key& k) { k.bounds.at_most = x; };
+}
+inline auto in_range(double least, double most) {
+  return [=](Key& k) { k.bounds.at_least = least, k.bounds.at_most = most; };
+}
+// How many entries a list has; most = 0: no limit.
+inline auto items(std::size_t least, std::size_t most = 0) {
+  return [=](Key& k) { k.min_items = least, k.max_items = most; };
+}
+inline constexpr auto required = [](Key& k) { k.required = true; };
+// Its default, as written, or in words.
+inline auto or_else(std::string literal) {
+  return [literal](Key& k) { k.fallback = literal; };
+}
+inline auto or_else_note(std::string words) {
+  return [words](Key& k) { k.fallback_note = words; };
+}
+// Of these groups of the keys of a map one is used, or at most one.
+inline auto at_most_one(std::vector<Group> groups) {
+  return [groups](Key& k) { k.groups = groups; };
+}
+inline auto either(std::vector<Group> groups) {
+  return [groups](Key& k) { k.groups = groups, k.group_required = true; };
+}
+
+Key with(Key k, auto... said) { return (say(k, std::move(said)), ...), k; }
+
+Key make(Type type, Head head, auto... said) {
   Key k;
   k.type = type;
   k.name = std::move(head.name);
   k.fields = std::move(head.fields);
-  k.about = std::move(about);
-  return k;
+  return with(std::move(k), std::move(said)...);
 }
 
-// With a unit; put together from other keys.
-inline Key make(Type type, Head head, Dimension unit, std::string about) {
-  Key k = make(type, std::move(head), std::move(about));
-  k.unit = unit;
-  return k;
-}
-inline Key make(Type type, Head head, std::vector<Key> keys, std::string about) {
-  Key k = make(type, std::move(head), std::move(about));
-  k.keys = std::move(keys);
-  return k;
-}
-
-inline Key number(Head head, Dimension unit, std::string about = "") {
-  return make(Type::number, std::move(head), unit, std::move(about));
-}
-inline Key vec3(Head head, Dimension unit, std::string about = "") {
-  return make(Type::vec3, std::move(head), unit, std::move(about));
-}
-inline Key integer(Head head, std::string about) {
-  return make(Type::integer, std::move(head), std::move(about));
-}
-inline Key boolean(Head head, std::string about = "") {
-  return make(Type::boolean, std::move(head), std::move(about));
-}
-inline Key text(Head head, std::string about) { return make(Type::text, std::move(head), std::move(about)); }
-inline Key name(Head head, std::string about) { return make(Type::name, std::move(head), std::move(about)); }
-inline Key word(Head head, const std::vector<Word>& words, std::string about = "") {
-  Key k = make(Type::word, std::move(head), std::move(about));
+Key number(Head head, Dimension unit, auto... said) { return make(Type::number, head, unit, said...); }
+Key vec3(Head head, Dimension unit, auto... said) { return make(Type::vec3, head, unit, said...); }
+Key integer(Head head, auto... said) { return make(Type::integer, head, said...); }
+Key boolean(Head head, auto... said) { return make(Type::boolean, head, said...); }
+Key text(Head head, auto... said) { return make(Type::text, head, said...); }
+Key name(Head head, auto... said) { return make(Type::name, head, said...); }
+Key word(Head head, const std::vector<Word>& words, auto... said) {
+  Key k = make(Type::word, head, said...);
   for (const Word& w : words) k.words.push_back(w.text), k.meanings.push_back(w.means);
   return k;
 }
-inline Key reference(Head head, std::string to, std::string about = "") {
-  Key k = make(Type::reference, std::move(head), std::move(about));
+Key reference(Head head, std::string to, auto... said) {
+  Key k = make(Type::reference, head, said...);
   k.refers = std::move(to);
   return k;
 }
-inline Key list(Head head, Key item, std::string about) {
-  return make(Type::list, std::move(head), std::vector{std::move(item)}, std::move(about));
+Key list(Head head, Key item, auto... said) {
+  return make(Type::list, head, std::vector{std::move(item)}, said...);
 }
-inline Key map(Head head, std::vector<Key> keys, std::string about) {
-  return make(Type::map, std::move(head), std::move(keys), std::move(about));
+Key map(Head head, std::vector<Key> keys, auto... said) {
+  return make(Type::map, head, std::move(keys), said...);
 }
-inline Key names(Head head, Key item, std::string about) {
-  return make(Type::names, std::move(head), std::vector{std::move(item)}, std::move(about));
+Key names(Head head, Key item, auto... said) {
+  return make(Type::names, head, std::vector{std::move(item)}, said...);
 }
-inline Key one_of(Head head, std::vector<Key> alternatives, std::string about) {
-  return make(Type::one_of, std::move(head), std::move(alternatives), std::move(about));
+Key one_of(Head head, std::vector<Key> alternatives, auto... said) {
+  return make(Type::one_of, head, std::move(alternatives), said...);
 }
 
-// Rows of numbers with so many columns.
-inline Key rows(Head head, std::string about, std::size_t columns = 2) {
-  return list(std::move(head), list("", number("", none), "").items(columns, columns), std::move(about));
+// Rows of numbers, of two columns.
+Key rows(Head head, auto... said) {
+  return list(std::move(head), list("", number("", none), items(2, 2)), said...);
 }
 
 // An arc length of a line.
-inline Key arc(Head head, std::string about) {
-  return one_of(std::move(head), {number("", length).at_least(0), word("", {{"end_a", 0}, {"end_b", kEndB}})},
-                std::move(about));
+Key arc(Head head, auto... said) {
+  return one_of(std::move(head),
+                {number("", length, at_least(0)), word("", {{"end_a", 0}, {"end_b", kEndB}})}, said...);
 }
 
 // Rows of force over penetration into the `force_table` of a volume or the seabed.

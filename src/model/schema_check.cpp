@@ -119,8 +119,10 @@ class Checker {
   }
 
  private:
-  [[noreturn]] void bad(const Value& v, const std::string& path, const std::string& text) const {
-    fail(file_, v.line, path, text);
+  template <class... Args>
+  [[noreturn]] void bad(const Value& v, const std::string& path, fmt::format_string<Args...> text,
+                        Args&&... args) const {
+    fail(file_, v.line, path, fmt::format(text, std::forward<Args>(args)...));
   }
 
   static std::string found(const Value& v) {
@@ -139,7 +141,7 @@ class Checker {
 
   [[noreturn]] void wrong_type(const Value& v, const Key& k, const std::string& path,
                                const std::string& hint = "") const {
-    bad(v, path, fmt::format("expected {}, found {}{}", describe(k), found(v), hint));
+    bad(v, path, "expected {}, found {}{}", describe(k), found(v), hint);
   }
 
   void check_number(Value& v, const Key& k, const std::string& path, bool whole) {
@@ -157,24 +159,22 @@ class Checker {
                            : "");
       }
       case Quantity::Status::not_finite:
-        bad(v, path, quote(v.text) + " is not a finite number");
+        bad(v, path, "{} is not a finite number", quote(v.text));
       case Quantity::Status::wrong_unit: {
         if (const std::string hint = misspelt_number(q.unit); !hint.empty()) wrong_type(v, k, path, hint);
         if (k.unit == Dimension::none)
-          bad(v, path,
-              fmt::format("wrong unit {} in {}; this number has no unit", quote(q.unit), quote(v.text)));
+          bad(v, path, "wrong unit {} in {}; this number has no unit", quote(q.unit), quote(v.text));
         std::vector<std::string> units;
         for (const Unit& u : units_of(k.unit)) units.emplace_back(u.name);
-        bad(v, path,
-            fmt::format("wrong unit {} in {}; a {} is given in {} (a bare number is in {})", quote(q.unit),
-                        quote(v.text), dimension_name(k.unit), enumerate(units), base_unit(k.unit)));
+        bad(v, path, "wrong unit {} in {}; a {} is given in {} (a bare number is in {})", quote(q.unit),
+            quote(v.text), dimension_name(k.unit), enumerate(units), base_unit(k.unit));
       }
     }
     if (whole && (q.si != std::floor(q.si) || std::abs(q.si) > 1e15)) wrong_type(v, k, path);
     const Bounds& b = k.bounds;
     if ((b.above && !(q.si > *b.above)) || (b.at_least && !(q.si >= *b.at_least)) ||
         (b.at_most && !(q.si <= *b.at_most)))
-      bad(v, path, fmt::format("{} is out of range; must be {}", quote(v.text), bounds_text(k)));
+      bad(v, path, "{} is out of range; must be {}", quote(v.text), bounds_text(k));
     v.number = q.si;
   }
 
@@ -194,7 +194,7 @@ class Checker {
 
   void check_text(Value& v, const Key& k, const std::string& path) {
     if (v.kind != Kind::scalar) wrong_type(v, k, path);
-    if (v.text.empty() && v.given) bad(v, path, "is empty; expected " + describe(k));
+    if (v.text.empty() && v.given) bad(v, path, "is empty; expected {}", describe(k));
     if (v.text.find('\0') != std::string::npos) bad(v, path, "holds a zero byte");
   }
 
@@ -206,9 +206,9 @@ class Checker {
   void check_name_text(const Value& v, const std::string& name, const std::string& path) const {
     if (!is_name(name))
       bad(v, path,
-          quote(name) +
-              " is no valid name; allowed are up to 100 letters, digits, '_', '-', '+' and blanks inside, "
-              "beginning with a letter or digit");
+          "{} is no valid name; allowed are up to 100 letters, digits, '_', '-', '+' and blanks inside, "
+          "beginning with a letter or digit",
+          quote(name));
   }
 
   void check_reference(Value& v, const Key& k, const std::string& path) {
@@ -220,10 +220,9 @@ class Checker {
     std::vector<std::string> some(known.begin(),
                                   known.begin() + std::min<long>(12, static_cast<long>(known.size())));
     if (some.size() < known.size()) some.emplace_back("...");
-    bad(v, path,
-        fmt::format("no {} is called {}{}{}", singular(k.refers), quote(v.text), did_you_mean(v.text, known),
-                    known.empty() ? fmt::format(" ({} is empty)", k.refers)
-                                  : fmt::format(" (known: {})", fmt::join(some, ", "))));
+    bad(v, path, "no {} is called {}{}{}", singular(k.refers), quote(v.text), did_you_mean(v.text, known),
+        known.empty() ? fmt::format(" ({} is empty)", k.refers)
+                      : fmt::format(" (known: {})", fmt::join(some, ", ")));
   }
 
   static std::string singular(const std::string& map) {
@@ -235,9 +234,7 @@ class Checker {
   void check_vec3(Value& v, const Key& k, const std::string& path) {
     if (v.kind != Kind::list) wrong_type(v, k, path, hint_of_no_list(v));
     if (v.items.size() != 3)
-      bad(v, path,
-          fmt::format("expected {}, found a list of {}{}", describe(k), v.items.size(),
-                      hint_of_no_commas(v)));
+      bad(v, path, "expected {}, found a list of {}{}", describe(k), v.items.size(), hint_of_no_commas(v));
     Key number = k;
     number.type = Type::number;
     for (std::size_t i = 0; i < 3; ++i)
@@ -248,7 +245,7 @@ class Checker {
     if (v.kind != Kind::list) wrong_type(v, k, path, hint_of_no_list(v));
     const std::size_t n = v.items.size();
     if (n < k.min_items || (k.max_items > 0 && n > k.max_items))
-      bad(v, path, fmt::format("expected {}, found a list of {}{}", describe(k), n, hint_of_no_commas(v)));
+      bad(v, path, "expected {}, found a list of {}{}", describe(k), n, hint_of_no_commas(v));
     for (std::size_t i = 0; i < n; ++i) check(v.items[i], k.keys[0], fmt::format("{}[{}]", path, i));
   }
 
@@ -269,13 +266,11 @@ class Checker {
     std::sort(allowed.begin(), allowed.end());
     for (std::size_t i = 0; i < v.keys.size(); ++i)
       if (!std::binary_search(allowed.begin(), allowed.end(), v.keys[i]))
-        bad(v.items[i], prefix + printable(v.keys[i]),
-            fmt::format("unknown key{} (allowed: {})", likely_key(v, i, k, allowed),
-                        fmt::join(allowed, ", ")));
+        bad(v.items[i], prefix + printable(v.keys[i]), "unknown key{} (allowed: {})",
+            likely_key(v, i, k, allowed), fmt::join(allowed, ", "));
     for (const Key& c : k.keys)
       if (c.required && !v.has(c.name))
-        bad(v, prefix + c.name,
-            fmt::format("required key is missing; expected {}: {}", describe(c), c.about));
+        bad(v, prefix + c.name, "required key is missing; expected {}: {}", describe(c), c.about);
     check_groups(v, k, path);
     for (std::size_t i = 0; i < v.keys.size(); ++i) {
       const auto same = [&](const Key& c) { return c.name == v.keys[i]; };
@@ -302,15 +297,15 @@ class Checker {
       for (const std::string& key : g.keys) {
         if (!v.has(key)) continue;
         if (used && used != &g)
-          bad(*v.find(key), path, fmt::format("'{}' and '{}' exclude each other; {}", by, key, choices(k)));
+          bad(*v.find(key), path, "'{}' and '{}' exclude each other; {}", by, key, choices(k));
         used = &g;
         by = key;
       }
     if (k.groups.empty()) return;
-    if (!used && k.group_required) bad(v, path, choices(k));
+    if (!used && k.group_required) bad(v, path, "{}", choices(k));
     if (!used) return;
     for (const std::string& key : used->needed)
-      if (!v.has(key)) bad(v, path, fmt::format("'{}' needs '{}' beside it", by, key));
+      if (!v.has(key)) bad(v, path, "'{}' needs '{}' beside it", by, key);
   }
 
   static std::string choices(const Key& k) {

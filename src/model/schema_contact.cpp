@@ -10,8 +10,8 @@ namespace {
 // settings for all.
 std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
   const auto otherwise = [&](Key k, const char* literal, const char* note) {
-    if (of_a_pair) return std::move(k).or_else_note("as for all lines");
-    return literal ? std::move(k).or_else(literal) : std::move(k).or_else_note(note);
+    if (of_a_pair) return with(std::move(k), or_else_note("as for all lines"));
+    return literal ? with(std::move(k), or_else(literal)) : with(std::move(k), or_else_note(note));
   };
   const auto in = [&](auto LinePairSettings::*field) {
     return of_a_pair ? within(&BetweenLines::Tuned::settings, field) : within(&BetweenLines::general, field);
@@ -28,58 +28,46 @@ std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
            map("",
                {number({"per_length", in(&LinePairSettings::normal_stiffness),
                         basis(StiffnessBasis::per_length)},
-                       line_stiffness, "per length of line in contact")
-                    .above(0),
+                       line_stiffness, "per length of line in contact", above(0)),
                 number({"per_area", in(&LinePairSettings::normal_stiffness), basis(StiffnessBasis::per_area)},
-                       area_stiffness, "per projected area (length times mean contact diameter)")
-                    .above(0)},
-               "")
-               .either({{{"per_length"}, {}}, {{"per_area"}, {}}}, true)},
+                       area_stiffness, "per projected area (length times mean contact diameter)", above(0))},
+               either({"per_length", "per_area"}))},
           "penalty against penetration"),
       "auto", nullptr));
-  own.push_back(otherwise(number({"friction", in(&LinePairSettings::friction)}, none, "Coulomb coefficient")
-                              .at_least(0)
-                              .at_most(10),
-                          "0", nullptr));
+  own.push_back(otherwise(
+      number({"friction", in(&LinePairSettings::friction)}, none, "Coulomb coefficient", in_range(0, 10)),
+      "0", nullptr));
   own.push_back(otherwise(number({"mobilisation_length", in(&LinePairSettings::mobilisation_length)}, length,
-                                 "slip at which friction is fully there")
-                              .above(0),
+                                 "slip at which friction is fully there", above(0)),
                           nullptr, "1 % of the mean contact diameter"));
   own.push_back(otherwise(number({"smoothing", in(&LinePairSettings::smoothing)}, length,
-                                 "half width of the smooth start of the contact force")
-                              .above(0),
+                                 "half width of the smooth start of the contact force", above(0)),
                           nullptr, "0.1 % of the mean contact diameter"));
   own.push_back(otherwise(number({"relative_damping", in(&LinePairSettings::relative_damping)}, none,
-                                 "damping of the contact spring over its critical damping")
-                              .at_least(0)
-                              .at_most(2),
+                                 "damping of the contact spring over its critical damping", in_range(0, 2)),
                           "0", nullptr));
   return own;
 }
 
 Key between_lines() {
-  const Key two = list("", reference("", "lines"), "two lines, or one twice for itself").items(2, 2);
+  const Key two = list("", reference("", "lines"), "two lines, or one twice for itself", items(2, 2));
   Key pair = two;
-  pair.name = "lines";
+  pair.name = "lines", pair.required = true;
   pair.fields = {by<BetweenLines::Tuned>([](BetweenLines::Tuned& t, const Value& v) {
                    t.first = v.items[0].text, t.second = v.items[1].text;
                  }).put};
-  return one_of({"between_lines", &Contact::between_lines},
-                {boolean({"", &BetweenLines::enabled}),
-                 map("",
-                     line_pair_keys(
-                         {boolean({"self", &BetweenLines::self}, "a line touches itself").or_else("true"),
-                          list({"exclude", &BetweenLines::exclude}, two,
-                               "pairs of lines that do not touch each other")
-                              .or_else("[]"),
-                          list("pairs",
-                               map("", line_pair_keys({std::move(pair).is_required()}, true),
-                                   "settings of one pair of lines; what is not said is as for all"),
-                               "pairs of lines with settings of their own")
-                              .or_else("[]")}),
-                     "")},
-                "contact of the lines with each other and with themselves; `false`: none")
-      .or_else("true");
+  return one_of(
+      {"between_lines", &Contact::between_lines},
+      {boolean({"", &BetweenLines::enabled}),
+       map("",
+           line_pair_keys({boolean({"self", &BetweenLines::self}, "a line touches itself", or_else("true")),
+                           list({"exclude", &BetweenLines::exclude}, two,
+                                "pairs of lines that do not touch each other", or_else("[]")),
+                           list("pairs",
+                                map("", line_pair_keys({std::move(pair)}, true),
+                                    "settings of one pair of lines; what is not said is as for all"),
+                                "pairs of lines with settings of their own", or_else("[]"))}))},
+      "contact of the lines with each other and with themselves; `false`: none", or_else("true"));
 }
 
 // Each name once.
@@ -93,38 +81,33 @@ Field chosen(std::vector<std::string> Contact::*names, bool Contact::*all) {
 }
 
 Key all_or_names(std::string name, const Field& field, std::string to, std::string about) {
-  return one_of(std::move(name), {word("", {"all"}), list({"", field}, reference("", std::move(to)), "")},
-                std::move(about))
-      .or_else("all");
+  return one_of(std::move(name), {word("", {"all"}), list({"", field}, reference("", std::move(to)))},
+                std::move(about), or_else("all"));
 }
 
 }  // namespace
 
 Key contact() {
-  return map({"contact", &Case::contact},
-             {all_or_names("lines", chosen(&Contact::lines, &Contact::all_lines), "lines",
-                           "lines that take part in contact"),
-              all_or_names("volumes", chosen(&Contact::volumes, &Contact::all_volumes), "volumes",
-                           "volumes that take part in contact"),
-              word({"method", &Contact::method},
-                   {{"line", ContactMethod::line},
-                    {"nodes", ContactMethod::nodes},
-                    {"gap", ContactMethod::gap}},
-                   "where a line touches: anywhere along its elements (`line`) or at its nodes alone; to "
-                   "compare with, at the nodes: `gap` has a spring each, in the direction of the surface "
-                   "nearest at the start")
-                  .or_else("line"),
-              boolean({"rolling", &Contact::rolling},
-                      "friction acts at the lines' surface: it turns them about their axes, and a line that "
-                      "rolls does not slide (beams, method `line`)")
-                  .or_else("false"),
-              number({"penetration_warning", &Contact::warned_penetration}, none,
-                     "share of a line's radius above which a penetration is warned of")
-                  .above(0)
-                  .or_else("0.1"),
-              between_lines()},
-             "Contact of lines with volumes and with lines.")
-      .or_else("{}");
+  return map(
+      {"contact", &Case::contact},
+      {all_or_names("lines", chosen(&Contact::lines, &Contact::all_lines), "lines",
+                    "lines that take part in contact"),
+       all_or_names("volumes", chosen(&Contact::volumes, &Contact::all_volumes), "volumes",
+                    "volumes that take part in contact"),
+       word({"method", &Contact::method},
+            {{"line", ContactMethod::line}, {"nodes", ContactMethod::nodes}, {"gap", ContactMethod::gap}},
+            "where a line touches: anywhere along its elements (`line`) or at its nodes alone; to compare "
+            "with, at the nodes: `gap` has a spring each, in the direction of the surface nearest at the "
+            "start",
+            or_else("line")),
+       boolean({"rolling", &Contact::rolling},
+               "friction acts at the lines' surface: it turns them about their axes, and a line that rolls "
+               "does not slide (beams, method `line`)",
+               or_else("false")),
+       number({"penetration_warning", &Contact::warned_penetration}, none,
+              "share of a line's radius above which a penetration is warned of", above(0), or_else("0.1")),
+       between_lines()},
+      "Contact of lines with volumes and with lines.", or_else("{}"));
 }
 
 }  // namespace hawser::model::schema_build

@@ -254,8 +254,7 @@ std::string schema_json() {
   w.member("title", "\"hawser case file\"");
   w.member("$comment",
            "\"Written by 'hawser schema --json' from the schema in the code; don't edit by hand. Names that "
-           "refer to "
-           "names, sense and meshes are only checked by 'hawser check'.\"");
+           "refer to names, sense and meshes are only checked by 'hawser check'.\"");
   members(case_schema(), w);
   w.open("$defs", '{');
   w.member("name", "{\"type\": [\"string\", \"integer\"]}");

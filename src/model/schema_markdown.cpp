@@ -153,8 +153,7 @@ constexpr const char* kTable = "| key | value | unit | default | meaning |\n|---
 std::string units_table() {
   std::string s =
       "\n## Units\n\nPowers may be written `m2`, `m^2` or `m²`, and blanks, dots or `·` between factors make "
-      "no "
-      "difference.\nKeys that end in `_deg` take degrees; results and the program inside use rad.\n\n"
+      "no difference.\nKeys that end in `_deg` take degrees; results and the program inside use rad.\n\n"
       "| quantity | bare number | may be written |\n|---|---|---|\n";
   for (const Dimension d : dimensions()) {
     std::vector<std::string> names;

@@ -11,8 +11,8 @@ Refusal::Refusal(const Value& at, std::string key, const std::string& text)
 
 void refuse(const Value& v, const std::string& text) { throw Refusal(v, v.where, text); }
 
-void refuse(const Value& at, const std::string& where, const std::string& text) {
-  throw Refusal(at, where, text);
+void refuse_key(const Value& at, const std::string& key, const std::string& text) {
+  throw Refusal(at, key, text);
 }
 
 namespace {

@@ -63,9 +63,9 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
   }
   supports.follow(s);
   for (const Support& p : supports.list()) {
-    const size_t n = static_cast<size_t>(p.node);
+    const size_t n = p.node;
     if (p.frame >= 0 && p.position_mask == 7) {
-      const size_t f = static_cast<size_t>(p.frame);
+      const size_t f = p.frame;
       trial.ax[n] = trial.ax[f];
       if (mesh.rotates(p.frame)) trial.ax[n] += trial.ad[f] * p.at;
       if (p.rotation_mask != 7 || !mesh.rotates(p.node)) continue;

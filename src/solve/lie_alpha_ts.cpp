@@ -97,7 +97,7 @@ void lie_alpha_options(TS ts) {
   const auto must_be = [](void* object, const char* type, const char* option) {
     PetscBool same = PETSC_FALSE;
     check(PetscObjectTypeCompare(static_cast<PetscObject>(object), type, &same));
-    if (!same) throw InputError(fmt::format("the option -dynamics_{} can only be '{}'", option, type));
+    if (!same) throw InputError("the option -dynamics_{} can only be '{}'", option, type);
   };
   must_be(ts, kType, "ts_type");
   must_be(adapt, kVerdict, "ts_adapt_type");

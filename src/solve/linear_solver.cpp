@@ -2,6 +2,7 @@
 // eigenvalues of a tangent, which shows whether an equilibrium is stable.
 #include "hawser/solve/linear_solver.hpp"
 
+#include "hawser/base/gather.hpp"
 #include "hawser/solve/substructure.hpp"
 
 namespace hawser {
@@ -17,8 +18,7 @@ long shared_unknowns(const System& system) {
 }  // namespace
 
 void configure_linear_solver(KSP ksp, const System& system, const char* prefix) {
-  int size = 1;
-  MPI_Comm_size(system.comm(), &size);
+  const int size = ranks_of(system.comm());
   check(KSPSetOptionsPrefix(ksp, prefix));
   check(KSPSetType(ksp, KSPPREONLY));
   PC pc = nullptr;
@@ -75,8 +75,7 @@ bool positive_definite(Mat a) {
 
 int negative_eigenvalues(Mat J, bool chains) {
   const MatHandle a = symmetric_part(J);
-  int size = 1;
-  MPI_Comm_size(PetscObjectComm(reinterpret_cast<PetscObject>(J)), &size);
+  const int size = ranks_of(PetscObjectComm(reinterpret_cast<PetscObject>(J)));
   if (chains && size == 1 && positive_definite(a.get())) return 0;
   MatHandle factor;
   if (MatGetFactor(a.get(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.out())) return -1;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
 #include "hawser/solve/linear_solver.hpp"
 
@@ -45,8 +46,8 @@ MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights
   const auto& is_held = system.supports().held();
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
     for (int c = 0; c < 3; ++c) {
-      if (!(is_held[static_cast<size_t>(b)] >> c & 1)) continue;
-      const PetscInt row = 3 * system.mesh().global_block[static_cast<size_t>(b)] + c;
+      if (!(is_held[b] >> c & 1)) continue;
+      const PetscInt row = 3 * system.mesh().global_block[b] + c;
       check(MatSetValue(A.get(), row, row, held - 1, ADD_VALUES));
     }
   check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));
@@ -58,7 +59,7 @@ MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights
 long free_components(const System& system) {
   long free = 0;
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
-    for (int c = 0; c < 3; ++c) free += !(system.supports().held()[static_cast<size_t>(b)] >> c & 1);
+    for (int c = 0; c < 3; ++c) free += !(system.supports().held()[b] >> c & 1);
   MPI_Allreduce(MPI_IN_PLACE, &free, 1, MPI_LONG, MPI_SUM, system.comm());
   return free;
 }
@@ -68,8 +69,8 @@ double size_of(const System& system, const Kinematics& at) {
   Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
   for (size_t n = 0; n < static_cast<size_t>(system.mesh().owned); ++n)
     low = low.cwiseMin(at.x[n]), high = high.cwiseMax(at.x[n]);
-  MPI_Allreduce(MPI_IN_PLACE, low.data(), 3, MPI_DOUBLE, MPI_MIN, system.comm());
-  MPI_Allreduce(MPI_IN_PLACE, high.data(), 3, MPI_DOUBLE, MPI_MAX, system.comm());
+  all_reduce(system.comm(), MPI_MIN, low);
+  all_reduce(system.comm(), MPI_MAX, high);
   return (high - low).norm();
 }
 
@@ -84,17 +85,16 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
     if (mesh.rotates(static_cast<int>(n))) mode.rotation[n] = at.q[n] * block(mesh.block[n] + 1);
   }
   for (const int i : system.supports().ties()) {
-    const Support& s = system.supports().list()[static_cast<size_t>(i)];
-    const int frame = mesh.block[static_cast<size_t>(s.frame)];
-    mode.shape[static_cast<size_t>(s.node)] =
-        block(frame) + at.q[static_cast<size_t>(s.frame)] * block(frame + 1).cross(s.at);
+    const Support& s = system.supports().list()[i];
+    const int frame = mesh.block[s.frame];
+    mode.shape[s.node] = block(frame) + at.q[s.frame] * block(frame + 1).cross(s.at);
   }
   double most[2] = {0, 0};
   for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
     most[0] = std::max(most[0], mode.shape[n].norm());
     most[1] = std::max(most[1], mode.rotation[n].norm());
   }
-  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system.comm());
+  all_reduce(system.comm(), MPI_MAX, most);
   const bool in_place = most[0] < kInPlace * most[1] * size_of(system, at);
   for (size_t n = 0; n < nodes; ++n) {
     mode.shape[n] = in_place ? Vec3(Vec3::Zero()) : Vec3(mode.shape[n] / most[0]);
@@ -180,10 +180,9 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
   // be missing at first.
   for (long ask = std::min<long>(count + kMore, free);; ask = std::min(2 * ask, free)) {
     std::vector<NaturalMode> modes = nearest_modes(system, at, K.get(), M.get(), static_cast<int>(ask));
-    const size_t wanted = static_cast<size_t>(count);
+    const size_t wanted = count;
     if (modes.size() < wanted)
-      throw SolveError(
-          fmt::format("modes: {} of {} eigenvalues have converged: ask for fewer", modes.size(), count));
+      throw SolveError("modes: {} of {} eigenvalues have converged: ask for fewer", modes.size(), count);
     const bool no_more = ask == free || std::ssize(modes) < ask;
     if (!no_more && !complete(K.get(), M.get(), modes, wanted)) {
       if (ask > kMost * (count + kMore))

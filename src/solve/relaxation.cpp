@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/solve/static_trial.hpp"
 #include "hawser/system/imbalance.hpp"
 
@@ -36,10 +37,9 @@ class Relaxation : StaticTrial {
       : StaticTrial(system, state), settings_(settings) {
     momentum_.assign(3 * static_cast<size_t>(system.mesh().owned_blocks), 0);
     for (const LineSpan& l : system.mesh().mesh->lines) longest_ = std::max(longest_, l.length);
-    turns_.assign(static_cast<size_t>(system.mesh().owned_blocks), 0);
+    turns_.assign(system.mesh().owned_blocks, 0);
     for (int n = 0; n < system.mesh().owned; ++n)
-      if (system.mesh().rotates(n))
-        turns_[static_cast<size_t>(system.mesh().block[static_cast<size_t>(n)]) + 1] = 1;
+      if (system.mesh().rotates(n)) turns_[system.mesh().block[n] + 1] = 1;
     check(SNESSetTolerances(snes_.get(), 0, 0, 0, kMostIterations, PETSC_DEFAULT));
   }
 
@@ -97,7 +97,7 @@ class Relaxation : StaticTrial {
     if (tried % kWatched != 0) return false;
     double far = 0;
     for (size_t n = 0; n < seen_.size(); ++n) far = std::max(far, (state_.x[n] - seen_[n]).norm());
-    MPI_Allreduce(MPI_IN_PLACE, &far, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+    all_reduce(system_.comm(), MPI_MAX, far);
     const bool stuck = tried > 0 && far < kCreep * longest_ && report.norms.relative() > 0.5 * left_;
     seen_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
     left_ = report.norms.relative();

@@ -32,8 +32,8 @@ Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, do
 
 // Puts the held node to where the element between it and the free one has this length.
 void at_mouth(Mesh& mesh, const LineSpan& span, int held, int free, double length) {
-  const auto node = [&](int i) -> Node& { return mesh.nodes[static_cast<size_t>(span.first_node + i)]; };
-  mesh.elements[static_cast<size_t>(span.first_element + std::min(held, free))].length = length;
+  const auto node = [&](int i) -> Node& { return mesh.nodes[span.first_node + i]; };
+  mesh.elements[span.first_element + std::min(held, free)].length = length;
   node(held).arc = node(free).arc + (held < free ? -length : length);
 }
 
@@ -41,7 +41,7 @@ void at_mouth(Mesh& mesh, const LineSpan& span, int held, int free, double lengt
 
 LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan& span, int first, int last) {
   const double near = 1e-9 * span.length;
-  const auto arc = [&](int i) { return mesh.nodes[static_cast<size_t>(span.first_node + i)].arc; };
+  const auto arc = [&](int i) { return mesh.nodes[span.first_node + i].arc; };
   LineStretch out{line, mesh, span};
   model::Line& rest = out.line;
   const double from = arc(first), to = arc(last);
@@ -60,7 +60,7 @@ LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan
   for (auto& row : rest.temperature_change) row.first -= from;
   for (auto& p : rest.point_loads) p.at -= from;
   for (auto& q : rest.loads) q.from = std::max(0.0, q.from - from), q.to = q.to < 0 ? q.to : q.to - from;
-  for (int i = first; i <= last; ++i) out.mesh.nodes[static_cast<size_t>(span.first_node + i)].arc -= from;
+  for (int i = first; i <= last; ++i) out.mesh.nodes[span.first_node + i].arc -= from;
   out.span.first_node += first, out.span.nodes = last - first + 1;
   out.span.first_element += first, out.span.elements = last - first;
   out.span.length = to - from;
@@ -86,7 +86,7 @@ LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bo
   clamp(line.end_a, free.tangent.front()), clamp(line.end_b, free.tangent.back());
   LineStart out;
   for (int i = 0; i < span.nodes; ++i) {
-    const size_t k = static_cast<size_t>(std::clamp(i, first, last) - first);
+    const size_t k = std::clamp(i, first, last) - first;
     out.x.push_back(free.x[k]), out.tangent.push_back(free.tangent[k]);
   }
   return out;
@@ -95,7 +95,7 @@ LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bo
 LineStart line_start_from_soil(const model::Case& c, const model::Line& line, const Bodies& bodies,
                                const Mesh& mesh, const LineSpan& span) {
   const double near = 1e-9 * span.length;
-  const auto arc = [&](int i) { return mesh.nodes[static_cast<size_t>(span.first_node + i)].arc; };
+  const auto arc = [&](int i) { return mesh.nodes[span.first_node + i].arc; };
   int first = 0, last = span.nodes - 1;  // of what is not buried
   for (const model::Buried& b : line.buried) {
     if (b.from <= near)
@@ -129,7 +129,7 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
     } else if (i > last) {
       straight(rest.line.end_b.at, xb, (arc(i) - to) / (span.length - to));
     } else {
-      const size_t k = static_cast<size_t>(i - first);
+      const size_t k = i - first;
       out.x.push_back(free.x[k]), out.tangent.push_back(free.tangent[k]);
     }
   }

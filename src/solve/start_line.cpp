@@ -58,7 +58,7 @@ LineStart from_catenary(const CatenaryShape& shape, const Mesh& mesh, const Line
   LineStart out;
   const double most = std::max(shape.tension_a().norm(), shape.tension_b().norm());
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double s = mesh.nodes[static_cast<size_t>(n)].arc;
+    const double s = mesh.nodes[n].arc;
     out.x.push_back(shape.position(s));
     const Vec3 t = shape.tension(s);
     // At a free end the tension is nothing but round-off, and points anywhere.
@@ -94,7 +94,7 @@ std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, c
   if (!found) return {};
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double s = mesh.nodes[static_cast<size_t>(n)].arc, from = a ? s : span.length - s;
+    const double s = mesh.nodes[n].arc, from = a ? s : span.length - s;
     const double h = 1e-6 * span.length, low = std::max(0.0, from - h),
                  high = std::min(span.length, from + h);
     out.x.push_back(found->position(from));
@@ -111,7 +111,7 @@ LineStart along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpa
   for (size_t i = 1; i < points.size(); ++i) at.push_back(at.back() + (points[i] - points[i - 1]).norm());
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double s = mesh.nodes[static_cast<size_t>(n)].arc / span.length * at.back();
+    const double s = mesh.nodes[n].arc / span.length * at.back();
     size_t i = 1;
     while (i + 1 < points.size() && s > at[i]) ++i;
     const double z = (s - at[i - 1]) / (at[i] - at[i - 1]);
@@ -134,7 +134,7 @@ LineStart as_left(const model::LeftShape& left, const std::optional<Vec3>& xa, c
   if (!xb) b = a;
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double share = mesh.nodes[static_cast<size_t>(n)].arc / span.length, s = share * there;
+    const double share = mesh.nodes[n].arc / span.length, s = share * there;
     const VectorMotion at = spline.at(s);
     out.x.push_back(at.value + (1 - share) * a + share * b);
     if (left.rotation.empty()) {
@@ -142,7 +142,7 @@ LineStart as_left(const model::LeftShape& left, const std::optional<Vec3>& xa, c
       continue;
     }
     const auto above = std::upper_bound(left.arc.begin() + 1, left.arc.end() - 1, s);
-    const size_t j = static_cast<size_t>(above - left.arc.begin());
+    const size_t j = above - left.arc.begin();
     const double z = std::clamp((s - left.arc[j - 1]) / (left.arc[j] - left.arc[j - 1]), 0.0, 1.0);
     out.q.push_back(left.rotation[j - 1].slerp(z, left.rotation[j]));
     out.tangent.push_back(out.q.back() * Vec3::UnitX());
@@ -184,7 +184,7 @@ bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, con
   bool floats = false;
   std::vector<double> arc{0};  // as long as it is without tension
   for (int e = span.first_element; e < span.first_element + span.elements; ++e) {
-    const Element& g = mesh.elements[static_cast<size_t>(e)];
+    const Element& g = mesh.elements[e];
     arc.push_back(arc.back() + (1 + g.free_strain) * g.length);
   }
   if (!lies_slack(c, sections, s, arc.back(), floats)) return false;
@@ -213,7 +213,7 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
   std::vector<double> arc;
   for (int n = 0; n < span.nodes; ++n) {
     const int i = span.first_node + (a ? n : span.nodes - 1 - n);
-    const double s = mesh.nodes[static_cast<size_t>(i)].arc;
+    const double s = mesh.nodes[i].arc;
     arc.push_back(a ? s : span.length - s);
   }
   auto laid =

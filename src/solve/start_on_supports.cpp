@@ -162,11 +162,10 @@ class OverSupports {
     way_.add({way_.places.back().at, over});
     way_.add({*to_, over});
     if (way_.length() > (1 + kStretched) * length_)
-      c_.refuse(
-          "lines." + line_.name + ".sections",
-          fmt::format("the line is {:.6g} m long, and the shortest way over its supports to its other end is "
-                      "{:.6g} m; make it {:.3g} m longer, or move the end",
-                      length_, way_.length(), way_.length() - length_));
+      c_.refuse("lines." + line_.name + ".sections",
+                "the line is {:.6g} m long, and the shortest way over its supports to its other end is "
+                "{:.6g} m; make it {:.3g} m longer, or move the end",
+                length_, way_.length(), way_.length() - length_);
   }
   // A free end: off the last support straight on, and along the bed.
   void hang() {
@@ -211,7 +210,7 @@ std::optional<LineStart> line_over_supports(const model::Case& c, const model::L
                            : way.length();
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double share = mesh.nodes[static_cast<size_t>(n)].arc / span.length;
+    const double share = mesh.nodes[n].arc / span.length;
     const double s = std::min((over.from_a() ? share : 1 - share) * whole, way.length());
     size_t i = 1;
     while (i + 1 < way.places.size() && s > way.arc[i]) ++i;

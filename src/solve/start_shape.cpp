@@ -124,7 +124,7 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
   // Friction of the bed holds a line without held ends that was laid on it; nothing holds its twist.
   if (whole.end_a.kind == model::EndKind::free && whole.end_b.kind == model::EndKind::free &&
       line.from == 0 && c.statics.enabled && model::laid_with_friction(c, whole) &&
-      g.nodes[static_cast<size_t>(span.first_node)].rotates)
+      g.nodes[span.first_node].rotates)
     if (const int here = mesh.find(span.first_node); here >= 0) {
       Support s;
       s.position_mask = 0, s.rotation_mask = 1, s.node = here;
@@ -139,20 +139,20 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     const int node = span.first_node + (end ? span.nodes - 1 : 0);
     const bool joint = e.kind == model::EndKind::joint;
     if (const int here = mesh.find(node); joint && here >= 0)
-      out.state.x[static_cast<size_t>(here)] = e.at;  // exactly as the other ends there
-    if (joint && (end != twist || !g.nodes[static_cast<size_t>(node)].rotates)) continue;
+      out.state.x[here] = e.at;  // exactly as the other ends there
+    if (joint && (end != twist || !g.nodes[node].rotates)) continue;
     Support s;
     if (joint) s.position_mask = 0;
     s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
     s.at = e.at;
-    if (const int frame = g.nodes[static_cast<size_t>(node)].tied_to; frame >= 0 && c.floats(s.body)) {
-      s.at -= c.bodies[static_cast<size_t>(s.body)].mass->centre;
+    if (const int frame = g.nodes[node].tied_to; frame >= 0 && c.floats(s.body)) {
+      s.at -= c.bodies[s.body].mass->centre;
       s.body = -1, s.frame = mesh.find(frame);
     }
-    if (g.nodes[static_cast<size_t>(node)].rotates) {
+    if (g.nodes[node].rotates) {
       if (e.clamped) {
         s.rotation_mask = 7;
-        s.rotation = out.ends[l][static_cast<size_t>(end)];
+        s.rotation = out.ends[l][end];
       } else if (end == twist) {
         s.rotation_mask = 1;
       }
@@ -168,18 +168,17 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
 void tie_to_joints(const model::Case& c, const LocalMesh& mesh, StartShape& out) {
   const Mesh& g = *mesh.mesh;
   for (int n = 0; n < mesh.nodes(); ++n) {
-    const int global = mesh.global[static_cast<size_t>(n)], frame = mesh.frame_of(n);
-    if (frame < 0 || g.nodes[static_cast<size_t>(g.nodes[static_cast<size_t>(global)].tied_to)].body >= 0)
-      continue;
-    const Node& node = g.nodes[static_cast<size_t>(global)];
-    const LineSpan& span = g.lines[static_cast<size_t>(node.line)];
-    const model::Line& line = c.lines[static_cast<size_t>(node.line)];
+    const int global = mesh.global[n], frame = mesh.frame_of(n);
+    if (frame < 0 || g.nodes[g.nodes[global].tied_to].body >= 0) continue;
+    const Node& node = g.nodes[global];
+    const LineSpan& span = g.lines[node.line];
+    const model::Line& line = c.lines[node.line];
     Support s;
     s.node = n, s.frame = frame;
     if (mesh.rotates(n) && mesh.rotates(frame) &&
         rigid(c, global == span.first_node ? line.end_a : line.end_b)) {
       s.rotation_mask = 7;
-      s.rotation = out.state.q[static_cast<size_t>(frame)].conjugate() * out.state.q[static_cast<size_t>(n)];
+      s.rotation = out.state.q[frame].conjugate() * out.state.q[n];
     }
     out.supports.push_back(s);
   }
@@ -189,9 +188,8 @@ void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bod
   for (int n = 0; n < mesh.nodes(); ++n) {
     const int body = mesh.node(n).body;
     if (body < 0) continue;
-    const RigidBodyState s = floating_start(*c.bodies[static_cast<size_t>(body)].mass, bodies.pose(body, 0));
-    const size_t i = static_cast<size_t>(n);
-    state.x[i] = s.x, state.q[i] = s.q, state.v[i] = s.v, state.w[i] = s.w;
+    const RigidBodyState s = floating_start(*c.bodies[body].mass, bodies.pose(body, 0));
+    state.x[n] = s.x, state.q[n] = s.q, state.v[n] = s.v, state.w[n] = s.w;
   }
 }
 
@@ -213,7 +211,7 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
     for (int i = 0; i < span.nodes; ++i) {
       const int here = mesh.find(span.first_node + i);
       if (here < 0) continue;
-      const size_t n = static_cast<size_t>(here), k = static_cast<size_t>(i);
+      const size_t n = here, k = i;
       out.state.x[n] = shape.x[k];
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/system/line_candidates.hpp"
 
@@ -89,7 +90,7 @@ bool StaticTrial::prepare() {
 }
 
 double StaticTrial::sum(double x) const {
-  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, system_.comm());
+  all_reduce(system_.comm(), MPI_SUM, x);
   return x;
 }
 
@@ -110,7 +111,7 @@ double StaticTrial::limit() const {
   double x = 0, turn = 0;
   const LocalMesh& m = system_.mesh();
   for (int n = 0; n < m.owned; ++n) {
-    const double* p = local_.data() + 3 * m.block[static_cast<size_t>(n)];
+    const double* p = local_.data() + 3 * m.block[n];
     x = std::max(x, Eigen::Map<const Vec3>(p).norm());
     if (m.rotates(n)) turn = std::max(turn, Eigen::Map<const Vec3>(p + 3).norm());
   }
@@ -118,7 +119,7 @@ double StaticTrial::limit() const {
   for (const LineSpan& l : m.mesh->lines) longest = std::max(longest, l.length);
   if (m.mesh->lines.empty()) longest = kBodies;
   double worst = std::max(x / (0.05 * longest), turn / 0.5);
-  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+  all_reduce(system_.comm(), MPI_MAX, worst);
   return worst > 1 ? 1 / worst : 1;
 }
 
@@ -176,19 +177,19 @@ void StaticTrial::leave(int attempt) {
 void StaticTrial::push(int attempt, double share, State& s) const {
   const LocalMesh& m = system_.mesh();
   for (int n = 0; n < m.nodes(); ++n) {
-    const size_t i = static_cast<size_t>(n);
+    const size_t i = n;
     const Node& node = m.node(i);
     if (node.body >= 0) continue;
-    const double L = m.mesh->lines[static_cast<size_t>(node.line)].length, z = node.arc / L;
+    const double L = m.mesh->lines[node.line].length, z = node.arc / L;
     const double bump =
         share * 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
     Vec3 d = bump * Vec3(0.31, 0.52, -0.79);
-    const unsigned char held = system_.supports().held()[static_cast<size_t>(m.block[i])];
+    const unsigned char held = system_.supports().held()[m.block[i]];
     for (int c = 0; c < 3; ++c)
       if (held >> c & 1) d[c] = 0;
     s.x[i] += d;
     // A node turned over against its neighbours is a saddle of rotations.
-    const size_t b = static_cast<size_t>(m.block[i]);
+    const size_t b = m.block[i];
     if (!m.rotates(n) || system_.supports().held()[b + 1]) continue;
     const double angle = share * 0.05 * attempt;
     s.q[i] = s.q[i] * exp_so3(angle * Vec3(0.1 * std::sin(5 * z), std::sin(37 * z + 1), std::cos(41 * z)));

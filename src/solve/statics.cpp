@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "hawser/base/error.hpp"
@@ -114,7 +113,7 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
     } catch (const InTheWay&) {
       throw;
     } catch (const SolveError& second) {
-      throw SolveError(fmt::format("{}; after that, {}", first.what(), second.what()));
+      throw SolveError("{}; after that, {}", first.what(), second.what());
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/solve/dynamics.hpp"
 #include "hawser/system/imbalance.hpp"
 
@@ -20,7 +21,7 @@ Verdict Dynamics::check_step() {
   const Kinematics trial = trial_.s.view(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
   double most[2] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_), turn.value};
-  MPI_Allreduce(MPI_IN_PLACE, most, 2, MPI_DOUBLE, MPI_MAX, system_.comm());
+  all_reduce(system_.comm(), MPI_MAX, most);
   tries_.info.error = most[0];
   if (most[1] > M_PI) {  // a rotation beyond half a turn is another one
     NodeValue worst = turn;
@@ -73,9 +74,8 @@ Dynamics::Decision Dynamics::decide() {
         }
       }
       if (const std::string why = system_.overstretched(trial_.s.view(h_)); !why.empty())
-        throw SolveError(
-            fmt::format("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?",
-                        trial_.s.time, why));
+        throw SolveError("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?",
+                         trial_.s.time, why);
       control_.accepted(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
     case Verdict::Kind::prepare_anew:
@@ -94,8 +94,8 @@ Dynamics::Decision Dynamics::decide() {
   ++tries_.info.rejected;
   tries_.search = {}, tries_.event = HUGE_VAL;  // what is shorter may not reach the event
   if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
-  throw SolveError(fmt::format("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}",
-                               committed_.s.time, h_, verdict.because));
+  throw SolveError("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}",
+                   committed_.s.time, h_, verdict.because);
 }
 
 }  // namespace hawser

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
 #include "pc_shell.hpp"
 
@@ -37,8 +38,7 @@ MPI_Comm comm_of(PC pc) {
 // Which unknowns are shared: the pattern does not change, so once.
 void find_shared(PC pc, Mat A, Substructure& s, const PetscInt* block_columns, PetscInt ghost_blocks) {
   const MPI_Comm comm = comm_of(pc);
-  int size = 1;
-  MPI_Comm_size(comm, &size);
+  const int size = ranks_of(comm);
   std::vector<int> counts(static_cast<size_t>(size)), starts(static_cast<size_t>(size), 0);
   const int n = static_cast<int>(ghost_blocks);
   MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
@@ -131,7 +131,7 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
   if (!s->shared.empty()) {
     Eigen::VectorXd g = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(s->shared.size()));
     for (size_t i = 0; i < s->mine.size(); ++i) g[s->mine[i]] = px[s->mine_local[i]];
-    MPI_Allreduce(MPI_IN_PLACE, g.data(), static_cast<int>(g.size()), MPI_DOUBLE, MPI_SUM, comm_of(pc));
+    all_reduce(comm_of(pc), MPI_SUM, g);
     g = s->small.solve(g);
     Eigen::VectorXd seen(static_cast<Eigen::Index>(s->ghosts.size()));
     for (size_t j = 0; j < s->ghosts.size(); ++j) seen[static_cast<Eigen::Index>(j)] = g[s->ghosts[j]];

@@ -60,7 +60,7 @@ void Assembler::add_force(int b, double x, double y, double z) {
   if (b >= owned_blocks_ && !sending_) return;
   double* out = force_->data() + 3 * b;
   out[0] += x, out[1] += y, out[2] += z;
-  (*squares_)[static_cast<size_t>(b)] += x * x + y * y + z * z;
+  (*squares_)[b] += x * x + y * y + z * z;
 }
 
 void Assembler::add(std::span<const int> blocks, const double* f, const double* K, const double* C,
@@ -79,8 +79,7 @@ void Assembler::add(std::span<const int> blocks, const double* f, const double* 
   if (K && weights_.K != 0) {
     weigh<true>(n, weights_.K, K, J);
     for (int j = 0; j < n; ++j)
-      if ((*is_rotation_)[static_cast<size_t>(block[j])])
-        turn_columns((*retraction_)[static_cast<size_t>(block[j])], m, J + 3 * j);
+      if ((*is_rotation_)[block[j]]) turn_columns((*retraction_)[block[j]], m, J + 3 * j);
   } else {
     std::fill(J, J + m * m, 0.0);
   }
@@ -103,12 +102,12 @@ void Assembler::add_tied(std::span<const int> blocks, const double* K, const dou
   const Eigen::Index m = 3 * static_cast<Eigen::Index>(blocks.size());
   Matrix P = Matrix::Zero(m, 2 * m), V = Matrix::Zero(m, 2 * m), W = Matrix::Zero(m, m);
   for (Eigen::Index i = 0; i < m; i += 3) {
-    const int block = blocks[static_cast<size_t>(i / 3)], tie = (*tie_of_)[static_cast<size_t>(block)];
+    const int block = blocks[i / 3], tie = (*tie_of_)[block];
     if (tie < 0) {
       P.block<3, 3>(i, place(block)).setIdentity();
       continue;
     }
-    const Tie& t = (*ties_)[static_cast<size_t>(tie)];
+    const Tie& t = (*ties_)[tie];
     if (block != t.block) {
       P.block<3, 3>(i, place(t.frame + 1)) = t.turn;
       continue;
@@ -126,7 +125,7 @@ void Assembler::add_tied(std::span<const int> blocks, const double* K, const dou
   if (C) k += Eigen::Map<const Matrix>(C, m, m) * V;
   Matrix J = weights_.K * P.transpose() * k;
   for (Eigen::Index j = 0; j < size; j += 3)
-    if (const size_t b = static_cast<size_t>(to[static_cast<size_t>(j / 3)]); (*is_rotation_)[b])
+    if (const size_t b = to[j / 3]; (*is_rotation_)[b])
       J.middleCols<3>(j) = (J.middleCols<3>(j) * (*retraction_)[b]).eval();
   if (C) J += weights_.C * P.transpose() * Eigen::Map<const Matrix>(C, m, m) * P;
   if (M) J += weights_.M * P.transpose() * Eigen::Map<const Matrix>(M, m, m) * P;
@@ -139,7 +138,7 @@ void Assembler::add_tied(std::span<const int> blocks, const double* K, const dou
 void Assembler::put(const int* block, int n, double* J) {
   const int m = 3 * n;
   for (int i = 0; i < n; ++i) {
-    const unsigned char held = (*held_)[static_cast<size_t>(block[i])];
+    const unsigned char held = (*held_)[block[i]];
     if (!held) continue;
     for (int c = 0; c < 3; ++c)
       if (held >> c & 1)
@@ -170,8 +169,7 @@ void Assembler::add_elsewhere(int row, int column, const double* J, int m) {
   double block[9];
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) block[3 * r + c] = J[r * m + c];
-  const PetscInt r = (*global_block_)[static_cast<size_t>(row)],
-                 c = (*global_block_)[static_cast<size_t>(column)];
+  const PetscInt r = (*global_block_)[row], c = (*global_block_)[column];
   check(MatSetValuesBlocked(matrix_, 1, &r, 1, &c, block, ADD_VALUES));
 }
 

@@ -5,6 +5,11 @@
 
 namespace hawser {
 
+int find_field(std::span<const Field> fields, std::string_view name) {
+  const auto at = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == name; });
+  return at == fields.end() ? -1 : static_cast<int>(at - fields.begin());
+}
+
 std::string label_of(const Field& field) {
   std::string label = field.label.empty() ? field.name : field.label;
   if (field.label.empty()) std::replace(label.begin(), label.end(), '_', ' ');

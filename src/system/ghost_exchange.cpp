@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "hawser/base/gather.hpp"
+
 namespace hawser {
 namespace {
 constexpr int kPlan = 71, kValues = 72;  // message tags
@@ -12,14 +14,13 @@ constexpr int kPlan = 71, kValues = 72;  // message tags
 
 GhostExchange::GhostExchange(MPI_Comm comm, const LocalMesh& mesh)
     : comm_(comm), nodes_(static_cast<size_t>(mesh.nodes())) {
-  int size = 1;
-  MPI_Comm_size(comm, &size);
+  const int size = ranks_of(comm);
   if (size == 1) return;
-  const size_t ranks = static_cast<size_t>(size);
+  const size_t ranks = size;
   std::vector<std::vector<int>> wanted(ranks), local(ranks);
   for (int n = mesh.owned; n < mesh.nodes(); ++n) {
-    const int g = mesh.global[static_cast<size_t>(n)];
-    const size_t r = static_cast<size_t>(mesh.owner[static_cast<size_t>(g)]);
+    const int g = mesh.global[n];
+    const size_t r = mesh.owner[g];
     wanted[r].push_back(g), local[r].push_back(n);
   }
   // How many each rank wants of each: one number a pair of ranks; the nodes themselves only where there are.
@@ -32,11 +33,11 @@ GhostExchange::GhostExchange(MPI_Comm comm, const LocalMesh& mesh)
     Neighbour& n = neighbours_.emplace_back();
     n.rank = static_cast<int>(r);
     n.receive = std::move(local[r]);
-    n.send.resize(static_cast<size_t>(asked[r]));
+    n.send.resize(asked[r]);
   }
   std::vector<MPI_Request> requests;
   for (Neighbour& n : neighbours_) {
-    const auto& w = wanted[static_cast<size_t>(n.rank)];
+    const auto& w = wanted[n.rank];
     MPI_Irecv(n.send.data(), static_cast<int>(n.send.size()), MPI_INT, n.rank, kPlan, comm,
               &requests.emplace_back());
     MPI_Isend(w.data(), static_cast<int>(w.size()), MPI_INT, n.rank, kPlan, comm, &requests.emplace_back());
@@ -47,7 +48,7 @@ GhostExchange::GhostExchange(MPI_Comm comm, const LocalMesh& mesh)
 }
 
 void GhostExchange::spread(std::span<double> values, int width) const {
-  const size_t w = static_cast<size_t>(width);
+  const size_t w = width;
   std::vector<std::vector<double>> out(neighbours_.size()), in(neighbours_.size());
   std::vector<MPI_Request> requests(2 * neighbours_.size());
   for (size_t i = 0; i < neighbours_.size(); ++i) {

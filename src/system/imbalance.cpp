@@ -33,8 +33,8 @@ std::string imbalance(const System& system, Vec residual, const ResidualNorms& n
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(residual, &p));
   for (int n = 0; n < m.owned; ++n) {
-    const PetscScalar* r = p + 3 * m.block[static_cast<size_t>(n)];
-    const int node = m.global[static_cast<size_t>(n)];
+    const PetscScalar* r = p + 3 * m.block[n];
+    const int node = m.global[n];
     take(force, Eigen::Map<const Vec3>(r).norm(), node);
     if (m.rotates(n)) take(moment, Eigen::Map<const Vec3>(r + 3).norm(), node);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/geometry/box_pairs.hpp"
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/kernels/bezier_axis.hpp"
@@ -73,7 +74,7 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
 void LineCandidates::gather() {
   local_.clear(), built_.clear(), list_.clear();
   for (const LocalElement& e : mesh_.elements)
-    if (radius_[static_cast<size_t>(e.global)] > 0 && !left_out(e.global)) local_.push_back(e);
+    if (radius_[e.global] > 0 && !left_out(e.global)) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
   bend_.resize(built_.size());
   // Most boxes that overlap are those of neighbours along a line: these are told from their numbers alone.
@@ -95,49 +96,42 @@ bool LineCandidates::leave_out(std::vector<std::array<int, 2>> inside) {
 
 // The first and the last element of a line that are outside feeders.
 std::array<int, 2> LineCandidates::outside(int line) const {
-  const LineSpan& l = mesh_.mesh->lines[static_cast<size_t>(line)];
-  const std::array<int, 2> inside = inside_.empty() ? std::array{0, 0} : inside_[static_cast<size_t>(line)];
+  const LineSpan& l = mesh_.mesh->lines[line];
+  const std::array<int, 2> inside = inside_.empty() ? std::array{0, 0} : inside_[line];
   return {l.first_element + inside[0], l.first_element + l.elements - 1 - inside[1]};
 }
 
 bool LineCandidates::left_out(int element) const {
   if (inside_.empty()) return false;
-  const auto [first, last] = outside(mesh_.mesh->elements[static_cast<size_t>(element)].line);
+  const auto [first, last] = outside(mesh_.mesh->elements[element].line);
   return element < first || element > last;
 }
 
 // Whether it is the one at a feeder's mouth, whose unstretched length is not that of the mesh.
 bool LineCandidates::at_feeder(int element) const {
   if (inside_.empty()) return false;
-  const int line = mesh_.mesh->elements[static_cast<size_t>(element)].line;
+  const int line = mesh_.mesh->elements[element].line;
   const auto [first, last] = outside(line);
-  const std::array<int, 2>& inside = inside_[static_cast<size_t>(line)];
+  const std::array<int, 2>& inside = inside_[line];
   return (inside[0] > 0 && element == first) || (inside[1] > 0 && element == last);
 }
 
 double LineCandidates::skin(int element) const {
-  return std::max(settings_.skin_diameters * 2 * radius_[static_cast<size_t>(element)],
-                  settings_.skin_lengths * mesh_.mesh->elements[static_cast<size_t>(element)].length);
+  return std::max(settings_.skin_diameters * 2 * radius_[element],
+                  settings_.skin_lengths * mesh_.mesh->elements[element].length);
 }
 
 // All but where it is.
 SweptAxis LineCandidates::at_rest(int element) const {
-  const Element& e = mesh_.mesh->elements[static_cast<size_t>(element)];
-  const auto arc = [&](int n) { return mesh_.mesh->nodes[static_cast<size_t>(n)].arc; };
-  return {element,
-          e.line,
-          e.first,
-          e.second,
-          {arc(e.first), arc(e.second)},
-          radius_[static_cast<size_t>(element)],
-          skin(element),
-          {},
-          {}};
+  const Element& e = mesh_.mesh->elements[element];
+  const auto arc = [&](int n) { return mesh_.mesh->nodes[n].arc; };
+  return {element,          e.line,        e.first, e.second, {arc(e.first), arc(e.second)},
+          radius_[element], skin(element), {},      {}};
 }
 
 // Of Hermite's cubic (kernels/axis_shape.hpp) after a time h at the present rates.
 std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics& at, double h) const {
-  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  const size_t i = e.first, j = e.second;
   const Element& element = mesh_.element(e);
   const bool moves = h > 0;
   const auto place = [&](size_t n) -> Vec3 {
@@ -191,7 +185,7 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
     const bool foreseen = known && holds(committed, h, part(committed.time + h));
     for (int& g : good) g = g && foreseen;
   }
-  MPI_Allreduce(MPI_IN_PLACE, good, 2, MPI_INT, MPI_MIN, comm_);
+  all_reduce(comm_, MPI_MIN, good);
   if (good[0] || good[1]) return false;
   ++builds_;
   outdated_ = false;
@@ -227,7 +221,7 @@ void LineCandidates::foresee(const Kinematics& committed, double h) {
   };
   for (size_t i = 0; i < built_.size(); ++i) built_[i].from = axis(local_[i], committed, 0);
   double worst = go();
-  MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  all_reduce(comm_, MPI_MAX, worst);
   if (worst > 1) {
     steps = std::max(1.0, std::floor(steps / std::sqrt(worst)));
     go();
@@ -242,7 +236,7 @@ std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptA
   const auto axis_of = [&](size_t i) { return i < own ? &built_[i] : &others[i - own]; };
   std::vector<std::pair<int, int>> out;
   for (const auto& [first, second] : overlapping_pairs(boxes_)) {
-    const size_t i = static_cast<size_t>(first), j = static_cast<size_t>(second);
+    const size_t i = first, j = second;
     if (i >= own) continue;  // and so is the second
     if (j - i <= unseen_[i]) continue;
     const SweptAxis *p = axis_of(i), *q = axis_of(j);
@@ -264,14 +258,13 @@ bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
   const auto& nodes = mesh_.mesh->nodes;
   const auto from = [&](const SweptAxis& s, int node) {
     const auto [first, last] = outside(s.line);
-    const auto arc_of = [&](int n) { return nodes[static_cast<size_t>(n)].arc; };
-    const double arc =
-        std::clamp(arc_of(node), arc_of(mesh_.mesh->elements[static_cast<size_t>(first)].first),
-                   arc_of(mesh_.mesh->elements[static_cast<size_t>(last)].second));
+    const auto arc_of = [&](int n) { return nodes[n].arc; };
+    const double arc = std::clamp(arc_of(node), arc_of(mesh_.mesh->elements[first].first),
+                                  arc_of(mesh_.mesh->elements[last].second));
     return std::min(std::abs(s.arc[0] - arc), std::abs(s.arc[1] - arc));
   };
   for (const auto& [m, n] : settings_.joined) {
-    const int line = nodes[static_cast<size_t>(m)].line, other = nodes[static_cast<size_t>(n)].line;
+    const int line = nodes[m].line, other = nodes[n].line;
     if (line == p.line && other == q.line && from(p, m) + from(q, n) < apart) return true;
     if (line == q.line && other == p.line && from(q, m) + from(p, n) < apart) return true;
   }
@@ -280,8 +273,7 @@ bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
 
 void LineCandidates::couple(Couplings& to) const {
   for (const auto& [a, b] : list_) {
-    const Element &p = mesh_.mesh->elements[static_cast<size_t>(a)],
-                  &q = mesh_.mesh->elements[static_cast<size_t>(b)];
+    const Element &p = mesh_.mesh->elements[a], &q = mesh_.mesh->elements[b];
     to.add({p.first, p.second}, {q.first, q.second});
   }
 }
@@ -291,7 +283,7 @@ void LineCandidates::locate() {
   std::vector<std::pair<int, int>> number;  // element, segment; sorted by element
   for (const LocalElement& e : local_) {
     number.emplace_back(e.global, static_cast<int>(segments_.size()));
-    segments_.push_back({e.first, e.second, e.global, radius_[static_cast<size_t>(e.global)]});
+    segments_.push_back({e.first, e.second, e.global, radius_[e.global]});
   }
   const auto find = [&](int element) {
     const auto at = std::lower_bound(number.begin(), number.end(), std::pair(element, 0));
@@ -304,9 +296,8 @@ void LineCandidates::locate() {
   std::sort(others.begin(), others.end());
   others.erase(std::unique(others.begin(), others.end()), others.end());
   for (int e : others) {
-    const Element& element = mesh_.mesh->elements[static_cast<size_t>(e)];
-    ContactSegment s{mesh_.find(element.first), mesh_.find(element.second), e,
-                     radius_[static_cast<size_t>(e)]};
+    const Element& element = mesh_.mesh->elements[e];
+    ContactSegment s{mesh_.find(element.first), mesh_.find(element.second), e, radius_[e]};
     if (s.first < 0 || s.second < 0) throw std::logic_error("a candidate's nodes are not on this rank");
     number.emplace_back(e, static_cast<int>(segments_.size()));
     segments_.push_back(s);
@@ -314,7 +305,7 @@ void LineCandidates::locate() {
   std::sort(number.begin(), number.end());
   for (const auto& [a, b] : list_) {
     const int i = find(a);
-    pairs_.push_back({i, find(b), segments_[static_cast<size_t>(i)].first < mesh_.owned});
+    pairs_.push_back({i, find(b), segments_[i].first < mesh_.owned});
   }
 }
 

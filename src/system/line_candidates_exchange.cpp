@@ -1,7 +1,6 @@
 // Elements of other ranks that may touch those of this one: boxes of chunks go to everybody, elements only
 // between ranks whose chunks overlap.
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -44,7 +43,7 @@ std::vector<SweptAxis> LineCandidates::from_others() const {
     mine.insert(mine.end(), b.hi.begin(), b.hi.end());
     mine.push_back(static_cast<double>(last - first));
   }
-  const size_t me = static_cast<size_t>(rank);
+  const size_t me = rank;
   const GatherPlan plan(comm_, static_cast<int>(mine.size()));
   const std::vector<int>& starts = plan.starts();
   std::vector<double> all;
@@ -66,7 +65,7 @@ std::vector<SweptAxis> LineCandidates::from_others() const {
   std::map<size_t, Trade> trades;
   const size_t first = static_cast<size_t>(starts[me]) / kBox;
   for (const auto& [i, j] : overlapping_pairs(boxes)) {
-    const size_t a = static_cast<size_t>(i), b = static_cast<size_t>(j);
+    const size_t a = i, b = j;
     if (of_rank[a] == of_rank[b]) continue;
     if (of_rank[a] == me) trades[of_rank[b]].give.insert(a - first), trades[of_rank[b]].take.insert(b);
     if (of_rank[b] == me) trades[of_rank[a]].give.insert(b - first), trades[of_rank[a]].take.insert(a);

@@ -8,11 +8,11 @@ namespace hawser {
 
 Supports::Supports(const LocalMesh& mesh, std::vector<Support> supports, BodyMotion motion)
     : mesh_(&mesh), supports_(std::move(supports)), motion_(std::move(motion)) {
-  held_.assign(static_cast<size_t>(mesh.blocks()), 0);
+  held_.assign(mesh.blocks(), 0);
   for (size_t i = 0; i < supports_.size(); ++i) {
     const Support& s = supports_[i];
     if (s.frame >= 0) ties_.push_back(static_cast<int>(i));
-    const size_t b = static_cast<size_t>(mesh.block[static_cast<size_t>(s.node)]);
+    const size_t b = mesh.block[s.node];
     held_[b] |= s.position_mask;
     if (mesh.rotates(s.node)) held_[b + 1] |= s.rotation_mask;
   }
@@ -24,7 +24,7 @@ RigidPose Supports::pose(const Support& s, double t) const {
 
 void Supports::increments(const State& from, double t, double* u) const {
   for (const Support& s : supports_) {
-    const size_t n = static_cast<size_t>(s.node);
+    const size_t n = s.node;
     double* p = u + 3 * mesh_->block[n];
     const RigidPose b = pose(s, t);
     const bool tied = s.frame >= 0;  // follow() moves it
@@ -42,7 +42,7 @@ void Supports::increments(const State& from, double t, double* u) const {
 
 void Supports::rates(double t, State& out) const {
   for (const Support& s : supports_) {
-    const size_t n = static_cast<size_t>(s.node);
+    const size_t n = s.node;
     const RigidPose b = pose(s, t);
     if (s.frame >= 0) {  // follow() moves it; a single component that is held does not turn
       for (int c = 0; c < 3; ++c)
@@ -67,8 +67,8 @@ void Supports::rates(double t, State& out) const {
 
 void Supports::follow(State& out) const {
   for (const int i : ties_) {
-    const Support& s = supports_[static_cast<size_t>(i)];
-    const size_t n = static_cast<size_t>(s.node), f = static_cast<size_t>(s.frame);
+    const Support& s = supports_[i];
+    const size_t n = s.node, f = s.frame;
     const Mat3 D =
         out.directors.empty() ? director_acceleration(out.q[f], out.w[f], out.alpha[f]) : out.directors[f];
     if (s.position_mask == 7) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/base/steady.hpp"
 #include "hawser/math/so3.hpp"
 #include "logged.hpp"
@@ -29,11 +30,11 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
 
 // What is kept by local block.
 void System::size_arrays() {
-  const size_t blocks = static_cast<size_t>(mesh_.blocks());
+  const size_t blocks = mesh_.blocks();
   is_rotation_.assign(blocks, 0);
   square_of_block_.resize(blocks);
   for (int n = 0; n < mesh_.nodes(); ++n) {
-    const size_t b = static_cast<size_t>(mesh_.block[static_cast<size_t>(n)]);
+    const size_t b = mesh_.block[n];
     const int line = mesh_.node(n).line;
     square_of_block_[b] = 2 * line;
     if (mesh_.rotates(n)) is_rotation_[b + 1] = 1, square_of_block_[b + 1] = 2 * line + 1;
@@ -75,22 +76,22 @@ void System::index_ties() {
   tie_of_.assign(supports_.ties().empty() ? 0 : static_cast<size_t>(mesh_.blocks()), -1);
   ties_.clear();
   for (const int i : supports_.ties()) {
-    const Support& s = supports_.list()[static_cast<size_t>(i)];
+    const Support& s = supports_.list()[i];
     Tie t;
-    t.block = mesh_.block[static_cast<size_t>(s.node)], t.frame = mesh_.block[static_cast<size_t>(s.frame)];
+    t.block = mesh_.block[s.node], t.frame = mesh_.block[s.frame];
     t.turns = mesh_.rotates(s.node) && s.rotation_mask == 7;
     t.point = !mesh_.rotates(s.frame);
     t.turn = s.rotation.conjugate().toRotationMatrix();
-    tie_of_[static_cast<size_t>(t.block)] = static_cast<int>(ties_.size());
-    if (t.turns) tie_of_[static_cast<size_t>(t.block) + 1] = static_cast<int>(ties_.size());
+    tie_of_[t.block] = static_cast<int>(ties_.size());
+    if (t.turns) tie_of_[t.block + 1] = static_cast<int>(ties_.size());
     ties_.push_back(t);
   }
 }
 
 void System::see_ties(const Kinematics& trial) {
   for (size_t i = 0; i < ties_.size(); ++i) {
-    const Support& s = supports_.list()[static_cast<size_t>(supports_.ties()[i])];
-    const size_t f = static_cast<size_t>(s.frame);
+    const Support& s = supports_.list()[supports_.ties()[i]];
+    const size_t f = s.frame;
     const Mat3 R = trial.q[f].toRotationMatrix();
     ties_[i].place = -R * hat(s.at);
     ties_[i].rate = -R * hat(trial.w[f].cross(s.at));
@@ -102,26 +103,24 @@ void System::see_ties(const Kinematics& trial) {
 // the frame's axes. It stays at the node as what the tie carries.
 void System::add_to_frames(const Kinematics& trial) {
   for (const int i : supports_.ties()) {
-    const Support& s = supports_.list()[static_cast<size_t>(i)];
+    const Support& s = supports_.list()[i];
     if (s.node >= mesh_.owned) continue;
-    const int block = mesh_.block[static_cast<size_t>(s.node)],
-              frame = mesh_.block[static_cast<size_t>(s.frame)];
+    const int block = mesh_.block[s.node], frame = mesh_.block[s.frame];
     const auto at = [this](int b) { return Eigen::Map<Vec3>(force_.data() + 3 * b); };
     const Vec3 force = at(block);
-    Vec3 moment = s.at.cross(trial.q[static_cast<size_t>(s.frame)].conjugate() * force);
+    Vec3 moment = s.at.cross(trial.q[s.frame].conjugate() * force);
     if (mesh_.rotates(s.node) && s.rotation_mask == 7) moment += s.rotation * at(block + 1);
     at(frame) += force;
-    squares_[static_cast<size_t>(frame)] += force.squaredNorm();
+    squares_[frame] += force.squaredNorm();
     if (!mesh_.rotates(s.frame)) continue;
     at(frame + 1) += moment;
-    squares_[static_cast<size_t>(frame) + 1] += moment.squaredNorm();
+    squares_[frame + 1] += moment.squaredNorm();
   }
 }
 
 void System::gather(Vec u, std::vector<double>& out) const {
   out.resize(3 * static_cast<size_t>(mesh_.blocks()));
-  int size = 1;
-  MPI_Comm_size(comm_, &size);
+  const int size = ranks_of(comm_);
   if (size > 1) {
     check(VecGhostUpdateBegin(u, INSERT_VALUES, SCATTER_FORWARD));
     check(VecGhostUpdateEnd(u, INSERT_VALUES, SCATTER_FORWARD));
@@ -205,25 +204,24 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   // The force f of a tie turns with its frame: d(y x R'f) = hat(y) hat(R'f) theta. Far from a solution, what
   // of it pulls at the arm and so holds the frame.
   for (const int i : supports_.ties()) {
-    const Support& s = supports_.list()[static_cast<size_t>(i)];
+    const Support& s = supports_.list()[i];
     if (s.node >= mesh_.owned || !mesh_.rotates(s.frame)) continue;
-    const Vec3 force(force_.data() + 3 * mesh_.block[static_cast<size_t>(s.node)]);
-    const Vec3 f = trial.q[static_cast<size_t>(s.frame)].conjugate() * force;
+    const Vec3 force(force_.data() + 3 * mesh_.block[s.node]);
+    const Vec3 f = trial.q[s.frame].conjugate() * force;
     Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = hat(s.at) * hat(f);
     if (convex)
       K = std::max(-s.at.dot(f), 0.0) *
           (Mat3::Identity() - s.at * s.at.transpose() / std::max(s.at.squaredNorm(), 1e-300));
-    const int block = mesh_.block[static_cast<size_t>(s.frame)] + 1;
+    const int block = mesh_.block[s.frame] + 1;
     assembler.add({&block, 1}, nullptr, K.data(), nullptr, nullptr);
   }
   const auto& held = supports_.held();
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;
   for (int b = 0; b < mesh_.owned_blocks; ++b) {
-    const size_t i = static_cast<size_t>(b);
-    if (!held[i] && !shifted) continue;
-    const double shift = is_rotation_[i] ? weights.shift_rotation : weights.shift_position;
+    if (!held[b] && !shifted) continue;
+    const double shift = is_rotation_[b] ? weights.shift_rotation : weights.shift_position;
     double* diagonal = own.at(b, b);
-    for (int c = 0; c < 3; ++c) diagonal[4 * c] += held[i] >> c & 1 ? 1 : shift;
+    for (int c = 0; c < 3; ++c) diagonal[4 * c] += held[b] >> c & 1 ? 1 : shift;
   }
   check(MatAssemblyBegin(J, MAT_FINAL_ASSEMBLY));
   check(MatAssemblyEnd(J, MAT_FINAL_ASSEMBLY));
@@ -234,12 +232,12 @@ ResidualNorms System::norms(Vec r) const {
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(r, &p));
   for (int b = 0; b < mesh_.owned_blocks; ++b) {
-    const size_t line = static_cast<size_t>(square_of_block_[static_cast<size_t>(b)]);
+    const size_t line = square_of_block_[b];
     s[line] += p[3 * b] * p[3 * b] + p[3 * b + 1] * p[3 * b + 1] + p[3 * b + 2] * p[3 * b + 2];
-    s[sums_ + line] += squares_[static_cast<size_t>(b)];
+    s[sums_ + line] += squares_[b];
   }
   check(VecRestoreArrayRead(r, &p));
-  MPI_Allreduce(MPI_IN_PLACE, s.data(), static_cast<int>(s.size()), MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, s);
   ResidualNorms worst;
   double most = -1;
   for (size_t l = 0; l < sums_ / 2; ++l) {
@@ -285,23 +283,21 @@ double ResidualNorms::relative() const {
 }
 
 bool System::soften(double most) {
-  int other = 0;
+  bool other = false;
   for (CarriesTension* t : carry_tension_) other |= t->soften(most);
-  MPI_Allreduce(MPI_IN_PLACE, &other, 1, MPI_INT, MPI_MAX, comm_);
-  return other != 0;
+  return on_any_rank(comm_, other);
 }
 
 double System::axial_stiffness() const {
   double most = 0;
   for (const CarriesTension* t : carry_tension_) most = std::max(most, t->axial_stiffness());
-  MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE, MPI_MAX, comm_);
-  return most;
+  return all_reduce(comm_, MPI_MAX, most);
 }
 
 double System::dead_load() const {
   double sum = 0;
   for (const ScalesResiduals* t : scale_residuals_) sum += t->dead_load();
-  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, sum);
   return steady(sum);
 }
 
@@ -332,7 +328,7 @@ void System::prepare(const Kinematics& committed, double h) {
 void System::expect(const Kinematics& committed, double h) {
   double square = 0;
   for (const ScalesResiduals* t : scale_residuals_) square += t->round_off(committed, h);
-  MPI_Allreduce(MPI_IN_PLACE, &square, 1, MPI_DOUBLE, MPI_SUM, comm_);
+  all_reduce(comm_, MPI_SUM, square);
   round_off_ = steady(std::sqrt(square));
 }
 

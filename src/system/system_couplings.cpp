@@ -11,7 +11,7 @@ namespace {
 
 bool all(MPI_Comm comm, bool here) {
   int yes = here;
-  MPI_Allreduce(MPI_IN_PLACE, &yes, 1, MPI_INT, MPI_MIN, comm);
+  all_reduce(comm, MPI_MIN, yes);
   return yes;
 }
 
@@ -26,7 +26,7 @@ std::vector<double> of_all_ranks(MPI_Comm comm, const std::vector<double>& mine)
 
 // Who sees a tied node sees the frame that carries it.
 void System::with_frames(Couplings& c) const {
-  const auto frame = [this](int n) { return mesh_.mesh->nodes[static_cast<size_t>(n)].tied_to; };
+  const auto frame = [this](int n) { return mesh_.mesh->nodes[n].tied_to; };
   const std::vector<int> nodes = c.nodes;
   for (const int n : nodes)
     if (frame(n) >= 0) c.nodes.push_back(frame(n));
@@ -73,8 +73,8 @@ void System::reghost_supports() {
     if (s.node >= mesh_.chain) continue;
     kept.push_back(s);
     if (s.node >= mesh_.owned) continue;
-    const double node = mesh_.global[static_cast<size_t>(s.node)];
-    const double frame = s.frame < 0 ? -1 : mesh_.global[static_cast<size_t>(s.frame)];
+    const double node = mesh_.global[s.node];
+    const double frame = s.frame < 0 ? -1 : mesh_.global[s.frame];
     mine.insert(mine.end(),
                 {node, static_cast<double>(s.body), s.at.x(), s.at.y(), s.at.z(), s.rotation.w(),
                  s.rotation.x(), s.rotation.y(), s.rotation.z(), static_cast<double>(s.position_mask),
@@ -109,8 +109,8 @@ std::vector<std::pair<int, int>> System::pattern() const {
   auto couple = [&](int a, int b) {
     for (int i = 0; i <= mesh_.rotates(a); ++i)
       for (int j = 0; j <= mesh_.rotates(b); ++j) {
-        const int row = mesh_.block[static_cast<size_t>(a)] + i;
-        if (row < mesh_.owned_blocks) entries.emplace_back(row, mesh_.block[static_cast<size_t>(b)] + j);
+        const int row = mesh_.block[a] + i;
+        if (row < mesh_.owned_blocks) entries.emplace_back(row, mesh_.block[b] + j);
       }
   };
   for (int n = 0; n < mesh_.owned; ++n) couple(n, n);
@@ -133,10 +133,9 @@ std::vector<std::pair<int, int>> System::pattern() const {
 
 MatHandle System::create_matrix() const {
   const std::vector<std::pair<int, int>> entries = pattern();
-  const size_t rows = static_cast<size_t>(mesh_.owned_blocks);
+  const size_t rows = mesh_.owned_blocks;
   std::vector<PetscInt> own(rows, 0), other(rows, 0);
-  for (const auto& [row, column] : entries)
-    ++(column < mesh_.owned_blocks ? own : other)[static_cast<size_t>(row)];
+  for (const auto& [row, column] : entries) ++(column < mesh_.owned_blocks ? own : other)[row];
 
   MatHandle A;
   check(MatCreate(comm_, A.out()));
@@ -149,8 +148,7 @@ MatHandle System::create_matrix() const {
   // What is not written at the first assembly is lost, and candidates may touch later.
   const double zero[9] = {};
   for (const auto& [row, column] : entries) {
-    const PetscInt r = mesh_.global_block[static_cast<size_t>(row)],
-                   c = mesh_.global_block[static_cast<size_t>(column)];
+    const PetscInt r = mesh_.global_block[row], c = mesh_.global_block[column];
     check(MatSetValuesBlocked(A.get(), 1, &r, 1, &c, zero, INSERT_VALUES));
   }
   check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));

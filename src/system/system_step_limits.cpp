@@ -9,9 +9,7 @@
 
 namespace hawser {
 
-void System::sum(std::span<double> values) const {
-  MPI_Allreduce(MPI_IN_PLACE, values.data(), static_cast<int>(values.size()), MPI_DOUBLE, MPI_SUM, comm_);
-}
+void System::sum(std::span<double> values) const { all_reduce(comm_, MPI_SUM, values); }
 
 // Of the masses of each line in the state, with what strikes of it, and behind all of these what the line
 // carries in its algorithmic accelerations. strikes: of this rank.
@@ -26,8 +24,8 @@ std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion
     t->motion(accelerations, std::span(lines).last(n));
   }
   for (const ImpactEvent& s : strikes) {
-    lines[static_cast<size_t>(s.line)].striking += s.energy();
-    if (s.other >= 0) lines[static_cast<size_t>(s.other)].striking += s.energy();
+    lines[s.line].striking += s.energy();
+    if (s.other >= 0) lines[s.other].striking += s.energy();
   }
   static_assert(sizeof(LineMotion) == 6 * sizeof(double));
   sum({reinterpret_cast<double*>(lines.data()), 6 * lines.size()});
@@ -42,7 +40,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
     for (const LimitsSteps* t : limit_steps_) t->limit_step(committed, strikes);
   }
   double both[2] = {strikes.longest, strikes.list.empty() ? 1.0 : 0.0};
-  MPI_Allreduce(MPI_IN_PLACE, both, 2, MPI_DOUBLE, MPI_MIN, comm_);
+  all_reduce(comm_, MPI_MIN, both);
   StepLimit limit;
   limit.longest = both[0];
   // Also where nothing strikes yet: impacts that only the end of the step shows are judged by it.
@@ -66,7 +64,7 @@ bool System::resolves_impacts(const Kinematics& trial) {
     for (LimitsSteps* t : limit_steps_) t->unresolved(trial, found);
   }
   int any[2] = {found.too_deep, !found.list.empty()};
-  MPI_Allreduce(MPI_IN_PLACE, any, 2, MPI_INT, MPI_MAX, comm_);
+  all_reduce(comm_, MPI_MAX, any);
   if (any[0]) return false;
   return !any[1] ||
          bearable_impacts(found.list, bearable_, [this](std::span<double> values) { sum(values); });
@@ -77,7 +75,7 @@ Verdict System::check_step(const Kinematics& trial) const {
   for (const LimitsSteps* t : limit_steps_)
     if (Verdict v = t->check_step(trial); v.kind > worst.kind) worst = std::move(v);
   int kind = static_cast<int>(worst.kind);
-  MPI_Allreduce(MPI_IN_PLACE, &kind, 1, MPI_INT, MPI_MAX, comm_);
+  all_reduce(comm_, MPI_MAX, kind);
   if (kind == static_cast<int>(Verdict::Kind::accept)) return {};
   const bool mine = kind == static_cast<int>(worst.kind);
   return {static_cast<Verdict::Kind>(kind), first_text(comm_, mine ? worst.because : std::string())};

@@ -19,15 +19,14 @@ AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMes
     return now;
   }
   const int local = mesh.find(carrier);
-  const size_t n = static_cast<size_t>(local);
-  now.R = at.q[n].toRotationMatrix();
+  now.R = at.q[local].toRotationMatrix();
   now.arm = a.body < 0 ? a.at : bodies.in_node_axes(a.body, a.at, a.direction);
-  now.rate = at.w[n].cross(now.arm);
+  now.rate = at.w[local].cross(now.arm);
   now.x = now.R * now.arm, now.v = now.R * now.rate;
-  if (!now.arm.isZero(0) && mesh.rotates(local)) now.turn = mesh.block[n] + 1;
+  if (!now.arm.isZero(0) && mesh.rotates(local)) now.turn = mesh.block[local] + 1;
   if (a.direction) return now;
-  now.place = mesh.block[n];
-  now.x += at.x[n], now.v += at.v[n];
+  now.place = mesh.block[local];
+  now.x += at.x[local], now.v += at.v[local];
   return now;
 }
 

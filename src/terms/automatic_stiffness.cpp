@@ -51,8 +51,8 @@ double most_stiffness(const StiffnessDemand& d) {
 std::string raised_note(const std::string& volume, double from, double to, const std::string& when) {
   return "volume " + volume + ": normal stiffness raised from " + number(from) + " to " + number(to) +
          " N/m per m " + when +
-         ", so that the line pressed on it by its tension times the curvature and by "
-         "impacts penetrates no deeper than is allowed";
+         ", so that the line pressed on it by its tension times the curvature and by impacts penetrates no "
+         "deeper than is allowed";
 }
 
 std::string too_soft_for_line(const std::string& place, const model::Volume& v, bool automatic, double depth,
@@ -64,9 +64,8 @@ std::string too_soft_for_line(const std::string& place, const model::Volume& v, 
                             : "its radius of " + number(radius) + " m");
   if (automatic)
     return text + ", at a stiffness of " + number(v.normal_stiffness) +
-           " N/m per m, which the program has raised as far as that helps: it starts inside the volume or "
-           "is drawn into it by its ends; move it or the volume, or take that volume out of the line's "
-           "contact";
+           " N/m per m, which the program has raised as far as that helps: it starts inside the volume or is "
+           "drawn into it by its ends; move it or the volume, or take that volume out of the line's contact";
   if (table)
     return text + ": give the table rows up to the forces that are met, or leave the stiffness to 'auto'";
   const std::string key = v.basis == model::StiffnessBasis::per_point    ? "per_point"

@@ -2,6 +2,7 @@
 // line it rides on, and how all ranks learn it.
 #include "hawser/terms/bodies.hpp"
 
+#include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
@@ -40,7 +41,7 @@ void Bodies::fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& st
   std::vector<double> places(7 * drawn.size(), 0);
   for (size_t i = 0; i < drawn.size(); ++i) {
     const int body = static_cast<int>(drawn[i]), node = local_node(body);
-    if (node < 0 || node >= mesh_->owned) continue;
+    if (!mesh_->owns(node)) continue;
     const RigidBodyState s = floating_state(start, node);
     const RigidPose p = pose(body, 0.0);
     const Vec3 centre = p.rotation.conjugate() * (s.x - p.position);
@@ -48,7 +49,7 @@ void Bodies::fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& st
     std::copy(centre.begin(), centre.end(), &places[7 * i]);
     std::copy_n(turn.coeffs().data(), 4, &places[7 * i + 3]);
   }
-  MPI_Allreduce(MPI_IN_PLACE, places.data(), static_cast<int>(places.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, places);
   for (size_t i = 0; i < drawn.size(); ++i) {
     Frame& f = frames_[drawn[i]];
     f.centre = Vec3(&places[7 * i]);
@@ -58,7 +59,7 @@ void Bodies::fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& st
 
 RigidPose Bodies::pose(int body, const Kinematics& at) const {
   if (!floats(body)) return pose(body, at.time);
-  const Frame& f = frames_[static_cast<size_t>(body)];
+  const Frame& f = frames_[body];
   const int node = local_node(body);
   if (node < 0) return f.exchanged;
   RigidBodyState s = floating_state(at, node);
@@ -72,7 +73,7 @@ void Bodies::exchange_poses(MPI_Comm comm, const Kinematics& at) const {
     if (frames_[b].node < 0) continue;
     const int node = local_node(static_cast<int>(b));
     packed.resize(packed.size() + kPose, 0);
-    if (node < 0 || node >= mesh_->owned) continue;
+    if (!mesh_->owns(node)) continue;
     const RigidPose p = pose(static_cast<int>(b), at);
     double* d = packed.data() + packed.size() - kPose;
     for (int c = 0; c < 3; ++c)
@@ -80,7 +81,7 @@ void Bodies::exchange_poses(MPI_Comm comm, const Kinematics& at) const {
     for (int c = 0; c < 4; ++c) d[9 + c] = p.rotation.coeffs()[c];
   }
   if (packed.empty()) return;
-  MPI_Allreduce(MPI_IN_PLACE, packed.data(), static_cast<int>(packed.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, packed);
   const double* d = packed.data();
   for (const Frame& f : frames_) {
     if (f.node < 0) continue;

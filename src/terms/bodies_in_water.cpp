@@ -12,10 +12,10 @@ namespace hawser {
 
 BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_(sea_of(c)) {
   for (int n = 0; n < mesh.owned; ++n) {
-    const int global = mesh.global[static_cast<size_t>(n)];
-    const int body = mesh.mesh->nodes[static_cast<size_t>(global)].body;
+    const int global = mesh.global[n];
+    const int body = mesh.mesh->nodes[global].body;
     if (body < 0) continue;
-    const model::BodyMass& m = *c.bodies[static_cast<size_t>(body)].mass;
+    const model::BodyMass& m = *c.bodies[body].mass;
     if (!m.in_water) continue;
     const model::BodyInWater& w = *m.in_water;
     Wet& b = list_.emplace_back();
@@ -23,7 +23,7 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
     b.data.height = w.height;
     b.data.displaced_mass = sea_.density * w.volume, b.data.buoyancy = sea_.gravity * b.data.displaced_mass;
     b.data.added = w.added_mass, b.data.drag = 0.5 * sea_.density * w.drag_area;
-    b.node = n, b.block = mesh.block[static_cast<size_t>(n)], b.global = global;
+    b.node = n, b.block = mesh.block[n], b.global = global;
     b.rests = finds_rest(c, body);
   }
 }
@@ -139,8 +139,7 @@ double BodiesInWater::round_off(const Kinematics& at, double h) const {
   if (!(h > 0)) return 0;
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
-  for (const Wet& b : list_)
-    sum += std::pow(4 * eps * b.data.added.maxCoeff() * at.v[static_cast<size_t>(b.node)].norm() / h, 2);
+  for (const Wet& b : list_) sum += std::pow(4 * eps * b.data.added.maxCoeff() * at.v[b.node].norm() / h, 2);
   return sum;
 }
 

@@ -35,8 +35,8 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
   for (const model::Volume& v : c.volumes) {
     PairBody s;
     s.body = c.body_index(v.body);
-    if (s.body >= 0 && c.bodies[static_cast<size_t>(s.body)].mass) {
-      const model::BodyMass& m = *c.bodies[static_cast<size_t>(s.body)].mass;
+    if (s.body >= 0 && c.bodies[s.body].mass) {
+      const model::BodyMass& m = *c.bodies[s.body].mass;
       s.centre = m.centre, s.mass = m.mass, s.inertia = m.tensor();
       s.global = mesh.mesh->body_node(s.body);
     }
@@ -86,7 +86,7 @@ void BodyContactTerm::couple(Couplings& to) const {
     const int a = bodies_of_volumes_[p.a].global, b = bodies_of_volumes_[p.b].global;
     const auto here = [&](int n) {
       const int local = n < 0 ? -1 : mesh_.find(n);
-      return local >= 0 && local < mesh_.owned;
+      return mesh_.owns(local);
     };
     if (a >= 0 && b >= 0 && (here(a) || here(b))) to.add({a, a}, {b, b});
   }
@@ -95,7 +95,7 @@ void BodyContactTerm::couple(Couplings& to) const {
 void BodyContactTerm::update_ghosts() {
   for (PairBody& s : bodies_of_volumes_) {
     s.node = s.global < 0 ? -1 : mesh_.find(s.global);
-    s.block = s.node < 0 ? -1 : mesh_.block[static_cast<size_t>(s.node)];
+    s.block = s.node < 0 ? -1 : mesh_.block[s.node];
   }
   for (Pair& p : pairs_) {
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
@@ -118,7 +118,7 @@ BodyFrame BodyContactTerm::frame(size_t volume, const Kinematics& at) const {
             back * p.angular_velocity,
             back * p.angular_acceleration};
   }
-  const size_t n = static_cast<size_t>(s.node);
+  const size_t n = s.node;
   return {s.centre, at.x[n], at.q[n].toRotationMatrix(), at.v[n], at.a[n], at.w[n], at.alpha[n]};
 }
 
@@ -216,7 +216,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Eigen::VectorXd f = s.on.f.segment(first, count);
     AgainstBody::Matrix K, C;
     if (tangent) K = s.on.K.block(first, first, count, count), C = s.on.C.block(first, first, count, count);
-    assembler.add({&blocks[static_cast<size_t>(first / 3)], static_cast<size_t>(count / 3)}, f.data(),
+    assembler.add({&blocks[first / 3], static_cast<size_t>(count / 3)}, f.data(),
                   tangent ? K.data() : nullptr, tangent ? C.data() : nullptr, nullptr);
   }
 }
@@ -292,7 +292,7 @@ std::vector<HistoryRecord> BodyContactTerm::save() const {
 void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size()) continue;
-    Pair& p = pairs_[static_cast<size_t>(r.key)];
+    Pair& p = pairs_[r.key];
     if (!p.counted) continue;
     const Pair kept = entry<Pair>(r);
     p.damping = kept.damping, p.work = kept.work, p.depth = kept.depth, p.met = kept.met;

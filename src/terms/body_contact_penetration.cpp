@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/body_contact.hpp"
 
 namespace hawser {
@@ -47,8 +48,7 @@ void BodyContactTerm::check_overlap(double time) {
     if (!p.hides || !p.counted || again) continue;
     const double depth = std::max(deepest(p.a, p.at.A, p.b, p.at.B), deepest(p.b, p.at.B, p.a, p.at.A));
     // Of two that both lead the other may see it.
-    const double penetration =
-        std::max(p.penetration, p.other < 0 ? 0 : pairs_[static_cast<size_t>(p.other)].penetration);
+    const double penetration = std::max(p.penetration, p.other < 0 ? 0 : pairs_[p.other].penetration);
     p.met = depth > 0 ? std::max(p.met, penetration) : 0;
     double size = HUGE_VAL;
     for (const size_t v : {p.a, p.b})
@@ -59,14 +59,14 @@ void BodyContactTerm::check_overlap(double time) {
   if (!watched) return;
   MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm_);
   if (worst.pair < 0) return;
-  const Pair& p = pairs_[static_cast<size_t>(worst.pair)];
+  const Pair& p = pairs_[worst.pair];
   double met = p.counted ? p.met : 0;
-  MPI_Allreduce(MPI_IN_PLACE, &met, 1, MPI_DOUBLE, MPI_MAX, comm_);
+  all_reduce(comm_, MPI_MAX, met);
   throw SolveError(
-      fmt::format("at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to "
-                  "meet the other met {:.3g} m at most; give them stiffnesses per_area (per_length where "
-                  "edges cross), or a sphere or capsule where they meet",
-                  time, names_[p.a], names_[p.b], worst.depth, met));
+      "at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to meet the "
+      "other met {:.3g} m at most; give them stiffnesses per_area (per_length where edges cross), or a "
+      "sphere or capsule where they meet",
+      time, names_[p.a], names_[p.b], worst.depth, met);
 }
 
 }  // namespace hawser

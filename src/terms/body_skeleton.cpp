@@ -26,7 +26,7 @@ Triangle corners(const MeshView& m, size_t t) { return {m.corner(t, 0), m.corner
 void sharp(const MeshView& m, const std::vector<bool>& active, bool edges, std::vector<SkeletonPart>& parts) {
   std::vector<char> corner(m.vertices.size(), 0);
   for (const auto& [first, second] : sharp_edges(m, active)) {
-    const size_t a = static_cast<size_t>(first), b = static_cast<size_t>(second);
+    const size_t a = first, b = second;
     if (edges) parts.push_back({m.vertices[a], m.vertices[b], 0, 1});
     corner[a] = corner[b] = 1;
   }

@@ -3,7 +3,6 @@
 #include "hawser/terms/buried.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <unordered_map>
 
 namespace hawser {
@@ -16,24 +15,23 @@ std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Cas
   std::vector<double> length(soil.size(), 0);
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
-    const model::Line& line = c.lines[static_cast<size_t>(g.line)];
-    const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc, half = 0.5 * g.length;
+    const model::Line& line = c.lines[g.line];
+    const double from = mesh.mesh->nodes[g.first].arc, half = 0.5 * g.length;
     for (const bool second : {false, true}) {
       const int node = second ? e.second : e.first;
       if (node >= mesh.owned) continue;
-      const size_t n = static_cast<size_t>(node);
       for (const model::Buried& b : line.buried) {
         const double start = from + (second ? half : 0);
         const double in = std::min(start + half, b.to) - std::max(start, b.from);
         if (!(in > 0)) continue;
-        soil[n].axial += in * b.axial, soil[n].normal += in * b.normal;
-        soil[n].axial_length += in * b.axial_length, soil[n].normal_length += in * b.normal_length;
-        length[n] += in;
+        soil[node].axial += in * b.axial, soil[node].normal += in * b.normal;
+        soil[node].axial_length += in * b.axial_length, soil[node].normal_length += in * b.normal_length;
+        length[node] += in;
       }
     }
   }
   for (const int n : held)
-    if (n < mesh.owned) length[static_cast<size_t>(n)] = 0;
+    if (n < mesh.owned) length[n] = 0;
   std::vector<BuriedTerm::Place> out;
   for (size_t n = 0; n < soil.size(); ++n) {
     if (!(length[n] > 0)) continue;
@@ -55,9 +53,9 @@ BuriedTerm::BuriedTerm(const LocalMesh& mesh, const Kinematics& start, std::vect
     : mesh_(mesh), line_(mesh) {
   for (const Place& place : places) {
     Point& p = points_.emplace_back();
-    p.node = place.node, p.block = mesh.block[static_cast<size_t>(place.node)];
+    p.node = place.node, p.block = mesh.block[place.node];
     p.soil = place.soil;
-    p.at = start.x[static_cast<size_t>(place.node)];
+    p.at = start.x[place.node];
   }
 }
 
@@ -83,7 +81,7 @@ void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 void BuriedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     const Embedded s = pull(p, accepted);
-    const Vec3& x = accepted.x[static_cast<size_t>(p.node)];
+    const Vec3& x = accepted.x[p.node];
     if (accepted.step > 0) p.friction_work -= 0.5 * (s.force + p.force).dot(x - p.at) + (s.stored - p.stored);
     p.at = x, p.slip = s.slip, p.force = s.force, p.stored = s.stored;
   }
@@ -104,7 +102,7 @@ void BuriedTerm::fields(FieldRegistry& registry) const {
                 [this](const Kinematics&, std::span<double> out) {
                   std::fill(out.begin(), out.end(), 0.0);
                   for (const Point& p : points_)
-                    for (int c = 0; c < 3; ++c) out[static_cast<size_t>(3 * p.node + c)] = p.force[c];
+                    for (int c = 0; c < 3; ++c) out[3 * p.node + c] = p.force[c];
                 }});
 }
 
@@ -112,14 +110,13 @@ std::vector<HistoryKind> BuriedTerm::history() const { return {history_kind<Poin
 
 std::vector<HistoryRecord> BuriedTerm::save() const {
   std::vector<HistoryRecord> records;
-  for (const Point& p : points_)
-    records.push_back(record_of(mesh_.global[static_cast<size_t>(p.node)], 0, p));
+  for (const Point& p : points_) records.push_back(record_of(mesh_.global[p.node], 0, p));
   return records;
 }
 
 void BuriedTerm::restore(const std::vector<HistoryRecord>& records) {
   std::unordered_map<int, size_t> at;
-  for (size_t i = 0; i < points_.size(); ++i) at[mesh_.global[static_cast<size_t>(points_[i].node)]] = i;
+  for (size_t i = 0; i < points_.size(); ++i) at[mesh_.global[points_[i].node]] = i;
   for (const HistoryRecord& r : records) {
     const auto found = at.find(r.node);
     if (found == at.end()) continue;

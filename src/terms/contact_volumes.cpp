@@ -20,8 +20,8 @@ ContactVolumes::ContactVolumes(const LocalMesh& mesh, std::shared_ptr<const Bodi
     boxes_.push_back(v.surface->bounds());
     committed_.push_back(v.settings.normal_stiffness);
   }
-  poses_.resize(static_cast<size_t>(bodies_->size()) + 1);
-  for (int b = 0; b < bodies_->size(); ++b) poses_[static_cast<size_t>(b) + 1] = bodies_->pose(b, 0.0);
+  poses_.resize(bodies_->size() + 1);
+  for (int b = 0; b < bodies_->size(); ++b) poses_[b + 1] = bodies_->pose(b, 0.0);
   start_poses_ = poses_;
 }
 
@@ -39,7 +39,7 @@ ContactShare ContactVolumes::takes_part(int line, int volume, double from, doubl
     return std::pair(l.line, l.volume) < k;
   });
   if (found == left_out_.end() || std::pair(found->line, found->volume) != key) return {};
-  const double end = mesh_.mesh->lines[static_cast<size_t>(line)].length - found->end_b, span = to - from;
+  const double end = mesh_.mesh->lines[line].length - found->end_b, span = to - from;
   // A single place, or an interval.
   if (!(span > 0)) return from >= found->end_a && from <= end ? ContactShare{} : ContactShare{1, 0};
   return {std::max(0.0, (found->end_a - from) / span), std::min(1.0, (end - from) / span)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/contact_volumes.hpp"
 
@@ -32,14 +33,13 @@ std::vector<double> ContactVolumes::stiffnesses() const {
 }
 
 void ContactVolumes::raise_to(int volume, double stiffness) {
-  const size_t k = static_cast<size_t>(volume);
   if (!automatic(volume)) return;
-  volumes_[k].settings.normal_stiffness = committed_[k] = std::max(stiffness, committed_[k]);
+  volumes_[volume].settings.normal_stiffness = committed_[volume] = std::max(stiffness, committed_[volume]);
 }
 
 void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPoint& p, double step,
                          std::vector<double>& wanted) const {
-  const size_t k = static_cast<size_t>(volume);
+  const size_t k = volume;
   const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
   const double allowed = given > 0 ? given : kAllowed * p.radius;
   if (p.held) return;
@@ -64,7 +64,7 @@ void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPoint& p
 bool ContactVolumes::raise(std::vector<double>& wanted) {
   if (std::none_of(volumes_.begin(), volumes_.end(), [](const ContactVolume& v) { return v.automatic; }))
     return false;
-  MPI_Allreduce(MPI_IN_PLACE, wanted.data(), static_cast<int>(wanted.size()), MPI_DOUBLE, MPI_MAX, comm_);
+  all_reduce(comm_, MPI_MAX, wanted);
   bool more = false;
   for (size_t k = 0; k < wanted.size(); ++k) {
     ContactVolume& v = volumes_[k];
@@ -90,7 +90,7 @@ bool ContactVolumes::has_back(int volume) const {
 }
 
 double ContactVolumes::deepest(int volume, double radius) const {
-  const ContactVolume& c = volumes_[static_cast<size_t>(volume)];
+  const ContactVolume& c = volumes_[volume];
   const model::Volume& v = c.settings;
   if (!c.automatic && !has_back(volume)) return HUGE_VAL;
   return v.force_table ? std::max(radius, v.force_table->rows().back().first) : radius;

@@ -1,6 +1,5 @@
 // Where the bodies of the volumes are, and which of those that float lines may meet.
 #include <algorithm>
-#include <cmath>
 
 #include "hawser/base/gather.hpp"
 #include "hawser/mesh/arc.hpp"
@@ -11,18 +10,12 @@ namespace {
 
 constexpr double kStaticsWay = 0.15;  // of the line: Newton's iteration of statics goes no farther at once
 
-bool any(MPI_Comm comm, bool here) {
-  int yes = here;
-  MPI_Allreduce(MPI_IN_PLACE, &yes, 1, MPI_INT, MPI_MAX, comm);
-  return yes != 0;
-}
-
 }  // namespace
 
 void ContactVolumes::pose(const Kinematics& at, std::vector<RigidPose>& poses) const {
   const int n = bodies_->size();
-  poses.resize(static_cast<size_t>(n) + 1);
-  for (int b = 0; b < n; ++b) poses[static_cast<size_t>(b) + 1] = bodies_->pose(b, at);
+  poses.resize(n + 1);
+  for (int b = 0; b < n; ++b) poses[b + 1] = bodies_->pose(b, at);
 }
 
 // Of a body that is met on this rank.
@@ -32,8 +25,7 @@ RigidPose ContactVolumes::pose_of(int volume, const Kinematics& at) const {
 
 FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& at) const {
   const int local = bodies_->local_node(this->at(volume).body);
-  const size_t n = static_cast<size_t>(local);
-  return {mesh_.block[n], at.x[n], at.v[n], at.q[n].toRotationMatrix()};
+  return {mesh_.block[local], at.x[local], at.v[local], at.q[local].toRotationMatrix()};
 }
 
 // Elements are told with room to spare, so that the list holds for many steps; it is made anew where one
@@ -49,18 +41,18 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
   const Mesh& mesh = *mesh_.mesh;
   for (const LocalElement& e : mesh_.elements) {
     if (!e.counted) continue;
-    const Element& g = mesh.elements[static_cast<size_t>(e.global)];
-    const size_t a = static_cast<size_t>(e.first), b = static_cast<size_t>(e.second);
+    const Element& g = mesh.elements[e.global];
+    const size_t a = e.first, b = e.second;
     const Vec3 middle = 0.5 * (committed.x[a] + committed.x[b]);
     for (size_t k = 0; k < volumes_.size(); ++k) {
       const ContactVolume& v = volumes_[k];
       if (!moving(v)) continue;
       if (takes_part(g.line, static_cast<int>(k), arc_at(mesh, g, 0), arc_at(mesh, g, 1)).none()) continue;
-      const RigidPose& pose = poses[static_cast<size_t>(v.body) + 1];
+      const RigidPose& pose = poses[v.body + 1];
       const double speed = std::max((committed.v[a] - pose.velocity_at(committed.x[a])).norm(),
                                     (committed.v[b] - pose.velocity_at(committed.x[b])).norm());
-      const double way = h > 0 ? std::max(2 * h * speed, 0.5 * g.length)
-                               : kStaticsWay * mesh.lines[static_cast<size_t>(g.line)].length;
+      const double way =
+          h > 0 ? std::max(2 * h * speed, 0.5 * g.length) : kStaticsWay * mesh.lines[g.line].length;
       const double contact_distance = 1.01 * thickest + std::max(v.settings.smoothing, 0.0);
       const double away = distance(boxes_[k], pose.to_body(middle)) - contact_distance -
                           (committed.x[b] - committed.x[a]).norm() - 0.5 * g.length;
@@ -70,7 +62,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
       missing = missing || (away <= way && !std::binary_search(near_.begin(), near_.end(), met));
     }
   }
-  if (!any(comm_, missing)) return false;
+  if (!on_any_rank(comm_, missing)) return false;
   std::vector<double> mine, all;
   for (const auto& met : wide) mine.insert(mine.end(), met.begin(), met.end());
   const GatherPlan plan(comm_, static_cast<int>(mine.size()));
@@ -86,7 +78,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
 void ContactVolumes::couple(Couplings& to) const {
   const auto here = [this](int n) {
     const int local = mesh_.find(n);
-    return local >= 0 && local < mesh_.owned;
+    return mesh_.owns(local);
   };
   for (const auto& [a, b, body] : near_)
     if (here(a) || here(b) || here(body)) to.add({a, b}, {body, body});

@@ -38,7 +38,7 @@ std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh) 
       const model::End& e = c.lines[l].end(end);
       if (e.kind == model::EndKind::free || !(e.rotational_stiffness > 0) || !e.direction) continue;
       const int node = mesh.find(span.first_node + (end ? span.nodes - 1 : 0));
-      if (node < 0 || node >= mesh.owned || !mesh.rotates(node)) continue;
+      if (!mesh.owns(node) || !mesh.rotates(node)) continue;
       out.push_back({node, e.kind == model::EndKind::body ? c.body_index(e.body) : -1,
                      e.direction->normalized(), e.rotational_stiffness});
     }
@@ -56,7 +56,7 @@ EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodi
 
 // The line's tangent and the direction it is turned to.
 std::array<AttachedNow, 2> EndSprings::directions(const EndSpring& s, const Kinematics& at) const {
-  const Attached tangent{mesh_.global[static_cast<size_t>(s.node)], -1, Vec3::UnitX(), true};
+  const Attached tangent{mesh_.global[s.node], -1, Vec3::UnitX(), true};
   return {attached_now(tangent, at, mesh_, *bodies_),
           attached_now({-1, s.body, s.direction, true}, at, mesh_, *bodies_)};
 }
@@ -107,15 +107,14 @@ std::vector<HistoryKind> EndSprings::history() const { return {history_kind<Work
 
 std::vector<HistoryRecord> EndSprings::save() const {
   std::vector<HistoryRecord> out;
-  for (const size_t i : driven_)
-    out.push_back({mesh_.global[static_cast<size_t>(springs_[i].node)], 0, {work_[i]}});
+  for (const size_t i : driven_) out.push_back({mesh_.global[springs_[i].node], 0, {work_[i]}});
   return out;
 }
 
 void EndSprings::restore(const std::vector<HistoryRecord>& records) {
   for (const size_t i : driven_)
     for (const HistoryRecord& r : records)
-      if (r.node == mesh_.global[static_cast<size_t>(springs_[i].node)]) work_[i] = entry<WorkDone>(r).work;
+      if (r.node == mesh_.global[springs_[i].node]) work_[i] = entry<WorkDone>(r).work;
 }
 
 Energy EndSprings::energy(const Kinematics& at) const {

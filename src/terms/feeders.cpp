@@ -28,12 +28,10 @@ MassShares mass_shares(bool beam) {
 // length of the next one in the stock: a good way beyond where a node is caught or leaves.
 constexpr double kShortest = 0.1, kLonger = 0.9;
 
-double chord(const Kinematics& at, const LocalElement& e) {
-  return (at.x[static_cast<size_t>(e.second)] - at.x[static_cast<size_t>(e.first)]).norm();
-}
+double chord(const Kinematics& at, const LocalElement& e) { return (at.x[e.second] - at.x[e.first]).norm(); }
 
 BeamFeed feed_of_beam(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) {
-  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  const size_t i = e.first, j = e.second;
   BeamSection s = f.bar;
   s.length = length;
   BeamReference r;
@@ -67,36 +65,34 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
 }
 
 void Feeders::clamp(const std::vector<std::array<Quat, 2>>& ends) {
-  for (Feeder& f : feeders_) f.support.rotation = ends[static_cast<size_t>(f.line)][f.at_b];
+  for (Feeder& f : feeders_) f.support.rotation = ends[f.line][f.at_b];
 }
 
-int Feeders::elements(const Feeder& f) const {
-  return mesh_.mesh->lines[static_cast<size_t>(f.line)].elements;
-}
+int Feeders::elements(const Feeder& f) const { return mesh_.mesh->lines[f.line].elements; }
 
 int Feeders::node(const Feeder& f, int i) const {
-  const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
+  const LineSpan& span = mesh_.mesh->lines[f.line];
   return span.first_node + (f.at_b ? span.nodes - 1 - i : i);
 }
 
 int Feeders::element(const Feeder& f, int i) const {
-  const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
+  const LineSpan& span = mesh_.mesh->lines[f.line];
   return span.first_element + (f.at_b ? span.elements - 1 - i : i);
 }
 
 double Feeders::element_length(const Feeder& f, int i) const {
-  return mesh_.mesh->elements[static_cast<size_t>(element(f, i))].length;
+  return mesh_.mesh->elements[element(f, i)].length;
 }
 
 double Feeders::outside(const Feeder& f) const {
-  const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
-  const double arc = mesh_.mesh->nodes[static_cast<size_t>(node(f, f.mouth + 1))].arc;
+  const LineSpan& span = mesh_.mesh->lines[f.line];
+  const double arc = mesh_.mesh->nodes[node(f, f.mouth + 1)].arc;
   return f.length + (f.at_b ? arc : span.length - arc);
 }
 
 void Feeders::see_mouth(Feeder& f) const {
-  const Element& g = mesh_.mesh->elements[static_cast<size_t>(element(f, f.mouth))];
-  const auto& t = case_.line_types[static_cast<size_t>(g.type)];
+  const Element& g = mesh_.mesh->elements[element(f, f.mouth)];
+  const auto& t = case_.line_types[g.type];
   f.beam = g.beam, f.free_strain = g.free_strain;
   if (f.beam)
     f.bar = beam_section(*mesh_.mesh, case_, g);
@@ -128,7 +124,7 @@ Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
       {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting, f.feed.least, f.feed.most},
       f.length, h);
   Mouth m{fed.length, (fed.length - f.length) / h, 0, 0, fed.gives};
-  const size_t i = static_cast<size_t>(e->first), j = static_cast<size_t>(e->second);
+  const size_t i = e->first, j = e->second;
   const double l = chord(at, *e), parts = l > 0 ? (at.x[j] - at.x[i]).dot(at.v[j] - at.v[i]) / l : 0;
   m.by_chord = fed.gives * (f.beam ? feed_of_beam(f, at, *e, m.length).by_chord
                                    : feed_of_cable(f, at, *e, m.length).by_chord);
@@ -163,13 +159,13 @@ CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& at, const Lo
 }
 
 std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now) const {
-  const Element& g = mesh_.mesh->elements[static_cast<size_t>(e)];
+  const Element& g = mesh_.mesh->elements[e];
   std::optional<Rest> out;
-  for (const int k : of_line_[static_cast<size_t>(g.line)]) {
+  for (const int k : of_line_[g.line]) {
     if (k < 0) continue;
-    const Feeder& f = feeders_[static_cast<size_t>(k)];
+    const Feeder& f = feeders_[k];
     if (!out) out = Rest{false, g.length, 0, 0, 0, g.length};
-    const LineSpan& span = mesh_.mesh->lines[static_cast<size_t>(f.line)];
+    const LineSpan& span = mesh_.mesh->lines[f.line];
     const int i = f.at_b ? span.first_element + span.elements - 1 - e : e - span.first_element;
     if (i < f.mouth) out->idle = true;
     if (i != f.mouth) continue;
@@ -181,15 +177,15 @@ std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now
 }
 
 int Feeders::fed_end(int e) const {
-  for (const int k : of_line_[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(e)].line)])
+  for (const int k : of_line_[mesh_.mesh->elements[e].line])
     if (k >= 0)
-      if (const Feeder& f = feeders_[static_cast<size_t>(k)]; element(f, f.mouth) == e) return f.at_b;
+      if (const Feeder& f = feeders_[k]; element(f, f.mouth) == e) return f.at_b;
   return -1;
 }
 
 std::vector<std::array<int, 2>> Feeders::inside() const {
   std::vector<std::array<int, 2>> out(of_line_.size(), {0, 0});
-  for (const Feeder& f : feeders_) out[static_cast<size_t>(f.line)][f.at_b] = f.mouth;
+  for (const Feeder& f : feeders_) out[f.line][f.at_b] = f.mouth;
   return out;
 }
 
@@ -197,8 +193,7 @@ std::vector<Support> Feeders::with_held(const std::vector<Support>& supports) co
   std::vector<int> fed = fed_nodes();
   std::vector<Support> out;
   for (const Support& s : supports)
-    if (!std::binary_search(fed.begin(), fed.end(), mesh_.global[static_cast<size_t>(s.node)]))
-      out.push_back(s);
+    if (!std::binary_search(fed.begin(), fed.end(), mesh_.global[s.node])) out.push_back(s);
   for (const Feeder& f : feeders_)
     for (int i = 0; i <= f.mouth; ++i)
       if (const int here = mesh_.find(node(f, i)); here >= 0) {
@@ -220,8 +215,7 @@ std::vector<int> Feeders::fed_nodes() const {
 }
 
 Feeders::Flow Feeders::flow(const Mouth& m, const Kinematics& at, const LocalElement& e, bool at_b) const {
-  const size_t i = static_cast<size_t>(at_b ? e.second : e.first),
-               j = static_cast<size_t>(at_b ? e.first : e.second);
+  const size_t i = at_b ? e.second : e.first, j = at_b ? e.first : e.second;
   Flow o;
   const double rate = m.speed / m.length;
   o.chord = at.x[j] - at.x[i];
@@ -259,8 +253,8 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Mouth m = mouth(f, trial, false);
     Vec3 out[2];
     force(f, m, trial, *e, out);
-    const int blocks[2] = {mesh_.block[static_cast<size_t>(f.at_b ? e->second : e->first)],
-                           mesh_.block[static_cast<size_t>(f.at_b ? e->first : e->second)]};
+    const int blocks[2] = {mesh_.block[f.at_b ? e->second : e->first],
+                           mesh_.block[f.at_b ? e->first : e->second]};
     const double r[6] = {out[0].x(), out[0].y(), out[0].z(), out[1].x(), out[1].y(), out[1].z()};
     if (!assembler.wants_tangent()) {
       assembler.add(blocks, r, nullptr, nullptr, nullptr);
@@ -301,8 +295,7 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, double*
 double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement& e) const {
   const Mouth m = mouth(f, at, true);
   if (m.speed == 0) return 0;
-  const size_t i = static_cast<size_t>(f.at_b ? e.second : e.first),
-               j = static_cast<size_t>(f.at_b ? e.first : e.second);
+  const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
   const Flow o = flow(m, at, e, f.at_b);
   const double mass = f.mass_per_length, rate = m.speed / m.length;
   const auto [own, shared] = mass_shares(f.beam);
@@ -346,7 +339,7 @@ void Feeders::commit(const Kinematics& accepted) {
 
 // Of the weight of the element at the mouth, J.
 double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
-  const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
+  const size_t i = e.first, j = e.second;
   if (!f.beam) return 0.5 * length * f.weight.dot(at.x[i] + at.x[j]);
   const MassSection s{length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()};
   return beam_load_work(s, at.x[i], at.q[i], at.x[j], at.q[j], f.weight);
@@ -360,8 +353,7 @@ Energy Feeders::energy(const Kinematics& at) const {
     const LocalElement* e = at_mouth(f);
     if (!e || !e->counted) continue;
     const Mouth m = mouth(f, at, true);
-    const size_t i = static_cast<size_t>(f.at_b ? e->second : e->first),
-                 j = static_cast<size_t>(f.at_b ? e->first : e->second);
+    const size_t i = f.at_b ? e->second : e->first, j = f.at_b ? e->first : e->second;
     const Vec3 v = flow(m, at, *e, f.at_b).velocity, &held = at.v[i], &w = at.v[j];
     const auto [own, shared] = mass_shares(f.beam);
     out.kinetic += f.mass_per_length * m.length *

@@ -3,7 +3,6 @@
 #include "hawser/terms/line_mass.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "hawser/kernels/motion.hpp"
 #include "hawser/model/case.hpp"
@@ -14,7 +13,7 @@ namespace hawser {
 namespace {
 
 MassEnds ends(const LineMassTerm::Piece& p, const Kinematics& k) {
-  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const size_t i = p.at.first, j = p.at.second;
   const bool given = !k.directors.empty();
   return {k.a[i],
           k.a[j],
@@ -32,7 +31,7 @@ MassEnds ends(const LineMassTerm::Piece& p, const Kinematics& k) {
 }
 
 double load_work(const LineMassTerm::Piece& p, const Kinematics& k, const Vec3& load) {
-  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const size_t i = p.at.first, j = p.at.second;
   if (p.beam) return beam_load_work(p.section, k.x[i], k.q[i], k.x[j], k.q[j], load);
   return 0.5 * p.section.length * load.dot(k.x[i] + k.x[j]);
 }
@@ -42,8 +41,7 @@ double load_work(const LineMassTerm::Piece& p, const Kinematics& k, const Vec3& 
 LineMassTerm::LineMassTerm(const LocalMesh& mesh, std::vector<Piece> pieces, std::vector<Load> ramped)
     : mesh_(mesh), pieces_(std::move(pieces)), ramped_(std::move(ramped)) {
   for (Piece& p : pieces_) {
-    const int a = mesh_.block[static_cast<size_t>(p.at.first)],
-              b = mesh_.block[static_cast<size_t>(p.at.second)];
+    const int a = mesh_.block[p.at.first], b = mesh_.block[p.at.second];
     if (p.beam)
       p.blocks[0] = a, p.blocks[1] = a + 1, p.blocks[2] = b, p.blocks[3] = b + 1;
     else
@@ -62,16 +60,16 @@ LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case
   out.pieces.reserve(mesh.elements.size());
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
-    const auto& t = c.line_types[static_cast<size_t>(g.type)];
+    const auto& t = c.line_types[g.type];
     Piece p;
     p.at = e;
     p.beam = g.beam;
     p.section = {g.length, t.mass_per_length, t.rotary_inertia, Mat3::Identity()};
     p.load = Vec3(0, 0, -c.environment.gravity * t.mass_per_length);
     p.first_ramped = static_cast<int>(out.ramped.size());
-    const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc, to = from + g.length;
-    for (const auto& l : c.lines[static_cast<size_t>(g.line)].loads) {
-      const double end = l.to < 0 ? mesh.mesh->lines[static_cast<size_t>(g.line)].length : l.to;
+    const double from = mesh.mesh->nodes[g.first].arc, to = from + g.length;
+    for (const auto& l : c.lines[g.line].loads) {
+      const double end = l.to < 0 ? mesh.mesh->lines[g.line].length : l.to;
       const double overlap = std::min(to, end) - std::max(from, l.from);
       if (overlap <= 0) continue;
       const Vec3 share = overlap / g.length * l.per_length;
@@ -89,7 +87,7 @@ LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case
 Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
   Vec3 sum = Vec3::Zero();
   for (int i = p.first_ramped; i < p.first_ramped + p.ramped; ++i) {
-    const Load& l = ramped_[static_cast<size_t>(i)];
+    const Load& l = ramped_[i];
     sum += quintic_ramp(t, l.ramp).value * l.per_length;
   }
   return sum;
@@ -107,7 +105,7 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Vec3 w = load(p, trial.time);
     const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
     if (!p.beam) {
-      const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+      const size_t i = p.at.first, j = p.at.second;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
       assembler.add_masses(p.blocks[0], p.blocks[1], f, m.own, m.shared);
@@ -128,8 +126,7 @@ void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, do
   if (p->beam)
     beam_mass_force(p->section, ends(*p, at), load(*p, at.time), own);
   else
-    cable_mass_force(p->section, at.a[static_cast<size_t>(e.first)], at.a[static_cast<size_t>(e.second)],
-                     load(*p, at.time), own);
+    cable_mass_force(p->section, at.a[e.first], at.a[e.second], load(*p, at.time), own);
   add_ends(own, p->beam, f);
 }
 
@@ -176,11 +173,10 @@ double LineMassTerm::round_off(const Kinematics& at, double h) const {
 void LineMassTerm::motion(const Kinematics& at, std::span<LineMotion> lines) const {
   for (const Piece& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
-    LineMotion& line =
-        lines[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(p.at.global)].line)];
+    LineMotion& line = lines[mesh_.mesh->elements[p.at.global].line];
     const double half = 0.5 * p.section.mass_per_length * p.section.length;
-    line.add(half, at.v[static_cast<size_t>(p.at.first)]);
-    line.add(half, at.v[static_cast<size_t>(p.at.second)]);
+    line.add(half, at.v[p.at.first]);
+    line.add(half, at.v[p.at.second]);
   }
 }
 
@@ -195,7 +191,7 @@ Energy LineMassTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Piece& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
-    const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+    const size_t i = p.at.first, j = p.at.second;
     e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, at))
                         : cable_kinetic_energy(p.section, at.v[i], at.v[j]);
     e.potential -= load_work(p, at, p.load);

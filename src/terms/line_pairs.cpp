@@ -3,7 +3,6 @@
 #include "hawser/terms/line_pairs.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "hawser/terms/feeders.hpp"
 
@@ -62,7 +61,7 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   rods_ = rods(committed);
   for (Pair& p : pairs_) {
     p.trial = nullptr;
-    const Rod &a = rods_[static_cast<size_t>(p.a)], &b = rods_[static_cast<size_t>(p.b)];
+    const Rod &a = rods_[p.a], &b = rods_[p.b];
     p.chords = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
     p.clear = p.chords.distance - a.sagitta - b.sagitta - p.law.radii - p.law.normal.smoothing;
   }
@@ -77,15 +76,16 @@ std::vector<LinePairs::Rod> LinePairs::rods(const Kinematics& at) const {
 // Whether the surfaces, which were `clear` apart, may have met since the start of the step.
 bool LinePairs::met(const Pair& p, const std::vector<Rod>& is) const {
   const auto moved = [&](int segment) {
-    const size_t i = static_cast<size_t>(segment);
-    return std::max((is[i].x1 - rods_[i].x1).norm(), (is[i].x2 - rods_[i].x2).norm()) + is[i].sagitta;
+    return std::max((is[segment].x1 - rods_[segment].x1).norm(),
+                    (is[segment].x2 - rods_[segment].x2).norm()) +
+           is[segment].sagitta;
   };
   return moved(p.a) + moved(p.b) >= p.clear;
 }
 
 bool LinePairs::near(const Pair& p, const std::vector<Rod>& is) const {
   if (!met(p, is)) return false;
-  const Rod &a = is[static_cast<size_t>(p.a)], &b = is[static_cast<size_t>(p.b)];
+  const Rod &a = is[p.a], &b = is[p.b];
   return closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta <
          p.law.radii + p.law.normal.smoothing;
 }
@@ -161,7 +161,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
       for (const bool second : {false, true}) {
         const ContactSegment& s = segment(second != swapped ? pair.b : pair.a);
         for (const int node : {s.first, s.second}) {
-          const int b = mesh_.block[static_cast<size_t>(node)];
+          const int b = mesh_.block[node];
           blocks[n++] = b;
           if ((second ? master : slave).beam()) blocks[n++] = b + 1;
         }
@@ -202,7 +202,7 @@ void LinePairs::commit(const Kinematics& accepted) {
 // pair that turns as one body none; a cable has no sections that its part of the couple could turn. The gap
 // is what changes along the normal: far along the other line it is no distance.
 void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next) {
-  Account& sum = accounts_[static_cast<size_t>(segment(pair.a).first)];
+  Account& sum = accounts_[segment(pair.a).first];
   const auto turn = [](const PairAxis& axis, double xi) -> Mat3 {
     return axis.beam() ? axis.turn_at(xi) : Mat3::Identity();
   };

@@ -34,9 +34,8 @@ std::vector<HistoryKind> LinePairs::history() const {
 std::vector<HistoryRecord> LinePairs::save() const {
   std::vector<HistoryRecord> records;
   for (int n = 0; n < mesh_.owned; ++n) {
-    const Account& a = accounts_[static_cast<size_t>(n)];
-    if (a.friction != 0 || a.damping != 0)
-      records.push_back(record_of(mesh_.global[static_cast<size_t>(n)], 0, a, kSums));
+    const Account& a = accounts_[n];
+    if (a.friction != 0 || a.damping != 0) records.push_back(record_of(mesh_.global[n], 0, a, kSums));
   }
   if (deepest_.first >= 0) records.push_back(record_of(element(deepest_.first).first, 0, deepest_, kDeepest));
   std::map<int, int> number;  // of records at a node
@@ -51,7 +50,7 @@ std::vector<HistoryRecord> LinePairs::save() const {
     for (const ContactSegment* s : {&segment(p.a), &segment(p.b)})
       for (const int node : {s->first, s->second}) {
         if (node >= mesh_.owned) continue;
-        r.node = mesh_.global[static_cast<size_t>(node)];
+        r.node = mesh_.global[node];
         r.key = number[r.node]++;
         records.push_back(r);
       }
@@ -68,7 +67,7 @@ void LinePairs::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     if (r.kind == kSums) {
       const int n = mesh_.find(r.node);
-      if (n >= 0 && n < mesh_.owned) accounts_[static_cast<size_t>(n)] = entry<Account>(r);
+      if (mesh_.owns(n)) accounts_[n] = entry<Account>(r);
       continue;
     }
     if (r.kind == kDeepest) {
@@ -83,7 +82,7 @@ void LinePairs::restore(const std::vector<HistoryRecord>& records) {
     for (const PairPoint& p : points) {
       if (p.part < 0 || static_cast<size_t>(p.part) >= history->size())
         throw std::invalid_argument("a record of line-line contact in the checkpoint does not fit");
-      (*history)[static_cast<size_t>(p.part)].push_back(p.point);
+      (*history)[p.part].push_back(p.point);
     }
     kept_[key] = std::move(history);
   }

@@ -1,6 +1,5 @@
 // What LinePairs is made from, and sums over the pairs that touch.
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "hawser/terms/automatic_stiffness.hpp"
@@ -49,7 +48,7 @@ LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineConta
 
 LinePairLaw LinePairs::law(int a, int b) const {
   const Mesh& m = *mesh_.mesh;
-  const size_t i = static_cast<size_t>(a), j = static_cast<size_t>(b);
+  const size_t i = a, j = b;
   const auto tuned = options_.tuned.find(
       {std::min(m.elements[i].line, m.elements[j].line), std::max(m.elements[i].line, m.elements[j].line)});
   const model::LinePairSettings& s = tuned == options_.tuned.end() ? options_.general : tuned->second;
@@ -87,7 +86,7 @@ LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
 
 // The neighbour there is on the same line and outside feeders.
 bool LinePairs::joint(int element, int end) const {
-  const LineSpan& l = mesh_.mesh->lines[static_cast<size_t>(this->element(element).line)];
+  const LineSpan& l = mesh_.mesh->lines[this->element(element).line];
   if (end ? element + 1 >= l.first_element + l.elements : element <= l.first_element) return false;
   return !candidates_.left_out(end ? element + 1 : element - 1);
 }

@@ -83,7 +83,7 @@ LinePairs::Nearest LinePairs::nearest(const Pair& p, const SegmentPair& c, const
 double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
   const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
     const ContactSegment& s = this->segment(segment);
-    return 0.5 * (v[static_cast<size_t>(s.first)] + v[static_cast<size_t>(s.second)]);
+    return 0.5 * (v[s.first] + v[s.second]);
   };
   const SegmentPair& c = p.chords;
   return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
@@ -140,7 +140,7 @@ double LinePairs::deepest(const Pair& p) const {
 // An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
 void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
   for (const Pair& p : pairs_) {
-    const size_t i = static_cast<size_t>(p.a), j = static_cast<size_t>(p.b);
+    const size_t i = p.a, j = p.b;
     const Nearest c = nearest_at_start(p);
     const double ramp = p.law.normal.smoothing,
                  apart = std::max(c.gap - rods_[i].sagitta - rods_[j].sagitta, 0.0);
@@ -158,8 +158,8 @@ std::string LinePairs::where(const Pair& p) const {
   const Mesh& m = *mesh_.mesh;
   const auto place = [&](int element, double xi) {
     const Element& e = this->element(element);
-    return fmt::format("{} (arc length {:.6g} m)", m.lines[static_cast<size_t>(e.line)].name,
-                       m.nodes[static_cast<size_t>(e.first)].arc + xi * e.length);
+    return fmt::format("{} (arc length {:.6g} m)", m.lines[e.line].name,
+                       m.nodes[e.first].arc + xi * e.length);
   };
   return "lines " + place(p.key.first, p.chords.s) + " and " + place(p.key.second, p.chords.t);
 }
@@ -186,8 +186,7 @@ std::string LinePairs::too_soft(const Pair& p) const {
   const std::string stiffness = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(wanted));
   const std::string advice =
       options_.tuned.count({one, other})
-          ? fmt::format("pairs: [{{lines: [{}, {}], {}}}]", m.lines[static_cast<size_t>(one)].name,
-                        m.lines[static_cast<size_t>(other)].name, stiffness)
+          ? fmt::format("pairs: [{{lines: [{}, {}], {}}}]", m.lines[one].name, m.lines[other].name, stiffness)
           : stiffness;
   return fmt::format(
       "{} are pressed into each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass "

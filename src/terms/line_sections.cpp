@@ -7,8 +7,8 @@
 namespace hawser {
 
 BeamSection beam_section(const Mesh& mesh, const model::Case& c, const Element& e) {
-  const auto& t = c.line_types[static_cast<size_t>(e.type)];
-  const auto& stiffeners = c.lines[static_cast<size_t>(e.line)].bend_stiffeners;
+  const auto& t = c.line_types[e.type];
+  const auto& stiffeners = c.lines[e.line].bend_stiffeners;
   const double from = arc_at(mesh, e, 0), to = arc_at(mesh, e, 1);
   BeamSection s;
   s.length = e.length, s.EA = t.EA, s.GJ = t.GJ, s.GA = t.GA, s.beta = t.stiffness_damping;
@@ -19,7 +19,7 @@ BeamSection beam_section(const Mesh& mesh, const model::Case& c, const Element& 
 }
 
 CableSection cable_section(const model::Case& c, const Element& e) {
-  const auto& t = c.line_types[static_cast<size_t>(e.type)];
+  const auto& t = c.line_types[e.type];
   return {e.length, t.EA, t.stiffness_damping, t.tension_table.get(), e.free_strain};
 }
 

@@ -28,7 +28,7 @@ bool resting(double stiffness, double depth, double mass, double speed) {
 double LineVolumeContact::still_part(const Pair& pair, const Kinematics& at, double force, double depth,
                                      const Vec3& normal) const {
   if (!(at.step > 0)) return 1;
-  const size_t a = static_cast<size_t>(local(pair).first), b = static_cast<size_t>(local(pair).second);
+  const size_t a = local(pair).first, b = local(pair).second;
   const Vec3 place = 0.5 * (at.x[a] + at.x[b]),
              velocity = 0.5 * (at.v[a] + at.v[b]) - volumes_.trial_pose(pair.volume).velocity_at(place);
   const double mass = settings(pair).mass_per_length;
@@ -73,7 +73,7 @@ bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
   constexpr double kStiffer = 4;
   std::vector<double> wanted = volumes_.stiffnesses();
   for (const Pair& pair : pairs_) {
-    double& there = wanted[static_cast<size_t>(pair.volume)];
+    double& there = wanted[pair.volume];
     const double stiffer = kStiffer * volumes_.settings(pair.volume).normal_stiffness;
     if (there < stiffer && volumes_.automatic(pair.volume) && is_drawn_in(trial, pair)) there = stiffer;
   }
@@ -101,7 +101,7 @@ std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) cons
   }
   if (!in) return {};
   const LocalElement& e = local(*in);
-  const int node = mesh_.global[static_cast<size_t>(xi < 0.5 ? e.first : e.second)];
+  const int node = mesh_.global[xi < 0.5 ? e.first : e.second];
   return too_soft_for_line(mesh_.mesh->place(node), volumes_.settings(in->volume),
                            volumes_.automatic(in->volume), deepest, in->radius, trial.time);
 }

@@ -22,8 +22,7 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
     }
     pair.evaluated_at.known = false, pair.evaluated.clear();
     for (const AxisContactPoint& p : next)
-      accounts_[static_cast<size_t>(pair.element)].reaches(-p.gap, accepted.time, pair.volume,
-                                                           p.xi < 0.5 ? 0 : 1);
+      accounts_[pair.element].reaches(-p.gap, accepted.time, pair.volume, p.xi < 0.5 ? 0 : 1);
     if (accepted.step > 0 && !(next.empty() && pair.points.empty()))
       account(pair, AxisShape(ends(accepted, pair.element)), next);
     pair.points = std::move(next);
@@ -39,7 +38,7 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   const RigidPose &before = pair.start.pose, &after = volumes_.trial_pose(pair.volume);
   const StepOfBody step(before, after, !volumes_.floats(pair.volume));
   const double smoothing = pair.smoothing();
-  ContactWork& sum = accounts_[static_cast<size_t>(pair.element)];
+  ContactWork& sum = accounts_[pair.element];
   // The way of a place, and how far it came off the surface otherwise than by sliding along its own line: a
   // pipe that is drawn over a roller comes and goes all the time, yet as much of it touches as before. Of a
   // node there is but one: what it slides into or out of, it meets or leaves.
@@ -111,7 +110,7 @@ Penetration LineVolumeContact::largest_penetration() const {
     const LocalElement& e = mesh_.elements[i];
     const ContactWork& a = accounts_[i];
     if (e.counted && a.depth > p.depth)
-      p = {a.depth, mesh_.global[static_cast<size_t>(a.end ? e.second : e.first)], a.volume, a.time};
+      p = {a.depth, mesh_.global[a.end ? e.second : e.first], a.volume, a.time};
   }
   return p;
 }

@@ -64,7 +64,7 @@ void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& 
 void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
   NearGroups& near = pair.near;
   if (!near.facet_groups.several() && (pair.points.empty() || pair.points.back().group == 0)) return;
-  const size_t facet_groups = static_cast<size_t>(pair.facet_groups());
+  const size_t facet_groups = pair.facet_groups();
   // The points of each of the facet groups of before, by facet group.
   using Points = std::vector<AxisContactPoint>;
   std::vector<std::vector<Points>> of(facet_groups, std::vector<Points>(FacetGroups::kMost));
@@ -77,7 +77,7 @@ void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
           surface(pair).query_group(near.facet_groups.of[w], y, std::numeric_limits<double>::max(), true);
       if (there && there->normal.dot(p.normal) > like) like = there->normal.dot(p.normal), best = w;
     }
-    of[best][static_cast<size_t>(p.group)].push_back(p);
+    of[best][p.group].push_back(p);
   }
   for (std::vector<Points>& before : of) {
     const auto force = [](const Points& points) {

@@ -33,10 +33,9 @@ void LineVolumeContact::fields(FieldRegistry& registry) const {
                          axes.push_back(volumes_.pose_of(v, at).rotation.toRotationMatrix());
                        for (const Pair& p : pairs_)
                          for (const AxisContactPoint& q : p.points)
-                           share_at_ends(element(p), local(p).first, local(p).second, mesh_.owned, q.xi,
-                                         [&](int node, double share) {
-                                           show(node, share, axes[static_cast<size_t>(p.volume)], q);
-                                         });
+                           share_at_ends(
+                               element(p), local(p).first, local(p).second, mesh_.owned, q.xi,
+                               [&](int node, double share) { show(node, share, axes[p.volume], q); });
                      });
 }
 
@@ -63,14 +62,14 @@ void LineVolumeContact::active_contacts(ActiveContacts& out) const {
 std::vector<Vec3> LineVolumeContact::forces_by_volume(const Kinematics& at) const {
   std::vector<Vec3> out(static_cast<size_t>(volumes()), Vec3::Zero());
   for (const Load& l : loads(at))
-    if (mesh_.elements[static_cast<size_t>(l.element)].counted) out[static_cast<size_t>(l.volume)] += l.force;
+    if (mesh_.elements[l.element].counted) out[l.volume] += l.force;
   return out;
 }
 
 std::array<Vec3, 2> LineVolumeContact::reaction(int volume, const Kinematics& at) const {
   std::array<Vec3, 2> out{Vec3::Zero(), Vec3::Zero()};
   for (const Load& l : loads(at)) {
-    if (l.volume != volume || !mesh_.elements[static_cast<size_t>(l.element)].counted) continue;
+    if (l.volume != volume || !mesh_.elements[l.element].counted) continue;
     const Vec3 arm = axis(at, l.element).point(l.xi) - volumes_.pose_of(volume, at).position;
     out[0] += l.force, out[1] += arm.cross(l.force);
   }

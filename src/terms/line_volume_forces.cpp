@@ -69,16 +69,16 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
         .to_blocks(stencil, f, tangent ? K : nullptr, tangent ? C : nullptr);
     const double *by_x = tangent ? K : nullptr, *by_v = tangent && moves ? C : nullptr;
     const LocalElement& e = local(pair);
-    const int a = mesh_.block[static_cast<size_t>(e.first)], b = mesh_.block[static_cast<size_t>(e.second)];
+    const int a = mesh_.block[e.first], b = mesh_.block[e.second];
     const int blocks[4] = {a, beam ? a + 1 : b, b, b + 1};
-    const size_t count = static_cast<size_t>(stencil.blocks);
+    const size_t count = stencil.blocks;
     if (!volumes_.floats(pair.volume)) {
       assembler.add({blocks, count}, f, by_x, by_v, nullptr);
       continue;
     }
     std::array<LineBlock, 4> line;
     for (size_t i = 0; i < count; ++i) {
-      const size_t n = static_cast<size_t>(i < (beam ? 2U : 1U) ? e.first : e.second);
+      const size_t n = i < (beam ? 2U : 1U) ? e.first : e.second;
       line[i] = {blocks[i], beam && i % 2 == 1, trial.x[n], trial.v[n], trial.q[n].toRotationMatrix()};
     }
     add_against_body(assembler, {line.data(), count}, volumes_.floating_frame(pair.volume, trial), e.counted,

@@ -28,7 +28,7 @@ std::vector<HistoryRecord> LineVolumeContact::save() const {
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const LocalElement& e = mesh_.elements[i];
     if (e.counted && !accounts_[i].empty())
-      records.push_back(record_of(mesh_.global[static_cast<size_t>(e.first)], 0, accounts_[i], kSums));
+      records.push_back(record_of(mesh_.global[e.first], 0, accounts_[i], kSums));
   }
   const auto add = [&](const Pair& pair, Kind kind, const auto& all) {
     HistoryRecord r;
@@ -37,7 +37,7 @@ std::vector<HistoryRecord> LineVolumeContact::save() const {
     const LocalElement& e = local(pair);
     for (const int node : {e.first, e.second}) {
       if (node >= mesh_.owned) continue;
-      r.node = mesh_.global[static_cast<size_t>(node)];
+      r.node = mesh_.global[node];
       r.key = 2 * pair.volume + (node == e.second);
       records.push_back(r);
     }
@@ -52,8 +52,8 @@ std::vector<HistoryRecord> LineVolumeContact::save() const {
 void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
   std::unordered_map<int, int> behind, before;  // mesh node -> local element
   for (size_t i = 0; i < mesh_.elements.size(); ++i) {
-    behind[mesh_.global[static_cast<size_t>(mesh_.elements[i].first)]] = static_cast<int>(i);
-    before[mesh_.global[static_cast<size_t>(mesh_.elements[i].second)]] = static_cast<int>(i);
+    behind[mesh_.global[mesh_.elements[i].first]] = static_cast<int>(i);
+    before[mesh_.global[mesh_.elements[i].second]] = static_cast<int>(i);
   }
   std::map<std::pair<int, int>, size_t> known;
   pairs_.clear(), near_.clear();
@@ -64,7 +64,7 @@ void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
     const auto found = side.find(r.node);
     if (found == side.end()) continue;
     if (sums) {
-      accounts_[static_cast<size_t>(found->second)] = entry<ContactWork>(r);
+      accounts_[found->second] = entry<ContactWork>(r);
       continue;
     }
     if (r.key < 0 || r.key / 2 >= volumes())

@@ -32,9 +32,9 @@ bool LineVolumeContact::recouple(const Kinematics& committed, double h) {
 // At a feeder's mouth the element has the length of the speed at the start of the step, as for masses: it
 // does not depend on the trial's positions, and the tangent is exact.
 AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
-  const LocalElement& e = mesh_.elements[static_cast<size_t>(element)];
-  AxisEnds out = element_axis(at, mesh_.mesh->elements[static_cast<size_t>(e.global)], e.first, e.second,
-                              elements_[static_cast<size_t>(element)].tangent);
+  const LocalElement& e = mesh_.elements[element];
+  AxisEnds out =
+      element_axis(at, mesh_.mesh->elements[e.global], e.first, e.second, elements_[element].tangent);
   if (feeders_)
     if (const auto rest = feeders_->rest(e.global, at, false)) out.length = rest->length;
   return out;
@@ -43,7 +43,7 @@ AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
 // What is inside a feeder touches nothing: its nodes are one point, and the cubic between them is a loop.
 bool LineVolumeContact::idle(const Kinematics& at, int element) const {
   if (!feeders_) return false;
-  const auto rest = feeders_->rest(mesh_.elements[static_cast<size_t>(element)].global, at, false);
+  const auto rest = feeders_->rest(mesh_.elements[element].global, at, false);
   return rest && rest->idle;
 }
 
@@ -53,7 +53,7 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
   const double diameter = 2 * settings(pair).radius;
   std::array<ContactLaw, 2> laws;
   for (size_t i = 0; i < 2; ++i) {
-    const Node& node = mesh_.mesh->nodes[static_cast<size_t>(i ? e.second : e.first)];
+    const Node& node = mesh_.mesh->nodes[i ? e.second : e.first];
     double share = 1;  // of a metre: what turns the basis into N/m²
     if (v.basis == model::StiffnessBasis::per_point)
       share = 1 / (finder_.at_nodes() ? node.tributary : pair.length);
@@ -81,7 +81,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   size_t known = 0;
   Pair pair;  // most are far away, and it serves for the next
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
-    if (!(elements_[static_cast<size_t>(e)].radius > 0) || idle(committed, e)) continue;
+    if (!(elements_[e].radius > 0) || idle(committed, e)) continue;
     const AxisEnds at = ends(committed, e);
     const AxisShape shape(at);
     for (int k = 0; k < volumes(); ++k) {

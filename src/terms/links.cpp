@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/base/gather.hpp"
+
 namespace hawser {
 namespace {
 
@@ -22,8 +24,7 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
              const Kinematics& start)
     : mesh_(mesh), bodies_(std::move(bodies)) {
   std::vector<double> places;  // of both ends, from the ranks that own what carries them
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   for (const model::Link& m : c.links) {
     Link& l = list_.emplace_back();
     l.a = attached(m.end_a, c, mesh), l.b = attached(m.end_b, c, mesh);
@@ -36,23 +37,22 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
       places.insert(places.end(), x.begin(), x.end());
     }
   }
-  MPI_Allreduce(MPI_IN_PLACE, places.data(), static_cast<int>(places.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, places);
   for (size_t i = 0; i < list_.size(); ++i) {
     if (c.links[i].rest_given) continue;
     double& rest = list_[i].law.rest_length;
     rest = (Vec3(&places[6 * i + 3]) - Vec3(&places[6 * i])).norm();
     if (!(rest > 0))
-      c.refuse(
-          "links." + c.links[i].name,
-          "its ends start at the same point, so that it has no length: give it a 'rest_length', which may be "
-          "0, or place its ends apart");
+      c.refuse("links." + c.links[i].name,
+               "its ends start at the same point, so that it has no length: give it a 'rest_length', which "
+               "may be 0, or place its ends apart");
   }
   update_ghosts();
 }
 
 bool Links::owned(int node) const {
   const int local = node < 0 ? -1 : mesh_.find(node);
-  return local >= 0 && local < mesh_.owned;
+  return mesh_.owns(local);
 }
 
 bool Links::recouple(const Kinematics&, double) {
@@ -162,7 +162,7 @@ std::vector<HistoryRecord> Links::save() const {
 void Links::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= list_.size()) continue;
-    Link& l = list_[static_cast<size_t>(r.key)];
+    Link& l = list_[r.key];
     if (!owned(l.owner)) continue;  // the other end may not be here yet
     const Link kept = entry<Link>(r);
     l.damping = kept.damping, l.work = kept.work;

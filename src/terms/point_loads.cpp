@@ -55,11 +55,11 @@ PointLoads::PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads) {
     if (!load.moment.isZero(0) && !mesh.rotates(load.node))
       throw std::invalid_argument("a moment acts on a cable node, which has no rotation");
     loads_.push_back(load);
-    block_.push_back(mesh.block[static_cast<size_t>(load.node)]);
-    const int node = mesh.global[static_cast<size_t>(load.node)];
-    const int line = mesh.mesh->nodes[static_cast<size_t>(node)].line;
+    block_.push_back(mesh.block[load.node]);
+    const int node = mesh.global[load.node];
+    const int line = mesh.mesh->nodes[node].line;
     global_.push_back(node);
-    length_.push_back(mesh.mesh->lines[static_cast<size_t>(line)].length);
+    length_.push_back(mesh.mesh->lines[line].length);
   }
   work_.assign(loads_.size(), 0);
 }
@@ -69,8 +69,8 @@ void PointLoads::prepare(const Kinematics& committed, double) {
   rotation_.clear();
   start_time_ = committed.time;
   for (const NodeLoad& load : loads_) {
-    start_.push_back(committed.x[static_cast<size_t>(load.node)]);
-    rotation_.push_back(committed.q[static_cast<size_t>(load.node)]);
+    start_.push_back(committed.x[load.node]);
+    rotation_.push_back(committed.q[load.node]);
   }
 }
 
@@ -81,7 +81,7 @@ void PointLoads::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Vec3 force = -s * load.force;
     assembler.add({&block_[i], 1}, force.data(), nullptr, nullptr, nullptr);
     if (load.moment.isZero(0)) continue;
-    const Quat& q = trial.q[static_cast<size_t>(load.node)];
+    const Quat& q = trial.q[load.node];
     const int block = block_[i] + 1;
     const Vec3 moment = -s * (q.conjugate() * load.moment);
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s * moment_stiffness(q, load.moment);
@@ -93,7 +93,7 @@ void PointLoads::commit(const Kinematics& accepted) {
   if (!(accepted.step > 0) || start_.size() != loads_.size()) return;
   for (size_t i = 0; i < loads_.size(); ++i) {
     const NodeLoad& load = loads_[i];
-    const size_t n = static_cast<size_t>(load.node);
+    const size_t n = load.node;
     const double s = 0.5 * (factor(load, start_time_) + factor(load, accepted.time));
     if (load.ramp > 0) work_[i] += s * load.force.dot(accepted.x[n] - start_[i]);
     if (!load.moment.isZero(0))
@@ -108,7 +108,7 @@ Energy PointLoads::energy(const Kinematics& at) const {
   for (size_t i = 0; i < loads_.size(); ++i) {
     const NodeLoad& load = loads_[i];
     if (load.ramp > 0) continue;
-    const size_t n = static_cast<size_t>(load.node);
+    const size_t n = load.node;
     e.potential -= load.force.dot(at.x[n]);
     if (statics && !load.moment.isZero(0))
       e.potential -= load.moment.dot(log_so3(at.q[n] * rotation_[i].conjugate()));
@@ -148,14 +148,14 @@ PointMasses::PointMasses(const LocalMesh& mesh, std::vector<NodeMass> masses, do
   for (const NodeMass& m : masses) {
     if (m.node >= mesh.owned) continue;
     masses_.push_back(m);
-    block_.push_back(mesh.block[static_cast<size_t>(m.node)]);
+    block_.push_back(mesh.block[m.node]);
   }
 }
 
 void PointMasses::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (size_t i = 0; i < masses_.size(); ++i) {
     const double m = masses_[i].mass;
-    const Vec3 force = m * (trial.a[static_cast<size_t>(masses_[i].node)] + gravity_ * Vec3::UnitZ());
+    const Vec3 force = m * (trial.a[masses_[i].node] + gravity_ * Vec3::UnitZ());
     const double M[9] = {m, 0, 0, 0, m, 0, 0, 0, m};
     assembler.add({&block_[i], 1}, force.data(), nullptr, nullptr, M);
   }
@@ -170,7 +170,7 @@ double PointMasses::dead_load() const {
 Energy PointMasses::energy(const Kinematics& at) const {
   Energy e;
   for (const NodeMass& m : masses_) {
-    const size_t n = static_cast<size_t>(m.node);
+    const size_t n = m.node;
     e.kinetic += 0.5 * m.mass * at.v[n].squaredNorm();
     e.potential += m.mass * gravity_ * at.x[n].z();
   }

@@ -39,8 +39,7 @@ RigidPose floating_pose(const RigidBodyState& s, const Vec3& centre) {
 }
 
 RigidBodyState floating_state(const Kinematics& at, int node) {
-  const size_t n = static_cast<size_t>(node);
-  return {at.x[n], at.q[n], at.v[n], at.a[n], at.w[n], at.alpha[n]};
+  return {at.x[node], at.q[node], at.v[node], at.a[node], at.w[node], at.alpha[node]};
 }
 
 namespace {
@@ -50,7 +49,7 @@ namespace {
 constexpr double kDrift = 0.1;
 
 bool in_lines_or_links(const model::Case& c, int body) {
-  const std::string& name = c.bodies[static_cast<size_t>(body)].name;
+  const std::string& name = c.bodies[body].name;
   const auto at = [&](const model::End& e) { return e.kind == model::EndKind::body && e.body == name; };
   return std::any_of(c.lines.begin(), c.lines.end(),
                      [&](const model::Line& l) { return at(l.end_a) || at(l.end_b); }) ||
@@ -73,16 +72,16 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
 }  // namespace
 
 bool finds_rest(const model::Case& c, int body) {
-  return in_lines_or_links(c, body) || floats_at_rest(c, *c.bodies[static_cast<size_t>(body)].mass);
+  return in_lines_or_links(c, body) || floats_at_rest(c, *c.bodies[body].mass);
 }
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
     : bodies_(std::move(bodies)) {
   for (int n = 0; n < mesh.owned; ++n) {
-    const int global = mesh.global[static_cast<size_t>(n)];
-    const int body = mesh.mesh->nodes[static_cast<size_t>(global)].body;
+    const int global = mesh.global[n];
+    const int body = mesh.mesh->nodes[global].body;
     if (body < 0) continue;
-    const model::BodyMass& m = *c.bodies[static_cast<size_t>(body)].mass;
+    const model::BodyMass& m = *c.bodies[body].mass;
     Floating f;
     f.data.mass = m.mass;
     f.data.inertia = m.tensor();
@@ -91,7 +90,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     f.data.turning_stiffness = m.turning_stiffness, f.data.turning_damping = m.turning_damping;
     f.rests = finds_rest(c, body);
     f.centre = m.centre, f.body = body, f.node = n, f.global = global;
-    f.block = mesh.block[static_cast<size_t>(n)];
+    f.block = mesh.block[n];
     list_.push_back(f);
   }
 }
@@ -181,7 +180,7 @@ double RigidBodies::round_off(const Kinematics& at, double h) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
   for (const Floating& f : list_) {
-    const size_t n = static_cast<size_t>(f.node);
+    const size_t n = f.node;
     sum += std::pow(4 * eps * f.data.stiffness.maxCoeff() * at.x[n].norm(), 2);
     sum += std::pow(4 * eps * f.data.turning_stiffness.maxCoeff(), 2);
     if (!(h > 0)) continue;

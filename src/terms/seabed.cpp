@@ -10,7 +10,7 @@ namespace hawser {
 
 Vec3 SeabedTerm::tangent(const Point& p, const Kinematics& at) const {
   if (p.second < 0) return line_.tangent(at, p.node);
-  const Vec3 chord = at.x[static_cast<size_t>(p.second)] - at.x[static_cast<size_t>(p.node)];
+  const Vec3 chord = at.x[p.second] - at.x[p.node];
   const double length = chord.norm();
   return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
 }
@@ -25,7 +25,7 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   trial.gap = smoothing + beyond;
   Seen& seen = seen_[place(p)];
   if (seen.clear - (1 + 1e-9) * (x - seen.centre).norm() > beyond) return false;
-  const double look = std::max(2 * beyond, 0.5 * element_[static_cast<size_t>(p.node)]);
+  const double look = std::max(2 * beyond, 0.5 * element_[p.node]);
   const auto s = surface_->query(x, contact_distance(p) + look, seen.hint);
   seen.centre = x;
   if (!s) {
@@ -81,9 +81,7 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
       const Vec3 x = of_nodes(p, committed.x);
       ContactTrial at;
       // So far that what it lands from in this step is known.
-      locate(p, x,
-             std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[static_cast<size_t>(p.node)]),
-             at);
+      locate(p, x, std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[p.node]), at);
       start.point = x;
       start.gap = at.gap;
       start.slip = history(p).slip;
@@ -101,7 +99,7 @@ void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const 
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 6, 6>;
   const int n = p.second < 0 ? 1 : 2;
   int blocks[2];
-  for (int i = 0; i < n; ++i) blocks[i] = mesh_.block[static_cast<size_t>(i ? p.second : p.node)];
+  for (int i = 0; i < n; ++i) blocks[i] = mesh_.block[i ? p.second : p.node];
   const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6> f = (residual / n).replicate(n, 1);
   RowMajor k, c;
   if (K) k = (*K / (n * n)).replicate(n, n);

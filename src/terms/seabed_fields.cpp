@@ -12,8 +12,7 @@ void SeabedTerm::fields(FieldRegistry& registry) const {
                      [this](const Kinematics&, const ShowPoint& show) {
                        for (const Point& p : points_)
                          for (const int node : {p.node, p.second})
-                           if (node >= 0 && node < mesh_.owned)
-                             show(node, share(p, node), Mat3::Identity(), history(p));
+                           if (mesh_.owns(node)) show(node, share(p, node), Mat3::Identity(), history(p));
                      });
 }
 

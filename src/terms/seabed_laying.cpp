@@ -3,14 +3,14 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/terms/seabed.hpp"
 
 namespace hawser {
 
 size_t SeabedTerm::number(const Point& p) const {
-  if (p.second < 0) return static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)]);
-  return mesh_.mesh->nodes.size() +
-         static_cast<size_t>(mesh_.elements[static_cast<size_t>(p.element)].global);
+  if (p.second < 0) return static_cast<size_t>(mesh_.global[p.node]);
+  return mesh_.mesh->nodes.size() + static_cast<size_t>(mesh_.elements[p.element].global);
 }
 
 // 32 bytes a node, a few times in a run.
@@ -18,13 +18,11 @@ SeabedTerm::Lying SeabedTerm::lying(MPI_Comm comm, const Kinematics& at) const {
   const size_t n = mesh_.mesh->nodes.size();
   Lying all{std::vector<double>(3 * n, 0), std::vector<double>(n, -1)};
   for (int i = 0; i < mesh_.owned; ++i)
-    for (int c = 0; c < 3; ++c)
-      all.x[static_cast<size_t>(3 * mesh_.global[static_cast<size_t>(i)] + c)] =
-          at.x[static_cast<size_t>(i)][c];
+    for (int c = 0; c < 3; ++c) all.x[3 * mesh_.global[i] + c] = at.x[i][c];
   for (const Point& p : points_)
     if (p.second < 0) all.contact_distance[number(p)] = contact_distance(p);
-  MPI_Allreduce(MPI_IN_PLACE, all.x.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
-  MPI_Allreduce(MPI_IN_PLACE, all.contact_distance.data(), static_cast<int>(n), MPI_DOUBLE, MPI_MAX, comm);
+  all_reduce(comm, MPI_SUM, all.x);
+  all_reduce(comm, MPI_MAX, all.contact_distance);
   return all;
 }
 
@@ -37,7 +35,7 @@ void SeabedTerm::lay_at_start(MPI_Comm comm, const Kinematics& start, const std:
     const LineSpan& line = mesh.lines[l];
     bool lies = true;
     for (int i = line.first_node; lies && i < line.first_node + line.nodes; ++i) {
-      const double most = near[l] + std::max(0.0, all.contact_distance[static_cast<size_t>(i)]);
+      const double most = near[l] + std::max(0.0, all.contact_distance[i]);
       lies = gap(all.place(i), most) < most;
     }
     laid_at_start_[l] = lies;
@@ -45,10 +43,10 @@ void SeabedTerm::lay_at_start(MPI_Comm comm, const Kinematics& start, const std:
   origins_.assign(points_.size(), std::nullopt);
   for (const Point& p : points_) {
     const Vec3 here = of_nodes(p, start.x);
-    const Node& node = mesh.nodes[static_cast<size_t>(mesh_.global[static_cast<size_t>(p.node)])];
-    if (node.body >= 0 || !laid_at_start_[static_cast<size_t>(node.line)]) continue;
+    const Node& node = mesh.nodes[mesh_.global[p.node]];
+    if (node.body >= 0 || !laid_at_start_[node.line]) continue;
     ContactTrial seen;
-    locate(p, here, near[static_cast<size_t>(node.line)], seen);
+    locate(p, here, near[node.line], seen);
     origins_[place(p)] = Origin{here, seen.normal};
   }
 }
@@ -57,8 +55,7 @@ SeabedTerm::Full SeabedTerm::full(MPI_Comm comm, const Kinematics& at,
                                   const std::vector<double>& tension) const {
   const size_t nodes = mesh_.mesh->nodes.size(), n = nodes + mesh_.mesh->elements.size();
   std::vector<double> all(3 * n, 0);
-  for (int i = 0; i < mesh_.owned; ++i)
-    all[static_cast<size_t>(mesh_.global[static_cast<size_t>(i)])] = tension[static_cast<size_t>(i)];
+  for (int i = 0; i < mesh_.owned; ++i) all[mesh_.global[i]] = tension[i];
   for (const Point& p : points_) {
     if (!p.counted) continue;
     ContactTrial trial;
@@ -67,10 +64,10 @@ SeabedTerm::Full SeabedTerm::full(MPI_Comm comm, const Kinematics& at,
     all[n + number(p)] = limit;
     all[2 * n + number(p)] = f.stiffness > 0 ? limit / f.stiffness : f.axial_length;
   }
-  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(3 * n), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, all);
   for (size_t e = 0; e < n - nodes; ++e) {
     const Element& g = mesh_.mesh->elements[e];
-    all[nodes + e] = 0.5 * (all[static_cast<size_t>(g.first)] + all[static_cast<size_t>(g.second)]);
+    all[nodes + e] = 0.5 * (all[g.first] + all[g.second]);
   }
   const auto part = [&](size_t k) {
     const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * n);
@@ -84,12 +81,12 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
   const Mesh& mesh = *mesh_.mesh;
   const Lying all = lying(comm, at);
   const auto rests = [&](int node) {
-    const double most = all.contact_distance[static_cast<size_t>(node)];
+    const double most = all.contact_distance[node];
     return most >= 0 && gap(all.place(node), most) < most;
   };
-  const auto lies = [&](int node) { return buried_[static_cast<size_t>(node)] || rests(node); };
+  const auto lies = [&](int node) { return buried_[node] || rests(node); };
   int everywhere = !tension.empty();  // a rank may own no node
-  MPI_Allreduce(MPI_IN_PLACE, &everywhere, 1, MPI_INT, MPI_MAX, comm);
+  all_reduce(comm, MPI_MAX, everywhere);
   const Full most = everywhere ? full(comm, at, tension) : Full{};
   std::vector<int> unsaid;
   // By number of a point: m, away from the end, signed from A to B.
@@ -99,7 +96,7 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
     const LineSpan& line = mesh.lines[l];
     int resting = 0, off = 0;
     for (int i = line.first_node; i < line.first_node + line.nodes; ++i)
-      (rests(i) ? resting : off) += all.contact_distance[static_cast<size_t>(i)] >= 0;
+      (rests(i) ? resting : off) += all.contact_distance[i] >= 0;
     if (resting > 0 && off == 0) {
       unsaid.push_back(static_cast<int>(l));
       continue;
@@ -107,7 +104,7 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
     for (const bool from_a : {true, false}) {
       const int first = from_a ? line.first_node : line.first_node + line.nodes - 1, way = from_a ? 1 : -1;
       if (!std::binary_search(held.begin(), held.end(), first)) continue;
-      const double near = 2 * std::abs(all.contact_distance[static_cast<size_t>(first + way)]);
+      const double near = 2 * std::abs(all.contact_distance[first + way]);
       if (gap(all.place(first), near) > near) continue;
       double sum = 0;
       int node = first;
@@ -117,7 +114,7 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
       };
       for (int i = 1; i < line.nodes; ++i) {
         const int to = first + i * way;
-        const size_t element = static_cast<size_t>(line.first_element + (from_a ? i - 1 : line.elements - i));
+        const size_t element = line.first_element + (from_a ? i - 1 : line.elements - i);
         // Laid without tension, as warm as it is.
         const Element& g = mesh.elements[element];
         const double natural = (1 + g.free_strain) * g.length;

@@ -3,9 +3,7 @@
 // Both ranks of a shared element need the history of the point half way along it, and a rank gets the records
 // of its own nodes only: so it is kept twice, at either node. Keys: 0 for a node, 1 for the element behind
 // it, 2 for the one before it.
-#include <algorithm>
 #include <map>
-#include <stdexcept>
 
 #include "hawser/terms/seabed.hpp"
 
@@ -21,8 +19,8 @@ std::vector<HistoryRecord> SeabedTerm::save() const {
     HistoryRecord r;
     put(h, r.values);
     for (const int node : {p.node, p.second}) {
-      if (node < 0 || node >= mesh_.owned) continue;
-      r.node = mesh_.global[static_cast<size_t>(node)];
+      if (!mesh_.owns(node)) continue;
+      r.node = mesh_.global[node];
       r.key = p.second < 0 ? 0 : node == p.node ? 1 : 2;
       records.push_back(r);
     }
@@ -35,7 +33,7 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
   for (size_t i = 0; i < points_.size(); ++i) {
     const Point& p = points_[i];
     histories_[i] = {};
-    const auto global = [this](int node) { return mesh_.global[static_cast<size_t>(node)]; };
+    const auto global = [this](int node) { return mesh_.global[node]; };
     at[{global(p.node), p.second < 0 ? 0 : 1}] = i;
     if (p.second >= 0) at[{global(p.second), 2}] = i;
   }

@@ -21,13 +21,13 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws)
     : mesh_(mesh), surface_(std::move(surface)), buried_(mesh.mesh->nodes.size(), false), line_(mesh) {
   if (surface_) bounds_ = surface_->bounds();
-  element_.assign(static_cast<size_t>(mesh.nodes()), 0);
+  element_.assign(mesh.nodes(), 0);
   for (const LocalElement& e : mesh.elements)
     for (const int n : {e.first, e.second}) {
-      double& longest = element_[static_cast<size_t>(n)];
-      longest = std::max(longest, mesh.mesh->elements[static_cast<size_t>(e.global)].length);
+      double& longest = element_[n];
+      longest = std::max(longest, mesh.mesh->elements[e.global].length);
     }
-  const size_t owned = static_cast<size_t>(mesh.owned), elements = mesh.elements.size();
+  const size_t owned = mesh.owned, elements = mesh.elements.size();
   if (laws.nodes.size() != owned) throw std::invalid_argument("the seabed needs a law for each owned node");
   if (!laws.middles.empty() && laws.middles.size() != elements)
     throw std::invalid_argument("the seabed needs a law for each element, or none");
@@ -83,10 +83,10 @@ SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
 
 // Whether a node is in the soil, and not where the line comes out of it.
 bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
-  const Node& n = mesh.nodes[static_cast<size_t>(node)];
+  const Node& n = mesh.nodes[node];
   if (n.body >= 0) return false;
-  const double length = mesh.lines[static_cast<size_t>(n.line)].length, near = 1e-9 * length;
-  const auto& stretches = c.lines[static_cast<size_t>(n.line)].buried;
+  const double length = mesh.lines[n.line].length, near = 1e-9 * length;
+  const auto& stretches = c.lines[n.line].buried;
   return std::any_of(stretches.begin(), stretches.end(), [&](const model::Buried& b) {
     return (b.from <= near || n.arc > b.from + near) && (b.to >= length - near || n.arc < b.to - near);
   });
@@ -100,23 +100,23 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
   std::vector<Share> nodes(static_cast<size_t>(mesh.owned)), middles(mesh.elements.size());
   for (size_t i = 0; i < mesh.elements.size(); ++i) {
     const LocalElement& e = mesh.elements[i];
-    const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
-    const model::LineType& t = c.line_types[static_cast<size_t>(g.type)];
+    const Element& g = mesh.mesh->elements[e.global];
+    const model::LineType& t = c.line_types[g.type];
     const double A = M_PI / 4 * t.displaced() * t.displaced();
     const double w = c.environment.gravity * (t.mass_per_length - (water.present ? water.density * A : 0));
-    const model::Line& line = c.lines[static_cast<size_t>(g.line)];
-    const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc, half = 0.5 * g.length;
+    const model::Line& line = c.lines[g.line];
+    const double from = mesh.mesh->nodes[g.first].arc, half = 0.5 * g.length;
     const auto bare = [&](double a, double l) { return l - buried_length(line, a, a + l); };
     const bool cut = in_soil(*mesh.mesh, c, g.first) || in_soil(*mesh.mesh, c, g.second);
     for (const int node : {e.first, e.second}) {
-      if (node >= mesh.owned || in_soil(*mesh.mesh, c, mesh.global[static_cast<size_t>(node)])) continue;
+      if (node >= mesh.owned || in_soil(*mesh.mesh, c, mesh.global[node])) continue;
       const double start = from + (node == e.first ? 0 : half), part = bare(start, half);
-      if (part > 0) nodes[static_cast<size_t>(node)].add(t, g.beam || cut ? part : part / 3, w);
+      if (part > 0) nodes[node].add(t, g.beam || cut ? part : part / 3, w);
     }
     if (!g.beam && !cut) middles[i].add(t, g.length / 1.5, w);
   }
   for (const int node : held)
-    if (node < mesh.owned) nodes[static_cast<size_t>(node)].radius = -1;
+    if (node < mesh.owned) nodes[node].radius = -1;
   SeabedTerm::PointLaws laws;
   for (const Share& s : nodes) laws.nodes.push_back(law_of(s, c.environment.seabed));
   for (const Share& s : middles) laws.middles.push_back(law_of(s, c.environment.seabed));

@@ -19,7 +19,7 @@ void join(std::vector<Inside>& intervals, const Mesh& mesh) {
   });
   std::vector<Inside> out;
   for (const Inside& s : intervals) {
-    const double rounding = 1e-9 * mesh.lines[static_cast<size_t>(s.line)].length;
+    const double rounding = 1e-9 * mesh.lines[s.line].length;
     if (out.empty() || out.back().line != s.line || out.back().volume != s.volume ||
         s.from > out.back().to + rounding) {
       out.push_back(s);
@@ -64,7 +64,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
         const Vec3 slope = shape.slope(xi);
         return p && slope.norm() > 0 ? std::abs((pose.rotation * p->normal).dot(slope)) / slope.norm() : 1;
       };
-      const LineSpan& span = mesh.mesh->lines[static_cast<size_t>(g.line)];
+      const LineSpan& span = mesh.mesh->lines[g.line];
       const int mouth = feeders ? feeders->fed_end(e.global) : -1;
       const auto is_end = [&](int end) {
         return mouth == end ||
@@ -111,7 +111,7 @@ std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, cons
     for (int n = 0; n < mesh.owned; ++n) {
       const Node& node = mesh.node(n);
       if (node.body >= 0) continue;
-      const Vec3 x = at.x[static_cast<size_t>(n)];
+      const Vec3 x = at.x[n];
       const std::optional<Vec3> there = looked_for(node, v, x);
       if (!there) continue;
       const Vec3 from = pose.to_body(x), to = pose.to_body(*there);

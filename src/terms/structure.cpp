@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
-  const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
+  const size_t i = b.at.first, j = b.at.second;
   BeamEnds e;
   e.x1 = k.x[i], e.x2 = k.x[j], e.q1 = k.q[i], e.q2 = k.q[j];
   if (b.section.beta > 0) e.v1 = k.v[i], e.v2 = k.v[j], e.w1 = k.w[i], e.w2 = k.w[j];
@@ -24,7 +24,7 @@ BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
 }
 
 CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k) {
-  const size_t i = static_cast<size_t>(c.at.first), j = static_cast<size_t>(c.at.second);
+  const size_t i = c.at.first, j = c.at.second;
   return {k.x[i], k.x[j], k.v[i], k.v[j]};
 }
 
@@ -39,7 +39,7 @@ CableStart started(const StructureTerm::Cable& c, double step, double last) {
 
 StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables)
     : mesh_(mesh), beams_(std::move(beams)), cables_(std::move(cables)) {
-  auto block = [&](int node) { return mesh_.block[static_cast<size_t>(node)]; };
+  auto block = [&](int node) { return mesh_.block[node]; };
   for (Beam& b : beams_) {
     const int p = block(b.at.first), q = block(b.at.second);
     b.blocks[0] = p, b.blocks[1] = p + 1, b.blocks[2] = q, b.blocks[3] = q + 1;
@@ -64,9 +64,8 @@ namespace {
 std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<StructureTerm::Beam> out;
   out.reserve(
-      static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const auto& e) {
-        return mesh.mesh->elements[static_cast<size_t>(e.global)].beam;
-      })));
+      static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                                        [&](const auto& e) { return mesh.mesh->elements[e.global].beam; })));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     if (!g.beam) continue;
@@ -79,9 +78,8 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
 std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::Case& c) {
   std::vector<StructureTerm::Cable> out;
   out.reserve(
-      static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(), [&](const auto& e) {
-        return !mesh.mesh->elements[static_cast<size_t>(e.global)].beam;
-      })));
+      static_cast<size_t>(std::count_if(mesh.elements.begin(), mesh.elements.end(),
+                                        [&](const auto& e) { return !mesh.mesh->elements[e.global].beam; })));
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
     if (!g.beam) out.push_back({e, {}, cable_section(c, g)});
@@ -93,8 +91,7 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
 
 StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
-  for (const Element& e : mesh.mesh->elements)
-    yields_ |= c.line_types[static_cast<size_t>(e.type)].plastic_bending != nullptr;
+  for (const Element& e : mesh.mesh->elements) yields_ |= c.line_types[e.type].plastic_bending != nullptr;
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
@@ -141,8 +138,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 
 // Distance of the ends from the origin, by component, the larger of both.
 Vec3 far(const Kinematics& at, const LocalElement& e) {
-  return at.x[static_cast<size_t>(e.first)].cwiseAbs().cwiseMax(
-      at.x[static_cast<size_t>(e.second)].cwiseAbs());
+  return at.x[e.first].cwiseAbs().cwiseMax(at.x[e.second].cwiseAbs());
 }
 
 // N, in the tension: a strain is a difference of positions, each known to eps |x|, and in a step h a rate of
@@ -153,7 +149,7 @@ double pull_round_off(const Kinematics& at, const auto& e, double h = 0) {
 }
 
 double chord_strain(const Kinematics& at, const auto& e, double free_strain) {
-  const Vec3 d = at.x[static_cast<size_t>(e.at.second)] - at.x[static_cast<size_t>(e.at.first)];
+  const Vec3 d = at.x[e.at.second] - at.x[e.at.first];
   return d.norm() / e.section.length - 1 - free_strain;
 }
 
@@ -171,8 +167,7 @@ double StructureTerm::round_off(const Kinematics& at, double h) const {
     // A curvature is a difference of the nodes' directions, known to a few eps, and the chord's, which has
     // the noise of positions across it over its length. As a force that makes the moment over the element.
     const BeamSection& s = b.section;
-    const Vec3 t =
-        (at.x[static_cast<size_t>(b.at.second)] - at.x[static_cast<size_t>(b.at.first)]).normalized();
+    const Vec3 t = (at.x[b.at.second] - at.x[b.at.first]).normalized();
     const double across = (far(at, b.at).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
     const double bend = std::max(s.EI2, s.EI3), turn = 4 * std::max(bend, s.GJ);
     sum += std::pow(eps * (bend * across / s.length + turn) / (s.length * s.length), 2);
@@ -192,7 +187,7 @@ Overstretch StructureTerm::overstretched(const Kinematics& at) const {
                                    : (table ? std::min(table->first(), 0.0) : 0) - kBeyond;
     const double beyond = std::abs(strain) - std::abs(most);
     if (!(beyond > worst.beyond)) return;
-    const int node = mesh_.global[static_cast<size_t>(e.at.first)];
+    const int node = mesh_.global[e.at.first];
     worst = {beyond,      node, strain, most, table ? table->at(strain).force : e.section.EA * strain,
              e.section.EA};
   };
@@ -205,8 +200,8 @@ Overstretch StructureTerm::overstretched(const Kinematics& at) const {
 
 void StructureTerm::tensions(const Kinematics& at, std::span<LineTension> lines) const {
   const auto look = [&](const auto& e, double tension) {
-    const Element& g = mesh_.mesh->elements[static_cast<size_t>(e.at.global)];
-    LineTension& line = lines[static_cast<size_t>(g.line)];
+    const Element& g = mesh_.mesh->elements[e.at.global];
+    LineTension& line = lines[g.line];
     line.tension = std::max(line.tension, std::abs(tension));
     line.round_off = std::max(line.round_off, pull_round_off(at, e));
     line.EA = std::max(line.EA, e.section.EA);
@@ -220,8 +215,7 @@ std::vector<double> StructureTerm::slack(const Kinematics& at) const {
   std::vector<double> lines(mesh_.mesh->lines.size());
   for (const Cable& c : cables_)
     if (c.at.counted && cable_stress(c.section, ends(c, at)).tension == 0)
-      lines[static_cast<size_t>(mesh_.mesh->elements[static_cast<size_t>(c.at.global)].line)] +=
-          c.section.length;
+      lines[mesh_.mesh->elements[c.at.global].line] += c.section.length;
   return lines;
 }
 
@@ -355,7 +349,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
       std::vector<double> weights(static_cast<size_t>(mesh_.owned), 0);
       auto put = [&](int node, double value, double length) {
         if (node >= mesh_.owned) return;
-        const size_t n = static_cast<size_t>(node);
+        const size_t n = node;
         if (mesh_.node(n).two_sided) {
           if (std::abs(value) > std::abs(out[n])) out[n] = value;
           return;

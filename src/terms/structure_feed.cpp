@@ -1,8 +1,8 @@
 // The part of the class StructureTerm that a feeder has to do with: unstretched lengths at its mouth, and
 // what sections that yield remember on their way through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
-#include <cmath>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/kernels/carried_bends.hpp"
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/structure.hpp"
@@ -19,7 +19,7 @@ std::vector<double> turned(const double* values, size_t n, bool at_b) {
 }
 
 BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
-  const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
+  const size_t i = b.at.first, j = b.at.second;
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
 
@@ -69,19 +69,18 @@ void StructureTerm::see_feeders(const Kinematics& at, bool accepted) {
 
 // Of the material at that label, which is inside.
 std::vector<double> StructureTerm::entering(int feeder, double label) const {
-  const size_t k = static_cast<size_t>(feeder);
   std::vector<double> out;
-  for (const RememberedCell& c : inside(*feeders_, feeders_->list()[k], fed_[k].inside))
+  for (const RememberedCell& c : inside(*feeders_, feeders_->list()[feeder], fed_[feeder].inside))
     if (out.empty() || c.from <= label)
-      out.assign(c.values, c.values + fed_[k].inside.size() / (2 * kBendingPlaces));
+      out.assign(c.values, c.values + fed_[feeder].inside.size() / (2 * kBendingPlaces));
   return out;
 }
 
 // What the element at the mouth, of a length `from` at the start of the step, remembers at the length `to`.
 void StructureTerm::carry_bends(Beam& b, int feeder, double from, double to) {
   if (from == to) return;
-  const Feeder& f = feeders_->list()[static_cast<size_t>(feeder)];
-  FedBends& fed = fed_[static_cast<size_t>(feeder)];
+  const Feeder& f = feeders_->list()[feeder];
+  FedBends& fed = fed_[feeder];
   const size_t n = b.section.plastic->memory();
   const std::vector<double> values = turned(set_.data() + b.memory, n, f.at_b);
   std::vector<RememberedCell> cells;
@@ -97,10 +96,10 @@ void StructureTerm::carry_bends(Beam& b, int feeder, double from, double to) {
 // Material that goes into the feeder is held straight there. A cell inside has what was in its middle.
 void StructureTerm::keep_hauled_in(const Beam& b, int feeder, double from, double to) {
   if (!(to < from)) return;
-  const Feeder& f = feeders_->list()[static_cast<size_t>(feeder)];
+  const Feeder& f = feeders_->list()[feeder];
   const size_t n = b.section.plastic->memory();
   const std::vector<double> values = turned(set_.data() + b.memory, n, f.at_b);
-  std::vector<double>& kept = fed_[static_cast<size_t>(feeder)].inside;
+  std::vector<double>& kept = fed_[feeder].inside;
   for (const RememberedCell& c : inside(*feeders_, f, kept)) {
     const double middle = 0.5 * (c.from + c.to);
     if (middle > from || middle <= to) continue;
@@ -120,7 +119,7 @@ double StructureTerm::fed_work(const Kinematics& at) const {
     if (!b.section.plastic || !b.at.counted || before.x.size() != at.x.size()) continue;
     const auto rest = feeders_->rest(b.at.global, at, true);
     if (!rest || rest->feeder < 0 || rest->length == rest->before) continue;
-    const bool at_b = feeders_->list()[static_cast<size_t>(rest->feeder)].at_b;
+    const bool at_b = feeders_->list()[rest->feeder].at_b;
     const double grown = rest->length - rest->before;
     const std::vector<double> in = entering(rest->feeder, rest->before + 0.5 * grown);
     const double* enters = grown > 0 ? in.data() : nullptr;
@@ -136,7 +135,7 @@ double StructureTerm::fed_work(const Kinematics& at) const {
 
 void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
   if (!yields_) return;
-  const size_t k = static_cast<size_t>(&f - feeders_->list().data());
+  const size_t k = &f - feeders_->list().data();
   const size_t n = fed_.empty() ? 0 : fed_[k].inside.size() / (2 * kBendingPlaces);
   if (n == 0) return;
   const size_t size = kBendingPlaces * n;
@@ -157,7 +156,7 @@ void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
       std::copy(values.begin(), values.end(), part(i));
       if (i == 0) std::copy(fed_[k].inside.begin(), fed_[k].inside.end(), part(3));
     }
-  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, all);
   const auto keep = [&](int element, const std::vector<double>& values) {
     Beam* b = beam(element);
     if (!b) return;

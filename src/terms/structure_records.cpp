@@ -1,7 +1,6 @@
 // What StructureTerm remembers, for checkpoints: sums of dissipation, stretches of cables, bends of beams
 // that yield, and what is inside feeders.
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "hawser/terms/feeders.hpp"
@@ -55,20 +54,18 @@ std::vector<HistoryRecord> StructureTerm::save() const {
   for (const Cable& c : cables_)
     for (const int n : {c.at.first, c.at.second})
       if (n < mesh_.owned && c.start.stretch != 0)
-        out.push_back(record_of(mesh_.global[static_cast<size_t>(n)], c.at.global, Stretched{c.start.stretch},
-                                kStretched));
+        out.push_back(record_of(mesh_.global[n], c.at.global, Stretched{c.start.stretch}, kStretched));
   for (const Beam& b : beams_)
     for (const int n : {b.at.first, b.at.second}) {
       if (!b.reference.set || n >= mesh_.owned) continue;
-      HistoryRecord& r =
-          out.emplace_back(HistoryRecord{mesh_.global[static_cast<size_t>(n)], b.at.global, {}, kBent});
+      HistoryRecord& r = out.emplace_back(HistoryRecord{mesh_.global[n], b.at.global, {}, kBent});
       r.values.assign(set_.data() + b.memory, set_.data() + b.memory + b.remembered());
     }
   for (size_t k = 0; k < fed_.size(); ++k) {
     if (fed_[k].inside.empty()) continue;
     const Feeder& f = feeders_->list()[k];
     for (const int i : {f.mouth, f.mouth + 1})
-      if (const int n = mesh_.find(feeders_->node(f, i)); n >= 0 && n < mesh_.owned)
+      if (const int n = mesh_.find(feeders_->node(f, i)); mesh_.owns(n))
         out.push_back({feeders_->node(f, i), static_cast<int>(k), fed_[k].inside, kInside});
   }
   return out;
@@ -86,8 +83,7 @@ void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
       stretch[r.key] = entry<Stretched>(r).stretch;
     } else if (r.kind == kBent) {
       bent[r.key] = &r.values;
-    } else if (const size_t k = static_cast<size_t>(r.key);
-               k < fed_.size() && fed_[k].inside.size() == r.values.size()) {
+    } else if (const size_t k = r.key; k < fed_.size() && fed_[k].inside.size() == r.values.size()) {
       fed_[k].inside = r.values;
     }
   }

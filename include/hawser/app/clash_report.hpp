@@ -38,10 +38,11 @@ class ClashReport {
 
  private:
   void collect();
+  std::vector<double> of_all(const std::vector<double>& mine) const;
 
   MPI_Comm comm_;
   Simulation& sim_;
-  int rank_ = 0;
+  int rank_;
   ClashSettings settings_;
   std::vector<int> volumes_;   // of the case: those of the contact of lines with volumes
   std::vector<double> steps_;  // since the last collect(): time, number of touches, touches

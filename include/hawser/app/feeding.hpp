@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "hawser/app/simulation.hpp"
 #include "hawser/io/checkpoint.hpp"

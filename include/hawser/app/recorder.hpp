@@ -2,7 +2,6 @@
 // extremes over the run.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <string>
 #include <vector>

@@ -5,7 +5,6 @@
 #include <mpi.h>
 
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -2,19 +2,29 @@
 // cannot be written: io/write_error.hpp. Energy that does not add up: app/audit.hpp.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <stdexcept>
-#include <string>
+#include <utility>
 
 namespace hawser {
 
-// The user's input is wrong; what() is one sentence with file, line and key. Exit code 2.
-struct InputError : std::runtime_error {
+// One sentence, as it is or with what fmt::format puts into it.
+struct Sentence : std::runtime_error {
   using std::runtime_error::runtime_error;
+  template <class First, class... More>
+  Sentence(fmt::format_string<First, More...> text, First&& first, More&&... more)
+      : runtime_error(fmt::format(text, std::forward<First>(first), std::forward<More>(more)...)) {}
+};
+
+// The user's input is wrong; what() says file, line and key. Exit code 2.
+struct InputError : Sentence {
+  using Sentence::Sentence;
 };
 
 // The solver gave up; what() names line, arc length and cause. Exit code 3.
-struct SolveError : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct SolveError : Sentence {
+  using Sentence::Sentence;
 };
 
 inline constexpr int kExitWrite = 1;  // or an error of the program

@@ -5,23 +5,57 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace hawser {
 
+inline int rank_of(MPI_Comm comm) {
+  int rank = 0;
+  MPI_Comm_rank(comm, &rank);
+  return rank;
+}
+inline int ranks_of(MPI_Comm comm) {
+  int size = 1;
+  MPI_Comm_size(comm, &size);
+  return size;
+}
+
+template <class T>
+MPI_Datatype mpi_type() {
+  static_assert(std::is_same_v<T, double> || std::is_same_v<T, int> || std::is_same_v<T, long long>);
+  return std::is_same_v<T, double> ? MPI_DOUBLE : std::is_same_v<T, int> ? MPI_INT : MPI_LONG_LONG;
+}
+
+// Puts together what the ranks have by MPI_SUM, MPI_MAX or MPI_MIN, in place: a number, or each of an array.
+// Collective.
+template <class T>
+T& all_reduce(MPI_Comm comm, MPI_Op op, T& of) {
+  if constexpr (std::is_arithmetic_v<T>) {
+    MPI_Allreduce(MPI_IN_PLACE, &of, 1, mpi_type<T>(), op, comm);
+  } else {
+    const MPI_Datatype type = mpi_type<std::remove_reference_t<decltype(*std::data(of))>>();
+    MPI_Allreduce(MPI_IN_PLACE, std::data(of), static_cast<int>(std::size(of)), type, op, comm);
+  }
+  return of;
+}
+
+// Whether it is so on any rank. Collective.
+inline bool on_any_rank(MPI_Comm comm, bool here) {
+  int yes = here;
+  return all_reduce(comm, MPI_MAX, yes) != 0;
+}
+
 // The text of the first rank that has one; empty: none has. Collective.
 inline std::string first_text(MPI_Comm comm, std::string mine) {
-  int rank = 0, size = 0;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &size);
-  int first = mine.empty() ? size : rank;
-  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm);
-  if (first == size) return {};
+  int first = mine.empty() ? ranks_of(comm) : rank_of(comm);
+  if (all_reduce(comm, MPI_MIN, first) == ranks_of(comm)) return {};
   int length = static_cast<int>(mine.size());
   MPI_Bcast(&length, 1, MPI_INT, first, comm);
-  mine.resize(static_cast<std::size_t>(length));
+  mine.resize(length);
   MPI_Bcast(mine.data(), length, MPI_CHAR, first, comm);
   return mine;
 }
@@ -33,8 +67,7 @@ bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
   struct {
     double value;
     int rank;
-  } largest{value, 0};
-  MPI_Comm_rank(comm, &largest.rank);
+  } largest{value, rank_of(comm)};
   MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE_INT, MPI_MAXLOC, comm);
   if (!(largest.value > least)) return false;
   MPI_Bcast(&of, sizeof of, MPI_BYTE, largest.rank, comm);
@@ -48,8 +81,7 @@ inline void smallest_of_ranks(MPI_Comm comm, std::vector<double>& values, std::v
     double value;
     int rank;
   };
-  int rank = 0;
-  MPI_Comm_rank(comm, &rank);
+  const int rank = rank_of(comm);
   std::vector<Ranked> least;
   for (const double v : values) least.push_back({v, rank});
   MPI_Allreduce(MPI_IN_PLACE, least.data(), static_cast<int>(least.size()), MPI_DOUBLE_INT, MPI_MINLOC, comm);
@@ -59,7 +91,7 @@ inline void smallest_of_ranks(MPI_Comm comm, std::vector<double>& values, std::v
     if (least[i].rank != rank)
       std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(i * each), each, 0.0);
   }
-  MPI_Allreduce(MPI_IN_PLACE, numbers.data(), static_cast<int>(numbers.size()), MPI_DOUBLE, MPI_SUM, comm);
+  all_reduce(comm, MPI_SUM, numbers);
 }
 
 class GatherPlan {
@@ -68,7 +100,7 @@ class GatherPlan {
   GatherPlan(MPI_Comm comm, int mine) : comm_(comm), mine_(mine) {
     int size = 1;
     MPI_Comm_size(comm, &size);
-    count_.resize(static_cast<std::size_t>(size)), start_.resize(static_cast<std::size_t>(size) + 1, 0);
+    count_.resize(size), start_.resize(size + 1, 0);
     MPI_Allgather(&mine, 1, MPI_INT, count_.data(), 1, MPI_INT, comm);
     std::inclusive_scan(count_.begin(), count_.end(), start_.begin() + 1);
   }
@@ -78,16 +110,14 @@ class GatherPlan {
   const std::vector<int>& starts() const { return start_; }
 
   // mine: as many as promised; out gets all(), rank by rank. Collective.
-  void gather(const double* mine, std::vector<double>& out) const { gather(mine, MPI_DOUBLE, out); }
-  void gather(const int* mine, std::vector<int>& out) const { gather(mine, MPI_INT, out); }
-
- private:
   template <class T>
-  void gather(const T* mine, MPI_Datatype type, std::vector<T>& out) const {
+  void gather(const T* mine, std::vector<T>& out) const {
+    const MPI_Datatype type = mpi_type<T>();
     out.resize(all());
     MPI_Allgatherv(mine, mine_, type, out.data(), count_.data(), start_.data(), type, comm_);
   }
 
+ private:
   MPI_Comm comm_ = MPI_COMM_NULL;
   int mine_ = 0;
   std::vector<int> count_, start_;

@@ -54,7 +54,7 @@ class Host {
     int unit = 1;
     MPI_Win_shared_query(window->win, 0, &room, &unit, &at);
     // Pages begin at the same place on all ranks, so that this is the same byte.
-    std::size_t space = static_cast<std::size_t>(room);
+    std::size_t space = room;
     auto* block = static_cast<std::byte*>(std::align(kLine, bytes, at, space));
     if (leads()) fill(block);
     MPI_Win_fence(0, window->win);

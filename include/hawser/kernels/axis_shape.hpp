@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <array>
 
-#include "hawser/kernels/attached.hpp"
 #include "hawser/kernels/bezier_axis.hpp"
+#include "hawser/kernels/stencil.hpp"
 
 namespace hawser {
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "hawser/kernels/monotone_cubic.hpp"
 

@@ -2,7 +2,6 @@
 // turns into vector instructions: a sea has hundreds of components, and every node asks in every step.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <vector>
 

@@ -30,15 +30,14 @@ struct LocalMesh {
   std::vector<int> first_block;        // of every node of the mesh, in the parallel numbering
 
   int nodes() const { return static_cast<int>(global.size()); }
+  bool owns(int local) const { return local >= 0 && local < owned; }
   int blocks() const { return static_cast<int>(global_block.size()); }
   // What a local node and a local element are in the whole mesh.
   template <class Index>
   const Node& node(Index local) const {
-    return mesh->nodes[static_cast<size_t>(global[static_cast<size_t>(local)])];
+    return mesh->nodes[global[local]];
   }
-  const Element& element(const LocalElement& e) const {
-    return mesh->elements[static_cast<size_t>(e.global)];
-  }
+  const Element& element(const LocalElement& e) const { return mesh->elements[e.global]; }
   bool rotates(int local) const { return node(local).rotates; }
   // Local node of the frame that a local node is tied to (Node::tied_to); -1: it is not tied.
   int frame_of(int local) const {

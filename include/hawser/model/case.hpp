@@ -2,8 +2,9 @@
 // Built by io::read_case, checked by model::check; nothing here knows PETSc, MPI or YAML.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -403,10 +404,15 @@ struct Case {
   const Joint& joint(const std::string& name) const;         // throws std::out_of_range
   // Whether lines do not touch this volume until an event switches that on.
   bool off_at_start(const Volume& volume) const;
-  bool rides(int body) const { return body >= 0 && bodies[static_cast<std::size_t>(body)].on.has_value(); }
+  bool rides(int body) const { return body >= 0 && bodies[body].on.has_value(); }
   // Throws InputError "file:line: key: why".
   [[noreturn]] void refuse(const std::string& key, const std::string& why) const;
-  bool floats(int body) const { return body >= 0 && bodies[static_cast<std::size_t>(body)].mass.has_value(); }
+  template <class First, class... More>
+  [[noreturn]] void refuse(const std::string& key, fmt::format_string<First, More...> why, First&& first,
+                           More&&... more) const {
+    refuse(key, fmt::format(why, std::forward<First>(first), std::forward<More>(more)...));
+  }
+  bool floats(int body) const { return body >= 0 && bodies[body].mass.has_value(); }
 };
 
 }  // namespace hawser::model

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/model/case.hpp"
@@ -16,19 +17,39 @@ struct Issue {
   std::string text;  // "is 90 m long but ..."
 };
 
+// Adds to a list what is found at or below a key.
+class Issues {
+ public:
+  explicit Issues(std::vector<Issue>& to, std::string under = {}) : to_(to), under_(std::move(under)) {}
+  std::size_t count() const { return to_.size(); }
+  Issues below(const std::string& key) const { return Issues(to_, at(key)); }
+  // With what fmt::format makes of the rest; key may be empty.
+  template <class... Args>
+  void operator()(const std::string& key, fmt::format_string<Args...> text, Args&&... args) const {
+    to_.push_back({at(key), fmt::format(text, std::forward<Args>(args)...)});
+  }
+
+ private:
+  std::string at(const std::string& key) const {
+    return under_ + (under_.empty() || key.empty() ? "" : ".") + key;
+  }
+  std::vector<Issue>& to_;
+  std::string under_;
+};
+
 // Everything found, lines first. An empty list: the case can be run.
 std::vector<Issue> check(const Case& c);
 // Its parts that are about one line by itself, about what feeds it at an end, and about contact.
-void check_line(const Case& c, const Line& line, std::vector<Issue>& issues);
-void check_feed(const Case& c, const Line& line, bool at_b, std::vector<Issue>& issues);
-void check_contact(const Case& c, std::vector<Issue>& issues);
-void check_events(const Case& c, std::vector<Issue>& issues);
-// What is wrong with a tension that a feeder keeps to and its dead band, by keys of `feed`.
-std::vector<Issue> law_issues(const Feed& feed);
+void check_line(const Case& c, const Line& line, const Issues& issue);
+void check_feed(const Case& c, const Line& line, bool at_b, const Issues& issue);
+void check_contact(const Case& c, const Issues& issue);
+void check_events(const Case& c, const Issues& issue);
+// A tension that a feeder keeps to and its dead band, by keys of `feed`.
+void check_law(const Feed& feed, const Issues& issue);
 // Its part that is about supports of laid lines.
-void check_supports(const Case& c, std::vector<Issue>& issues);
+void check_supports(const Case& c, const Issues& issue);
 // Its part that is about springs and dampers between two points.
-void check_links(const Case& c, std::vector<Issue>& issues);
+void check_links(const Case& c, const Issues& issue);
 // The end of the line that comes first on its way over these supports, its tensioner's: the held end that is
 // nearer to the first box; null: no end is held.
 const End* end_before(const Case& c, const Line& line, const SupportBox& first);

@@ -3,7 +3,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "hawser/math/types.hpp"
 #include "hawser/model/feed.hpp"

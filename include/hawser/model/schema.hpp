@@ -4,6 +4,8 @@
 // are written is in src/model/schema_build.hpp.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <functional>
 #include <limits>
 #include <optional>
@@ -11,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <typeinfo>
+#include <utility>
 #include <vector>
 
 #include "hawser/model/units.hpp"
@@ -31,6 +34,9 @@ struct Bounds {
 struct Group {
   std::vector<std::string> keys;
   std::vector<std::string> needed;  // those of them that must be there when the group is used
+
+  Group(const char* key) : keys{key}, needed{key} {}
+  Group(std::vector<std::string> k, std::vector<std::string> n) : keys(std::move(k)), needed(std::move(n)) {}
 };
 
 // A struct of the case (case.hpp) that keys fill.
@@ -85,16 +91,6 @@ struct Key {
   // The fields that it is for. None: the keys of a map are for the struct around it; what else has none is
   // read by hand (src/io/case_reader*.cpp).
   std::vector<Put> fields;
-
-  // Builders, to be chained.
-  Key&& is_required() &&;
-  Key&& or_else(std::string literal) &&;     // default, as written
-  Key&& or_else_note(std::string words) &&;  // default, in words
-  Key&& above(double x) &&;
-  Key&& at_least(double x) &&;
-  Key&& at_most(double x) &&;
-  Key&& items(std::size_t least, std::size_t most = 0) &&;
-  Key&& either(std::vector<Group> g, bool needed) &&;
 };
 
 // The whole case file: a map.
@@ -121,12 +117,28 @@ struct Refusal : std::runtime_error {
   int line;
   std::string where;  // dotted key
 };
-// Throws it: of this value, or of another key in its line.
+// Throws it: of this value, or of another key in its line. Here and below the text is as it is, or one that
+// fmt::format puts the rest into.
 [[noreturn]] void refuse(const Value& v, const std::string& text);
-[[noreturn]] void refuse(const Value& at, const std::string& where, const std::string& text);
+template <class First, class... More>
+[[noreturn]] void refuse(const Value& v, fmt::format_string<First, More...> text, First&& first,
+                         More&&... more) {
+  refuse(v, fmt::format(text, std::forward<First>(first), std::forward<More>(more)...));
+}
+[[noreturn]] void refuse_key(const Value& at, const std::string& key, const std::string& text);
+template <class First, class... More>
+[[noreturn]] void refuse_key(const Value& at, const std::string& key, fmt::format_string<First, More...> text,
+                             First&& first, More&&... more) {
+  refuse_key(at, key, fmt::format(text, std::forward<First>(first), std::forward<More>(more)...));
+}
 
 // Throws InputError with the sentence "file:line: key: text".
 [[noreturn]] void fail(const std::string& file, int line, const std::string& key, const std::string& text);
+template <class First, class... More>
+[[noreturn]] void fail(const std::string& file, int line, const std::string& key,
+                       fmt::format_string<First, More...> text, First&& first, More&&... more) {
+  fail(file, line, key, fmt::format(text, std::forward<First>(first), std::forward<More>(more)...));
+}
 
 // The key tables (Markdown) and the JSON Schema (draft 2020-12), which the build writes to build/docs.
 std::string schema_markdown();

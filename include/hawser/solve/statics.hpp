@@ -8,7 +8,6 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/state/state.hpp"

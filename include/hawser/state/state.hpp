@@ -19,7 +19,7 @@ struct State {
 
   explicit State(int nodes = 0) { resize(nodes); }
   void resize(int nodes) {
-    const size_t n = static_cast<size_t>(nodes);
+    const size_t n = nodes;
     for (auto* s : {&x, &v, &a, &w, &alpha}) s->assign(n, Vec3::Zero());
     q.assign(n, Quat::Identity());
     directors.clear();

@@ -54,7 +54,7 @@ class Assembler {
   // What follows, until it is off again, is for rows that other ranks own as well: they get it from here.
   void send(bool on) { sending_ = on; }
   // Whether the derivatives by a block belong to a frame as well, so that add_weighted() cannot take them.
-  bool tied(int block) const { return tie_of_ && (*tie_of_)[static_cast<size_t>(block)] >= 0; }
+  bool tied(int block) const { return tie_of_ && (*tie_of_)[block] >= 0; }
   void add_weighted(int a, int b, const double* f, const double* J);
 
  private:

@@ -2,7 +2,9 @@
 // term, for example in terms/structure.cpp); everything that shows fields goes by it.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace hawser {
 
@@ -35,6 +37,9 @@ struct Field {
   // breaking load").
   std::string meaning = {}, exceeded = {};
 };
+
+// The place of the field of that name; -1: there is none.
+int find_field(std::span<const Field> fields, std::string_view name);
 
 // As people read it: "bending moment".
 std::string label_of(const Field& field);

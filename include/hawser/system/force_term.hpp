@@ -3,8 +3,6 @@
 // inertia + internal - external, so an applied force F adds -F.
 #pragma once
 
-#include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 

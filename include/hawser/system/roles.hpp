@@ -4,7 +4,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "hawser/kernels/impact.hpp"
 #include "hawser/mesh/local_mesh.hpp"

@@ -32,13 +32,12 @@ class Bodies {
   bool floats(int body) const { return body >= 0 && frame(body) >= 0; }
   // Mesh node of a body that floats; its local node, or -1 where this rank does not see it.
   int frame(int body) const {
-    return static_cast<std::size_t>(body) < frames_.size() ? frames_[static_cast<std::size_t>(body)].node
-                                                           : -1;
+    return static_cast<std::size_t>(body) < frames_.size() ? frames_[body].node : -1;
   }
   int local_node(int body) const { return floats(body) ? mesh_->find(frame(body)) : -1; }
   // A point or a direction of the frame of a body that floats, as its node sees it: from there, in its axes.
   Vec3 in_node_axes(int body, const Vec3& y, bool direction) const {
-    const Frame& f = frames_[static_cast<size_t>(body)];
+    const Frame& f = frames_[body];
     return f.turn * (direction ? y : Vec3(y - f.centre));
   }
   // Brings to all ranks where those bodies are: what a rank knows of one whose node it does not see.
@@ -49,10 +48,8 @@ class Bodies {
   RigidPose pose(int body, const Kinematics& at) const;
   // The prescribed pose, or of a body that floats where its springs pull it to. body < 0: fixed in space, the
   // identity.
-  RigidPose pose(int body, double time) const {
-    return body < 0 ? RigidPose{} : motions_[static_cast<size_t>(body)].at(time);
-  }
-  bool moves(int body) const { return body >= 0 && motions_[static_cast<size_t>(body)].moves(); }
+  RigidPose pose(int body, double time) const { return body < 0 ? RigidPose{} : motions_[body].at(time); }
+  bool moves(int body) const { return body >= 0 && motions_[body].moves(); }
 
  private:
   struct Frame {

@@ -8,7 +8,6 @@
 
 #include <mpi.h>
 
-#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>

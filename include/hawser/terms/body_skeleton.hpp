@@ -38,7 +38,7 @@ class SkeletonParts {
           const Box& b = tree_.nodes()[n].box;
           return near(b.centre(), 0.5 * b.diagonal());
         },
-        [&](int i) { visit(parts_[static_cast<size_t>(i)]); });
+        [&](int i) { visit(parts_[i]); });
   }
 
  private:

@@ -54,7 +54,7 @@ class BuriedTerm final : public ForceTerm {
     }
   };
   Embedded pull(const Point& p, const Kinematics& at) const {
-    return embedded(p.soil, p.slip + (at.x[static_cast<size_t>(p.node)] - p.at), p.tangent);
+    return embedded(p.soil, p.slip + (at.x[p.node] - p.at), p.tangent);
   }
 
   const LocalMesh& mesh_;

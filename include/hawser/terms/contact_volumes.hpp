@@ -7,7 +7,6 @@
 #include <array>
 #include <limits>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "hawser/geometry/surface.hpp"
@@ -65,7 +64,7 @@ class ContactVolumes {
   // With the stiffness of the trial.
   const model::Volume& settings(int volume) const { return at(volume).settings; }
   const Surface& surface(int volume) const { return *at(volume).surface; }
-  const Box& box(int volume) const { return boxes_[static_cast<size_t>(volume)]; }
+  const Box& box(int volume) const { return boxes_[volume]; }
 
   // Where the volumes are, at the start of the step and in the trial that was posed last.
   void pose_start(const Kinematics& at) { pose(at, start_poses_); }
@@ -81,7 +80,7 @@ class ContactVolumes {
   void couple(Couplings& to) const;
 
   // Between steps, and the same on all ranks: whether lines touch it from then on.
-  void enable(int volume, bool on) { volumes_[static_cast<size_t>(volume)].off = !on; }
+  void enable(int volume, bool on) { volumes_[volume].off = !on; }
   // Before the first step, and the same on all ranks.
   void leave_out(std::vector<LeftOut> ends);
   // Of the interval [from, to] of a line's arc [m].
@@ -89,7 +88,7 @@ class ContactVolumes {
 
   // Stiffness in the volume's basis, of the last accepted state; so far an automatic one is raised again when
   // a run goes on from a checkpoint.
-  double stiffness(int volume) const { return committed_[static_cast<size_t>(volume)]; }
+  double stiffness(int volume) const { return committed_[volume]; }
   void raise_to(int volume, double stiffness);
   bool automatic(int volume) const { return at(volume).automatic; }
   // Of each volume what it has in the trial, to be asked for more.
@@ -109,7 +108,7 @@ class ContactVolumes {
   double deepest(int volume, double radius) const;
 
  private:
-  const ContactVolume& at(int volume) const { return volumes_[static_cast<size_t>(volume)]; }
+  const ContactVolume& at(int volume) const { return volumes_[volume]; }
   // Into the poses: space first, then the bodies in their order.
   size_t body(int volume) const { return static_cast<size_t>(at(volume).body + 1); }
   void pose(const Kinematics& at, std::vector<RigidPose>& poses) const;

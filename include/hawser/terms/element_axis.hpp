@@ -12,7 +12,7 @@ namespace hawser {
 // nodes.
 inline AxisEnds element_axis(const Kinematics& at, const Element& e, int first, int second,
                              const Vec3& tangent) {
-  const size_t i = static_cast<size_t>(first), j = static_cast<size_t>(second);
+  const size_t i = first, j = second;
   AxisEnds a;
   a.beam = e.beam;
   a.length = e.length;

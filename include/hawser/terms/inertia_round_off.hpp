@@ -13,8 +13,7 @@ namespace hawser {
 // Square of the force [N] of an element with `mass` [kg] in a step h [s]: the scheme makes accelerations of a
 // difference of positions over h², of what is left of v h.
 inline double inertia_round_off(const Kinematics& at, const LocalElement& e, double mass, double h) {
-  const double v =
-      std::max(at.v[static_cast<size_t>(e.first)].norm(), at.v[static_cast<size_t>(e.second)].norm());
+  const double v = std::max(at.v[e.first].norm(), at.v[e.second].norm());
   return std::pow(4 * std::numeric_limits<double>::epsilon() * mass * v / h, 2);
 }
 

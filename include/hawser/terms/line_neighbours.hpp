@@ -12,19 +12,18 @@ namespace hawser {
 class LineNeighbours {
  public:
   explicit LineNeighbours(const LocalMesh& mesh) {
-    before_.resize(static_cast<size_t>(mesh.owned));
+    before_.resize(mesh.owned);
     for (size_t n = 0; n < before_.size(); ++n) before_[n] = static_cast<int>(n);
     after_ = before_;
     for (const LocalElement& e : mesh.elements) {
-      if (e.first < mesh.owned) after_[static_cast<size_t>(e.first)] = e.second;
-      if (e.second < mesh.owned) before_[static_cast<size_t>(e.second)] = e.first;
+      if (e.first < mesh.owned) after_[e.first] = e.second;
+      if (e.second < mesh.owned) before_[e.second] = e.first;
     }
   }
 
   // From the node before an owned node to the one after it, at an end from or to itself; unit.
   Vec3 tangent(const Kinematics& at, int node) const {
-    const size_t n = static_cast<size_t>(node);
-    const Vec3 chord = at.x[static_cast<size_t>(after_[n])] - at.x[static_cast<size_t>(before_[n])];
+    const Vec3 chord = at.x[after_[node]] - at.x[before_[node]];
     const double length = chord.norm();
     return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
   }
@@ -32,9 +31,7 @@ class LineNeighbours {
   // Angle by which the line turns from the element before an owned node to the one after it, rad; 0 at an
   // end.
   double turn(const Kinematics& at, int node) const {
-    const size_t n = static_cast<size_t>(node);
-    const Vec3 in = at.x[n] - at.x[static_cast<size_t>(before_[n])],
-               out = at.x[static_cast<size_t>(after_[n])] - at.x[n];
+    const Vec3 in = at.x[node] - at.x[before_[node]], out = at.x[after_[node]] - at.x[node];
     return std::atan2(in.cross(out).norm(), in.dot(out));
   }
 

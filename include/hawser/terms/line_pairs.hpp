@@ -134,11 +134,11 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
     }
   };
 
-  const ContactSegment& segment(int i) const { return candidates_.segments()[static_cast<size_t>(i)]; }
-  const Element& element(int i) const { return mesh_.mesh->elements[static_cast<size_t>(i)]; }
-  const LineContactElement& settings(int element) const { return elements_[static_cast<size_t>(element)]; }
-  const AxisEnds& start(int segment) const { return start_[static_cast<size_t>(segment)]; }
-  int fed_end(int segment) const { return fed_end_[static_cast<size_t>(segment)]; }
+  const ContactSegment& segment(int i) const { return candidates_.segments()[i]; }
+  const Element& element(int i) const { return mesh_.mesh->elements[i]; }
+  const LineContactElement& settings(int element) const { return elements_[element]; }
+  const AxisEnds& start(int segment) const { return start_[segment]; }
+  int fed_end(int segment) const { return fed_end_[segment]; }
   PairAxis axis(const Kinematics& at, int segment) const;
   double material_of_start(int segment, const PairAxis& axis, double xi) const;
   // Over the points that touch of the pairs this rank counts; of those that which(pair) says.

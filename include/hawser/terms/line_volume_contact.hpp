@@ -98,13 +98,9 @@ class LineVolumeContact final : public ForceTerm,
     AxisShape shape;
   };
 
-  const LocalElement& local(const Pair& p) const { return mesh_.elements[static_cast<size_t>(p.element)]; }
-  const Element& element(const Pair& p) const {
-    return mesh_.mesh->elements[static_cast<size_t>(local(p).global)];
-  }
-  const LineContactElement& settings(const Pair& p) const {
-    return elements_[static_cast<size_t>(p.element)];
-  }
+  const LocalElement& local(const Pair& p) const { return mesh_.elements[p.element]; }
+  const Element& element(const Pair& p) const { return mesh_.mesh->elements[local(p).global]; }
+  const LineContactElement& settings(const Pair& p) const { return elements_[p.element]; }
   AxisEnds ends(const Kinematics& at, int element) const;
   std::array<ContactLaw, 2> laws(const Pair& pair) const;
   void renew_laws();

@@ -70,11 +70,9 @@ struct LineVolumePair {
   }
   // Null: all of the surface.
   const FacetGroup* group(int w) const {
-    return near.facet_groups.several() ? &near.facet_groups.of[static_cast<size_t>(w)] : nullptr;
+    return near.facet_groups.several() ? &near.facet_groups.of[w] : nullptr;
   }
-  const std::vector<AxisContactPoint>& past(int w) const {
-    return near.past.empty() ? points : near.past[static_cast<size_t>(w)];
-  }
+  const std::vector<AxisContactPoint>& past(int w) const { return near.past.empty() ? points : near.past[w]; }
 };
 
 }  // namespace hawser

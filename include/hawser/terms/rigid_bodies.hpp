@@ -1,4 +1,6 @@
-// Floating bodies: rigid, with mass, held by springs where their motion wants them.
+// Floating bodies: rigid, with mass, held by springs where their motion wants them. The equations:
+// kernels/rigid_body.cpp. How ends of lines are tied to one: system/supports.hpp; what acts on them goes to
+// the body in system/assembler.cpp.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node and
-// half way along cables' elements, shared out by the length of line that belongs to each. See
-// docs/theory/seabed.md.
+// half way along cables' elements, shared out by the length of line that belongs to each. The law at a point,
+// with friction and the tangent of both: kernels/volume_contact.cpp. See docs/theory/seabed.md.
 #pragma once
 
 #include <mpi.h>
@@ -113,15 +113,15 @@ class SeabedTerm final : public ForceTerm {
   };
   // What nodes have, at the point; and what of a force on the point a node bears.
   static Vec3 of_nodes(const Point& p, std::span<const Vec3> values) {
-    const Vec3& first = values[static_cast<size_t>(p.node)];
-    return p.second < 0 ? first : Vec3(0.5 * (first + values[static_cast<size_t>(p.second)]));
+    const Vec3& first = values[p.node];
+    return p.second < 0 ? first : Vec3(0.5 * (first + values[p.second]));
   }
   static double share(const Point& p, int node) {
     if (p.second < 0) return p.node == node ? 1 : 0;
     return p.node == node || p.second == node ? 0.5 : 0;
   }
   size_t place(const Point& p) const { return static_cast<size_t>(&p - points_.data()); }
-  const PointLaw& law(const Point& p) const { return laws_[static_cast<size_t>(p.law)]; }
+  const PointLaw& law(const Point& p) const { return laws_[p.law]; }
   const ContactStart& start(const Point& p) const { return starts_[place(p)]; }
   const History& history(const Point& p) const { return histories_[place(p)]; }
   const Origin* origin(const Point& p) const {

@@ -1,5 +1,5 @@
 // The chain rule from attached positions and rotations to the blocks of nodes.
-#include "hawser/kernels/attached.hpp"
+#include "hawser/kernels/stencil.hpp"
 
 #include "hawser/math/so3.hpp"
 

@@ -1,10 +1,10 @@
-#include "hawser/kernels/attached.hpp"
+#include "hawser/kernels/stencil.hpp"
 
 #include <gtest/gtest.h>
 
 #include "hawser/math/so3.hpp"
 
-namespace hawser::attached_test {
+namespace hawser::stencil_test {
 namespace {
 
 using Vec6 = Eigen::Matrix<double, 6, 1>;
@@ -40,7 +40,7 @@ Vec6 force(const Vec6& u, const Vec6& rate, Mat6* K = nullptr, Mat6* C = nullptr
   return f;
 }
 
-TEST(Attached, TangentsAreDerivatives) {
+TEST(Stencil, TangentsAreDerivatives) {
   Mat6 K, C;
   const Vec6 zero = Vec6::Zero();
   force(zero, zero, &K, &C);
@@ -54,7 +54,7 @@ TEST(Attached, TangentsAreDerivatives) {
 
 // The forces have the moments that their arms give them, and without turning only the columns of rotations
 // are different.
-TEST(Attached, MomentsAreThoseOfTheArms) {
+TEST(Stencil, MomentsAreThoseOfTheArms) {
   Mat6 K, without, C;
   const Vec6 zero = Vec6::Zero();
   const Vec6 f = force(zero, zero, &K, &C);
@@ -74,4 +74,4 @@ TEST(Attached, MomentsAreThoseOfTheArms) {
 }
 
 }  // namespace
-}  // namespace hawser::attached_test
+}  // namespace hawser::stencil_test
