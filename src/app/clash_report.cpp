@@ -78,7 +78,7 @@ void ClashReport::step(double time) {
 void ClashReport::collect() {
   const GatherPlan plan(comm_, static_cast<int>(steps_.size()));
   std::vector<double> all;
-  plan.gather(steps_.data(), all);
+  plan.gather_on_first(steps_.data(), all);
   steps_.clear();
   const int steps = std::exchange(waiting_, 0);
   if (rank_ > 0) return;

@@ -43,6 +43,46 @@ void check_kinetic(const Volume& v, const Issues& issue) {
   if (!(f.axial_kinetic > f.axial)) below("lateral", f.lateral_kinetic, f.lateral);
 }
 
+// Lines of one length between the same places, each started as a catenary, would start in one another, and
+// nothing says on which side of each other they are.
+void check_apart(const Case& c, const Issues& issue) {
+  struct Span {
+    const Line* line;
+    Vec3 a, b;
+    double length, radius;
+  };
+  std::vector<Span> spans;
+  for (const Line& l : c.lines)
+    if (c.contact.takes_part(l) && l.end_a.kind != EndKind::free && l.end_b.kind != EndKind::free &&
+        (l.start == Start::automatic || l.start == Start::catenary)) {
+      double radius = 0;
+      for (const Section& s : l.sections)
+        radius = std::max(radius, 0.5 * c.line_type(s.type).contact_diameter);
+      Vec3 a = end_position(c, l.end_a), b = end_position(c, l.end_b);
+      if (b.x() < a.x()) std::swap(a, b);
+      spans.push_back({&l, a, b, length_of(l), radius});
+    }
+  std::stable_sort(spans.begin(), spans.end(),
+                   [](const Span& p, const Span& q) { return p.a.x() < q.a.x(); });
+  constexpr double kSame = 1e-6;
+  for (std::size_t i = 0; i < spans.size(); ++i)
+    for (std::size_t j = i + 1; j < spans.size(); ++j) {
+      const Span &p = spans[i], &q = spans[j];
+      const double near = kSame * p.length;
+      if (q.a.x() - p.a.x() > near) break;
+      const auto& [one, other] = ordered(p.line->name, q.line->name);
+      const auto same = [&](const auto& e) { return ordered(e.first, e.second) == std::pair(one, other); };
+      const auto& exclude = c.contact.between_lines.exclude;
+      if (p.radius > 0 && q.radius > 0 && (p.a - q.a).norm() <= near && (p.b - q.b).norm() <= near &&
+          std::abs(p.length - q.length) <= near && std::none_of(exclude.begin(), exclude.end(), same))
+        issue("lines." + q.line->name,
+              "it has the ends and the length of line {}, so that they would start in one another; move an "
+              "end, or let "
+              "them pass by 'contact: {{between_lines: {{exclude: [[{}, {}]]}}}}'",
+              quote(p.line->name), one, other);
+    }
+}
+
 }  // namespace
 
 void check_contact(const Case& c, const Issues& issue) {
@@ -54,6 +94,7 @@ void check_contact(const Case& c, const Issues& issue) {
   }
   const BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return;
+  check_apart(c, issue);
   check_smoothing(b.general.smoothing, thickness, "contact.between_lines.smoothing", issue);
   for (std::size_t i = 0; i < b.pairs.size(); ++i) {
     const BetweenLines::Tuned& p = b.pairs[i];

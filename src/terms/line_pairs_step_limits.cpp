@@ -47,12 +47,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   }
   if (through)
     return {Verdict::Kind::shorter,
-            trial.step > 0 ? too_soft(*through)
-                           : where(*through) + " would pass through each other" +
-                                 (least < -kDeep * through->law.radii
-                                      ? ": they are in one another by more than half of their radii; do they "
-                                        "start so, or is the normal_stiffness between them too small?"
-                                      : "")};
+            trial.step > 0 ? too_soft(*through) : where(*through) + " would pass through each other"};
   return {};
 }
 

@@ -116,6 +116,13 @@ class GatherPlan {
     out.resize(all());
     MPI_Allgatherv(mine, mine_, type, out.data(), count_.data(), start_.data(), type, comm_);
   }
+  // The same on rank 0 alone; nothing on the others.
+  template <class T>
+  void gather_on_first(const T* mine, std::vector<T>& out) const {
+    const MPI_Datatype type = mpi_type<T>();
+    out.resize(rank_of(comm_) == 0 ? all() : 0);
+    MPI_Gatherv(mine, mine_, type, out.data(), count_.data(), start_.data(), type, 0, comm_);
+  }
 
  private:
   MPI_Comm comm_ = MPI_COMM_NULL;
