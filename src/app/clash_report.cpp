@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
+#include "hawser/model/check.hpp"
 #include "hawser/terms/body_contact.hpp"
 
 namespace hawser::app {
@@ -20,12 +21,9 @@ ClashSettings settings_of(const model::Case& c) {
   const model::ClashOutput& o = c.output.clashes;
   ClashSettings s;
   s.merge_gap = o.merge_gap;
-  for (const model::Line& line : c.lines) {
-    double diameter = 0;
-    for (const model::Section& section : line.sections)
-      diameter = std::max(diameter, c.line_type(section.type).contact_diameter);
-    s.merge_length.push_back(o.merge_length > 0 ? o.merge_length : kMergeDiameters * diameter);
-  }
+  for (const model::Line& line : c.lines)
+    s.merge_length.push_back(o.merge_length > 0 ? o.merge_length
+                                                : kMergeDiameters * model::contact_diameter_of(c, line));
   return s;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hawser/app/recorder.hpp"
+#include "hawser/model/check.hpp"
 #include "hawser/model/doubts.hpp"
 
 namespace hawser::app {
@@ -69,10 +70,8 @@ void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
     if (const std::string w = overused(sim_.model(), fields_, r); !w.empty()) warnings_.push_back(w);
     if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;
-    double radius = 0;
     const model::Case& c = sim_.model();
-    for (const auto& s : c.lines[c.line_index(r.line)].sections)
-      radius = std::max(radius, 0.5 * c.line_type(s.type).contact_diameter);
+    const double radius = 0.5 * model::contact_diameter_of(c, c.line(r.line));
     if (r.value > c.contact.warned_penetration * radius)
       warnings_.push_back(fmt::format(
           "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, {}: {}",

@@ -170,7 +170,7 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
   std::vector<Chord> chords(c.lines.size());
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
-    if (line.start != model::Start::automatic && line.start != model::Start::catenary) continue;
+    if (!line.starts_by_itself()) continue;
     if (line.whole || !c.contact.takes_part(line) || line.end_a.kind == model::EndKind::free ||
         line.end_b.kind == model::EndKind::free)
       continue;

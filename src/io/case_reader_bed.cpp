@@ -241,7 +241,7 @@ class BedCheck {
   }
   // A line that starts by itself goes straight from its end in the soil to the bed.
   void reaches(const model::Line& line, const model::End& e, const Vec3& x) const {
-    if (line.start != model::Start::automatic && line.start != model::Start::catenary) return;
+    if (!line.starts_by_itself()) return;
     const bool a = &e == &line.end_a;
     const size_t i = a ? 0 : line.buried.size() - 1;
     const double length = line.buried[i].to - line.buried[i].from, deep = -model::height_above_bed(bed_, x);

@@ -35,8 +35,7 @@ class Group {
  public:
   Group(const std::string& name, const Value& v, model::Case& c)
       : name_(name), v_(v), c_(c), line_(the_line()) {
-    for (const model::Section& s : line_.sections)
-      radius_ = std::max(radius_, 0.5 * c.line_type(s.type).contact_diameter);
+    radius_ = 0.5 * model::contact_diameter_of(c, line_);
   }
 
   void read() {

@@ -11,7 +11,8 @@
 namespace hawser {
 namespace {
 
-constexpr double kRoot = 1e-10;  // of xi; at the root there is no force yet, so its error counts squared
+// Of the ends, in xi. The contact force is zero there, so an error of an end enters the integral squared.
+constexpr double kRoot = 1e-10;
 constexpr int kMost = 100;
 constexpr int kFiner = 4;  // further halvings where contact is not excluded
 

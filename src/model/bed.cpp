@@ -25,9 +25,7 @@ double height_above_bed(const Seabed& bed, const Vec3& x) {
 
 // Between points a line spans the hollows of a bed that is not even.
 double laying_reach(const Case& c, const Line& line) {
-  double thick = 0;
-  for (const Section& s : line.sections) thick = std::max(thick, c.line_type(s.type).contact_diameter);
-  return std::max(thick, 1e-3 * length_of(line));
+  return std::max(contact_diameter_of(c, line), 1e-3 * length_of(line));
 }
 
 bool laid_with_friction(const Case& c, const Line& line) {
@@ -40,8 +38,7 @@ bool laid_with_friction(const Case& c, const Line& line) {
 }
 
 bool held_by_friction(const Case& c, const Line& line) {
-  const bool given = line.start != Start::automatic && line.start != Start::catenary;
-  return laid_with_friction(c, line) || (c.statics.contact_friction && given);
+  return laid_with_friction(c, line) || (c.statics.contact_friction && !line.starts_by_itself());
 }
 
 }  // namespace hawser::model

@@ -180,6 +180,12 @@ double length_of(const Line& line) {
   return length;
 }
 
+double contact_diameter_of(const Case& c, const Line& line) {
+  double most = 0;
+  for (const Section& s : line.sections) most = std::max(most, c.line_type(s.type).contact_diameter);
+  return most;
+}
+
 double expansion_of(const Case& c, const Line& line) {
   double sum = 0, at = 0;
   for (const Section& s : line.sections) {

@@ -49,18 +49,15 @@ void check_apart(const Case& c, const Issues& issue) {
   struct Span {
     const Line* line;
     Vec3 a, b;
-    double length, radius;
+    double length;
   };
   std::vector<Span> spans;
   for (const Line& l : c.lines)
     if (c.contact.takes_part(l) && l.end_a.kind != EndKind::free && l.end_b.kind != EndKind::free &&
-        (l.start == Start::automatic || l.start == Start::catenary)) {
-      double radius = 0;
-      for (const Section& s : l.sections)
-        radius = std::max(radius, 0.5 * c.line_type(s.type).contact_diameter);
+        l.starts_by_itself() && contact_diameter_of(c, l) > 0) {
       Vec3 a = end_position(c, l.end_a), b = end_position(c, l.end_b);
       if (b.x() < a.x()) std::swap(a, b);
-      spans.push_back({&l, a, b, length_of(l), radius});
+      spans.push_back({&l, a, b, length_of(l)});
     }
   std::stable_sort(spans.begin(), spans.end(),
                    [](const Span& p, const Span& q) { return p.a.x() < q.a.x(); });
@@ -73,8 +70,8 @@ void check_apart(const Case& c, const Issues& issue) {
       const auto& [one, other] = ordered(p.line->name, q.line->name);
       const auto same = [&](const auto& e) { return ordered(e.first, e.second) == std::pair(one, other); };
       const auto& exclude = c.contact.between_lines.exclude;
-      if (p.radius > 0 && q.radius > 0 && (p.a - q.a).norm() <= near && (p.b - q.b).norm() <= near &&
-          std::abs(p.length - q.length) <= near && std::none_of(exclude.begin(), exclude.end(), same))
+      if ((p.a - q.a).norm() <= near && (p.b - q.b).norm() <= near && std::abs(p.length - q.length) <= near &&
+          std::none_of(exclude.begin(), exclude.end(), same))
         issue("lines." + q.line->name,
               "it has the ends and the length of line {}, so that they would start in one another; move an "
               "end, or let "

@@ -182,8 +182,7 @@ class LineCheck {
     else if (i > 0 && b.from < line_.buried[i - 1].to - near)
       issue(key + ".from", "{:.6g} m is within the stretch before, which goes to {:.6g} m", b.from,
             line_.buried[i - 1].to);
-    if (line_.start != Start::automatic && line_.start != Start::catenary && line_.start != Start::hanging)
-      return;
+    if (!line_.starts_by_itself() && line_.start != Start::hanging) return;
     const bool at_a = b.from <= near, at_b = b.to >= length_ - near;
     if (!held(line_.end_a) || !held(line_.end_b) || line_.start == Start::hanging || at_a == at_b)
       issue(key,

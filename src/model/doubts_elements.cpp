@@ -17,8 +17,9 @@ constexpr double kSteel = 7850;  // kg/m³, of a mass without a volume
 constexpr double kRound = 1e-6;  // of a number of elements
 
 // Where the elements of a line begin and end, m from end A.
-std::vector<double> node_arcs(const Line& line) {
-  std::vector<double> arcs = {0};
+using Arcs = std::vector<double>;
+Arcs node_arcs(const Line& line) {
+  Arcs arcs = {0};
   for (const Section& s : line.sections)
     for (const double l : element_lengths(s)) arcs.push_back(arcs.back() + l);
   return arcs;
@@ -30,16 +31,16 @@ struct Place {
   int number = 0;  // of the element along the line
 };
 
-Place place_of(const Line& line, double at) {
-  const std::vector<double> arcs = node_arcs(line);
+Place place_of(const Arcs& arcs, double at) {
   const auto after =
       std::clamp(std::lower_bound(arcs.begin(), arcs.end(), at), arcs.begin() + 1, arcs.end() - 1);
   const double from = *(after - 1), to = *after;
   return {from, to, at - from < to - at ? from : to, static_cast<int>(after - arcs.begin()) - 1};
 }
 
-void doubt_place(const Line& line, double at, const std::string& key, std::vector<Doubt>& out) {
-  const Place p = place_of(line, at);
+void doubt_place(const Line& line, const Arcs& arcs, double at, const std::string& key,
+                 std::vector<Doubt>& out) {
+  const Place p = place_of(arcs, at);
   if (std::abs(p.node - at) > kApart * (p.to - p.from))
     out.push_back({key,
                    fmt::format("what is to be at {:.6g} m of line {} is fixed to the nearest node, at {:.6g} "
@@ -50,12 +51,13 @@ void doubt_place(const Line& line, double at, const std::string& key, std::vecto
 
 // On the bed a mass rests on the length of line that belongs to its node, about an element, however large it
 // is itself: it may sink in by more than its diameter. Not where the bed is out of reach.
-void doubt_sinking(const Case& c, const Line& line, const PointMass& m, std::vector<Doubt>& out) {
+void doubt_sinking(const Case& c, const Line& line, const Arcs& arcs, const PointMass& m,
+                   std::vector<Doubt>& out) {
   const Seabed& bed = c.environment.seabed;
   const Water& w = c.environment.water;
   const double weight = c.environment.gravity * (m.mass - (w.present ? w.density * m.volume : 0));
   if (!bed.present || bed.force_table || weight <= 0 || lowest_reach(c, line) > -0.8 * bed.depth) return;
-  const Place p = place_of(line, m.at);
+  const Place p = place_of(arcs, m.at);
   int section = 0;
   for (int before = line.sections.front().elements; p.number >= before;)
     before += line.sections[static_cast<std::size_t>(++section)].elements;
@@ -75,12 +77,11 @@ void doubt_sinking(const Case& c, const Line& line, const PointMass& m, std::vec
          24});
 }
 
-void doubt_stiffener(const Line& line, std::size_t i, std::vector<Doubt>& out) {
+void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<Doubt>& out) {
   const BendStiffener& b = line.bend_stiffeners[i];
   const double most = b.at + (b.towards_a ? -1 : 1) * b.rows.back().first, total = length_of(line),
                from = std::clamp(std::min(b.at, most), 0.0, total),
                to = std::clamp(std::max(b.at, most), 0.0, total);
-  const std::vector<double> arcs = node_arcs(line);
   double elements = 0;
   for (std::size_t n = 1; n < arcs.size(); ++n)
     elements += std::max(std::min(arcs[n], to) - std::max(arcs[n - 1], from), 0.0) / (arcs[n] - arcs[n - 1]);
@@ -97,19 +98,24 @@ void doubt_stiffener(const Line& line, std::size_t i, std::vector<Doubt>& out) {
 void doubt_elements(const Case& c, std::vector<Doubt>& out) {
   for (const Line& line : c.lines) {
     const std::string key = "lines." + line.name;
+    const Arcs arcs = node_arcs(line);
     for (const PointMass& m : line.masses) {
-      doubt_place(line, m.at, key + ".masses", out);
-      doubt_sinking(c, line, m, out);
+      doubt_place(line, arcs, m.at, key + ".masses", out);
+      doubt_sinking(c, line, arcs, m, out);
     }
     for (const PointLoad& p : line.point_loads)
-      doubt_place(line, p.at, fmt::format("{}.loads[{}]", key, p.order), out);
-    for (std::size_t i = 0; i < line.bend_stiffeners.size(); ++i) doubt_stiffener(line, i, out);
+      doubt_place(line, arcs, p.at, fmt::format("{}.loads[{}]", key, p.order), out);
+    for (std::size_t i = 0; i < line.bend_stiffeners.size(); ++i) doubt_stiffener(line, arcs, i, out);
   }
+  const auto elsewhere = [&](const std::string& name, double at, const std::string& key) {
+    const Line& line = c.line(name);
+    doubt_place(line, node_arcs(line), at, key, out);
+  };
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
-      if (!e->line.empty()) doubt_place(c.line(e->line), e->arc, "links." + l.name, out);
+      if (!e->line.empty()) elsewhere(e->line, e->arc, "links." + l.name);
   for (const Body& b : c.bodies)
-    if (b.on && !b.on->drawn) doubt_place(c.line(b.on->line), b.on->at, "bodies." + b.name + ".on", out);
+    if (b.on && !b.on->drawn) elsewhere(b.on->line, b.on->at, "bodies." + b.name + ".on");
 }
 
 }  // namespace hawser::model

@@ -62,10 +62,9 @@ void doubt_span(const Case& c, const Line& line, std::vector<Doubt>& out) {
     bears(c, weakest, (chord - loose) / give, key,
           fmt::format("a length of {:.6g} m over a distance of {:.6g} m between its ends", loose, chord),
           out);
-  const bool automatic = line.start == Start::automatic || line.start == Start::catenary;
   int elements = 0;
   for (const Section& s : line.sections) elements += s.elements;
-  if (automatic && elements < kFew && chord > 0 && length > kSlack * chord)
+  if (line.starts_by_itself() && elements < kFew && chord > 0 && length > kSlack * chord)
     out.push_back(
         {key,
          fmt::format("{} element{} for a line that is {:.2g} % longer than the distance of its ends: it "
@@ -76,7 +75,7 @@ void doubt_span(const Case& c, const Line& line, std::vector<Doubt>& out) {
   if (const Seabed& bed = c.environment.seabed; bed.present)
     for (const End* e : {&line.end_a, &line.end_b})
       room += std::max(height_above_bed(bed, end_position(c, *e)), 0.0);
-  if (automatic && chord > 0 && length > kLong * chord && length > kDeepLong * room)
+  if (line.starts_by_itself() && chord > 0 && length > kLong * chord && length > kDeepLong * room)
     out.push_back({key,
                    fmt::format("the line is {:.6g} m long, {:.3g} times the distance of its ends ({:.6g} m); "
                                "is it meant to be that slack?",

@@ -121,9 +121,8 @@ double slack_tension(double L, double X, double h) {
 void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {
   const Water& w = c.environment.water;
   const Seabed& bed = c.environment.seabed;
-  const bool automatic = line.start == Start::automatic || line.start == Start::catenary;
   if (!c.statics.enabled || w.current.profile.empty() || w.current.ramp > 0 || !bed.present || bed.surface ||
-      !automatic || !is_held(line.end_a) || !is_held(line.end_b))
+      !line.starts_by_itself() || !is_held(line.end_a) || !is_held(line.end_b))
     return;
   Vec3 low = end_position(c, line.end_a), high = end_position(c, line.end_b);
   if (low.z() > high.z()) std::swap(low, high);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/solve/dynamics.hpp"
 
@@ -40,7 +41,7 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
     }
     if (moved->free) settles = moved->node;
   }
-  MPI_Allreduce(MPI_IN_PLACE, &settles, 1, MPI_INT, MPI_MAX, system_.comm());
+  all_reduce(system_.comm(), MPI_MAX, settles);
   system_.spread(committed_.s);
   system_.spread(committed_.ax);
   if (has_directors(m)) system_.spread(committed_.aw), system_.spread(committed_.ad);
@@ -89,7 +90,7 @@ void Dynamics::settle(int node, double h) {
         if (size == 6) q = (q * exp_so3(step.tail<3>())).normalized();
       }
     }
-    MPI_Allreduce(MPI_IN_PLACE, &going, 1, MPI_DOUBLE, MPI_MAX, system_.comm());
+    all_reduce(system_.comm(), MPI_MAX, going);
     system_.spread(committed_.s);
     if (going < 1e-12) break;
   }

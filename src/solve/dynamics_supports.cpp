@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/solve/dynamics.hpp"
 
 namespace hawser {
@@ -39,9 +40,7 @@ void Dynamics::catch_up(const Supports& before, State& s) {
   std::vector<int> caught;
   for (const Support& h : system_.supports().list())
     if (h.node < m.owned && h.position_mask == 7 && !holds(before, h.node)) caught.push_back(h.node);
-  int any = !caught.empty();
-  MPI_Allreduce(MPI_IN_PLACE, &any, 1, MPI_INT, MPI_MAX, system_.comm());
-  if (!any) return;
+  if (!on_any_rank(system_.comm(), !caught.empty())) return;
   const double h = control_.proposal();
   s.directors.clear(), s.director_weight = 0, s.mean = {};
   committed_.s = s, last_step_ = 0;

@@ -75,8 +75,7 @@ class OverSupports {
  public:
   OverSupports(const model::Case& c, const model::Line& line, const Bodies& bodies, double length)
       : c_(c), line_(line), length_(length) {
-    for (const model::Section& s : line.sections)
-      radius_ = std::max(radius_, 0.5 * c.line_type(s.type).contact_diameter);
+    radius_ = 0.5 * model::contact_diameter_of(c, line);
     const model::SupportBox* first = nullptr;
     std::vector<Place> boxes;
     size_t closed = 0;

@@ -40,10 +40,6 @@ bool rigid(const model::Case& c, const model::End& e) {
   return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
 }
 
-bool by_itself(const model::Line& line) {
-  return line.start == model::Start::automatic || line.start == model::Start::catenary;
-}
-
 // Says that an end is clamped against the way that the line takes there by itself.
 void doubt_direction(const model::Line& line, bool at_b, const Vec3& own, const Vec3& given,
                      std::vector<std::string>& notes) {
@@ -52,8 +48,7 @@ void doubt_direction(const model::Line& line, bool at_b, const Vec3& own, const 
   const Vec3& d = *line.end(at_b).direction;
   std::string note = fmt::format(
       "lines.{}.{}.direction: the line would have to turn by {:.0f} degrees to have this direction at end "
-      "{}: "
-      "at both ends it is the direction from end A to end B; is [{:.3g}, {:.3g}, {:.3g}] meant?",
+      "{}: at both ends it is the direction from end A to end B; is [{:.3g}, {:.3g}, {:.3g}] meant?",
       line.name, at_b ? "end_b" : "end_a", turn * 180 / M_PI, at_b ? 'B' : 'A', 0 - d.x(), 0 - d.y(),
       0 - d.z());
   if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
@@ -62,17 +57,18 @@ void doubt_direction(const model::Line& line, bool at_b, const Vec3& own, const 
 // Places, tangents and node axes of a line that is not a part of another.
 LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& g,
                    const LineSpan& span, std::vector<std::string>& notes) {
-  LineStart shape = line.end_a.feed || line.end_b.feed        ? line_start_fed(c, line, bodies, g, span)
-                    : by_itself(line) && !line.buried.empty() ? line_start_from_soil(c, line, bodies, g, span)
-                                                              : line_start(c, line, bodies, g, span);
+  LineStart shape = line.end_a.feed || line.end_b.feed ? line_start_fed(c, line, bodies, g, span)
+                    : line.starts_by_itself() && !line.buried.empty()
+                        ? line_start_from_soil(c, line, bodies, g, span)
+                        : line_start(c, line, bodies, g, span);
   mend(shape);
-  if (by_itself(line) && line.buried.empty()) lift(c.environment.seabed, shape);
+  if (line.starts_by_itself() && line.buried.empty()) lift(c.environment.seabed, shape);
   const auto clamp_direction = [&](bool at_b) {
     const model::End& e = line.end(at_b);
     if (!(e.clamped || rigid(c, e)) || !e.direction) return;
     const Vec3 given = start_pose(c, bodies, e).rotation * e.direction->normalized();
     Vec3& tangent = at_b ? shape.tangent.back() : shape.tangent.front();
-    if (by_itself(line)) doubt_direction(line, at_b, tangent.normalized(), given, notes);
+    if (line.starts_by_itself()) doubt_direction(line, at_b, tangent.normalized(), given, notes);
     tangent = given;
   };
   clamp_direction(false), clamp_direction(true);

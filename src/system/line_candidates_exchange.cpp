@@ -29,9 +29,7 @@ std::vector<double> pack(const std::vector<SweptAxis>& own, const std::set<size_
 }  // namespace
 
 std::vector<SweptAxis> LineCandidates::from_others() const {
-  int size = 1, rank = 0;
-  MPI_Comm_size(comm_, &size);
-  MPI_Comm_rank(comm_, &rank);
+  const int size = ranks_of(comm_), rank = rank_of(comm_);
   if (size == 1) return {};
   const std::vector<SweptAxis>& own = built_;
   std::vector<double> mine;

@@ -66,8 +66,9 @@ std::vector<ContactInterval> split_intervals(const std::vector<ContactInterval>&
 
 // Gauss-Legendre on (0, 1).
 struct ContactRule {
-  static constexpr int kPoints = 4;  // more than a pressure as a parabola, times Hermite's cubics, needs;
-                                     // none in the middle, where edges are if a case is symmetric
+  // One more than a parabolic pressure times Hermite's cubics needs. An even number, so that no point is in
+  // the middle of a panel: in symmetric cases the integrand has its kink there, at an edge of the body.
+  static constexpr int kPoints = 4;
   static const std::array<double, kPoints>& abscissae();
   static const std::array<double, kPoints>& weight();
 };

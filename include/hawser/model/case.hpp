@@ -263,6 +263,8 @@ struct Line {
   // constant beyond; empty: none.
   std::vector<std::pair<double, double>> temperature_change;
   Start start = Start::automatic;
+  // Its start shape follows from its ends and its length.
+  bool starts_by_itself() const { return start == Start::automatic || start == Start::catenary; }
   std::vector<Vec3> points;               // for Start::points: polyline the line is laid along
   std::shared_ptr<const LeftShape> left;  // for Start::other_run
   std::optional<LengthTarget> target;

@@ -60,6 +60,8 @@ Vec3 support_point(const Case& c, const SupportBox& box, const Vec3& x);
 double length_of(const Line& line);
 // What its `temperature_change` adds to it [m].
 double expansion_of(const Case& c, const Line& line);
+// The largest of its sections [m].
+double contact_diameter_of(const Case& c, const Line& line);
 
 // Whether a line's end is held by an anchor or a body: its place is prescribed, which that of a joint is not.
 bool is_held(const End& end);
